@@ -226,25 +226,28 @@ def _peaks_and_saddles(height: np.ndarray, edges: np.ndarray) -> list[tuple[int,
     rank = np.empty(len(order), int)
     rank[order] = np.arange(len(order))
     a, b = np.sort(rank[edges], axis=1).T
-    owner = np.arange(len(order))
+    by_lower = np.lexsort((a, b))
+    a, b = a[by_lower], b[by_lower]
+    peak = np.arange(len(order))  # reached from each vertex by way of its highest neighbours
+    first_edge = np.flatnonzero(np.diff(b, prepend=-1))
+    peak[b[first_edge]] = a[first_edge]
+    while (peak[peak] != peak).any():
+        peak = peak[peak]
+    owner = {k: k for k in np.unique(peak).tolist()}
 
     def root(k: int) -> int:
         while owner[k] != k:
-            owner[k] = owner[owner[k]]
-            k = int(owner[k])
+            k = owner[k]
         return k
 
     died: list[tuple[int, float]] = []
-    by_lower = np.lexsort((a, b))
-    for high, low in zip(a[by_lower].tolist(), b[by_lower].tolist(), strict=True):
-        first, second = sorted((root(high), root(low)))
-        if first == second:
-            continue
-        owner[second] = first
-        if second != low:
+    meet = np.flatnonzero(peak[a] != peak[b])
+    for one, other, low in np.column_stack([peak[a], peak[b], b])[meet].tolist():
+        first, second = sorted((root(one), root(other)))
+        if first != second:
+            owner[second] = first
             died.append((int(order[second]), float(height[order[low]])))
-    alive = [k for k in range(len(order)) if owner[k] == k]
-    return died + [(int(order[k]), -np.inf) for k in alive]
+    return died + [(int(order[k]), -np.inf) for k, above in owner.items() if above == k]
 
 
 def largest_ceiling(

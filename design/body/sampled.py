@@ -9,7 +9,7 @@ interpolated by cubic splines; the core is found by marching cubes on a finer on
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -56,11 +56,16 @@ class SampledRelief:
         x, y = xy_mm[..., 0], xy_mm[..., 1]
         inside = (x / self.half_mm[0]) ** 2 + (y / self.half_mm[1]) ** 2 <= 1
         x, y = np.where(inside, x, 0.0), np.where(inside, y, 0.0)
-        values = [
-            np.where(inside, self.spline(x, y, dx=dx, dy=dy, grid=False), np.nan)
-            for dx, dy in ((0, 0), (1, 0), (0, 1))
-        ]
-        return np.asarray(values[0]), np.stack(values[1:], axis=-1)
+        height, *slopes = (
+            np.where(inside, spline(x, y, grid=False), np.nan)
+            for spline in (self.spline, *self._slopes)
+        )
+        return np.asarray(height), np.stack(slopes, axis=-1)
+
+    @cached_property
+    def _slopes(self) -> tuple[Any, Any]:
+        """Along x and y; the spline would work them out whole at every call."""
+        return self.spline.partial_derivative(1, 0), self.spline.partial_derivative(0, 1)
 
 
 def outer_distance_mm(

@@ -291,14 +291,22 @@ def _slope_along(
 def _normals(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3"]:
     """Outward normals of a surface of those slopes, in its frame."""
     along_x, along_y = slope[..., 0], slope[..., 1]
-    upward = 1 / np.sqrt(1 + along_x**2 + along_y**2)
-    return np.stack([-along_x * upward, -along_y * upward, upward], axis=-1)
+    normal = np.empty((*along_x.shape, 3))
+    upward = normal[..., 2] = 1 / np.sqrt(1 + along_x**2 + along_y**2)
+    normal[..., 0] = -along_x * upward
+    normal[..., 1] = -along_y * upward
+    return normal
 
 
 def _local_axes(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3 3"]:
     """Axes as columns: along the surface above x, across it, and its normal."""
-    normal = _normals(slope)
-    zero, one = np.zeros(slope.shape[:-1]), np.ones(slope.shape[:-1])
-    x = np.stack([one, zero, slope[..., 0]], axis=-1)
-    x = x / np.sqrt(1 + slope[..., :1] ** 2)
-    return np.stack([x, np.cross(normal, x), normal], axis=-1)
+    axes = np.empty((*slope.shape[:-1], 3, 3))
+    axes[..., 2] = normal = _normals(slope)
+    ahead = 1 / np.sqrt(1 + slope[..., 0] ** 2)
+    climb = ahead * slope[..., 0]
+    axes[..., 0, 0], axes[..., 1, 0], axes[..., 2, 0] = ahead, 0.0, climb
+    # normal × x, written out: NumPy's function takes ten times as long on one place
+    axes[..., 0, 1] = normal[..., 1] * climb
+    axes[..., 1, 1] = normal[..., 2] * ahead - normal[..., 0] * climb
+    axes[..., 2, 1] = -normal[..., 1] * ahead
+    return axes

@@ -6,8 +6,6 @@ them, which is never thicker than what rays find in the printed part.
 
 from __future__ import annotations
 
-from itertools import product
-
 import numpy as np
 
 from design.fabrication.assembly import check_pockets
@@ -17,9 +15,9 @@ from design.fit.parts import distance_mm, recess_outline
 from design.layout.boards import passage_radius_mm, sensor_recesses, smallest_recess_wall_mm
 from design.layout.body import face_frames
 from design.layout.pockets import (
-    axis_in_object_mm,
-    gap_across_edge_mm,
+    gaps_across_edge_mm,
     neighbours,
+    pocket_ends,
     sensor_places,
     shell_pockets,
 )
@@ -44,15 +42,16 @@ def failures(findings: list[Finding]) -> list[str]:
 
 def _across_edges(spec: ObjectSpec) -> list[Finding]:
     """Silicone between pockets of neighbouring faces."""
-    faces = dict(zip((f.number for f in face_frames(spec)), shell_pockets(spec), strict=True))
-    found = [
-        (gap_across_edge_mm(a, one, b, other), axis_in_object_mm(a, one)[0])
-        for a, b in neighbours(face_frames(spec))
-        for one, other in product(faces[a.number], faces[b.number])
-    ]
+    faces = {
+        frame.number: pocket_ends(frame, pockets)
+        for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)
+    }
+    pairs = [(faces[a.number], faces[b.number]) for a, b in neighbours(face_frames(spec))]
+    found = [(gaps_across_edge_mm(a, b), a) for a, b in pairs if len(a.radii_mm) * len(b.radii_mm)]
     if not found:
         return []
-    gap, place = min(found, key=lambda pair: pair[0])
+    gaps, ones = min(found, key=lambda pair: pair[0].min())
+    gap, place = float(gaps.min()), ones.axes_mm[gaps.min(axis=1).argmin(), 0]
     text = "silicone between pockets of neighbouring faces. Below the limit: move them inwards"
     limit = spec.silicone.thinnest_wall_mm
     return [

@@ -10,7 +10,12 @@ from design.fabrication.assembly import check_pockets
 from design.fabrication.check import mesh_of
 from design.fabrication.layout import failures, layout_findings
 from design.layout.body import face_frames
-from design.layout.pockets import gap_across_edge_mm, shell_pockets
+from design.layout.pockets import (
+    axis_in_object_mm,
+    gap_across_edge_mm,
+    neighbours,
+    shell_pockets,
+)
 from design.solids.core import make_core
 from design.spec_io import parse_spec
 
@@ -151,3 +156,22 @@ def test_the_gap_between_patches_is_at_most_that_of_points_of_both_pockets():
                 gaps.append((true, gap))
     true, gap = min(gaps)
     assert gap == pytest.approx(true, abs=1.0)
+
+
+def test_silicone_across_an_edge_is_told_where_it_is_thinnest():
+    spec = parsed(body=EGG, magnets={"positions_mm": [[12.0, 9.0], [-11.0, 8.0]]}, **EGG_SENSORS)
+    found = by_check(spec, recesses=False)["pocket spacing across an edge"]
+    faces = dict(zip((f.number for f in face_frames(spec)), shell_pockets(spec), strict=True))
+    beside = neighbours(face_frames(spec))
+    here = [
+        (frame, pocket)
+        for frame in face_frames(spec)
+        for pocket in faces[frame.number]
+        if np.allclose(axis_in_object_mm(frame, pocket)[0], found.place_mm, atol=1e-3)
+    ]
+    ((frame, pocket),) = here
+    others = [b if a is frame else a for a, b in beside if any(frame is one for one in (a, b))]
+    gaps = [
+        gap_across_edge_mm(frame, pocket, b, other) for b in others for other in faces[b.number]
+    ]
+    assert min(gaps) == pytest.approx(found.value)

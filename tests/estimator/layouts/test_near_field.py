@@ -34,7 +34,7 @@ def poses(magnet, reach, count=60):
 
 
 def by_magpylib(magnet, offset, axis):
-    """Field (T) at offsets from a magnet with this axis."""
+    """Field (T) at each offset from a magnet with that axis: (pose, 3)."""
     polarization = (0, 0, magnet.polarization_t)
     if magnet.inner_diameter_mm:
         radii = magnet.inner_diameter_mm / 2e3, magnet.diameter_mm / 2e3
@@ -43,23 +43,19 @@ def by_magpylib(magnet, offset, axis):
     else:
         size = (magnet.diameter_mm / 1e3, magnet.height_mm / 1e3)
         source = magpy.magnet.Cylinder(polarization=polarization, dimension=size)
-    turn = Rotation.align_vectors([axis], [[0, 0, 1]])[0]
+    x, y, z = axis.T
+    turn = Rotation.from_quat(np.stack([-y, x, 0 * x, 1 + z], axis=-1))
+    assert_allclose(turn.apply([0, 0, 1]), axis, atol=1e-9)
     return turn.apply(source.getB(turn.inv().apply(offset) * 1e-3))
 
 
 def wanted_change(magnet, offset, axis):
-    """Central differences by displacement (mm) and rotation (rad): (3, 6)."""
-    columns = []
-    for k in range(6):
-        step = STEP * np.eye(6)[k]
-        ends = [
-            by_magpylib(
-                magnet, offset - s * step[:3], Rotation.from_rotvec(s * step[3:]).apply(axis)
-            )
-            for s in (1, -1)
-        ]
-        columns.append((ends[0] - ends[1]) / (2 * STEP))
-    return np.stack(columns, axis=1)
+    """Central differences by displacement (mm) and rotation (rad): (pose, 3, 6)."""
+    shift, turn = np.split(np.concatenate([STEP * np.eye(6), -STEP * np.eye(6)]), 2, axis=1)
+    turned = Rotation.from_rotvec(turn).as_matrix() @ axis[:, None, :, None]
+    moved = np.stack([(offset[:, None] - shift).reshape(-1, 3), turned.reshape(-1, 3)])
+    field = by_magpylib(magnet, *moved).reshape(len(offset), 2, 6, 3)
+    return np.moveaxis(field[:, 0] - field[:, 1], 1, 2) / (2 * STEP)
 
 
 def errors(magnet, reach, order):
@@ -67,9 +63,8 @@ def errors(magnet, reach, order):
     offset, axis = poses(magnet, reach)
     given = (torch.as_tensor(part.T, dtype=torch.float32) for part in (offset, axis))
     found = field_change(*given, magnet, order)
-    pairs = list(zip(offset, axis, strict=True))
-    field = np.stack([by_magpylib(magnet, *pair) for pair in pairs], axis=-1)
-    change = np.stack([wanted_change(magnet, *pair) for pair in pairs], axis=-1)
+    field = by_magpylib(magnet, offset, axis).T
+    change = np.moveaxis(wanted_change(magnet, offset, axis), 0, -1)
     missed = abs(found.by_motion.numpy() - change)
     changes = [
         missed[:, part].max() / abs(change[:, part]).max() for part in (slice(3), slice(3, 6))

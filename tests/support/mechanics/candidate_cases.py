@@ -48,14 +48,18 @@ def made_up_motions(spec, pitch_mm=2.0):
     points = np.concatenate([in_object(f, one) for f, one in zip(frames, lattices, strict=True)])
     table = np.empty((len(points), len(frames), len(places), 2, 6), np.float32)
     for row, frame in enumerate(frames):
-        local = frame.in_plane(points)
+        local, (x, y, normal) = frame.in_plane(points), frame.axes.T
         away = local[:, None, :2] - places.xy_mm
-        near = LINEAR * np.exp(-np.sum(away**2, -1) / 90 + local[:, 2:] / 9)[..., None]
-        down = np.full(near.shape, -0.35)
-        shift = np.concatenate([0.05 * away, down], -1) @ frame.axes.T
-        turn = np.concatenate([-0.012 * away[..., 1:], 0.012 * away[..., :1], 0 * down], -1)
-        both = near * np.concatenate([shift, turn @ frame.axes.T], -1)
-        table[:, row] = both[:, :, None] * SHARES[:, None]
+        near = LINEAR * np.exp(-np.sum(away**2, -1) / 90 + local[:, 2:] / 9)
+        # shift and turn for each mm away along x and y, and for all of it
+        ways = [
+            [*(0.05 * x), *(0.012 * y)],
+            [*(0.05 * y), *(-0.012 * x)],
+            [*(-0.35 * normal), 0, 0, 0],
+        ]
+        weights = np.stack([near * away[..., 0], near * away[..., 1], near], axis=-1)
+        moved = weights.reshape(-1, 3) @ np.concatenate(np.multiply.outer(SHARES, ways), axis=1)
+        table[:, row] = moved.reshape(table[:, row].shape)
     force = np.broadcast_to(spec.score.force_n * SHARES, table.shape[1:4]).copy()
     faces = np.array([frame.number for frame in frames])
     nan = InterpolationError(*4 * [np.nan])

@@ -51,12 +51,20 @@ def spec_of(body):
     return parse_spec(content, "made up")
 
 
-def batch(body, count, seed=0):
+@cache
+def space_of(body):
+    """Of its only structure, once per body as well."""
     spec = spec_of(body)
+    space = search_space(spec)
+    params = params_at(space, np.full(len(space.variables), 0.5))
+    return layout_space(space, with_structure(spec, params), torch.float64)
+
+
+def batch(body, count, seed=0):
+    spec, tensors = spec_of(body), space_of(body)
     space = search_space(spec)
     units = np.random.default_rng(seed).random((count, len(space.variables)))
     params = [params_at(space, unit) for unit in units]
-    tensors = layout_space(space, with_structure(spec, params[0]), torch.float64)
     poles = torch.ones(count, spec.magnets.count, dtype=torch.float64)
     return spec, tensors, params, poles, torch.as_tensor(units)
 
