@@ -247,13 +247,13 @@ def _residual_by_lag(
     first, last = -min(LAGS), len(force_n) - max(LAGS)
     signal = counts[first:last] - counts[first:last].mean(axis=0)
     variance = np.sum(signal**2)
-    shares = []
-    for lag in LAGS:
-        force = force_n[first + lag : last + lag]
-        scale = max(float(np.ptp(force)), 1e-9)
-        basis, _ = np.linalg.qr(np.vander((force - force.mean()) / scale, _CURVE_DEGREE + 1))
-        shares.append(1 - np.sum((basis.T @ signal) ** 2) / variance if variance > 0 else np.nan)
-    return np.array(shares)
+    if not variance > 0:
+        return np.full(len(LAGS), np.nan)
+    force = np.stack([force_n[first + lag : last + lag] for lag in LAGS])
+    scale = np.maximum(np.ptp(force, axis=1, keepdims=True), 1e-9)
+    relative = (force - force.mean(axis=1, keepdims=True)) / scale
+    basis, _ = np.linalg.qr(relative[..., None] ** np.arange(_CURVE_DEGREE, -1, -1))
+    return 1 - np.sum((basis.transpose(0, 2, 1) @ signal) ** 2, axis=(1, 2)) / variance
 
 
 def shifted_forces(

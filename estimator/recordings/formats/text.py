@@ -95,7 +95,7 @@ def numbers(
                 "cut off or damaged there: delete the line or copy the file anew"
             )
     try:
-        values = np.array([[as_number(cell) for cell in row] for row in rows])
+        values = _as_numbers([cell for row in rows for cell in row]).reshape(-1, len(names))
     except ValueError:
         raise _first_bad_cell(rows, names, first_line) from None
     if np.isinf(values).any():
@@ -159,6 +159,16 @@ def as_number(cell: str) -> float:
     if "_" in cell or not cell.isascii():
         raise ValueError(f"{cell!r} is not a number")
     return float(cell or "nan")
+
+
+def _as_numbers(cells: list[str]) -> Float[np.ndarray, "cell"]:
+    """`as_number` of each: what no number may hold is looked for in all of them at once."""
+    together = "".join(cells)
+    if "_" in together or not together.isascii():
+        raise ValueError("a cell is not a number")
+    if "" in cells:
+        cells = [cell or "nan" for cell in cells]
+    return np.fromiter(map(float, cells), float, len(cells))
 
 
 def is_number(cell: str) -> bool:

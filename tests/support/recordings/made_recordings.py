@@ -65,9 +65,9 @@ def write_gripper(path: Path, arrays, cases=((54, 57), (23, 28)), faces=None) ->
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(header)
-        for row in range(len(time)):
-            signal = np.concatenate([counts[row, f - 1] for f in FILE_FACES])
-            cells = ["" if np.isnan(value) else f"{value:.0f}" for value in signal]
+        signals = counts[:, np.array(FILE_FACES) - 1].reshape(len(time), -1).tolist()
+        for row, signal in enumerate(signals):
+            cells = ["" if value != value else f"{value:.0f}" for value in signal]
             label = cases[case[row]]
             grams = [f"{value / 9.8e-3:.2f}" for value in force[row]]
             writer.writerow(
