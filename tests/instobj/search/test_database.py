@@ -21,7 +21,6 @@ from instobj.search.loop import run_search
 from instobj.search.study import open_study
 from tests.support.objects.search_cases import made_up_score, made_up_space
 
-WORKERS = 2
 TRIALS = 45
 HERE = Path(__file__).parent
 
@@ -97,6 +96,8 @@ from instobj.search.loop import run_search
 from instobj.search.study import open_study
 space = made_up_space(engine="random", trials=int(sys.argv[4]), batch=5)
 kept = open_study(space.spec, sys.argv[1], join=True)
+print("ready", flush=True)
+sys.stdin.readline()
 run_search(space, kept, made_up_score, lambda line: None, worker=int(sys.argv[2]))
 """
 
@@ -104,7 +105,8 @@ run_search(space, kept, made_up_score, lambda line: None, worker=int(sys.argv[2]
 def _worker(url, number):
     return subprocess.Popen(
         [sys.executable, "-c", WORK, url, str(number), str(HERE), str(TRIALS)],
-        cwd=HERE.parents[2], stderr=subprocess.PIPE, text=True,
+        cwd=HERE.parents[2], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        text=True,
     )  # fmt: skip
 
 
@@ -112,12 +114,15 @@ def test_workers_share_one_search(server):
     url = f"{server}/postgres"
     space = made_up_space(engine="random", trials=TRIALS, batch=5)
     kept = open_study(space.spec, url)
-    workers = [_worker(url, number) for number in range(1, WORKERS + 1)]
-    for process in workers:
-        assert process.communicate(timeout=240)[1] == ""
-        assert process.returncode == 0
+    other = _worker(url, 1)
+    assert other.stdout.readline() == "ready\n"
+    other.stdin.write("go\n")
+    other.stdin.flush()
+    run_search(space, kept, made_up_score, lambda line: None, worker=2)
+    assert other.communicate(timeout=240)[1] == ""
+    assert other.returncode == 0
     trials = kept.finished()
-    assert TRIALS <= len(trials) < TRIALS + 5 * WORKERS
+    assert TRIALS <= len(trials) < TRIALS + 5 * 2
     places = {trial.params["magnet1_x_mm"] for trial in trials}
     assert len(places) == len(trials), "two workers tried the same layouts"
     resumed = open_study(

@@ -12,14 +12,24 @@ from instobj.search.study import open_study
 OBJECTIVES = ("worst_position_bound_mm", "worst_force_bound_n")
 
 
+_KNOWN = {}
+"""What a process asks for again and again, by what it asked for; all of it is frozen."""
+
+
 def made_up_spec(name="cube", seed=1, reach=14.0, **search):
     vary = {"magnet_reach_mm": reach, "magnet_count": [1, 2], "shell_thickness_mm": [8.0, 9.0]}
     content = {"trials": 300, "batch": 16, "polish_steps": 0, "vary": vary} | search
-    return parse_spec({"name": name, "seed": seed, "search": content}, "made up")
+    key = f"{name} {seed} {content}"
+    if key not in _KNOWN:
+        _KNOWN[key] = parse_spec({"name": name, "seed": seed, "search": content}, "made up")
+    return _KNOWN[key]
 
 
 def made_up_space(**search):
-    return search_space(made_up_spec(**search))
+    key = f"space {search}"
+    if key not in _KNOWN:
+        _KNOWN[key] = search_space(made_up_spec(**search))
+    return _KNOWN[key]
 
 
 def made_up_score(trials, seconds):
