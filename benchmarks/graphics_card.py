@@ -1,4 +1,4 @@
-"""Layouts and fields on a graphics card beside one core of the processor, in one run.
+"""Layouts, fields and contacts on a graphics card beside one core of the processor, in one run.
 
     python benchmarks/graphics_card.py [--quick] [--out FOLDER]
 
@@ -6,8 +6,9 @@ Layouts: random ones of `examples/search_cube.toml`, judged as a search judges t
 forces, limits): a generation of one layout at a time on the processor, as the search does, and in
 batches on the card; then whole runs of CMA-ES, side by side on the card. Fields: all pairs of 15 sensors
 and 25 magnets under many presses, with a multipole series. How far the results of both agree stands
-beside each ratio. Wall clock, one thread; ratios to two cores are half of those to one. Needs CUDA.
-Writes `graphics_card.json`.
+beside each ratio. Contacts of many frames: `card_inversion.py`, which runs by itself too. Wall clock, one
+thread; ratios of layouts and fields to two cores are half of those to one. Needs CUDA. Writes
+`graphics_card.json`.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import card_inversion
 import numpy as np
 import torch
 from harness import Result, conclude, machine, option_parser
@@ -57,12 +59,14 @@ def measure(quick: bool) -> Result:
             f"error: torch {torch.__version__} sees no CUDA device here; use one that has"
         )
     torch.set_num_threads(1)
+    inversion = card_inversion.measure(quick, None)
     space, lowest = lowest_of(load_spec(EXAMPLE, ['search.vary.sensor_chip=["outward"]']))
     return {
         "machine": machine(1, ["torch", "numpy"]),
         "card": torch.cuda.get_device_name(),
         "layouts": layouts(space, lowest, quick),
         "fields": fields(space.spec, quick),
+        "inversion": inversion,
     }
 
 
@@ -170,6 +174,7 @@ def report(found: Result) -> str:
             for device, run in one["runs"].items()
         ),
         f"fields: {two['ratio_to_two_cores']:.1f} times two cores, differ by {two['differ']:.1e}",
+        card_inversion.report(found["inversion"]),
     ]
     return "\n".join(lines)
 

@@ -1,12 +1,17 @@
-"""Device for tensors of large batches: the processor, or a graphics card."""
+"""Device for tensors of large batches: the processor, or a graphics card.
+
+torch is imported only where it is asked for: a robot reads contacts without it.
+"""
 
 from __future__ import annotations
 
 import os
-
-import torch
+from typing import TYPE_CHECKING
 
 from design.errors import InputError
+
+if TYPE_CHECKING:
+    import torch
 
 SWITCH = "INSTOBJ_DEVICE"
 
@@ -14,14 +19,16 @@ SWITCH = "INSTOBJ_DEVICE"
 def compute_device() -> torch.device:
     """The processor, or what `INSTOBJ_DEVICE` names: "cuda", or "cuda:1" for the second card.
 
-    Layouts of a search and the training of networks are worked on there; batches of fields where
-    their tensors are.
+    Layouts of a search, the training of networks and contacts of many frames are worked on there;
+    batches of fields where their tensors are.
 
     Raises
     ------
     InputError
         No such device, or torch sees none here.
     """
+    import torch
+
     asked = os.environ.get(SWITCH) or "cpu"
     kind, _, number = asked.partition(":")
     if (
@@ -39,3 +46,18 @@ def compute_device() -> torch.device:
                 "torch for CUDA (README.md)"
             )
     return torch.device(asked)
+
+
+def card_tensor() -> torch.Tensor | None:
+    """An empty tensor of doubles on the card that is asked for; None where it is the processor.
+
+    Raises
+    ------
+    InputError
+        As `compute_device`.
+    """
+    if (os.environ.get(SWITCH) or "cpu") == "cpu":
+        return None
+    import torch
+
+    return torch.empty(0, dtype=torch.float64, device=compute_device())

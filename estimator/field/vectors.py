@@ -49,21 +49,27 @@ def components(vectors: Float[np.ndarray, "*any 3"]) -> Vector:
 def rotated(vector: Vector, turn: Vector) -> Vector:
     """Rodrigues: v cos θ + w × v sin θ/θ + w (w·v) (1 − cos θ)/θ², component by component.
 
-    `turn` is the rotation vector (rad); exact for finite angles. NumPy only. SciPy's `Rotation`
-    takes one list of vectors; here every component stays its own array.
+    `turn` is the rotation vector (rad); exact for finite angles. SciPy's `Rotation` takes one list
+    of vectors; here every component stays its own array.
     """
     (x, y, z), (wx, wy, wz) = vector, turn
-    half = 0.5 * np.sqrt(wx * wx + wy * wy + wz * wz)
-    half = np.where(half == 0, 1e-20, half)
-    of_half = np.sin(half)
+    half = 0.5 * (wx * wx + wy * wy + wz * wz) ** 0.5
+    half = half + 1e-20 * (half == 0)
+    of_half, cosine_of_half = _sine_and_cosine(half)
     share = of_half / half
-    cosine, sine = 1 - 2 * of_half * of_half, share * np.cos(half)
+    cosine, sine = 1 - 2 * of_half * of_half, share * cosine_of_half
     along = 0.5 * share * share * (wx * x + wy * y + wz * z)
     return (
         cosine * x + sine * (wy * z - wz * y) + along * wx,
         cosine * y + sine * (wz * x - wx * z) + along * wy,
         cosine * z + sine * (wx * y - wy * x) + along * wz,
     )
+
+
+def _sine_and_cosine(angle: Any) -> tuple[Any, Any]:
+    if hasattr(angle, "addcmul"):
+        return angle.sin(), angle.cos()
+    return np.sin(angle), np.cos(angle)
 
 
 def rotate(

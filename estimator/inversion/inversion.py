@@ -13,6 +13,7 @@ from jaxtyping import Float, Int
 from design.errors import InputError
 from design.layout.tips import footprint_mm, tip_positions_mm
 from design.spec.object import ObjectSpec
+from estimator.field.device import card_tensor
 from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
 from estimator.inversion.model.forward import ContactModel, contact_model
@@ -24,7 +25,9 @@ from estimator.inversion.search import Search
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
 
-_FRAMES_AT_ONCE = 100
+_FRAMES_AT_ONCE, _ON_A_CARD = 100, 1000
+_MANY = 100
+"""Frames from which on a graphics card is worth its calls."""
 KNOWN_FORCE_SPREAD = 0.3
 
 
@@ -66,6 +69,20 @@ class Inversion:
         """From scratch."""
         return Search(self.model, self.priors)
 
+    def search_for(self, frames: int) -> Search:
+        """The same; for many frames on the graphics card that `INSTOBJ_DEVICE` names, if it does."""
+        there = card_tensor() if frames >= _MANY else None
+        if there is None:
+            return self.search
+        card = str(there.device)
+        if card not in self._on_cards:
+            self._on_cards[card] = Search(self.model.on(there), self.priors)
+        return self._on_cards[card]
+
+    @cached_property
+    def _on_cards(self) -> dict[str, Search]:
+        return {}
+
     def read(
         self,
         counts: Float[np.ndarray, "frame channel"],
@@ -73,7 +90,7 @@ class Inversion:
         progress: Callable[[int], None] | None = None,
     ) -> tuple[ContactSets, ContactSets]:
         """The most probable contacts of every frame by itself, and the next best answer, of odds 0 where
-        there is none.
+        there is none. Many frames are read on the graphics card that `INSTOBJ_DEVICE` names.
 
         Parameters
         ----------
@@ -84,29 +101,31 @@ class Inversion:
         Raises
         ------
         InputError
-            No frame.
+            No frame, or no such graphics card.
         """
         if not len(counts):
             raise InputError("there is no frame to read contacts in. Give a file that holds frames")
+        search = self.search_for(len(counts))
+        at_once = _FRAMES_AT_ONCE if search is self.search else _ON_A_CARD
         parts = []
-        for start in range(0, len(counts), _FRAMES_AT_ONCE):
-            part = slice(start, start + _FRAMES_AT_ONCE)
+        for start in range(0, len(counts), at_once):
+            part = slice(start, start + at_once)
             means_of = None if averaged is None else averaged[part]
-            parts.append(self._read(self.disturbances.observed(counts[part], means_of)))
+            parts.append(self._read(search, self.disturbances.observed(counts[part], means_of)))
             if progress is not None:
-                progress(min(start + _FRAMES_AT_ONCE, len(counts)))
+                progress(min(start + at_once, len(counts)))
         best, second = zip(*parts, strict=True)
         return ContactSets.joined(best), ContactSets.joined(second)
 
-    def _read(self, seen: Observed) -> tuple[ContactSets, ContactSets]:
-        found = self.search.contacts(seen)
+    def _read(self, search: Search, seen: Observed) -> tuple[ContactSets, ContactSets]:
+        found = search.contacts(seen)
         best = found.best()
         second = found.second(best)
         odds_of_second = np.where(second == best, 0.0, found.odds[second])
-        return (
-            self.reading(seen, found.problems.select(best), found.odds[best]),
-            self.reading(seen, found.problems.select(second), odds_of_second),
-        )
+        sets = (found.problems.select(rows).on_host() for rows in (best, second))
+        odds = found.odds[best], odds_of_second
+        one, other = (self.reading(seen, *given) for given in zip(sets, odds, strict=True))
+        return one, other
 
     def reading(
         self, seen: Observed, problems: Problems, odds: Float[np.ndarray, "frame"]

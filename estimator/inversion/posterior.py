@@ -18,6 +18,7 @@ from jaxtyping import Bool, Float, Int
 from estimator.inversion.model.arrays import (
     Array,
     chosen,
+    diagonals,
     float64,
     library,
     like,
@@ -63,6 +64,10 @@ class Problems(Columns):
     slope: Float[Array, "problem parameter"]
     curvature: Float[Array, "problem parameter parameter"]
     log_spread: Float[np.ndarray, "problem"]
+
+    def on_host(self) -> Problems:
+        """As NumPy arrays."""
+        return Problems(*map(on_host, self._columns()))
 
     @cached_property
     def number(self) -> Int[np.ndarray, "problem"]:
@@ -214,8 +219,8 @@ def _widened(problems: Problems, slots: int) -> Problems:
 
 
 def _identities(reference: Array, many: int, size: int) -> Float[Array, "many size size"]:
-    found, diagonal = zeros(reference, (many, size, size)), np.arange(size)
-    found[:, diagonal, diagonal] = 1.0
+    found = zeros(reference, (many, size, size))
+    diagonals(found)[:] = 1.0
     return found
 
 
@@ -292,9 +297,10 @@ def _put(every: _State, rows: Array | None, some: _State) -> _State:
 
 
 def _step(slope: Array, curvature: Array, damping: Array) -> Array:
-    damped, diagonal = curvature + 0.0, np.arange(curvature.shape[1])
-    damped[:, diagonal, diagonal] *= 1 + damping[:, None]
-    damped[:, diagonal, diagonal] += 1e-9
+    damped = curvature + 0.0
+    diagonal = diagonals(damped)
+    diagonal *= 1 + damping[:, None]
+    diagonal += 1e-9
     return -library(slope).linalg.solve(damped, slope[..., None])[..., 0]
 
 
@@ -350,8 +356,8 @@ class _Posterior:
             for part, resting in zip((found.misfit, found.log_spread), self.resting, strict=True):
                 part[self.nothing] = resting[self.nothing]
         self.pairs.add(found, contact)
-        diagonal = np.arange(white.shape[1] - 1)
-        found.curvature[:, diagonal, diagonal] += self.unused
+        diagonal = diagonals(found.curvature)
+        diagonal += self.unused
         return found
 
     def _white(self, contact: Array) -> Float[Array, "problem row channel"]:
@@ -431,11 +437,12 @@ def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "proble
 
 def bounded_curvature(
     problems: Problems, priors: Priors
-) -> Float[np.ndarray, "problem parameter parameter"]:
+) -> Float[Array, "problem parameter parameter"]:
     """With that of normal priors as wide as the even ones: it has an inverse."""
     flat = (problems.face != NONE)[..., None] * (12 / np.square(widths(priors)))
-    found, diagonal = problems.curvature + 0.0, np.arange(problems.curvature.shape[1])
-    found[:, diagonal, diagonal] += like(found, flat.reshape(len(found), len(diagonal)))
+    found = problems.curvature + 0.0
+    diagonal = diagonals(found)
+    diagonal += like(found, flat.reshape(diagonal.shape))
     return found
 
 

@@ -99,6 +99,11 @@ class Search:
         return dictionary(self.model, self.priors)
 
     @property
+    def reference(self) -> Array:
+        """An array of the kind that the model works with, where it does."""
+        return self.model.signals.coefficients
+
+    @property
     def probes(self) -> bool:
         """Whether contacts come as known probes, one a face."""
         return bool(self.priors.spacing_mm)
@@ -109,6 +114,7 @@ class Search:
 
     def contacts(self, seen: Observed) -> Hypotheses:
         """Every frame's sets of contacts with their evidence."""
+        seen = seen.on(self.reference)
         level = empty(seen, np.arange(len(seen.counts)), self.priors.most)
         found = [self.judged(level)]
         best = found[0].log_evidence.copy()

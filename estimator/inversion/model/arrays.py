@@ -25,6 +25,8 @@ def like(reference: Array, values: Any) -> Array:
     """Values as an array of the reference's kind, on its device."""
     if isinstance(reference, np.ndarray):
         return np.asarray(values)
+    if isinstance(values, np.ndarray) and not values.flags.writeable:
+        values = values.copy()  # torch warns of memory that it could write to
     return library(reference).as_tensor(values, device=reference.device)
 
 
@@ -38,6 +40,13 @@ def zeros(reference: Array, shape: tuple[int, ...]) -> Array:
 def on_host(array: Array) -> np.ndarray:
     """As a NumPy array."""
     return array if isinstance(array, np.ndarray) else array.cpu().numpy()
+
+
+def diagonals(matrices: Array) -> Array:
+    """View of each matrix's diagonal."""
+    if isinstance(matrices, np.ndarray):
+        return np.einsum("nii->ni", matrices)
+    return matrices.diagonal(dim1=1, dim2=2)
 
 
 def where_true(mask: Array) -> Array:

@@ -10,7 +10,15 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.layout.tips import tip_positions_mm
-from estimator.inversion.model.arrays import Array, float32, library, like, on_host, where_true
+from estimator.inversion.model.arrays import (
+    Array,
+    diagonals,
+    float32,
+    library,
+    like,
+    on_host,
+    where_true,
+)
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.priors import Priors
@@ -143,10 +151,10 @@ class Dictionary:
 
 def _basis(jacobian: Float[Array, "problem row channel"]) -> Float[Array, "problem row channel"]:
     """Orthonormal rows that span those given (Cholesky); rows of nothing stay so."""
-    xp, diagonal = library(jacobian), np.arange(jacobian.shape[1])
-    gram = jacobian @ jacobian.swapaxes(1, 2)
-    gram[:, diagonal, diagonal] *= 1 + _ALIKE
-    gram[:, diagonal, diagonal] += _SEEN**2
+    xp, gram = library(jacobian), jacobian @ jacobian.swapaxes(1, 2)
+    diagonal = diagonals(gram)
+    diagonal *= 1 + _ALIKE
+    diagonal += _SEEN**2
     return xp.linalg.solve(xp.linalg.cholesky(gram), jacobian)
 
 

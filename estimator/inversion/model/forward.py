@@ -22,12 +22,14 @@ from design.layout.places.contact_grid import PlaceGrid, press_lattice
 from design.layout.places.contact_places import face_rows, pressed_nodes
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.sources import BlockMagnet, magnet_source
+from estimator.field.vectors import components, rotated
 from estimator.information.shear import ShearSignals
 from estimator.inversion.model.arrays import (
     Array,
     concatenated,
     float64,
+    library,
     like,
     on_host,
     where_true,
@@ -213,10 +215,44 @@ class ContactModel:
         return extra
 
     def _changes(self, moved: Float[Array, "state body 6"]) -> Float[Array, "state channel"]:
-        """Counts of motions beyond those at rest."""
+        """Counts of motions beyond those at rest; of a scene that is not plain on the processor."""
         if isinstance(moved, np.ndarray):
             return self._counts(self.rest + moved) - self._resting
-        return like(moved, self._changes(on_host(moved)))
+        if not self._plain:
+            return like(moved, self._changes(on_host(moved)))
+        xp, rest = library(moved), like(moved, self.rest)
+        field = self._field_of(rest + moved) - self._field_of(rest[None])
+        axes = like(moved, self.scene.chips.matrix @ self.scene.sensors.axes)
+        scale = 1e3 * self.spec.sensors.counts_per_mt
+        return (scale * xp.einsum("sac,psc->psa", axes, field)).reshape(len(moved), -1)
+
+    @property
+    def _plain(self) -> bool:
+        """Whether nothing but equal moving magnets changes the field at resting sensors."""
+        place = self.scene
+        return not (
+            place.sensors_move
+            or place.face_by_face
+            or place.environment.plates
+            or self.field.name == "exact"
+            or np.any(place.magnets.strength != 1)
+        )
+
+    def _field_of(self, states: Float[Array, "state body 6"]) -> Float[Array, "state sensor 3"]:
+        """Flux density (T) of the magnets alone, in a plain scene; tensors."""
+        from estimator.field.batched import batched_field
+
+        xp, magnets = library(states), self.scene.magnets
+        turn = states[..., 3], states[..., 4], states[..., 5]
+
+        def turned(direction: np.ndarray) -> Array:
+            x, y, z = (like(states, part) for part in components(direction))
+            return xp.stack(rotated((x, y, z), turn), -1)
+
+        points = like(states, self.scene.sensors.position_mm)[None]
+        centres = like(states, magnets.centre_mm) + states[..., :3]
+        sides = turned(magnets.side) if isinstance(self.field.magnet, BlockMagnet) else None
+        return batched_field(points, centres, turned(magnets.axis), self.field, sides=sides)
 
     @cached_property
     def _resting(self) -> Float[np.ndarray, "channel"]:

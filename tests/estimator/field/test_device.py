@@ -4,7 +4,8 @@ import pytest
 import torch
 
 from design.errors import InputError
-from estimator.field.device import SWITCH, compute_device
+from estimator.field import device
+from estimator.field.device import SWITCH, card_tensor, compute_device
 
 
 def test_the_processor_unless_a_card_is_named(monkeypatch):
@@ -17,6 +18,20 @@ def test_the_processor_unless_a_card_is_named(monkeypatch):
     for name in ("cuda", "cuda:0", "cuda:1"):
         monkeypatch.setenv(SWITCH, name)
         assert compute_device() == torch.device(name)
+
+
+def test_arrays_go_to_a_card_only_where_one_is_named(monkeypatch):
+    for name in ("", "cpu"):
+        monkeypatch.setenv(SWITCH, name)
+        assert card_tensor() is None
+    monkeypatch.setenv(SWITCH, "cuda:1")
+    monkeypatch.setattr(torch.cuda, "is_available", lambda: False)
+    with pytest.raises(InputError, match="sees no CUDA device here"):
+        card_tensor()
+    monkeypatch.setattr(device, "compute_device", lambda: torch.device("meta"))
+    there = card_tensor()
+    assert there.device == torch.device("meta")
+    assert there.dtype == torch.float64
 
 
 @pytest.mark.parametrize(

@@ -85,7 +85,9 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
         def __init__(self, counts):
             self.rows = np.arange(len(counts))
             self.odds = np.concatenate([0.6 + 0 * self.rows, 0.3 + 0 * self.rows])
-            self.problems = SimpleNamespace(select=lambda rows: rows)
+            self.problems = SimpleNamespace(
+                select=lambda rows: SimpleNamespace(on_host=lambda: rows)
+            )
 
         def best(self):
             return self.rows
@@ -98,6 +100,7 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
         return Found(seen[0])
 
     monkeypatch.setattr(Inversion, "_read", Inversion._read.__wrapped__)
+    monkeypatch.setattr(Inversion, "search_for", lambda self, frames: self.search)
     monkeypatch.setattr(
         Inversion, "reading", lambda self, seen, problems, odds: (seen[0][:, 0], problems, odds)
     )
