@@ -31,6 +31,7 @@ from design.placement.room import (
     low_rim,
     narrow_heads,
     outlet_room_mm,
+    thin_beside_wire_hole,
     thin_over_outlet,
     thin_round_bore,
     tight_core,
@@ -274,7 +275,7 @@ def _with_patterns(
         if tight_middle(spec) or tight_core(spec, sunk=False):
             continue
         wall = _wall_mm(spec)
-        if wall is None or tight_core(spec) or tight_rim(spec):
+        if wall is None or tight_core(spec) or tight_rim(spec) or thin_beside_wire_hole(spec):
             continue
         tables["core"]["wall_mm"] = wall
         if thin_over_outlet(spec_of(tables)):

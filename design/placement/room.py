@@ -15,7 +15,7 @@ from design.layout.boards import (
     sensor_recesses,
     smallest_recess_wall_mm,
 )
-from design.layout.body import body_of, face_frames
+from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould.frame import mould_style
 from design.layout.mould.pins import least_rim_mm, loose_pins
 from design.layout.places.positions import shell_covers_mm
@@ -35,6 +35,7 @@ _ROOMY = 1.25
 _LAYER_MM = 0.25
 """Of a floor below a sloping core, at least: what a printer lays in one layer."""
 _WALL_DEG, _STEP_MM, _EDGE_POINTS = 45.0, 0.05, 5
+_EXACT_MM = 1e-6
 _FACING_DEG, _ROUND, _ALONG_MM = 18.0, 24, 0.25
 """Beside a bore: how squarely a wall's side faces it, and where walls are looked at."""
 
@@ -108,6 +109,25 @@ def tight_middle(spec: ObjectSpec) -> bool:
     return any(0 < middle < hole + least + inward for middle in away)
 
 
+def thin_beside_wire_hole(spec: ObjectSpec) -> bool:
+    """Whether a recess that leans towards the wire hole of its face, as on a curved core, comes so near it at
+    its floor that the wall between them is too thin to print.
+
+    One that leans by more than what rays take for a wall leaves a wedge.
+    """
+    least = passage_radius_mm(spec) + spec.printer.wall_mm
+    frames = {frame.number: frame for frame in core_frames(spec)}
+    places = [place[:2] for face in sensor_places(spec) for place in face]
+    for recess, place in zip(sensor_recesses(spec), places, strict=True):
+        frame = frames[recess.face]
+        leans = recess.axes[:, 2] @ frame.normal < np.cos(np.deg2rad(_FACING_DEG))
+        if np.hypot(*place) > 0 and not leans:
+            aside = (_points_of(recess) - frame.centre_mm) @ frame.axes[:, :2]
+            if np.linalg.norm(aside, axis=1).min() < least - _EXACT_MM:
+                return True
+    return False
+
+
 def outlet_room_mm(spec: ObjectSpec) -> float:
     """Radius about −z that leaves a wall to every recess that reaches as low as a core's outlet."""
     points = _points_of_recesses(spec)
@@ -117,11 +137,13 @@ def outlet_room_mm(spec: ObjectSpec) -> float:
 
 
 def _points_of_recesses(spec: ObjectSpec) -> Points:
+    return np.concatenate([_points_of(recess) for recess in sensor_recesses(spec)])
+
+
+def _points_of(recess: Recess) -> Points:
     steps = np.linspace(-1, 1, _EDGE_POINTS)
     shares = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
-    return np.concatenate(
-        [r.centre_mm + (shares * r.half_mm) @ r.axes.T for r in sensor_recesses(spec)]
-    )
+    return recess.centre_mm + (shares * recess.half_mm) @ recess.axes.T
 
 
 def thin_over_outlet(spec: ObjectSpec) -> bool:

@@ -203,7 +203,7 @@ FIGURES = {
     design.placement.patterns: {"_CORNERS_DEG": 45.0},
     design.placement.room: {
         "_ROOMY": 1.25, "_LAYER_MM": 0.25, "_WALL_DEG": 45.0, "_STEP_MM": 0.05, "_EDGE_POINTS": 5,
-        "_FACING_DEG": 18.0, "_ROUND": 24, "_ALONG_MM": 0.25,
+        "_FACING_DEG": 18.0, "_ROUND": 24, "_ALONG_MM": 0.25, "_EXACT_MM": 1e-6,
     },
     design.search.faces: {"_ALIKE": 0.1},
     design.search.places: {

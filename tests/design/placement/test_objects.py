@@ -30,9 +30,11 @@ from design.placement.objects import COARSE, Request, Trim, first_fit, relaid, s
 from design.placement.room import (
     low_rim,
     narrow_heads,
+    thin_beside_wire_hole,
     thin_over_outlet,
     thin_round_bore,
     tight_marks,
+    tight_middle,
     tight_rim,
 )
 from tests.support.recorded_facts import assert_on_record
@@ -416,6 +418,7 @@ def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
         "tight_rim",
         "_wall_mm",
         "thin_over_outlet",
+        "thin_beside_wire_hole",
     ],
 )
 def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
@@ -424,7 +427,8 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
     monkeypatch.setattr(objects, "spec_of", spec_of_tables)
     numbers = iter((1, 2))
     monkeypatch.setattr(objects, "_electronics", lambda *_: {"core": {"number": next(numbers)}})
-    for name in ("tight_middle", "tight_rim", "low_rim", "thin_over_outlet"):
+    ways = ("tight_middle", "tight_rim", "low_rim", "thin_over_outlet", "thin_beside_wire_hole")
+    for name in ways:
         monkeypatch.setattr(objects, name, lambda spec, name=name: (spec, wrong) == (1, name))
     unsunk = lambda spec, sunk: wrong == ("tight_core, as sunk" if sunk else "tight_core")  # noqa: E731
     monkeypatch.setattr(
@@ -496,6 +500,38 @@ def test_patterns_that_cannot_be_made_come_last(monkeypatch):
 
 def spec_of_places(places):
     return spec_of({"magnets": {"positions_mm": places}}).magnets.positions_mm
+
+
+@pytest.mark.parametrize(("away_mm", "thin"), [(5.81, True), (6.1, True), (6.3, False)])
+def test_a_recess_that_leans_towards_the_wire_hole_of_its_face_leaves_a_wall_at_its_floor(
+    away_mm, thin
+):
+    """By hand, round a cylinder's core of R 30.5 mm (random request 386), beside a hole of R 1.5 mm: in the
+    plane of the face 1.06 mm are left to a place 5.81 mm from the middle, where 0.8 mm can be printed."""
+    radius, half = 30.5, 3.25
+    content = {
+        "body": {"kind": "cylinder", "size_mm": [73.0, 73.0, 30.0], "sensed_faces": [3]},
+        "shell": {"thickness_mm": 6.0},
+        "core": {
+            "recess_inner_radius_mm": away_mm - half,
+            "recess_outer_radius_mm": away_mm + half,
+            "wire_hole_side_diameter_mm": 3.0,
+            "hub_radius_mm": 1.5,
+        },
+        "sensors": {
+            "count_per_face": 2,
+            "radius_mm": away_mm,
+            "positions_mm": [[0.0, -away_mm], [0.0, away_mm]],
+        },
+    }
+    spec = spec_of(content)
+    lean = np.arcsin(away_mm / radius)
+    (recess, _) = sensor_recesses(spec)
+    depth = 2 * float(recess.half_mm[2])
+    wall = away_mm - half * np.cos(lean) - depth * np.sin(lean) - 1.5
+    assert bool(wall < spec.printer.wall_mm) is thin
+    assert thin_beside_wire_hole(spec) is thin
+    assert not tight_middle(spec)
 
 
 @pytest.mark.parametrize(("bore_mm", "thin"), [(11.4, False), (12.0, True), (13.8, True)])
