@@ -23,7 +23,10 @@ THREADS = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 CHAIN = """
 import json, sys
 from instobj.cli.app import main
+from instobj.figures import saving
+from instobj.render import parts
 
+saving.DPI, parts.PIXELS = 60, 400
 for words in json.loads(sys.argv[1]):
     sys.argv = ["instobj", *words]
     try:
@@ -33,7 +36,8 @@ for words in json.loads(sys.argv[1]):
             raise
     print(end="\\f")
 """
-"""Several commands in one process, which imports once what each needs; a form feed after each."""
+"""Several commands in one process, which imports once what each needs, with small pictures; a form feed
+after each."""
 
 
 def _run(*command, cwd, **more):

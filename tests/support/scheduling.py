@@ -8,8 +8,10 @@ TOGETHER = (
     ("tests/fem/mesh/", "tests/fem/linear/", "tests/fem/contact/", "tests/fem/presses/"),
     ("tests/fem/candidates/",),
     ("tests/estimator/layouts/",),
+    ("tests/estimator/deploy/", "tests/instobj/commands/test_predict.py"),
 )
-"""Folders whose files share meshes and responses of the whole run: one worker takes all of them."""
+"""Folders and files that share meshes and responses of the whole run, or what torch loads to export a
+network (3 s): one worker takes all of them."""
 
 LONGEST_FIRST = (
     "tests/fem/",
