@@ -12,7 +12,7 @@ from __future__ import annotations
 import weakref
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass
-from functools import wraps
+from functools import cache, wraps
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -24,6 +24,7 @@ Found = TypeVar("Found")
 _KEPT: dict[int, dict[str, Any]] = {}
 """By the identity of a living specification, then by function; hashing its content costs more than
 most of what is kept here."""
+_PLAIN = frozenset((float, np.float64, int, bool, str, type(None)))
 
 
 def once(work_out: Callable[[ObjectSpec], Found]) -> Callable[[ObjectSpec], Found]:
@@ -50,14 +51,20 @@ def _results_of(spec: ObjectSpec) -> dict[str, Any]:
 
 def read_only(found: Any) -> Any:
     """The result, every array in its tuples and dataclasses locked."""
-    if isinstance(found, float):
-        return found  # most of what results hold
     if isinstance(found, np.ndarray):
         found.flags.writeable = False
-    elif isinstance(found, tuple):
-        for part in found:
+        return found
+    parts = found if isinstance(found, tuple) else _values(found)
+    for part in parts:
+        if type(part) not in _PLAIN:  # most of what results hold
             read_only(part)
-    elif is_dataclass(found):
-        for field in fields(found):
-            read_only(getattr(found, field.name))
     return found
+
+
+def _values(found: Any) -> list[Any]:
+    return [getattr(found, name) for name in _field_names(type(found))]
+
+
+@cache
+def _field_names(kind: type) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else ()

@@ -55,3 +55,9 @@ def test_a_part_with_a_field_named_keys_is_changed_too():
     core = parse_spec({"name": "cube"}, "test").core
     assert core.changed(hub_radius_mm=1.7).hub_radius_mm == 1.7
     assert core.changed(hub_radius_mm=1.7).keys == core.keys
+
+
+def test_parts_that_are_left_out_are_one_object():
+    """Pydantic would copy one with a table in it, deeply, for every specification."""
+    assert ObjectSpec(name="ball").search is CUBE.search
+    assert CUBE.search != CUBE.search.changed(compliance_mm_per_n={"edge": 0.2})
