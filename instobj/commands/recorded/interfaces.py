@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
+from instobj.commands.recorded.validate import not_recorded_texts
 from instobj.stages.run import Run
 from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
 from instobj.store.readers import MESH
@@ -32,6 +33,8 @@ def interfaces_on(
         on_sensed_faces,
         recorded_presses,
         require_presses_of,
+        sensors_not_recorded,
+        with_all_sensors,
     )
     from estimator.recordings.reading import read_recording
     from fem.loose_core.response import loose_shell, require_plain_core
@@ -41,9 +44,10 @@ def interfaces_on(
     require_writable(out)
     run = Run(spec)
     with run.progress.stage("reading recordings"):
-        recorded = recorded_presses([read_recording(file) for file in recordings])
-        presses = on_sensed_faces(spec, recorded)
+        read = with_all_sensors(spec, [read_recording(file) for file in recordings])
+        presses = on_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
+    absent = sensors_not_recorded(spec, read)
     mesh = run.read(MESH)
     with run.progress.stage("interfaces of shell and core"):
         shell = loose_shell(mesh, spec)
@@ -58,6 +62,7 @@ def interfaces_on(
         "object": spec.name,
         "spec_hash": spec_hash(spec),
         "presses": len(presses),
+        "sensors_not_recorded": absent,
         "interfaces": [_stored(one) for one in found],
         "preferences": [
             asdict(one) | {"p_corrected": one.p_of(len(preferred))} for one in preferred
@@ -66,7 +71,10 @@ def interfaces_on(
     write_json(document, target / "interfaces.json")
     return {
         "command": "interfaces",
-        "texts": [_text(one, len(preferred)) for one in preferred],
+        "texts": [
+            *not_recorded_texts(absent, presses.signal_counts.shape[1] // 3),
+            *(_text(one, len(preferred)) for one in preferred),
+        ],
         "interfaces": document,
         "objects": [
             {

@@ -1,9 +1,19 @@
 """What `instobj interfaces` says of its p values."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 
+from estimator.calibration import interfaces as compared
 from estimator.calibration.interfaces import Preference
-from instobj.commands.recorded.interfaces import _preference_row, _text
+from estimator.recordings.formats.files import read_table
+from fem.loose_core import response
+from instobj.commands.recorded.interfaces import _preference_row, _text, interfaces_on
+from instobj.stages.run import Run
+from tests.support.recordings.generic_csv import write_generic_csv
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
 
 @pytest.mark.parametrize(
@@ -20,3 +30,29 @@ def test_an_interface_is_preferred_by_p_corrected_for_those_tried(p_places, p_ca
     assert said in _text(one, tried)
     row = _preference_row(one, tried)
     assert row["p, corrected"] == pytest.approx(min(1, tried * max(p_places, p_cases)))
+
+
+def test_sensors_without_columns_are_told_and_left_out(tmp_path, monkeypatch):
+    """Recordings without the third sensors of face 3; what the mechanics would say is made up."""
+    (tmp_path / "cube.toml").write_text('name = "cube"\n')
+    table = read_table(write_gripper(tmp_path / "own.csv", gripper_arrays(presses=1)))
+    counts = table.counts.copy()
+    counts[:, 2, 2] = np.nan
+    write_generic_csv(replace(table, counts=counts), tmp_path / "less.csv")
+    given = []
+
+    def agreement(spec, shell, presses, name, core):
+        given.append(presses)
+        ones = np.ones((len(presses), len(presses.cases)))
+        return compared.InterfaceAgreement(name, (), ones, 1.0, 1.0)
+
+    monkeypatch.setattr(compared, "interface_agreement", agreement)
+    monkeypatch.setattr(response, "loose_shell", lambda mesh, spec: SimpleNamespace())
+    monkeypatch.setattr(Run, "read", lambda run, stage: None)
+    found = interfaces_on(tmp_path / "cube.toml", [tmp_path / "less.csv"], tmp_path, [])
+    assert "left out of all figures: sensor 3 of face 3; judged on the other 14 of 15" in (
+        found["texts"][0]
+    )
+    assert found["interfaces"]["sensors_not_recorded"] == [(3, 3)]
+    silent = np.isnan(given[0].signal_counts).all(axis=0)
+    assert np.flatnonzero(silent).tolist() == [24, 25, 26]
