@@ -32,6 +32,11 @@ _LEARNING_RATE = 0.03
 
 _SPREAD = 0.3
 """Standard deviation of a run's first generation, of the unit cube."""
+_EASED = dict.fromkeys(
+    ("worst_position_bound_mm", "percentile_99_position_bound_mm"),
+    "percentile_95_position_bound_mm",
+)
+"""What early generations seek instead of objectives that a few places decide."""
 _LAYOUTS_OF_A_CARD = 8192
 """Judged at once on a graphics card: at two faces and three forces 5 GB of its memory."""
 
@@ -47,13 +52,15 @@ class Judged:
     than the start's at more places than `PlaceBounds.but` (`OVER_START` above 1), which the verdict
     refuses; as this level's bounds of single places are rough, that makes no layout one that breaks
     limits. `scores` are those of the lowest fidelity level, with the objectives that the
-    structure alone decides.
+    structure alone decides. `eased`: the objectives, with the 95th percentile for those
+    that fewer places decide.
     """
 
     objectives: Float[Tensor, "layout objective"]
     broken_mm: Float[Tensor, "layout"]
     worse_mm: Float[Tensor, "layout"]
     scores: dict[str, Float[Tensor, "layout"]]
+    eased: Float[Tensor, "layout objective"]
 
     @property
     def penalties(self) -> Float[Tensor, "layout 2"]:
@@ -116,8 +123,11 @@ def judge(
     worse = torch.zeros_like(broken)
     if lowest.start is not None:
         worse = _MM_PER_EXCESS * torch.relu(scores[OVER_START] - 1)
-    worth = torch.stack([_to_minimize(name, scores) for name in objectives], dim=1)
-    return Judged(worth.clamp(min=1e-9), broken, worse, scores)
+    worth, eased = (
+        torch.stack([_to_minimize(name, scores) for name in names], dim=1).clamp(min=1e-9)
+        for names in (objectives, [_EASED.get(name, name) for name in objectives])
+    )
+    return Judged(worth, broken, worse, scores, eased)
 
 
 def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"]:
@@ -134,7 +144,8 @@ def polish(
 
     A run begins round its point, with `population` layouts a generation; `runs_together` of them are
     judged side by side. The penalty grows from a thousandth to all of it, so that early generations
-    cross what later ones may not. No point ends worth less than it began, and none without a value
+    cross what later ones may not; what a few places decide gives way to the 95th percentile at first,
+    whose slope is smoother. No point ends worth less than it began, and none without a value
     is taken. Repeatable: a run's seed comes from its point.
     """
     runs = [_Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
@@ -203,9 +214,13 @@ class _Evolution:
         points = self._asked[:, : len(self.begin)]
         return torch.as_tensor(points, dtype=self.begin.dtype, device=self.begin.device)
 
-    def tell(self, worth: _Worth, share: float) -> None:
-        """What the generation is worth, with a share of the penalties."""
-        now = worth.value + self.whole * np.log1p(share * worth.penalties).sum(axis=1)
+    def tell(self, worth: _Worth, progress: float) -> None:
+        """What the generation is worth, eased and with a share of the penalties."""
+        own, share = _share_of_objective(progress), _share_of_penalty(progress)
+        with np.errstate(invalid="ignore"):  # no share of what is infinite
+            value = own * worth.value + (1 - own) * worth.eased
+        value = np.where(np.isfinite(worth.value) & np.isfinite(worth.eased), value, np.inf)
+        now = value + self.whole * np.log1p(share * worth.penalties).sum(axis=1)
         self.search.tell(list(zip(self._asked, now.tolist(), strict=True)))
 
     def keep_best(self, worth: _Worth) -> None:
@@ -218,10 +233,11 @@ class _Evolution:
 
 @dataclass(frozen=True)
 class _Worth:
-    """Of points of one run: weighted logarithms of the objectives without penalties, and these."""
+    """Of points of one run: weighted logarithms of the objectives, as they are and eased, and penalties."""
 
     points: Float[Tensor, "layout variable"]
     value: Float[np.ndarray, "layout"]
+    eased: Float[np.ndarray, "layout"]
     penalties: Float[np.ndarray, "layout 2"]
 
 
@@ -233,9 +249,8 @@ def _evolve(judge_at: Judge, runs: Sequence[_Evolution], generations: int) -> No
         going = [run for run in runs if not run.search.should_stop()]
         if not going:
             break
-        share = _share_of_penalty(generation / generations)
         for run, worth in _judged(judge_at, going, [run.ask() for run in going]):
-            run.tell(worth, share)
+            run.tell(worth, generation / generations)
             run.keep_best(worth)
 
 
@@ -247,16 +262,21 @@ def _judged(
     rows = torch.tensor(np.repeat([run.row for run in runs], counts), device=points[0].device)
     with torch.no_grad():
         judged = judge_at(torch.cat(list(points)), rows)
-    parts = judged.objectives.log(), judged.penalties.double()
-    logs, penalties = (part.cpu().split(counts) for part in parts)
-    for run, at, log, penalty in zip(runs, points, logs, penalties, strict=True):
-        value = (log @ run.weights).double().nan_to_num(torch.inf)
-        yield run, _Worth(at, value.numpy(), penalty.numpy())
+    parts = judged.objectives.log(), judged.eased.log(), judged.penalties.double()
+    of_runs = (part.cpu().split(counts) for part in parts)
+    for run, at, *logs, penalty in zip(runs, points, *of_runs, strict=True):
+        value, eased = ((log @ run.weights).double().nan_to_num(torch.inf).numpy() for log in logs)
+        yield run, _Worth(at, value, eased, penalty.numpy())
 
 
 def _share_of_penalty(progress: float) -> float:
     """A thousandth at first, all for the last fifth."""
     return 10 ** (-3 * max(0.0, 1 - progress / 0.8))
+
+
+def _share_of_objective(progress: float) -> float:
+    """None at first, all for the last two fifths."""
+    return min(1.0, progress / 0.6)
 
 
 def descend(

@@ -219,6 +219,10 @@ def test_generations_are_drawn_as_the_package_draws_them():
     assert_allclose(np.cov(drawn[0].T), np.cov(drawn[1].T), atol=0.004)
 
 
+def worth(objectives, broken_mm):
+    return Judged(objectives, broken_mm, torch.zeros(len(objectives)), {}, objectives)
+
+
 def test_runs_that_are_judged_side_by_side_end_as_if_alone(monkeypatch):
     """As on a graphics card, in groups of two; one run has converged before the others."""
 
@@ -229,7 +233,7 @@ def test_runs_that_are_judged_side_by_side_end_as_if_alone(monkeypatch):
         flat = torch.where(rows == 1, torch.tensor(1.0), 1 + away)
         other = 2 + (point[:, 0] - 0.5) ** 2
         broken = torch.relu(point[:, 1] - 0.6)
-        return Judged(torch.stack([flat, other], dim=1), broken, torch.zeros(len(point)), {})
+        return worth(torch.stack([flat, other], dim=1), broken)
 
     begin = torch.rand(3, 2, generator=torch.Generator().manual_seed(3))
     weights = torch.tensor([[1.0, 0.0], [1.0, 0.0], [0.3, 0.7]])
@@ -252,7 +256,7 @@ def test_the_penalty_grows_so_that_what_is_forbidden_is_crossed(variables, monke
         first = point[:, 0]
         away = ((point - 0.9) ** 2).sum(dim=1)
         wall = torch.relu(0.25 - (first - 0.5).abs())
-        return Judged((10 + away)[:, None], wall, torch.zeros(len(point)), {})
+        return worth((10 + away)[:, None], wall)
 
     begin = torch.full((1, variables), 0.1)
     monkeypatch.setattr(polishing, "_SPREAD", 0.05)
@@ -263,10 +267,62 @@ def test_the_penalty_grows_so_that_what_is_forbidden_is_crossed(variables, monke
     assert float(stuck[0, 0]) < 0.3
 
 
+@pytest.mark.parametrize(
+    ("asked", "sought"),
+    [
+        ("worst_position_bound_mm", "percentile_95_position_bound_mm"),
+        ("percentile_99_position_bound_mm", "percentile_95_position_bound_mm"),
+        ("percentile_95_position_bound_mm", "percentile_95_position_bound_mm"),
+        ("median_position_bound_mm", "median_position_bound_mm"),
+    ],
+)
+def test_what_a_few_places_decide_is_eased_to_the_95th_percentile(lowest, units, asked, sought):
+    found = judged(lowest, units[:3], (asked, "worst_force_bound_n"))
+    assert_allclose(found.objectives[:, 0], found.scores[asked])
+    assert_allclose(found.eased[:, 0], found.scores[sought])
+    assert_allclose(found.eased[:, 1], found.scores["worst_force_bound_n"])
+
+
+@pytest.mark.parametrize("progress", [0.0, 0.3, 0.6, 1.0])
+def test_generations_are_told_what_is_eased_at_first_and_what_is_asked_in_the_end(progress):
+    run = polishing._Evolution(0, torch.full((2,), 0.5), torch.tensor([2.0]))
+    points = run.ask()
+    value, eased = np.random.default_rng(1).random((2, len(points)))
+    value[3], eased[4] = np.inf, np.inf
+    penalties = np.full((len(points), 2), [1.0, 0.0])
+    kept = []
+    run.search.tell = kept.extend
+    run.tell(polishing._Worth(points, value, eased, penalties), progress)
+    told = np.array([one for _, one in kept])
+    own = {0.0: 0.0, 0.3: 0.5, 0.6: 1.0, 1.0: 1.0}[progress]
+    share = polishing._share_of_penalty(progress)
+    usual = np.setdiff1d(np.arange(len(points)), [3, 4])
+    expected = own * value[usual] + (1 - own) * eased[usual] + 2 * np.log(1 + share)
+    assert_allclose(told[usual], expected)
+    assert np.isinf(told[[3, 4]]).all()
+
+
+def test_a_run_passes_by_what_only_the_eased_objective_sees_past(monkeypatch):
+    """What is asked is best in a narrow hole, and rises towards it all the way round; what is eased falls."""
+
+    def judge_at(point, rows):
+        away = ((point - 0.85) ** 2).sum(dim=1).sqrt()
+        asked = torch.where(away < 0.15, 1 + away, 4 - away)
+        broken = torch.zeros(len(point))
+        return Judged(asked[:, None], broken, broken, {}, (1 + away)[:, None])
+
+    begin = torch.full((1, 6), 0.1)
+    end = polish(judge_at, begin, 60, torch.ones(1, 1))
+    assert float((end - 0.85).abs().max()) < 0.02
+    monkeypatch.setattr(polishing, "_share_of_objective", lambda progress: 1.0)
+    stuck = polish(judge_at, begin, 60, torch.ones(1, 1))
+    assert float((stuck - 0.85).abs().max()) > 0.5
+
+
 def test_layouts_without_a_value_are_never_taken():
     def judge_at(point, rows):
         value = torch.where(point[:, 0] > 0.5, torch.nan, 2 - point[:, 0])
-        return Judged(value[:, None], torch.zeros(len(point)), torch.zeros(len(point)), {})
+        return worth(value[:, None], torch.zeros(len(point)))
 
     end = polish(judge_at, torch.full((1, 3), 0.1), 60, torch.ones(1, 1))
     assert float(end[0, 0]) == pytest.approx(0.5, abs=0.01)
@@ -301,9 +357,8 @@ def test_saturated_channels_break_a_limit(lowest, units):
 
 def made_judged(objectives, broken=0.0, worse=0.0):
     count = len(objectives)
-    return Judged(
-        torch.tensor(objectives), torch.full((count,), broken), torch.full((count,), worse), {}
-    )
+    at = torch.tensor(objectives)
+    return Judged(at, torch.full((count,), broken), torch.full((count,), worse), {}, at)
 
 
 def test_a_tenth_of_a_millimetre_doubles_every_objective_and_worse_places_add_their_share():
