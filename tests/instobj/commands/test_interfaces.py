@@ -50,8 +50,9 @@ def test_sensors_without_columns_are_told_and_left_out(tmp_path, monkeypatch):
     monkeypatch.setattr(response, "loose_shell", lambda mesh, spec: SimpleNamespace())
     monkeypatch.setattr(Run, "read", lambda run, stage: None)
     found = interfaces_on(tmp_path / "cube.toml", [tmp_path / "less.csv"], tmp_path, [])
-    assert "left out of all figures: sensor 3 of face 3; judged on the other 14 of 15" in (
-        found["texts"][0]
+    assert (
+        "left out of all figures: sensor 3 of face 3; judged on the other 14 of 15"
+        in (found["texts"][0])
     )
     assert found["interfaces"]["sensors_not_recorded"] == [(3, 3)]
     silent = np.isnan(given[0].signal_counts).all(axis=0)
