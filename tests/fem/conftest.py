@@ -2,10 +2,20 @@
 
 import pytest
 
+from fem.linear import factorization
 from fem.linear.response import elastic_system
 from tests.support.mechanics.fem_cases import COARSE_EDGES_MM, paper_cube
+from tests.support.mechanics.kept_factors import kept_solver
 from tests.support.objects import small_object
 from tests.support.shared import shared_mesh, shared_response
+
+
+@pytest.fixture(scope="session", autouse=True)
+def factors_kept():
+    """One factor of a matrix for all tests of mechanics that solve with it."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(factorization, "_solver", kept_solver)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -28,19 +28,13 @@ from fem.linear.response import FaceSurface, ResponseOperator, elastic_system, f
 from fem.mesh.tetrahedra import tet_volumes_mm3
 from fem.presses.results import load_presses, save_presses
 from fem.presses.table import press_places, simulate_lattice, surface_weights_mm2
-from tests.support.mechanics.fem_cases import solve_loads, solve_with_kept_factor
+from tests.support.mechanics.fem_cases import solve_loads
 from tests.support.objects.small_object import small_spec
 
 SLIP = {"shift_mm": [0.9, -0.6, 0.4], "rotation_deg": [3.0, -2.0, 4.0]}
 AMPLITUDES = np.array([0.3, -0.7, 0.5, 0.02, 0.03, -0.05])
 DEPTHS_MM = np.array([1.0, 2.0])
 TIP_RADIUS_MM = 5.0
-
-
-@pytest.fixture(autouse=True)
-def _kept_factors(monkeypatch):
-    """Slips differ in the right side alone."""
-    monkeypatch.setattr(fem.linear.core_slip, "solve_symmetric", solve_with_kept_factor)
 
 
 @pytest.fixture(scope="module")

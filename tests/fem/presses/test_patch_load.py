@@ -8,7 +8,11 @@ from design.errors import InputError
 from fem.presses.joint import Tip, press_tips
 from fem.presses.patch_load import load_patches
 from fem.presses.to_force import press_to_force
-from tests.support.mechanics.block_cases import block_response, plane_strain_modulus_mpa, spec_of
+from tests.support.mechanics.block_cases import (
+    known_block_response,
+    plane_strain_modulus_mpa,
+    spec_of,
+)
 
 
 def test_a_disk_of_pressure_sinks_as_on_the_half_space():
@@ -17,7 +21,7 @@ def test_a_disk_of_pressure_sinks_as_on_the_half_space():
     exact = 16 * pressure * radius / (3 * np.pi * plane_strain_modulus_mpa(nu))
     errors = []
     for size in (20.0, 40.0):
-        block = block_response(nu, size, size)
+        block = known_block_response(nu, size, size)
         patch = load_patches(spec_of(nu), block, [Tip(1, 0.6, -0.9)], radius, pressure)
         assert_allclose(patch.force_n, np.pi * radius**2 * pressure, rtol=0.003)
         errors.append(patch.sunk_mm[0] / exact - 1)

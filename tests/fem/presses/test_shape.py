@@ -13,7 +13,6 @@ from fem.linear.core_interface import CoreContact
 from fem.linear.factorization import SingularSystemError
 from fem.linear.response import build_and_keep_factor
 from fem.presses.shape import table_shapes
-from tests.support.mechanics.fem_cases import solve_with_kept_factor
 from tests.support.objects.small_object import small_spec
 
 FACE, PLACE, DEPTH_MM = 2, np.array([[6.0, -3.5]]), 1.5
@@ -21,9 +20,7 @@ FACE, PLACE, DEPTH_MM = 2, np.array([[6.0, -3.5]]), 1.5
 
 @pytest.fixture(scope="module")
 def shape(rigid_spec, coarse_mesh, rigid_response):
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(fem.presses.shape, "solve_symmetric", solve_with_kept_factor)
-        return table_shapes(rigid_spec, coarse_mesh, rigid_response, FACE, PLACE, DEPTH_MM)[0]
+    return table_shapes(rigid_spec, coarse_mesh, rigid_response, FACE, PLACE, DEPTH_MM)[0]
 
 
 def check_the_face_follows_the_tip(shape, spec):
@@ -83,7 +80,6 @@ def test_a_planted_fault_shows(rigid_spec, coarse_mesh, rigid_response, monkeypa
     monkeypatch.setattr(
         fem.presses.shape, "system_loads", lambda *given: (loads(*given)[0], -loads(*given)[1])
     )
-    monkeypatch.setattr(fem.presses.shape, "solve_symmetric", solve_with_kept_factor)
     (wrong,) = table_shapes(rigid_spec, coarse_mesh, rigid_response, FACE, PLACE, DEPTH_MM)
     with pytest.raises(AssertionError):
         check_the_face_follows_the_tip(wrong, rigid_spec)

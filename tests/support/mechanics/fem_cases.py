@@ -1,6 +1,5 @@
 """Meshes, loads and closed forms that several tests of mechanics share."""
 
-import hashlib
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,10 +12,11 @@ from design.layout.places.contact_grid import press_lattice
 from design.spec.object import MechanicsSpec, MeshSpec, ObjectSpec, PressSpec, SiliconeSpec
 from fem.contact.complementarity import contact_pressures
 from fem.linear.elements import MixedOperators, assemble, saddle_point_matrix, taylor_hood
-from fem.linear.factorization import Factorization, compliance_of_loads, solve_symmetric
+from fem.linear.factorization import compliance_of_loads, solve_symmetric
 from fem.linear.material import lame_constants
 from fem.linear.response import face_surface
 from fem.presses.table import press_places, profile_moments_mm3, surface_weights_mm2
+from tests.support.mechanics.kept_factors import solve_with_kept_factor
 
 YOUNGS_MODULUS_MPA = 0.3
 COARSE_EDGES_MM = (2.1, 6.0)
@@ -66,22 +66,6 @@ def component_basis(free):
             )
         )
     return sp.csr_matrix(sp.block_diag(selections))
-
-
-_FACTORS: dict[str, Factorization] = {}
-
-
-def solve_with_kept_factor(matrix, right_sides):
-    """`solve_symmetric`, the last two matrices' factors kept: many tests solve with the same one."""
-    digest = hashlib.sha256()
-    for array in (matrix.data, matrix.indices, matrix.indptr):
-        digest.update(np.ascontiguousarray(array).tobytes())
-    key = digest.hexdigest()
-    factor = _FACTORS.pop(key, None) or Factorization(matrix)
-    _FACTORS[key] = factor
-    if len(_FACTORS) > 2:
-        _FACTORS.pop(next(iter(_FACTORS))).release()
-    return factor.solve(right_sides)
 
 
 @dataclass(frozen=True)
