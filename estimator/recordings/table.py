@@ -71,7 +71,8 @@ def check_plausible(table: RawTable) -> None:
     RecordingError
         Counts beyond 24 bits, forces beyond 1 kN, places beyond 300 mm (or all within 0.1 mm of
         the middle but not in it), or stamps that fall in most steps, fall on end without a rise between
-        (rows in reverse order), or are 5 s or more apart.
+        (rows in reverse order) or between two steps of twice the usual (two rows exchanged), or are 5 s
+        or more apart.
     """
     check_signals(table.time_s, table.counts)
     _check_below("forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
@@ -126,6 +127,23 @@ def _check_order(time_s: Float[np.ndarray, "stamp"]) -> None:
                 f"time runs backwards from data row {changed[first] + 1} to {changed[end - 1] + 2}, in "
                 f"{end - first} steps on end: these rows are in reverse order. Sort the rows by time"
             )
+    exchanged = _exchanged(step)
+    if len(exchanged):
+        first = exchanged[0] + 1
+        raise RecordingError(
+            f"data rows {first} and {first + 1} have exchanged places by their time stamps, as have "
+            f"{len(exchanged) - 1} other pairs. Sort the rows by time"
+        )
+
+
+def _exchanged(step: Float[np.ndarray, "step"]) -> Int[np.ndarray, "pair"]:
+    """The first of two neighbouring rows that exchanged places: time falls between two steps of twice
+    the usual, to no less than the row before has. A clock that is set back makes no such steps."""
+    if len(step) < 2:
+        return np.zeros(0, int)
+    before, after = np.r_[np.inf, step[:-1]], np.r_[step[1:], np.inf]
+    long = np.minimum(before, after) > 1.5 * max(0.0, float(np.median(step)))
+    return np.flatnonzero((step < 0) & long & (before + step >= 0) & (step + after >= 0))
 
 
 def _check_below(what: str, values: np.ndarray, limit: float, right: str) -> None:

@@ -96,3 +96,24 @@ def test_rows_in_reverse_order_among_others_are_refused_and_clocks_started_anew_
         check_signals(in_whole_seconds([0, 1, 2, 9, 8, 7, 6, 10]), SOUND.counts)
     with pytest.raises(RecordingError, match="from data row 4 to 17, in 4 steps"):
         check_signals(in_whole_seconds([4, 3, 2, 1, 0]), SOUND.counts)
+
+
+@pytest.mark.parametrize("pair", [0, 17, 38])
+def test_two_rows_that_exchanged_places_are_refused(pair):
+    stamps = np.arange(40) / 10 + 0.02 * np.random.default_rng(1).random(40)
+    swapped = stamps.copy()
+    swapped[[pair, pair + 1]] = stamps[[pair + 1, pair]]
+    check_signals(stamps, SOUND.counts)
+    with pytest.raises(RecordingError, match=rf"rows {pair + 1} and {pair + 2} have .* 0 other"):
+        check_signals(swapped, SOUND.counts)
+
+
+def test_a_clock_set_back_by_a_little_has_no_rows_exchanged():
+    """By less than two frames, so that its next stamp lies between the two before, and by a whole session."""
+    for back in (0.13, 0.19, 2.0):
+        stamps = np.arange(40) / 10
+        stamps[20:] -= back
+        check_signals(stamps, SOUND.counts)
+    check_signals(
+        np.array([0.0, 0.1, 0.3, 0.2, 0.3, 0.4, 0.5]), SOUND.counts
+    )  # a frame lost before
