@@ -293,7 +293,10 @@ FIGURES = {
     estimator.inversion.readings: {"COVERAGE": 0.9, "UNEXPLAINED": 1e-3},
     estimator.inversion.search: {
         "_QUIET": 0.75, "_HOPELESS": 10.0, "_EQUAL": 0.05, "_HALF_MM": 6.0,
-        "_DIRECTIONS": [[1.0, 0.0], [0.0, 1.0], [1 / 2**0.5, 1 / 2**0.5], [1 / 2**0.5, -1 / 2**0.5]],
+        "_HALVED_BY": [
+            [6.0, 0.0, 0.0], [0.0, 6.0, 0.0],
+            [6 * 0.5**0.5, 6 * 0.5**0.5, 0.0], [6 * 0.5**0.5, -6 * 0.5**0.5, 0.0],
+        ],
     },
     estimator.inversion.tracking: {
         "_CHANGE": np.log(0.02), "_FAINT": 3.0, "_STRAINED": 0.02, "_LONGEST_PAUSE": 8,
