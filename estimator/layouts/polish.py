@@ -32,7 +32,7 @@ _LEARNING_RATE = 0.03
 
 _SPREAD = 0.3
 """Standard deviation of a run's first generation, of the unit cube."""
-_EASED = dict.fromkeys(
+_EASED: Mapping[str, str] = dict.fromkeys(
     ("worst_position_bound_mm", "percentile_99_position_bound_mm"),
     "percentile_95_position_bound_mm",
 )
