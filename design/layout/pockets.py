@@ -298,11 +298,6 @@ def neighbours(frames: tuple[FaceFrame, ...]) -> list[tuple[FaceFrame, FaceFrame
     return [(a, b) for a, b in combinations(frames, 2) if abs(a.normal @ b.normal) < 0.5]
 
 
-def gap_across_edge_mm(frame: FaceFrame, a: Pocket, other: FaceFrame, b: Pocket) -> float:
-    """`gaps_across_edge_mm` of one pocket each."""
-    return float(gaps_across_edge_mm(pocket_ends(frame, (a,)), pocket_ends(other, (b,)))[0, 0])
-
-
 @dataclass(frozen=True)
 class PocketEnds:
     """Pockets of one face: their axes in the object's frame, and radii of their circumscribed circles."""

@@ -175,8 +175,7 @@ def _grown(request: Request, growth: float) -> Request:
     digits = _DIGITS - int(np.ceil(np.log10(before * growth)))
     scale = float(np.ceil(before * growth * 10.0**digits - 1e-6)) / 10.0**digits
     x, y, z = (edge * scale / before for edge in request.size_mm)
-    file = tuple((file | {"scale": scale}).items())
-    return replace(request, size_mm=(x, y, z), file=file)
+    return replace(request, size_mm=(x, y, z), file=tuple((file | {"scale": scale}).items()))
 
 
 def _thickened(request: Request, growth: float) -> Request:

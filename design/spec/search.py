@@ -88,11 +88,6 @@ class VarySpec(SpecPart):
         return self
 
 
-def _hash_with_tables(part: SpecPart) -> int:
-    """Of a default that has a hash, pydantic makes no deep copy for every specification."""
-    return hash(tuple(tuple(sorted(v.items())) if isinstance(v, dict) else v for _, v in part))
-
-
 class SearchLimitsSpec(SpecPart):
     """What every layout must keep, beyond what any specification must and what `check --fabrication`
     asks of layouts: `silicone.thinnest_wall_mm` round pockets, `printer.wall_mm` round recesses.
@@ -120,9 +115,6 @@ class SearchLimitsSpec(SpecPart):
     @classmethod
     def _names_now(cls, given: Any) -> Any:
         return under_names_now("search.limits.times_start", given)
-
-    def __hash__(self) -> int:
-        return _hash_with_tables(self)
 
 
 class PricesSpec(SpecPart):
@@ -164,9 +156,6 @@ class SearchSpec(SpecPart):
     vary: VarySpec = VarySpec()
     limits: SearchLimitsSpec = SearchLimitsSpec()
     prices: PricesSpec = PricesSpec()
-
-    def __hash__(self) -> int:
-        return _hash_with_tables(self)
 
     @property
     def named(self) -> set[str]:

@@ -75,13 +75,9 @@ class Quadratic:
         return Quadratic(*(part[rows] for part in self.parts))
 
 
-def add_priors(found: Quadratic, priors: Priors, face: Array, contact: Array) -> None:
-    """Tips that do not overlap, stand as their probe has them, and bear alike where they are known to."""
-    Pairs(priors, face).add(found, contact)
-
-
 class Pairs:
-    """Pairs of contacts that share a face, in problems whose faces stay."""
+    """Pairs of contacts that share a face, in problems whose faces stay: tips that do not overlap, stand as
+    their probe has them, and bear alike where they are known to."""
 
     def __init__(self, priors: Priors, face: Int[Array, "problem contact"]) -> None:
         self.priors = priors

@@ -131,8 +131,8 @@ def _check_order(time_s: Float[np.ndarray, "stamp"]) -> None:
     if len(exchanged):
         first = exchanged[0] + 1
         raise RecordingError(
-            f"data rows {first} and {first + 1} have exchanged places by their time stamps, as have "
-            f"{len(exchanged) - 1} other pairs. Sort the rows by time"
+            f"{len(exchanged)} pair{'s' * (len(exchanged) > 1)} of rows exchanged places by their time "
+            f"stamps, first data rows {first} and {first + 1}. Sort the rows by time"
         )
 
 

@@ -12,12 +12,12 @@ from design.fabrication.layout import failures, layout_findings
 from design.layout.body import face_frames
 from design.layout.pockets import (
     axis_in_object_mm,
-    gap_across_edge_mm,
     neighbours,
     shell_pockets,
 )
 from design.solids.core import make_core
 from design.spec_io import parse_spec
+from tests.support.objects.pocket_gaps import gap_across_edge_mm
 
 UNBUILDABLE = {
     "magnets": {

@@ -36,12 +36,12 @@ from design.layout.places.positions import (
 )
 from design.layout.pockets import (
     core_pockets,
-    gap_across_edge_mm,
     neighbours,
     shell_bodies,
     shell_pockets,
 )
 from design.layout.surface import sealed_body_surface, support_rings
+from tests.support.objects.pocket_gaps import gap_across_edge_mm
 from tests.support.objects.worked_objects import OBJECTS, worked
 from tests.support.recorded_facts import assert_on_record, told
 

@@ -14,10 +14,10 @@ from design.layout.pockets import (
     board_frame,
     by_sensed_face,
     distance_of_segments_mm,
-    gap_across_edge_mm,
     neighbours,
     tilted_frame,
 )
+from tests.support.objects.pocket_gaps import gap_across_edge_mm
 from tests.support.objects.worked_objects import worked
 
 ROUND, FLAT = Outline((3.0, 3.0), True), Outline((2.5, 4.0), False)

@@ -57,7 +57,10 @@ def test_a_part_with_a_field_named_keys_is_changed_too():
     assert core.changed(hub_radius_mm=1.7).keys == core.keys
 
 
-def test_parts_that_are_left_out_are_one_object():
-    """Pydantic would copy one with a table in it, deeply, for every specification."""
-    assert ObjectSpec(name="ball").search is CUBE.search
+def test_tables_of_parts_that_are_left_out_are_each_specification_s_own():
+    """A frozen part keeps no one from writing into a table in it."""
+    ball = ObjectSpec(name="ball")
+    ball.search.limits.times_start["worst_position_bound_mm"] = 0.5
+    assert CUBE.search.limits.times_start == {}
+    assert ObjectSpec(name="egg").search.limits.times_start == {}
     assert CUBE.search != CUBE.search.changed(compliance_mm_per_n={"edge": 0.2})

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.priors import Priors, Quadratic, add_priors, log_density, widths
+from estimator.inversion.priors import Pairs, Priors, Quadratic, log_density, widths
 
 BASE = {"number": (0.4, 0.3, 0.2, 0.1), "faces": 2, "area_mm2": 800.0, "force_n": (0.5, 10.5)}
 FREE = Priors(**BASE, apart_mm=10.0)
@@ -28,7 +28,7 @@ def contacts():
 
 def added(priors, contact):
     found = Quadratic(np.zeros(5), np.zeros((5, 9)), np.zeros((5, 9, 9)), np.zeros(5))
-    add_priors(found, priors, FACE, contact)
+    Pairs(priors, FACE).add(found, contact)
     return found
 
 

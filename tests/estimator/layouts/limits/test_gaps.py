@@ -16,7 +16,6 @@ from design.layout.pockets import (
     Pocket,
     axis_in_object_mm,
     distance_of_segments_mm,
-    gap_across_edge_mm,
     tilted_frame,
 )
 from estimator.layouts.limits.gaps import (
@@ -24,6 +23,7 @@ from estimator.layouts.limits.gaps import (
     missing_between_boxes_mm,
     missing_between_prisms_mm,
 )
+from tests.support.objects.pocket_gaps import gap_across_edge_mm
 
 RADIUS, LEAST = 2.5, 1.0
 
