@@ -26,13 +26,14 @@ from jaxtyping import Bool, Float, Int32
 from scipy.linalg import get_lapack_funcs
 
 from fem.linear.multifrontal import SingularSystemError, eliminate
-from fem.linear.sparse import block_matrix, shape_of, upper_triangle
+from fem.linear.sparse import block_matrix, columns_of, rows_of, shape_of, upper_triangle
 
 _SYMMETRIC_INDEFINITE = -2
 _LARGEST_RESIDUAL = 1e-6
 _ANALYSE, _FACTOR, _SOLVE, _BACKWARD, _RELEASE = 11, 22, 33, 333, -1
 (_POTRF,) = get_lapack_funcs(("potrf",), dtype="float64")
 _SCHUR_ALONE, _SCHUR_AND_FACTOR = 1, 2
+_SINGLE_PIVOTS = 0
 _GIVEN_ORDER, _TELL_ORDER = 1, 2
 _MOST_ORDERS = 8
 _ORDERS: dict[str, Int32[np.ndarray, "n"]] = {}
@@ -56,13 +57,12 @@ def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Complian
     SingularSystemError
         A is singular to working precision.
     """
-    bordered, marked = _bordered(matrix, loads)
     if not pardiso_available():
-        left = eliminate(bordered, marked, solves=False)
+        left = eliminate(*_bordered(matrix, loads), solves=False)
         return Compliance(-left.schur, left.negative_pivots)
-    solver = _Pardiso(bordered)
+    solver = _Pardiso(_bordered_triangle(matrix, loads))
     try:
-        schur = solver.condense(marked, _SCHUR_ALONE)
+        schur = solver.condense(shape_of(loads)[1], _SCHUR_ALONE)
     finally:
         solver.release()
     return Compliance(-schur, solver.negative_pivots)
@@ -83,16 +83,15 @@ class LoadedFactor:
     """
 
     def __init__(self, matrix: sp.csr_matrix, loads: sp.csr_matrix) -> None:
-        bordered, marked = _bordered(matrix, loads)
         self._loads = shape_of(loads)[1]
         self._solver: Any
         if not pardiso_available():
-            self._solver = eliminate(bordered, marked)
+            self._solver = eliminate(*_bordered(matrix, loads))
             self.compliance = Compliance(-self._solver.schur, self._solver.negative_pivots)
             return
-        self._solver = _Pardiso(bordered)
+        self._solver = _Pardiso(_bordered_triangle(matrix, loads))
         try:
-            schur = -self._solver.condense(marked, _SCHUR_AND_FACTOR)
+            schur = -self._solver.condense(self._loads, _SCHUR_AND_FACTOR)
             # PARDISO counts the complement's eigenvalues too: all of them are negative then
             if _POTRF(schur)[1]:
                 raise SingularSystemError("the compliance of the loads is not positive definite")
@@ -130,6 +129,14 @@ def _bordered(
     empty = sp.csr_matrix((count, count))
     bordered = block_matrix([[matrix, loads], [loads.T.tocsr(), empty]])
     return bordered, np.arange(size + count) >= size
+
+
+def _bordered_triangle(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> sp.csr_matrix:
+    """The upper triangle of [[A, L], [Lᵀ, 0]] with its whole diagonal stored."""
+    size, count = shape_of(loads)
+    last = np.arange(count)
+    zeros = sp.csr_matrix((np.zeros(count), (last, size + last)), shape=(count, size + count))
+    return rows_of([columns_of([upper_triangle(matrix), loads]), zeros])
 
 
 def solve_symmetric(
@@ -188,7 +195,7 @@ def _solver(matrix: sp.csr_matrix) -> Any:
             return eliminate(matrix)
         except SingularSystemError:
             return _superlu(matrix)
-    solver = _Pardiso(matrix)
+    solver = _Pardiso(upper_triangle(matrix))
     try:
         solver.factor()
     except BaseException:
@@ -234,11 +241,10 @@ def _files_of(distribution: str) -> list[Any]:
 
 
 class _Pardiso:
-    """One symmetric indefinite matrix in PARDISO; indices are one-based there."""
+    """One symmetric indefinite matrix in PARDISO, by its upper triangle; indices are one-based there."""
 
-    def __init__(self, matrix: sp.csr_matrix) -> None:
-        size = shape_of(matrix)[0]
-        upper = upper_triangle(matrix)
+    def __init__(self, upper: sp.csr_matrix) -> None:
+        size = shape_of(upper)[0]
         self.values = upper.data
         self.row_start = (upper.indptr + 1).astype(np.int32)
         self.columns = (upper.indices + 1).astype(np.int32)
@@ -291,14 +297,12 @@ class _Pardiso:
             _ORDERS.pop(next(iter(_ORDERS)))
         self.call(_FACTOR, unused, unused)
 
-    def condense(
-        self, marked: Bool[np.ndarray, "n"], how: int
-    ) -> Float[np.ndarray, "marked marked"]:
-        """Schur complement of the marked unknowns."""
-        self.parameters[35] = how
-        self.marked[marked] = 1
-        count = int(marked.sum())
-        schur, unused = np.zeros((count, count)), np.zeros(len(marked))
+    def condense(self, count: int, how: int) -> Float[np.ndarray, "last last"]:
+        """Schur complement of the last unknowns; the others are quasi-definite, which needs no blocks of
+        two as pivots (the compliance is the same to 1e-14, a tenth of the time less)."""
+        self.parameters[20], self.parameters[35] = _SINGLE_PIVOTS, how
+        self.marked[len(self.marked) - count :] = 1
+        schur, unused = np.zeros((count, count)), np.zeros(len(self.marked))
         self.call(_ANALYSE, unused, schur)
         self.call(_FACTOR, unused, schur)
         return schur
