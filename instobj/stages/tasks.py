@@ -13,7 +13,7 @@ from rich.console import Console
 from design.errors import InstobjError
 from design.spec.object import ObjectSpec
 from instobj.stages.inputs import stage_inputs
-from instobj.stages.resources import needed_gib
+from instobj.stages.resources import chain_seconds, needed_gib
 from instobj.stages.run import Run, versions
 from instobj.stages.table import STAGES
 from instobj.store.content import StoredResult
@@ -44,9 +44,17 @@ def tasks_of(
     specs: Iterable[ObjectSpec], stages: Sequence[str] = ("scores",)
 ) -> tuple[dict[str, StageTask], list[dict[str, str]]]:
     """All tasks, those that are needed first, and by stage the keys of every specification's last
-    ones."""
-    tasks: dict[str, StageTask] = {}
-    return tasks, [{stage: _add(tasks, stage, spec) for stage in stages} for spec in specs]
+    ones.
+
+    Tasks of the specification that takes longest come first, so that several workers end about together
+    (Graham, SIAM J. Appl. Math. 17 (1969) 416).
+    """
+    asked, tasks = list(specs), dict[str, StageTask]()
+    last: list[dict[str, str]] = [{}] * len(asked)
+    seconds = [chain_seconds(spec) for spec in asked]
+    for index in sorted(range(len(asked)), key=lambda one: -seconds[one]):
+        last[index] = {stage: _add(tasks, stage, asked[index]) for stage in stages}
+    return tasks, last
 
 
 def _add(tasks: dict[str, StageTask], name: str, spec: ObjectSpec) -> str:

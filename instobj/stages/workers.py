@@ -144,7 +144,7 @@ class OnDask:
         progress = _Progress(len(tasks), say)
         counted = _require_memory(self.client, tasks)
         futures: dict[str, Any] = {}
-        for key, task in tasks.items():
+        for place, (key, task) in enumerate(tasks.items()):
             futures[key] = self.client.submit(
                 work,
                 task.content,
@@ -153,6 +153,7 @@ class OnDask:
                 key=f"{task.stage}-{key[:16]}",
                 resources={MEMORY: task.gib} if counted and task.gib else None,
                 retries=_RETRIES,
+                priority=-place,
             )
         names = {future.key: key for key, future in futures.items()}
         done: Done = {}

@@ -46,6 +46,15 @@ def test_stages_that_specifications_share_are_one_task():
         assert all(order.index(need) < order.index(key) for need in task.needs)
 
 
+def test_what_takes_longest_comes_first_and_answers_keep_their_order():
+    thin, thick = (
+        load_spec(SMALL_CUBE, [*CHANGES, f"shell.thickness_mm={mm}"]) for mm in (7.5, 8.5)
+    )
+    tasks, last = tasks_of([thin, thick], ("response",))
+    assert [task.spec for task in tasks.values()] == [thick, thick, thin, thin]
+    assert [tasks[keys["response"]].spec for keys in last] == [thin, thick]
+
+
 def test_a_sweep_writes_what_single_runs_find_and_goes_on_where_it_was(
     tmp_path, monkeypatch, capfd
 ):
