@@ -30,12 +30,16 @@ from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.priors import Pairs, Priors, Quadratic, log_density, widths
 
+Bounds = tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]
+"""Least and largest x, y (mm) and force (N)."""
 _ROUNDS = 3
 _STEPS = 8
 _SETTLED = 1e-3
 """Of half χ²: no step that gains less is worth taking."""
 _LONGEST = np.array([4.0, 4.0, 6.0])
 """Of one step, mm, mm and N."""
+_AT_BOUND = 1e-6
+"""In mm and N: a contact nearer is held there."""
 _SAME_SIGMA = 0.02
 """Of the noise: an interaction that changes by less is the same."""
 
@@ -174,22 +178,10 @@ def _fitted(
     rounds: int,
     steps: int,
 ) -> Problems:
-    frame, face, contact, extra, at = start.frame, start.face, start.contact, start.extra, start.at
-    alone = not bool(((face != NONE).sum(axis=1) > 1).any())
-    for number in range(rounds):
-        posterior = _posterior(model, priors, seen, frame, face, extra)
-        at = posterior.at(contact) if at is None else at
-        contact, at = _descend(posterior, hold, contact, at, steps)
-        if number == rounds - 1 or alone:
-            break
-        before, extra = extra, model.interaction(face, contact)
-        if (abs(extra - before) * posterior.weight < _SAME_SIGMA).all():
-            break
-        at = None
-    assert at is not None
+    contact, extra, at = _peak(model, priors, seen, start, hold, rounds, steps)
     return Problems(
-        on_host(frame),
-        on_host(face),
+        on_host(start.frame),
+        on_host(start.face),
         on_host(contact),
         extra,
         on_host(at.misfit),
@@ -197,6 +189,37 @@ def _fitted(
         at.curvature,
         on_host(at.log_spread),
     )
+
+
+def _peak(
+    model: ContactModel,
+    priors: Priors,
+    seen: Observed,
+    start: _Start,
+    hold: _Hold,
+    rounds: int,
+    steps: int,
+) -> tuple[Array, Array, Quadratic]:
+    """Contacts, interaction and misfit; another round for problems whose interaction has changed, so that
+    none depends on which others are fitted beside it."""
+    posterior = _posterior(model, priors, seen, start.frame, start.face, start.extra)
+    at = posterior.at(start.contact) if start.at is None else start.at
+    contact, at = _descend(posterior, hold, start.contact, at, steps)
+    several = (start.face != NONE).sum(axis=1) > 1
+    if rounds == 1 or not bool(several.any()):
+        return contact, start.extra, at
+    extra = model.interaction(start.face, contact)
+    changed = (abs(extra - start.extra) * posterior.weight >= _SAME_SIGMA).any(axis=1)
+    going = where_true(changed)
+    if not len(going):
+        return contact, extra, at
+    again = _Start(*(part[going] for part in (start.frame, start.face, contact, extra)))
+    found = _peak(model, priors, seen, again, hold, rounds - 1, steps)
+    if len(going) == len(contact):
+        return found
+    for column, part in zip((contact, extra), found[:2], strict=True):
+        column[going] = part
+    return contact, extra, _put((contact, at), going, (found[0], found[2]))[1]
 
 
 def _used_slots(face: np.ndarray) -> int:
@@ -228,15 +251,21 @@ class _Hold:
     """Keeps contacts where model and priors know them."""
 
     def __init__(self, model: ContactModel, priors: Priors, reference: Array) -> None:
-        (low, high), (least, most) = model.bounds, priors.force_n
         self.model = model
-        self.lowest = like(reference, np.array([*low[:2], least]))
-        self.highest = like(reference, np.array([*high[:2], min(most, high[2])]))
+        self.lowest, self.highest = (
+            like(reference, end) for end in held_between(model.bounds, priors)
+        )
 
     def __call__(self, face: Array, contact: Array) -> Array:
         xp = library(contact)
         inside = xp.minimum(xp.maximum(contact, self.lowest), self.highest)
         return self.model.on_faces(face, inside)
+
+
+def held_between(bounds: Bounds, priors: Priors) -> Bounds:
+    """What bounds of a model leave of the priors, or these of them."""
+    (low, high), (least, most) = bounds, priors.force_n
+    return np.array([*low[:2], least]), np.array([*high[:2], min(most, high[2])])
 
 
 def _descend(
@@ -425,6 +454,28 @@ def log_evidence(problems: Problems, priors: Priors) -> Float[np.ndarray, "probl
         - problems.log_spread
         + log_density(priors, problems.face, problems.contact)
     )
+
+
+def log_inside(bounds: Bounds, priors: Priors, problems: Problems) -> Float[np.ndarray, "problem"]:
+    """Log of the share of each peak's mass within the bounds of the model and the priors, axis by axis.
+
+    A contact that is held at a bound would lie beyond it: where the top of a normal peak is d standard
+    deviations outside, the mass inside is exp(d²/2) Φ(−d) of what Laplace's approximation makes of the
+    height at the bound.
+    """
+    from scipy.special import log_ndtr
+
+    curvature = bounded_curvature(problems, priors)
+    shape = problems.contact.shape
+    variance = diagonals(library(curvature).linalg.inv(curvature))
+    sigma = np.sqrt(on_host(variance)).reshape(shape)
+    slope = on_host(problems.slope).reshape(shape) * sigma
+    low, high = held_between(bounds, priors)
+    mass = np.zeros(shape)
+    for room, out in ((problems.contact - low, slope), (high - problems.contact, -slope)):
+        beyond = np.where(room < _AT_BOUND, np.maximum(out, 0.0), 0.0)
+        mass += log_ndtr(room / sigma - beyond) + 0.5 * beyond * beyond
+    return np.where((problems.face != NONE)[..., None], mass, 0.0).sum(axis=(1, 2))
 
 
 def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem contact 3 3"]:

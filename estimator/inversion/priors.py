@@ -34,7 +34,7 @@ class Priors:
     number : probabilities of 0, 1, 2, … contacts
     faces, area_mm2 : number and whole area of the sensed faces; contacts are equally likely
         everywhere on them
-    force_n : least and largest, forces between are equally likely
+    force_n : least and largest of a face, forces between are equally likely, however contacts share them
     apart_mm : least distance of two contacts on a face (twice the tip's radius); 0 for none
     force_spread : relative standard deviation of the forces of a face's contacts, where they are
         tips of one probe that bear alike; None where nothing is known of that
@@ -178,40 +178,56 @@ def log_density(
 ) -> Float[np.ndarray, "problem"]:
     """Log prior density of sets of contacts, whatever the order of their contacts."""
     counted = _counted(priors)[np.sum(face != NONE, axis=1)]
-    if priors.force_spread is None and not priors.spacing_mm:
-        return counted
-    return counted + _probe_density(priors, face, contact)
+    return counted + _on_each_face(priors, face, contact)
 
 
 @cache
 def _counted(priors: Priors) -> Float[np.ndarray, "number"]:
-    """Log density of so many contacts anywhere."""
+    """Log density of so many contacts anywhere, apart from each other."""
     number = np.arange(priors.most + 1)
     each = -np.log(priors.area_mm2 * np.ptp(priors.force_n))
-    orders = np.cumsum(np.log(np.maximum(number, 1)))
-    return number * each + np.log(np.maximum(np.asarray(priors.number), 1e-300)) + orders
+    of_number = np.log(np.maximum(np.asarray(priors.number), 1e-300))
+    apart = number * (number - 1) / 2 * np.log1p(-_too_near(priors))
+    return number * each + of_number + _log_factorials(priors.most) - apart
 
 
-def _probe_density(
+def _too_near(priors: Priors) -> float:
+    """Chance that two contacts anywhere are on one face and nearer than `apart_mm`: exact on squares
+    (Philip, The probability distribution of the distance between two random points in a box, 2007)."""
+    side = np.sqrt(priors.area_mm2 / priors.faces)
+    t = min(priors.apart_mm / side, 1.0)
+    return float((np.pi * t**2 - 8 / 3 * t**3 + t**4 / 2) / priors.faces)
+
+
+def _on_each_face(
     priors: Priors, face: np.ndarray, contact: np.ndarray
 ) -> Float[np.ndarray, "problem"]:
-    """Log of how much denser the prior is where probes and equal forces are known.
+    """Log of how much denser the prior is than that of contacts each of which bears anything alone.
 
-    Of a face's n contacts one stands anywhere; the second then stands on a ring, the third at one
-    of two points. Forces but one follow the first.
+    The whole force of a face is even, and so are the ways to share it among n contacts, which have the
+    density (n − 1)! / force^(n−1); where they bear alike, forces but one follow the first. Of a known
+    probe one contact stands anywhere, the second on a ring, the third at one of two points.
     """
-    gained = np.zeros(len(face))
+    gained, orders = np.zeros(len(face)), _log_factorials(priors.most)
     for one in range(priors.faces):
         here = face == one
         number = here.sum(axis=1)
         more = np.maximum(number - 1, 0)
-        if priors.force_spread is not None:
-            force = np.where(here, contact[..., 2], 0.0).sum(axis=1)
-            width = _ROOT * priors.force_spread * np.maximum(force, 1e-9) / np.maximum(number, 1)
-            gained += np.where(more > 0, more * np.log(np.ptp(priors.force_n) / width), 0.0)
+        force = np.where(here, contact[..., 2], 0.0).sum(axis=1).clip(1e-9)
+        if priors.force_spread is None:
+            width = force
+            gained += orders[more]
+        else:
+            width = _ROOT * priors.force_spread * force / np.maximum(number, 1)
+        gained += more * np.log(np.ptp(priors.force_n) / width)
         if priors.spacing_mm:
             gained += _standing(priors)[np.minimum(number, len(priors.spacing_mm) + 2)]
     return gained
+
+
+@cache
+def _log_factorials(most: int) -> Float[np.ndarray, "number"]:
+    return np.cumsum(np.log(np.arange(most + 1).clip(1)))
 
 
 def _standing(priors: Priors) -> Float[np.ndarray, "number"]:

@@ -2,8 +2,8 @@
 
 The next contact (or probe, where probes are known) comes from a coarse dictionary, or by halving one
 that is there. The best few sets of each number go on; then every contact of the best set is taken
-away and looked for anew. On the way sets are fitted by a few steps, the best of all numbers together
-to the end: half of the time of fitting each, with as many frames right.
+away and looked for anew, and one more is looked for. On the way sets are fitted by a few steps, the
+best of all numbers together to the end: half of the time of fitting each, with as many frames right.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
 from estimator.inversion.model.arrays import Array, concatenated, rows_of
 from estimator.inversion.model.dictionary import Dictionary, dictionary
@@ -22,6 +22,7 @@ from estimator.inversion.posterior import (
     Problems,
     empty,
     log_evidence,
+    log_inside,
     most_probable,
     refitted,
 )
@@ -34,11 +35,13 @@ _NEAR, _FEW = (1, 3), 2
 tangential forces, which make the posterior flat, need all steps."""
 _SETTLED, _OUT_OF_THE_RACE = 4, 20.0
 """Sets of a frame that are fitted to the end, and by how much the log evidence of others is less."""
-_QUIET, _HOPELESS = 0.75, 10.0
-"""Sets go on while their misfit exceeds the first times what noise gives by more than the second,
-which is what the evidence asks of a further contact."""
+_QUIET, _HOPELESS = 0.75, 2.0
+"""Sets go on while their misfit exceeds the first times what noise gives by more than the second: the
+evidence asks four to eight of a further contact, but where noise is small there is more to explain."""
 _EQUAL = 0.05
 """Of misfits and log evidences: sets that differ by less are the same."""
+_VISITS, _BETTER = 2, 1.0
+"""How often the best set of a frame is revisited, and the log evidence that it must have gained since."""
 _HALF_MM = 6.0
 _HALVED_BY = _HALF_MM * np.array(
     [(1, 0, 0), (0, 1, 0), (0.5**0.5, 0.5**0.5, 0), (0.5**0.5, -(0.5**0.5), 0)]
@@ -124,8 +127,7 @@ class Search:
             found.append(judged)
             np.maximum.at(best, judged.problems.frame, judged.log_evidence)
             level = judged.problems.select(self._hopeful(judged, best))
-        every = together(found)
-        return self._settled(seen, together([every, *self._revisited(seen, every)]).distinct())
+        return self._settled(seen, self._revisited(seen, together(found)).distinct())
 
     def of_number(self, seen: Observed, number: int) -> Problems:
         """The most probable set of so many contacts of every frame that has one."""
@@ -137,9 +139,9 @@ class Search:
             sets = Problems.joined([sets, self._grown(seen, fewer)])
         return sets.select(_first_of_frame(sets.frame, sets.misfit))
 
-    def grown(self, seen: Observed, sets: Problems) -> Hypotheses:
-        """The best sets of one contact more."""
-        return self.judged(self._grown(seen, sets))
+    def grown(self, seen: Observed, sets: Problems, effort: tuple[int, ...] = ()) -> Hypotheses:
+        """The best sets of one contact more; `effort` is rounds and steps."""
+        return self.judged(self._grown(seen, sets, effort))
 
     def fewer(self, seen: Observed, sets: Problems, effort: tuple[int, ...] = ()) -> Hypotheses:
         """Each set without each of its contacts (or probes); `effort` is rounds and steps."""
@@ -160,13 +162,27 @@ class Search:
 
     def judged(self, problems: Problems) -> Hypotheses:
         """Sets with their evidence under these priors."""
-        return Hypotheses(problems, log_evidence(problems, self.priors))
+        inside = log_inside(self.model.bounds, self.priors, problems)
+        return Hypotheses(problems, log_evidence(problems, self.priors) + inside)
 
-    def _revisited(self, seen: Observed, found: Hypotheses) -> list[Hypotheses]:
-        best = found.best()
-        sets = found.problems.select(best[found.problems.number[best] > 1])
-        fewer = self.fewer(seen, sets, self._on_the_way)
-        return [fewer, self.judged(self._grown(seen, fewer.problems, self._on_the_way))]
+    def _revisited(self, seen: Observed, found: Hypotheses) -> Hypotheses:
+        """All sets, with those of one contact more than the best and those with a contact of the best looked
+        for anew; again where these are better."""
+        reached = np.full(len(seen.counts), -np.inf)
+        for _ in range(_VISITS):
+            best = found.best()
+            evidence = found.log_evidence[best]
+            better = (evidence > reached + _BETTER) & (found.problems.number[best] > 1)
+            if not better.any():
+                break
+            reached, sets = evidence, found.problems.select(best[better])
+            parts = [found, self.fewer(seen, sets, self._on_the_way)]
+            parts.append(self.grown(seen, parts[1].problems, self._on_the_way))
+            hopeful = self._bears_more(sets)
+            if hopeful.any():
+                parts.append(self.grown(seen, sets.select(hopeful), self._on_the_way))
+            found = together(parts)
+        return found
 
     def _settled(self, seen: Observed, near: Hypotheses) -> Hypotheses:
         """The best sets of each frame, fitted to the end."""
@@ -203,9 +219,16 @@ class Search:
     def _hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
         """Sets that a further contact may still bring beyond the best so far."""
         problems = judged.problems
-        possible = problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
-        better = judged.log_evidence + possible > best[problems.frame]
-        return better & (possible > _HOPELESS) & (problems.number < self.priors.most)
+        better = judged.log_evidence + self._possible(problems) > best[problems.frame]
+        return better & self._bears_more(problems)
+
+    def _bears_more(self, problems: Problems) -> Bool[np.ndarray, "problem"]:
+        """Whether misfit and slots leave room for a further contact."""
+        return (self._possible(problems) > _HOPELESS) & (problems.number < self.priors.most)
+
+    def _possible(self, problems: Problems) -> Float[np.ndarray, "problem"]:
+        """By how much further contacts may lower the misfit."""
+        return problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
 
 
 def together(parts: list[Hypotheses]) -> Hypotheses:

@@ -19,7 +19,7 @@ from estimator.inversion.readings import UNEXPLAINED, ContactSets, p_values
 from estimator.inversion.search import Hypotheses, together
 
 _STEPS = 3
-_CHANGE = np.log(0.02)
+_CHANGE = np.log(0.1)
 """Log prior odds that a frame has another number of contacts than the last."""
 _FAINT = 3.0
 """Contacts below so many standard deviations of their force may have gone."""

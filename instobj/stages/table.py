@@ -286,7 +286,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=3,
+        version=4,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

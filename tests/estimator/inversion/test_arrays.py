@@ -51,6 +51,15 @@ def test_many_frames_are_read_on_a_card_with_the_same_contacts_and_few_are_not(f
         assert isinstance(other.covariance, np.ndarray)
 
 
+def test_what_is_read_in_a_frame_does_not_depend_on_the_frames_beside_it(frames):
+    together = inverted().read(frames)[0]
+    for row in (1, 4):
+        alone = inverted().read(frames[row : row + 1])[0]
+        beside = together.select(np.array([row]))
+        assert_allclose(sorted_contacts(beside), sorted_contacts(alone), atol=1e-4)
+        assert_allclose(beside.odds, alone.odds, atol=1e-5)
+
+
 @pytest.mark.parametrize("probes", ["free", "known"])
 def test_one_fit_is_the_same_to_rounding(probes):
     """Tips that overlap, or stand as known probes have them and bear alike; frames at rest among them."""

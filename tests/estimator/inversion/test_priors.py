@@ -68,14 +68,43 @@ def test_slopes_are_those_of_the_misfit_and_curvature_that_of_its_squares(priors
     assert added(priors, moved).misfit[1] < 0.2 * found.misfit[1]
 
 
+SHARED = np.log([2 * (10 / 9) ** 2, 10 / 8, 1, 1, 1])
+"""Three tips share 9 N of up to 10 N, two 8 N; others bear theirs alone."""
+
+
 def test_the_density_of_free_contacts_counts_them_and_their_orders():
     each = -np.log(800 * 10)
     number = np.array([3, 3, 1, 2, 0])
     wanted = number * each + np.log([0.1, 0.1, 0.3, 0.2, 0.4]) + np.log([6, 6, 1, 2, 1])
-    assert_allclose(log_density(Priors(**BASE), FACE, contacts()), wanted)
+    assert_allclose(log_density(Priors(**BASE), FACE, contacts()), wanted + SHARED)
     assert Priors(**BASE).most == 3
     never = Priors(**BASE | {"number": (0.0, 0.5, 0.3, 0.2)})
     assert log_density(never, FACE, contacts())[4] < -600
+
+
+def test_the_force_of_a_face_is_even_however_many_tips_share_it():
+    """Drawn so: the whole force even, cut at even places. Density counted in a box of forces."""
+    rng, size = np.random.default_rng(1), 400_000
+    whole = rng.uniform(0.5, 10.5, size)
+    cuts = np.sort(rng.uniform(0, 1, (size, 2)), axis=1) * whole[:, None]
+    force = np.diff(cuts, axis=1, prepend=0.0, append=whole[:, None])
+    near = np.all(np.abs(force - [2.0, 3.0, 1.5]) < 0.4, axis=1)
+    counted = near.mean() / 0.8**3
+    face, contact = np.zeros((1, 3), int), np.zeros((1, 3, 3))
+    contact[0, :, 2] = 2.0, 3.0, 1.5
+    found = np.exp(log_density(Priors(**BASE), face, contact)[0]) / (0.1 * 6 / 800**3)
+    assert_allclose(found, counted, rtol=0.05)
+
+
+def test_contacts_apart_are_denser_by_the_sets_that_overlap():
+    """Of two contacts anywhere on two faces of 20 mm by 20 mm, by drawing them."""
+    rng, size = np.random.default_rng(2), 200_000
+    place = rng.uniform(0, 20, (size, 2, 2))
+    near = np.linalg.norm(place[:, 0] - place[:, 1], axis=1) < 10.0
+    overlap = (near & (rng.integers(0, 2, size) == rng.integers(0, 2, size))).mean()
+    gained = log_density(FREE, FACE, contacts()) - log_density(Priors(**BASE), FACE, contacts())
+    assert_allclose(gained[3], -np.log(1 - overlap), rtol=0.02)
+    assert_allclose(gained, gained[3] * np.array([3, 3, 0, 1, 0]))
 
 
 def test_known_probes_make_the_density_of_their_tips_greater():
@@ -86,7 +115,7 @@ def test_known_probes_make_the_density_of_their_tips_greater():
     ring = [np.log(800 / (2 * np.pi * one * width)) for one in (15, 20)]
     point = np.log(800 / (2 * width**2))
     force = np.array([2 * np.log(10 / (width * 3.0)), np.log(10 / (width * 4.0))])
-    assert_allclose(found, [ring[1] + point + force[0], ring[0] + force[1], 0, 0, 0])
+    assert_allclose(found + SHARED, [ring[1] + point + force[0], ring[0] + force[1], 0, 0, 0])
     crowded = np.zeros((1, 4), int)
     four = Priors(**BASE | {"number": (0.2,) * 5}, spacing_mm=(15.0, 20.0))
     assert log_density(four, crowded, np.ones((1, 4, 3)))[0] == -np.inf

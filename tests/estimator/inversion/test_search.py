@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 from scipy.stats import kstest
 
 from estimator.inversion.model.dictionary import probe_tips_mm
+from estimator.inversion.posterior import most_probable
 from estimator.inversion.readings import ContactSets
 from estimator.metrics.contacts import possible_distance_mm
 from tests.support.mechanics.inverted import (
@@ -163,3 +164,15 @@ def test_the_radius_holds_nine_of_ten_places(ratio):
     assert_allclose(
         np.mean(np.linalg.norm(draws, axis=1) <= found.position_radius_mm[0, 0]), 0.9, atol=0.012
     )
+
+
+def test_the_best_set_gets_the_contact_that_it_lacks_when_it_is_revisited(free):
+    rng = np.random.default_rng(10)
+    face, contact = contacts(rng, 4, 3, (5.0, 8.0))
+    seen = free.disturbances.observed(noisy_counts(free, face, contact, rng))
+    lacking = np.where(np.arange(6) < 2, face, -1)
+    search = free.search
+    start = most_probable(free.model, free.priors, seen, np.arange(4), lacking, contact)
+    found = search._revisited(seen, search.judged(start))
+    best = found.problems.select(found.best())
+    assert np.array_equal(np.sort(best.face, axis=1), np.sort(face, axis=1))

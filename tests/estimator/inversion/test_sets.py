@@ -93,16 +93,16 @@ def test_filled_slots_come_first_in_their_order():
 
 
 def test_sets_go_on_while_more_is_left_than_noise_and_a_contact_could_gain():
-    """Of 60 channels: one contact leaves 0.75 · ½ · 57 = 21.375 for noise, two 20.25."""
+    """Of 60 channels: one contact leaves 0.75 · ½ · 57 = 21.375 for noise, two 20.25; 2 more are asked."""
     model = SimpleNamespace(channels=60)
     given = object.__new__(Search)
     given.__dict__.update(model=model, priors=PRIORS)
-    level = problems([0, 0, 0, 1], [ONE, ONE, TWO, [0, 1, 0]], [31.5, 31.3, 30.3, 900.0])
+    level = problems([0, 0, 0, 1], [ONE, ONE, TWO, [0, 1, 0]], [23.4, 23.3, 22.3, 900.0])
     judged = Hypotheses(level, np.array([0.0, 0.0, 0.0, 0.0]))
     assert given._hopeful(judged, np.array([0.0, 0.0])).tolist() == [True, False, True, False]
     # the second frame's set is full; evidence far below the best cannot be made good
-    assert not given._hopeful(judged, np.array([10.2, 0.0])).any()
-    assert given._hopeful(judged, np.array([10.1, 0.0])).tolist() == [True, False, False, False]
+    assert not given._hopeful(judged, np.array([2.1, 0.0])).any()
+    assert given._hopeful(judged, np.array([2.03, 0.0])).tolist() == [False, False, True, False]
 
 
 def test_slots_are_cut_and_widened_with_ones_on_the_diagonal():
@@ -139,6 +139,31 @@ def test_a_damped_step_is_marquardts():
     slope, damping = np.array([[1.0, -2.0, 0.5]]), np.array([0.5])
     wanted = -np.linalg.solve(curvature[0] + 0.5 * np.diag([4.0, 3.0, 2.0]), slope[0])
     assert_allclose(posterior._step(slope, curvature, damping)[0], wanted, rtol=1e-6)
+
+
+def test_mass_beyond_bounds_of_places_and_forces_does_not_count():
+    """Tops of peaks well inside, near a bound, and beyond bounds at which the contact is held,
+    against integrals over what is inside."""
+    bounds = np.array([-5.0, -5.0, 0.0]), np.array([5.0, 5.0, 20.0])
+    sigma = np.array([0.5, 0.4, 0.8])
+    given = problems([0, 1, 2], [ONE] * 3, np.zeros(3))
+    given.contact[:, 0] = [[0.0, 1.0, 6.0], [0.0, 4.8, 6.0], [5.0, 1.0, 0.5]]
+    given.curvature[:, :3, :3] = np.diag(1 / sigma**2 - 12 / np.square([20.0, 20.0, 10.0]))
+    given.slope[2, [0, 2]] = [-3.0, 2.0]
+    steps = np.linspace(-8.0, 8.0, 64001)
+    wanted = []
+    for contact, slope in zip(given.contact[:, 0], given.slope[:, :3], strict=True):
+        low, high = np.maximum(bounds[0], [-9, -9, 0.5]), np.minimum(bounds[1], [9, 9, 10.5])
+        share = 1.0
+        for axis in range(3):
+            density = np.exp(-slope[axis] * steps - 0.5 * (steps / sigma[axis]) ** 2)
+            at = contact[axis] + steps
+            there = (at >= low[axis]) & (at <= high[axis])
+            share *= density[there].sum() * (steps[1] - steps[0]) / sigma[axis] / np.sqrt(2 * np.pi)
+        wanted.append(share)
+    found = np.exp(posterior.log_inside(bounds, PRIORS, given))
+    assert_allclose(found, wanted, rtol=2e-3)
+    assert wanted[2] < 0.2 < wanted[1] < 0.8 < wanted[0]
 
 
 SEEN = Observed(
