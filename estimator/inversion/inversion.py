@@ -20,7 +20,7 @@ from estimator.inversion.model.forward import ContactModel, contact_model
 from estimator.inversion.model.noise import BLIND, Disturbances, disturbances
 from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.priors import Priors
-from estimator.inversion.readings import ContactSets, contact_sets
+from estimator.inversion.readings import ContactSets, among_sets, contact_sets
 from estimator.inversion.search import Search
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
@@ -122,16 +122,22 @@ class Inversion:
         best = found.best()
         second = found.second(best)
         odds_of_second = np.where(second == best, 0.0, found.odds[second])
-        sets = (found.problems.select(rows).on_host() for rows in (best, second))
-        odds = found.odds[best], odds_of_second
-        one, other = (self.reading(seen, *given) for given in zip(sets, odds, strict=True))
-        return one, other
+        one, other = (found.problems.select(rows).on_host() for rows in (best, second))
+        spread = among_sets(found, best, self.priors)
+        return (
+            self.reading(seen, one, found.odds[best], spread),
+            self.reading(seen, other, odds_of_second),
+        )
 
     def reading(
-        self, seen: Observed, problems: Problems, odds: Float[np.ndarray, "frame"]
+        self,
+        seen: Observed,
+        problems: Problems,
+        odds: Float[np.ndarray, "frame"],
+        covariance: Float[np.ndarray, "frame contact 3 3"] | None = None,
     ) -> ContactSets:
-        """Contacts with all that is uncertain of them."""
-        sets = contact_sets(self.model, self.priors, seen, problems, odds)
+        """Contacts with all that is uncertain of them; `covariance` as in `contact_sets`."""
+        sets = contact_sets(self.model, self.priors, seen, problems, odds, covariance)
         return sets.with_force_error(self.disturbances.force_error)
 
 

@@ -19,10 +19,13 @@ from estimator.inversion.posterior import (
     strict_misfit,
 )
 from estimator.inversion.priors import Priors
+from estimator.inversion.search import Hypotheses
 
 COVERAGE = 0.9
 UNEXPLAINED = 1e-3
 """p value below which no contact that the model knows explains a frame."""
+_LEAST_ODDS = 1e-3
+"""Sets less probable do not widen the regions."""
 
 
 @dataclass(frozen=True)
@@ -33,8 +36,8 @@ class ContactSets(Columns):
     ----------
     face : (frame, contact) face numbers
     xy_mm, force_n : (frame, contact, 2), (frame, contact), in the face's frame, and normal force
-    covariance : (frame, contact, 3, 3) of x, y (mm) and force (N) of each contact, the others'
-        uncertainty included
+    covariance : (frame, contact, 3, 3) of x, y (mm) and force (N) of each contact, with what is uncertain
+        of the others and, from scratch, of the set
     tangential_n, tangential_sigma_n : (frame, contact, 2), along x and y of the face, and their
         standard deviations; NaN where contacts are taken for frictionless
     odds : (frame,) posterior probability of the set among all that were found
@@ -99,10 +102,12 @@ def contact_sets(
     seen: Observed,
     problems: Problems,
     odds: Float[np.ndarray, "frame"],
+    covariance: Float[np.ndarray, "frame contact 3 3"] | None = None,
 ) -> ContactSets:
-    """Contacts of one problem per frame, in the order of the problems."""
+    """Contacts of one problem per frame, in the order of the problems; `covariance` is `covariances`, if
+    left out."""
     there = problems.face != NONE
-    own = covariances(problems, priors)
+    own = covariances(problems, priors) if covariance is None else covariance
     pulls = np.full((2, *there.shape, 2), np.nan)
     if model.shear is not None:
         found = np.stack(tangential_forces(model, priors, seen, problems))
@@ -117,6 +122,29 @@ def contact_sets(
         odds,
         strict_p_values(model, priors, seen, problems),
     )
+
+
+def among_sets(
+    found: Hypotheses, best: Int[np.ndarray, "frame"], priors: Priors
+) -> Float[np.ndarray, "frame contact 3 3"]:
+    """Covariances of the contacts of each frame's best set about where they are, over all sets by their odds.
+
+    In another set a contact is the nearest one on its face; sets without one there say nothing of it.
+    """
+    rows = np.flatnonzero(found.odds > _LEAST_ODDS)
+    sets, odds = found.problems.select(rows).on_host(), found.odds[rows]
+    of_best = found.problems.select(best[sets.frame])
+    face, contact = of_best.face[:, :, None], of_best.contact[:, :, None]
+    away = np.linalg.norm((sets.contact[:, None] - contact)[..., :2], axis=3)
+    away[(face == NONE) | (face != sets.face[:, None])] = np.inf
+    nearest, each = away.argmin(axis=2), np.arange(len(rows))[:, None]
+    gone = sets.contact[each, nearest] - of_best.contact
+    square = covariances(sets, priors)[each, nearest] + gone[..., None] * gone[..., None, :]
+    weight = np.where(np.isfinite(away.min(axis=2)), odds[:, None], 0.0)[..., None, None]
+    total, norm = np.zeros((len(best), *square.shape[1:])), np.zeros((len(best), *weight.shape[1:]))
+    np.add.at(total, sets.frame, weight * square)
+    np.add.at(norm, sets.frame, weight)
+    return np.where(norm > 0, total / np.where(norm > 0, norm, 1.0), np.eye(3))
 
 
 def tangential_forces(

@@ -176,12 +176,9 @@ class Search:
             if not better.any():
                 break
             reached, sets = evidence, found.problems.select(best[better])
-            parts = [found, self.fewer(seen, sets, self._on_the_way)]
-            parts.append(self.grown(seen, parts[1].problems, self._on_the_way))
-            hopeful = self._bears_more(sets)
-            if hopeful.any():
-                parts.append(self.grown(seen, sets.select(hopeful), self._on_the_way))
-            found = together(parts)
+            fewer = self.fewer(seen, sets, self._on_the_way)
+            starts = Problems.joined([fewer.problems, sets.select(self._bears_more(sets))])
+            found = together([found, fewer, self.grown(seen, starts, self._on_the_way)])
         return found
 
     def _settled(self, seen: Observed, near: Hypotheses) -> Hypotheses:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.inversion import posterior, search
+from estimator.inversion import posterior, readings, search
 from estimator.inversion.blind_start import _summary, _worst_mm
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import Observed, Problems, bounded_curvature, empty
@@ -50,6 +50,24 @@ def test_odds_are_shares_of_the_evidence_of_a_frame():
     assert found.second(best).tolist() == [0, 4]
     alone = Hypotheses(problems([0, 1, 1], [ONE] * 3, np.zeros(3)), np.array([0.0, 1.0, 2.0]))
     assert alone.second(alone.best()).tolist() == [0, 1]
+
+
+def test_regions_hold_where_a_contact_is_in_other_sets_by_their_odds():
+    """A second set has it 3 mm and 1 N away beside another contact farther off, a third on another face, a
+    fourth is improbable."""
+    sets = problems([0] * 4, [[0, 1], [0, 0], [1, NONE], [0, 1]], np.zeros(4))
+    sets.contact[:, 0] = [[1.0, 2, 5], [9.0, 9, 5], [1.0, 2, 5], [8.0, 8, 8]]
+    sets.contact[:, 1] = [[0.0, 0, 2], [4.0, 2, 4], [0.0, 0, 0], [0.0, 0, 2]]
+    sets.curvature[0] *= 2
+    found = Hypotheses(sets, np.log([0.5, 0.25, 0.25, 1e-4]))
+    one, other = (posterior.covariances(sets.select(np.array([row])), PRIORS)[0] for row in (0, 1))
+    away = np.array([3.0, 0, -1])
+    wanted = (2 * one[0] + other[1] + np.outer(away, away)) / 3
+    # the third set says where the second contact is: 1 mm, 2 mm and 3 N from where the first has it
+    third = posterior.covariances(sets.select(np.array([2])), PRIORS)[0, 0]
+    also = (2 * one[1] + third + np.outer([1.0, 2, 3], [1.0, 2, 3])) / 3
+    spread = readings.among_sets(found, found.best(), PRIORS)
+    assert_allclose(spread, [[wanted, also]], rtol=1e-3)
 
 
 def test_the_sets_of_least_misfit_of_each_number_go_on_equal_ones_once():

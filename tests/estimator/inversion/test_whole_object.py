@@ -101,8 +101,11 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
 
     monkeypatch.setattr(Inversion, "_read", Inversion._read.__wrapped__)
     monkeypatch.setattr(Inversion, "search_for", lambda self, frames: self.search)
+    monkeypatch.setattr(module, "among_sets", lambda found, best, priors: (found, best))
     monkeypatch.setattr(
-        Inversion, "reading", lambda self, seen, problems, odds: (seen[0][:, 0], problems, odds)
+        Inversion,
+        "reading",
+        lambda self, seen, problems, odds, spread=None: (seen[0][:, 0], problems, odds, spread),
     )
     monkeypatch.setattr(module.ContactSets, "joined", staticmethod(lambda parts: list(parts)))
     estimator = made(np.ones(18), SimpleNamespace(contacts=contacts))
@@ -116,6 +119,9 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
     assert_allclose(np.concatenate([part[2] for part in best]), 0.6)
     odds = np.concatenate([part[2] for part in second])
     assert_allclose(odds, np.tile([0.0, 0.3], 125))
+    # the best answer's regions are those among all sets found, the next one's its own
+    assert all(part[3][1] is part[1] is part[3][0].rows for part in best)
+    assert all(part[3] is None for part in second)
     Inversion.read.__wrapped__(estimator, counts[:3])
     assert given[-1][1] is None
     with pytest.raises(InputError, match="no frame"):
