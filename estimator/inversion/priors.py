@@ -23,6 +23,8 @@ from estimator.inversion.model.forward import NONE
 _OVERLAP_MM, SPACING_SIGMA_MM = 0.5, 0.2
 """Standard deviations of how far tips may seem to overlap, and of distances within a known probe."""
 _ROOT = np.sqrt(2 * np.pi)
+_UNPAIRED = np.log(1e-3)
+"""Log odds that a gripper's contacts are not as many on two faces: one jaw alone, a tip that hangs over."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,8 @@ class Priors:
         tips of one probe that bear alike; None where nothing is known of that
     spacing_mm : of probes, where they are known: distance between the tips of the probe of two, of
         three, … of which a face meets one; empty where contacts are free
+    paired : contacts are tips of two jaws, as many on each of two faces; anything else is what no contact
+        knows, and rare
     """
 
     number: tuple[float, ...]
@@ -49,6 +53,7 @@ class Priors:
     apart_mm: float = 0.0
     force_spread: float | None = None
     spacing_mm: tuple[float, ...] = ()
+    paired: bool = False
 
     @property
     def most(self) -> int:
@@ -237,6 +242,17 @@ def _standing(priors: Priors) -> Float[np.ndarray, "number"]:
     extra = np.arange(len(priors.spacing_mm))
     gained = np.log(priors.area_mm2 / ring) + extra * np.log(priors.area_mm2 / point)
     return np.concatenate([[0.0, 0.0], gained, [-np.inf]])
+
+
+def log_paired(
+    priors: Priors, face: Int[np.ndarray, "problem contact"]
+) -> Float[np.ndarray, "problem"]:
+    """Log of how likely sets are where contacts are those of two jaws, over that of any: nothing pressed and
+    as many contacts on each of two faces stay as they are."""
+    number = np.stack([np.sum(face == one, axis=1) for one in range(priors.faces)], axis=1)
+    several = number.max(axis=1, initial=0)
+    two = (np.sum(number > 0, axis=1) == 2) & (2 * several == number.sum(axis=1))
+    return np.where(two | (several == 0) | (not priors.paired), 0.0, _UNPAIRED)
 
 
 def widths(priors: Priors) -> Float[np.ndarray, "3"]:

@@ -26,7 +26,7 @@ from estimator.inversion.posterior import (
     most_probable,
     refitted,
 )
-from estimator.inversion.priors import Priors
+from estimator.inversion.priors import Priors, log_paired
 
 _KEPT = 3
 _ROUGH_STEPS = 2
@@ -127,7 +127,8 @@ class Search:
             found.append(judged)
             np.maximum.at(best, judged.problems.frame, judged.log_evidence)
             level = judged.problems.select(self._hopeful(judged, best))
-        return self._settled(seen, self._revisited(seen, together(found)).distinct())
+        near = self._revisited(seen, together(found)).distinct()
+        return self._settled(seen, self._believed(near))
 
     def of_number(self, seen: Observed, number: int) -> Problems:
         """The most probable set of so many contacts of every frame that has one."""
@@ -165,6 +166,11 @@ class Search:
         inside = log_inside(self.model.bounds, self.priors, problems)
         return Hypotheses(problems, log_evidence(problems, self.priors) + inside)
 
+    def _believed(self, found: Hypotheses) -> Hypotheses:
+        """Sets with what is known of two jaws. Not on the way, which goes contact by contact."""
+        paired = log_paired(self.priors, found.problems.face)
+        return Hypotheses(found.problems, found.log_evidence + paired)
+
     def _revisited(self, seen: Observed, found: Hypotheses) -> Hypotheses:
         """All sets, with those of one contact more than the best and those with a contact of the best looked
         for anew; again where these are better."""
@@ -192,6 +198,7 @@ class Search:
         sets, others = problems.select(order[kept]), order[~kept]
         given = sets.frame, sets.face, sets.contact, sets.extra
         settled = self.judged(most_probable(self.model, self.priors, seen, *given))
+        settled = self._believed(settled)
         left = Hypotheses(problems.select(others), evidence[others])
         return together([settled, left]).distinct()
 
@@ -224,8 +231,10 @@ class Search:
         return (self._possible(problems) > _HOPELESS) & (problems.number < self.priors.most)
 
     def _possible(self, problems: Problems) -> Float[np.ndarray, "problem"]:
-        """By how much further contacts may lower the misfit."""
-        return problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
+        """By how much further contacts may raise the evidence: by the misfit, and where one of two jaws lacks
+        them by the odds of that."""
+        left = problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
+        return left - log_paired(self.priors, problems.face)
 
 
 def together(parts: list[Hypotheses]) -> Hypotheses:

@@ -82,6 +82,8 @@ class Tracker:
     def _changed(self, seen: Observed, same: Problems) -> tuple[Problems, Float[np.ndarray, "1"]]:
         """One contact more or less, or all anew, where the evidence is for it."""
         search = self.inversion.search
+        if search.priors.paired:  # of two jaws none changes alone
+            return self._anew(seen)
         every = [search.judged(same)]
         if p_values(seen, same)[0] < _STRAINED:
             every.append(_at_a_price(search.grown(seen, same)))
@@ -92,11 +94,13 @@ class Tracker:
         found = judged.problems.select(best), judged.odds[best]
         if p_values(seen, found[0])[0] >= UNEXPLAINED:
             return found
+        return min(found, self._anew(seen), key=lambda one: one[0].misfit[0])
+
+    def _anew(self, seen: Observed) -> tuple[Problems, Float[np.ndarray, "1"]]:
         self.seen_anew += 1
-        judged = search.contacts(seen)
+        judged = self.inversion.search.contacts(seen)
         best = judged.best()
-        anew = judged.problems.select(best), judged.odds[best]
-        return min(found, anew, key=lambda one: one[0].misfit[0])
+        return judged.problems.select(best), judged.odds[best]
 
     def _faint(self, same: Problems) -> bool:
         number = int(same.number[0])

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.priors import Pairs, Priors, Quadratic, log_density, widths
+from estimator.inversion.priors import Pairs, Priors, Quadratic, log_density, log_paired, widths
 
 BASE = {"number": (0.4, 0.3, 0.2, 0.1), "faces": 2, "area_mm2": 800.0, "force_n": (0.5, 10.5)}
 FREE = Priors(**BASE, apart_mm=10.0)
@@ -119,6 +119,22 @@ def test_known_probes_make_the_density_of_their_tips_greater():
     crowded = np.zeros((1, 4), int)
     four = Priors(**BASE | {"number": (0.2,) * 5}, spacing_mm=(15.0, 20.0))
     assert log_density(four, crowded, np.ones((1, 4, 3)))[0] == -np.inf
+
+
+def test_two_jaws_have_as_many_tips_each_and_anything_else_is_rare():
+    face = np.array(
+        [
+            [NONE] * 4,
+            [0, 2, NONE, NONE],
+            [2, 0, 0, 2],
+            [0, 0, 2, NONE],
+            [1, 1, NONE, NONE],
+            [0, 1, 2, NONE],
+        ]
+    )
+    paired = Priors(**BASE | {"faces": 3}, paired=True)
+    assert_allclose(np.exp(log_paired(paired, face)), [1, 1, 1, 1e-3, 1e-3, 1e-3])
+    assert not log_paired(Priors(**BASE | {"faces": 3}), face).any()
 
 
 def test_no_posterior_is_wider_than_a_face_and_the_forces():

@@ -74,6 +74,21 @@ def test_odds_of_the_last_try_stand_while_the_next_one_waits(monkeypatch):
     assert told == [0.6] * 6
 
 
+def test_jaws_get_their_tips_together_and_a_third_contact_needs_more_than_noise():
+    """One tip a jaw, then two: both appear in one frame. A weak third one is taken for noise where
+    two jaws press, and read where nothing is known."""
+    free = inverted()
+    jaws = replace(free, priors=replace(free.priors, paired=True))
+    face, contact = np.full((3, 6), -1), np.zeros((3, 6, 3))
+    face[:, :2], contact[:, :2] = [1, 3], [[-6.0, 2.0, 6.0], [5.0, -6.0, 6.0]]
+    face[1, 2:4], contact[1, 2:4] = [1, 3], [[7.0, -3.0, 6.0], [-6.0, 6.0, 6.0]]
+    face[2, 2], contact[2, 2] = 2, [0.0, 0.0, 2.7]
+    counts = noisy_counts(free, face, contact, np.random.default_rng(11))
+    tracker = Tracker(jaws)
+    assert [int(tracker.feed(frame).number[0]) for frame in counts[:2]] == [2, 4]
+    assert [int(one.read(counts[2:])[0].number[0]) for one in (free, jaws)] == [3, 2]
+
+
 def test_a_tracker_reads_the_mean_of_its_window():
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
     face[0, 0], contact[0, 0] = 1, [2.0, -4.0, 5.0]

@@ -1,6 +1,7 @@
 """The estimator of a whole object by hand: what it believes, which channels it reads, and how it reads
 frames in parts."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -45,6 +46,10 @@ def test_any_number_of_contacts_is_as_likely_and_tips_stand_a_diameter_apart():
     assert_allclose(known.number, [1 / 3] * 3)
     assert known.force_spread == 0.3
     assert known.spacing_mm == probe_spacing_mm(CUBE.indenter.radius_mm)
+    paired = contact_priors(model(contacts=3, least_force_n=0.25, probes="paired"))
+    assert paired == replace(found, paired=True)
+    assert not found.paired
+    assert not known.paired
 
 
 def test_probes_are_the_paper_s_and_grow_with_large_tips():
