@@ -87,6 +87,13 @@ def test_jaws_get_their_tips_together_and_a_third_contact_needs_more_than_noise(
     tracker = Tracker(jaws)
     assert [int(tracker.feed(frame).number[0]) for frame in counts[:2]] == [2, 4]
     assert [int(one.read(counts[2:])[0].number[0]) for one in (free, jaws)] == [3, 2]
+    seen = free.disturbances.observed(counts[1:2])
+    found = jaws.search.contacts(seen)
+    of_jaws = found.problems.select(found.best())
+    for estimator, anew in ((free, 0), (jaws, 1)):
+        tracker = Tracker(estimator)
+        tracker._changed(seen, of_jaws)
+        assert tracker.seen_anew == anew
 
 
 def test_a_tracker_reads_the_mean_of_its_window():
