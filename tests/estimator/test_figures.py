@@ -289,17 +289,18 @@ FIGURES = {
     },
     estimator.inversion.priors: {
         "_ROOT": np.sqrt(2 * np.pi), "_OVERLAP_MM": 0.5, "SPACING_SIGMA_MM": 0.2,
+        "_UNPAIRED": np.log(1e-3),
     },
-    estimator.inversion.readings: {"COVERAGE": 0.9, "UNEXPLAINED": 1e-3},
+    estimator.inversion.readings: {"COVERAGE": 0.9, "UNEXPLAINED": 1e-3, "_LEAST_ODDS": 1e-3},
     estimator.inversion.search: {
-        "_QUIET": 0.75, "_HOPELESS": 10.0, "_EQUAL": 0.05, "_HALF_MM": 6.0,
+        "_QUIET": 0.75, "_HOPELESS": 2.0, "_EQUAL": 0.05, "_VISITS": 2, "_BETTER": 1.0, "_HALF_MM": 6.0,
         "_HALVED_BY": [
             [6.0, 0.0, 0.0], [0.0, 6.0, 0.0],
             [6 * 0.5**0.5, 6 * 0.5**0.5, 0.0], [6 * 0.5**0.5, -6 * 0.5**0.5, 0.0],
         ],
     },
     estimator.inversion.tracking: {
-        "_CHANGE": np.log(0.02), "_FAINT": 3.0, "_STRAINED": 0.02, "_LONGEST_PAUSE": 8,
+        "_CHANGE": np.log(0.1), "_FAINT": 3.0, "_STRAINED": 0.02, "_LONGEST_PAUSE": 8,
         "_WORSE": 0.1,
     },
     estimator.layouts.cross_face: {"_MOST_SHARE": 2.0, "CROSS_FACE_FORCE_N": 10.0},
