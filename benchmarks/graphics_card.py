@@ -120,7 +120,7 @@ def _runs(
     space: SearchSpace, lowest: LowestFidelity, units: np.ndarray, poles: Any, device: str
 ) -> Result:
     """Generations of runs of CMA-ES: one run on the processor, as many as go side by side on the card."""
-    count = min(runs_together(torch.device(device), units.shape[1]), len(units))
+    count = min(runs_together(torch.device(device), population(units.shape[1])), len(units))
     with torch.device(device):
         begin = torch.as_tensor(units[:count], dtype=torch.float32)
         signs, weights = torch.tensor(poles).expand(count, -1), torch.ones(count, 1)

@@ -32,6 +32,12 @@ _LEARNING_RATE = 0.03
 
 _SPREAD = 0.3
 """Standard deviation of a run's first generation, of the unit cube."""
+_MEAN, _NARROW = 8, 4
+"""Layouts of a generation in the mean of a run and in its second half, over CMA-ES's default (Hansen,
+arXiv:1604.00772)."""
+_BROAD_PER_ROOT = 0.5
+"""The same in the first half, over the root of the number of generations, and at least as many as in the
+second. Limits leave many local optima: broad generations choose among them, if there are enough."""
 _EASED: Mapping[str, str] = dict.fromkeys(
     ("worst_position_bound_mm", "percentile_99_position_bound_mm"),
     "percentile_95_position_bound_mm",
@@ -142,28 +148,42 @@ def polish(
 ) -> Float[Tensor, "layout variable"]:
     """Better points by the weighted logarithms of the objectives, each by a CMA-ES of its own.
 
-    A run begins round its point, with `population` layouts a generation; `runs_together` of them are
-    judged side by side. The penalty grows from a thousandth to all of it, so that early generations
-    cross what later ones may not; what a few places decide gives way to the 95th percentile at first,
-    whose slope is smoother. No point ends worth less than it began, and none without a value
-    is taken. Repeatable: a run's seed comes from its point.
+    A run begins round its point, in broad generations and then in narrow ones (`populations`);
+    `runs_together` of them are judged side by side. In its first half the penalty grows from a
+    thousandth to all of it, so that early generations cross what later ones may not; what a few places
+    decide gives way to the 95th percentile at first, whose slope is smoother. No point ends worth less than
+    it began, and none without a value is taken. Repeatable: a run's seed comes from its point.
     """
+    sizes = populations(unit.shape[1], generations)
     runs = [_Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
-    together = runs_together(unit.device, unit.shape[1])
+    together = runs_together(unit.device, max(sizes, default=1))
     for first in range(0, len(runs), together):
-        _evolve(judge_at, runs[first : first + together], generations)
+        _evolve(judge_at, runs[first : first + together], sizes)
     return torch.stack([run.best for run in runs]) if runs else unit
 
 
 def population(variables: int) -> int:
-    """Layouts of a generation: eight times CMA-ES's default (Hansen, arXiv:1604.00772), as limits
-    leave many local optima."""
-    return 8 * (4 + int(3 * np.log(max(variables, 2))))
+    """Layouts of a generation in the mean: as many generations of so many are one run."""
+    return _MEAN * _default_population(variables)
 
 
-def runs_together(device: torch.device, variables: int) -> int:
-    """Runs whose generations are judged in one batch: one on a processor, whose caches that fills."""
-    return 1 if device.type == "cpu" else max(1, _LAYOUTS_OF_A_CARD // population(variables))
+def populations(variables: int, generations: int) -> list[int]:
+    """Layouts of every generation of a run, which has `generations` times `population` of them, or somewhat
+    more, as its half needs whole broad generations."""
+    default = _default_population(variables)
+    broad = round(max(_NARROW, _BROAD_PER_ROOT * generations**0.5) * default)
+    half = generations * _MEAN * default // 2
+    return [broad] * -(-half // broad) + [_NARROW * default] * (half // (_NARROW * default))
+
+
+def _default_population(variables: int) -> int:
+    return 4 + int(3 * np.log(max(variables, 2)))
+
+
+def runs_together(device: torch.device, generation: int) -> int:
+    """Runs whose generations, of at most so many layouts, are judged in one batch: one on a processor, whose
+    caches that fills."""
+    return 1 if device.type == "cpu" else max(1, _LAYOUTS_OF_A_CARD // generation)
 
 
 class Generations(CMA):
@@ -188,6 +208,21 @@ class Generations(CMA):
                 break
         return np.clip(points, low, high)
 
+    def of(self, size: int) -> Generations:
+        """The same distribution, to be followed by generations of so many points."""
+        if size == self.population_size:
+            return self
+        other = Generations(
+            self._mean.copy(),
+            self._sigma,
+            bounds=self._bounds,
+            seed=int(self._rng.randint(2**31)),
+            population_size=size,
+            cov=self._C.copy(),
+        )
+        other._p_sigma, other._pc = self._p_sigma, self._pc
+        return other
+
 
 class _Evolution:
     """A run of CMA-ES round one layout of a batch."""
@@ -208,8 +243,9 @@ class _Evolution:
             population_size=population(count),
         )
 
-    def ask(self) -> Float[Tensor, "layout variable"]:
+    def ask(self, size: int) -> Float[Tensor, "layout variable"]:
         """The next generation."""
+        self.search = self.search.of(size)
         self._asked = self.search.ask_all()
         points = self._asked[:, : len(self.begin)]
         return torch.as_tensor(points, dtype=self.begin.dtype, device=self.begin.device)
@@ -241,16 +277,17 @@ class _Worth:
     penalties: Float[np.ndarray, "layout 2"]
 
 
-def _evolve(judge_at: Judge, runs: Sequence[_Evolution], generations: int) -> None:
-    """Runs side by side, each as if alone."""
+def _evolve(judge_at: Judge, runs: Sequence[_Evolution], sizes: Sequence[int]) -> None:
+    """Runs side by side, each as if alone, in generations of these sizes."""
     for run, worth in _judged(judge_at, runs, [run.begin[None] for run in runs]):
         run.keep_best(worth)
-    for generation in range(generations):
+    begun = np.cumsum([0, *sizes])
+    for size, before in zip(sizes, begun[:-1], strict=True):
         going = [run for run in runs if not run.search.should_stop()]
         if not going:
             break
-        for run, worth in _judged(judge_at, going, [run.ask() for run in going]):
-            run.tell(worth, generation / generations)
+        for run, worth in _judged(judge_at, going, [run.ask(size) for run in going]):
+            run.tell(worth, float(before / begun[-1]))
             run.keep_best(worth)
 
 
@@ -270,13 +307,13 @@ def _judged(
 
 
 def _share_of_penalty(progress: float) -> float:
-    """A thousandth at first, all for the last fifth."""
-    return 10 ** (-3 * max(0.0, 1 - progress / 0.8))
+    """A thousandth at first, all for the second half."""
+    return 10 ** (-3 * max(0.0, 1 - 2 * progress))
 
 
 def _share_of_objective(progress: float) -> float:
-    """None at first, all for the last two fifths."""
-    return min(1.0, progress / 0.6)
+    """None at first, all for the second half."""
+    return min(1.0, 2 * progress)
 
 
 def descend(

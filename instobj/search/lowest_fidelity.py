@@ -113,7 +113,7 @@ def seconds_per_generation(
     if not free:
         return 0.0
     drawn = np.random.default_rng(0)
-    together = min(layouts, runs_together(torch.get_default_device(), free))
+    together = min(layouts, runs_together(torch.get_default_device(), population(free)))
     size, taken = together * population(free), []
     units = torch.as_tensor(drawn.random((size, free)), dtype=torch.float32)
     poles = torch.tensor(polarities(lowest.space.structured, params)).expand(size, -1)

@@ -12,7 +12,7 @@ from jaxtyping import Bool, Float
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from estimator.layouts.polish import LowestFidelity, judge, population
+from estimator.layouts.polish import LowestFidelity, judge, populations
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.study import KeptStudy
@@ -49,7 +49,7 @@ def search_history(space: SearchSpace, kept: KeptStudy) -> History:
     names, finished = space.spec.search.objectives, kept.finished()
     start = start_scores(space.spec)
     free = sum(not v.choices for v in space.variables)
-    scorings = 1 + (space.spec.search.polish_steps * population(free) if free else 0)
+    scorings = 1 + (sum(populations(free, space.spec.search.polish_steps)) if free else 0)
     found, at = _random_search(space, start, min(scorings * len(finished), _MOST_RANDOM))
     return History(
         names,

@@ -219,6 +219,33 @@ def test_generations_are_drawn_as_the_package_draws_them():
     assert_allclose(np.cov(drawn[0].T), np.cov(drawn[1].T), atol=0.004)
 
 
+def test_a_run_is_broad_for_half_of_its_layouts_the_broader_the_longer():
+    assert polishing.populations(31, 576) == [12 * 14] * 192 + [4 * 14] * 576
+    assert polishing.populations(31, 64) == [4 * 14] * 128
+    for generations in (1, 4, 299, 300):
+        sizes = polishing.populations(31, generations)
+        more = sum(sizes) - generations * polishing.population(31)
+        assert 0 <= more < sizes[0]
+    assert polishing.populations(31, 0) == []
+
+
+def test_narrower_generations_come_from_the_same_distribution():
+    search = polishing.Generations(
+        np.full(2, 0.5), 0.05, bounds=np.array([[0.0, 1.0]] * 2), seed=3, population_size=40
+    )
+    for _ in range(20):
+        points = search.ask_all()
+        search.tell([(at, float((at[0] - 0.6) ** 2 + 9 * (at.sum() - 1) ** 2)) for at in points])
+    narrow = search.of(4000)
+    assert search.of(40) is search
+    spread = narrow.ask_all(), np.concatenate([search.ask_all() for _ in range(100)])
+    means = [points.mean(axis=0) for points in spread]
+    covariances = [np.cov(points.T) for points in spread]
+    assert_allclose(*means, atol=0.1 * float(np.sqrt(covariances[1].max())))
+    assert_allclose(*covariances, rtol=0.2, atol=0.05 * float(covariances[1].max()))
+    assert abs(np.corrcoef(spread[0].T)[0, 1]) > 0.5
+
+
 def worth(objectives, broken_mm):
     return Judged(objectives, broken_mm, torch.zeros(len(objectives)), {}, objectives)
 
@@ -283,10 +310,11 @@ def test_what_a_few_places_decide_is_eased_to_the_95th_percentile(lowest, units,
     assert_allclose(found.eased[:, 1], found.scores["worst_force_bound_n"])
 
 
-@pytest.mark.parametrize("progress", [0.0, 0.3, 0.6, 1.0])
+@pytest.mark.parametrize("progress", [0.0, 0.25, 0.5, 1.0])
 def test_generations_are_told_what_is_eased_at_first_and_what_is_asked_in_the_end(progress):
     run = polishing._Evolution(0, torch.full((2,), 0.5), torch.tensor([2.0]))
-    points = run.ask()
+    points = run.ask(24)
+    assert len(points) == 24
     value, eased = np.random.default_rng(1).random((2, len(points)))
     value[3], eased[4] = np.inf, np.inf
     penalties = np.full((len(points), 2), [1.0, 0.0])
@@ -294,7 +322,7 @@ def test_generations_are_told_what_is_eased_at_first_and_what_is_asked_in_the_en
     run.search.tell = kept.extend
     run.tell(polishing._Worth(points, value, eased, penalties), progress)
     told = np.array([one for _, one in kept])
-    own = {0.0: 0.0, 0.3: 0.5, 0.6: 1.0, 1.0: 1.0}[progress]
+    own = {0.0: 0.0, 0.25: 0.5, 0.5: 1.0, 1.0: 1.0}[progress]
     share = polishing._share_of_penalty(progress)
     usual = np.setdiff1d(np.arange(len(points)), [3, 4])
     expected = own * value[usual] + (1 - own) * eased[usual] + 2 * np.log(1 + share)
@@ -378,7 +406,7 @@ def test_a_generation_is_eight_times_hansens(variables, layouts):
 
 
 @pytest.mark.parametrize(
-    ("progress", "share"), [(0.0, 1e-3), (0.4, 10**-1.5), (0.8, 1.0), (0.9, 1.0), (1.0, 1.0)]
+    ("progress", "share"), [(0.0, 1e-3), (0.25, 10**-1.5), (0.5, 1.0), (0.9, 1.0), (1.0, 1.0)]
 )
 def test_penalties_grow_from_a_thousandth_to_all(progress, share):
     assert polishing._share_of_penalty(progress) == pytest.approx(share)
