@@ -35,9 +35,9 @@ _SPREAD = 0.3
 _MEAN, _NARROW = 8, 4
 """Layouts of a generation in the mean of a run and in its second half, over CMA-ES's default (Hansen,
 arXiv:1604.00772)."""
-_BROAD_PER_ROOT = 0.5
-"""The same in the first half, over the root of the number of generations, and at least as many as in the
-second. Limits leave many local optima: broad generations choose among them, if there are enough."""
+_BROAD_GENERATIONS = 200
+"""Of the first half, which are as broad as this lets them be, and at least as the second's. Limits leave
+many local optima: broad generations choose among them, if there are enough to learn from."""
 _EASED: Mapping[str, str] = dict.fromkeys(
     ("worst_position_bound_mm", "percentile_99_position_bound_mm"),
     "percentile_95_position_bound_mm",
@@ -171,8 +171,8 @@ def populations(variables: int, generations: int) -> list[int]:
     """Layouts of every generation of a run, which has `generations` times `population` of them, or somewhat
     more, as its half needs whole broad generations."""
     default = _default_population(variables)
-    broad = round(max(_NARROW, _BROAD_PER_ROOT * generations**0.5) * default)
     half = generations * _MEAN * default // 2
+    broad = max(_NARROW * default, half // _BROAD_GENERATIONS)
     return [broad] * -(-half // broad) + [_NARROW * default] * (half // (_NARROW * default))
 
 

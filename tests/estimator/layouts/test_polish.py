@@ -220,7 +220,7 @@ def test_generations_are_drawn_as_the_package_draws_them():
 
 
 def test_a_run_is_broad_for_half_of_its_layouts_the_broader_the_longer():
-    assert polishing.populations(31, 576) == [12 * 14] * 192 + [4 * 14] * 576
+    assert polishing.populations(31, 600) == [12 * 14] * 200 + [4 * 14] * 600
     assert polishing.populations(31, 64) == [4 * 14] * 128
     for generations in (1, 4, 299, 300):
         sizes = polishing.populations(31, generations)
