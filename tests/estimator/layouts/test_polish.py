@@ -286,7 +286,7 @@ def test_the_penalty_grows_so_that_what_is_forbidden_is_crossed(variables, monke
         return worth((10 + away)[:, None], wall)
 
     begin = torch.full((1, variables), 0.1)
-    monkeypatch.setattr(polishing, "_SPREAD", 0.05)
+    monkeypatch.setattr(polishing, "_SPREAD", 0.03)
     end = polish(judge_at, begin, 120, torch.ones(1, 1))
     assert float((end - 0.9).abs().max()) < 0.02
     monkeypatch.setattr(polishing, "_share_of_penalty", lambda progress: 1.0)
