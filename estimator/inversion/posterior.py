@@ -217,9 +217,9 @@ def _peak(
     found = _peak(model, priors, seen, again, hold, rounds - 1, steps)
     if len(going) == len(contact):
         return found
-    for column, part in zip((contact, extra), found[:2], strict=True):
-        column[going] = part
-    return contact, extra, _put((contact, at), going, (found[0], found[2]))[1]
+    extra[going] = found[1]
+    contact, at = _put((contact, at), going, (found[0], found[2]))
+    return contact, extra, at
 
 
 def _used_slots(face: np.ndarray) -> int:

@@ -109,25 +109,14 @@ class SearchSeconds:
 def search_seconds(spec: ObjectSpec) -> SearchSeconds:
     """On one core of the machine of benchmarks/README.md, rough: it took 1.1 times as long
     on the paper's cube and 1.8 times on the pear, beside other programs; no other body was tried."""
-    nodes, mesh, response = _chain(spec)
-    presses = 2 * len(spec.judged_forces_n) * int(contact_places(spec).sum())
-    solves = presses * _SOLVE_S * (nodes / _CUBE_NODES) ** 1.25
-    return SearchSeconds(mesh + 1.5 * response + solves, mesh + response)
-
-
-def chain_seconds(spec: ObjectSpec) -> float:
-    """Processor time of mesh and response, as rough as `search_seconds`."""
-    _, mesh, response = _chain(spec)
-    return mesh + response
-
-
-def _chain(spec: ObjectSpec) -> tuple[float, float, float]:
-    """Nodes, seconds of their mesh and of their response."""
     vertices = mesh_vertices(spec)
     nodes = _NODES_PER_VERTEX[spec.mechanics.element] * vertices
     curved = not all(frame.flat for frame in face_frames(spec))
     mesh = (_CURVED_MESH_S if curved else _MESH_S) * vertices
-    return nodes, mesh, _RESPONSE_S * (nodes / _CUBE_NODES) ** 1.5
+    response = _RESPONSE_S * (nodes / _CUBE_NODES) ** 1.5
+    presses = 2 * len(spec.judged_forces_n) * int(contact_places(spec).sum())
+    solves = presses * _SOLVE_S * (nodes / _CUBE_NODES) ** 1.25
+    return SearchSeconds(mesh + 1.5 * response + solves, mesh + response)
 
 
 def _mesh(spec: ObjectSpec) -> Need:

@@ -13,7 +13,7 @@ from rich.console import Console
 from design.errors import InstobjError
 from design.spec.object import ObjectSpec
 from instobj.stages.inputs import stage_inputs
-from instobj.stages.resources import chain_seconds, needed_gib
+from instobj.stages.resources import needed_gib, search_seconds
 from instobj.stages.run import Run, versions
 from instobj.stages.table import STAGES
 from instobj.store.content import StoredResult
@@ -51,7 +51,7 @@ def tasks_of(
     """
     asked, tasks = list(specs), dict[str, StageTask]()
     last: list[dict[str, str]] = [{}] * len(asked)
-    seconds = [chain_seconds(spec) for spec in asked]
+    seconds = [search_seconds(spec).chain for spec in asked]
     for index in sorted(range(len(asked)), key=lambda one: -seconds[one]):
         last[index] = {stage: _add(tasks, stage, asked[index]) for stage in stages}
     return tasks, last
