@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import hashlib
 import sys
-from collections.abc import Mapping
-from contextlib import closing
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -101,40 +101,76 @@ def write_netcdf(
     StoreError
         The folder cannot be written.
     """
-    import xarray as xr
-    from xarray.backends import H5NetCDFStore
+    import h5netcdf
 
-    def described(axes: Axes) -> dict[str, tuple[tuple[str, ...], Any, dict[str, str]]]:
-        return {
-            name: (tuple(dims.split()), values[name], {kind.unit_name: unit} if unit else {})
-            for name, (dims, unit) in axes.items()
-            if name not in kind.optional or values[name] is not None
-        }
-
+    arrays = {
+        name: (tuple(dims.split()), np.asarray(values[name]), unit)
+        for name, (dims, unit) in kind.arrays.items()
+        if name not in kind.optional or values[name] is not None
+    }
+    sizes = {
+        axis: size
+        for dims, array, _ in arrays.values()
+        for axis, size in zip(dims, array.shape, strict=True)
+    }
     name, version = kind.schema
-    data = xr.Dataset(
-        described(kind.variables),
-        described(kind.coordinates),
-        {**(attributes or {}), name: version},
-    )
-    encoding = {n: _encoding(data[n], n in kind.packed) for n in data.variables}
     with atomic_path(path) as temporary:
-        opened = H5NetCDFStore.open(temporary, mode="w", driver_kwds={"libver": _HDF5_FORMAT})
-        with closing(opened) as store:
-            data.dump_to_store(store, encoding=encoding)
+        with h5netcdf.File(temporary, "w", libver=_HDF5_FORMAT) as file:
+            file.dimensions.update(sizes)
+            file.attrs.update({**(attributes or {}), name: version})
+            for name, (dims, array, unit) in arrays.items():
+                told = {kind.unit_name: unit} if unit else {}
+                variable = _write_array(file, name, dims, array, name in kind.packed)
+                variable.attrs.update(told | _labels(kind, name))
         seal = _seal(np.memmap(temporary, np.uint8, "r"))
-        with temporary.open("ab") as file:
-            file.write(seal)
+        with temporary.open("ab") as handle:
+            handle.write(seal)
 
 
-def _encoding(array: xr.DataArray, packed: bool) -> dict[str, Any]:
+def _write_array(
+    file: Any, name: str, dims: tuple[str, ...], array: np.ndarray, packed: bool
+) -> Any:
+    """An array as xarray writes it, which would import pandas and Dask for that: half a second."""
+    import h5py
+
+    how = _encoding(array, packed)
+    written, fill = how.pop("dtype", array.dtype), None
+    if array.dtype.kind == "f":
+        fill = np.dtype(written).type(np.nan)
+    elif array.dtype.kind == "b":
+        written = np.int8
+    elif array.dtype.kind == "U":
+        written, array = h5py.string_dtype(), array.astype(object)
+    variable = file.create_variable(name, dims, written, fillvalue=fill, **how)
+    if variable.shape != array.shape:
+        raise ValueError(f"{name} has shape {array.shape}, its axes {dims} {variable.shape}")
+    variable[...] = array.astype(written, copy=False)
+    if array.dtype.kind == "b":
+        variable.attrs["dtype"] = "bool"
+    return variable
+
+
+def _labels(kind: FileKind, name: str) -> dict[str, str]:
+    """By the CF conventions: which coordinates label the axes of a variable, beside those called like
+    an axis."""
+    own = set(kind.arrays[name][0].split())
+    beside = [
+        label
+        for label, (dims, _) in kind.coordinates.items()
+        if label != dims and name not in kind.coordinates and set(dims.split()) <= own
+    ]
+    return {"coordinates": " ".join(sorted(beside))} if beside else {}
+
+
+def _encoding(array: np.ndarray, packed: bool) -> dict[str, Any]:
     if array.dtype.kind not in "fiub" or not array.size or not array.ndim:
         return {}
     if packed:
-        return {"fletcher32": True, "zlib": True, "complevel": 1, "dtype": "float32"}
+        deflated = {"compression": "gzip", "compression_opts": 1}
+        return {"fletcher32": True, "dtype": "float32", **deflated}
     if array.nbytes > _LARGEST_CHUNK_BYTES:
         return {"fletcher32": True}
-    return {"fletcher32": True, "chunksizes": array.shape}  # read whole: one chunk, no padding
+    return {"fletcher32": True, "chunks": array.shape}  # read whole: one chunk, no padding
 
 
 def read_netcdf(kind: FileKind, path: Path | str) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
@@ -150,17 +186,16 @@ def read_netcdf(kind: FileKind, path: Path | str) -> tuple[dict[str, np.ndarray]
     if not Path(path).is_file():
         raise InputError(f"no {kind.title} at {path}. {kind.origin}")
     try:
-        data = load_whole(path)
+        content, attributes = _content_of(path)
     except StoreError as error:
         raise StoreError(
             f"{path} is not a file of {kind.title}, or is damaged ({error}). {kind.remedy}"
         ) from None
     for name, sentence in kind.others.items():
-        if name in data.variables:
+        if name in content:
             raise InputError(f"{path} is {sentence}")
-    _check_kind(kind, path, data)
-    present = [name for name in kind.arrays if name in data.variables]
-    return {name: data[name].values for name in present}, dict(data.attrs)
+    _check_kind(kind, path, content, attributes)
+    return {name: content[name].values for name in kind.arrays if name in content}, attributes
 
 
 def load_whole(path: Path | str) -> xr.Dataset:
@@ -173,31 +208,73 @@ def load_whole(path: Path | str) -> xr.Dataset:
     """
     import xarray as xr
 
-    try:
+    with _damage_told():
+        if not _require_whole(Path(path)):
+            return _foreign(path)
+        content, attributes = _as_written(path)
+        arrays = {name: (one.axes, one.values, one.attributes) for name, one in content.items()}
+        return xr.decode_cf(xr.Dataset(arrays, attrs=attributes), decode_timedelta=False)
+
+
+@dataclass(frozen=True)
+class _Array:
+    """What a file holds under one name."""
+
+    axes: tuple[str, ...]
+    values: np.ndarray
+    attributes: dict[str, Any]
+
+
+def _content_of(path: Path | str) -> tuple[dict[str, _Array], dict[str, Any]]:
+    """Arrays and attributes of `load_whole`; without xarray where `write_netcdf` wrote them."""
+    with _damage_told():
         if _require_whole(Path(path)):
             return _as_written(path)
-        with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
-            return data.load()
+        data = _foreign(path)
+        arrays = {
+            str(name): _Array(tuple(map(str, one.dims)), one.values, dict(one.attrs))
+            for name, one in data.variables.items()
+        }
+        return arrays, dict(data.attrs)
+
+
+@contextmanager
+def _damage_told() -> Iterator[None]:
+    """A damaged file can fail in any layer of the library."""
+    try:
+        yield
     except MemoryError:
         raise
-    except Exception as error:  # a damaged file can fail in any layer of the library
+    except Exception as error:
         raise StoreError(str(error) or type(error).__name__) from None
 
 
-def _as_written(path: Path | str) -> xr.Dataset:
+def _foreign(path: Path | str) -> xr.Dataset:
+    import xarray as xr
+
+    with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
+        return data.load()
+
+
+def _as_written(path: Path | str) -> tuple[dict[str, _Array], dict[str, Any]]:
     """What `write_netcdf` wrote, by HDF5 alone: the layers above it ask for each axis dozens of times,
     which takes three times as long."""
     import h5py
-    import xarray as xr
 
     with h5py.File(path) as file:
         arrays = {
-            name: (_axes_of(file, name), _content(item), _attributes(item.attrs))
+            name: _array(file, name)
             for name, item in file.items()
             if not item.attrs.get("NAME", b"").startswith(_AXIS_ALONE)
         }
-        raw = xr.Dataset(arrays, attrs=_attributes(file.attrs))
-    return xr.decode_cf(raw, decode_timedelta=False)
+        return arrays, _attributes(file.attrs)
+
+
+def _array(file: Any, name: str) -> _Array:
+    attributes, values = _attributes(file[name].attrs), _content(file[name])
+    if attributes.pop("dtype", "") == "bool":  # NetCDF has none
+        values = values.astype(bool)
+    return _Array(_axes_of(file, name), values, attributes)
 
 
 def _axes_of(file: Any, name: str) -> tuple[str, ...]:
@@ -285,24 +362,26 @@ def _read_everything(path: str) -> None:
         file.visititems(read)
 
 
-def _check_kind(kind: FileKind, path: Path | str, data: xr.Dataset) -> None:
+def _check_kind(
+    kind: FileKind, path: Path | str, content: dict[str, _Array], attributes: dict[str, Any]
+) -> None:
     name, version = kind.schema
     needed = [array for array in kind.arrays if array not in kind.optional]
-    missing = [array for array in needed if array not in data.variables]
-    missing += [attribute for attribute in kind.attributes if attribute not in data.attrs]
-    if missing or data.attrs.get(name) != version:
+    missing = [array for array in needed if array not in content]
+    missing += [attribute for attribute in kind.attributes if attribute not in attributes]
+    if missing or attributes.get(name) != version:
         raise StoreError(
             f"{path} is not a file of {kind.title} of schema {version}: missing "
-            f"{', '.join(missing) or 'nothing'}, schema {data.attrs.get(name)}. {kind.remedy}"
+            f"{', '.join(missing) or 'nothing'}, schema {attributes.get(name)}. {kind.remedy}"
         )
     for array, (dims, unit) in kind.arrays.items():
-        if array not in data.variables:
+        if array not in content:
             continue
-        found = data[array].attrs.get(kind.unit_name, "")
-        if data[array].dims != tuple(dims.split()) or found != unit:
+        axes, found = content[array].axes, content[array].attributes.get(kind.unit_name, "")
+        if axes != tuple(dims.split()) or found != unit:
             raise StoreError(
                 f"{path} is damaged: {array} must lie over ({dims}) in {unit or 'no unit'}; got "
-                f"{data[array].dims} in {found or 'no unit'}. {kind.remedy}"
+                f"{axes} in {found or 'no unit'}. {kind.remedy}"
             )
 
 
