@@ -7,7 +7,7 @@ gives the motions of the shell's bodies, and whatever sits in the core has none.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -112,6 +112,9 @@ class KnownField:
     scene: Scene
     motion: Float[np.ndarray, "press body 6"]
     field_t: Float[np.ndarray, "press sensor 3"]
+    _of_some: dict[bytes, Float[np.ndarray, "press sensor 3"]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     def of(
         self, scene: Scene, motion: Float[np.ndarray, "press body 6"], model: FieldModel
@@ -122,11 +125,13 @@ class KnownField:
             return sensed_field(scene, motion, model)
         if not changed.any():
             return self.field_t
-        before, after = (
-            sensed_field(_some_magnets(place, changed), moved[:, changed], model)
-            for place, moved in ((self.scene, self.motion), (scene, motion))
-        )
-        return self.field_t + (after - before)
+        key = changed.tobytes()
+        if key not in self._of_some:
+            self._of_some[key] = sensed_field(
+                _some_magnets(self.scene, changed), self.motion[:, changed], model
+            )
+        after = sensed_field(_some_magnets(scene, changed), motion[:, changed], model)
+        return self.field_t + (after - self._of_some[key])
 
     def _changed(
         self, scene: Scene, motion: Float[np.ndarray, "press body 6"]
@@ -143,9 +148,9 @@ class KnownField:
         )
         if not all(alike):
             return None
-        moved = np.any(motion != self.motion, axis=(0, 2)) | (
-            scene.magnets.strength != old.strength
-        )
+        moved = scene.magnets.strength != old.strength
+        if motion is not self.motion:
+            moved |= (motion != self.motion).any(axis=0).any(axis=1)
         for name in ("centre_mm", "axis", "side"):
             moved |= np.any(getattr(scene.magnets, name) != getattr(old, name), axis=1)
         return moved

@@ -24,27 +24,28 @@ class MonotoneCurves:
     values: Inexact[np.ndarray, "press node channel"]
 
     @cached_property
-    def slope(self) -> Inexact[np.ndarray, "press node channel"]:
-        """At the nodes: most of the work, and the same wherever the curves are asked."""
-        width = np.diff(self.nodes, axis=1)[..., None]
-        return _monotone_slopes(width, np.diff(self.values, axis=1) / width)
+    def pieces(self) -> Inexact[np.ndarray, "press interval 4 channel"]:
+        """Coefficients of 1, t, t², t³ between nodes, t from 0 to 1: most of the work, and the same
+        wherever the curves are asked."""
+        width, rise = np.diff(self.nodes, axis=1)[..., None], np.diff(self.values, axis=1)
+        slope = _monotone_slopes(width, rise / width)
+        left, right = width * slope[:, :-1], width * slope[:, 1:]
+        bend = left + right - 2 * rise
+        return np.stack([self.values[:, :-1], left, rise - left - bend, bend], axis=2)
 
     def at(
         self, at: Inexact[np.ndarray, "press point"]
     ) -> Inexact[np.ndarray, "press point channel"]:
         """Values of each press at its own points, within the nodes; complex where an argument is, so
         that derivatives can be taken by a complex step."""
-        nodes, values, slope = self.nodes, self.values, self.slope
+        nodes = self.nodes
         interval = np.sum(np.real(at)[:, :, None] >= np.real(nodes)[:, None, 1:-1], axis=2)
         row = np.arange(len(nodes))[:, None]
-        begin, end = values[row, interval], values[row, interval + 1]
-        h = (nodes[row, interval + 1] - nodes[row, interval])[..., None]
-        t = (at - nodes[row, interval])[..., None] / h
-        left, right = slope[row, interval], slope[row, interval + 1]
-        chord = (end - begin) / h
-        bend = left + right - 2 * chord
-        rise = t * (left + t * (chord - left + (t - 1) * bend))
-        return begin + h * rise
+        begin, end = nodes[row, interval], nodes[row, interval + 1]
+        t = ((at - begin) / (end - begin))[..., None]
+        pieces = self.pieces[row, interval]
+        constant, linear, square, cube = (pieces[:, :, power] for power in range(4))
+        return constant + t * (linear + t * (square + t * cube))
 
 
 def monotone_cubic(

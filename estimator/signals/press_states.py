@@ -101,11 +101,12 @@ def rest_motion(motions: MagnetMotions) -> Float[np.ndarray, "body 6"]:
 def motions_as_signals(forces: PressForces, motions: MagnetMotions) -> Signals:
     """Motions beyond those at rest in the place of counts: one interpolation serves both."""
     *lattice, bodies, _ = motions.motion.shape
+    beyond = motions.motion if motions.rest is None else motions.motion - motions.rest
     return Signals(
         motions.faces,
         motions.lattice,
         motions.depth_mm,
         forces.force_n,
-        (motions.motion - rest_motion(motions)).reshape(*lattice, 2 * bodies, 3),
+        beyond.reshape(*lattice, 2 * bodies, 3),
         np.zeros((2 * bodies, 3)),
     )

@@ -177,6 +177,8 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
         motion = _moved_aside(assembly, states, motion, face)
         own = setting.read_by(face)
         place, moved = read_by(pressed, _in_a_row(motion), own)
+        if motion is states.of_design:
+            moved = known.motion  # which `known` need not compare
         values = counts(place, known.of(place, moved, model), spec)
         values = values.reshape(*motion.shape[:2], -1)[..., live]
         rest = baseline if own is None else baseline[assembly.scene.sensors.face == face]

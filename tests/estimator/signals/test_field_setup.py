@@ -98,6 +98,9 @@ def test_scenes_that_differ_in_few_magnets_cost_those_alone(monkeypatch):
         assert asked == [count] * 2 * (count > 0)
         assert_allclose(found, exact[count], rtol=0, atol=1e-15 * abs(exact[count]).max() * 50)
         assert (abs(exact[count] - known.field_t).max() > 0) == (count > 0)
+        asked.clear()
+        np.testing.assert_array_equal(known.of(*case, MODEL), found)
+        assert asked == [count] * (count > 0), "what they were is kept"
 
 
 def test_what_changes_for_all_magnets_is_computed_anew():
