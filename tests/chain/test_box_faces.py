@@ -65,13 +65,13 @@ def box(request, tmp_path_factory):
     (folder / f"{name}.toml").write_text(TEXT.format(name=name, open_faces=BOXES[name][0]))
     with pytest.MonkeyPatch.context() as patch:
         if command == "score":  # each face's own picture takes half its time; overviews show all
-            patch.setattr(heatmaps, "save_figure", _leave_empty)
+            patch.setattr(heatmaps, "save_drawn", _leave_empty)
         done = run(command, f"{name}.toml", "--json", cwd=folder)
     assert done.returncode == 0, done.stderr
     return name, folder
 
 
-def _leave_empty(figure, path):
+def _leave_empty(canvas, path):
     path.parent.mkdir(exist_ok=True)
     path.touch()
 

@@ -13,9 +13,9 @@ from estimator.information.cross_face import RELATIONS, CrossFace
 from estimator.information.scores import PlaceScores, weakest_place
 from estimator.information.shear import ShearScores
 from estimator.information.weak_areas import WeakAreas
-from instobj.figures.maps.heatmaps import draw_face_heatmap
+from instobj.figures.maps.heatmaps import FaceMaps
 from instobj.figures.maps.overview import draw_overview
-from instobj.figures.maps.scale import BOUND_COLOURS, GAIN_COLOURS, finite_limits
+from instobj.figures.maps.scale import BOUND_COLOURS, GAIN_COLOURS, finite_limits, map_scale
 from instobj.store.readers import BOUND_OVERVIEW
 
 
@@ -60,24 +60,15 @@ def draw_score_maps(
     spec: ObjectSpec, scores: PlaceScores, folder: Path, step: Callable[[str], None]
 ) -> None:
     """Write `<stem>_face_<n>.png` for every map and face, and the overview of position bounds."""
+    pictures = FaceMaps(spec)
     for score_map in SCORE_MAPS:
         step(f"maps of {score_map.title.lower()}")
         values = getattr(scores, score_map.field)
-        low, high = finite_limits(values)
+        how = score_map.log, score_map.colours
+        scale = map_scale(unit_of(score_map, spec), *finite_limits(values), *how)
         for row, face in zip(values, scores.faces.tolist(), strict=True):
             title = f"{score_map.title}, {spec.score.force_n:g} N"
-            draw_face_heatmap(
-                row,
-                spec,
-                face,
-                title,
-                unit_of(score_map, spec),
-                low,
-                high,
-                folder / f"{score_map.stem}_face_{face}.png",
-                log=score_map.log,
-                colours=score_map.colours,
-            )
+            pictures.draw(row, face, title, scale, folder / f"{score_map.stem}_face_{face}.png")
     _draw_overview(spec, scores, folder / Path(BOUND_OVERVIEW.name).name)
 
 

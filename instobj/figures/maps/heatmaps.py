@@ -8,7 +8,7 @@ from __future__ import annotations
 import functools
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -21,12 +21,13 @@ from design.layout.places.positions import sensor_layout
 from design.layout.pockets import magnet_bodies
 from design.spec.object import ObjectSpec
 from instobj.figures.maps.scale import (
-    BOUND_COLOURS,
     MapScale,
-    map_scale,
     set_plain_ticks,
 )
-from instobj.figures.saving import save_figure
+from instobj.figures.saving import drawn, save_drawn
+
+if TYPE_CHECKING:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x", 6: "−z"}
 _SENSOR_EDGE_MM = 1.8
@@ -34,6 +35,8 @@ _PICTURE_INCHES = 7.2, 6.5
 _MAP_INCHES, _BAR_INCHES = (0.7, 0.95, 5.05, 5.05), (5.85, 1.2, 0.25, 4.55)
 """Left, bottom, width, height of one face's map and of its scale; a layout engine would ask every
 text for its size, which takes as long as drawing."""
+_AROUND_BAR_INCHES = 5.8, 1.05, 7.2, 5.98
+"""Left, bottom, right and top of the scale with its numbers and its label."""
 _FACE_INCHES = 4.6, 4.6
 """Room for the face within its map."""
 _LARGEST_FONT, SMALLEST_FONT = 8.5, 4.0
@@ -62,50 +65,88 @@ class Pose:
         return Affine2D().rotate_deg(self.turn_deg).translate(*self.centre_mm) + axes.transData
 
 
-def draw_face_heatmap(
-    values: Float[np.ndarray, "place"],
-    spec: ObjectSpec,
-    face: int,
-    title: str,
-    unit: str,
-    vmin: float,
-    vmax: float,
-    path: Path | str,
-    *,
-    log: bool = False,
-    colours: str = BOUND_COLOURS,
-) -> None:
-    """One face's map with magnets, sensors and axes in mm (PNG).
+class FaceMaps:
+    """Pictures of single faces with magnets, sensors and axes in mm (PNG).
 
-    Give every face the same `vmin` and `vmax` (`finite_limits` of all faces' values). Values that
-    are not finite are left blank and marked ∞. Raises as `map_scale` does.
+    What all scores of a face share is drawn once, and each score's scale once: they are copied into
+    the pictures, pixel by pixel.
     """
+
+    def __init__(self, spec: ObjectSpec) -> None:
+        self._spec = spec
+        self._grounds: dict[tuple[int, bool], _Ground] = {}
+        self._bars: dict[MapScale, Any] = {}
+
+    def draw(
+        self,
+        values: Float[np.ndarray, "place"],
+        face: int,
+        title: str,
+        scale: MapScale,
+        path: Path | str,
+    ) -> None:
+        """One face's map. Give every face the same scale (`map_scale` of `finite_limits` of all
+        faces' values). Values that are not finite are left blank and marked ∞."""
+        key = face, bool(np.isinf(values).any())
+        if key not in self._grounds:
+            self._grounds[key] = _ground(self._spec, *key)
+        ground = self._grounds[key]
+        if scale not in self._bars:
+            self._bars[scale] = _bar(scale)
+        for pixels in (ground.pixels, self._bars[scale]):
+            ground.canvas.restore_region(pixels)
+        covered = 100 * covered_shares(self._spec)[self._spec.body.sensed.index(face)]
+        told = f"face {face} ({OUTWARD[face]}), seen from outside; {covered:.0f} % covered"
+        ground.axes.set_title(f"{title}\n{told}", fontsize=11, y=1.0)  # given, y is not looked for
+        place = Pose(0.0, (0.0, 0.0)), ground.inches_per_mm
+        added = draw_values(ground.axes, values, self._spec, face, scale, *place)
+        for artist in (*added, ground.axes.title):
+            ground.axes.draw_artist(artist)
+        save_drawn(ground.canvas, path)
+        for artist in added:
+            artist.remove()
+
+
+@dataclass(frozen=True)
+class _Ground:
+    """What pictures of a face share, and its `pixels`."""
+
+    canvas: FigureCanvasAgg
+    axes: Any
+    inches_per_mm: float
+    pixels: Any
+
+
+def _ground(spec: ObjectSpec, face: int, some_blank: bool) -> _Ground:
     from matplotlib.figure import Figure
 
-    scale = map_scale(unit, vmin, vmax, log, colours)
     half_x, half_y = half_mm(spec, face)
-    inches_per_mm = min(_FACE_INCHES[0] / half_x, _FACE_INCHES[1] / half_y) / 2
     figure = Figure(figsize=_PICTURE_INCHES, facecolor=PAPER)
-    axes, bar_axes = (figure.add_axes(_share(place)) for place in (_MAP_INCHES, _BAR_INCHES))
-    pose = Pose(0.0, (0.0, 0.0))
-    mesh = draw_face(axes, values, spec, face, scale, pose, inches_per_mm)
+    axes = figure.add_axes(_share(_MAP_INCHES))
+    draw_ground(axes, spec, face, Pose(0.0, (0.0, 0.0)))
     axes.set(xlim=(-half_x - 0.5, half_x + 0.5), ylim=(-half_y - 0.5, half_y + 0.5), aspect="equal")
     along = "" if face_frame(spec, face).flat else " along the surface"
     axes.set(xlabel=f"x of face {face}{along} (mm)", ylabel=f"y of face {face}{along} (mm)")
-    covered = 100 * covered_shares(spec)[spec.body.sensed.index(face)]
-    axes.set_title(
-        f"{title}\nface {face} ({OUTWARD[face]}), seen from outside; {covered:.0f} % covered",
-        fontsize=11,
-        y=1.0,  # given, it is not looked for
-    )
     _tidy(axes)
-    bar = figure.colorbar(mesh, cax=bar_axes, label=scale.label)
-    set_plain_ticks(bar, scale)
-    handles = legend_handles()
-    if np.isinf(values).any():
-        handles.append(_no_value_handle())
+    handles = [*legend_handles(), *([_no_value_handle()] if some_blank else [])]
     figure.legend(handles=handles, loc="lower center", ncols=2, frameon=False, fontsize=9)
-    save_figure(figure, path)
+    canvas = drawn(figure)
+    inches_per_mm = min(_FACE_INCHES[0] / half_x, _FACE_INCHES[1] / half_y) / 2
+    return _Ground(canvas, axes, inches_per_mm, canvas.copy_from_bbox(figure.bbox))
+
+
+def _bar(scale: MapScale) -> Any:
+    """Pixels of a scale beside its map."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.figure import Figure
+    from matplotlib.transforms import Bbox
+
+    figure = Figure(figsize=_PICTURE_INCHES, facecolor=PAPER)
+    axes, colours = figure.add_axes(_share(_BAR_INCHES)), ScalarMappable(scale.norm, scale.colours)
+    set_plain_ticks(figure.colorbar(colours, cax=axes, label=scale.label), scale)
+    canvas = drawn(figure)
+    around = figure.dpi * np.array(_AROUND_BAR_INCHES)
+    return canvas.copy_from_bbox(Bbox(around.reshape(2, 2)))
 
 
 def _share(inches: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
@@ -129,9 +170,16 @@ def draw_face(
 
     Numbers that would be smaller than `smallest_font` (points) in their cells are left out.
     """
+    draw_ground(axes, spec, face, pose)
+    given = spec, face, scale, pose, inches_per_mm, smallest_font
+    return draw_values(axes, values, *given)[0]
+
+
+def draw_ground(axes: Any, spec: ObjectSpec, face: int, pose: Pose) -> None:
+    """What lies under the map: the face, hatched where it has no contact location."""
     from matplotlib.patches import Polygon
 
-    grid, move, frame = contact_grid(spec), pose.transform(axes), face_frame(spec, face)
+    move, frame = pose.transform(axes), face_frame(spec, face)
     half = np.array(half_mm(spec, face))
     outline = Polygon(frame.border_mm(), fc=BLANK, ec=FRAME, lw=1.2)
     outline.set(hatch=_NOT_COVERED, hatchcolor=_HATCH, hatch_linewidth=0.6)
@@ -139,8 +187,22 @@ def draw_face(
     there = contact_places(spec)[spec.body.sensed.index(face)]
     for covered in _covered_rectangles(spec, there):
         axes.add_artist(_placed(covered, move, zorder=1.5))
-    corners = pose.apply(np.stack([-half, half]))
-    axes.update_datalim(corners)
+    axes.update_datalim(pose.apply(np.stack([-half, half])))
+
+
+def draw_values(
+    axes: Any,
+    values: Float[np.ndarray, "place"],
+    spec: ObjectSpec,
+    face: int,
+    scale: MapScale,
+    pose: Pose,
+    inches_per_mm: float,
+    smallest_font: float = SMALLEST_FONT,
+) -> list[Any]:
+    """Draw the coloured mesh, the parts and the numbers, and return them in this order."""
+    grid, move = contact_grid(spec), pose.transform(axes)
+    there = contact_places(spec)[spec.body.sensed.index(face)]
     shown = np.ma.masked_invalid(values.reshape(grid.shape) / 10.0**scale.exponent)
     edges = [_cell_edges(axis, spec.contact_grid.pitch_mm) for axis in (grid.x_mm, grid.y_mm)]
     outlines = [PAPER if own else "none" for own in there.reshape(grid.shape).T.ravel()]
@@ -148,11 +210,11 @@ def draw_face(
         *edges, shown.T, norm=scale.norm, cmap=scale.colours, transform=move, zorder=2,
         edgecolors=PAPER if there.all() else outlines, linewidth=0.6,
     )  # fmt: skip
-    _draw_parts(axes, spec, face, move)
+    parts = _draw_parts(axes, spec, face, move)
     cell_inches = spec.contact_grid.pitch_mm * inches_per_mm
     values_there, places = shown.ravel()[there], pose.apply(grid.xy_mm[there])
-    _write_numbers(axes, places, values_there, scale, cell_inches, smallest_font)
-    return mesh
+    numbers = _write_numbers(axes, places, values_there, scale, cell_inches, smallest_font)
+    return [mesh, *parts, *numbers]
 
 
 def half_mm(spec: ObjectSpec, face: int) -> tuple[float, float]:
@@ -180,7 +242,7 @@ def _covered_rectangles(spec: ObjectSpec, there: Bool[np.ndarray, "place"]) -> l
     return rectangles
 
 
-def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
+def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> list[Any]:
     from matplotlib.patches import Circle, Rectangle
     from matplotlib.patheffects import withStroke
 
@@ -202,6 +264,7 @@ def _draw_parts(axes: Any, spec: ObjectSpec, face: int, move: Any) -> None:
     for patch in patches:
         patch.set_path_effects([withStroke(linewidth=3.4, foreground=PAPER)])
         axes.add_artist(_placed(patch, move, zorder=3))
+    return patches
 
 
 def _placed(patch: Any, transform: Any, zorder: float = 1) -> Any:
@@ -227,7 +290,7 @@ def _write_numbers(
     scale: MapScale,
     cell_inches: float,
     smallest_font: float,
-) -> None:
+) -> list[Any]:
     """Each place's value in its cell, in the size that the longest of them allows."""
     from matplotlib import colormaps
     from matplotlib.collections import PathCollection
@@ -241,10 +304,11 @@ def _write_numbers(
     texts = _texts(shown)
     font_size = _fitting_font(texts, cell_inches)
     if font_size < smallest_font:
-        return
+        return []
     inks = [INK if pale else "white" for pale in light | blank]
     under = np.where(blank[:, None], to_rgb(BLANK), colours)
     size = Affine2D().scale(font_size / 72) + axes.figure.dpi_scale_trans
+    collections = []
     for edges in ({"edgecolors": under, "linewidths": 2.2}, {"linewidths": 0}):
         numbers = PathCollection(
             [outline_of(text) for text in texts], facecolors=inks, offsets=xy_mm,
@@ -252,6 +316,8 @@ def _write_numbers(
         )  # fmt: skip
         numbers.set_in_layout(False)
         axes.add_collection(numbers, autolim=False)
+        collections.append(numbers)
+    return collections
 
 
 @functools.cache

@@ -10,7 +10,9 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
+from design.layout.places.coverage import covered_shares
 from design.spec.object import ObjectSpec
+from instobj.figures import saving
 from instobj.figures.maps import heatmaps, overview
 from instobj.figures.maps.scale import finite_limits, map_scale
 
@@ -66,12 +68,50 @@ def test_outlines_of_numbers_are_centred_and_as_high_as_their_font():
     assert_allclose(box.width, 2.1, atol=0.2)
 
 
-def test_cell_colours_follow_the_values_on_the_saved_picture(tmp_path):
-    path = tmp_path / "face.png"
-    values = np.full(100, 1.0)
-    values[3 * 10 + 8] = 5.0
-    heatmaps.draw_face_heatmap(values, SPEC, 3, "bound", "mm", 1.0, 5.0, path)
-    picture = imread(path)[..., :3]
+ONE_LARGE = np.full(100, 1.0)
+ONE_LARGE[3 * 10 + 8] = 5.0
+
+
+def drawn_as_a_whole(values, scale, path):
+    """The picture of face 3 by one figure, as matplotlib draws it."""
+    figure = Figure(figsize=heatmaps._PICTURE_INCHES, facecolor=heatmaps.PAPER)
+    places = heatmaps._MAP_INCHES, heatmaps._BAR_INCHES
+    axes, bar = (figure.add_axes(heatmaps._share(inches)) for inches in places)
+    pose, half = heatmaps.Pose(0.0, (0.0, 0.0)), np.array(heatmaps.half_mm(SPEC, 3))
+    mesh = heatmaps.draw_face(axes, values, SPEC, 3, scale, pose, (4.6 / half).min() / 2)
+    x, y = half + 0.5
+    axes.set(xlim=(-x, x), ylim=(-y, y), aspect="equal")
+    axes.set(xlabel="x of face 3 (mm)", ylabel="y of face 3 (mm)")
+    covered = f"{100 * covered_shares(SPEC)[2]:.0f} % covered"
+    axes.set_title(f"bound\nface 3 (+x), seen from outside; {covered}", fontsize=11, y=1.0)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_facecolor(heatmaps.PAPER)
+    heatmaps.set_plain_ticks(figure.colorbar(mesh, cax=bar, label=scale.label), scale)
+    handles = heatmaps.legend_handles()
+    figure.legend(handles=handles, loc="lower center", ncols=2, frameon=False, fontsize=9)
+    figure.savefig(path, dpi=saving.DPI)
+
+
+@pytest.fixture(scope="module")
+def pictures(tmp_path_factory):
+    """Of one face in turn: a score, another on another scale, the first again."""
+    folder, maps = tmp_path_factory.mktemp("faces"), heatmaps.FaceMaps(SPEC)
+    plain, wide = map_scale("mm", 1.0, 5.0), map_scale("mm", 0.1, 90.0, log=True)
+    maps.draw(ONE_LARGE, 3, "bound", plain, folder / "first.png")
+    maps.draw(VALUES, 3, "bound", wide, folder / "wide.png")
+    maps.draw(ONE_LARGE, 3, "bound", plain, folder / "again.png")
+    drawn_as_a_whole(VALUES, wide, folder / "whole.png")
+    return folder
+
+
+def test_pictures_made_of_shared_layers_are_those_drawn_as_a_whole(pictures):
+    whole = imread(pictures / "whole.png")[..., :3]
+    np.testing.assert_array_equal(imread(pictures / "wide.png"), whole)
+    assert (pictures / "again.png").read_bytes() == (pictures / "first.png").read_bytes()
+
+
+def test_cell_colours_follow_the_values_on_the_saved_picture(pictures):
+    picture = imread(pictures / "first.png")[..., :3]
     dark = np.asarray(colormaps["magma_r"](1.0)[:3])
     rows, columns = np.nonzero(np.abs(picture - dark).max(axis=2) < 0.02)
     pale = np.abs(picture - colormaps["magma_r"](0.0)[:3]).max(axis=2) < 0.02
@@ -127,10 +167,8 @@ def test_blind_directions_are_drawn_through_blind_places_only():
     assert_allclose(np.rad2deg(np.arctan2(along[:, 1], along[:, 0])), 120.0)
 
 
-def test_what_no_contact_location_covers_is_hatched(tmp_path):
-    path = tmp_path / "face.png"
-    heatmaps.draw_face_heatmap(np.full(100, 1.0), SPEC, 3, "bound", "mm", 1.0, 5.0, path)
-    picture = imread(path)[..., :3]
+def test_what_no_contact_location_covers_is_hatched(pictures):
+    picture = imread(pictures / "first.png")[..., :3]
     pale = np.abs(picture - colormaps["magma_r"](0.0)[:3]).max(axis=2) < 0.02
     rows, columns = np.nonzero(pale[:, : int(0.8 * pale.shape[1])])
     pitch = np.ptp(columns) / 10

@@ -12,6 +12,7 @@ from design.layout.body import face_frame, face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.spec_io import load_spec, parse_spec
 from instobj.figures.maps import heatmaps, overview
+from instobj.figures.maps.scale import map_scale
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CAPTION = (
@@ -146,12 +147,18 @@ def test_face_6_joins_face_4_point_for_point():
 
 def test_a_map_of_one_face_keeps_its_numbers_in_their_cells(tmp_path, monkeypatch):
     spec, kept = spec_of("box"), []
-    monkeypatch.setattr(heatmaps, "save_figure", lambda figure, path: kept.append(figure))
+
+    def measure(canvas, path):
+        axes = canvas.figure.axes[0]
+        (numbers,) = numbers_of(axes)
+        cell = np.ptp(axes.transData.transform([[0, 0], [3.0, 0]])[:, 0])
+        kept.append((max(widths_px(numbers)), cell))
+
+    monkeypatch.setattr(heatmaps, "save_drawn", measure)
     values = np.linspace(1000, 9000, len(contact_grid(spec)))
-    heatmaps.draw_face_heatmap(values, spec, 1, "δ", "counts", 1000, 9000, tmp_path / "a.png")
-    FigureCanvasAgg(kept[0]).draw()
-    axes = kept[0].axes[0]
-    cell = np.ptp(axes.transData.transform([[0, 0], [3.0, 0]])[:, 0])
-    (numbers,) = numbers_of(axes)
-    assert 0 < max(widths_px(numbers)) < cell
+    heatmaps.FaceMaps(spec).draw(
+        values, 1, "δ", map_scale("counts", 1000, 9000), tmp_path / "a.png"
+    )
+    ((width, cell),) = kept
+    assert 0 < width < cell
     assert face_frame(spec, 1).number == 1
