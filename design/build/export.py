@@ -7,7 +7,6 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import cadquery as cq
 import numpy as np
 
 from design.build.manifest import BuildManifest, PartManifest, remove_manifest
@@ -17,6 +16,7 @@ from design.build.scene import ASSEMBLY_NAME, assembly_scene, write_glb
 from design.build.slicer_file import write_3mf
 from design.errors import InputError
 from design.files import atomic_path
+from design.solids.kernel import cq
 from design.spec.fabrication import ExportSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Literal
 
-import cadquery as cq
-
 from design.layout.body import body_of, face_frames
 from design.layout.mould.frame import mould_frame, mould_style, opening_of
 from design.layout.mould.pins import loose_pins, pin_kinds
@@ -20,6 +18,7 @@ from design.mould.whole import has_mould
 from design.solids.core import make_core
 from design.solids.curved_template import curved_template_faces, make_curved_template
 from design.solids.jig import make_jig
+from design.solids.kernel import cq
 from design.solids.magnet_template import make_magnet_template, template_faces
 from design.solids.probes import make_probe
 from design.solids.sampled import sampled_core_part, sampled_shell

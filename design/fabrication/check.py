@@ -11,8 +11,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import cadquery as cq
-
 from design.build.parts import parts_of
 from design.errors import NotOneSolid
 from design.fabrication.assembly import check_clearances, check_electronics, check_pockets
@@ -25,6 +23,7 @@ from design.fabrication.printing import (
     check_inhibition,
     check_walls,
 )
+from design.solids.kernel import cq
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:

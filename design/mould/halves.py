@@ -10,7 +10,6 @@ clips onto the same tabs. Dowels and bolts take a flange of some length: a low m
 
 from __future__ import annotations
 
-import cadquery as cq
 import numpy as np
 
 from design.layout.mould.frame import FLANGE_THICKNESS_MM, mould_frame, parting, play_mm
@@ -32,6 +31,7 @@ from design.solids.booleans import (
     pieces_that_meet,
     without_offcuts,
 )
+from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, tapered_rod
 from design.spec.object import ObjectSpec
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-import cadquery as cq
 import numpy as np
 from jaxtyping import Float
 
@@ -32,6 +31,7 @@ from design.layout.mould.pouring import (
     within_mould,
 )
 from design.layout.surface import finished_surface
+from design.solids.kernel import cq
 from design.solids.sampled import sampled_shell
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once

@@ -5,13 +5,12 @@ Loose ones are drawn along their own axes; their numbers are those of `design.la
 
 from __future__ import annotations
 
-import cadquery as cq
-
 from design.layout.core_hold import LOCATOR_NOSE_MM, Locator
 from design.layout.mould.frame import parting, play_mm
 from design.layout.mould.pins import Pin, along_pull, key_of_pocket, met_pockets, places_of_pockets
 from design.mould.room import core_outside
 from design.solids.booleans import Shape, Solid, cut, join, one_body
+from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, cylinder_on_face, pocket_prism, pocket_solid
 from design.spec.object import ObjectSpec
 

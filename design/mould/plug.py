@@ -9,7 +9,6 @@ its shell never folds outwards off a plug through a narrow bore.
 
 from __future__ import annotations
 
-import cadquery as cq
 import numpy as np
 
 from design.layout.body import body_of
@@ -20,6 +19,7 @@ from design.mould.openings import hole_solid, mould_holes, seal_holes
 from design.mould.plug_flange import flange_solids
 from design.mould.room import cast_room, core_outside
 from design.solids.booleans import Shape, Solid, common, cut, join, one_body
+from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z
 from design.solids.shell import cavity
 from design.spec.object import ObjectSpec

@@ -11,7 +11,6 @@ lower, never steeper than 45°.
 
 from __future__ import annotations
 
-import cadquery as cq
 import numpy as np
 
 from design.layout.mould.closure import (
@@ -23,6 +22,7 @@ from design.layout.mould.closure import (
 )
 from design.layout.mould.frame import MouldFrame, mould_frame, mould_style, play_mm
 from design.solids.booleans import common
+from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import cadquery as cq
-
 from design.layout.mould.frame import mould_frame
 from design.mould.plug_flange import tabs
 from design.mould.room import drawn_out
 from design.solids.booleans import Shape, common, cut, join
+from design.solids.kernel import cq
 from design.solids.primitives import box_between
 from design.solids.shell import slit_fins
 from design.spec.object import ObjectSpec

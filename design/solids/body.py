@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, cast
 
-import cadquery as cq
 import numpy as np
 
 from design.body.kinds.base import BodyKind
@@ -21,6 +20,7 @@ from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
 from design.layout.mould.frame import MouldFrame
 from design.solids.booleans import Shape, join
+from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z
 from design.spec.object import ObjectSpec
 

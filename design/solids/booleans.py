@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias
 
-import cadquery as cq
 import numpy as np
 import trimesh
 
 from design.body.meshes import boolean_of, one_closed_surface, signed_mm3
+from design.solids.kernel import cq
 from design.solids.primitives import single_solid
 
 Shape: TypeAlias = cq.Shape | trimesh.Trimesh

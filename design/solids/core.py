@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cadquery as cq
 import numpy as np
 
 from design.body.surface_chart import FACE_AXES, FaceFrame
@@ -13,6 +12,7 @@ from design.layout.core_hold import locators
 from design.layout.places.positions import board_places
 from design.layout.pockets import core_pockets
 from design.solids.body import core_hollow, core_solid
+from design.solids.kernel import cq
 from design.solids.primitives import (
     OVERSHOOT_MM,
     block_solid,

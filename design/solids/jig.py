@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import cadquery as cq
 import numpy as np
 
 from design.layout.body import body_of
@@ -21,6 +20,7 @@ from design.layout.core_hold import core_outlet
 from design.layout.mould.frame import play_mm
 from design.solids.body import core_hollow
 from design.solids.booleans import Shape, Solid, cut, one_body
+from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z
 from design.solids.shell import envelope
 from design.spec.object import ObjectSpec

@@ -7,7 +7,6 @@ inward; the corner at the face's +x, +y is cut off.
 
 from __future__ import annotations
 
-import cadquery as cq
 import numpy as np
 
 from design.layout.mould.frame import play_mm
@@ -19,6 +18,7 @@ from design.layout.template_marks import (
     mark_places,
     pockets_by_face,
 )
+from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
 from design.spec.object import ObjectSpec
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import cadquery as cq
 import numpy as np
 from OCP.ShapeAnalysis import (
     ShapeAnalysis_ShapeTolerance,  # pyright: ignore[reportAttributeAccessIssue]
@@ -16,6 +15,7 @@ from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block
 from design.errors import NotOneSolid
 from design.layout.pockets import Pocket
+from design.solids.kernel import cq
 
 OVERSHOOT_MM = 0.5
 """Cutters and bosses pass the surface they cross by this much: coplanar faces are never cut."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import cadquery as cq
 import numpy as np
 
 from design.layout.tips import footprint_mm, tip_places_mm
+from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec

@@ -7,13 +7,12 @@ body has the holes of the pins that held its core.
 
 from __future__ import annotations
 
-import cadquery as cq
-
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.body import face_frames
 from design.layout.core_hold import Locator, locators
 from design.layout.pockets import shell_pockets
 from design.solids.body import cast_outer_solid, cavity_solid, outer_solid
+from design.solids.kernel import cq
 from design.solids.primitives import (
     OVERSHOOT_MM,
     block_solid,
