@@ -249,10 +249,12 @@ def log_paired(
 ) -> Float[np.ndarray, "problem"]:
     """Log of how likely sets are where contacts are those of two jaws, over that of any: nothing pressed and
     as many contacts on each of two faces stay as they are."""
+    if not priors.paired:
+        return np.zeros(len(face))
     number = np.stack([np.sum(face == one, axis=1) for one in range(priors.faces)], axis=1)
     several = number.max(axis=1, initial=0)
     two = (np.sum(number > 0, axis=1) == 2) & (2 * several == number.sum(axis=1))
-    return np.where(two | (several == 0) | (not priors.paired), 0.0, _UNPAIRED)
+    return np.where(two | (several == 0), 0.0, _UNPAIRED)
 
 
 def widths(priors: Priors) -> Float[np.ndarray, "3"]:

@@ -40,7 +40,7 @@ class ContactSets(Columns):
         of the others and, from scratch, of the set
     tangential_n, tangential_sigma_n : (frame, contact, 2), along x and y of the face, and their
         standard deviations; NaN where contacts are taken for frictionless
-    odds : (frame,) posterior probability of the set among all that were found
+    odds : (frame,) posterior probability of as many contacts on each face, among all numbers found
     p_value : (frame,) chance of a misfit as large if the set were true; a frame far below 0.001 is
         explained by no contact that the model knows
     """
@@ -131,8 +131,8 @@ def among_sets(
 
     In another set a contact is the nearest one on its face; sets without one there say nothing of it.
     """
-    rows = np.flatnonzero(found.odds > _LEAST_ODDS)
-    sets, odds = found.problems.select(rows).on_host(), found.odds[rows]
+    rows = np.flatnonzero(found.share > _LEAST_ODDS)
+    sets, odds = found.problems.select(rows).on_host(), found.share[rows]
     of_best = found.problems.select(best[sets.frame])
     face, contact = of_best.face[:, :, None], of_best.contact[:, :, None]
     away = np.linalg.norm((sets.contact[:, None] - contact)[..., :2], axis=3)

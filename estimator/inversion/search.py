@@ -28,7 +28,8 @@ from estimator.inversion.posterior import (
 )
 from estimator.inversion.priors import Priors, log_paired
 
-_KEPT = 3
+_KEPT, _KEPT_OF_MANY, _MANY = 3, 8, 4
+"""Sets of one number that go on, and beyond so many contacts: there more of them are nearly as good."""
 _ROUGH_STEPS = 2
 _NEAR, _FEW = (1, 3), 2
 """Rounds and steps of sets on the way beyond so many contacts, of which most frames have no more;
@@ -68,7 +69,7 @@ class Hypotheses:
         return Hypotheses(self.problems.select(kept), self.log_evidence[kept])
 
     @cached_property
-    def odds(self) -> Float[np.ndarray, "problem"]:
+    def share(self) -> Float[np.ndarray, "problem"]:
         """Posterior probability of each set among all those found for its frame."""
         frame = self.problems.frame
         top = np.full(frame.max(initial=-1) + 1, -np.inf)
@@ -76,14 +77,27 @@ class Hypotheses:
         weight = np.exp(self.log_evidence - top[frame])
         return weight / np.bincount(frame, weight)[frame]
 
+    @cached_property
+    def odds(self) -> Float[np.ndarray, "problem"]:
+        """Posterior probability of as many contacts on each face as a set has: of all such sets together."""
+        return np.bincount(self._answer, self.share)[self._answer]
+
+    @cached_property
+    def _answer(self) -> Int[np.ndarray, "problem"]:
+        """Equal for sets of one frame with as many contacts on each face."""
+        faces = np.sort(self.problems.face, axis=1)
+        told = np.column_stack([self.problems.frame, faces])
+        return np.unique(told, axis=0, return_inverse=True)[1].reshape(-1)
+
     def best(self) -> Int[np.ndarray, "frame"]:
-        """Row of each frame's most probable set."""
-        return _first_of_frame(self.problems.frame, -self.log_evidence)
+        """Row of each frame's most probable set of its most probable numbers of contacts."""
+        return _first_of_frame(self.problems.frame, -self.odds, -self.log_evidence)
 
     def second(self, best: Int[np.ndarray, "frame"]) -> Int[np.ndarray, "frame"]:
-        """Row of each frame's next set; that of the best where nothing else was found."""
-        left = np.delete(np.arange(len(self.problems)), best)
-        rows = left[_first_of_frame(self.problems.frame[left], -self.log_evidence[left])]
+        """Row of each frame's next answer, of other numbers; that of the best where none was found."""
+        (left,) = np.nonzero(self._answer != self._answer[best][self.problems.frame])
+        costs = -self.odds[left], -self.log_evidence[left]
+        rows = left[_first_of_frame(self.problems.frame[left], *costs)]
         found = best.copy()
         found[self.problems.frame[rows]] = rows
         return found
@@ -216,9 +230,10 @@ class Search:
         rough = most_probable(
             self.model, self.priors, seen, frame, face, contact, extra, 1, _ROUGH_STEPS
         )
-        kept = rough.select(_best_of_frame(rough, 2 * _KEPT))
+        going_on = _KEPT if level.number.max() < _MANY else _KEPT_OF_MANY
+        kept = rough.select(_best_of_frame(rough, 2 * going_on))
         found = refitted(self.model, self.priors, seen, kept, *effort)
-        return found.select(_best_of_frame(found, _KEPT))
+        return found.select(_best_of_frame(found, going_on))
 
     def _hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
         """Sets that a further contact may still bring beyond the best so far."""
@@ -259,8 +274,8 @@ def _halves(level: Problems) -> tuple[np.ndarray, np.ndarray, np.ndarray, Array]
     return level.frame[rows], face, contact, rows_of(level.extra, rows)
 
 
-def _first_of_frame(frame: np.ndarray, cost: np.ndarray) -> Int[np.ndarray, "n"]:
-    order = np.lexsort((cost, frame))
+def _first_of_frame(frame: np.ndarray, *costs: np.ndarray) -> Int[np.ndarray, "n"]:
+    order = np.lexsort((*costs[::-1], frame))
     return order[np.unique(frame[order], return_index=True)[1]]
 
 

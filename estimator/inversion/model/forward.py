@@ -117,7 +117,7 @@ class ContactModel:
         middles = PlaceGrid(x, y).xy_mm
         return tuple(middles[among_pressed(lattice, there, *middles.T)] for there in pressed)
 
-    @property
+    @cached_property
     def whole(self) -> bool:
         """Whether every face has all places of the lattice."""
         return bool(pressed_nodes(self.spec).all())

@@ -41,15 +41,19 @@ def test_a_set_reached_twice_counts_once_and_sets_of_other_numbers_or_frames_sta
     assert len(apart.problems) == 5
 
 
-def test_odds_are_shares_of_the_evidence_of_a_frame():
-    sets = problems([0, 1, 0, 1, 1], [ONE] * 5, np.zeros(5))
-    found = Hypotheses(sets, 1e4 + np.log([1.0, 2, 3, 5, 3]))
-    assert_allclose(found.odds, [0.25, 0.2, 0.75, 0.5, 0.3], rtol=1e-9)
+def test_odds_are_those_of_numbers_on_faces_and_the_best_set_is_one_of_the_likeliest():
+    """Two sets of two contacts have together more evidence than the best of one."""
+    faces = [ONE, [0, 1, NONE], TWO, [1, 0, NONE], [NONE, 1, NONE], ONE]
+    sets = problems([0, 1, 0, 0, 0, 1], faces, np.zeros(6))
+    found = Hypotheses(sets, 1e4 + np.log([4.0, 2, 3, 3, 2, 6]))
+    assert_allclose(found.share, [1 / 3, 0.25, 0.25, 0.25, 1 / 6, 0.75], rtol=1e-9)
+    assert_allclose(found.odds, [1 / 3, 0.25, 0.5, 0.5, 1 / 6, 0.75], rtol=1e-9)
     best = found.best()
-    assert best.tolist() == [2, 3]
-    assert found.second(best).tolist() == [0, 4]
+    assert best.tolist() in ([2, 5], [3, 5])
+    assert found.second(best).tolist() == [0, 1]
     alone = Hypotheses(problems([0, 1, 1], [ONE] * 3, np.zeros(3)), np.array([0.0, 1.0, 2.0]))
-    assert alone.second(alone.best()).tolist() == [0, 1]
+    assert_allclose(alone.odds, 1.0)
+    assert alone.best().tolist() == alone.second(alone.best()).tolist() == [0, 2]
 
 
 def test_regions_hold_where_a_contact_is_in_other_sets_by_their_odds():
