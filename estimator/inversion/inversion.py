@@ -18,8 +18,8 @@ from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
 from estimator.inversion.model.forward import ContactModel, contact_model
 from estimator.inversion.model.noise import BLIND, Disturbances, disturbances
-from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.priors import Priors
+from estimator.inversion.problems import Observed, Problems
 from estimator.inversion.readings import ContactSets, among_sets, contact_sets
 from estimator.inversion.search import Search
 from estimator.signals.presses import Signals

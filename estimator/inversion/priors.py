@@ -20,6 +20,8 @@ from estimator.inversion.model.arrays import (
 )
 from estimator.inversion.model.forward import NONE
 
+Bounds = tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]
+"""Least and largest x, y (mm) and force (N)."""
 _OVERLAP_MM, SPACING_SIGMA_MM = 0.5, 0.2
 """Standard deviations of how far tips may seem to overlap, and of distances within a known probe."""
 _ROOT = np.sqrt(2 * np.pi)
@@ -261,3 +263,9 @@ def widths(priors: Priors) -> Float[np.ndarray, "3"]:
     """Of the priors of x, y and force on one face: no posterior is wider."""
     side = np.sqrt(priors.area_mm2 / priors.faces)
     return np.array([side, side, np.ptp(priors.force_n)])
+
+
+def held_between(bounds: Bounds, priors: Priors) -> Bounds:
+    """What bounds of a model leave of the priors, or these of them."""
+    (low, high), (least, most) = bounds, priors.force_n
+    return np.array([*low[:2], least]), np.array([*high[:2], min(most, high[2])])

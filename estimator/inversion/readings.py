@@ -8,17 +8,13 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE
+from estimator.inversion.evidence import bounded_curvature, covariances
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.model.noise import BLIND
-from estimator.inversion.posterior import (
-    Observed,
-    Problems,
-    bounded_curvature,
-    covariances,
-    strict_misfit,
-)
+from estimator.inversion.posterior import strict_misfit
 from estimator.inversion.priors import Priors
+from estimator.inversion.problems import Observed, Problems
 from estimator.inversion.search import Hypotheses
 
 COVERAGE = 0.9

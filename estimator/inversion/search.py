@@ -14,19 +14,13 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from estimator.inversion.evidence import log_evidence, log_inside
 from estimator.inversion.model.arrays import Array, concatenated, rows_of
 from estimator.inversion.model.dictionary import Dictionary, dictionary
 from estimator.inversion.model.forward import NONE, ContactModel
-from estimator.inversion.posterior import (
-    Observed,
-    Problems,
-    empty,
-    log_evidence,
-    log_inside,
-    most_probable,
-    refitted,
-)
+from estimator.inversion.posterior import most_probable, refitted
 from estimator.inversion.priors import Priors, log_paired
+from estimator.inversion.problems import Observed, Problems, empty
 
 _KEPT, _KEPT_OF_MANY, _MANY = 3, 8, 4
 """Sets of one number that go on, and beyond so many contacts: there more of them are nearly as good."""

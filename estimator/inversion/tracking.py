@@ -7,14 +7,10 @@ from collections import deque
 import numpy as np
 from jaxtyping import Float
 
+from estimator.inversion.evidence import covariances
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.posterior import (
-    Observed,
-    Problems,
-    covariances,
-    empty,
-    most_probable,
-)
+from estimator.inversion.posterior import most_probable
+from estimator.inversion.problems import Observed, Problems, empty
 from estimator.inversion.readings import UNEXPLAINED, ContactSets, p_values
 from estimator.inversion.search import Hypotheses, together
 

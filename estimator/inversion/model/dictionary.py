@@ -20,8 +20,8 @@ from estimator.inversion.model.arrays import (
     where_true,
 )
 from estimator.inversion.model.forward import NONE, ContactModel
-from estimator.inversion.posterior import Observed, Problems
 from estimator.inversion.priors import Priors
+from estimator.inversion.problems import Observed, Problems
 
 _PITCH_MM = 3.0
 _FORCES_N = (0.7, 3.0, 10.0)

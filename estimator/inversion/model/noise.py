@@ -9,7 +9,7 @@ from jaxtyping import Float, Int
 
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
-from estimator.inversion.posterior import Observed
+from estimator.inversion.problems import Observed
 from estimator.signals.presses import Signals
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from fem.presses.results import MagnetMotions, PressForces

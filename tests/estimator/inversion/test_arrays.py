@@ -8,7 +8,8 @@ import torch
 from numpy.testing import assert_allclose
 
 from estimator.inversion import inversion as reading
-from estimator.inversion.posterior import log_evidence, most_probable
+from estimator.inversion.evidence import log_evidence
+from estimator.inversion.posterior import most_probable
 from estimator.inversion.search import Search
 from tests.support.mechanics.inverted import SPEC, contacts, inverted, noisy_counts
 

@@ -6,7 +6,8 @@ Where this fails after a deliberate change see `tests/support/recorded_facts.py`
 import numpy as np
 import pytest
 
-from estimator.inversion.posterior import covariances, log_evidence, most_probable
+from estimator.inversion.evidence import covariances, log_evidence
+from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import log_density, widths
 from estimator.inversion.tracking import Tracker
 from tests.support.mechanics.inverted import contacts, inverted, noisy_counts

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from estimator.inversion.posterior import Observed, empty, log_evidence, most_probable
+from estimator.inversion.evidence import log_evidence
+from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import SPACING_SIGMA_MM
+from estimator.inversion.problems import Observed, empty
 from tests.support.mechanics.inverted import contacts, expected_counts, inverted, noisy_counts
 
 

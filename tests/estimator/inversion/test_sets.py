@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.inversion import posterior, readings, search
+from estimator.inversion import evidence, posterior, readings, search
 from estimator.inversion.blind_start import _summary, _worst_mm
+from estimator.inversion.evidence import bounded_curvature
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.posterior import Observed, Problems, bounded_curvature, empty
 from estimator.inversion.priors import Priors, _standing
+from estimator.inversion.problems import Observed, Problems, empty
 from estimator.inversion.search import Hypotheses, Search
 from estimator.inversion.tracking import Tracker
 
@@ -64,11 +65,11 @@ def test_regions_hold_where_a_contact_is_in_other_sets_by_their_odds():
     sets.contact[:, 1] = [[0.0, 0, 2], [4.0, 2, 4], [0.0, 0, 0], [0.0, 0, 2]]
     sets.curvature[0] *= 2
     found = Hypotheses(sets, np.log([0.5, 0.25, 0.25, 1e-4]))
-    one, other = (posterior.covariances(sets.select(np.array([row])), PRIORS)[0] for row in (0, 1))
+    one, other = (evidence.covariances(sets.select(np.array([row])), PRIORS)[0] for row in (0, 1))
     away = np.array([3.0, 0, -1])
     wanted = (2 * one[0] + other[1] + np.outer(away, away)) / 3
     # the third set says where the second contact is: 1 mm, 2 mm and 3 N from where the first has it
-    third = posterior.covariances(sets.select(np.array([2])), PRIORS)[0, 0]
+    third = evidence.covariances(sets.select(np.array([2])), PRIORS)[0, 0]
     also = (2 * one[1] + third + np.outer([1.0, 2, 3], [1.0, 2, 3])) / 3
     spread = readings.among_sets(found, found.best(), PRIORS)
     assert_allclose(spread, [[wanted, also]], rtol=1e-3)
@@ -183,7 +184,7 @@ def test_mass_beyond_bounds_of_places_and_forces_does_not_count():
             there = (at >= low[axis]) & (at <= high[axis])
             share *= density[there].sum() * (steps[1] - steps[0]) / sigma[axis] / np.sqrt(2 * np.pi)
         wanted.append(share)
-    found = np.exp(posterior.log_inside(bounds, PRIORS, given))
+    found = np.exp(evidence.log_inside(bounds, PRIORS, given))
     assert_allclose(found, wanted, rtol=2e-3)
     assert wanted[2] < 0.2 < wanted[1] < 0.8 < wanted[0]
 
@@ -207,7 +208,7 @@ def test_no_posterior_is_wider_than_its_even_prior():
     found = bounded_curvature(problems([0], [ONE], [0]), PRIORS)
     wide = [2 + 12 / 400, 2 + 12 / 400, 2 + 12 / 100]
     assert_allclose(np.diag(found[0]), [*wide, *[2.0] * 6])
-    variance = posterior.covariances(problems([0], [ONE], [0]), PRIORS)
+    variance = evidence.covariances(problems([0], [ONE], [0]), PRIORS)
     assert_allclose(variance[0, 0], np.diag(1 / np.array(wide)))
 
 

@@ -11,11 +11,12 @@ from numpy.testing import assert_allclose, assert_array_equal
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.inversion import inversion as module
-from estimator.inversion import posterior, readings
+from estimator.inversion import readings
 from estimator.inversion.inversion import Inversion, contact_priors, probe_spacing_mm
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.model.noise import BLIND
 from estimator.inversion.priors import Priors
+from estimator.inversion.problems import Observed, Problems
 from estimator.inversion.readings import ContactSets
 
 CUBE = ObjectSpec(name="cube")
@@ -162,14 +163,14 @@ def test_tangential_forces_are_those_of_the_joint_normal_posterior(slots):
         pulls=lambda face, contact: pulls, pull_sigma_n=lambda contact: pull_sigma,
     )  # fmt: skip
     counts, extra = rng.normal(size=(1, channels)), rng.normal(size=(1, channels))
-    seen = posterior.Observed(counts, sigma, sigma, sigma)
+    seen = Observed(counts, sigma, sigma, sigma)
     jacobian = (singles[0, :, 1:] / sigma[0]).reshape(3 * slots, channels)
     across = (pulls[0] / sigma[0]).reshape(2 * slots, channels)
     own = np.eye(2 * slots) + across @ across.T
     curvature = jacobian @ jacobian.T - jacobian @ across.T @ np.linalg.solve(
         own, across @ jacobian.T
     )
-    problems = posterior.Problems(
+    problems = Problems(
         np.zeros(1, int), np.zeros((1, slots), int), np.ones((1, slots, 3)), extra, np.zeros(1),
         np.zeros((1, 3 * slots)), curvature[None], np.zeros(1),
     )  # fmt: skip

@@ -1,0 +1,68 @@
+"""Laplace's approximation about the most probable contacts: evidence and covariances."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+
+from estimator.inversion.model.arrays import Array, diagonals, library, like, on_host
+from estimator.inversion.model.forward import NONE
+from estimator.inversion.priors import Bounds, Priors, held_between, log_density, widths
+from estimator.inversion.problems import Problems
+
+_AT_BOUND = 1e-6
+"""In mm and N: a contact nearer is held there."""
+
+
+def log_evidence(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem"]:
+    """Log of the posterior mass about each peak, priors included, but for the frame's constant."""
+    curvature = bounded_curvature(problems, priors)
+    log_volume = on_host(library(curvature).linalg.slogdet(curvature)[1])
+    mass = 0.5 * (3 * problems.number * np.log(2 * np.pi) - log_volume)
+    return (
+        mass
+        - problems.misfit
+        - problems.log_spread
+        + log_density(priors, problems.face, problems.contact)
+    )
+
+
+def log_inside(bounds: Bounds, priors: Priors, problems: Problems) -> Float[np.ndarray, "problem"]:
+    """Log of the share of each peak's mass within the bounds of the model and the priors, axis by axis.
+
+    A contact that is held at a bound would lie beyond it: where the top of a normal peak is d standard
+    deviations outside, the mass inside is exp(d²/2) Φ(−d) of what Laplace's approximation makes of the
+    height at the bound.
+    """
+    from scipy.special import log_ndtr
+
+    curvature = bounded_curvature(problems, priors)
+    shape = problems.contact.shape
+    variance = diagonals(library(curvature).linalg.inv(curvature))
+    sigma = np.sqrt(on_host(variance)).reshape(shape)
+    slope = on_host(problems.slope).reshape(shape) * sigma
+    low, high = held_between(bounds, priors)
+    mass = np.zeros(shape)
+    for room, out in ((problems.contact - low, slope), (high - problems.contact, -slope)):
+        beyond = np.where(room < _AT_BOUND, np.maximum(out, 0.0), 0.0)
+        mass += log_ndtr(room / sigma - beyond) + 0.5 * beyond * beyond
+    return np.where((problems.face != NONE)[..., None], mass, 0.0).sum(axis=(1, 2))
+
+
+def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem contact 3 3"]:
+    """Of x, y (mm) and force (N) of each contact, with the uncertainty of the others; no wider than
+    the priors. Of empty slots the identity."""
+    slots = problems.face.shape[1]
+    every = np.linalg.inv(bounded_curvature(problems, priors)).reshape(-1, slots, 3, slots, 3)
+    return np.moveaxis(np.diagonal(every, axis1=1, axis2=3), -1, 1)
+
+
+def bounded_curvature(
+    problems: Problems, priors: Priors
+) -> Float[Array, "problem parameter parameter"]:
+    """With that of normal priors as wide as the even ones: it has an inverse."""
+    flat = (problems.face != NONE)[..., None] * (12 / np.square(widths(priors)))
+    found = problems.curvature + 0.0
+    diagonal = diagonals(found)
+    diagonal += like(found, flat.reshape(diagonal.shape))
+    return found
