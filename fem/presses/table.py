@@ -21,7 +21,7 @@ from design.layout.places.contact_places import pressed_nodes
 from design.layout.tips import footprint_mm, path_mm
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
-from fem.contact.complementarity import contact_pressures
+from fem.contact.complementarity import Contact, contact
 from fem.contact.indenter import TipCells, hemisphere_profile_mm, moved, tip_cells
 from fem.contact.refined import (
     RefinedFace,
@@ -178,16 +178,19 @@ def _press_each(
     force, touched = np.zeros(shape), np.zeros(shape)
     vertex = np.zeros((*shape, len(face.surface.xy_mm)))
     together = [np.arange(len(depths_mm))] if not sideways.any() else np.arange(shape[1])[:, None]
+    beside: dict[int, Contact] = {}
     for place, centre in enumerate(face.frame.to_plane(xy_mm)):
         for steps in together:
             spread = spread_cells(face, moved(tip.patches, centre + sideways[steps[0]]), centre)
             require_on_patch(tip, spread, float(depths_mm[steps[-1]]))
-            pressure = contact_pressures(
+            found = beside[steps[0]] = contact(
                 place_compliance(spread, near),
                 resting_gap_mm(tip, spread) * tip.patches.area_mm2,
                 tip.patches.area_mm2,
                 np.asarray(depths_mm)[steps],
+                beside.get(steps[0]),
             )
+            pressure = found.pressure_mpa
             force[place, steps] = pressure @ tip.patches.area_mm2
             touched[place, steps] = (pressure > 0) @ spread.patches.area_mm2
             vertex[place, steps[:, None], spread.rows] = pressure @ spread.matrix.T

@@ -74,6 +74,32 @@ def test_least_squares_takes_over_where_the_active_set_gives_up(monkeypatch):
     assert_allclose(pressures, expected, rtol=0, atol=1e-9 * expected.max())
 
 
+def test_a_press_beside_leaves_the_pressures_and_saves_systems(monkeypatch):
+    """At each depth more unknowns touch; the second tip stands a little aside."""
+    rng, depths = np.random.default_rng(5), np.linspace(0.1, 1.2, 8)
+    compliance, moments, weights = random_problem(4, 60)
+    compliance += 20 * np.eye(60)
+    aside = compliance + 0.01 * np.diag(rng.random(60)), moments + 1e-3 * rng.random(60), weights
+    solved = []
+
+    def counted(matrix, right_side):
+        solved.append(len(matrix))
+        return solve(matrix, right_side)
+
+    solve = contact._solve_positive
+    beside = contact.contact(compliance, moments, weights, depths)
+    monkeypatch.setattr(contact, "_solve_positive", counted)
+    alone = contact.contact(*aside, depths)
+    count = len(solved)
+    found = contact.contact(*aside, depths, beside)
+    np.testing.assert_array_equal(found.pressure_mpa, alone.pressure_mpa)
+    assert 8 <= len(solved) - count < 0.8 * count
+    touching = found.pressure_mpa > 0
+    np.testing.assert_array_equal(found.firmness_mm3 > 0, touching)
+    gap = found.pressure_mpa @ aside[0] + moments - depths[:, None] * weights
+    assert_allclose(-found.firmness_mm3[~touching], gap[~touching], atol=2e-3)
+
+
 def test_no_touch_no_pressure():
     compliance, _, weights = random_problem(3, 6)
     pressures = contact_pressures(compliance, 2 * weights, weights, np.array([0.5, 1.9]))
