@@ -183,7 +183,7 @@ def contact_priors(model: ContactModel) -> Priors:
         radius,
         KNOWN_FORCE_SPREAD if known else None,
         probe_spacing_mm(radius / 2) if known else (),
-        asked.probes == "paired",
+        asked.jaws,
     )
 
 

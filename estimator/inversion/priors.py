@@ -246,6 +246,13 @@ def _standing(priors: Priors) -> Float[np.ndarray, "number"]:
     return np.concatenate([[0.0, 0.0], gained, [-np.inf]])
 
 
+def number_on(
+    priors: Priors, face: Int[np.ndarray, "problem contact"]
+) -> Int[np.ndarray, "problem face"]:
+    """How many contacts each face has."""
+    return np.stack([np.sum(face == one, axis=1) for one in range(priors.faces)], axis=1)
+
+
 def log_paired(
     priors: Priors, face: Int[np.ndarray, "problem contact"]
 ) -> Float[np.ndarray, "problem"]:
@@ -253,7 +260,7 @@ def log_paired(
     as many contacts on each of two faces stay as they are."""
     if not priors.paired:
         return np.zeros(len(face))
-    number = np.stack([np.sum(face == one, axis=1) for one in range(priors.faces)], axis=1)
+    number = number_on(priors, face)
     several = number.max(axis=1, initial=0)
     two = (np.sum(number > 0, axis=1) == 2) & (2 * several == number.sum(axis=1))
     return np.where(two | (several == 0), 0.0, _UNPAIRED)

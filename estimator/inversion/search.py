@@ -19,7 +19,7 @@ from estimator.inversion.model.arrays import Array, concatenated, rows_of
 from estimator.inversion.model.dictionary import Dictionary, dictionary
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.posterior import most_probable, refitted
-from estimator.inversion.priors import Priors, log_paired
+from estimator.inversion.priors import Priors, log_paired, number_on
 from estimator.inversion.problems import Observed, Problems, empty
 
 _KEPT, _KEPT_OF_MANY, _MANY = 3, 8, 4
@@ -236,8 +236,11 @@ class Search:
         return better & self._bears_more(problems)
 
     def _bears_more(self, problems: Problems) -> Bool[np.ndarray, "problem"]:
-        """Whether misfit and slots leave room for a further contact."""
-        return (self._possible(problems) > _HOPELESS) & (problems.number < self.priors.most)
+        """Whether misfit, slots and jaws leave room for a further contact (or probe)."""
+        room = (self._possible(problems) > _HOPELESS) & (problems.number < self.priors.most)
+        if self.probes and self.priors.paired:
+            room &= number_on(self.priors, problems.face).astype(bool).sum(axis=1) < 2
+        return room
 
     def _possible(self, problems: Problems) -> Float[np.ndarray, "problem"]:
         """By how much further contacts may raise the evidence: by the misfit, and where one of two jaws lacks

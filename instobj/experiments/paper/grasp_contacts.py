@@ -61,7 +61,8 @@ def run_grasp_contacts(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
         "of the object.",
         "possible: mean distance that the Cramér–Rao bound leaves an unbiased estimator that knows the "
         "number of contacts and nothing of their places. Known faces, borders and probes can do "
-        "better. probes known: tips of a face are one of the paper's probes and bear alike within 30 %.",
+        "better. probes known: tips of a face are one of the paper's probes and bear alike within 30 %; "
+        "jaws too: two press two faces, with as many tips each.",
         "Baselines: matching pursuit adds signals of presses 3 mm apart from the calibrated twin's table; "
         "the networks were fitted to the paper's collection of both faces of the object itself, probes "
         "of two and three tips included.",
@@ -101,6 +102,7 @@ def _readers(recorded: SimulatedObject) -> dict[str, Inversion]:
         "design": inversion(design, *presses, signals, error, modulus),
         "calibrated twin": calibrated,
         "calibrated twin, probes known": replace(calibrated, priors=known),
+        "calibrated twin, jaws too": replace(calibrated, priors=replace(known, paired=True)),
     }
 
 

@@ -279,6 +279,7 @@ training.twins: 10
 inversion.contacts: 6
 inversion.least_force_n: 0.2
 inversion.probes: 'free'
+inversion.jaws: False
 inversion.drift_counts: 0.0
 inversion.window_frames: 1
 inversion.tangential_share: 0.0

@@ -1,5 +1,6 @@
 """Sets of contacts sorted, halved, packed and weighed, and steps of a descent, worked out by hand."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -126,6 +127,20 @@ def test_sets_go_on_while_more_is_left_than_noise_and_a_contact_could_gain():
     # the second frame's set is full; evidence far below the best cannot be made good
     assert not given._hopeful(judged, np.array([2.1, 0.0])).any()
     assert given._hopeful(judged, np.array([2.03, 0.0])).tolist() == [False, False, True, False]
+
+
+def test_of_two_jaws_with_known_probes_none_looks_for_a_third_face():
+    """Free tips may still come to a face that is pressed."""
+    level = problems([0, 0], [ONE, TWO], [900.0, 900.0])
+    given = object.__new__(Search)
+    jaws = replace(PRIORS, paired=True)
+    for priors, grow in (
+        (replace(jaws, spacing_mm=(15.0, 20.0)), [True, False]),
+        (replace(PRIORS, spacing_mm=(15.0, 20.0)), [True, True]),
+        (jaws, [True, True]),
+    ):
+        given.__dict__.update(model=SimpleNamespace(channels=60), priors=priors)
+        assert given._bears_more(level).tolist() == grow
 
 
 def test_slots_are_cut_and_widened_with_ones_on_the_diagonal():

@@ -47,10 +47,12 @@ def test_any_number_of_contacts_is_as_likely_and_tips_stand_a_diameter_apart():
     assert_allclose(known.number, [1 / 3] * 3)
     assert known.force_spread == 0.3
     assert known.spacing_mm == probe_spacing_mm(CUBE.indenter.radius_mm)
-    paired = contact_priors(model(contacts=3, least_force_n=0.25, probes="paired"))
+    paired = contact_priors(model(contacts=3, least_force_n=0.25, jaws=True))
     assert paired == replace(found, paired=True)
     assert not found.paired
     assert not known.paired
+    both = contact_priors(model(contacts=2, probes="known", jaws=True))
+    assert both == replace(known, paired=True)
 
 
 def test_probes_are_the_paper_s_and_grow_with_large_tips():

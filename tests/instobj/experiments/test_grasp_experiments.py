@@ -154,7 +154,8 @@ def test_contacts_of_grasps_are_judged_by_number_of_tips_for_every_model(results
         judged.setdefault((row["model"], row["frames read"]), []).append(
             (row["tips a face"], row["force"], row["frames"])
         )
-    inverted = ["design", "calibrated twin", "calibrated twin, probes known"]
+    twin = "calibrated twin"
+    inverted = ["design", twin, f"{twin}, probes known", f"{twin}, jaws too"]
     baselines = ["matching pursuit, calibrated twin", "whole-object networks"]
     one, hold = "one", "mean of 10 frames"
     assert list(judged) == [
