@@ -6,6 +6,7 @@ where it can and so takes NumPy arrays and torch tensors alike.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -14,8 +15,10 @@ from jaxtyping import Float
 Vector = tuple[Any, Any, Any]
 """Components x, y, z: arrays (NumPy or any library with the same operators) of one shape."""
 
-_SMALL_ANGLE = 0.5
-"""Radians, below which a cosine is the root of 1 − sin² to rounding."""
+_SMALL_SQUARED = 0.25**2
+"""Below this the series is exact to rounding: what it leaves out is 1e-17."""
+_SINE_SERIES = tuple((-1) ** k / math.factorial(2 * k + 1) for k in range(6))
+"""Of sin h/h in powers of h²."""
 
 
 def dot(a: Vector, b: Vector) -> Any:
@@ -56,11 +59,9 @@ def rotated(vector: Vector, turn: Vector) -> Vector:
     of vectors; here every component stays its own array.
     """
     (x, y, z), (wx, wy, wz) = vector, turn
-    half = 0.5 * (wx * wx + wy * wy + wz * wz) ** 0.5
-    half = half + 1e-20 * (half == 0)
-    of_half, cosine_of_half = _sine_and_cosine(half)
-    share = of_half / half
-    cosine, sine = 1 - 2 * of_half * of_half, share * cosine_of_half
+    squared = 0.25 * (wx * wx + wy * wy + wz * wz)
+    share, cosine_of_half = _of_half_the_angle(squared)
+    cosine, sine = 1 - 2 * squared * share * share, share * cosine_of_half
     along = 0.5 * share * share * (wx * x + wy * y + wz * z)
     return (
         cosine * x + sine * (wy * z - wz * y) + along * wx,
@@ -69,13 +70,20 @@ def rotated(vector: Vector, turn: Vector) -> Vector:
     )
 
 
-def _sine_and_cosine(angle: Any) -> tuple[Any, Any]:
-    if hasattr(angle, "addcmul"):
-        return angle.sin(), angle.cos()
-    sine = np.sin(angle)
-    if np.max(angle, initial=0.0) < _SMALL_ANGLE:  # an eighth of a cosine's time
-        return sine, np.sqrt(1 - sine * sine)
-    return sine, np.cos(angle)
+def _of_half_the_angle(squared: Any) -> tuple[Any, Any]:
+    """sin h/h and cos h of h²; of small angles by the series, in a third of the time."""
+    if isinstance(squared, np.ndarray) and np.max(squared, initial=0.0) < _SMALL_SQUARED:
+        share = _SINE_SERIES[-1] * squared
+        for term in _SINE_SERIES[-2:0:-1]:
+            share += term
+            share *= squared
+        share += _SINE_SERIES[0]
+        return share, np.sqrt(1 - squared * share * share)
+    half = squared**0.5
+    half = half + 1e-20 * (half == 0)
+    if hasattr(half, "addcmul"):
+        return half.sin() / half, half.cos()
+    return np.sin(half) / half, np.cos(half)
 
 
 def rotate(
