@@ -156,7 +156,11 @@ def _draw_view(axes: Axes, view: PartView, mesh: trimesh.Trimesh, part: PartMani
         shade(image, mesh, camera, view), extent=image.extent_mm, interpolation="antialiased"
     )
     size = " × ".join(f"{edge:.4g}" for edge in part.size_mm)
-    axes.set_title(f"{view.title}\n{size} mm, {part.volume_mm3 / 1000:.2f} cm³", fontsize=12)
+    axes.set_title(
+        f"{view.title}\n{size} mm, {part.volume_mm3 / 1000:.2f} cm³",
+        fontsize=12,
+        y=1.0,  # given, it is not looked for among ticks that do not show
+    )
     axes.set_axis_off()
     draw_axes_and_scale(axes, camera, image.extent_mm)
 
