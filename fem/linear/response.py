@@ -46,6 +46,7 @@ from fem.linear.layers import layer_stiffness
 from fem.linear.magnets import magnet_of_nodes, mean_motion_functionals, rigid_motion_basis
 from fem.linear.material import lame_constants
 from fem.linear.sparse import columns_of, rows_of, shape_of
+from fem.mesh.entities import tet_mesh
 from fem.mesh.surfaces import surface_tolerance_mm
 from fem.mesh.tetrahedra import SILICONE, TetMesh
 
@@ -115,7 +116,7 @@ def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
     """
     if spec.mechanics.element == "p1":
         warnings.warn(LOCKING_WARNING, stacklevel=2)
-    skfem_mesh = MeshTet(mesh.points_mm.T.copy(), mesh.tets.T.copy())
+    skfem_mesh = tet_mesh(mesh.points_mm, mesh.tets)
     rigid = spec.mechanics.magnets == "rigid"
     elements = np.flatnonzero(mesh.magnet == SILICONE) if rigid else None
     space = element_space(skfem_mesh, spec.mechanics.element, elements)

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 from jaxtyping import Float, Int
-from skfem import MeshTet
 
 from design.layout.body import body_of
 from design.spec.object import ObjectSpec
+from fem.mesh.entities import tet_mesh
 from fem.mesh.surfaces import surface_tolerance_mm
 
 LONGEST_EDGE = 4 / 3
@@ -68,7 +68,7 @@ def _wall_edges(
     level_mm: float,
 ) -> Int[np.ndarray, "edge 2"]:
     """Edges of the triangles on the cavity's wall, the core's and its continuation past the end."""
-    mesh = MeshTet(np.ascontiguousarray(points_mm.T), np.ascontiguousarray(tets.T))
+    mesh = tet_mesh(points_mm, tets)
     beyond = np.clip(points_mm @ normal - level_mm, 0, None)
     on_wall = abs(
         body_of(spec).core_distance_mm(points_mm - beyond[:, None] * normal)
