@@ -89,11 +89,15 @@ def contact(
 
 
 def _expected(beside: Contact, firmness: np.ndarray, step: int) -> Bool[np.ndarray, "i"]:
-    """What touches: as beside, corrected by how the step before differed from there."""
+    """What touches: as beside, corrected by how the steps before differed from there."""
     there = beside.firmness_mm3
-    if not step:
-        return there[0] > 0
-    return there[step] + firmness[step - 1] > there[step - 1]
+    expected = there[step]
+    if step:
+        off = firmness[step - 1] - there[step - 1]
+        expected = expected + off
+    if step > 1:
+        expected += (off - (firmness[step - 2] - there[step - 2])) / 2
+    return expected > 0
 
 
 def _solve_complementarity(
@@ -132,7 +136,7 @@ def _solve_positive(matrix: np.ndarray, right_side: np.ndarray) -> np.ndarray:
 
     The checks around `scipy.linalg.solve` cost two to ten times as much as the solution itself.
     """
-    _, solution, failed = dposv(matrix.T, right_side, overwrite_a=True)
+    _, solution, failed = dposv(matrix.T, right_side, lower=True, overwrite_a=True)
     if failed:
         raise np.linalg.LinAlgError(f"leading minor {failed} is not positive")
     return solution
