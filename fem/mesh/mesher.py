@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 import tempfile
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -51,6 +52,8 @@ def run_mesher(
 
 
 def _mesh_as_child(given: str, made: str) -> int:
+    # what it adds to PyVista, which takes as long to import as all the rest
+    sys.modules.setdefault("pytetwild._accessor", ModuleType("pytetwild._accessor"))
     from pytetwild.pytetwild import tetrahedralize
 
     with np.load(given, allow_pickle=False) as content:

@@ -190,7 +190,20 @@ def save_deformed_shape(
     if motion is not None:
         grid.field_data["magnet_motion"] = motion
     with atomic_path(path) as temporary:
-        grid.save(str(temporary))
+        _write(grid, temporary)
+
+
+def _write(grid: pyvista.UnstructuredGrid, path: Path) -> None:
+    """As PyVista does, less thoroughly compressed: a hundredth larger in two thirds of the time."""
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(grid)
+    writer.SetDataModeToBinary()
+    writer.SetCompressionLevel(1)
+    if not writer.Write():
+        raise OSError(f"cannot write {path}")
 
 
 def vtk_grid(shape: DeformedShape) -> pyvista.UnstructuredGrid:
