@@ -148,10 +148,12 @@ def test_forces_rise_and_fall_once_with_their_own_peaks_and_label_noise(signals,
 
 
 def test_peaks_beyond_reach_are_clamped_and_counted(signals):
-    strong = coarse_spec(protocol={**PROTOCOL, "peak_force_n": (22.0, 60.0)})
+    """Where the deepest press stays below the least peak; those that just reach it are not counted."""
+    strong = coarse_spec(protocol={**PROTOCOL, "peak_force_n": (28.0, 60.0)})
     peaks, plan = nominal_peaks(strong, signals), plan_presses(strong, signals)
     assert peaks.common_travel_mm == 4.0
     assert 0 < peaks.clamped.sum() < peaks.clamped.size
+    np.testing.assert_array_equal(peaks.clamped, peaks.force_n < 28.0)
     reach = press_traces(signals, plan.face, plan.x_mm, plan.y_mm).force_n[:, -1]
     assert (plan.peak_force_n <= reach).all()
     assert plan.summary()["clamped_presses"] == plan.clamped.sum() > 60
