@@ -190,10 +190,13 @@ def log_density(
 
 @cache
 def _counted(priors: Priors) -> Float[np.ndarray, "number"]:
-    """Log density of so many contacts anywhere, apart from each other."""
+    """Log density of so many contacts anywhere, apart from each other; of known probes, whose tips are apart,
+    of contacts in one order."""
     number = np.arange(priors.most + 1)
     each = -np.log(priors.area_mm2 * np.ptp(priors.force_n))
     of_number = np.log(np.maximum(np.asarray(priors.number), 1e-300))
+    if priors.spacing_mm:
+        return number * each + of_number
     apart = number * (number - 1) / 2 * np.log1p(-_too_near(priors))
     return number * each + of_number + _log_factorials(priors.most) - apart
 
@@ -212,10 +215,13 @@ def _on_each_face(
     """Log of how much denser the prior is than that of contacts each of which bears anything alone.
 
     The whole force of a face is even, and so are the ways to share it among n contacts, which have the
-    density (n − 1)! / force^(n−1); where they bear alike, forces but one follow the first. Of a known
-    probe one contact stands anywhere, the second on a ring, the third at one of two points.
+    density (n − 1)! / force^(n−1); where they bear alike, their logarithms are normal about the mean. Of a
+    known probe one contact stands anywhere, the second on a ring, the third at one of two points; orders
+    of tips are those within a face, times those of the faces, so that tips of one probe are not taken
+    for ones that happened to meet.
     """
     gained, orders = np.zeros(len(face)), _log_factorials(priors.most)
+    pressed = np.zeros(len(face), int)
     for one in range(priors.faces):
         here = face == one
         number = here.sum(axis=1)
@@ -226,10 +232,13 @@ def _on_each_face(
             gained += orders[more]
         else:
             width = _ROOT * priors.force_spread * force / np.maximum(number, 1)
+            gained += 0.5 * np.log(np.maximum(number, 1))
         gained += more * np.log(np.ptp(priors.force_n) / width)
         if priors.spacing_mm:
             gained += _standing(priors)[np.minimum(number, len(priors.spacing_mm) + 2)]
-    return gained
+            gained += orders[number]
+            pressed += number > 0
+    return gained + orders[pressed]
 
 
 @cache
@@ -240,7 +249,7 @@ def _log_factorials(most: int) -> Float[np.ndarray, "number"]:
 def _standing(priors: Priors) -> Float[np.ndarray, "number"]:
     """Log density of the places of n tips of a known probe over that of n contacts anywhere."""
     ring = 2 * np.pi * np.asarray(priors.spacing_mm) * _ROOT * SPACING_SIGMA_MM
-    point = 2 * (_ROOT * SPACING_SIGMA_MM) ** 2
+    point = 2 * (_ROOT * SPACING_SIGMA_MM) ** 2 / np.sin(np.pi / 3)  # two rings that cross
     extra = np.arange(len(priors.spacing_mm))
     gained = np.log(priors.area_mm2 / ring) + extra * np.log(priors.area_mm2 / point)
     return np.concatenate([[0.0, 0.0], gained, [-np.inf]])

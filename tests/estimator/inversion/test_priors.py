@@ -107,15 +107,47 @@ def test_contacts_apart_are_denser_by_the_sets_that_overlap():
     assert_allclose(gained, gained[3] * np.array([3, 3, 0, 1, 0]))
 
 
-def test_known_probes_make_the_density_of_their_tips_greater():
-    """The second of two stands on a ring, the third of three at one of two points; each 0.2 mm wide."""
-    free = log_density(Priors(**BASE), FACE, contacts())
-    found = log_density(PROBES, FACE, contacts()) - free
-    width = np.sqrt(2 * np.pi) * 0.2
-    ring = [np.log(800 / (2 * np.pi * one * width)) for one in (15, 20)]
-    point = np.log(800 / (2 * width**2))
-    force = np.array([2 * np.log(10 / (width * 3.0)), np.log(10 / (width * 4.0))])
-    assert_allclose(found + SHARED, [ring[1] + point + force[0], ring[0] + force[1], 0, 0, 0])
+def test_probes_drawn_as_they_are_known_are_as_dense_as_the_prior_says():
+    """One to three tips on a face of 40 mm by 40 mm: number, first place, angle, side, whole force and shares
+    drawn, each with its own density; orders of tips are one set."""
+    rng, spread, sigma = np.random.default_rng(3), 0.2, 0.2
+    priors = Priors((0.1, 0.2, 0.3, 0.4), 1, 1600.0, (0.5, 10.5), 0.0, spread, (15.0, 20.0))
+    place, angle, whole = (
+        rng.uniform(0, 40, (20, 2)),
+        rng.uniform(0, 2 * np.pi, 20),
+        rng.uniform(2, 9, 20),
+    )
+    for tips, orders, sides in ((1, 1, 1), (2, 2, 1), (3, 6, 2)):
+        apart = {1: 0.0, 2: 15.0, 3: 20.0}[tips]
+        contact = np.zeros((20, 3, 3))
+        contact[:, :, :2] = place[:, None]
+        for tip, turn in ((1, 0.0), (2, np.pi / 3)):
+            way = np.stack([np.cos(angle + turn), np.sin(angle + turn)], axis=1)
+            contact[:, tip, :2] += apart * way
+        contact[:, :tips, 2] = whole[:, None] / tips
+        face = np.where(np.arange(3) < tips, 0, NONE) + np.zeros((20, 1), int)
+        found = Quadratic(np.zeros(20), np.zeros((20, 9)), np.zeros((20, 9, 9)), np.zeros(20))
+        Pairs(priors, face).add(found, contact)
+        assert_allclose(found.misfit, 0, atol=1e-9)
+        normal = 1 / (np.sqrt(2 * np.pi) * sigma)
+        second = normal / (2 * np.pi * apart) if tips > 1 else 1.0
+        # distances to both others are normal; they cross at 60 degrees
+        third = normal**2 * np.sin(np.pi / 3) / sides if tips > 2 else 1.0
+        # even in the sum; logarithms normal across it: d(sum) = sqrt(tips) d(along), d(force) = force d(log)
+        across = (tips / whole / np.sqrt(2 * np.pi) / spread) ** (tips - 1) * np.sqrt(tips)
+        drawn = priors.number[tips] * orders / 1600 * second * third * across / 10
+        assert_allclose(np.exp(log_density(priors, face, contact)), drawn, rtol=1e-9)
+
+
+def test_probes_on_two_faces_are_ordered_within_a_face_and_as_faces():
+    """Of (2, 1) tips: two faces, and the orders of two tips; no probe has four tips."""
+    alone = [
+        log_density(PROBES, np.array([row]), contacts()[1:2])
+        for row in ([0, 0, NONE], [1, NONE, NONE])
+    ]
+    both = log_density(PROBES, FACE[1:2], contacts()[1:2][:, [0, 1, 2]])
+    number = np.log(np.array([0.3, 0.2, 0.1]))
+    assert_allclose(both, alone[0] + alone[1] - number[0] - number[1] + number[2] + np.log(2))
     crowded = np.zeros((1, 4), int)
     four = Priors(**BASE | {"number": (0.2,) * 5}, spacing_mm=(15.0, 20.0))
     assert log_density(four, crowded, np.ones((1, 4, 3)))[0] == -np.inf

@@ -232,7 +232,8 @@ def test_tips_of_a_known_probe_are_as_dense_as_their_ring_and_points():
     priors = Priors((1.0,) * 4, 1, 500.0, (0.5, 10.5), spacing_mm=(15.0, 20.0))
     wide = np.sqrt(2 * np.pi) * 0.2
     two = np.log(500 / (2 * np.pi * 15 * wide))
-    three = np.log(500 / (2 * np.pi * 20 * wide)) + np.log(500 / (2 * wide**2))
+    crossing = np.log(500 * np.sin(np.pi / 3) / (2 * wide**2))
+    three = np.log(500 / (2 * np.pi * 20 * wide)) + crossing
     assert_allclose(_standing(priors)[:4], [0, 0, two, three])
     assert np.isneginf(_standing(priors)[4])
 
