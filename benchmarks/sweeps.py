@@ -20,7 +20,7 @@ from harness import Result, conclude, machine, option_parser
 
 ROOT = Path(__file__).parents[1]
 QUICK = ("examples/gallery/small_cube.toml", (8.0, 8.5), 1)
-WHOLE = ("examples/paper_cube.toml", (7.5, 8.0, 8.5, 9.0), 3)
+WHOLE = ("examples/paper_cube.toml", tuple(7.5 + 0.25 * n for n in range(8)), 2)
 """Specification, thicknesses of the shell (mm), turns."""
 STUDY = """name = "thickness"
 specification = "{}"
