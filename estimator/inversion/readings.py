@@ -123,12 +123,12 @@ def contact_sets(
 def among_sets(
     found: Hypotheses, best: Int[np.ndarray, "frame"], priors: Priors
 ) -> Float[np.ndarray, "frame contact 3 3"]:
-    """Covariances of the contacts of each frame's best set about where they are, over all sets by their odds.
+    """Covariances of the contacts of each frame's best set about where they are, over all sets, by share.
 
     In another set a contact is the nearest one on its face; sets without one there say nothing of it.
     """
     rows = np.flatnonzero(found.share > _LEAST_ODDS)
-    sets, odds = found.problems.select(rows).on_host(), found.share[rows]
+    sets, share = found.problems.select(rows).on_host(), found.share[rows]
     of_best = found.problems.select(best[sets.frame])
     face, contact = of_best.face[:, :, None], of_best.contact[:, :, None]
     away = np.linalg.norm((sets.contact[:, None] - contact)[..., :2], axis=3)
@@ -136,7 +136,7 @@ def among_sets(
     nearest, each = away.argmin(axis=2), np.arange(len(rows))[:, None]
     gone = sets.contact[each, nearest] - of_best.contact
     square = covariances(sets, priors)[each, nearest] + gone[..., None] * gone[..., None, :]
-    weight = np.where(np.isfinite(away.min(axis=2)), odds[:, None], 0.0)[..., None, None]
+    weight = np.where(np.isfinite(away.min(axis=2)), share[:, None], 0.0)[..., None, None]
     total, norm = np.zeros((len(best), *square.shape[1:])), np.zeros((len(best), *weight.shape[1:]))
     np.add.at(total, sets.frame, weight * square)
     np.add.at(norm, sets.frame, weight)

@@ -9,12 +9,12 @@ from __future__ import annotations
 import sys
 import tempfile
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import SolverError
+from design.imports import deferred
 from design.processes import ChildFailed, ChildTooSlow, machine_memory_gib, run_child
 
 SECONDS = 3600.0
@@ -53,8 +53,8 @@ def run_mesher(
 
 def _mesh_as_child(given: str, made: str) -> int:
     # what it adds to PyVista, which takes as long to import as all the rest
-    sys.modules.setdefault("pytetwild._accessor", ModuleType("pytetwild._accessor"))
-    from pytetwild.pytetwild import tetrahedralize
+    with deferred("pytetwild._accessor"):
+        from pytetwild.pytetwild import tetrahedralize
 
     with np.load(given, allow_pickle=False) as content:
         arguments = {name: content[name][()] for name in content.files}

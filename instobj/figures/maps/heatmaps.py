@@ -156,25 +156,6 @@ def _share(inches: tuple[float, float, float, float]) -> tuple[float, float, flo
     return left / width, bottom / height, wide / width, high / height
 
 
-def draw_face(
-    axes: Any,
-    values: Float[np.ndarray, "place"],
-    spec: ObjectSpec,
-    face: int,
-    scale: MapScale,
-    pose: Pose,
-    inches_per_mm: float,
-    smallest_font: float = SMALLEST_FONT,
-) -> Any:
-    """Draw one face's map, parts and numbers into axes in mm, and return its coloured mesh.
-
-    Numbers that would be smaller than `smallest_font` (points) in their cells are left out.
-    """
-    draw_ground(axes, spec, face, pose)
-    given = spec, face, scale, pose, inches_per_mm, smallest_font
-    return draw_values(axes, values, *given)[0]
-
-
 def draw_ground(axes: Any, spec: ObjectSpec, face: int, pose: Pose) -> None:
     """What lies under the map: the face, hatched where it has no contact location."""
     from matplotlib.patches import Polygon
@@ -200,7 +181,10 @@ def draw_values(
     inches_per_mm: float,
     smallest_font: float = SMALLEST_FONT,
 ) -> list[Any]:
-    """Draw the coloured mesh, the parts and the numbers, and return them in this order."""
+    """Draw the coloured mesh, the parts and the numbers, and return them in this order.
+
+    Numbers that would be smaller than `smallest_font` (points) in their cells are left out.
+    """
     grid, move = contact_grid(spec), pose.transform(axes)
     there = contact_places(spec)[spec.body.sensed.index(face)]
     shown = np.ma.masked_invalid(values.reshape(grid.shape) / 10.0**scale.exponent)

@@ -25,7 +25,8 @@ from instobj.figures.maps.heatmaps import (
     PAPER,
     SMALLEST_FONT,
     Pose,
-    draw_face,
+    draw_ground,
+    draw_values,
     fitting_font,
     half_mm,
     legend_handles,
@@ -107,7 +108,9 @@ def draw_overview(
     meshes = []
     for index, (row, number) in enumerate(zip(values, faces.tolist(), strict=True)):
         pose = net_pose(spec, number, _gap_mm(page.inches_per_mm))
-        meshes.append(draw_face(page.axes, row, spec, number, scale, pose, *sizes))
+        draw_ground(page.axes, spec, number, pose)
+        mesh, *_ = draw_values(page.axes, row, spec, number, scale, pose, *sizes)
+        meshes.append(mesh)
         if direction_deg is not None:
             blind = contact_places(spec)[spec.body.sensed.index(number)] & ~np.isfinite(row)
             _draw_directions(page.axes, spec, direction_deg[index], blind, pose)

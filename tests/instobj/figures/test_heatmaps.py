@@ -48,7 +48,8 @@ def test_numbers_stand_on_their_places_and_blanks_are_marked():
     values[37] = np.inf
     scale = map_scale("mm", 0.1, 90.0, log=True)
     pose = overview.net_pose(SPEC, 4)
-    heatmaps.draw_face(axes, values, SPEC, 4, scale, pose, 0.1)
+    heatmaps.draw_ground(axes, SPEC, 4, pose)
+    heatmaps.draw_values(axes, values, SPEC, 4, scale, pose, 0.1)
     stroke, numbers = axes.collections[-2:]
     assert_allclose(stroke.get_offsets(), numbers.get_offsets())
     assert numbers.get_paths()[37] is heatmaps.outline_of("∞")
@@ -78,7 +79,9 @@ def drawn_as_a_whole(values, scale, path):
     places = heatmaps._MAP_INCHES, heatmaps._BAR_INCHES
     axes, bar = (figure.add_axes(heatmaps._share(inches)) for inches in places)
     pose, half = heatmaps.Pose(0.0, (0.0, 0.0)), np.array(heatmaps.half_mm(SPEC, 3))
-    mesh = heatmaps.draw_face(axes, values, SPEC, 3, scale, pose, (4.6 / half).min() / 2)
+    heatmaps.draw_ground(axes, SPEC, 3, pose)
+    inches = (4.6 / half).min() / 2
+    mesh, *_ = heatmaps.draw_values(axes, values, SPEC, 3, scale, pose, inches)
     x, y = half + 0.5
     axes.set(xlim=(-x, x), ylim=(-y, y), aspect="equal")
     axes.set(xlabel="x of face 3 (mm)", ylabel="y of face 3 (mm)")
