@@ -129,9 +129,10 @@ class InversionSpec(SpecPart):
     Up to `contacts` at once, each of at least `least_force_n`, anywhere on the sensed faces.
     `probes`: "free" contacts stand and bear anyhow; "known" are the paper's probes, at most one a
     face, of one tip, two 15 mm or three 20 mm apart (farther for tips of more than 5 mm radius), which
-    bear alike within 30 %. `jaws`: two of them press two faces, with as many tips each. `model_error` is
-    the error of the forward model relative to the signals; left out, it is what `[tolerances]` make of
-    the design, or what a calibrated twin leaves over. `drift_counts` is the drift since the last zero.
+    bear alike within 30 %. `jaws`: two of them press two faces alike (within 30 %), with as many tips
+    each. `model_error` is the error of the forward model relative to the signals; left out, it is what
+    `[tolerances]` make of the design, or what a calibrated twin leaves over. `drift_counts` is the
+    drift since the last zero.
     A frame is read together with those before it, `window_frames` in all, as the mean of a hold; 1 reads
     every frame by itself. Contacts may pull sideways by up to `tangential_share` of their normal force
     (twice the standard deviation that is believed along each axis), which is then read too; 0 takes

@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.layout.tips import tip_positions_mm
 from estimator.inversion.model.arrays import (
     Array,
     chosen,
@@ -25,6 +26,10 @@ Bounds = tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]
 _OVERLAP_MM, SPACING_SIGMA_MM = 0.5, 0.2
 """Standard deviations of how far tips may seem to overlap, and of distances within a known probe."""
 _ROOT = np.sqrt(2 * np.pi)
+JAWS_SPREAD = 0.3
+"""Relative standard deviation of the whole forces of two jaws about their mean: they balance but for the
+weight and the acceleration of the object."""
+_TURNS, _TIGHTEST = 720, 0.01
 _UNPAIRED = np.log(1e-3)
 """Log odds that a gripper's contacts are not as many on two faces: one jaw alone, a tip that hangs over."""
 
@@ -44,8 +49,8 @@ class Priors:
         tips of one probe that bear alike; None where nothing is known of that
     spacing_mm : of probes, where they are known: distance between the tips of the probe of two, of
         three, … of which a face meets one; empty where contacts are free
-    paired : contacts are tips of two jaws, as many on each of two faces; anything else is what no contact
-        knows, and rare
+    paired : contacts are tips of two jaws, as many on each of two faces, which they press alike
+        (`JAWS_SPREAD`); other numbers are rare
     """
 
     number: tuple[float, ...]
@@ -94,15 +99,18 @@ class Pairs:
         self._both = (of_first == chosen(face, self._second)) & (of_first != NONE)
         self._some = bool(self._both.any())
         self._alike = chosen((face[:, :, None] == face[:, None, :]).sum(axis=2), self._first)
+        self._jaw = _jaws(face) if priors.paired else zeros(face, face.shape)
 
     def select(self, rows: Array) -> Pairs:
         """Those of some problems."""
         few = copy(self)
-        few._both, few._alike = self._both[rows], self._alike[rows]
+        few._both, few._alike, few._jaw = self._both[rows], self._alike[rows], self._jaw[rows]
         return few
 
     def add(self, found: Quadratic, contact: Float[Array, "problem contact 3"]) -> None:
         """What the priors say of them, added to the misfit with its slope and curvature."""
+        if self.priors.paired:
+            self._balance(found, contact)
         if not self._some:
             return
         if self.priors.spacing_mm:
@@ -137,6 +145,18 @@ class Pairs:
         scale = both / (spread * float64(self._alike[rows].clip(1)) ** 0.5)
         left = scale * xp.log(one / other)
         self._add(found, rows, left, {2: (scale / one, scale / other)})
+
+    def _balance(self, found: Quadratic, contact: Array) -> None:
+        rows = where_true(self._jaw.any(axis=1))
+        xp, jaw, force = library(contact), self._jaw[rows], contact[rows][:, :, 2]
+        one, other = ((force * (jaw == side)).sum(axis=1)[:, None] for side in (1, -1))
+        scale = 1 / (2**0.5 * JAWS_SPREAD)
+        left = scale * xp.log(one / other)
+        by = zeros(left, (len(left), found.slope.shape[1]))
+        by[:, 2::3] = scale * jaw / xp.where(jaw > 0, one, other)
+        found.misfit[rows] += 0.5 * left[:, 0] ** 2
+        found.slope[rows] += by * left
+        found.curvature[rows] += by[:, :, None] * by[:, None]
 
     def _between(self, contact: Array) -> Float[Array, "problem pair 2"]:
         place = contact[:, :, :2]
@@ -173,6 +193,16 @@ class Pairs:
         found.curvature[rows] += turned @ by
 
 
+def _jaws(face: Int[Array, "problem contact"]) -> Float[Array, "problem contact"]:
+    """1 and −1 for the contacts of two faces where just two are pressed, else 0."""
+    xp, some = library(face), face != NONE
+    one = some & (face == face[:, :1])
+    other = some & ~one
+    second = xp.amax(xp.where(other, face, NONE), 1)[:, None]
+    two = other.any(axis=1) & (~other | (face == second)).all(axis=1)
+    return (float64(one) - float64(other)) * float64(two)[:, None]
+
+
 @cache
 def _pairs_of(slots: int) -> tuple[np.ndarray, np.ndarray]:
     return np.triu_indices(slots, 1)
@@ -185,7 +215,7 @@ def log_density(
 ) -> Float[np.ndarray, "problem"]:
     """Log prior density of sets of contacts, whatever the order of their contacts."""
     counted = _counted(priors)[np.sum(face != NONE, axis=1)]
-    return counted + _on_each_face(priors, face, contact)
+    return counted + _on_each_face(priors, face, contact) + _squeezed(priors, face, contact)
 
 
 @cache
@@ -247,12 +277,42 @@ def _log_factorials(most: int) -> Float[np.ndarray, "number"]:
 
 
 def _standing(priors: Priors) -> Float[np.ndarray, "number"]:
-    """Log density of the places of n tips of a known probe over that of n contacts anywhere."""
+    """Log density of the places of n tips of a known probe, all on the face, over that of n contacts
+    anywhere."""
     ring = 2 * np.pi * np.asarray(priors.spacing_mm) * _ROOT * SPACING_SIGMA_MM
     point = 2 * (_ROOT * SPACING_SIGMA_MM) ** 2 / np.sin(np.pi / 3)  # two rings that cross
     extra = np.arange(len(priors.spacing_mm))
     gained = np.log(priors.area_mm2 / ring) + extra * np.log(priors.area_mm2 / point)
+    side = np.sqrt(priors.area_mm2 / priors.faces)
+    gained -= np.log([_fitting(n, mm, side) for n, mm in enumerate(priors.spacing_mm, 2)])
     return np.concatenate([[0.0, 0.0], gained, [-np.inf]])
+
+
+def _squeezed(
+    priors: Priors, face: np.ndarray, contact: np.ndarray
+) -> Float[np.ndarray, "problem"] | float:
+    """Log of how much denser the prior of two jaws is for forces that balance: their mean is even, and the
+    logarithm of their ratio is normal."""
+    if not priors.paired:
+        return 0.0
+    jaw = _jaws(face)
+    one, other = (np.where(jaw == side, contact[..., 2], 0.0).sum(axis=1) for side in (1, -1))
+    two = jaw.any(axis=1)
+    product, mean = np.where(two, one * other, 1.0), np.where(two, (one + other) / 2, 1.0)
+    width = _ROOT * np.sqrt(2) * JAWS_SPREAD * product / mean
+    return np.where(two, np.log(np.ptp(priors.force_n) / width), 0.0)
+
+
+def _fitting(tips: int, spacing_mm: float, side_mm: float) -> float:
+    """Share of the places and turns of a probe, one tip of it anywhere on a square face, at which all are on
+    it; not below `_TIGHTEST`, as a face that is no square may hold a probe that a square does not."""
+    turns = np.linspace(0, 2 * np.pi, _TURNS, endpoint=False)
+    tips_mm = tip_positions_mm(tips, spacing_mm=spacing_mm) @ [1, 1j]
+    turned = tips_mm * np.exp(1j * turns)[:, None]
+    room = [
+        np.maximum(1 - np.ptp(along, axis=1) / side_mm, 0) for along in (turned.real, turned.imag)
+    ]
+    return max(float(np.mean(room[0] * room[1])), _TIGHTEST)
 
 
 def number_on(

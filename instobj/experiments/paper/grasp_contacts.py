@@ -62,7 +62,7 @@ def run_grasp_contacts(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
         "possible: mean distance that the Cramér–Rao bound leaves an unbiased estimator that knows the "
         "number of contacts and nothing of their places. Known faces, borders and probes can do "
         "better. probes known: tips of a face are one of the paper's probes and bear alike within 30 %; "
-        "jaws too: two press two faces, with as many tips each.",
+        "jaws too: two press two faces alike (within 30 %), with as many tips each.",
         "Baselines: matching pursuit adds signals of presses 3 mm apart from the calibrated twin's table; "
         "the networks were fitted to the paper's collection of both faces of the object itself, probes "
         "of two and three tips included.",

@@ -2,14 +2,25 @@
 
 import numpy as np
 import pytest
+import torch
 from numpy.testing import assert_allclose
 
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.priors import Pairs, Priors, Quadratic, log_density, log_paired, widths
+from estimator.inversion.priors import (
+    Pairs,
+    Priors,
+    Quadratic,
+    _fitting,
+    _jaws,
+    log_density,
+    log_paired,
+    widths,
+)
 
 BASE = {"number": (0.4, 0.3, 0.2, 0.1), "faces": 2, "area_mm2": 800.0, "force_n": (0.5, 10.5)}
 FREE = Priors(**BASE, apart_mm=10.0)
 PROBES = Priors(**BASE, spacing_mm=(15.0, 20.0), force_spread=0.2)
+JAWS = Priors(**BASE, paired=True)
 FACE = np.array([[0, 0, 0], [0, 0, 1], [1, NONE, NONE], [0, 1, NONE], [NONE] * 3])
 
 
@@ -48,7 +59,23 @@ def test_tips_of_a_known_probe_stand_as_it_has_them_and_bear_alike():
     assert_allclose(misfit, [wanted, two, 0, 0, 0])
 
 
-@pytest.mark.parametrize("priors", [FREE, PROBES], ids=["free", "probes"])
+def test_two_jaws_bear_alike_whatever_their_tips_share():
+    """Of the five sets two press two faces: 2 + 6 N beside 1 N, and 3 N beside 4 N."""
+    spread = 2 * 0.3**2
+    wanted = [0, np.log(8 / 1) ** 2 / spread / 2, 0, np.log(3 / 4) ** 2 / spread / 2, 0]
+    assert_allclose(added(JAWS, contacts()).misfit, wanted)
+
+
+def test_jaws_are_two_faces_that_alone_are_pressed():
+    face = np.array(
+        [[0, 0, 1, NONE], [3, 1, 3, 1], [2, 2, NONE, NONE], [0, 1, 2, NONE], [NONE] * 4]
+    )
+    wanted = [[1, 1, -1, 0], [1, -1, 1, -1], [0] * 4, [0] * 4, [0] * 4]
+    assert_allclose(_jaws(face), wanted)
+    assert_allclose(_jaws(torch.as_tensor(face)).numpy(), wanted)
+
+
+@pytest.mark.parametrize("priors", [FREE, PROBES, JAWS], ids=["free", "probes", "jaws"])
 def test_slopes_are_those_of_the_misfit_and_curvature_that_of_its_squares(priors):
     contact, step = contacts(), 1e-6
     found = added(priors, contact)
@@ -96,6 +123,36 @@ def test_the_force_of_a_face_is_even_however_many_tips_share_it():
     assert_allclose(found, counted, rtol=0.05)
 
 
+def test_forces_of_two_jaws_are_as_dense_as_drawn():
+    """The mean even, the logarithm of the ratio normal. Density counted in a box of forces."""
+    rng, size = np.random.default_rng(4), 400_000
+    mean, ratio = rng.uniform(0.5, 10.5, size), np.exp(rng.normal(0, 0.3 * np.sqrt(2), size))
+    force = 2 * mean[:, None] * np.stack([ratio, np.ones(size)], axis=1) / (1 + ratio[:, None])
+    counted = np.all(np.abs(force - [3.0, 2.0]) < 0.2, axis=1).mean() / 0.4**2
+    face, contact = np.array([[0, 1, NONE]]), np.zeros((1, 3, 3))
+    contact[0, :2, 2] = 3.0, 2.0
+    found = Quadratic(np.zeros(1), np.zeros((1, 9)), np.zeros((1, 9, 9)), np.zeros(1))
+    Pairs(JAWS, face).add(found, contact)
+    dense = log_density(JAWS, face, contact) - log_density(Priors(**BASE), face, contact)
+    assert_allclose(np.exp(dense - found.misfit) / 10**2, counted, rtol=0.03)
+
+
+@pytest.mark.parametrize(("tips", "spacing_mm", "side_mm"), [(2, 15.0, 30.0), (3, 20.0, 30.0)])
+def test_places_and_turns_of_a_probe_that_fit_are_those_drawn(tips, spacing_mm, side_mm):
+    rng = np.random.default_rng(5)
+    first, turn = rng.uniform(0, side_mm, (200_000, 2)), rng.uniform(0, 2 * np.pi, 200_000)
+    fits = np.ones(len(turn), bool)
+    for other in range(tips - 1):
+        way = turn + other * np.pi / 3
+        place = first + spacing_mm * np.stack([np.cos(way), np.sin(way)], axis=1)
+        fits &= np.all((place > 0) & (place < side_mm), axis=1)
+    assert_allclose(_fitting(tips, spacing_mm, side_mm), fits.mean(), rtol=0.02)
+
+
+def test_a_probe_too_large_for_a_square_face_fits_in_few_ways():
+    assert _fitting(3, 20.0, 15.0) == 0.01
+
+
 def test_contacts_apart_are_denser_by_the_sets_that_overlap():
     """Of two contacts anywhere on two faces of 20 mm by 20 mm, by drawing them."""
     rng, size = np.random.default_rng(2), 200_000
@@ -109,7 +166,7 @@ def test_contacts_apart_are_denser_by_the_sets_that_overlap():
 
 def test_probes_drawn_as_they_are_known_are_as_dense_as_the_prior_says():
     """One to three tips on a face of 40 mm by 40 mm: number, first place, angle, side, whole force and shares
-    drawn, each with its own density; orders of tips are one set."""
+    drawn, each with its own density, until all tips are on the face; orders of tips are one set."""
     rng, spread, sigma = np.random.default_rng(3), 0.2, 0.2
     priors = Priors((0.1, 0.2, 0.3, 0.4), 1, 1600.0, (0.5, 10.5), 0.0, spread, (15.0, 20.0))
     place, angle, whole = (
@@ -135,7 +192,8 @@ def test_probes_drawn_as_they_are_known_are_as_dense_as_the_prior_says():
         third = normal**2 * np.sin(np.pi / 3) / sides if tips > 2 else 1.0
         # even in the sum; logarithms normal across it: d(sum) = sqrt(tips) d(along), d(force) = force d(log)
         across = (tips / whole / np.sqrt(2 * np.pi) / spread) ** (tips - 1) * np.sqrt(tips)
-        drawn = priors.number[tips] * orders / 1600 * second * third * across / 10
+        fitting = _fitting(tips, apart, 40.0) if tips > 1 else 1.0
+        drawn = priors.number[tips] * orders / 1600 * second * third * across / 10 / fitting
         assert_allclose(np.exp(log_density(priors, face, contact)), drawn, rtol=1e-9)
 
 

@@ -11,7 +11,7 @@ from estimator.inversion import evidence, posterior, readings, search
 from estimator.inversion.blind_start import _summary, _worst_mm
 from estimator.inversion.evidence import bounded_curvature
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.priors import Priors, _standing
+from estimator.inversion.priors import Priors, _fitting, _standing
 from estimator.inversion.problems import Observed, Problems, empty
 from estimator.inversion.search import Hypotheses, Search
 from estimator.inversion.tracking import Tracker
@@ -228,12 +228,14 @@ def test_no_posterior_is_wider_than_its_even_prior():
 
 
 def test_tips_of_a_known_probe_are_as_dense_as_their_ring_and_points():
-    """Two tips: one on a ring about the other; three: the third at two points."""
+    """Two tips: one on a ring about the other; three: the third at two points; all of them on the face."""
     priors = Priors((1.0,) * 4, 1, 500.0, (0.5, 10.5), spacing_mm=(15.0, 20.0))
     wide = np.sqrt(2 * np.pi) * 0.2
     two = np.log(500 / (2 * np.pi * 15 * wide))
     crossing = np.log(500 * np.sin(np.pi / 3) / (2 * wide**2))
     three = np.log(500 / (2 * np.pi * 20 * wide)) + crossing
+    two -= np.log(_fitting(2, 15.0, np.sqrt(500)))
+    three -= np.log(_fitting(3, 20.0, np.sqrt(500)))
     assert_allclose(_standing(priors)[:4], [0, 0, two, three])
     assert np.isneginf(_standing(priors)[4])
 
