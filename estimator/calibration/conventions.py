@@ -92,7 +92,7 @@ def search_face(
     choose_on: int,
     exchanges: int,
 ) -> Found:
-    """Search the conventions of one pressed face over its own channels; dead ones count nothing.
+    """Search the conventions of one pressed face over its own chips; those with a dead axis count nothing.
 
     Raises
     ------
@@ -107,8 +107,7 @@ def search_face(
         )
     rows = presses.face_of_case(face)[presses.case]
     signal = presses.signal_counts[rows][:, own]
-    live = np.isfinite(signal).all(axis=0)
-    recorded = np.where(live, signal, 0.0).reshape(-1, 3, 3)
+    recorded = signal.reshape(-1, 3, 3)
     model = predicted[:, rows][..., own].reshape(*predicted[:, rows].shape[:3], 3, 3)
     every = cosines(recorded, model)
     return search(
@@ -120,13 +119,17 @@ def cosines(
     recorded: Float[np.ndarray, "press 3 3"],
     predicted: Float[np.ndarray, "symmetry press case 3 3"],
 ) -> Float[np.ndarray, "symmetry order turn press case"]:
-    """Of every candidate, were each press any of the cases."""
-    size = np.linalg.norm(recorded, axis=(1, 2))[:, None] * np.linalg.norm(predicted, axis=(3, 4))
-    found = np.stack(
-        [np.einsum("pca,spkcb->spkab", recorded[:, list(order)], predicted) for order in ORDERS],
-        axis=1,
-    )
-    return np.einsum("sopkab,tab->sotpk", found, np.stack(TURNS)) / size[:, None, None]
+    """Of every candidate, were each press any of the cases; over chips without a NaN in any press."""
+    live = np.isfinite(recorded).all(axis=(0, 2))
+    seen = np.where(live[:, None], recorded, 0.0)
+    power = np.square(predicted).sum(axis=4)
+    found, size = [], []
+    for order in map(list, ORDERS):
+        found.append(np.einsum("pca,spkcb->spkab", seen[:, order], predicted))
+        size.append(np.sqrt(power @ live[order]))
+    turned = np.einsum("sopkab,tab->sotpk", np.stack(found, axis=1), np.stack(TURNS))
+    of_model = np.stack(size, axis=1)[:, :, None]
+    return turned / (np.linalg.norm(seen, axis=(1, 2))[:, None] * of_model)
 
 
 def search(

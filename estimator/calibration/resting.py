@@ -56,6 +56,7 @@ def channel_names(spec: ObjectSpec) -> list[str]:
 
 
 def _of_recording(path: Path, spec: ObjectSpec) -> Resting:
+    from estimator.calibration.recorded_presses import with_all_sensors
     from estimator.recordings.reading import read_recording
 
     if spec.sensors.count_per_face != 3:
@@ -63,7 +64,7 @@ def _of_recording(path: Path, spec: ObjectSpec) -> Resting:
             f"recordings hold 3 sensors per face; {spec.name} has {spec.sensors.count_per_face}. Give "
             "a table with one column per channel (F1-X1, …)"
         )
-    recording = read_recording(path)
+    (recording,) = with_all_sensors(spec, [read_recording(path)])
     names = channel_names(spec)
     silent = {
         fault.where: f"{fault.kind}: {fault.detail}"

@@ -9,6 +9,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec_io import load_spec
+from instobj.commands.recorded.validate import not_recorded_texts
 from instobj.stages.run import Run
 from instobj.store.readers import RESPONSE
 
@@ -33,6 +34,8 @@ def conventions_of(
         pressed_faces,
         recorded_presses,
         require_presses_of,
+        sensors_not_recorded,
+        with_all_sensors,
     )
     from estimator.recordings.reading import read_recording
 
@@ -42,8 +45,10 @@ def conventions_of(
             f"{len(recordings)}. Give two"
         )
     spec = load_spec(path, overrides, table=False)
-    presses = on_sensed_faces(spec, recorded_presses([read_recording(one) for one in recordings]))
+    read = with_all_sensors(spec, [read_recording(one) for one in recordings])
+    presses = on_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
+    absent = sensors_not_recorded(spec, read)
     run = Run(spec)
     response = run.read(RESPONSE)
     with run.progress.stage("conventions of the recordings"):
@@ -56,6 +61,7 @@ def conventions_of(
     searched, fitted = _resting(spec, recordings, exchanges)
     return {
         "command": "conventions",
+        "texts": not_recorded_texts(absent, presses.signal_counts.shape[1] // 3),
         "candidates": CANDIDATES,
         "tables": {
             "conventions, chosen on one recording, judged on the other": rows,

@@ -73,27 +73,40 @@ def test_symmetries_are_the_turns_and_mirrors_of_a_square():
     assert CANDIDATES == 8 * 6 * 24
 
 
-def test_dead_channels_of_a_face_count_nothing():
+def of_face_two(signal):
+    """Presses of face 2 at eight places, on two recordings."""
+    cases = tuple(((2, float(k), 0.0),) for k in range(8))
+    force = np.zeros((len(CASE), 6))
+    force[:, 1] = 5.0
+    return RecordedPresses(signal, force, CASE, RECORDING, np.full(len(CASE), 9), cases, np.ones(3))
+
+
+@pytest.mark.parametrize("dead", [[4], [3, 4, 5]], ids=["an axis", "a chip"])
+def test_chips_with_a_dead_axis_count_nothing(dead):
+    """In the recording and in what is predicted: the others alone tell the planted convention."""
     rng = np.random.default_rng(5)
     spec = ObjectSpec(name="cube")
     model = rng.standard_normal((len(SYMMETRIES), len(CASE), 8, 45))
     own = own_channels(spec, 2)
+    order, turn = ORDERS[3], TURNS[7]
+    true = model[5, np.arange(len(CASE)), CASE][:, own].reshape(-1, 3, 3)
     signal = model[0, np.arange(len(CASE)), CASE].copy()
-    signal[::2, own[4]] = np.nan
-    cases = tuple(((2, float(k), 0.0),) for k in range(8))
-    force = np.zeros((len(CASE), 6))
-    force[:, 1] = 5.0
-    presses = RecordedPresses(
-        signal, force, CASE, RECORDING, np.full(len(CASE), 9), cases, np.ones(3)
-    )
-    found = search_face(spec, presses, model, 2, 0, 9)
-    without = model.copy()
-    without[..., own[4]] = 0.0
-    shown = np.nan_to_num(signal)
-    shown[:, own[4]] = 0.0
-    recorded = shown[:, own].reshape(-1, 3, 3)
-    every = cosines(recorded, model[..., own].reshape(*model.shape[:3], 3, 3))
-    assert found == search(every, CASE, RECORDING, 0, 9, spec.seed)
-    assert found.candidate == (0, 0, 0)
+    signal[:, own[np.reshape(np.arange(9), (3, 3))[list(order)].ravel()]] = np.einsum(
+        "ab,pcb->pca", turn, true
+    ).reshape(-1, 9)
+    signal[:, own[dead]] = np.nan
+    found = search_face(spec, of_face_two(signal), model, 2, 0, 9)
+    assert found.candidate == (5, 3, 7)
+    assert_allclose([found.chosen_on, found.judged], 1)
+    other = signal.copy()
+    other[:, own[3:6]] = rng.standard_normal((len(CASE), 3))
+    other[::2, own[dead]] = np.nan
+    assert search_face(spec, of_face_two(other), model, 2, 0, 9) == found
+
+
+def test_conventions_are_those_of_three_chips():
+    spec = ObjectSpec(name="cube", sensors={"count_per_face": 2})
     with pytest.raises(InputError, match="face 2 has 6 channels"):
-        search_face(spec.changed(sensors={"count_per_face": 2}), presses, model, 2, 0, 9)
+        search_face(
+            spec, of_face_two(np.zeros((len(CASE), 30))), np.zeros((8, len(CASE), 8, 30)), 2, 0, 9
+        )
