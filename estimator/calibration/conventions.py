@@ -120,7 +120,7 @@ def cosines(
     predicted: Float[np.ndarray, "symmetry press case 3 3"],
 ) -> Float[np.ndarray, "symmetry order turn press case"]:
     """Of every candidate, were each press any of the cases; over chips without a NaN in any press."""
-    live = np.isfinite(recorded).all(axis=(0, 2))
+    live = np.all(np.isfinite(recorded), axis=(0, 2))
     seen = np.where(live[:, None], recorded, 0.0)
     power = np.square(predicted).sum(axis=4)
     found, size = [], []

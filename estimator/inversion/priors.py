@@ -309,9 +309,8 @@ def _fitting(tips: int, spacing_mm: float, side_mm: float) -> float:
     turns = np.linspace(0, 2 * np.pi, _TURNS, endpoint=False)
     tips_mm = tip_positions_mm(tips, spacing_mm=spacing_mm) @ [1, 1j]
     turned = tips_mm * np.exp(1j * turns)[:, None]
-    room = [
-        np.maximum(1 - np.ptp(along, axis=1) / side_mm, 0) for along in (turned.real, turned.imag)
-    ]
+    along = np.real(turned), np.imag(turned)
+    room = [np.maximum(1 - np.ptp(one, axis=1) / side_mm, 0) for one in along]
     return max(float(np.mean(room[0] * room[1])), _TIGHTEST)
 
 
