@@ -11,9 +11,10 @@ from fem.presses.table import FacePresses, press_face
 from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA
 
 DIAMETER_MM = 26.0
-PLACES = np.array([[0.0, 0.0], [5.0, 3.0]])
-SAME = 0.05
-"""Between two meshes, as all round one cylinder; measured up to 3 % (side) and 2 % (end)."""
+PLACES = np.array([[0, 0], [5, 3], [-5, 3], [-5, -3], [5, -3], [0, 6], [0, -6], [6, 0]], float)
+"""All alike on a sphere, on an end and on a side; at one of them two meshes differ by up to 6 %."""
+SAME = 0.03
+"""Of the means over the places: five times two meshes differed by up to 1.6 %."""
 
 pytestmark = pytest.mark.slow
 
@@ -48,14 +49,17 @@ def pressed(kind: str, length_mm: float, face: int) -> FacePresses:
 
 @pytest.fixture(scope="module")
 def forces():
-    """Forces (N) at places and depths, of each body and the face that is pressed."""
+    """Mean forces (N) over the places at two depths, of each body and the face that is pressed."""
     bodies = (
         ("capsule", 52.0, 3),
         ("cylinder", 52.0, 3),
         ("capsule", 52.0, 1),
         ("sphere", 26.0, 1),
     )
-    return {(kind, face): pressed(kind, length, face).force_n for kind, length, face in bodies}
+    return {
+        (kind, face): pressed(kind, length, face).force_n.mean(axis=0)
+        for kind, length, face in bodies
+    }
 
 
 def test_a_capsule_s_side_resists_as_a_cylinder_s(forces):
