@@ -95,6 +95,16 @@ def test_slopes_are_those_of_the_misfit_and_curvature_that_of_its_squares(priors
     assert added(priors, moved).misfit[1] < 0.2 * found.misfit[1]
 
 
+@pytest.mark.parametrize("priors", [FREE, PROBES, JAWS], ids=["free", "probes", "jaws"])
+def test_selected_problems_get_what_they_get_among_all(priors):
+    rows = [3, 1]
+    every = added(priors, contacts())
+    found = Quadratic(np.zeros(2), np.zeros((2, 9)), np.zeros((2, 9, 9)), np.zeros(2))
+    Pairs(priors, FACE).select(np.array(rows)).add(found, contacts()[rows])
+    for one, among_all in zip(found.parts, every.parts, strict=True):
+        assert_allclose(one, among_all[rows])
+
+
 SHARED = np.log([2 * (10 / 9) ** 2, 10 / 8, 1, 1, 1])
 """Three tips share 9 N of up to 10 N, two 8 N; others bear theirs alone."""
 

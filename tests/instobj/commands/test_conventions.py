@@ -67,6 +67,14 @@ def test_sensors_without_columns_are_told_and_count_nothing(searched_on):
     assert all(np.isfinite(row["chosen, judged"]) for row in rows)
 
 
+def test_recordings_without_columns_for_any_third_sensor_are_read(searched_on):
+    dead = np.zeros((5, 3), bool)
+    dead[:, 2] = True
+    found, levels = searched_on(dead)
+    assert found["texts"][0].endswith("judged on the other 10 of 15")
+    assert levels["silent"] == [9 * face + channel for face in range(5) for channel in (6, 7, 8)]
+
+
 def test_a_pressed_face_without_any_sensor_is_refused(searched_on):
     dead = np.zeros((5, 3), bool)
     dead[2] = True
