@@ -19,6 +19,7 @@ from fem.linear.factorization import (
 from fem.linear.material import lame_constants
 from fem.linear.response import require_inertia
 from fem.linear.sparse import shape_of, upper_triangle
+from tests.support.mechanics import kept_factors
 from tests.support.mechanics.fem_cases import box_mesh
 
 
@@ -313,3 +314,25 @@ def test_a_pressure_that_couples_far_unknowns_waits_for_all_of_them(monkeypatch,
     right = np.random.default_rng(1).normal(size=(161, 2))
     solved = multifrontal.eliminate(matrix).solve(right)
     assert_allclose(solved, np.linalg.solve(matrix.toarray(), right), rtol=1e-8, atol=1e-10)
+
+
+def test_a_kept_factor_is_there_while_it_solves_though_too_large_to_be_kept(monkeypatch):
+    """Of `tests.support`: the last holder lets PARDISO's memory go."""
+
+    class Solver:
+        released = False
+
+        def solve(self, right_sides):
+            assert not self.released
+            return right_sides / 2
+
+        def release(self):
+            self.released = True
+
+    made = Solver()
+    monkeypatch.setattr(kept_factors, "_plain", lambda matrix: made)
+    monkeypatch.setattr(kept_factors, "LEAST_UNKNOWNS", 1)
+    monkeypatch.setattr(kept_factors, "MOST_UNKNOWNS", 2)
+    found = kept_factors.solve_with_kept_factor(2 * sp.eye_array(3, format="csr"), np.ones((3, 1)))
+    assert_allclose(found, 0.5)
+    assert made.released

@@ -41,7 +41,8 @@ def kept_solver(matrix):
 
 def solve_with_kept_factor(matrix, right_sides):
     """`solve_symmetric` where `kept_solver` is not in place."""
-    return kept_solver(matrix).solve(right_sides)
+    solver = kept_solver(matrix)  # of a large matrix nobody else holds it
+    return solver.solve(right_sides)
 
 
 def _digest(matrix):
