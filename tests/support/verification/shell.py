@@ -12,7 +12,6 @@ from fem.linear.response import build_response, elastic_system, face_pressure_lo
 from fem.presses import table as presses
 from fem.presses.table import press_face
 from tests.support.mechanics.fem_cases import (
-    COARSE_EDGES_MM,
     SHELL_COMPLIANCE_MM_PER_N,
     paper_cube,
     patch_compliances,
@@ -24,29 +23,32 @@ from tests.support.objects.small_object import small_mesh, small_spec
 from tests.support.shared import shared_mesh, shared_response
 from tests.support.verification.proof import Check, Curve, Fault, Measured
 
+EDGES_MM = 1.7, 5.0
+"""At the faces and inside."""
+_EDGES = "edges of {:g} mm at the faces and {:g} mm inside".format(*EDGES_MM)
 MOST_NODES = 55_000
 LOADS = (7, 23, 41)
 
 
 @cache
 def cube_mesh():
-    return shared_mesh(paper_cube("rigid", COARSE_EDGES_MM))
+    return shared_mesh(paper_cube("rigid", EDGES_MM))
 
 
 @cache
 def cube_system():
-    return elastic_system(cube_mesh(), paper_cube("points", COARSE_EDGES_MM))
+    return elastic_system(cube_mesh(), paper_cube("points", EDGES_MM))
 
 
 @cache
 def cube_response():
-    return shared_response(cube_mesh(), paper_cube("rigid", COARSE_EDGES_MM))
+    return shared_response(cube_mesh(), paper_cube("rigid", EDGES_MM))
 
 
 @cache
 def other_cube_response():
     """The same cube on another mesh of nearly the same edges."""
-    spec = paper_cube("rigid", tuple(1.01 * edge for edge in COARSE_EDGES_MM))
+    spec = paper_cube("rigid", tuple(1.01 * edge for edge in EDGES_MM))
     return shared_response(shared_mesh(spec), spec)
 
 
@@ -103,13 +105,13 @@ def reciprocity():
 
 def shell_compliance():
     """Compliance of the patch load at the five faces' centres."""
-    system, spec = cube_system(), paper_cube("points", COARSE_EDGES_MM)
+    system, spec = cube_system(), paper_cube("points", EDGES_MM)
     nodes = int(system.space.elastic_nodes.sum())
     if nodes > MOST_NODES:
         raise ValueError(f"the mesh has {nodes} nodes, more than {MOST_NODES}")
     compliance, _ = patch_compliances(system, spec)
     exact = np.full(5, SHELL_COMPLIANCE_MM_PER_N[0.4999])
-    words = f"Edges of 1.7 mm at the faces and 5 mm inside, {nodes} nodes, no magnets, ν 0.4999."
+    words = f"{_EDGES.capitalize()}, {nodes} nodes, no magnets, ν 0.4999."
     curve = Curve("patch load at the face's centre", np.arange(1, 6), compliance, exact)
     return Measured(float(abs(compliance / exact - 1).max()), words, (curve,))
 
@@ -119,7 +121,7 @@ def mirrored_presses():
 
     As a multiple of what another mesh of the same object changes: the mesh's own error.
     """
-    spec = paper_cube("rigid", COARSE_EDGES_MM)
+    spec = paper_cube("rigid", EDGES_MM)
     depths, xy = np.asarray(spec.press.depths_mm), press_lattice(spec).xy_mm
     force, other = (
         press_face(spec, given, 0, xy, depths).force_n
@@ -128,8 +130,8 @@ def mirrored_presses():
     off = relative_mirror_difference(force, spec)
     own = np.sqrt(np.mean((2 * (force - other) / (force + other)) ** 2, axis=0))
     words = (
-        "Face 1, 441 places, rigid magnets, edges of 1.7 mm at the faces. The mesh's own error is what "
-        "a mesh of edges 1 % longer changes."
+        f"Face 1, 441 places, rigid magnets, {_EDGES}. The mesh's own error is what a mesh of edges 1 % "
+        "longer changes."
     )
     curves = (Curve("mirrored forces", depths, off), Curve("forces on another mesh", depths, own))
     return Measured(float((off / own).max()), words, curves)
