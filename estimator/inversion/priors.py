@@ -276,6 +276,7 @@ def _log_factorials(most: int) -> Float[np.ndarray, "number"]:
     return np.cumsum(np.log(np.arange(most + 1).clip(1)))
 
 
+@cache
 def _standing(priors: Priors) -> Float[np.ndarray, "number"]:
     """Log density of the places of n tips of a known probe, all on the face, over that of n contacts
     anywhere."""
