@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from instobj.search.promotion import Promotion
 
 _INK, _PAPER, _GREY = "#1a1a1a", "#fdfdfb", "#9a968d"
-_BEST, _RANDOM, _START = "#1f77d0", "#c46a1b", "#77736b"
+_BEST, _START = "#1f77d0", "#77736b"
+_PEERS = "#c46a1b", "#7a4fb5"
 _SENSOR = "#0a8f5a"
 _MOST_SIDE_BY_SIDE = 3
 LABELS = {
@@ -44,7 +45,7 @@ LABELS = {
 
 
 def draw_convergence(history: History, path: Path) -> None:
-    """Best feasible first objective against layouts scored, beside random search (PNG)."""
+    """Best feasible first objective against layouts scored, beside plain engines (PNG)."""
     from instobj.search.outcome.history import best_so_far
 
     figure, axes = _figure((8.2, 4.6))
@@ -54,18 +55,17 @@ def draw_convergence(history: History, path: Path) -> None:
               label="trials within all limits")  # fmt: skip
     axes.step(at, best_so_far(name, values, history.feasible), where="post", color=_BEST, lw=2.2,
               label="search, best so far")  # fmt: skip
-    if len(history.random):
-        drawn = history.random[:, 0]
-        best = best_so_far(name, drawn, np.ones(len(drawn), bool))
-        axes.step(history.random_scorings, best, where="post", color=_RANDOM, lw=2.2,
-                  label="random search, best so far")  # fmt: skip
-    else:
-        axes.plot([], [], color=_RANDOM, lw=2.2, label="random search: none within all limits")
+    for peer, colour in zip(history.peers, _PEERS, strict=False):
+        best = best_so_far(name, peer.values, np.ones(len(peer.values), bool))
+        told = "best so far" if len(best) else "none within all limits"
+        at, to_the_end = np.append(peer.scorings, peer.scored), np.append(best, best[-1:])
+        axes.step(at[: len(to_the_end)], to_the_end, where="post", color=colour, lw=1.8,
+                  label=f"{peer.name}, {told}")  # fmt: skip
     axes.axhline(history.start[0], color=_START, ls="--", lw=1.4, label="start")
     axes.set(xscale="log", yscale="log", xlabel="layouts scored at the lowest fidelity level")
     axes.set(ylabel=LABELS[name], title="Convergence at the lowest fidelity level")
     _plain(axes.yaxis)
-    figure.legend(loc="outside lower center", ncols=4, frameon=False, fontsize=9)
+    figure.legend(loc="outside lower center", ncols=3, frameon=False, fontsize=9)
     save_figure(figure, path)
 
 

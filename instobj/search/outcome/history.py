@@ -1,4 +1,4 @@
-"""A search as arrays for figures: what was tried, and what random search does with as many scorings."""
+"""A search as arrays for figures: what was tried, and what plain engines find with as many scorings."""
 
 from __future__ import annotations
 
@@ -7,18 +7,32 @@ from typing import Any
 
 import numpy as np
 import torch
+from cmaes import CMA
 from jaxtyping import Bool, Float
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from estimator.layouts.polish import LowestFidelity, judge, populations
+from estimator.layouts.polish import Judged, LowestFidelity, judge, populations
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.study import KeptStudy
 
-_MOST_RANDOM = 8192
+_LEAST_OF_ALL = 8192
 _CHUNK = 512
+_SPREAD = 0.3
+"""Standard deviation of a first generation of plain CMA-ES, of the unit cube."""
+
+
+@dataclass(frozen=True)
+class Peer:
+    """What a plain engine found: the first objective (in its own unit) of the layouts within all limits,
+    each after so many `scorings`; `scored` in all."""
+
+    name: str
+    values: Float[np.ndarray, "found"]
+    scorings: Float[np.ndarray, "found"]
+    scored: int
 
 
 @dataclass(frozen=True)
@@ -31,7 +45,7 @@ class History:
     values : their scores, in their own units; of feasible and other trials
     feasible : whether a trial keeps every limit
     start : the same scores of the specification as it was
-    random : of feasible layouts of a random search, after `random_scorings` (one a row)
+    peers : plain engines beside it
     scorings_per_trial : layouts scored for each trial, at most: a run that has converged ends
     """
 
@@ -39,25 +53,27 @@ class History:
     values: Float[np.ndarray, "trial objective"]
     feasible: Bool[np.ndarray, "trial"]
     start: Float[np.ndarray, "objective"]
-    random: Float[np.ndarray, "found objective"]
-    random_scorings: Float[np.ndarray, "found"]
+    peers: tuple[Peer, ...]
     scorings_per_trial: int
 
 
 def search_history(space: SearchSpace, kept: KeptStudy) -> History:
-    """Collect the trials, and score as many random layouts as the search did (8192 at most)."""
+    """Collect the trials, and let random search and plain CMA-ES score as many layouts as the search did, or
+    as one of its trials if that is more than 8192."""
     names, finished = space.spec.search.objectives, kept.finished()
     start = start_scores(space.spec)
     free = sum(not v.choices for v in space.variables)
     scorings = 1 + (sum(populations(free, space.spec.search.polish_steps)) if free else 0)
-    found, at = _random_search(space, start, min(scorings * len(finished), _MOST_RANDOM))
+    count = min(scorings * len(finished), max(scorings, _LEAST_OF_ALL))
+    peers = [_random_search(space, start, count)]
+    if free > 1:  # CMA-ES knows no choices, and not a single number
+        peers.append(_plain_cma_es(space, start, count))
     return History(
         names,
         np.array([[trial.user_attrs["scores"][name] for name in names] for trial in finished]),
         np.array([is_feasible(trial) for trial in finished]),
         np.array([start.scores[name] for name in names]),
-        found,
-        at,
+        tuple(peers),
         scorings,
     )
 
@@ -72,15 +88,30 @@ def best_so_far(
     return np.where(np.isfinite(found), found, np.nan)
 
 
-def _random_search(
-    space: SearchSpace, start: StartScores, count: int
-) -> tuple[Float[np.ndarray, "found objective"], Float[np.ndarray, "found"]]:
-    """Scores of the feasible ones of `count` random layouts, of one structure a chunk."""
+class _Scorings:
+    """First objectives of layouts within all limits, and after how many scorings each."""
+
+    def __init__(self, name: str) -> None:
+        self._name, self.count = name, 0
+        self._values: list[np.ndarray] = [np.zeros(0)]
+        self._at: list[np.ndarray] = [np.zeros(0)]
+
+    def add(self, judged: Judged) -> None:
+        kept = (judged.broken_mm == 0).numpy()
+        self._values.append(judged.scores[self._name].double().numpy()[kept])
+        self._at.append(self.count + 1.0 + np.flatnonzero(kept))
+        self.count += len(kept)
+
+    def of(self, name: str) -> Peer:
+        return Peer(name, np.concatenate(self._values), np.concatenate(self._at), self.count)
+
+
+def _random_search(space: SearchSpace, start: StartScores, count: int) -> Peer:
+    """Random layouts, of one structure a chunk."""
     rng, names = np.random.default_rng(space.spec.seed), space.spec.search.objectives
     flags = np.array([not v.choices for v in space.variables])
     by_structure: dict[Any, LowestFidelity] = {}
-    found: list[np.ndarray] = [np.zeros((0, len(names)))]
-    at: list[np.ndarray] = [np.zeros(0)]
+    found = _Scorings(names[0])
     for first in range(0, count, _CHUNK):
         size = min(_CHUNK, count - first)
         units = rng.random((size, len(space.variables)))
@@ -88,15 +119,37 @@ def _random_search(
         structure = structure_of(space, params[0])
         if structure not in by_structure:
             by_structure[structure] = structure_fidelity(space, params[0], start)
-        lowest = by_structure[structure]
         fixed = dict(structure)
-        poles = [polarities(lowest.space.structured, one | fixed) for one in params]
-        with torch.no_grad():
-            point = torch.as_tensor(units[:, flags], dtype=torch.float32)
-            judged = judge(lowest, point, torch.tensor(poles), names)
-        kept = (judged.broken_mm == 0).numpy()
-        found.append(
-            np.stack([judged.scores[name].double().numpy()[kept] for name in names], axis=1)
-        )
-        at.append(first + 1.0 + np.flatnonzero(kept))
-    return np.concatenate(found), np.concatenate(at)
+        poles = [
+            polarities(by_structure[structure].space.structured, one | fixed) for one in params
+        ]
+        found.add(_judged(by_structure[structure], units[:, flags], torch.tensor(poles), names))
+    return found.of("random search")
+
+
+def _plain_cma_es(space: SearchSpace, start: StartScores, count: int) -> Peer:
+    """CMA-ES as it comes, with penalties for broken limits, anew where it has converged; choices are those
+    in the middle of the space. It seeks the first objective alone."""
+    rng, names = np.random.default_rng(space.spec.seed), space.spec.search.objectives
+    flags = np.array([not v.choices for v in space.variables])
+    middle = params_at(space, np.full(len(space.variables), 0.5))
+    lowest = structure_fidelity(space, middle, start)
+    poles = torch.tensor(polarities(lowest.space.structured, middle))
+    found, free = _Scorings(names[0]), int(flags.sum())
+    borders = np.repeat([[0.0, 1.0]], free, axis=0)
+    while found.count < count:
+        run = CMA(rng.random(free), _SPREAD, bounds=borders, seed=int(rng.integers(2**31)))
+        while not run.should_stop() and found.count < count:
+            units = np.array([run.ask() for _ in range(run.population_size)])
+            judged = _judged(lowest, units, poles.expand(len(units), -1), names)
+            found.add(judged)
+            worth = judged.penalized[:, 0].double().log().tolist()
+            run.tell(list(zip(units, worth, strict=True)))
+    return found.of("plain CMA-ES")
+
+
+def _judged(
+    lowest: LowestFidelity, units: np.ndarray, poles: torch.Tensor, names: tuple[str, ...]
+) -> Judged:
+    with torch.no_grad():
+        return judge(lowest, torch.as_tensor(units, dtype=torch.float32), poles, names)

@@ -1,0 +1,81 @@
+"""What plain engines beside a search score, on a bowl in place of the mechanics."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from estimator.layouts.polish import Judged, populations
+from instobj.search.outcome import history
+from tests.support.objects.search_cases import made_up_space
+
+OBJECTIVES = ("worst_position_bound_mm", "worst_force_bound_n")
+
+
+@pytest.fixture
+def bowl(monkeypatch):
+    """The first objective is least, 1 mm, at 0.3 of every range; beyond 0.9 of the first a limit breaks."""
+
+    def judged(lowest, units, poles, names):
+        assert units.dtype == torch.float32
+        assert len(poles) == len(units)
+        first = 1 + ((units - 0.3) ** 2).sum(dim=1)
+        scores = {OBJECTIVES[0]: first, OBJECTIVES[1]: 1 / first}
+        worth = torch.stack([scores[name] for name in names], dim=1)
+        broken = torch.relu(units[:, 0] - 0.9)
+        return Judged(worth, broken, torch.zeros_like(broken), scores, worth)
+
+    lowest = SimpleNamespace(space=SimpleNamespace(structured=None))
+    monkeypatch.setattr(history, "structure_fidelity", lambda *_: lowest)
+    monkeypatch.setattr(history, "polarities", lambda *_: [1])
+    monkeypatch.setattr(history, "judge", judged)
+    start = SimpleNamespace(scores=dict.fromkeys(OBJECTIVES, 2.0))
+    monkeypatch.setattr(history, "start_scores", lambda spec: start)
+    return made_up_space(objectives=list(OBJECTIVES), polish_steps=40)
+
+
+def trial(value, feasible=True):
+    scores = dict.fromkeys(OBJECTIVES, value)
+    return SimpleNamespace(user_attrs={"scores": scores, "feasible": feasible})
+
+
+def test_plain_engines_score_as_many_layouts_and_only_those_within_limits_count(bowl, monkeypatch):
+    monkeypatch.setattr(history, "is_feasible", lambda one: one.user_attrs["feasible"])
+    monkeypatch.setattr(history, "_LEAST_OF_ALL", 10)
+    kept = SimpleNamespace(finished=lambda: [trial(2.0), trial(1.5, False)])
+    found = history.search_history(bowl, kept)
+    free = sum(not v.choices for v in bowl.variables)
+    assert found.scorings_per_trial == 1 + sum(populations(free, bowl.spec.search.polish_steps))
+    assert found.feasible.tolist() == [True, False]
+    assert_allclose(found.values[:, 0], [2.0, 1.5])
+    drawn, evolved = found.peers
+    assert (drawn.name, evolved.name) == ("random search", "plain CMA-ES")
+    assert drawn.scored == found.scorings_per_trial
+    assert 0 <= evolved.scored - drawn.scored < 40, "whole generations"
+    for peer in found.peers:
+        assert 0 < len(peer.values) <= peer.scored
+        assert (np.diff(peer.scorings) > 0).all()
+        assert peer.scorings[-1] <= peer.scored
+    assert 0.8 < len(drawn.values) / drawn.scored < 0.97, "a tenth breaks the limit"
+
+
+def test_plain_cma_es_goes_down_where_random_search_does_not(bowl):
+    drawn = history._random_search(bowl, None, 3000)
+    evolved = history._plain_cma_es(bowl, None, 3000)
+    assert evolved.values.min() - 1 < 0.01 * (drawn.values.min() - 1)
+    again = history._plain_cma_es(bowl, None, 3000)
+    assert_allclose(again.values, evolved.values)
+
+
+def test_choices_alone_have_no_cma_es(bowl, monkeypatch):
+    monkeypatch.setattr(history, "is_feasible", lambda one: True)
+    free = [v for v in bowl.variables if not v.choices]
+    alone = SimpleNamespace(
+        spec=bowl.spec, variables=[v for v in bowl.variables if v.choices] + free[:1]
+    )
+    monkeypatch.setattr(history, "params_at", lambda space, unit: {})
+    monkeypatch.setattr(history, "structure_of", lambda space, params: ())
+    found = history.search_history(alone, SimpleNamespace(finished=lambda: [trial(2.0)]))
+    assert [peer.name for peer in found.peers] == ["random search"]
