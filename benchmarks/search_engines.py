@@ -24,7 +24,6 @@ from typing import Any
 
 import numpy as np
 import torch
-from cmaes import CMA
 from harness import conclude, machine, option_parser
 
 from design.search.places import polarities
@@ -34,6 +33,7 @@ from estimator.layouts.polish import Judged, LowestFidelity, judge
 from instobj.search import lowest_fidelity
 from instobj.search.engines import ask, sampling, tell
 from instobj.search.lowest_fidelity import score_trials, start_scores, structure_fidelity
+from instobj.search.outcome.history import plain_cma_es
 from instobj.stages.run import Run
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "search_cube.toml"
@@ -129,20 +129,8 @@ def tool(space: SearchSpace, lowest: LowestFidelity, seed: int, budget: int) -> 
 
 
 def plain_cma(meter: Meter, seed: int, enough: Callable[[], bool], times: int = 1) -> None:
-    """CMA-ES in the unit cube with so many times its default population, anew where it has converged."""
-    rng = np.random.default_rng(seed)
-    count = int(meter.free.sum())
-    bounds = np.repeat([[0.0, 1.0]], count, axis=0)
-    population = times * (4 + int(3 * np.log(count)))
-    while not enough():
-        seed_of_run = int(rng.integers(2**31))
-        search = CMA(
-            rng.random(count), 0.3, bounds=bounds, seed=seed_of_run, population_size=population
-        )
-        while not (search.should_stop() or enough()):
-            points = np.array([search.ask() for _ in range(search.population_size)])
-            values = np.log(meter(points))
-            search.tell(list(zip(points, values.tolist(), strict=True)))
+    """CMA-ES with so many times its default population."""
+    plain_cma_es(meter, int(meter.free.sum()), seed, enough, times)
 
 
 def plain_random(meter: Meter, seed: int, enough: Callable[[], bool]) -> None:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import permutations, product
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
@@ -97,7 +97,7 @@ def search_face(
     Raises
     ------
     InputError
-        A face without three chips of three axes.
+        A face without three chips of three axes, or without one that answers on all of them.
     """
     own = own_channels(spec, face)
     if len(own) != 9:
@@ -106,8 +106,12 @@ def search_face(
             f"{len(own)} channels. Give an object with sensors.count_per_face = 3"
         )
     rows = presses.face_of_case(face)[presses.case]
-    signal = presses.signal_counts[rows][:, own]
-    recorded = signal.reshape(-1, 3, 3)
+    recorded = presses.signal_counts[rows][:, own].reshape(-1, 3, 3)
+    if not _answering(recorded).any():
+        raise InputError(
+            f"no chip of face {face} answers on all three axes in every press: its conventions cannot be "
+            "searched. Leave its presses out, or mend the chip"
+        )
     model = predicted[:, rows][..., own].reshape(*predicted[:, rows].shape[:3], 3, 3)
     every = cosines(recorded, model)
     return search(
@@ -120,7 +124,7 @@ def cosines(
     predicted: Float[np.ndarray, "symmetry press case 3 3"],
 ) -> Float[np.ndarray, "symmetry order turn press case"]:
     """Of every candidate, were each press any of the cases; over chips without a NaN in any press."""
-    live = np.all(np.isfinite(recorded), axis=(0, 2))
+    live = _answering(recorded)
     seen = np.where(live[:, None], recorded, 0.0)
     power = np.square(predicted).sum(axis=4)
     found, size = [], []
@@ -130,6 +134,10 @@ def cosines(
     turned = np.einsum("sopkab,tab->sotpk", np.stack(found, axis=1), np.stack(TURNS))
     of_model = np.stack(size, axis=1)[:, :, None]
     return turned / (np.linalg.norm(seen, axis=(1, 2))[:, None] * of_model)
+
+
+def _answering(recorded: Float[np.ndarray, "press 3 3"]) -> Bool[np.ndarray, "3"]:
+    return np.all(np.isfinite(recorded), axis=(0, 2))
 
 
 def search(

@@ -152,11 +152,9 @@ class Pairs:
         one, other = ((force * (jaw == side)).sum(axis=1)[:, None] for side in (1, -1))
         scale = 1 / (2**0.5 * JAWS_SPREAD)
         left = scale * xp.log(one / other)
-        by = zeros(left, (len(left), found.slope.shape[1]))
-        by[:, 2::3] = scale * jaw / xp.where(jaw > 0, one, other)
-        found.misfit[rows] += 0.5 * left[:, 0] ** 2
-        found.slope[rows] += by * left
-        found.curvature[rows] += by[:, :, None] * by[:, None]
+        by = zeros(left, (*left.shape, found.slope.shape[1]))
+        by[:, 0, 2::3] = scale * jaw / xp.where(jaw > 0, one, other)
+        _add_squares(found, rows, left, by)
 
     def _between(self, contact: Array) -> Float[Array, "problem pair 2"]:
         place = contact[:, :, :2]
@@ -187,10 +185,20 @@ class Pairs:
         for parameter, (by_first, by_second) in slopes.items():
             by[:, pair, 3 * self._first + parameter] = by_first
             by[:, pair, 3 * self._second + parameter] = -by_second
-        turned = by.swapaxes(1, 2)
-        found.misfit[rows] += 0.5 * (left * left).sum(axis=1)
-        found.slope[rows] += (turned @ left[..., None])[..., 0]
-        found.curvature[rows] += turned @ by
+        _add_squares(found, rows, left, by)
+
+
+def _add_squares(
+    found: Quadratic,
+    rows: Array,
+    left: Float[Array, "row term"],
+    by: Float[Array, "row term parameter"],
+) -> None:
+    """Terms ½ left² of some problems, with their slopes `by` the parameters."""
+    turned = by.swapaxes(1, 2)
+    found.misfit[rows] += 0.5 * (left * left).sum(axis=1)
+    found.slope[rows] += (turned @ left[..., None])[..., 0]
+    found.curvature[rows] += turned @ by
 
 
 def _jaws(face: Int[Array, "problem contact"]) -> Float[Array, "problem contact"]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -128,24 +129,43 @@ def _random_search(space: SearchSpace, start: StartScores, count: int) -> Peer:
 
 
 def _plain_cma_es(space: SearchSpace, start: StartScores, count: int) -> Peer:
-    """CMA-ES as it comes, with penalties for broken limits, anew where it has converged; choices are those
-    in the middle of the space. It seeks the first objective alone."""
-    rng, names = np.random.default_rng(space.spec.seed), space.spec.search.objectives
-    flags = np.array([not v.choices for v in space.variables])
+    """CMA-ES as it comes, by the first objective with penalties for broken limits; choices are those in the
+    middle of the space."""
+    names = space.spec.search.objectives
     middle = params_at(space, np.full(len(space.variables), 0.5))
     lowest = structure_fidelity(space, middle, start)
     poles = torch.tensor(polarities(lowest.space.structured, middle))
-    found, free = _Scorings(names[0]), int(flags.sum())
-    borders = np.repeat([[0.0, 1.0]], free, axis=0)
-    while found.count < count:
-        run = CMA(rng.random(free), _SPREAD, bounds=borders, seed=int(rng.integers(2**31)))
-        while not run.should_stop() and found.count < count:
-            units = np.array([run.ask() for _ in range(run.population_size)])
-            judged = _judged(lowest, units, poles.expand(len(units), -1), names)
-            found.add(judged)
-            worth = judged.penalized[:, 0].double().log().tolist()
-            run.tell(list(zip(units, worth, strict=True)))
+    found, free = _Scorings(names[0]), sum(not v.choices for v in space.variables)
+
+    def worth(units: np.ndarray) -> np.ndarray:
+        judged = _judged(lowest, units, poles.expand(len(units), -1), names)
+        found.add(judged)
+        return judged.penalized[:, 0].double().numpy()
+
+    plain_cma_es(worth, free, space.spec.seed, lambda: found.count >= count)
     return found.of("plain CMA-ES")
+
+
+def plain_cma_es(
+    worth: Callable[[Float[np.ndarray, "layout variable"]], Float[np.ndarray, "layout"]],
+    free: int,
+    seed: int,
+    enough: Callable[[], bool],
+    times: int = 1,
+) -> None:
+    """Minimise `worth` (above 0) in the unit cube of `free` numbers by CMA-ES with so many times its default
+    population, anew where it has converged, until there is enough."""
+    rng = np.random.default_rng(seed)
+    borders = np.repeat([[0.0, 1.0]], free, axis=0)
+    population = times * (4 + int(3 * np.log(free)))
+    while not enough():
+        of_run = int(rng.integers(2**31))
+        run = CMA(
+            rng.random(free), _SPREAD, bounds=borders, seed=of_run, population_size=population
+        )
+        while not (run.should_stop() or enough()):
+            units = np.array([run.ask() for _ in range(population)])
+            run.tell(list(zip(units, np.log(worth(units)).tolist(), strict=True)))
 
 
 def _judged(

@@ -110,3 +110,11 @@ def test_conventions_are_those_of_three_chips():
         search_face(
             spec, of_face_two(np.zeros((len(CASE), 30))), np.zeros((8, len(CASE), 8, 30)), 2, 0, 9
         )
+
+
+def test_a_face_whose_chips_all_have_a_dead_axis_is_refused():
+    signal = np.ones((len(CASE), 45))
+    signal[:, own_channels(ObjectSpec(name="cube"), 2)[[0, 4, 8]]] = np.nan
+    model = np.zeros((8, len(CASE), 8, 45))
+    with pytest.raises(InputError, match="no chip of face 2 answers on all three axes"):
+        search_face(ObjectSpec(name="cube"), of_face_two(signal), model, 2, 0, 9)
