@@ -7,11 +7,11 @@ poured, and the wires come out through it. Everything here is numbers.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.body.surface_chart import Cap, FaceFrame
 from design.errors import InputError
@@ -37,6 +37,8 @@ _CROSSING_DEG = 38.0
 """Least angle between a socket and a wire hole that it meets: less leaves knife edges."""
 _ASIDE_COS = 0.6
 """Of the angle between two pins, at most: they hold the core from turning."""
+_EVEN_MM, _BENT_MM, _RIM = 1e-6, 0.5, 16
+"""How much deeper than a plane the core may be at a pin's rim, flat and curved; points of the rim."""
 _FINEST, _STEPS, _SEAM_MM, _OUT_MM = 9, 13, 8.0, 5.0
 
 
@@ -107,7 +109,8 @@ def _sockets(spec: ObjectSpec, others: tuple[np.ndarray, ...]) -> tuple[Socket, 
     depth = _core_depth_mm(spec, ways)
     room = _room_mm(spec, ways, depth, radius)
     length = np.linalg.norm(ways.start_mm - ways.end_mm, axis=1) - depth
-    room[~((depth > 0) & (length > radius))] = -np.inf
+    fits = (depth > 0) & (length > radius) & _foot_on_a_face(spec, ways, depth, radius)
+    room[~fits] = -np.inf
     best = int(np.argmax(room.round(3)))
     if not room[best] > 0:
         return ()
@@ -174,6 +177,24 @@ def _targets(spec: ObjectSpec) -> tuple[np.ndarray, np.ndarray]:
     for index, unit in enumerate(np.repeat(units, len(shares), axis=0), start=1):
         passing[index, 0] = unit
     return np.array(points), passing
+
+
+def _foot_on_a_face(
+    spec: ObjectSpec, ways: _Ways, depth_mm: np.ndarray, radius_mm: float
+) -> Bool[np.ndarray, "way"]:
+    """Where the core's surface is nowhere deeper along a pin's rim than the lean makes it, nor than solids
+    cut: a pin that meets an edge of the core goes on beside it."""
+    flat = body_of(spec).cuboid
+    most = depth_mm + radius_mm * np.tan(ways.lean) + (_EVEN_MM if flat else _BENT_MM)
+    side = np.cross(ways.way, np.eye(3)[abs(ways.way).argmin(axis=1)])
+    side = side / np.linalg.norm(side, axis=1, keepdims=True)
+    fits = np.ones(len(depth_mm), bool)
+    for angle in np.linspace(0, 2 * np.pi, _RIM, endpoint=False):
+        aside = np.cos(angle) * side + np.sin(angle) * np.cross(ways.way, side)
+        shift = radius_mm * aside
+        rim = replace(ways, start_mm=ways.start_mm + shift, end_mm=ways.end_mm + shift)
+        fits &= _core_depth_mm(spec, rim) <= most
+    return fits
 
 
 def _core_depth_mm(spec: ObjectSpec, ways: _Ways) -> Float[np.ndarray, "way"]:

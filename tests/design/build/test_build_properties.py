@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from tests.support.building_apart import Apart, misbehave
+from tests.support.objects.body_cases import BESIDE_AN_EDGE
 from tests.support.objects.random_objects import KINDS, objects
 from tests.support.objects.sound_objects import measure_object
 
@@ -71,6 +72,11 @@ def assert_built(builder, content, everything):
     measured = builder(content, everything)
     assume("refused" not in measured)
     assert_sound(measured, content["body"]["kind"])
+
+
+def test_pins_near_an_edge_leave_the_holes_that_the_shell_has(builder):
+    """The place with most room for a pin is where its foot would meet an edge of the core."""
+    assert_built(builder, BESIDE_AN_EDGE, everything=False)
 
 
 @settings(max_examples=2, **RANDOM)

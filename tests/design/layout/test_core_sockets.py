@@ -32,8 +32,8 @@ from design.mould.pins import make_pin
 from design.solids.booleans import common, volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_core_part
-from design.spec_io import load_spec
-from tests.support.objects.body_cases import body_spec
+from design.spec_io import load_spec, parse_spec
+from tests.support.objects.body_cases import BESIDE_AN_EDGE, body_spec
 from tests.support.pages import ROOT
 
 BLOCKED = {"magnets": {"positions_mm": [[3.0, 0.0]]}}
@@ -100,6 +100,26 @@ def test_the_core_has_the_holes_and_pins_fit_them(name):
 
 def test_bodies_that_are_open_have_no_sockets():
     assert locators(body_spec("sphere")) == ()
+
+
+def feet():
+    """For each pin how much deeper the core's surface is on one side of its foot than on the other."""
+    spec = parse_spec(BESIDE_AN_EDGE, "a box")
+    turn = np.linspace(0, 2 * np.pi, 60)[:, None]
+    for pin in locators(spec):
+        frame, radius = pin.frame, pin.radius_mm
+        rim = frame.centre_mm + radius * (np.cos(turn) * frame.x + np.sin(turn) * frame.y)
+        depths = pin.depth_mm + np.linspace(-4, 4, 1601)
+        points = rim - depths[:, None, None] * frame.normal
+        inside = body_of(spec).core_distance_mm(points.reshape(-1, 3)).reshape(1601, 60) < 0
+        yield np.ptp(depths[inside.argmax(axis=0)]), 2 * radius * pin.rise_mm
+
+
+def test_a_pin_stands_on_one_face_of_the_core_with_all_of_its_foot(monkeypatch):
+    for found_mm, wanted_mm in feet():
+        assert found_mm == pytest.approx(wanted_mm, abs=0.01)
+    monkeypatch.setattr(core_sockets, "_foot_on_a_face", lambda *_: True)
+    assert max(found_mm - wanted_mm for found_mm, wanted_mm in feet()) > 1
 
 
 def way_down(x, y, z=21.0, lean=0.0):

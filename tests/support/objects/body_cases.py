@@ -33,3 +33,39 @@ def body_spec(name: str, **changes: dict) -> ObjectSpec:
     for table, values in changes.items():
         content[table] = content.get(table, {}) | values
     return check(ObjectSpec.model_validate(content))
+
+
+BESIDE_AN_EDGE = {
+    "name": "box",
+    "body": {"kind": "box", "size_mm": [38.35, 44.7, 39.5], "open_faces": []},
+    "shell": {
+        "thickness_mm": 5.83,
+        "pocket_diameter_mm": 4.26,
+        "pocket_depth_mm": 2.67,
+        "seal_layer_mm": 0.53,
+    },
+    "magnets": {
+        "diameter_mm": 4.26,
+        "height_mm": 0.8,
+        "positions_mm": [[2.247, 0.386], [-2.247, -0.386]],
+    },
+    "core": {
+        "wall_mm": 3.92,
+        "recess_depth_mm": 3.42,
+        "recess_width_mm": 3.9,
+        "recess_inner_radius_mm": 7.2,
+        "recess_outer_radius_mm": 10.01,
+    },
+    "sensors": {
+        "count_per_face": 4,
+        "radius_mm": 8.61,
+        "depth_below_core_face_mm": 1.0,
+        "package_mm": [3.9, 2.81, 1.7],
+        "chip_mm": [1.95, 1.405, 1.7],
+        "first_azimuth_deg": [0.0, 1.0, 0.0, 164.75, 145.37],
+    },
+    "contact_grid": {"count": [2, 2], "pitch_mm": 2.0},
+    "press": {"depths_mm": [0.5, 1.0]},
+    "indenter": {"radius_mm": 4.24},
+}
+"""The place with most room for a pin is where its foot would meet an edge of the core."""

@@ -1,6 +1,6 @@
 """The cast shell's volume in closed form, and what fills the closed mould: they must agree."""
 
-from math import pi
+from math import hypot, pi
 
 from design.layout.blocks import slits_volume_mm3
 from design.layout.body import body_of
@@ -37,6 +37,6 @@ def _layer_volume_mm3(spec: ObjectSpec) -> float:
         return 0.0
     slits = slits_volume_mm3(spec) - slits_volume_mm3(spec, layer)
     mouths = sum(p.outline.area_mm2 * layer / p.axis[2] for f in shell_pockets(spec) for p in f)
-    mouths += sum(pi * locator.radius_mm**2 * layer for locator in locators(spec))
+    mouths += sum(pi * pin.radius_mm**2 * layer * hypot(1, pin.rise_mm) for pin in locators(spec))
     solid = body.volume_mm3() - body.cast_volume_mm3(layer, spec.body.sensed)
     return solid - slits - float(mouths)
