@@ -33,11 +33,12 @@ _LEARNING_RATE = 0.03
 _SPREAD = 0.3
 """Standard deviation of a run's first generation, of the unit cube."""
 _MEAN, _NARROW = 8, 4
-"""Layouts of a generation in the mean of a run and in its second half, over CMA-ES's default (Hansen,
-arXiv:1604.00772)."""
-_BROAD_GENERATIONS = 200
-"""Of the first half, which are as broad as this lets them be, and at least as the second's. Limits leave
-many local optima: broad generations choose among them, if there are enough to learn from."""
+"""Layouts of a generation in the mean of a run, and at most in its second half, over CMA-ES's default
+(Hansen, arXiv:1604.00772)."""
+_BROAD_GENERATIONS, _NARROW_GENERATIONS = 200, 300
+"""Of the first and of the second half, at least, unless generations would be smaller than CMA-ES's
+default. Limits leave many local optima: broad generations choose among them, if there are enough to
+learn from."""
 _EASED: Mapping[str, str] = dict.fromkeys(
     ("worst_position_bound_mm", "percentile_99_position_bound_mm"),
     "percentile_95_position_bound_mm",
@@ -169,11 +170,12 @@ def population(variables: int) -> int:
 
 def populations(variables: int, generations: int) -> list[int]:
     """Layouts of every generation of a run, which has `generations` times `population` of them, or somewhat
-    more, as its half needs whole broad generations."""
+    more or less, as its halves are whole generations."""
     default = _default_population(variables)
     half = generations * _MEAN * default // 2
-    broad = max(_NARROW * default, half // _BROAD_GENERATIONS)
-    return [broad] * -(-half // broad) + [_NARROW * default] * (half // (_NARROW * default))
+    narrow = min(max(half // _NARROW_GENERATIONS, default), _NARROW * default)
+    broad = max(narrow, half // _BROAD_GENERATIONS)
+    return [broad] * -(-half // broad) + [narrow] * (half // narrow)
 
 
 def _default_population(variables: int) -> int:

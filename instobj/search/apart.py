@@ -21,7 +21,8 @@ _CLOSING_S = 5.0
 class Scored:
     """What became of a trial: its polished variables, values to minimise and scores.
 
-    `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing.
+    `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing;
+    `scorings` are the layouts that were scored for it.
     """
 
     params: dict[str, Any]
@@ -29,6 +30,7 @@ class Scored:
     scores: dict[str, float]
     broken_mm: float
     misfit: str
+    scorings: int
 
     @property
     def feasible(self) -> bool:

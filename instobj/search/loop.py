@@ -90,7 +90,12 @@ def _scored_batch(
 
 
 def _attributes(result: Scored) -> dict[str, Any]:
-    return {"scores": result.scores, "broken_mm": result.broken_mm, "misfit": result.misfit}
+    return {
+        "scores": result.scores,
+        "broken_mm": result.broken_mm,
+        "misfit": result.misfit,
+        "scorings": result.scorings,
+    }
 
 
 def _failures(finished: list[FrozenTrial]) -> list[str]:

@@ -59,6 +59,7 @@ from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from fem.candidates.motions import load_candidates
 from instobj.search.apart import Scored
+from instobj.search.joined import in_time
 from instobj.stages.run import Run
 
 _UNFIT_MM = 0.5
@@ -78,28 +79,32 @@ class StartScores:
     position_mm: dict[tuple[float, int], torch.Tensor]
 
 
-def lowest_fidelity(spec_json: str) -> Evaluate:
+def lowest_fidelity(question: tuple[str, int]) -> Evaluate:
     """The function that scores trials of one structure; takes and gives what pipes can carry.
 
-    On the device that `INSTOBJ_DEVICE` names, which all tensors of this process then lie on.
+    Of a specification as JSON, and how many generations a trial has at least: those that it names are
+    fewer where time is short (`in_time`). On the device that `INSTOBJ_DEVICE` names, which all tensors
+    of this process then lie on.
     """
+    content, least = question
     torch.set_num_threads(1)
     device = compute_device()
     if device.type != "cpu":
         torch.set_default_device(device)
-    space = search_space(parse_spec(json.loads(spec_json), "the specification"))
+    space = search_space(parse_spec(json.loads(content), "the specification"))
     start = start_scores(space.spec)
-    by_structure: dict[Any, LowestFidelity] = {}
+    by_structure: dict[Any, tuple[SearchSpace, LowestFidelity]] = {}
 
     def evaluate(trials: list[dict[str, Any]]) -> list[Scored]:
         structure = structure_of(space, trials[0])
         if structure not in by_structure:
-            by_structure[structure] = structure_fidelity(space, trials[0], start)
+            lowest, timed = structure_fidelity(space, trials[0], start), space
             if space.spec.search.polish_steps:
-                lowest = by_structure[structure]
                 generation_s = seconds_per_generation(space, lowest, trials[0], len(trials))
-                require_in_time(space.spec.search, generation_s, len(trials))
-        return score_trials(space, by_structure[structure], trials)
+                timed = in_time(space, least, generation_s, len(trials))
+                require_in_time(timed.spec.search, generation_s, len(trials))
+            by_structure[structure] = timed, lowest
+        return score_trials(*by_structure[structure], trials)
 
     return evaluate
 
@@ -237,7 +242,10 @@ def score_trials(
     units = np.array([unit_of(space, trial) for trial in trials])
     poles = torch.tensor([polarities(structured, trial) for trial in trials])
 
+    scorings = np.zeros(len(trials), int)
+
     def judge_at(point: torch.Tensor, rows: torch.Tensor) -> Judged:
+        np.add.at(scorings, rows.cpu().numpy(), 1)
         return judge(lowest, point, poles[rows], spec.search.objectives)
 
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
@@ -254,7 +262,7 @@ def score_trials(
         params = params_at(space, unit) | {
             v.name: trial[v.name] for v in space.variables if v.choices
         }
-        found.append(_scored(spec, params, judged, row))
+        found.append(_scored(spec, params, judged, row, int(scorings[row])))
     return found
 
 
@@ -286,14 +294,16 @@ def _better(
         return both[loss(both).nan_to_num(torch.inf).argmin()]
 
 
-def _scored(spec: ObjectSpec, params: dict[str, Any], judged: Judged, row: int) -> Scored:
+def _scored(
+    spec: ObjectSpec, params: dict[str, Any], judged: Judged, row: int, scorings: int
+) -> Scored:
     broken, misfit = float(judged.broken_mm[row]), ""
     if broken == 0:
         misfit = misfit_of(spec, params)
     worse = 1 + _UNFIT_MM * bool(misfit)
     values = tuple(worse * float(value) for value in judged.penalized[row])
     scores = {name: float(value[row]) for name, value in judged.scores.items()}
-    return Scored(params, values, scores, broken, misfit)
+    return Scored(params, values, scores, broken, misfit, scorings)
 
 
 def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:

@@ -19,6 +19,7 @@ from design.spec_io import load_spec, spec_hash
 from estimator.field.device import compute_device
 from instobj.search.apart import side_by_side
 from instobj.search.fidelity import METRIC_LABELS, score_row
+from instobj.search.joined import joined, joining
 from instobj.search.loop import is_feasible, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
 from instobj.search.outcome.write import write_outcome
@@ -140,15 +141,19 @@ def _search(
     worker: int = 0,
     processes: int = 1,
 ) -> None:
+    asked, space = space.spec.search, joined(space, processes)
     if len(kept.trials()) >= space.spec.search.trials:
         return
+    if space.spec.search.trials < asked.trials:
+        progress.say(joining(asked, space.spec.search))
     Run(space.spec, progress).require("candidates")
     first, content = start_params(space), space.spec.model_dump_json()
 
     def waiting(trials: int) -> None:
         say("1 trial at work" if trials == 1 else f"{trials} trials at work")
 
-    made = side_by_side(lowest_fidelity, content, processes, waiting)
+    question = (content, asked.polish_steps)
+    made = side_by_side(lowest_fidelity, question, processes, waiting)
     with made as score, progress.stage("search"):
         run_search(space, kept, score, say, first, worker, over, processes)
 

@@ -110,7 +110,13 @@ def open_study(
         )
     study = _loaded(spec, backend) if known else _created(spec, backend)
     _require_same(study, spec, where)
-    return KeptStudy(study, where, say)
+    found = KeptStudy(study, where, say)
+    if any("scorings" not in trial.user_attrs for trial in found.finished()):
+        raise InputError(
+            f"{where} holds a search of {spec.name!r} by an earlier version, which did not keep how many "
+            "layouts it scored. Give the specification another name to start anew"
+        )
+    return found
 
 
 def _loaded(spec: ObjectSpec, backend: BaseStorage) -> optuna.Study:

@@ -50,7 +50,7 @@ def draw_convergence(history: History, path: Path) -> None:
 
     figure, axes = _figure((8.2, 4.6))
     name, values = history.names[0], history.values[:, 0]
-    at = history.scorings_per_trial * (1.0 + np.arange(len(values)))
+    at = history.scorings
     axes.plot(at[history.feasible], values[history.feasible], ".", color=_GREY, ms=4,
               label="trials within all limits")  # fmt: skip
     axes.step(at, best_so_far(name, values, history.feasible), where="post", color=_BEST, lw=2.2,

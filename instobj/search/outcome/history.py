@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import torch
 from cmaes import CMA
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from estimator.layouts.polish import Judged, LowestFidelity, judge, populations
+from estimator.layouts.polish import Judged, LowestFidelity, judge
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.study import KeptStudy
@@ -47,7 +47,7 @@ class History:
     feasible : whether a trial keeps every limit
     start : the same scores of the specification as it was
     peers : plain engines beside it
-    scorings_per_trial : layouts scored for each trial, at most: a run that has converged ends
+    scorings : layouts scored until a trial was kept, its own included
     """
 
     names: tuple[str, ...]
@@ -55,17 +55,17 @@ class History:
     feasible: Bool[np.ndarray, "trial"]
     start: Float[np.ndarray, "objective"]
     peers: tuple[Peer, ...]
-    scorings_per_trial: int
+    scorings: Int[np.ndarray, "trial"]
 
 
 def search_history(space: SearchSpace, kept: KeptStudy) -> History:
     """Collect the trials, and let random search and plain CMA-ES score as many layouts as the search did, or
-    as one of its trials if that is more than 8192."""
+    as its longest trial if that is more than 8192."""
     names, finished = space.spec.search.objectives, kept.finished()
     start = start_scores(space.spec)
     free = sum(not v.choices for v in space.variables)
-    scorings = 1 + (sum(populations(free, space.spec.search.polish_steps)) if free else 0)
-    count = min(scorings * len(finished), max(scorings, _LEAST_OF_ALL))
+    each = np.array([trial.user_attrs["scorings"] for trial in finished])
+    count = min(int(each.sum()), max(int(each.max()), _LEAST_OF_ALL))
     peers = [_random_search(space, start, count)]
     if free > 1:  # CMA-ES knows no choices, and not a single number
         peers.append(_plain_cma_es(space, start, count))
@@ -75,7 +75,7 @@ def search_history(space: SearchSpace, kept: KeptStudy) -> History:
         np.array([is_feasible(trial) for trial in finished]),
         np.array([start.scores[name] for name in names]),
         tuple(peers),
-        scorings,
+        each.cumsum(),
     )
 
 

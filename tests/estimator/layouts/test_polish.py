@@ -221,11 +221,13 @@ def test_generations_are_drawn_as_the_package_draws_them():
 
 def test_a_run_is_broad_for_half_of_its_layouts_the_broader_the_longer():
     assert polishing.populations(31, 600) == [12 * 14] * 200 + [4 * 14] * 600
-    assert polishing.populations(31, 64) == [4 * 14] * 128
-    for generations in (1, 4, 299, 300):
+    assert polishing.populations(31, 300) == [6 * 14] * 200 + [4 * 14] * 300
+    assert polishing.populations(31, 30) == [14] * 240
+    for generations in (1, 4, 75, 100, 299, 300):
         sizes = polishing.populations(31, generations)
         more = sum(sizes) - generations * polishing.population(31)
-        assert 0 <= more < sizes[0]
+        assert -sizes[-1] < more < sizes[0]
+        assert sizes[0] == 14 or len(sizes) >= 500 or sizes[-1] == 14
     assert polishing.populations(31, 0) == []
 
 

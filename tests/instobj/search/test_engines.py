@@ -130,6 +130,10 @@ def test_a_study_is_neither_overwritten_nor_mixed_up(tmp_path):
     with pytest.raises(InputError, match="another specification"):
         open_study(made_up_space(reach=13.0).spec, path, resume=True)
     assert path.read_bytes() == kept
+    before = tmp_path / "before.log"
+    before.write_bytes(kept.replace(b'"scorings"', b'"layouts"'))
+    with pytest.raises(InputError, match="an earlier version"):
+        open_study(made_up_space().spec, before, resume=True)
     assert len(open_study(made_up_space(trials=77).spec, path, resume=True).trials()) == 32
 
 

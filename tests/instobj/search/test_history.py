@@ -7,7 +7,7 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
-from estimator.layouts.polish import Judged, populations
+from estimator.layouts.polish import Judged
 from instobj.search.outcome import history
 from tests.support.objects.search_cases import made_up_space
 
@@ -36,23 +36,24 @@ def bowl(monkeypatch):
     return made_up_space(objectives=list(OBJECTIVES), polish_steps=40)
 
 
-def trial(value, feasible=True):
+def trial(value, feasible=True, scorings=3000):
     scores = dict.fromkeys(OBJECTIVES, value)
-    return SimpleNamespace(user_attrs={"scores": scores, "feasible": feasible})
+    return SimpleNamespace(
+        user_attrs={"scores": scores, "feasible": feasible, "scorings": scorings}
+    )
 
 
 def test_plain_engines_score_as_many_layouts_and_only_those_within_limits_count(bowl, monkeypatch):
     monkeypatch.setattr(history, "is_feasible", lambda one: one.user_attrs["feasible"])
     monkeypatch.setattr(history, "_LEAST_OF_ALL", 10)
-    kept = SimpleNamespace(finished=lambda: [trial(2.0), trial(1.5, False)])
+    kept = SimpleNamespace(finished=lambda: [trial(2.0), trial(1.5, False, 2000)])
     found = history.search_history(bowl, kept)
-    free = sum(not v.choices for v in bowl.variables)
-    assert found.scorings_per_trial == 1 + sum(populations(free, bowl.spec.search.polish_steps))
+    assert found.scorings.tolist() == [3000, 5000]
     assert found.feasible.tolist() == [True, False]
     assert_allclose(found.values[:, 0], [2.0, 1.5])
     drawn, evolved = found.peers
     assert (drawn.name, evolved.name) == ("random search", "plain CMA-ES")
-    assert drawn.scored == found.scorings_per_trial
+    assert drawn.scored == 3000, "as many as the longest trial"
     assert 0 <= evolved.scored - drawn.scored < 40, "whole generations"
     for peer in found.peers:
         assert 0 < len(peer.values) <= peer.scored

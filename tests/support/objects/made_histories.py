@@ -16,14 +16,16 @@ def made_up_history(random=40):
     names = ("worst_position_bound_mm", "worst_force_bound_n")
     at = np.sort(rng.integers(1, 2000, random)).astype(float)
     peers = tuple(Peer(name, found, at, 2000) for name in ("random search", "plain CMA-ES"))
-    return History(names, values, rng.random(60) < 0.7, np.array([2.0, 3.0]), peers, 41)
+    return History(
+        names, values, rng.random(60) < 0.7, np.array([2.0, 3.0]), peers, 41 * np.arange(1, 61)
+    )
 
 
 def history_of_three():
     """Three trials of two objectives; the third breaks limits."""
     values = np.array([[1.0, 3.0], [2.0, 1.0], [3.0, 3.0]])
     return History(
-        OBJECTIVES, values, np.array([True, True, False]), np.array([2.0, 9.0]), (), 1
+        OBJECTIVES, values, np.array([True, True, False]), np.array([2.0, 9.0]), (), np.arange(1, 4)
     )  # fmt: skip
 
 

@@ -36,7 +36,7 @@ def made_up_score(trials, seconds):
     """Least at one magnet at (5, −3) under 9 mm; the second objective's least is at (−5, 6)."""
     found = [_scores(trial) for trial in trials]
     return [
-        Scored(trial, (scores["worst_position_bound_mm"],), scores, 0.0, "")
+        Scored(trial, (scores["worst_position_bound_mm"],), scores, 0.0, "", 1)
         for trial, scores in zip(trials, found, strict=True)
     ]
 
@@ -44,7 +44,7 @@ def made_up_score(trials, seconds):
 def made_up_scores(trials, seconds):
     """Both objectives."""
     return [
-        Scored(t, tuple(_scores(t)[name] for name in OBJECTIVES), _scores(t), 0.0, "")
+        Scored(t, tuple(_scores(t)[name] for name in OBJECTIVES), _scores(t), 0.0, "", 1)
         for t in trials
     ]
 

@@ -1,0 +1,80 @@
+"""Trials that are joined to fewer and longer runs: as many generations, never fewer runs than needed."""
+
+import pytest
+
+from design.search.space import search_space
+from design.spec.search import SearchSpec
+from instobj.search.joined import in_time, joined, joining
+from tests.support.objects.search_cases import OBJECTIVES, made_up_spec
+
+
+def space_of(**search):
+    """Two counts of magnets and two thicknesses unless `vary` says otherwise."""
+    return search_space(made_up_spec(**({"batch": 1, "polish_steps": 300} | search)))
+
+
+def runs(space):
+    return space.spec.search.trials, space.spec.search.polish_steps
+
+
+LENGTHS = {"magnet_reach_mm": 14.0}
+
+
+@pytest.mark.parametrize(
+    ("trials", "steps", "became"),
+    [
+        (24, 300, (12, 600)),
+        (3, 30, (1, 90)),
+        (60, 100, (10, 600)),
+        (7, 100, (1, 600)),
+        (1, 300, (1, 300)),
+        (5, 301, (5, 301)),
+        (4, 900, (4, 900)),
+        (50, 0, (50, 0)),
+    ],
+)
+def test_generations_are_spent_in_runs_of_up_to_600(trials, steps, became):
+    asked = space_of(trials=trials, polish_steps=steps, vary=LENGTHS)
+    space = joined(asked, 1)
+    assert runs(space) == became
+    assert trials * steps * 0.5 < became[0] * became[1] <= trials * steps or not steps
+    assert space.variables == asked.variables
+    assert space.spec.search.vary == asked.spec.search.vary
+
+
+@pytest.mark.parametrize(
+    ("search", "at_once", "became"),
+    [
+        ({"trials": 24}, 1, (12, 600)),
+        ({"trials": 7}, 1, (7, 300)),  # four combinations of choices
+        ({"trials": 40, "polish_steps": 30}, 1, (4, 300)),
+        ({"trials": 24, "vary": LENGTHS, "batch": 16}, 1, (24, 300)),
+        ({"trials": 3, "vary": LENGTHS}, 2, (3, 300)),
+        ({"trials": 4, "vary": LENGTHS}, 2, (2, 600)),
+        ({"trials": 24, "vary": LENGTHS, "objectives": list(OBJECTIVES)}, 1, (24, 300)),
+    ],
+)
+def test_choices_batches_processes_and_fronts_keep_their_runs(search, at_once, became):
+    assert runs(joined(space_of(**search), at_once)) == became
+
+
+@pytest.mark.parametrize(
+    ("generation_s", "layouts", "seconds", "steps"),
+    [
+        (0.1, 1, 2700.0, 600),
+        (1.0, 1, 2700.0, 450),  # half of trial_seconds
+        (0.5, 2, 2700.0, 450),
+        (0.1, 1, 200.0, 400),  # half of what trials have of the search's time
+        (0.1, 1, 60.0, 300),  # as asked for, whatever that takes
+        (0.0, 1, 60.0, 600),
+    ],
+)
+def test_a_joined_run_is_shorter_where_time_is_short(generation_s, layouts, seconds, steps):
+    space = joined(space_of(trials=4, vary=LENGTHS, seconds=seconds), 1)
+    assert runs(space) == (2, 600)
+    assert runs(in_time(space, 300, generation_s, layouts)) == (2, steps)
+
+
+def test_what_became_of_the_trials_is_said():
+    said = joining(SearchSpec(trials=24, polish_steps=300), SearchSpec(trials=12, polish_steps=600))
+    assert "24 trials of 300 generations are joined to 12 of 600" in said
