@@ -2,23 +2,28 @@
 
     python benchmarks/search_engines.py [--quick] [--out FOLDER]
 
-All place the magnets and sensors of the paper's cube (31 lengths and angles), scored as a search scores
-them on the first level, limits as penalties, in two tasks (`TASKS`): the 99th percentile of the
-position bound at 5 N, and `examples/search_cube.toml` itself, 2, 5 and 12 N with its limits over the
-start. The tool takes random layouts (`search.engine` "random"), each improved by `polish_steps`
-generations, here 600, as nothing but lengths and angles varies. The peers: CMA-ES of the package
-`cmaes` with its default population and with four times that, started anew where it has converged, and
-random layouts. Each gets as many scorings as the tool, then as much processor time; the best layout
-within all limits counts. One thread; per seed, all in one process after each other. Writes
-`search_engines.json`.
+All place magnets and sensors, scored as a search scores them on the first level, limits as penalties,
+in three tasks (`TASKS`): of the paper's cube (31 lengths and angles) the 99th percentile of the position
+bound at 5 N, and `examples/search_cube.toml` itself, 2, 5 and 12 N with its limits over the start; of a
+box of 60 × 44 × 40 mm on a coarse mesh (63 lengths and angles, three sizes of faces) the 99th percentile
+over 2, 5 and 12 N. The tool improves a random layout by one run of every length of `GENERATIONS`. The
+peers: CMA-ES of the package `cmaes` with its default population and with four times that, started anew
+where it has converged, and random layouts. Each gets as many scorings as the tool, then as much processor
+time; the best layout within all limits counts. One thread; all of a task in one process after each
+other, tasks side by side. Writes `search_engines.json`.
 """
 
 from __future__ import annotations
 
+import os
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from functools import partial
+from itertools import repeat
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -28,29 +33,23 @@ from harness import conclude, machine, option_parser
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, search_space
+from design.spec.search import SearchSpec
 from design.spec_io import load_spec
 from estimator.layouts.polish import Judged, LowestFidelity, judge
-from instobj.search import lowest_fidelity
-from instobj.search.engines import ask, sampling, tell
+from instobj.search.engines import ask, sampling
 from instobj.search.lowest_fidelity import score_trials, start_scores, structure_fidelity
 from instobj.search.outcome.history import plain_cma_es
 from instobj.stages.run import Run
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "search_cube.toml"
 OUTWARD = 'search.vary.sensor_chip=["outward"]'
-LONG = "search.polish_steps=600"
-TASKS = {
-    "5 N": [
-        'search.objectives=["percentile_99_position_bound_mm"]',
-        "search.forces_n=[5.0]",
-        "search.limits.places_worse=1.0",
-        "search.limits.times_start={}",
-        OUTWARD,
-        LONG,
-    ],
-    "2, 5 and 12 N, limits over the start": [OUTWARD, LONG],
-}
-QUICK = [
+FREE = [
+    'search.objectives=["percentile_99_position_bound_mm"]',
+    "search.limits.places_worse=1.0",
+    "search.limits.times_start={}",
+    OUTWARD,
+]
+COARSE = [
     "mesh.surface_edge_mm=3.5",
     "mesh.edge_mm=8.0",
     "mesh.rim_edge_ratio=1.0",
@@ -59,6 +58,14 @@ QUICK = [
     "contact_grid.pitch_mm=6.0",
     "press.depths_mm=[1.0, 2.0, 4.0]",
 ]
+TASKS = {
+    "2, 5 and 12 N, limits over the start": [OUTWARD],
+    "5 N": [*FREE, "search.forces_n=[5.0]"],
+    "box, 2, 5 and 12 N": [*FREE, *COARSE, "body.size_mm=[60.0, 44.0, 40.0]"],
+}
+GENERATIONS = (30, 100, 300, 600)
+SEEDS = range(100, 106)
+"""None of those by which engines were chosen."""
 _PARALLEL = 96
 """Random layouts that are scored together."""
 
@@ -100,32 +107,16 @@ class Meter:
         return within[-1] if within else None
 
 
-def tool(space: SearchSpace, lowest: LowestFidelity, seed: int, budget: int) -> dict[str, Any]:
-    """The tool's own loop, without its store and its second process."""
-    search, meter = space.spec.search, Meter(lowest, space)
-    asked = sampling("random", space.variables, 1, seed, search.batch)
-    counted = lowest_fidelity.judge
-
-    def counting(*arguments: Any) -> Judged:
-        judged = counted(*arguments)
-        meter.scorings += len(arguments[1])
-        return judged
-
-    lowest_fidelity.judge = counting
-    best, trials = np.inf, 0
-    try:
-        while meter.scorings < budget:
-            batch = ask(asked, search.batch)
-            results = score_trials(space, lowest, [dict(one.params) for one in batch])
-            for trial, result in zip(batch, results, strict=True):
-                tell(asked, trial, result.params, result.values, {})
-                if result.feasible:
-                    best = min(best, result.values[0])
-            trials += len(batch)
-    finally:
-        lowest_fidelity.judge = counted
-    best = best if np.isfinite(best) else None
-    return {"best": best, "scorings": meter.scorings, "seconds": meter.seconds, "trials": trials}
+def tool(space: SearchSpace, lowest: LowestFidelity, seed: int) -> dict[str, Any]:
+    """One trial as the tool scores it, of a random layout."""
+    (trial,) = ask(sampling("random", space.variables, 1, seed, 1), 1)
+    started = time.process_time()
+    (result,) = score_trials(space, lowest, [dict(trial.params)])
+    return {
+        "best": result.values[0] if result.feasible else None,
+        "scorings": result.scorings,
+        "seconds": time.process_time() - started,
+    }
 
 
 def plain_cma(meter: Meter, seed: int, enough: Callable[[], bool], times: int = 1) -> None:
@@ -146,49 +137,64 @@ PEERS = {
 }
 
 
-def compared(space: SearchSpace, lowest: LowestFidelity, seed: int, budget: int) -> dict[str, Any]:
-    """All engines with one seed."""
-    found: dict[str, Any] = {}
-    found["tool"] = own = tool(space, lowest, seed, budget)
+def compared(
+    space: SearchSpace, lowest: LowestFidelity, seed: int, lengths: Sequence[int]
+) -> dict[str, Any]:
+    """All engines with one seed, run length by run length."""
+    runs = {
+        length: tool(
+            replace(space, spec=space.spec.changed(search=_of_length(space, length))), lowest, seed
+        )
+        for length in lengths
+    }
+    found: dict[str, Any] = {str(length): {"tool": run} for length, run in runs.items()}
+    most = {key: max(run[key] for run in runs.values()) for key in ("scorings", "seconds")}
     for name, peer in PEERS.items():
         meter = Meter(lowest, space)
         peer(
             meter,
             seed,
-            lambda m=meter: m.scorings >= own["scorings"] and m.seconds >= own["seconds"],
+            lambda m=meter: m.scorings >= most["scorings"] and m.seconds >= most["seconds"],
         )
-        found[name] = {
-            "same scorings": meter.after(scorings=own["scorings"]),
-            "same time": meter.after(seconds=own["seconds"]),
-            "scorings": meter.scorings,
-            "seconds": meter.seconds,
-        }
+        for length, own in runs.items():
+            found[str(length)][name] = {
+                "same scorings": meter.after(scorings=own["scorings"]),
+                "same time": meter.after(seconds=own["seconds"]),
+                "scorings": meter.scorings,
+                "seconds": meter.seconds,
+            }
     return found
+
+
+def _of_length(space: SearchSpace, generations: int) -> SearchSpec:
+    return space.spec.search.changed(polish_steps=generations)
 
 
 def measure(quick: bool) -> dict[str, Any]:
     """All figures of one run, task by task."""
-    return {name: _of_task(settings, quick) for name, settings in TASKS.items()}
+    with ProcessPoolExecutor(1 if quick else os.cpu_count(), get_context("spawn")) as pool:
+        figures = pool.map(_of_task, TASKS.values(), repeat(quick))
+        return dict(zip(TASKS, figures, strict=True))
 
 
 def _of_task(settings: list[str], quick: bool) -> dict[str, Any]:
-    few = [*QUICK, "search.polish_steps=4"] if quick else []
-    space = search_space(load_spec(EXAMPLE, settings + few))
+    torch.set_num_threads(1)
+    space = search_space(load_spec(EXAMPLE, settings + (COARSE if quick else [])))
     (objective,) = space.spec.search.objectives
     Run(space.spec).require("candidates")
     start = start_scores(space.spec)
     middle = params_at(space, np.full(len(space.variables), 0.5))
     lowest = structure_fidelity(space, middle, start)
-    budget = 50 if quick else 30_000
-    seeds = [compared(space, lowest, seed, budget) for seed in range(1 if quick else 5)]
-    return {"objective": objective, "start": start.scores[objective], "seeds": seeds}
+    lengths, seeds = ((1, 4), SEEDS[:1]) if quick else (GENERATIONS, SEEDS)
+    found = [compared(space, lowest, seed, lengths) for seed in seeds]
+    return {"objective": objective, "start": start.scores[objective], "seeds": found}
 
 
-def rows(task: dict[str, Any]) -> dict[str, list[float]]:
-    """Best values over the seeds, engine by engine."""
+def rows(task: dict[str, Any], length: str) -> dict[str, list[float]]:
+    """Best values over the seeds for one run length, engine by engine."""
     found: dict[str, list[float]] = {}
     for seed in task["seeds"]:
-        for name, one in seed.items():
+        for name, one in seed[length].items():
             for key in ("best", "same scorings", "same time"):
                 if key in one:
                     label = name if key == "best" else f"{name}, {key}"
@@ -201,16 +207,17 @@ def report(result: dict[str, Any]) -> str:
     lines = ["median (least to most) over seeds"]
     for name, task in result["figures"].items():
         lines.append(f"{name}: {task['objective']}, start {task['start']:.2f}")
-        for label, values in rows(task).items():
-            spread = f"({min(values):.3f} to {max(values):.3f})"
-            lines.append(f"  {label:34} {np.median(values):.3f} {spread}")
+        for length in task["seeds"][0]:
+            lines.append(f"  runs of {length} generations")
+            for label, values in rows(task, length).items():
+                spread = f"({min(values):.3f} to {max(values):.3f})"
+                lines.append(f"    {label:34} {np.median(values):.3f} {spread}")
     return "\n".join(lines)
 
 
 def main(arguments: list[str] | None = None) -> None:
     """Measure, write, print."""
     options = option_parser("Engines of a layout search").parse_args(arguments)
-    torch.set_num_threads(1)
     here = machine(1, ("torch", "numpy", "cmaes", "optuna"))
     result = {"machine": here, "quick": options.quick, "figures": measure(options.quick)}
     conclude("search_engines", options, result, report)

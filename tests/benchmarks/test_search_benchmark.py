@@ -21,10 +21,12 @@ def test_quick_run_beats_the_plain_way_and_agrees_with_it(quick_run):
 @pytest.mark.slow
 def test_quick_comparison_of_engines_gives_all_as_many_scorings_and_as_much_time(quick_run):
     result, printed = quick_run("search_engines", 1, ["search_engines.json"])
-    assert len(result["figures"]) == 2
+    assert len(result["figures"]) == 3
     for task in result["figures"].values():
         (seed,) = task["seeds"]
-        for name in ("plain CMA-ES", "plain CMA-ES ×4", "random"):
-            assert seed[name]["scorings"] >= seed["tool"]["scorings"]
-            assert seed[name]["seconds"] >= seed["tool"]["seconds"]
-            assert f"{name}, same time" in printed
+        for length, engines in seed.items():
+            assert f"runs of {length} generations" in printed
+            for name in ("plain CMA-ES", "plain CMA-ES ×4", "random"):
+                assert engines[name]["scorings"] >= engines["tool"]["scorings"]
+                assert engines[name]["seconds"] >= engines["tool"]["seconds"]
+                assert f"{name}, same time" in printed

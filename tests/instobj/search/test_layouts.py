@@ -40,7 +40,8 @@ def test_the_leaders_come_first_and_the_rest_of_the_front_after_them(tmp_path):
     trials = kept.finished()
     values = np.array([trial.values for trial in trials])
     history = History(
-        OBJECTIVES, values, np.ones(len(trials), bool), np.array([9.0, 9.0]), (), np.arange(1, 1 + len(trials))
+        OBJECTIVES, values, np.ones(len(trials), bool), np.array([9.0, 9.0]), (),
+        np.arange(1, 1 + len(trials)),
     )  # fmt: skip
     best = Promoted(f"trial {trials[5].number}", trials[5].number, space.spec, {})
     start = Promoted("start", None, space.spec, {})
