@@ -129,8 +129,9 @@ class SearchSpec(SpecPart):
 
     With several objectives the result is a Pareto front; the first names the layouts that the next
     levels get. Every trial's continuous variables are improved by `polish_steps` generations of
-    CMA-ES, about a hundred scorings each. `seconds` are those of a whole call, mechanics and all
-    fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first. A trial
+    CMA-ES, about a hundred scorings each; `trials` that choices, `batch` and processes do not need are
+    joined to fewer, of up to 600 generations each. `seconds` are those of a whole call, mechanics and
+    all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first. A trial
     beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets),
     `finalists` to the last.
     `compliance_mm_per_n` is indentation depth over force at `score.force_n` that

@@ -35,10 +35,9 @@ _SPREAD = 0.3
 _MEAN, _NARROW = 8, 4
 """Layouts of a generation in the mean of a run, and at most in its second half, over CMA-ES's default
 (Hansen, arXiv:1604.00772)."""
-_BROAD_GENERATIONS, _NARROW_GENERATIONS = 200, 300
-"""Of the first and of the second half, at least, unless generations would be smaller than CMA-ES's
-default. Limits leave many local optima: broad generations choose among them, if there are enough to
-learn from."""
+_GENERATIONS = 200
+"""Of each half of a run, at least, unless generations would be smaller than CMA-ES's default. Limits
+leave many local optima: broad generations choose among them, if there are enough to learn from."""
 _EASED: Mapping[str, str] = dict.fromkeys(
     ("worst_position_bound_mm", "percentile_99_position_bound_mm"),
     "percentile_95_position_bound_mm",
@@ -173,8 +172,8 @@ def populations(variables: int, generations: int) -> list[int]:
     more or less, as its halves are whole generations."""
     default = _default_population(variables)
     half = generations * _MEAN * default // 2
-    narrow = min(max(half // _NARROW_GENERATIONS, default), _NARROW * default)
-    broad = max(narrow, half // _BROAD_GENERATIONS)
+    narrow = min(max(half // _GENERATIONS, default), _NARROW * default)
+    broad = max(narrow, half // _GENERATIONS)
     return [broad] * -(-half // broad) + [narrow] * (half // narrow)
 
 

@@ -19,7 +19,8 @@ from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.study import KeptStudy
 
-_LEAST_OF_ALL = 8192
+_MOST = 33_600
+"""Layouts that plain engines score, minutes at three forces."""
 _CHUNK = 512
 _SPREAD = 0.3
 """Standard deviation of a first generation of plain CMA-ES, of the unit cube."""
@@ -59,13 +60,13 @@ class History:
 
 
 def search_history(space: SearchSpace, kept: KeptStudy) -> History:
-    """Collect the trials, and let random search and plain CMA-ES score as many layouts as the search did, or
-    as its longest trial if that is more than 8192."""
+    """Collect the trials, and let random search and plain CMA-ES score as many layouts as the search did, up
+    to 33 600."""
     names, finished = space.spec.search.objectives, kept.finished()
     start = start_scores(space.spec)
     free = sum(not v.choices for v in space.variables)
     each = np.array([trial.user_attrs["scorings"] for trial in finished])
-    count = min(int(each.sum()), max(int(each.max()), _LEAST_OF_ALL))
+    count = min(int(each.sum()), _MOST)
     peers = [_random_search(space, start, count)]
     if free > 1:  # CMA-ES knows no choices, and not a single number
         peers.append(_plain_cma_es(space, start, count))

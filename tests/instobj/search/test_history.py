@@ -45,7 +45,7 @@ def trial(value, feasible=True, scorings=3000):
 
 def test_plain_engines_score_as_many_layouts_and_only_those_within_limits_count(bowl, monkeypatch):
     monkeypatch.setattr(history, "is_feasible", lambda one: one.user_attrs["feasible"])
-    monkeypatch.setattr(history, "_LEAST_OF_ALL", 10)
+    monkeypatch.setattr(history, "_MOST", 3000)
     kept = SimpleNamespace(finished=lambda: [trial(2.0), trial(1.5, False, 2000)])
     found = history.search_history(bowl, kept)
     assert found.scorings.tolist() == [3000, 5000]
@@ -53,7 +53,7 @@ def test_plain_engines_score_as_many_layouts_and_only_those_within_limits_count(
     assert_allclose(found.values[:, 0], [2.0, 1.5])
     drawn, evolved = found.peers
     assert (drawn.name, evolved.name) == ("random search", "plain CMA-ES")
-    assert drawn.scored == 3000, "as many as the longest trial"
+    assert drawn.scored == 3000, "and no more than that"
     assert 0 <= evolved.scored - drawn.scored < 40, "whole generations"
     for peer in found.peers:
         assert 0 < len(peer.values) <= peer.scored
