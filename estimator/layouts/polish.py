@@ -151,7 +151,8 @@ def polish(
     A run begins round its point, in broad generations and then in narrow ones (`populations`);
     `runs_together` of them are judged side by side. In its first half the penalty grows from a
     thousandth to all of it, so that early generations cross what later ones may not; what a few places
-    decide gives way to the 95th percentile at first, whose slope is smoother. No point ends worth less than
+    decide gives way to the 95th percentile at first, whose slope is smoother. Runs that are too short for
+    broad generations are plain CMA-ES. No point ends worth less than
     it began, and none without a value is taken. Repeatable: a run's seed comes from its point.
     """
     sizes = populations(unit.shape[1], generations)
@@ -283,12 +284,13 @@ def _evolve(judge_at: Judge, runs: Sequence[_Evolution], sizes: Sequence[int]) -
     for run, worth in _judged(judge_at, runs, [run.begin[None] for run in runs]):
         run.keep_best(worth)
     begun = np.cumsum([0, *sizes])
+    plain = bool(runs) and max(sizes, default=0) <= _default_population(len(runs[0].begin))
     for size, before in zip(sizes, begun[:-1], strict=True):
         going = [run for run in runs if not run.search.should_stop()]
         if not going:
             break
         for run, worth in _judged(judge_at, going, [run.ask(size) for run in going]):
-            run.tell(worth, float(before / begun[-1]))
+            run.tell(worth, 1.0 if plain else float(before / begun[-1]))
             run.keep_best(worth)
 
 

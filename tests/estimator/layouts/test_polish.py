@@ -332,6 +332,26 @@ def test_generations_are_told_what_is_eased_at_first_and_what_is_asked_in_the_en
     assert np.isinf(told[[3, 4]]).all()
 
 
+@pytest.mark.parametrize(("generations", "plain"), [(20, True), (45, True), (120, False)])
+def test_a_run_too_short_for_broad_generations_is_plain_cma_es(generations, plain, monkeypatch):
+    told, tell = [], polishing._Evolution.tell
+
+    def spied(run, worth, progress):
+        told.append((progress, len(worth.points)))
+        tell(run, worth, progress)
+
+    def judge_at(point, rows):
+        away = ((point - 0.3) ** 2).sum(dim=1)
+        return worth((1 + away)[:, None], torch.relu(point[:, 0] - 0.9))
+
+    monkeypatch.setattr(polishing._Evolution, "tell", spied)
+    polish(judge_at, torch.full((1, 31), 0.5), generations, torch.ones(1, 1))
+    progress, sizes = zip(*told, strict=True)
+    assert (set(progress) == {1.0}) == plain
+    assert (set(sizes) == {14}) == plain
+    assert sum(sizes) >= 0.9 * generations * polishing.population(31)
+
+
 def test_a_run_passes_by_what_only_the_eased_objective_sees_past(monkeypatch):
     """What is asked is best in a narrow hole, and rises towards it all the way round; what is eased falls."""
 
