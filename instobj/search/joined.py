@@ -44,10 +44,10 @@ def in_time(space: SearchSpace, least: int, generation_s: float, layouts: int) -
 
 
 def joining(asked: SearchSpec, now: SearchSpec) -> str:
-    """What became of the trials that were asked for, in words."""
+    """What becomes of the trials that are asked for, in words."""
     return (
         f"{asked.trials} trials of {asked.polish_steps} generations are joined to {now.trials} of "
-        f"{now.polish_steps}, as long runs find better layouts"
+        f"{now.polish_steps}, or as many as time allows: long runs find better layouts"
     )
 
 

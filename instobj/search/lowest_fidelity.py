@@ -52,6 +52,7 @@ from estimator.layouts.polish import (
     judge,
     polish,
     population,
+    populations,
     runs_together,
 )
 from estimator.layouts.press_basis import faces_differ, press_basis
@@ -112,14 +113,14 @@ def lowest_fidelity(question: tuple[str, int]) -> Evaluate:
 def seconds_per_generation(
     space: SearchSpace, lowest: LowestFidelity, params: dict[str, Any], layouts: int
 ) -> float:
-    """How long a generation of one layout's CMA-ES takes here among so many, the faster of two; 0 for
-    choices alone."""
+    """How long as many layouts as a generation of one layout's CMA-ES has in the mean take here among so
+    many, in generations as small as the last; the faster of two. 0 for choices alone."""
     free = sum(not v.choices for v in space.variables)
     if not free:
         return 0.0
-    drawn = np.random.default_rng(0)
-    together = min(layouts, runs_together(torch.get_default_device(), population(free)))
-    size, taken = together * population(free), []
+    drawn, sizes = np.random.default_rng(0), populations(free, space.spec.search.polish_steps)
+    together = min(layouts, runs_together(torch.get_default_device(), max(sizes)))
+    size, taken = together * sizes[-1], []
     units = torch.as_tensor(drawn.random((size, free)), dtype=torch.float32)
     poles = torch.tensor(polarities(lowest.space.structured, params)).expand(size, -1)
     for _ in range(2):
@@ -127,7 +128,7 @@ def seconds_per_generation(
         with torch.no_grad():
             judge(lowest, units, poles, space.spec.search.objectives).objectives.cpu()
         taken.append(time.monotonic() - began)
-    return min(taken) / together
+    return min(taken) / size * population(free)
 
 
 def require_in_time(search: SearchSpec, generation_s: float, layouts: int) -> None:
