@@ -152,8 +152,8 @@ def polish(
     `runs_together` of them are judged side by side. In its first half the penalty grows from a
     thousandth to all of it, so that early generations cross what later ones may not; what a few places
     decide gives way to the 95th percentile at first, whose slope is smoother. Runs that are too short for
-    broad generations are plain CMA-ES. No point ends worth less than
-    it began, and none without a value is taken. Repeatable: a run's seed comes from its point.
+    broad generations are plain CMA-ES. No point ends worth less than it began, and none without a value
+    is taken. Repeatable: a run's seed comes from its point.
     """
     sizes = populations(unit.shape[1], generations)
     runs = [_Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
