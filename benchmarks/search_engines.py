@@ -112,8 +112,9 @@ def tool(space: SearchSpace, lowest: LowestFidelity, seed: int) -> dict[str, Any
     (trial,) = ask(sampling("random", space.variables, 1, seed, 1), 1)
     started = time.process_time()
     (result,) = score_trials(space, lowest, [dict(trial.params)])
+    best = result.scores[space.spec.search.objectives[0]]  # peers' best have no penalties either
     return {
-        "best": result.values[0] if result.feasible else None,
+        "best": best if result.feasible else None,
         "scorings": result.scorings,
         "seconds": time.process_time() - started,
     }

@@ -30,6 +30,7 @@ from estimator.layouts.fidelity import (
     rank_correlations,
 )
 from estimator.layouts.scoring import LayoutScorer
+from estimator.networks.training.fitting import one_thread
 from instobj.search.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
@@ -126,6 +127,7 @@ class _Ahead:
             self.workers.make(tasks, store_root(), self.say, enough)
 
 
+@one_thread()
 def promote(
     space: SearchSpace,
     kept: KeptStudy,
@@ -136,6 +138,7 @@ def promote(
 ) -> Promotion | None:
     """The search's leaders taken through all fidelity levels; None where no trial keeps every limit.
 
+    Tensors take one thread: two gain little here, and wait for each other where other programs run.
     The start goes first, to the highest level: what that takes is what a finalist will need, and it is
     kept free. Where time runs short, fewer leaders and fewer finalists, at least one of each.
     """
