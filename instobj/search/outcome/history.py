@@ -15,6 +15,7 @@ from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from estimator.layouts.polish import Judged, LowestFidelity, judge
+from estimator.networks.training.fitting import one_thread
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.study import KeptStudy
@@ -59,6 +60,7 @@ class History:
     scorings: Int[np.ndarray, "trial"]
 
 
+@one_thread()
 def search_history(space: SearchSpace, kept: KeptStudy) -> History:
     """Collect the trials, and let random search and plain CMA-ES score as many layouts as the search did, up
     to 33 600."""
