@@ -15,14 +15,15 @@ from instobj.search.time_limit import TRIALS_SHARE
 _LONGEST = 600
 """Generations that one run gains by, seen on the paper's cube; more were not tried."""
 _SPARE = 2.0
-"""A joined run shall take half of the time at most that trials have, and that one may take."""
+"""A joined run shall take half of the time at most that all trials have."""
 
 
 def joined(space: SearchSpace, at_once: int) -> SearchSpace:
     """The search with its `trials` joined to fewer of up to 600 generations, as many in all or a little
     fewer.
 
-    Trials that are scored `at_once` stay as many, so does one for each combination of choices.
+    A run may take as long as the trials that it stands for. Trials that are scored `at_once` stay as many,
+    so does one for each combination of choices.
     Untouched: several objectives, whose front has a layout of each trial; trials without generations.
     """
     search = space.spec.search
@@ -31,16 +32,20 @@ def joined(space: SearchSpace, at_once: int) -> SearchSpace:
     combinations = prod(len(v.choices) for v in space.variables if v.choices)
     fewest = max(combinations, search.batch, at_once)
     times = max(1, min(_LONGEST // search.polish_steps, search.trials // fewest))
-    return _with(space, search.trials // times, search.polish_steps * times)
+    return _with(
+        space,
+        trials=search.trials // times,
+        polish_steps=search.polish_steps * times,
+        trial_seconds=search.trial_seconds * times,
+    )
 
 
-def in_time(space: SearchSpace, least: int, generation_s: float, layouts: int) -> SearchSpace:
-    """The search with runs that are as long as time allows where a generation of each of so many layouts
-    takes so long, and no shorter than `least` generations."""
+def in_time(space: SearchSpace, generations: int, generation_s: float, layouts: int) -> SearchSpace:
+    """The search as asked for with joined runs of so many `generations`, or as many as half of the time of
+    all trials allows where one of each of so many layouts takes so long; never fewer than asked for."""
     search = space.spec.search
-    seconds = min(search.trial_seconds, TRIALS_SHARE * search.seconds) / _SPARE
-    fits = int(seconds / max(generation_s * layouts, 1e-9))
-    return _with(space, search.trials, min(search.polish_steps, max(fits, least)))
+    fits = int(TRIALS_SHARE * search.seconds / _SPARE / max(generation_s * layouts, 1e-9))
+    return _with(space, polish_steps=min(generations, max(fits, search.polish_steps)))
 
 
 def joining(asked: SearchSpec, now: SearchSpec) -> str:
@@ -51,6 +56,5 @@ def joining(asked: SearchSpec, now: SearchSpec) -> str:
     )
 
 
-def _with(space: SearchSpace, trials: int, generations: int) -> SearchSpace:
-    search = space.spec.search.changed(trials=trials, polish_steps=generations)
-    return replace(space, spec=space.spec.changed(search=search))
+def _with(space: SearchSpace, **budget: float) -> SearchSpace:
+    return replace(space, spec=space.spec.changed(search=space.spec.search.changed(**budget)))

@@ -83,11 +83,11 @@ class StartScores:
 def lowest_fidelity(question: tuple[str, int]) -> Evaluate:
     """The function that scores trials of one structure; takes and gives what pipes can carry.
 
-    Of a specification as JSON, and how many generations a trial has at least: those that it names are
-    fewer where time is short (`in_time`). On the device that `INSTOBJ_DEVICE` names, which all tensors
+    Of a specification as JSON, and how many generations a trial has once trials are joined, fewer where
+    time is short (`in_time`). On the device that `INSTOBJ_DEVICE` names, which all tensors
     of this process then lie on.
     """
-    content, least = question
+    content, generations = question
     torch.set_num_threads(1)
     device = compute_device()
     if device.type != "cpu":
@@ -102,8 +102,8 @@ def lowest_fidelity(question: tuple[str, int]) -> Evaluate:
             lowest, timed = structure_fidelity(space, trials[0], start), space
             if space.spec.search.polish_steps:
                 generation_s = seconds_per_generation(space, lowest, trials[0], len(trials))
-                timed = in_time(space, least, generation_s, len(trials))
-                require_in_time(timed.spec.search, generation_s, len(trials))
+                require_in_time(space.spec.search, generation_s, len(trials))
+                timed = in_time(space, generations, generation_s, len(trials))
             by_structure[structure] = timed, lowest
         return score_trials(*by_structure[structure], trials)
 

@@ -141,18 +141,19 @@ def _search(
     worker: int = 0,
     processes: int = 1,
 ) -> None:
-    asked, space = space.spec.search, joined(space, processes)
+    asked, content = space.spec.search, space.spec.model_dump_json()
+    space = joined(space, processes)
     if len(kept.trials()) >= space.spec.search.trials:
         return
     if space.spec.search.trials < asked.trials:
         progress.say(joining(asked, space.spec.search))
     Run(space.spec, progress).require("candidates")
-    first, content = start_params(space), space.spec.model_dump_json()
+    first = start_params(space)
 
     def waiting(trials: int) -> None:
         say("1 trial at work" if trials == 1 else f"{trials} trials at work")
 
-    question = (content, asked.polish_steps)
+    question = (content, space.spec.search.polish_steps)
     made = side_by_side(lowest_fidelity, question, processes, waiting)
     with made as score, progress.stage("search"):
         run_search(space, kept, score, say, first, worker, over, processes)
