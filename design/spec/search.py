@@ -34,6 +34,7 @@ Objective = Literal[
     "tolerance_place_mm",
     "compliance_deviation",
     "cost",
+    "build_minutes",
 ]
 OBJECTIVES_TO_MAXIMIZE = ("sensitivity_ratio",)
 PARETO_ENGINES = ("tpe", "nsga-ii", "nsga-iii", "random")
@@ -95,7 +96,7 @@ class SearchLimitsSpec(SpecPart):
     `pocket_gap_mm` and `board_gap_mm` are what is left between the pockets of two magnets and between
     the recesses of two sensor boards, where that is more; `wiring_mm` is the length of straight wires
     from a face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of
-    all faces, in the unit of the prices. `times_start` says how many times the starting specification's
+    all faces, in the unit of the prices, `build_minutes` their time by hand. `times_start` says how many times the starting specification's
     value a score may have at most (`sensitivity_ratio`: at least); `places_worse` is the share of
     (force, contact location) whose position bound may be larger than the start's. Channels at rest may
     take `resting_share` of the range; at the higher fidelity levels, pressed, they must leave
@@ -108,6 +109,7 @@ class SearchLimitsSpec(SpecPart):
     wiring_mm: Positive | None = None
     parts_per_face: Count | None = None
     cost: Positive | None = None
+    build_minutes: Positive | None = None
     places_worse: Annotated[float, Field(ge=0, le=1)] = 0.02
     times_start: dict[Objective, Positive] = Field(default_factory=dict)
 
@@ -118,10 +120,23 @@ class SearchLimitsSpec(SpecPart):
 
 
 class PricesSpec(SpecPart):
-    """Of one part, in any currency; sensors with their board."""
+    """Of one part, in any currency, and minutes by hand; sensors with their board.
+
+    A magnet's pole is found and it is pressed in; a sensor gets five wires and is tested and glued.
+    """
 
     magnet: NonNegative = 0.2
     sensor: NonNegative = 3.0
+    magnet_minutes: NonNegative = 2.0
+    sensor_minutes: NonNegative = 15.0
+
+    def cost(self, magnets: int, sensors: int) -> float:
+        """Of so many parts."""
+        return self.magnet * magnets + self.sensor * sensors
+
+    def build_minutes(self, magnets: int, sensors: int) -> float:
+        """By hand, of so many parts."""
+        return self.magnet_minutes * magnets + self.sensor_minutes * sensors
 
 
 class SearchSpec(SpecPart):

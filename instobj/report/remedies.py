@@ -1,7 +1,7 @@
 """Remedies for a no-go: changes and sets of them against the limits, with their price.
 
-Price is that of magnets and sensors (`search.prices`), build time that of setting and wiring them by
-hand: what the changes differ in.
+Price is that of magnets and sensors, build time that of setting and wiring them by hand
+(`search.prices`): what the changes differ in.
 """
 
 from __future__ import annotations
@@ -15,8 +15,6 @@ from instobj.report.verdict import beside_limit, judge, worst_ratio
 from instobj.store.content import StoredResult
 from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, SCORES
 
-MINUTES_OF_A_MAGNET, MINUTES_OF_A_SENSOR = 2.0, 15.0
-"""By hand: pole found, magnet pressed in; five wires soldered, board tested and glued. Estimates."""
 _SHOWN, _BEST = 3, 7
 """Remedies told in words, and in the table."""
 
@@ -126,8 +124,7 @@ def _joined(changes: tuple[str, ...]) -> str:
 def price_and_minutes(spec: ObjectSpec, magnets: int, sensors: int) -> tuple[float, float]:
     """Of so many magnets and sensors: price, in the currency of `search.prices`, and time by hand."""
     prices = spec.search.prices
-    minutes = MINUTES_OF_A_MAGNET * magnets + MINUTES_OF_A_SENSOR * sensors
-    return prices.magnet * magnets + prices.sensor * sensors, minutes
+    return prices.cost(magnets, sensors), prices.build_minutes(magnets, sensors)
 
 
 def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Remedy:

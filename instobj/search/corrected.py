@@ -21,8 +21,8 @@ from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, unit_of
 from estimator.layouts.fidelity import bounds_by_press
 from estimator.layouts.polish import Judged, LowestFidelity, descend, judge
-from instobj.search.lowest_fidelity import StartScores, cost, misfit_of, structure_fidelity
-from instobj.search.verdict import FIRST, SECOND, Promoted
+from instobj.search.lowest_fidelity import StartScores, misfit_of, structure_fidelity
+from instobj.search.verdict import FIRST, SECOND, Promoted, score_at
 
 _REACH = 0.04
 """Of every variable's range, to either side: how far the correction is trusted."""
@@ -89,13 +89,8 @@ def corrected_fidelity(
 
 
 def _corrected(name: str, start: Promoted, one: Promoted) -> float:
-    if name == "cost":
-        return cost(start.spec)
-    low, high, before = (
-        float(getattr(score, name))
-        for score in (one.levels[FIRST], one.levels[SECOND], start.levels[SECOND])
-    )
-    return before * low / high
+    low, high = (score_at(name, one, level) for level in (FIRST, SECOND))
+    return score_at(name, start, SECOND) * (low / high)
 
 
 def _place_bounds(one: Promoted, start: Promoted) -> dict[tuple[float, int], torch.Tensor]:

@@ -182,7 +182,7 @@ def structure_fidelity(
 
 def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> dict[str, float]:
     """Scores that all layouts of a structure share at the lowest fidelity level."""
-    return {"cost": cost(spec), "compliance_deviation": unevenness(spec, faces)}
+    return parts_scores(spec) | {"compliance_deviation": unevenness(spec, faces)}
 
 
 def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[LayoutScorer, ...]:
@@ -324,28 +324,23 @@ def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:
     return ""
 
 
-def cost(spec: ObjectSpec) -> float:
-    """Of the magnets and sensors of all faces."""
-    prices, faces = spec.search.prices, len(magnets_of_faces(spec))
-    each = spec.magnets.count * prices.magnet
-    return faces * (each + spec.sensors.count_per_face * prices.sensor)
-
-
-def magnets_of_faces(spec: ObjectSpec) -> tuple[Any, ...]:
-    """Magnets, sensed face by face."""
-    from design.layout.pockets import magnet_bodies
-
-    return magnet_bodies(spec)
+def parts_scores(spec: ObjectSpec) -> dict[str, float]:
+    """Cost and build time of the magnets and sensors of all faces: scores that every level shares."""
+    prices, faces = spec.search.prices, len(spec.body.sensed)
+    parts = faces * spec.magnets.count, faces * spec.sensors.count_per_face
+    return {"cost": prices.cost(*parts), "build_minutes": prices.build_minutes(*parts)}
 
 
 def broken_by_structure(spec: ObjectSpec) -> float:
-    """What counts and cost exceed, one part or the whole cost as 10 mm."""
+    """What counts, cost and build time exceed, one part or the whole of the others as 10 mm."""
     limits, broken = spec.search.limits, 0.0
     parts = spec.magnets.count + spec.sensors.count_per_face
     if limits.parts_per_face is not None:
         broken += 10.0 * max(parts - limits.parts_per_face, 0)
-    if limits.cost is not None:
-        broken += 10.0 * max(cost(spec) / limits.cost - 1, 0.0)
+    for name, value in parts_scores(spec).items():
+        most = getattr(limits, name)
+        if most is not None:
+            broken += 10.0 * max(value / most - 1, 0.0)
     return broken
 
 

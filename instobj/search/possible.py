@@ -233,7 +233,10 @@ def _nearest(
     total = float(rules[best].sum()) + by_structure
     worst = int(rules[best].argmax())
     if by_structure > float(rules[best].max()):
-        rule = "the count or the cost of the parts (search.limits.parts_per_face, cost)"
+        rule = (
+            "the count, cost or build time of the parts (search.limits.parts_per_face, cost, "
+            "build_minutes)"
+        )
     else:
         rule = f"{RULES[worst]}, by {float(rules[best, worst]):.3g} mm of all parts together"
     return _Nearest(params | params_at(space, unit), total, rule)

@@ -10,7 +10,7 @@ from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from estimator.layouts.fidelity import FidelityScore, worse_share
 from instobj.search.fidelity import TwinRatio
-from instobj.search.lowest_fidelity import cost
+from instobj.search.lowest_fidelity import parts_scores
 
 FIRST, SECOND, LAST = "1", "2", "3"
 _EXCESS_WEIGHT = 10.0
@@ -84,8 +84,12 @@ def _mean_log(search: SearchSpec, one: Promoted, start: Promoted, level: str) ->
 
 def _over_start(name: str, one: Promoted, start: Promoted, level: str) -> float:
     """A score over the start's, as something to minimise."""
-    if name == "cost":
-        return max(cost(one.spec), 1e-9) / max(cost(start.spec), 1e-9)
-    before, after = (max(getattr(who.levels[level], name), 1e-9) for who in (start, one))
+    before, after = (max(score_at(name, who, level), 1e-9) for who in (start, one))
     value = after / before
     return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value
+
+
+def score_at(name: str, one: Promoted, level: str) -> float:
+    """A layout's score at a fidelity level; cost and build time are the same at all."""
+    of_parts = parts_scores(one.spec)
+    return of_parts[name] if name in of_parts else float(getattr(one.levels[level], name))

@@ -41,6 +41,7 @@ LABELS = {
     "tolerance_place_mm": "localisation error within tolerance (mm)",
     "compliance_deviation": "deviation from the wanted compliance (relative)",
     "cost": "cost of the parts",
+    "build_minutes": "build time by hand (min)",
 }
 
 

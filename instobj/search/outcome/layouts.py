@@ -18,12 +18,11 @@ from design.search.space import SearchSpace, with_layout
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from instobj.search.loop import is_feasible
-from instobj.search.lowest_fidelity import cost
 from instobj.search.outcome.figures import LABELS, paired, pareto_front
 from instobj.search.outcome.history import History
 from instobj.search.promotion import Promotion
 from instobj.search.study import KeptStudy
-from instobj.search.verdict import FIRST, Promoted
+from instobj.search.verdict import FIRST, score_at
 from instobj.viewer.archive import pack
 from instobj.viewer.scene import Arrays, add_surface
 from instobj.viewer.surface import shaded_part
@@ -51,7 +50,7 @@ def shown_layouts(
     promoted = {one.trial for one in every.values()}
     for one in every.values():
         if one.corrected:
-            values = tuple(_lowest_value(name, one) for name in history.names)
+            values = tuple(score_at(name, one, FIRST) for name in history.names)
             layouts.append(ShownLayout(one.label, one.spec, values))
         elif one.trial is not None:
             values = tuple(history.values[row_of[one.trial]])
@@ -62,10 +61,6 @@ def shown_layouts(
             spec = with_layout(space.spec, trial.params)
             layouts.append(ShownLayout(f"trial {trial.number}", spec, tuple(history.values[row])))
     return layouts
-
-
-def _lowest_value(name: str, one: Promoted) -> float:
-    return cost(one.spec) if name == "cost" else float(getattr(one.levels[FIRST], name))
 
 
 def _front_rows(history: History) -> list[int]:

@@ -206,7 +206,7 @@ def _levels(found: Promotion, objectives: tuple[str, ...], folder: Path) -> dict
     everyone = (found.start, *found.leaders)
     counts = {level: sum(level in one.levels for one in everyone) for level in _LEVELS}
     scores = []
-    for name in named or ["worst_position_bound_mm"]:  # cost is the same at every level
+    for name in named or ["worst_position_bound_mm"]:  # those of parts are the same at all
         draw_levels(found, name, folder / f"rungs_{name}.png")
         rows = [[one.label, *(_on(one, level, name) for level in _LEVELS)] for one in everyone]
         header = [LABELS[name], *_LEVELS.values()]

@@ -325,6 +325,8 @@ search.limits.places_worse: 0.02
 search.limits.times_start: {}
 search.prices.magnet: 0.2
 search.prices.sensor: 3.0
+search.prices.magnet_minutes: 2.0
+search.prices.sensor_minutes: 15.0
 mould.wall_mm: 1.5
 mould.flange_mm: 8.0
 mould.dowel_draft_deg: 10.0

@@ -108,3 +108,10 @@ def test_what_is_not_detected_at_all_is_no_number():
     section = remedies_section(SPEC, {"alternatives": [blind, row(("a",))]}, go=False)
     assert section["alternatives"][0][1:4] == ["∞", "∞", "∞"]
     assert "inf" not in str(section)
+
+
+def test_minutes_by_hand_are_those_of_the_specification():
+    prices = {"magnet": 1.0, "sensor": 3.0, "magnet_minutes": 5.0, "sensor_minutes": 30.0}
+    spec = parse_spec({"name": "a", "search": {"prices": prices}}, "a")
+    (found,) = remedies(spec, [START, row(("both",), magnets=12, sensors=11)])
+    assert (found.price, found.minutes) == (5, 40)

@@ -8,6 +8,7 @@ from design.errors import InputError
 from design.search.space import params_at, search_space, start_params
 from design.search.structure import with_structure
 from design.spec.search import SearchSpec
+from design.spec_io import parse_spec
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import OVER_START, PlaceBounds, position_bounds
 from estimator.layouts.polish import LowestFidelity
@@ -15,7 +16,7 @@ from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import layout_scorer
 from estimator.layouts.vectors import layout_space
 from instobj.search import lowest_fidelity
-from instobj.search.lowest_fidelity import require_in_time, score_trials
+from instobj.search.lowest_fidelity import broken_by_structure, parts_scores, require_in_time, score_trials
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
 
 
@@ -56,3 +57,24 @@ def test_the_start_walks_to_a_layout_that_is_better_and_worse_nowhere(monkeypatc
     stays, same = score_trials(space, lowest, [start, other])
     assert stays.values[0] > walked.values[0]
     assert same == alone, "other trials walk nowhere"
+
+
+def test_cost_and_build_time_are_those_of_the_parts_of_all_faces():
+    """Two magnets and three sensors on each of two faces, by hand."""
+    prices = {"magnet": 0.5, "sensor": 4.0, "magnet_minutes": 3.0, "sensor_minutes": 10.0}
+    content = {
+        "name": "cube",
+        "body": {"sensed_faces": [1, 3]},
+        "magnets": {"positions_mm": [[8, 8], [-8, -8]]},
+    }
+
+    def broken(**limits):
+        search = {"prices": prices, "limits": limits}
+        return broken_by_structure(parse_spec(content | {"search": search}, "made up"))
+
+    spec = parse_spec(content | {"search": {"prices": prices}}, "made up")
+    assert parts_scores(spec) == {"cost": 26.0, "build_minutes": 72.0}
+    assert broken(cost=26.0, build_minutes=72.0) == 0
+    assert broken(cost=13.0) == pytest.approx(10.0)
+    assert broken(build_minutes=48.0) == pytest.approx(5.0)
+    assert broken(cost=20.0, build_minutes=60.0) == pytest.approx(3.0 + 2.0)

@@ -47,8 +47,9 @@ IMPOSSIBLE = {
     "pockets near the edge": {"vary": {"magnet_part": ["D10x3"], "magnet_depth_mm": [5.5, 6.4]}},
     "board gap": {"vary": FREE, "limits": {"board_gap_mm": 15.0}},
     "wiring": {"vary": {"magnet_reach_mm": 14.0}, "limits": {"wiring_mm": 20.0}},
-    "count or the cost": {"vary": FREE, "limits": {"parts_per_face": 2}},
-    "the cost of the parts": {"vary": FREE, "limits": {"cost": 1.0}},
+    "the count, cost": {"vary": FREE, "limits": {"parts_per_face": 2}},
+    "cost or build time of the parts": {"vary": FREE, "limits": {"cost": 1.0}},
+    r"parts \(search.*build_minutes": {"vary": FREE, "limits": {"build_minutes": 200.0}},
     "1.5 mm from both skins": {"vary": {"magnet_depth_mm": [0.6, 5.0]}},
 }
 

@@ -113,3 +113,16 @@ def test_a_layout_that_the_verdict_takes_comes_before_a_better_one_that_it_refus
     assert merit(spec.search, second, start, LAST) < merit(spec.search, first, start, LAST)
     none = made_up_spec(objectives=["worst_position_bound_mm"], limits={"places_worse": 0.0})
     assert excess(none.search, first, start, LAST) == pytest.approx({"places_worse": 6.0})
+
+
+@pytest.mark.parametrize(("name", "times"), [("cost", 10 / 14), ("build_minutes", 49 / 65)])
+def test_cost_and_build_time_are_compared_as_other_scores_are(name, times):
+    """One instead of five magnets beside three sensors on a face; 1 and 3 to pay, 4 and 15 minutes."""
+    prices = {"magnet": 1.0, "sensor": 3.0, "magnet_minutes": 4.0, "sensor_minutes": 15.0}
+    spec = made_up_spec(objectives=[name], prices=prices, limits={"times_start": {name: 0.5}})
+    fewer = spec.changed(magnets=spec.magnets.changed(positions_mm=((0.0, 0.0),)))
+    start, best = (Promoted("", None, one, {LAST: START}) for one in (spec, fewer))
+    assert excess(spec.search, start, start, LAST) == pytest.approx({name: 1.0})
+    assert excess(spec.search, best, start, LAST) == pytest.approx({name: times / 0.5 - 1})
+    exceeded = 10 * (times / 0.5 - 1)
+    assert merit(spec.search, best, start, LAST) == pytest.approx(np.log(times) + exceeded)
