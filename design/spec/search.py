@@ -96,11 +96,11 @@ class SearchLimitsSpec(SpecPart):
     `pocket_gap_mm` and `board_gap_mm` are what is left between the pockets of two magnets and between
     the recesses of two sensor boards, where that is more; `wiring_mm` is the length of straight wires
     from a face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of
-    all faces, in the unit of the prices, `build_minutes` their time by hand. `times_start` says how many times the starting specification's
-    value a score may have at most (`sensitivity_ratio`: at least); `places_worse` is the share of
-    (force, contact location) whose position bound may be larger than the start's. Channels at rest may
-    take `resting_share` of the range; at the higher fidelity levels, pressed, they must leave
-    `limits.saturation_margin` free.
+    all faces, in the unit of the prices, `build_minutes` their time by hand. `times_start` says how many
+    times the starting specification's value a score may have at most (`sensitivity_ratio`: at least);
+    `places_worse` is the share of (force, contact location) whose position bound may be larger than the
+    start's. Channels at rest may take `resting_share` of the range; at the higher fidelity levels,
+    pressed, they must leave `limits.saturation_margin` free.
     """
 
     pocket_gap_mm: NonNegative = 1.0

@@ -16,7 +16,12 @@ from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import layout_scorer
 from estimator.layouts.vectors import layout_space
 from instobj.search import lowest_fidelity
-from instobj.search.lowest_fidelity import broken_by_structure, parts_scores, require_in_time, score_trials
+from instobj.search.lowest_fidelity import (
+    broken_by_structure,
+    parts_scores,
+    require_in_time,
+    score_trials,
+)
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
 
 
