@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 from design.build.manifest import BuildManifest
-from design.layout.places.positions import magnet_layout, sensor_layout, shell_body_layout
+from design.layout.places.positions import sensor_layout, shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
 from design.tables import write_table
@@ -48,7 +48,7 @@ def silicone_amount(spec: ObjectSpec) -> SiliconeAmount:
 def bill_of_materials(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
     """Everything to buy, mix and print for one object; prints are counted as solid."""
     return [
-        _magnets(spec),
+        *_magnets(spec),
         *_electronics(spec),
         _silicone(spec),
         *_prints(spec, manifest),
@@ -72,8 +72,8 @@ def write_bom(items: list[Item], target: Path) -> None:
     write_table(target, [field.name for field in fields(Item)], map(line, items))
 
 
-def magnet_name(spec: ObjectSpec) -> str:
-    """The magnet as one would order it."""
+def magnet_name(spec: ObjectSpec, first: int = 0) -> str:
+    """A magnet as one would order it: a face's first, or that of another kind."""
     magnets = spec.magnets
     across = {
         "disk": f"Ø{magnets.diameter_mm:g}",
@@ -81,23 +81,33 @@ def magnet_name(spec: ObjectSpec) -> str:
         "block": f"{magnets.size_mm[0]:g} × {magnets.size_mm[1]:g}",
     }[magnets.shape]
     kind = "coil" if magnets.kind == "coil" else f"{magnets.shape} magnet"
-    grade = f" {magnets.grade}" if magnets.grade else ""
+    grade = f" {magnets.grades[first]}" if magnets.grades else ""
     part = f"{magnets.part}, " if magnets.part else ""
     return f"{part}{kind}{grade} {across} × {magnets.height_mm:g} mm"
 
 
-def _magnets(spec: ObjectSpec) -> Item:
-    count = len(magnet_layout(spec).face)
-    if spec.magnets.kind == "coil":
-        note = f"{spec.magnets.turns} turns, {spec.magnets.current_a:g} A"
-    else:
-        outward = sum(way > 0 for way in spec.magnets.polarities)
-        faces = count // spec.magnets.count
+def _magnets(spec: ObjectSpec) -> list[Item]:
+    magnets, faces = spec.magnets, len(spec.body.sensed)
+    if magnets.kind == "coil":
+        note = f"{magnets.turns} turns, {magnets.current_a:g} A"
+        return [Item(magnet_name(spec), faces * magnets.count, note=note)]
+    kinds, items = magnets.by_kind, []
+    for which in kinds.values():
+        remanences = [magnets.remanences_t[k] for k in which]
+        remanence = " to ".join(f"{one:g}" for one in sorted({min(remanences), max(remanences)}))
+        outward = faces * sum(magnets.polarities[k] > 0 for k in which)
+        count = faces * len(which)
         note = (
-            f"remanence {spec.magnets.remanence_t:g} T; {outward * faces} with north outward, "
-            f"{count - outward * faces} inward"
+            f"remanence {remanence} T; {outward} with north outward, {count - outward} inward"
+            f"{'' if len(kinds) == 1 else f'; {numbered(which)} of every face'}"
         )
-    return Item(magnet_name(spec), count, note=note)
+        items.append(Item(magnet_name(spec, which[0]), count, note=note))
+    return items
+
+
+def numbered(which: tuple[int, ...]) -> str:
+    """Magnets of a face, counted from 1, in words."""
+    return f"magnet{'s' * (len(which) > 1)} {', '.join(str(k + 1) for k in which)}"
 
 
 def _electronics(spec: ObjectSpec) -> list[Item]:

@@ -22,7 +22,7 @@ from design.catalogue.orders import (
 )
 from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import mould_style, opening_of
-from design.layout.places.positions import magnet_layout, sensor_layout
+from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from design.wiring.bus_plan import BusPlan
@@ -53,7 +53,7 @@ def order_list(spec: ObjectSpec, plan: BusPlan | None) -> list[OrderLine]:
     Without a plan, because the catalogue knows no bus for the sensors, they stand by their name alone.
     """
     lines = [_sensors_alone(spec)] if plan is None else _electronics(plan)
-    return [*lines, _magnets(spec), *_casting(spec), _line(ORDERS[spec.printer.process], 1)]
+    return [*lines, *_magnets(spec), *_casting(spec), _line(ORDERS[spec.printer.process], 1)]
 
 
 def write_orders(lines: list[OrderLine], target: Path) -> None:
@@ -123,20 +123,28 @@ def _sensors_alone(spec: ObjectSpec) -> OrderLine:
     )
 
 
-def _magnets(spec: ObjectSpec) -> OrderLine:
-    """By a seller's number where the catalogue has one, else by shape, size and grade."""
-    line = _line(ORDERS["magnet"], len(magnet_layout(spec).face))
+def _magnets(spec: ObjectSpec) -> list[OrderLine]:
+    """By a seller's number where the catalogue has one, else by shape, size and grade; a line each kind."""
+    faces = len(spec.body.sensed)
     if spec.magnets.kind == "coil":
-        return replace(line, part="coil", maker="your own", number=magnet_name(spec))
-    part = MAGNET_PARTS.get(spec.magnets.part or "")
-    if part is not None and part.source != STOCK:
-        seller, _, number = part.source.partition(", ")
-        return replace(line, part=f"magnet {part.name}", maker=seller, number=number)
-    return replace(line, number=f"{magnet_name(spec)}, {_grades(spec)}, axial")
+        line = _line(ORDERS["magnet"], faces * spec.magnets.count)
+        return [replace(line, part="coil", maker="your own", number=magnet_name(spec))]
+    part, lines = MAGNET_PARTS.get(spec.magnets.part or ""), []
+    for which in spec.magnets.by_kind.values():
+        line = _line(ORDERS["magnet"], faces * len(which))
+        if part is not None and part.source != STOCK:
+            seller, _, number = part.source.partition(", ")
+            lines.append(replace(line, part=f"magnet {part.name}", maker=seller, number=number))
+        else:
+            name = magnet_name(spec, which[0])
+            lines.append(replace(line, number=f"{name}, {_grades(spec, which[0])}, axial"))
+    return lines
 
 
-def _grades(spec: ObjectSpec) -> str:
+def _grades(spec: ObjectSpec, magnet: int) -> str:
     """The grade given, else those that have the remanence of the specification."""
-    remanence = spec.magnets.remanence_t
+    if spec.magnets.grades:
+        return spec.magnets.grades[magnet]
+    remanence = spec.magnets.remanences_t[magnet]
     fit = [grade.name for grade in GRADES.values() if grade.admits(remanence)]
-    return spec.magnets.grade or " or ".join(fit) or f"remanence {remanence:g} T"
+    return " or ".join(fit) or f"remanence {remanence:g} T"

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from jaxtyping import Float
 
+from design.catalogue.magnets import magnet_grade
 from design.layout.pockets import magnet_bodies
 from design.search.faces import group_labels, layout_groups
 from design.spec.object import ObjectSpec
@@ -90,11 +91,25 @@ def _ring_map(around: Float[np.ndarray, "part 2"], names: tuple[str, ...], label
 
 
 def polarities(structured: ObjectSpec, params: Mapping[str, Any]) -> list[float]:
-    """1 for every magnet with its north outward, −1 for the others."""
-    if not structured.search.vary.magnet_north:
-        return [float(p) for p in structured.magnets.polarities]
+    """Polarization of every magnet over that of the specification's first; negative for north inward."""
+    magnets, vary = structured.magnets, structured.search.vary
+    signs, strengths = magnets.polarities, magnets.strengths
+    if vary.magnet_north:
+        norths = choices_of_magnets(structured, params, "north")
+        signs = tuple(1 if way == "outward" else -1 for way in norths)
+    if vary.magnet_grade:
+        grades = choices_of_magnets(structured, params, "grade")
+        first = magnets.remanences_t[0]
+        strengths = tuple(magnet_grade(name).remanence_t / first for name in grades)
+    return [float(sign * strength) for sign, strength in zip(signs, strengths, strict=True)]
+
+
+def choices_of_magnets(
+    structured: ObjectSpec, params: Mapping[str, Any], name: Literal["north", "grade"]
+) -> list[str]:
+    """What a trial chose for every magnet of a face; those of one seat under the symmetry are alike."""
     seats = seats_of(structured.search.magnet_symmetry, structured.magnets.count)
-    return [1.0 if params[f"magnet{s.label}_north"] == "outward" else -1.0 for s in seats]
+    return [params[f"magnet{seat.label}_{name}"] for seat in seats]
 
 
 def _place_map(

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from design.catalogue.magnets import magnet_part
+from design.catalogue.magnets import magnet_grade, magnet_part, typical_grade
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.pockets import magnet_bodies, sensor_places
 from design.search.faces import group_labels, layout_groups
-from design.search.places import generators, magnet_maps, polarities, sensor_maps
+from design.search.places import choices_of_magnets, generators, magnet_maps, sensor_maps
 from design.search.structure import STRUCTURE, structure_choices, with_structure
 from design.spec.object import ObjectSpec
 from design.spec.search import VarySpec
@@ -111,6 +111,7 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
     for k, (depth, tilt) in enumerate(zip(_depths(spec), tilts, strict=True), start=1):
         values: dict[str, Any] = {"depth_mm": depth, "tilt_x_deg": tilt[0], "tilt_y_deg": tilt[1]}
         values["north"] = norths[k - 1]
+        values["grade"] = typical_grade(spec.magnets.remanences_t[k - 1])
         found |= {f"magnet{k}_{name}": value for name, value in values.items()}
     for group, label in zip(layout_groups(spec), group_labels(spec), strict=True):
         face = spec.body.sensed.index(group[0])
@@ -168,8 +169,10 @@ def with_layout(spec: ObjectSpec, params: Params) -> ObjectSpec:
     if vary.magnet_tilt_deg is not None:
         content["magnets"]["tilt_deg"] = magnets[0][:, 3:].round(1).tolist()
     if vary.magnet_north:
-        poles = polarities(structured, params)
-        content["magnets"]["north"] = ["outward" if pole > 0 else "inward" for pole in poles]
+        content["magnets"]["north"] = choices_of_magnets(structured, params, "north")
+    if vary.magnet_grade is not None:
+        del content["magnets"]["remanence_t"]
+        content["magnets"]["grade"] = choices_of_magnets(structured, params, "grade")
     if vary.sensor_reach_mm is not None:
         lists = [each.at(values).round(2).tolist() for each in sensor_maps(structured, names)]
         content["sensors"]["positions_mm"] = _of_faces(spec, lists)
@@ -203,6 +206,8 @@ def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
         found += _pair(name, ("tilt_x_deg", "tilt_y_deg"), turns, seat.turn)
         if vary.magnet_north:
             found.append(Variable(f"{name}_north", choices=("outward", "inward")))
+        if vary.magnet_grade is not None:
+            found.append(Variable(f"{name}_grade", choices=vary.magnet_grade))
     return found
 
 
@@ -272,10 +277,31 @@ def _check(spec: ObjectSpec) -> None:
                 "Leave it out"
             )
     magnets = spec.magnets
+    listed = (magnets.depth_mm, magnets.grade, magnets.remanence_t)
     if vary.magnet_count and (
-        magnets.north or magnets.tilt_deg or isinstance(magnets.depth_mm, tuple)
+        magnets.north or magnets.tilt_deg or any(isinstance(one, tuple) for one in listed)
     ):
         raise InputError(
-            "search.vary.magnet_count changes how many magnets there are, and magnets.north, tilt_deg "
-            "or depth_mm hold for as many as there were. Leave those out"
+            "search.vary.magnet_count changes how many magnets there are, and magnets.north, tilt_deg, "
+            "depth_mm, grade or remanence_t hold for as many as there were. Leave those out"
         )
+    _check_grades(spec)
+
+
+def _check_grades(spec: ObjectSpec) -> None:
+    vary, magnets = spec.search.vary, spec.magnets
+    if vary.magnet_grade is None:
+        return
+    if magnets.kind == "coil":
+        raise InputError(
+            "search.vary.magnet_grade chooses among permanent magnets; got magnets.kind = 'coil'. Leave "
+            "it out"
+        )
+    for name in vary.magnet_part or ():
+        if magnet_part(name).grade is not None:
+            raise InputError(
+                f"search.vary.magnet_part = {name!r} is sold in one grade; search.vary.magnet_grade "
+                "chooses grades. Leave one of the two out"
+            )
+    for name in vary.magnet_grade:
+        magnets.changed(grade=name, remanence_t=magnet_grade(name).remanence_t)  # or refused

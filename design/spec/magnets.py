@@ -6,7 +6,7 @@ Defaults are the paper's cube (Knopke et al., RA-L 2024); docs/units.md gives th
 from __future__ import annotations
 
 from math import pi
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
@@ -22,6 +22,8 @@ from design.spec.base import Finite, NonNegative, Positive, RecoilPermeability, 
 
 MU0_T_MM_PER_A = 4e-4 * pi
 """Permeability of vacuum, T·mm/A."""
+
+Value = TypeVar("Value", float, str)
 
 Tilt = Annotated[float, Field(ge=-30, le=30)]
 
@@ -54,8 +56,9 @@ class MagnetSpec(SpecPart):
 
     `part` gives shape and dimensions (and grade) of a catalogued magnet. A ring has an
     `inner_diameter_mm`; a block has edges `size_mm` along the face's x and y. `remanence_t` is that
-    at 20 °C; left out, it is the typical one of `grade`. `recoil_permeability` makes the polarization
-    smaller than the remanence (docs/field.md); 1 takes the two as equal.
+    at 20 °C; left out, it is the typical one of `grade`. Both are one for all magnets or one each.
+    `recoil_permeability` makes the polarization smaller than the remanence (docs/field.md); 1 takes the
+    two as equal.
 
     `kind = "coil"` puts air-core coils of the same outline in the magnets' place, wound from the
     inner to the outer diameter with `turns` of `current_a`; only they can be switched on face by
@@ -75,8 +78,8 @@ class MagnetSpec(SpecPart):
     inner_diameter_mm: NonNegative = 0.0
     size_mm: tuple[Positive, Positive] = (5.0, 5.0)
     height_mm: Positive = 1.0
-    grade: str | None = None
-    remanence_t: Positive = 1.43
+    grade: str | tuple[str, ...] | None = None
+    remanence_t: Positive | Annotated[tuple[Positive, ...], Field(min_length=1)] = 1.43
     recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
     temperature_c: Annotated[float, Field(ge=-40, le=150)] = REFERENCE_TEMPERATURE_C
     turns: Annotated[int, Field(ge=1)] = 50
@@ -116,16 +119,44 @@ class MagnetSpec(SpecPart):
     @property
     def depths_mm(self) -> tuple[float, ...]:
         """`depth_mm` of every magnet; empty where it is left out."""
-        if self.depth_mm is None:
-            return ()
-        if isinstance(self.depth_mm, tuple):
-            return self.depth_mm
-        return (self.depth_mm,) * self.count
+        return () if self.depth_mm is None else self._each(self.depth_mm)
+
+    @property
+    def grades(self) -> tuple[str, ...]:
+        """`grade` of every magnet; empty where it is left out."""
+        return () if self.grade is None else self._each(self.grade)
+
+    @property
+    def remanences_t(self) -> tuple[float, ...]:
+        """`remanence_t` of every magnet."""
+        return self._each(self.remanence_t)
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Grade of every magnet, else its remanence: what tells magnets of one shape apart."""
+        return self.grades or tuple(f"{one:g} T" for one in self.remanences_t)
+
+    @property
+    def by_kind(self) -> dict[str, tuple[int, ...]]:
+        """Magnets of a face, counted from 0, of every kind: each is bought by itself."""
+        found: dict[str, tuple[int, ...]] = {}
+        for number, kind in enumerate(self.kinds):
+            found[kind] = (*found.get(kind, ()), number)
+        return found
+
+    @property
+    def strengths(self) -> tuple[float, ...]:
+        """Polarization of every magnet over the first one's: of one shape it goes with the remanence."""
+        first = self.remanences_t[0]
+        return tuple(one / first for one in self.remanences_t)
+
+    def _each(self, given: Value | tuple[Value, ...]) -> tuple[Value, ...]:
+        return given if isinstance(given, tuple) else (given,) * self.count
 
     @property
     def working_remanence_t(self) -> float:
-        """Remanence at `temperature_c`."""
-        return remanence_at_temperature_t(self.remanence_t, self.temperature_c)
+        """Remanence of a face's first magnet at `temperature_c`."""
+        return remanence_at_temperature_t(self.remanences_t[0], self.temperature_c)
 
     @property
     def winding_polarization_t(self) -> float:
@@ -141,8 +172,11 @@ class MagnetSpec(SpecPart):
             part = magnet_part(given["part"])
             graded = part.grade is not None and given.get("remanence_t") is None
             given = {**part.figures(), **({"grade": part.grade} if graded else {}), **given}
-        if isinstance(given.get("grade"), str):
-            given = {"remanence_t": magnet_grade(given["grade"]).remanence_t, **given}
+        grade = given.get("grade")
+        if isinstance(grade, str):
+            given = {"remanence_t": magnet_grade(grade).remanence_t, **given}
+        elif isinstance(grade, list | tuple) and grade and all(isinstance(g, str) for g in grade):
+            given = {"remanence_t": tuple(magnet_grade(g).remanence_t for g in grade), **given}
         return given
 
     @model_validator(mode="after")
@@ -160,9 +194,9 @@ class MagnetSpec(SpecPart):
                 f"magnets.positions_mm must hold as many places on every face; got {counts}. Add or take "
                 "out places"
             )
-        listed = (("depth_mm", self.depths_mm), ("tilt_deg", self.tilt_deg), ("north", self.north))
-        for key, values in listed:
-            if len(values) not in (0, count):
+        for key in ("depth_mm", "tilt_deg", "north", "grade", "remanence_t"):
+            values = getattr(self, key)
+            if isinstance(values, tuple) and len(values) not in (0, count):
                 raise ValueError(
                     f"magnets.{key} needs one entry for each of the {count} magnets.positions_mm; "
                     f"got {len(values)}. Add the missing ones, or leave the key out"
@@ -171,10 +205,13 @@ class MagnetSpec(SpecPart):
     def _check_part(self) -> None:
         if self.part is None:
             return
-        for name, value in magnet_part(self.part).figures().items():
-            if getattr(self, name) != value:
+        part = magnet_part(self.part)
+        figures = [(name, getattr(self, name), value) for name, value in part.figures().items()]
+        figures += [("grade", grade, part.grade) for grade in self.grades if part.grade is not None]
+        for name, given, value in figures:
+            if given != value:
                 raise ValueError(
-                    f"magnets.{name} = {getattr(self, name)!r} contradicts magnets.part = "
+                    f"magnets.{name} = {given!r} contradicts magnets.part = "
                     f"{self.part!r} ({value!r}). Leave one of the two out"
                 )
 
@@ -199,6 +236,11 @@ class MagnetSpec(SpecPart):
                 "magnets.kind = 'coil' is wound round; got magnets.shape = 'block'. Choose shape = "
                 "'disk' (or 'ring', the same for a coil)"
             )
+        if self.kind == "coil" and isinstance(self.remanence_t, tuple):
+            raise ValueError(
+                "magnets.kind = 'coil' has no remanence; got a list of magnets.grade or "
+                f"magnets.remanence_t = {list(self.remanence_t)}. Leave it out: all coils are wound alike"
+            )
         if self.switching == "face-by-face" and self.kind != "coil":
             raise ValueError(
                 "magnets.switching = 'face-by-face' needs magnets.kind = 'coil'; permanent magnets "
@@ -206,18 +248,17 @@ class MagnetSpec(SpecPart):
             )
 
     def _check_grade(self) -> None:
-        if self.grade is None:
-            return
-        grade = magnet_grade(self.grade)
-        if not grade.admits(self.remanence_t):
-            raise ValueError(
-                f"magnets.remanence_t = {self.remanence_t:g} lies outside grade {grade.name} "
-                f"({grade.remanence_min_t:g} to {grade.remanence_max_t:g} T). Leave remanence_t out "
-                f"to take the typical {grade.remanence_t:g} T, or leave magnets.grade out"
-            )
-        if self.temperature_c > grade.max_temperature_c:
-            raise ValueError(
-                f"magnets.temperature_c = {self.temperature_c:g} exceeds the "
-                f"{grade.max_temperature_c:g} °C at which grade {grade.name} begins to lose "
-                "magnetisation for good. Lower it, or leave magnets.grade out for a hotter grade"
-            )
+        for name, remanence_t in zip(self.grades, self.remanences_t, strict=bool(self.grades)):
+            grade = magnet_grade(name)
+            if not grade.admits(remanence_t):
+                raise ValueError(
+                    f"magnets.remanence_t = {remanence_t:g} lies outside grade {grade.name} "
+                    f"({grade.remanence_min_t:g} to {grade.remanence_max_t:g} T). Leave remanence_t out "
+                    f"to take the typical {grade.remanence_t:g} T, or leave magnets.grade out"
+                )
+            if self.temperature_c > grade.max_temperature_c:
+                raise ValueError(
+                    f"magnets.temperature_c = {self.temperature_c:g} exceeds the "
+                    f"{grade.max_temperature_c:g} °C at which grade {grade.name} begins to lose "
+                    "magnetisation for good. Lower it, or leave magnets.grade out for a hotter grade"
+                )

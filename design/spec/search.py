@@ -47,8 +47,8 @@ Some = Field(min_length=1, max_length=20)
 
 class VarySpec(SpecPart):
     """What may change; magnets, and sensors that move, have one layout for all faces, one for each size
-    of face (`layouts`: half extents within 10 %), or one for each; depths, tilts and poles are the same
-    on all. Where there are several, names of places in trials begin with `face` and the first face that
+    of face (`layouts`: half extents within 10 %), or one for each; depths, tilts, poles and grades are the
+    same on all. Where there are several, names of places in trials begin with `face` and the first face that
     has them.
 
     A changed magnet keeps its pocket's clearance and the silicone above it; where thickness or core
@@ -64,6 +64,7 @@ class VarySpec(SpecPart):
     magnet_depth_mm: Range | None = None
     magnet_tilt_deg: Annotated[float, Field(gt=0, le=30)] | None = None
     magnet_north: bool = False
+    magnet_grade: Annotated[tuple[str, ...], Some] | None = None
     sensor_count: Annotated[tuple[Annotated[int, Field(ge=1, le=12)], ...], Some] | None = None
     sensor_reach_mm: Positive | None = None
     sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some] | None = None

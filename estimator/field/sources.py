@@ -130,7 +130,11 @@ _Body = TypeVar("_Body", DiskMagnet, BlockMagnet)
 
 
 def magnet_source(magnets: MagnetSpec) -> Magnet:
-    """The magnet or coil that a specification describes, at its temperature and working point."""
+    """The magnet or coil that a specification describes, at its temperature and working point.
+
+    Of magnets of several grades a face's first; the others have its outline and field, times their
+    `strengths`.
+    """
     hole, height = magnets.inner_diameter_mm, magnets.height_mm
     if magnets.kind == "coil":
         winding_t = magnets.winding_polarization_t

@@ -24,7 +24,7 @@ class Layouts:
     ----------
     magnet_mm : x, y in the face's frame and depth below the face, mm
     turn_rad : rotation vector of each magnet's axis about the face's x and y, rad; 0 is outward
-    polarity : polarization over the specification's, usually 1 (north outward) or −1
+    polarity : polarization over that of the specification's first magnet, negative for north inward
     sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
     by_face : layouts of all faces by number, this one's (`face`) too, where they are not all the same
     """
@@ -85,7 +85,7 @@ def _own_layout(spec: ObjectSpec, face: int, dtype: torch.dtype) -> Layouts:
     return Layouts(
         batch([body.centre_mm * [1, 1, -1] for body in bodies]),
         batch(np.deg2rad(tilts)),
-        batch(spec.magnets.polarities),
+        batch(np.multiply(spec.magnets.polarities, spec.magnets.strengths)),
         batch([(x, y) for x, y, _ in places]),
     )
 

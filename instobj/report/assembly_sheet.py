@@ -89,11 +89,20 @@ def _face(
     radius = max(spec.magnets.size_mm) / 2 if block else spec.magnets.diameter_mm / 2
     magnets = list[dict[str, Any]]()
     places = dict(zip(spec.body.sensed, magnet_places(spec), strict=True)).get(frame.number, ())
-    for (x, y), way in zip(places, spec.magnets.polarities if places else (), strict=True):
+    kinds = spec.magnets.kinds if len(spec.magnets.by_kind) > 1 else ("",) * spec.magnets.count
+    for (x, y), way, kind in zip(places, spec.magnets.polarities, kinds, strict=bool(places)):
         pole, colour = ("N", _NORTH) if way > 0 else ("S", _SOUTH)
         pin = _pin_at(pins, frame.number, x, y)
         magnets.append(
-            {"x": x, "y": y, "radius": radius, "pole": pole, "colour": colour, "pin": pin}
+            {
+                "x": x,
+                "y": y,
+                "radius": radius,
+                "pole": pole,
+                "colour": colour,
+                "pin": pin,
+                "kind": kind,
+            }
         )
     low_x, low_y = half_x + _BORDER_MM, half_y + _BORDER_MM
     return {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from design.build.bom import silicone_amount
+from design.build.bom import numbered, silicone_amount
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import mould_frame, mould_style, opening_of
@@ -142,7 +142,7 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
     )
     return [
         *([] if held else [_glued(spec)]),
-        f"Set the {in_shell} on the floors of the shell's pockets, by {by} above.",
+        f"Set the {in_shell} on the floors of the shell's pockets, by {by} above.{_kinds(spec)}",
         *_sealed(spec),
         *([] if held else [core]),
         *([wires] if opening_of(spec) == "closed" else []),
@@ -153,6 +153,15 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
         else "Hold the object in the machine so that its axes are known (it has no printed jig), and "
         "calibrate.",
     ]
+
+
+def _kinds(spec: ObjectSpec) -> str:
+    """Which of several kinds of magnets goes where."""
+    kinds = spec.magnets.by_kind
+    if len(kinds) == 1:
+        return ""
+    told = "; ".join(f"{numbered(which)} {kind}" for kind, which in kinds.items())
+    return f" Magnets of several kinds look alike: keep them apart. On every face: {told}."
 
 
 def _sealed(spec: ObjectSpec) -> list[str]:

@@ -37,7 +37,7 @@ class MagnetLayout:
     """Magnets at rest: centre (mm), unit axis along the polarization, the face they belong to.
 
     `side` is the unit vector along a block's first edge (the face's x, where it is not tilted);
-    `strength` is each one's polarization over the specification's.
+    `strength` is each one's polarization over that of the specification's first one.
     """
 
     centre_mm: Float[np.ndarray, "magnet 3"]
@@ -137,7 +137,8 @@ def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
     frames = face_frames(spec) if in_shell else core_frames(spec)
     centre, frame, face = _in_object(frames, magnet_bodies(spec))
     north = np.tile(spec.magnets.polarities, len(frames))[:, None] * frame[:, :, 2]
-    designed = MagnetLayout(centre, north, face, frame[:, :, 0], np.ones(len(face)))
+    strength = np.tile(spec.magnets.strengths, len(frames))
+    designed = MagnetLayout(centre, north, face, frame[:, :, 0], strength)
     return magnets_as_built(spec, designed, frames)
 
 
@@ -347,7 +348,7 @@ def _with_magnet(
     if found.flipped:
         axis[row] = -axis[row]
     if found.remanence_t is not None:
-        strength[row] = found.remanence_t / spec.magnets.remanence_t
+        strength[row] = found.remanence_t / spec.magnets.remanences_t[0]
     return replace(layout, centre_mm=centre, axis=axis, side=side, strength=strength)
 
 

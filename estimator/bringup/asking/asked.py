@@ -118,7 +118,7 @@ def further_holds(spec: ObjectSpec) -> tuple[Asked, ...]:
     """
     frames, further = _frames(spec, FURTHER_S), []
     for part, place in enumerate(hold_places(spec)):
-        name, text = f"held {place.chips[0]} again", _over(place.chips[0])
+        name, text = f"held {place.chips[0]} again", _over(spec, place.chips[0])
         if len(place.chips) > 1:
             name = f"held {' '.join(place.chips)}"
             text = (
@@ -130,11 +130,11 @@ def further_holds(spec: ObjectSpec) -> tuple[Asked, ...]:
     return tuple(further)
 
 
-def _over(name: str) -> str:
+def _over(spec: ObjectSpec, name: str) -> str:
     face, number = name[1:].split("-S")
     return (
-        f"Hold one magnet about {OVER_MM:g} mm above face {face}, sensor {number}, its north pole "
-        "towards the core, as still as you can"
+        f"Hold one {_kinds(spec)[0]}magnet about {OVER_MM:g} mm above face {face}, sensor {number}, "
+        "its north pole towards the core, as still as you can"
     )
 
 
@@ -151,7 +151,7 @@ def _bare_core(spec: ObjectSpec) -> Iterator[Asked]:
         _frames(spec, STILL_S),
     )
     for part, name in enumerate(sensor_names(sensor_layout(spec).face)):
-        yield Asked(f"held {name}", "held", _over(name), frames, part)
+        yield Asked(f"held {name}", "held", _over(spec, name), frames, part)
     yield Asked(
         STILL_AGAIN,
         "still",
@@ -176,9 +176,11 @@ def _closed_object(spec: ObjectSpec) -> Iterator[Asked]:
     yield Asked(
         "closed", "closed", "Push the core into the shell; no magnet is in its pocket yet", frames
     )
+    kinds = _kinds(spec)
     for part, name in enumerate(magnet_names(spec)):
         face, number = name[1:].split("-M")
-        question = f"Put the magnet into pocket {number} of face {face}; then let go"
+        magnet = f"{kinds[int(number) - 1]}magnet"
+        question = f"Put the {magnet} into pocket {number} of face {face}; then let go"
         yield Asked(f"magnet {name}", "magnet", question, frames, part)
     yield Asked(
         "rest",
@@ -186,6 +188,12 @@ def _closed_object(spec: ObjectSpec) -> Iterator[Asked]:
         "Stand the object as it will be used, nothing touching it",
         _frames(spec, STILL_S),
     )
+
+
+def _kinds(spec: ObjectSpec) -> list[str]:
+    """Of every magnet of a face, where there are several kinds."""
+    several = len(spec.magnets.by_kind) > 1
+    return [f"{kind} " if several else "" for kind in spec.magnets.kinds]
 
 
 def magnet_names(spec: ObjectSpec) -> list[str]:

@@ -153,9 +153,11 @@ def _draw_moves_of(axes: Any, start: ObjectSpec, found: ObjectSpec, faces: tuple
         axes.add_patch(Rectangle((-edges[0], -edges[1]), 2 * edges[0], 2 * edges[1], fc="#efece4"))
     for body in before:
         _draw_magnet(axes, body, _GREY, "--")
-    for body, pole in zip(after, found.magnets.polarities, strict=True):
+    several = len(found.magnets.by_kind) > 1
+    kinds = [f", {kind}" if several else "" for kind in found.magnets.kinds]
+    for body, pole, kind in zip(after, found.magnets.polarities, kinds, strict=True):
         _draw_magnet(axes, body, _BEST, "-")
-        mark = f"{'N out' if pole > 0 else 'N in'}, {-body.centre_mm[2]:.1f} mm"
+        mark = f"{'N out' if pole > 0 else 'N in'}, {-body.centre_mm[2]:.1f} mm{kind}"
         below = body.centre_mm[:2] - [0, body.outline.radius_mm + 0.9]
         label = axes.annotate(mark, below, ha="center", va="center", fontsize=8.5, color=_INK)
         label.set_path_effects([withStroke(linewidth=3, foreground="#efece4")])

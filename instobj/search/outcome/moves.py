@@ -26,7 +26,16 @@ def moved_parts(start: ObjectSpec, found: ObjectSpec, folder: Path) -> dict[str,
         for label, old_value, new_value in _other_changes(start, found)
         if old_value != new_value
     ]
-    return {"moves_picture": folder / "moves.png", "moves": rows, "other_changes": others}
+    return {
+        "moves_picture": folder / "moves.png",
+        "moves": rows,
+        "graded": _graded(found),
+        "other_changes": others,
+    }
+
+
+def _graded(found: ObjectSpec) -> bool:
+    return found.search.vary.magnet_grade is not None
 
 
 def _faces_in_words(spec: ObjectSpec) -> list[str]:
@@ -47,10 +56,14 @@ def _moved_magnets(start: ObjectSpec, found: ObjectSpec, face: int, label: str) 
             _point(new[j]),
             f"{np.linalg.norm(new[j] - old[i]):.1f}",
             f"{tilts[j][0]:g}, {tilts[j][1]:g}",
-            "outward" if found.magnets.polarities[j] > 0 else "inward",
+            f"{'outward' if found.magnets.polarities[j] > 0 else 'inward'}{_kind(found, j)}",
         ]
         for i, j in paired(old[:, :2], new[:, :2])
     ]
+
+
+def _kind(found: ObjectSpec, magnet: int) -> str:
+    return f", {found.magnets.kinds[magnet]}" if _graded(found) else ""
 
 
 def _moved_sensors(start: ObjectSpec, found: ObjectSpec, face: int, label: str) -> list[list[str]]:

@@ -137,11 +137,15 @@ def _more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
 def _stronger(spec: ObjectSpec) -> ObjectSpec:
     stronger = {
         "grade": None,
-        "remanence_t": 1.2 * spec.magnets.remanence_t,
+        "remanence_t": _times(1.2, spec.magnets.remanence_t),
         "current_a": 1.2 * spec.magnets.current_a,
     }
     magnets = spec.magnets.changed(**stronger)
     return spec.changed(magnets=magnets)
+
+
+def _times(factor: float, given: float | tuple[float, ...]) -> float | tuple[float, ...]:
+    return tuple(factor * one for one in given) if isinstance(given, tuple) else factor * given
 
 
 def _softer(spec: ObjectSpec) -> ObjectSpec:
