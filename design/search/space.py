@@ -304,4 +304,7 @@ def _check_grades(spec: ObjectSpec) -> None:
                 "chooses grades. Leave one of the two out"
             )
     for name in vary.magnet_grade:
-        magnets.changed(grade=name, remanence_t=magnet_grade(name).remanence_t)  # or refused
+        try:
+            magnets.changed(grade=name, remanence_t=magnet_grade(name).remanence_t)
+        except InputError as error:
+            raise InputError(f"search.vary.magnet_grade: {error}") from None

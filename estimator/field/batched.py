@@ -11,6 +11,8 @@ the form in which `benchmarks/field.py` measures the law against magpylib.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import torch
 from jaxtyping import Float
@@ -34,6 +36,7 @@ def batched_field(
     model: FieldModel,
     chunk_pairs: int | None = None,
     sides: Float[Tensor, "#press magnet 3"] | None = None,
+    strength: Float[Tensor, "magnet"] | None = None,
 ) -> Float[Tensor, "press point 3"]:
     """Flux density (T) of all magnets together, at every point of every press.
 
@@ -49,6 +52,7 @@ def batched_field(
     model : dipole, multipole or charges (`field.field_model` chooses the order for a nearest distance)
     chunk_pairs : pairs worked on at once; by default what fits the processor's cache
     sides : unit vectors along the first edge of blocks; round magnets need none
+    strength : polarization of each magnet over the model's; all alike where left out
 
     Raises
     ------
@@ -61,8 +65,11 @@ def batched_field(
     press_chunk = max(1, min(presses, pairs))
     point_chunk = max(1, pairs // press_chunk)
     plain = points_mm.device.type == "cpu" and not _wants_gradient(
-        points_mm, centres_mm, axes, sides
+        points_mm, centres_mm, axes, sides, strength
     )
+    weight: Any = 1.0 if strength is None else strength[:, None, None]
+    if plain and strength is not None:
+        weight = weight.detach().numpy()
     parts = []
     for start in range(0, presses, press_chunk):
         rows = slice(start, start + press_chunk)
@@ -71,7 +78,11 @@ def batched_field(
         side = None if sides is None else _components(sides, rows, 1, plain)
         point = _components(points_mm, rows, 0, plain)
         field = [
-            _stacked(sum_over_magnets(_piece(point, first, point_chunk), centre, axis, model, side))
+            _stacked(
+                sum_over_magnets(
+                    _piece(point, first, point_chunk), centre, axis, model, side, weight
+                )
+            )
             for first in range(0, points_mm.shape[1], point_chunk)
         ]
         parts.append(torch.cat(field, dim=1).permute(2, 1, 0))

@@ -228,14 +228,13 @@ class ContactModel:
 
     @property
     def _plain(self) -> bool:
-        """Whether nothing but equal moving magnets changes the field at resting sensors."""
+        """Whether nothing but moving magnets changes the field at resting sensors."""
         place = self.scene
         return not (
             place.sensors_move
             or place.face_by_face
             or place.environment.plates
             or self.field.name == "exact"
-            or np.any(place.magnets.strength != 1)
         )
 
     def _field_of(self, states: Float[Array, "state body 6"]) -> Float[Array, "state sensor 3"]:
@@ -252,7 +251,9 @@ class ContactModel:
         points = like(states, self.scene.sensors.position_mm)[None]
         centres = like(states, magnets.centre_mm) + states[..., :3]
         sides = turned(magnets.side) if isinstance(self.field.magnet, BlockMagnet) else None
-        return batched_field(points, centres, turned(magnets.axis), self.field, sides=sides)
+        strength = like(states, magnets.strength)
+        axes = turned(magnets.axis)
+        return batched_field(points, centres, axes, self.field, sides=sides, strength=strength)
 
     @cached_property
     def _resting(self) -> Float[np.ndarray, "channel"]:

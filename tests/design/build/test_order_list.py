@@ -95,3 +95,14 @@ def test_prints_are_counted_as_often_as_they_are_made_and_silicone_with_its_wast
     assert amount.mixed_g == pytest.approx(1.15 * amount.mass_g)
     assert amount.parts_g == pytest.approx((amount.mixed_g * 10 / 11, amount.mixed_g / 11))
     assert SCREWS == 4
+
+
+def test_magnets_of_every_grade_are_ordered_by_themselves():
+    grade = ["N52", "N35", "N52"]
+    found = by_number(ordered(magnets={"positions_mm": [[0, 0], [9, 8], [-9, 8]], "grade": grade}))
+    assert found["disk magnet N52 Ø6 × 1 mm, N52, axial"].pieces == 10
+    assert found["disk magnet N35 Ø6 × 1 mm, N35, axial"].pieces == 5
+    places = {"positions_mm": [[0, 0], [9, 8]], "remanence_t": [1.2, 1.6]}
+    found = by_number(ordered(magnets=places))
+    assert found["disk magnet Ø6 × 1 mm, N35, axial"].pieces == 5
+    assert found["disk magnet Ø6 × 1 mm, remanence 1.6 T, axial"].pieces == 5

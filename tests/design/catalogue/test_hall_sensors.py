@@ -54,7 +54,7 @@ def test_grade_and_remanence_may_both_stand_while_they_agree():
         parsed(magnets={"grade": "N99"})
     with pytest.raises(InputError, match="'n50' is not a known grade"):
         magnet_grade("n50")
-    with pytest.raises(InputError, match=r"magnets\.grade: .*string; got 50"):
+    with pytest.raises(InputError, match=r"magnets\.grade: .*string or a valid tuple; got 50"):
         parsed(magnets={"grade": 50})
 
 

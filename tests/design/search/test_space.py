@@ -5,6 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.search.places import polarities
 from design.search.space import (
     Variable,
     _middle,
@@ -29,6 +30,7 @@ EVERYTHING = {
     "magnet_depth_mm": [2.0, 4.0],
     "magnet_tilt_deg": 10.0,
     "magnet_north": True,
+    "magnet_grade": ["N35", "N50"],
     "sensor_count": [3, 4],
     "sensor_reach_mm": 9.0,
     "sensor_chip": ["inward", "outward"],
@@ -89,15 +91,16 @@ def test_a_layout_is_a_specification_with_the_chosen_parts():
         wanted = (params[f"magnet{k + 1}_x_mm"], params[f"magnet{k + 1}_y_mm"])
         assert_allclose(place, wanted, atol=0.0051)
         assert found.magnets.north[k] == params[f"magnet{k + 1}_north"]
+        assert found.magnets.grade[k] == params[f"magnet{k + 1}_grade"]
 
 
 def axes_of(spec):
-    """Centre and north of every magnet of face 1."""
+    """Centre and north of every magnet of face 1, as long as it is strong."""
     from design.layout.places.positions import magnet_layout
 
     layout = magnet_layout(spec)
     own = layout.face == 1
-    return layout.centre_mm[own], layout.axis[own]
+    return layout.centre_mm[own], (layout.strength[:, None] * layout.axis)[own]
 
 
 MIRROR = np.diag([-1.0, 1.0, 1.0])
@@ -113,7 +116,10 @@ def is_mapped_onto_itself(spec, matrix):
 
 VARY = {
     k: EVERYTHING[k]
-    for k in ("magnet_reach_mm", "magnet_depth_mm", "magnet_tilt_deg", "magnet_north")
+    for k in (
+        *("magnet_reach_mm", "magnet_depth_mm", "magnet_tilt_deg"),
+        *("magnet_north", "magnet_grade"),
+    )
 }
 
 
@@ -130,6 +136,71 @@ def test_symmetric_layouts_are_symmetric_and_others_are_not(symmetry, matrix):
         update={"magnets": found.magnets.model_copy(update={"tilt_deg": tuple(tilted)})}
     )
     assert not is_mapped_onto_itself(wrong, matrix)
+    grades = tuple({"N35": "N50", "N50": "N35"}[one] for one in found.magnets.grade)
+    mixed = {"grade": (grades[0], *found.magnets.grade[1:]), "remanence_t": None}
+    mixed = with_layout_of_magnets(found, mixed)
+    assert not is_mapped_onto_itself(mixed, matrix)
+
+
+def with_layout_of_magnets(spec, update):
+    content = spec.model_dump(mode="json")
+    content["magnets"] |= update
+    content["magnets"] = {k: v for k, v in content["magnets"].items() if v is not None}
+    return parse_spec(content, "made up")
+
+
+@pytest.mark.parametrize(
+    ("symmetry", "names"),
+    [
+        ("free", [f"magnet{k}_grade" for k in range(1, 6)]),
+        ("mirrored", ["magnet1_grade", "magnet2_grade", "magnet_axis_grade"]),
+        ("four-fold", ["magnet1_grade", "magnet_centre_grade"]),
+    ],
+)
+def test_every_magnet_under_a_symmetry_has_the_grade_of_its_like(symmetry, names):
+    vary = {"magnet_reach_mm": 14.0, "magnet_grade": ["N35", "N52"]}
+    space = search_space(specification(vary=vary, magnet_symmetry=symmetry))
+    assert [v.name for v in space.variables if v.choices] == names
+    params = params_at(space, np.zeros(len(space.variables)))
+    assert_allclose(polarities(space.spec, params), [1.20 / 1.43] * 5, rtol=1e-12)
+    first = polarities(space.spec, params | {names[0]: "N52"})
+    alike = {"free": 1, "mirrored": 2, "four-fold": 4}[symmetry]
+    assert_allclose(first, [1.45 / 1.43] * alike + [1.20 / 1.43] * (5 - alike), rtol=1e-12)
+
+
+def test_grades_leave_poles_as_they_are_and_poles_grades():
+    vary = {"magnet_grade": ["N35", "N52"]}
+    magnets = {"positions_mm": [[8, 8], [-8, -8]], "north": ["outward", "inward"]}
+    spec = parse_spec({"name": "a", "magnets": magnets, "search": {"vary": vary}}, "made up")
+    params = {"magnet1_grade": "N52", "magnet2_grade": "N35"}
+    assert_allclose(polarities(spec, params), [1.45 / 1.43, -1.20 / 1.43])
+    found = with_layout(spec, params).magnets
+    assert (found.grade, found.remanence_t) == (("N52", "N35"), (1.45, 1.20))
+    assert found.north == ("outward", "inward")
+    magnets |= {"grade": ["N35", "N52"]}
+    content = {"name": "a", "magnets": magnets, "search": {"vary": {"magnet_north": True}}}
+    spec = parse_spec(content, "made up")
+    params = {"magnet1_north": "inward", "magnet2_north": "inward"}
+    assert_allclose(polarities(spec, params), [-1.0, -1.45 / 1.20])
+    assert with_layout(spec, params).magnets.grade == ("N35", "N52")
+
+
+@pytest.mark.parametrize(
+    ("magnets", "start"),
+    [
+        ({"grade": ["N35", "N52"]}, ["N35", "N52"]),
+        ({"remanence_t": 1.45}, ["N52", "N52"]),
+        ({"grade": "N52", "remanence_t": 1.44}, None),
+        ({"grade": "N42"}, None),
+    ],
+    ids=["listed", "typical", "measured", "no choice"],
+)
+def test_the_start_is_a_layout_where_its_grades_are_choices(magnets, start):
+    magnets = {"positions_mm": [[8, 8], [-8, -8]]} | magnets
+    search = {"vary": {"magnet_grade": ["N35", "N52"]}}
+    space = search_space(parse_spec({"name": "a", "magnets": magnets, "search": search}, "a"))
+    found = start_params(space)
+    assert start == (None if found is None else list(found.values()))
 
 
 def test_a_larger_magnet_keeps_its_pockets_clearance_and_seal():
@@ -182,6 +253,10 @@ WRONG = {
     },
     "block": {"vary": {"magnet_part": ["B5x5x1"]}},
     "not a known part": {"vary": {"magnet_part": ["D99x1"]}},
+    "'N99' is not a known grade": {"vary": {"magnet_grade": ["N35", "N99"]}},
+    "is sold in one grade": {
+        "vary": {"magnet_grade": ["N35"], "magnet_part": ["D6x1", "MP 12x5x2 / N38"]}
+    },
     "magnet_count needs": {"vary": {"magnet_count": [4, 5]}},
     "must rise": {"vary": {"magnet_depth_mm": [4.0, 2.0]}},
     "takes a single objective": {
@@ -203,3 +278,25 @@ def test_contradictions_are_one_clear_error(text):
 def test_parts_that_the_start_lacks_begin_in_the_middle():
     assert _middle(Variable("a", low=2.0, high=5.0)) == 3.5
     assert _middle(Variable("b", choices=(3, 1))) == 3
+
+
+REFUSED_GRADES = {
+    "chooses among permanent magnets": {"kind": "coil"},
+    "magnet_grade: .*exceeds the 80 °C": {"temperature_c": 90.0},
+}
+
+
+@pytest.mark.parametrize("text", REFUSED_GRADES)
+def test_grades_that_the_magnets_cannot_have_are_refused(text):
+    search = {"vary": {"magnet_grade": ["N35", "N52"]}}
+    content = {"name": "a", "magnets": REFUSED_GRADES[text], "search": search}
+    with pytest.raises(InputError, match=f"(?s){text}"):
+        search_space(parse_spec(content, "made up"))
+
+
+def test_more_or_fewer_magnets_take_no_list_of_grades():
+    magnets = {"positions_mm": [[8, 8], [-8, -8]], "grade": ["N35", "N52"]}
+    search = {"vary": {"magnet_count": [2, 3], "magnet_reach_mm": 12.0}}
+    spec = parse_spec({"name": "a", "magnets": magnets, "search": search}, "made up")
+    with pytest.raises(InputError, match="grade or remanence_t hold for as many as there were"):
+        search_space(spec)

@@ -21,6 +21,7 @@ silicone.poisson_ratio: ge -0.3, le 0.5
 silicone.layers.modulus_ratio: ge 0.001, le 1000
 silicone.prony.fraction: lt 1
 silicone.peel_share: le 1
+magnets.remanence_t: least 1
 magnets.recoil_permeability: ge 1, le 2
 magnets.temperature_c: ge -40, le 150
 magnets.turns: ge 1
@@ -95,6 +96,7 @@ search.finalists: ge 1
 search.vary.magnet_count: ge 1, least 1, most 20
 search.vary.magnet_part: least 1, most 20
 search.vary.magnet_tilt_deg: le 30
+search.vary.magnet_grade: least 1, most 20
 search.vary.sensor_count: ge 1, le 12, least 1, most 20
 search.vary.sensor_chip: least 1, most 20
 search.vary.sensor_turn_deg: least 1, most 20

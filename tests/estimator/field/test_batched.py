@@ -191,3 +191,22 @@ def test_what_cannot_be_computed_is_refused():
         batched_field(given[0].float(), given[1], given[2], model)
     with pytest.raises(InputError, match="must not be empty"):
         batched_field(given[0][:, :0], given[1], given[2], model)
+
+
+@pytest.mark.parametrize("gradient", [True, False])
+def test_magnets_of_unlike_strength_add_up(gradient):
+    """And the slope in a strength is the field of that magnet alone."""
+    disk = DiskMagnet(6.0, 1.0, 1.3)
+    model = field_model(disk, 6.0)
+    given = tensors(torch.float64, "cpu", *random_presses(np.random.default_rng(4)))
+    strength = torch.tensor([1.0, -0.5, 1.2, 0.0], dtype=torch.float64, requires_grad=gradient)
+    found = batched_field(*given, model, strength=strength)
+    alone = [
+        batched_field(given[0], *(part[:, k : k + 1] for part in given[1:]), model)
+        for k in range(4)
+    ]
+    wanted = sum(s * one for s, one in zip(strength.tolist(), alone, strict=True))
+    assert_allclose(found.detach(), wanted, rtol=0, atol=1e-15)
+    if gradient:
+        found[2, 1, 0].backward()
+        assert_allclose(strength.grad, [float(one[2, 1, 0]) for one in alone], rtol=1e-12)

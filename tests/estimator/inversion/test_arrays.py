@@ -14,6 +14,8 @@ from estimator.inversion.search import Search
 from tests.support.mechanics.inverted import SPEC, contacts, inverted, noisy_counts
 
 TENSOR = torch.empty(0, dtype=torch.float64)
+STEEL = {"position_mm": [0, 28, 0], "normal": [0, -1, 0]}
+STRENGTHS = tuple(np.linspace(1.1, 1.4, SPEC.magnets.count).tolist())
 
 
 @pytest.fixture(scope="module")
@@ -86,13 +88,17 @@ def test_one_fit_is_the_same_to_rounding(probes):
 
 
 @pytest.mark.parametrize(
-    ("around", "plain"),
-    [({}, True), ({"steel_plates": [{"position_mm": [0, 28, 0], "normal": [0, -1, 0]}]}, False)],
-    ids=["plain", "steel"],
+    ("changes", "plain"),
+    [
+        ({}, True),
+        ({"magnets": SPEC.magnets.changed(remanence_t=STRENGTHS)}, True),
+        ({"environment": {"steel_plates": [STEEL]}}, False),
+    ],
+    ids=["plain", "several remanences", "steel"],
 )
-def test_what_contacts_do_to_each_other_is_the_same(around, plain):
+def test_what_contacts_do_to_each_other_is_the_same(changes, plain):
     """Of plain scenes by torch, beside steel by NumPy."""
-    model = replace(inverted().model, spec=SPEC.changed(environment=around))
+    model = replace(inverted().model, spec=SPEC.changed(**changes))
     face, contact = contacts(np.random.default_rng(6), 4, 3)
     wanted = model.interaction(face, contact)
     there = model.on(TENSOR)

@@ -220,3 +220,18 @@ def test_what_cannot_be_scored_is_refused(spec, motions, presses):
     lattices = (motions.candidates[0], uneven, *motions.candidates[2:])
     with pytest.raises(InputError, match="different sizes"):
         press_basis(spec, replace(motions, candidates=lattices), FACE)
+
+
+def test_magnets_of_several_grades_are_scored_as_the_ordinary_chain_does(spec, motions, presses):
+    """The specification's own layout; the chain is told every magnet's polarization by hand."""
+    grades, remanence_t = ("N35", "N52", "N52", "N35", "N42"), (1.20, 1.45, 1.45, 1.20, 1.31)
+    magnets = spec.magnets.changed(grade=grades, remanence_t=remanence_t)
+    magnets = magnets.changed(north=("outward", "inward", "outward", "inward", "outward"))
+    mixed = spec.changed(magnets=magnets)
+    laid = layouts_of(mixed, FACE)
+    by_hand = torch.tensor([[1.20, -1.45, 1.45, -1.20, 1.31]]) / 1.20
+    ordinary = [ordinary_chain(mixed, motions, FACE, replace(laid, polarity=by_hand), 0)]
+    own = layout_scorer(mixed, presses)
+    assert worst_error(own, laid, ordinary) < BOUND_TOLERANCE
+    alike = replace(laid, polarity=laid.polarity.sign())
+    assert worst_error(own, alike, ordinary) > 3 * BOUND_TOLERANCE

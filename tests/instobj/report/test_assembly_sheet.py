@@ -243,3 +243,23 @@ def test_without_a_mould_nothing_of_it_is_named():
     told = " ".join(steps(blocked, ("core", "shell")))
     assert "No mould was built" in told
     assert "halves" not in told
+
+
+def test_every_grade_has_its_line_and_its_places():
+    magnets = {
+        "positions_mm": [[0, 0], [9, 8], [-9, 8]],
+        "north": ["outward", "inward", "inward"],
+        "grade": ["N52", "N35", "N52"],
+        "remanence_t": [1.43, 1.2, 1.46],
+    }
+    spec = parsed(magnets=magnets)
+    bill = {item.item: item for item in bill_of_materials(spec, MANIFEST)}
+    strong, weak = bill["disk magnet N52 Ø6 × 1 mm"], bill["disk magnet N35 Ø6 × 1 mm"]
+    assert (strong.count, weak.count) == (10, 5)
+    assert strong.note == (
+        "remanence 1.43 to 1.46 T; 5 with north outward, 5 inward; magnets 1, 3 of every face"
+    )
+    assert weak.note == "remanence 1.2 T; 0 with north outward, 5 inward; magnet 2 of every face"
+    told = " ".join(steps(spec, ["core", "shell"]))
+    assert "On every face: magnets 1, 3 N52; magnet 2 N35." in told
+    assert "several kinds" not in " ".join(steps(parsed(magnets={"grade": "N52"}), ["core"]))

@@ -7,7 +7,7 @@ from matplotlib.patches import Circle
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.spec_io import parse_spec
-from instobj.search.outcome import figures
+from instobj.search.outcome import figures, moves
 from instobj.search.outcome.figures import (
     draw_convergence,
     draw_front,
@@ -70,3 +70,17 @@ def test_every_layout_of_a_body_with_faces_of_several_sizes_is_drawn(tmp_path, m
         assert len(circles) == 5 + 2, "magnets of the start and of the found layout"
     draw_moves(parse_spec({"name": "c"}, "c"), parse_spec({"name": "c"}, "c"), tmp_path / "m.png")
     assert len(drawn[1].axes) == 1
+
+
+def test_grades_that_a_search_chose_stand_beside_the_poles(tmp_path, monkeypatch):
+    monkeypatch.setattr(moves, "draw_moves", lambda *_: None)
+    places = {"positions_mm": [[8, 8], [-8, -8]]}
+    start = parse_spec({"name": "a", "magnets": places}, "made up")
+    chosen = places | {"grade": ["N35", "N52"], "north": ["outward", "inward"]}
+    search = {"vary": {"magnet_grade": ["N35", "N52"]}}
+    found = parse_spec({"name": "b", "magnets": chosen, "search": search}, "made up")
+    told = moves.moved_parts(start, found, tmp_path)
+    norths = [row[-1] for row in told["moves"] if row[0].startswith("magnet")]
+    assert norths == ["outward, N35", "inward, N52"]
+    assert told["graded"]
+    assert not moves.moved_parts(start, start, tmp_path)["graded"]

@@ -18,6 +18,15 @@ def test_changes_of_a_graded_magnet_are_valid_specifications(change):
         assert other.magnets.remanence_t == pytest.approx(1.2 * 1.31)
 
 
+def test_magnets_of_several_grades_all_become_stronger():
+    (change,) = (name for name in CHANGES if "magnets" in name)
+    magnets = {"positions_mm": [[0, 0], [9, 8]], "grade": ["N35", "N52"]}
+    spec = parse_spec({"name": "cube", "magnets": magnets}, "test")
+    stronger = parse_spec(CHANGES[change](spec).model_dump(mode="json"), change).magnets
+    assert stronger.remanences_t == pytest.approx((1.2 * 1.20, 1.2 * 1.45))
+    assert stronger.strengths == pytest.approx(spec.magnets.strengths)
+
+
 def test_all_channels_are_no_change_where_one_face_is_sensed():
     """Or where they are read already."""
     (change,) = (name for name in CHANGES if "all channels" in name)

@@ -69,6 +69,12 @@ DOWNSTREAM = {
     "magnets.remanence_t=1.4": {"compliance", "build", "signals", "robustness"},
     "magnets.temperature_c=45": {"compliance", "build", "signals", "robustness"},
     "magnets.grade=N45": {"compliance", "build", "signals", "robustness"},
+    'magnets.grade=["N35","N52","N35","N35","N42"]': {
+        "compliance",
+        "build",
+        "signals",
+        "robustness",
+    },
     "sensors.averaging=32": {"compliance", "build", "signals", "robustness"},
     "contact_grid.pitch_mm=2.5": {
         "plain_presses",

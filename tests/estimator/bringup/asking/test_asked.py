@@ -87,3 +87,16 @@ def test_every_further_hold_is_over_a_chip_or_between_two():
     assert all(len(pair) == 2 for pair in pairs)
     assert len({tuple(pair) for pair in pairs}) == len(pairs)
     assert np.all([CHIPS.index(a) < CHIPS.index(b) for a, b in pairs])
+
+
+def test_a_magnet_of_several_grades_is_asked_for_by_its_grade():
+    count = SMALL.magnets.count
+    grades = ("N52", *["N35"] * (count - 1))
+    remanences = (1.45, *[1.20] * (count - 1))
+    magnets = SMALL.magnets.changed(grade=grades, remanence_t=remanences)
+    texts = {one.name: one.question for one in asked_of(SMALL.changed(magnets=magnets))}
+    assert texts["held F1-S1"].startswith("Hold one N52 magnet about")
+    assert "the N52 magnet into pocket 1 of face 3" in texts["magnet F3-M1"]
+    assert "the N35 magnet into pocket 2 of face 3" in texts["magnet F3-M2"]
+    alike = {one.name: one.question for one in asked_of(SMALL)}
+    assert "Put the magnet into pocket 1" in alike["magnet F3-M1"]
