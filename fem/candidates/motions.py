@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Bool, Float, Float32, Int
 
-from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.files import atomic_path
 from design.layout.body import face_frame, face_frames
@@ -167,7 +166,7 @@ def candidate_lattices(
         ends = frame.from_plane(np.stack([-reach, reach]))
         x, y = (_regular(float(ends[0, k]), float(ends[1, k]), pitch_mm) for k in (0, 1))
         lattice = FaceCandidates(frame.number, x, y, _regular(margin_mm, deepest, depth_step_mm))
-        _require_below_the_surface(spec, frame, lattice)
+        _require_below_the_surface(spec, lattice)
         lattices.append(lattice)
     return tuple(lattices)
 
@@ -180,9 +179,12 @@ def known_places(spec: ObjectSpec, lattice: FaceCandidates) -> Bool[np.ndarray, 
     return frame.covers(abs(frame.to_plane(places)) + beside)
 
 
-def _require_below_the_surface(spec: ObjectSpec, frame: FaceFrame, lattice: FaceCandidates) -> None:
+def stands_out_mm(spec: ObjectSpec, lattice: FaceCandidates) -> float:
+    """How far the mid-plane of a magnet at the least depth stands out of its face where it does most;
+    below 0 for the silicone over it."""
+    frame = face_frame(spec, lattice.face)
     if frame.flat:
-        return
+        return -float(lattice.depth_mm[0])
     first = shell_bodies(spec)[0][0]
     x, y = np.meshgrid(lattice.x_mm, lattice.y_mm, indexing="ij")
     plane = frame.to_plane(np.stack([x, y], axis=-1)[known_places(spec, lattice)])
@@ -190,10 +192,14 @@ def _require_below_the_surface(spec: ObjectSpec, frame: FaceFrame, lattice: Face
     rim = first.outline.radius_mm * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
     centre = frame.to_object(np.column_stack([plane, np.full(len(plane), -lattice.depth_mm[0])]))
     points = centre[:, None] + np.einsum("pij,rj->pri", frame.axes_at(plane), rim)
-    out = float(np.nanmax(frame.from_object(points)[..., 2]))
+    return float(np.nanmax(frame.from_object(points)[..., 2]))
+
+
+def _require_below_the_surface(spec: ObjectSpec, lattice: FaceCandidates) -> None:
+    out = stands_out_mm(spec, lattice)
     if out > 0:
         raise InputError(
-            f"face {frame.number} is so curved that a magnet {lattice.depth_mm[0]:g} mm deep stands "
+            f"face {lattice.face} is so curved that a magnet {lattice.depth_mm[0]:g} mm deep stands "
             f"{out:.2g} mm out of it somewhere. Take smaller magnets, or leave the face out with "
             "body.sensed_faces"
         )

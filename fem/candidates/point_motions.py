@@ -114,57 +114,6 @@ def motion_rows(interpolation: PointInterpolation) -> sp.csr_matrix:
     return _interleaved(rows_of(rows))
 
 
-def fitted_motion_rows(
-    values: sp.csr_matrix,
-    local_mm: Float[np.ndarray, "quadrature 2"],
-    weights: Float[np.ndarray, "quadrature"],
-    axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "body 3 3"],
-) -> sp.csr_matrix:
-    """Best rigid motions (c, ω) of flat bodies in the least-squares sense: (6·body, 3·node).
-
-    Parameters
-    ----------
-    values : rows of one displacement component at every body's quadrature points, body by body
-    local_mm : the quadrature points in the body's plane, about its centre
-    weights : of the quadrature points, summing to 1
-    axes : the bodies' x, y and normal as columns, in the object's frame: one of all, or of each
-    """
-    count, points = shape_of(values)[0], len(weights)
-    fit = _best_rigid_motion(local_mm, weights, axes)
-    of_each = np.broadcast_to(fit, (count // points, *fit.shape[1:]))
-    ends, every = np.arange(0, count + 1, points), np.arange(count)
-
-    def block_rows(part: np.ndarray) -> sp.csr_matrix:
-        shape = (count // points, count)
-        return sp.csr_matrix(sp.csr_matrix((part.ravel(), every, ends), shape=shape) @ values)
-
-    rows = [
-        columns_of([block_rows(of_each[:, quantity, axis]) for axis in range(3)])
-        for quantity in range(6)
-    ]
-    return _interleaved(rows_of(rows))
-
-
-def _best_rigid_motion(
-    local_mm: np.ndarray, weights: np.ndarray, axes: np.ndarray
-) -> Float[np.ndarray, "body 6 3 quadrature"]:
-    """(c, ω) from displacements at the quadrature points, all in the object's frame.
-
-    Outlines are symmetric about both axes: the six parts do not mix.
-    """
-    x, y = local_mm.T
-    fit = np.zeros((6, 3, len(weights)))
-    fit[0, 0] = fit[1, 1] = fit[2, 2] = weights
-    fit[3, 2] = weights * y / (weights @ y**2)  # ω_x = ∂u_n/∂y
-    fit[4, 2] = -weights * x / (weights @ x**2)
-    polar = weights @ (x**2 + y**2)
-    fit[5, 0], fit[5, 1] = -weights * y / polar, weights * x / polar
-    local = fit.reshape(2, 3, 3, -1)
-    each = axes.reshape(-1, 3, 3)
-    turned = [np.einsum("ia,kabq,jb->kijq", one, local, one).reshape(6, 3, -1) for one in each]
-    return np.stack(turned)
-
-
 def _interleaved(rows: sp.csr_matrix) -> sp.csr_matrix:
     """From component by component to point by point."""
     count = shape_of(rows)[0] // 6

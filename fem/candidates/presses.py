@@ -13,7 +13,6 @@ from jaxtyping import Bool, Float
 from design.layout.body import face_frame
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.pockets import Outline, shell_bodies
 from design.spec.object import ObjectSpec
 from fem.candidates.cubic_convolution import extension
 from fem.candidates.motions import (
@@ -24,19 +23,22 @@ from fem.candidates.motions import (
     known_places,
     save_candidates,
 )
-from fem.candidates.point_motions import fitted_motion_rows, interpolate_at
-from fem.candidates.quadrature import outline_quadrature
+from fem.candidates.rigid_body import RigidBody, candidate_rows, rigid_body
 from fem.linear.elements import DisplacementSpace
 from fem.linear.factorization import Factorization
-from fem.linear.response import ElasticSystem, ResponseOperator, elastic_system, face_pressure_loads
-from fem.linear.sparse import rows_of, shape_of
+from fem.linear.response import (
+    ResponseOperator,
+    displacements,
+    elastic_system,
+    face_pressure_loads,
+)
+from fem.linear.sparse import rows_of
 from fem.mesh.tetrahedra import TetMesh, without_magnets
 from fem.presses.table import press_places, surface_weights_mm2
 
 FORCE_SHARES = (0.8, 1.2)
 _TEST_POINTS_PER_FACE = 60
 _CHUNK = 128
-_CIRCLES, _AROUND = 2, 8
 
 Progress = Callable[[str], None]
 
@@ -128,22 +130,6 @@ def presses_at_forces(
     return PressesAtForce(mixed, force, depths[after - 1] + share * np.diff(depths)[after - 1])
 
 
-def candidate_rows(
-    space: DisplacementSpace,
-    points_mm: Float[np.ndarray, "point 3"],
-    axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "point 3 3"],
-    outline: Outline,
-) -> sp.csr_matrix:
-    """Rigid motion that fits a body's cross-section about each point best; (6·point, 3·node).
-
-    `axes` are the outline's x and y and its normal, as columns: one of all points, or of each.
-    """
-    local, weights = outline_quadrature(outline, _CIRCLES, _AROUND)
-    spread = points_mm[:, None] + local @ np.swapaxes(axes[..., :2], -1, -2)
-    values = interpolate_at(space, spread.reshape(-1, 3)).values
-    return fitted_motion_rows(values, local, weights, axes)
-
-
 def _record(
     spec: ObjectSpec,
     mesh: TetMesh,
@@ -159,16 +145,17 @@ def _record(
     tractions = face_pressure_loads(system.space, spec)[1]
     known = [np.repeat(known_places(spec, one), len(one.depth_mm)) for one in lattices]
     points = [*(one.xyd_mm[here] for one, here in zip(lattices, known, strict=True)), *tests]
-    rows = rows_of(
-        [
-            _face_rows(spec, system.space, lattice.face, xyd)
-            for lattice, xyd in zip(lattices * 2, points, strict=True)
-        ]
-    )
     filled, there = _filled(lattices, known), contact_places(spec)
     direct = np.zeros((sum(map(len, tests)), *motions.shape[1:]), np.float32)
     steps = motions.shape[3]
     with Factorization(system.matrix) as factor:
+        body = rigid_body(spec, system, factor, lattices)
+        rows = rows_of(
+            [
+                _face_rows(spec, system.space, lattice.face, xyd, body)
+                for lattice, xyd in zip(lattices * 2, points, strict=True)
+            ]
+        )
         for index, press in enumerate(presses):
             loads = tractions[:, response.face_loads(index)]
             pressures = press.pressure_mpa.reshape(-1, press.pressure_mpa.shape[-1]).T
@@ -186,24 +173,14 @@ def _record(
     return direct
 
 
-def displacements(
-    system: ElasticSystem, factor: Factorization, forces_n: Float[np.ndarray, "n load"]
-) -> Float[np.ndarray, "n load"]:
-    """Nodal displacements (mm) under nodal forces, both (3·node, load)."""
-    motions = shape_of(system.motion_basis)[1]
-    right = np.zeros((shape_of(system.matrix)[0], forces_n.shape[1]), order="F")
-    right[:motions] = system.motion_basis.T @ forces_n
-    return system.motion_basis @ factor.solve(right)[:motions]
-
-
 def _face_rows(
-    spec: ObjectSpec, space: DisplacementSpace, face: int, xyd_mm: np.ndarray
+    spec: ObjectSpec, space: DisplacementSpace, face: int, xyd_mm: np.ndarray, body: RigidBody
 ) -> sp.csr_matrix:
-    frame, outline = face_frame(spec, face), shell_bodies(spec)[0][0].outline
+    frame = face_frame(spec, face)
     plane = frame.to_plane(xyd_mm[:, :2])
     points = frame.to_object(np.column_stack([plane, -xyd_mm[:, 2]]))
     axes = frame.axes if frame.flat else frame.axes_at(plane)
-    return candidate_rows(space, points, axes, outline)
+    return candidate_rows(space, points, axes, body)
 
 
 def _test_points(spec: ObjectSpec, lattices: tuple[FaceCandidates, ...]) -> list[np.ndarray]:

@@ -97,14 +97,14 @@ def tie_functionals(
     whole, _ = skin_quadrature(layout.outline, layout.height_mm)
     rows, rigid = [], []
     for centre, frame in zip(layout.centre_mm, layout.frame, strict=True):
-        inset = INSET * _edge_mm(space, centre + whole @ frame.T)
+        inset = INSET * edge_mm(space, centre + whole @ frame.T)
         inset = min(inset, MOST_INSET * layout.height_mm)
         local, weights = skin_quadrature(layout.outline.inset(inset), layout.height_mm - 2 * inset)
-        psi = _polynomials(local, weights, degree) * weights[:, None]
+        psi = polynomials(local, weights, degree) * weights[:, None]
         arm = local @ frame.T
         values = interpolate_at(space, centre + arm).values
         rows.append(sp.block_diag([sp.csr_matrix(psi.T) @ values] * 3))
-        rigid.append(np.concatenate([psi.T @ part for part in _rigid_motions(arm)]))
+        rigid.append(np.concatenate([psi.T @ part for part in rigid_motions(arm)]))
     return rows_of(rows), np.asarray(scipy.linalg.block_diag(*rigid))
 
 
@@ -151,7 +151,7 @@ def _tied(
     return np.block([[(surface + surface.T) / 2, moved.T], [moved, motion_compliance]])
 
 
-def _edge_mm(space: DisplacementSpace, points_mm: np.ndarray) -> float:
+def edge_mm(space: DisplacementSpace, points_mm: np.ndarray) -> float:
     """Mean edge length of the elements that hold the points, each counted as often as it does."""
     tets = np.asarray(space.mesh.t)[:, containing_tets(space.mesh, points_mm)]
     corner = np.asarray(space.mesh.p)[:, tets]
@@ -159,7 +159,7 @@ def _edge_mm(space: DisplacementSpace, points_mm: np.ndarray) -> float:
     return float(np.mean(np.linalg.norm(ends, axis=1)))
 
 
-def _polynomials(points_mm: np.ndarray, weights: np.ndarray, degree: int) -> np.ndarray:
+def polynomials(points_mm: np.ndarray, weights: np.ndarray, degree: int) -> np.ndarray:
     """Orthonormal basis (point, k) of x^a y^b z^c, a + b ≤ degree, c ≤ 1, on the quadrature."""
     x, y, z = (points_mm / abs(points_mm).max(axis=0)).T
     powers = [(n - b, b, c) for c in (0, 1) for n in range(degree + 1) for b in range(n + 1)]
@@ -169,7 +169,7 @@ def _polynomials(points_mm: np.ndarray, weights: np.ndarray, degree: int) -> np.
     return basis[:, size > _INDEPENDENT * size[0]] / root
 
 
-def _rigid_motions(arm_mm: np.ndarray) -> list[np.ndarray]:
+def rigid_motions(arm_mm: np.ndarray) -> list[np.ndarray]:
     """Columns of u_x, u_y and u_z under unit (c, ω): u = c + ω × r."""
     x, y, z = arm_mm.T
     one, zero = np.ones_like(x), np.zeros_like(x)

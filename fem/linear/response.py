@@ -129,6 +129,16 @@ def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
     return ElasticSystem(skfem_mesh, space, operators, motion, matrix)
 
 
+def displacements(
+    system: ElasticSystem, factor: Factorization, forces_n: Float[np.ndarray, "n load"]
+) -> Float[np.ndarray, "n load"]:
+    """Nodal displacements (mm) under nodal forces, both (3·node, load)."""
+    motions = shape_of(system.motion_basis)[1]
+    right = np.zeros((shape_of(system.matrix)[0], forces_n.shape[1]), order="F")
+    right[:motions] = system.motion_basis.T @ forces_n
+    return system.motion_basis @ factor.solve(right)[:motions]
+
+
 def build_response(mesh: TetMesh, spec: ObjectSpec) -> ResponseOperator:
     """Assemble, hold on the core, factor once and condense.
 

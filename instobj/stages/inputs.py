@@ -96,7 +96,7 @@ def stage_inputs(
         "mould": _mould(spec),
         "dents": _dents(spec),
         "shell_bodies": bodies,
-        "shell_body_outline": bodies["outline"],
+        "shell_body_cylinder": [bodies["outline"], bodies["height_mm"]],
     }
     parts: dict[str, Any] = {}
     for name in stage.depends_on:

@@ -152,10 +152,10 @@ STAGES: dict[str, Stage] = {
             "press",
             *("score.force_n", "search.forces_n"),
             "shell.pocket_diameter_mm",
-            "shell_body_outline",
+            "shell_body_cylinder",
         ),
         make_candidates,
-        version=3,
+        version=4,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",

@@ -60,7 +60,7 @@ class Stage:
 
     `depends_on` names parts of the specification (dotted where only one field matters), or
     "shell_bodies", what is cast into the silicone, which follows from several of them (or
-    "shell_body_outline", the cross-section of one such body); `version` is raised when the code
+    "shell_body_cylinder", cross-section and height of one such body); `version` is raised when the code
     would give another result from the same inputs. `of_others` tells which results of other objects
     it needs besides, derived from its own: name → stage and specification.
     """

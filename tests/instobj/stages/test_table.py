@@ -268,7 +268,7 @@ def test_another_layout_reruns_nothing_of_the_shell_without_magnets():
 
 def test_every_part_of_the_specification_matters_to_some_stage():
     used = {part.split(".")[0] for stage in STAGES.values() for part in stage.depends_on}
-    derived = {"shell_bodies", "shell_body_outline", "dents"}
+    derived = {"shell_bodies", "shell_body_cylinder", "dents"}
     assert used | {"search"} == set(ObjectSpec.model_fields) | derived
 
 
