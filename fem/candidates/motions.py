@@ -1,8 +1,9 @@
 """Motions of all places where a magnet could sit, under presses of the magnet-free shell.
 
 A layout search moves magnets thousands of times: it needs what each press does at any point of the
-silicone, without mechanics. Magnets are ideal here, without stiffness: a candidate moves by the
-rigid motion that fits the silicone's on its mid-plane best.
+silicone, without mechanics. A candidate moves as one rigid magnet there would in the field of the
+silicone without it (`fem.candidates.rigid_body`); pressures are those of the magnet-free shell, and
+magnets do not hold one another.
 """
 
 from __future__ import annotations
@@ -88,6 +89,8 @@ class CandidateMotions:
     candidates: tuple[FaceCandidates, ...]
     by_candidate: Float32[np.ndarray, "candidate face place step 6"]
     error: InterpolationError
+    turns_with_plane: float
+    """Of magnets: `RigidBody.turns_with_plane`."""
 
     @property
     def motion(self) -> Float32[np.ndarray, "face place step candidate 6"]:
@@ -214,6 +217,7 @@ def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:
         "force_n": motions.force_n,
         "depth_mm": motions.depth_mm,
         "candidate_faces": np.array([lattice.face for lattice in motions.candidates]),
+        "turns_with_plane": np.array(motions.turns_with_plane),
     }
     for lattice in motions.candidates:
         for name in ("x_mm", "y_mm", "depth_mm"):
@@ -244,6 +248,7 @@ def load_candidates(folder: Path | str) -> CandidateMotions:
             lattices,
             by_candidate,
             InterpolationError(**{name: float(data[f"error_{name}"]) for name in names}),
+            float(data["turns_with_plane"]),
         )
 
 

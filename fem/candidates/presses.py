@@ -91,11 +91,20 @@ def simulate_candidates(
         Path(folder) / MOTIONS_FILE, "w+", np.float32, (count, *force.shape, 6)
     )
     tests = _test_points(spec, lattices)
-    direct = _record(spec, mesh, response, presses, lattices, tests, motions, progress)
+    direct, body = _record(spec, mesh, response, presses, lattices, tests, motions, progress)
     motions.flush()
     faces = np.array([surface.number for surface in response.surfaces])
     unknown = InterpolationError(*(4 * [np.nan]))
-    table = CandidateMotions(faces, contact_grid(spec), force, depth, lattices, motions, unknown)
+    table = CandidateMotions(
+        faces,
+        contact_grid(spec),
+        force,
+        depth,
+        lattices,
+        motions,
+        unknown,
+        body.turns_with_plane,
+    )
     table = _with_error(table, tests, direct)
     save_candidates(table, folder)
     return table
@@ -139,8 +148,9 @@ def _record(
     tests: list[np.ndarray],
     motions: np.ndarray,
     progress: Progress | None,
-) -> np.ndarray:
-    """Fill `motions`; the motions of the test points are returned, in the same order of axes."""
+) -> tuple[np.ndarray, RigidBody]:
+    """Fill `motions`; the motions of the test points are returned, in the same order of axes, and the
+    magnet that moves so."""
     system = elastic_system(mesh, spec)
     tractions = face_pressure_loads(system.space, spec)[1]
     known = [np.repeat(known_places(spec, one), len(one.depth_mm)) for one in lattices]
@@ -170,7 +180,7 @@ def _record(
                 direct[:, index, place, step] = found[len(found) - len(direct) :].transpose(0, 2, 1)
             if progress:
                 progress(f"face {response.surfaces[index].number}: {pressures.shape[1]} presses")
-    return direct
+    return direct, body
 
 
 def _face_rows(
