@@ -1,8 +1,7 @@
-"""Motions of points and small flat bodies in the silicone, as rows on nodal displacements.
+"""Displacements and turns of points in the silicone, as rows on nodal displacements.
 
-A point moves by u and turns by ½ curl u. A thin rigid disk turns with the material plane that it
-lies in instead (Jeffery, Proc. R. Soc. A 102 (1922) 161, in the limit of a flat spheroid): its
-motion is the rigid motion that fits the displacement of its mid-plane best.
+A point moves by u and turns by ½ curl u; how a rigid magnet there moves is told by
+`fem.candidates.rigid_body`.
 """
 
 from __future__ import annotations

@@ -10,10 +10,17 @@ from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import shell_body_layout
 from fem.candidates.cubic_convolution import extension
 from fem.candidates.motions import candidate_lattices, known_places
-from fem.candidates.presses import candidate_rows, displacements, presses_at_forces
+from fem.candidates.presses import presses_at_forces
 from fem.candidates.presses import simulate_candidates as simulate
+from fem.candidates.quadrature import skin_quadrature
+from fem.candidates.rigid_body import RigidBody, candidate_rows, rigid_body
 from fem.linear.factorization import Factorization
-from fem.linear.response import build_response, elastic_system, face_pressure_loads
+from fem.linear.response import (
+    build_response,
+    displacements,
+    elastic_system,
+    face_pressure_loads,
+)
 from fem.mesh.tetrahedra import magnet_free_mesh, without_magnets
 from tests.support.objects.body_cases import body_spec
 
@@ -44,6 +51,12 @@ def table(spec, solved, tmp_path_factory):
     folder = tmp_path_factory.mktemp("candidates")
     mesh, _, response = solved
     return simulate(spec, mesh, response, candidate_lattices(spec), folder, force_shares=(0.5, 1.0))
+
+
+@pytest.fixture(scope="module")
+def factor(solved):
+    with Factorization(solved[1].matrix) as factor:
+        yield factor
 
 
 def test_candidates_lie_evenly_along_the_surface(spec):
@@ -80,14 +93,14 @@ def test_values_go_on_beyond_what_is_known_as_parabolas_do():
     assert_allclose(found, values, rtol=0, atol=1e-9)
 
 
-def test_candidates_move_as_the_solved_field_does(spec, solved, table):
+def test_candidates_move_as_the_solved_field_does(spec, solved, factor, table):
     """With rows of their own frames, normal to the surface over each; NaN where a face has no place."""
     _, system, response = solved
     row = table.faces.tolist().index(FACE)
     press = presses_at_forces(spec, response, row, (0.5, 1.0))
     loads = face_pressure_loads(system.space, spec)[1][:, response.face_loads(row)]
-    with Factorization(system.matrix) as factor:
-        fields = displacements(system, factor, loads @ press.pressure_mpa[:, 1].T)
+    fields = displacements(system, factor, loads @ press.pressure_mpa[:, 1].T)
+    body = rigid_body(spec, system, factor, table.candidates)
     there = contact_places(spec)[row]
     assert not there.all()
     assert (np.isfinite(table.force_n[row]).all(axis=1) == there).all()
@@ -97,18 +110,40 @@ def test_candidates_move_as_the_solved_field_does(spec, solved, table):
         here = np.repeat(known.ravel(), len(lattice.depth_mm))
         plane = frame.to_plane(lattice.xyd_mm[here, :2])
         points = frame.to_object(np.column_stack([plane, -lattice.xyd_mm[here, 2]]))
-        outline = shell_body_layout(spec).outline
-        direct = candidate_rows(system.space, points, frame.axes_at(plane), outline) @ fields
+        direct = candidate_rows(system.space, points, frame.axes_at(plane), body) @ fields
         direct = np.moveaxis(direct.reshape(len(points), 6, -1), 2, 0)
         found = table.motion[row, :, 1, first : first + len(lattice)]
         assert_allclose(found[there][:, here], direct, rtol=0, atol=2e-6 * abs(direct).max())
         assert not found[~there].any()
         middle = np.linalg.norm(plane, axis=1) < 6.0
-        turned = candidate_rows(system.space, points[middle], frame.axes, outline) @ fields
+        turned = candidate_rows(system.space, points[middle], frame.axes, body) @ fields
         turned = np.moveaxis(turned.reshape(-1, 6, turned.shape[1]), 2, 0)
         away = abs(turned - direct[:, middle]).max()
         assert away > 0.01 * abs(direct[:, middle]).max(), "all in one plane"
         first += len(lattice)
+
+
+def test_tall_magnets_stay_inside_the_silicone_at_every_place(spec, solved, factor):
+    """4 mm high, under at most 1.5 mm of silicone: their skin counts as lower, and nothing leaves."""
+    tall = spec.changed(
+        magnets=spec.magnets.changed(height_mm=4.0), shell=spec.shell.changed(pocket_depth_mm=5.0)
+    )
+    system, lattices = solved[1], candidate_lattices(tall)
+    body = rigid_body(tall, system, factor, lattices)
+    outline = shell_body_layout(tall).outline
+    whole = RigidBody(skin_quadrature(outline, 4.0, 2, 8)[0], body.weights)
+    assert whole.points_mm.shape == body.points_mm.shape
+    for lattice in lattices:
+        frame, known = face_frame(tall, lattice.face), known_places(tall, lattice)
+        xyd = lattice.xyd_mm[np.repeat(known.ravel(), len(lattice.depth_mm))]
+        plane = frame.to_plane(xyd[:, :2])
+        centres, axes = frame.to_object(np.column_stack([plane, -xyd[:, 2]])), frame.axes_at(plane)
+        skin = centres[:, None] + body.points_mm @ np.swapaxes(axes, 1, 2)
+        over = -frame.from_object(skin)[..., 2]
+        assert over.min() > 0.2
+        assert candidate_rows(system.space, centres, axes, body).shape[0] == 6 * len(centres)
+        with pytest.raises(InputError, match="outside the silicone"):
+            candidate_rows(system.space, centres, axes, whole)
 
 
 def test_interpolation_is_as_good_as_on_flat_faces(table):

@@ -7,13 +7,13 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from fem.candidates.motions import (
     CandidateMotions,
     FaceCandidates,
     _require_below_the_surface,
     candidate_lattices,
+    stands_out_mm,
 )
 from tests.support.objects.body_cases import body_spec
 
@@ -37,15 +37,21 @@ def test_a_force_has_the_two_steps_about_the_nearest_judged_one():
 def test_a_magnet_must_lie_as_deep_in_a_ball_as_its_rim_does():
     """R − √(R² − r²) = 0.206 mm under a ball of 22 mm, for magnets of 3 mm radius."""
     spec = body_spec("sphere")
-    frame = face_frame(spec, 3)
     axis = np.array([-4.0, 0.0, 4.0])
     for depth, sound in ((0.20, False), (0.21, True)):
         lattice = FaceCandidates(3, axis, axis, np.array([depth, 2.0]))
+        assert_allclose(stands_out_mm(spec, lattice), 22 - np.sqrt(22**2 - 9) - depth, atol=2e-4)
         if sound:
-            _require_below_the_surface(spec, frame, lattice)
+            _require_below_the_surface(spec, lattice)
         else:
             with pytest.raises(InputError, match=r"magnet 0\.2 mm deep stands 0\.00\d+ mm out"):
-                _require_below_the_surface(spec, frame, lattice)
+                _require_below_the_surface(spec, lattice)
+
+
+def test_a_magnet_under_a_flat_face_has_its_depth_of_silicone_over_it():
+    axis = np.array([-4.0, 0.0, 4.0])
+    lattice = FaceCandidates(2, axis, axis, np.array([1.3, 2.0]))
+    assert stands_out_mm(ObjectSpec(name="cube"), lattice) == -1.3
 
 
 def test_lattices_are_regular_up_to_a_pocket_s_radius_and_the_margins():

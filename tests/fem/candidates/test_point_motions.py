@@ -5,9 +5,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.pockets import Outline, tilted_frame
+from design.layout.pockets import Outline
 from fem.candidates.point_motions import containing_tets, interpolate_at, motion_rows
-from fem.candidates.presses import candidate_rows
 from fem.candidates.quadrature import outline_quadrature, skin_quadrature
 from fem.linear.elements import element_space
 from tests.support.mechanics.fem_cases import box_mesh
@@ -118,44 +117,3 @@ def test_means_over_a_skin_have_their_closed_form(outline):
     assert_allclose(
         [weights @ points[:, 2] ** 2, weights @ points[:, 0] ** 2], [z2, x2], rtol=1e-12
     )
-
-
-def fitted(space, centres, axes, outline, field):
-    rows = candidate_rows(space, centres, axes, outline)
-    return (rows @ nodal(space, field)).reshape(-1, 6)
-
-
-@pytest.mark.parametrize("outline", [DISK, PLATE], ids=["disk", "plate"])
-def test_a_fitted_rigid_motion_is_exact(cube, outline):
-    centres = np.array([[4.0, -6.0, 17.5], [-9.0, 3.0, 18.5]])
-    one, other = tilted_frame(9.0, -14.0), tilted_frame(-20.0, 5.0)
-    for axes in (one, np.stack([one, other])):
-        motion = fitted(cube.space, centres, axes, outline, rigid)
-        assert_allclose(motion[:, :3], rigid(centres), rtol=0, atol=1e-12)
-        assert_allclose(motion[:, 3:], [TURN, TURN], rtol=0, atol=1e-12)
-
-
-def test_a_fitted_disk_turns_with_its_plane_not_by_half_the_curl(cube):
-    """Simple shear u_x = γ z: the plane z = const. stays, half the curl is γ/2 about y."""
-    shear = 0.1
-    centre = np.array([[2.0, 5.0, 17.0]])
-    motion = fitted(cube.space, centre, np.eye(3), DISK, lambda p: np.outer(p[:, 2], [shear, 0, 0]))
-    assert_allclose(motion[0, 3:], 0, rtol=0, atol=1e-12)
-    lifted = fitted(cube.space, centre, np.eye(3), DISK, lambda p: np.outer(p[:, 0], [0, 0, shear]))
-    assert_allclose(lifted[0, 3:], [0, -shear, 0], rtol=0, atol=1e-12)
-
-
-def test_a_fit_is_the_least_squares_fit(cube):
-    local, weights = outline_quadrature(PLATE, 2, 8)
-    axes, centre = tilted_frame(-11.0, 6.0), np.array([-3.0, 7.0, 17.0])
-    motion = fitted(cube.space, centre[None], axes, PLATE, quadratic)[0]
-    arm = local @ axes[:, :2].T
-    x, y, z = arm.T
-    one, zero = np.ones_like(x), np.zeros_like(x)
-    columns = [[one, zero, zero, zero, z, -y], [zero, one, zero, -z, zero, x]]
-    columns.append([zero, zero, one, y, -x, zero])
-    matrix = np.concatenate([np.stack(column, axis=1) for column in columns])
-    root = np.sqrt(np.tile(weights, 3))
-    wanted = quadratic(centre + arm).T.ravel()
-    best, *_ = np.linalg.lstsq(matrix * root[:, None], wanted * root)
-    assert_allclose(motion, best, rtol=0, atol=1e-9)

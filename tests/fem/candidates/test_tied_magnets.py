@@ -133,7 +133,7 @@ def test_ties_of_coarse_meshes_stay_within_a_share_of_the_magnet_s_height(cube, 
     inset = tied_magnets.MOST_INSET * layout.height_mm
     local, weights = skin_quadrature(layout.outline.inset(inset), layout.height_mm - 2 * inset)
     frame = layout.frame[0]
-    psi = tied_magnets._polynomials(local, weights, DEGREE) * weights[:, None]
+    psi = tied_magnets.polynomials(local, weights, DEGREE) * weights[:, None]
     count = psi.shape[1]
     turned = np.cross(np.eye(3)[0], local @ frame.T)  # once about x
     assert_allclose(rigid[: 3 * count, 3], (psi.T @ turned).T.ravel(), rtol=0, atol=1e-12)
@@ -148,7 +148,7 @@ def test_a_unit_cell_s_edges_are_counted_as_often_as_points_lie_in_it():
     space = SimpleNamespace(mesh=mesh)
     small, large = 3 * (1 + np.sqrt(2)) / 6, 3 * (3 + 3 * np.sqrt(2)) / 6
     inside = np.array([[0.2, 0.2, 0.2], [3.5, 0.5, 0.5], [4.0, 0.2, 0.3]])
-    found = tied_magnets._edge_mm.__wrapped__(space, inside)
+    found = tied_magnets.edge_mm.__wrapped__(space, inside)
     assert_allclose(found, (small + 2 * large) / 3)
 
 
@@ -156,7 +156,7 @@ def test_polynomials_are_orthonormal_on_the_quadrature_and_span_their_degree():
     rng = np.random.default_rng(0)
     points, weights = rng.normal(size=(60, 3)), rng.random(60)
     for degree, count in ((1, 6), (2, 12)):
-        basis = tied_magnets._polynomials(points, weights, degree)
+        basis = tied_magnets.polynomials(points, weights, degree)
         assert_allclose(basis.T @ (weights[:, None] * basis), np.eye(count), atol=1e-9)
         x, y, z = points.T
         for power in (x, y * z, np.ones(60), x**degree):
@@ -164,11 +164,11 @@ def test_polynomials_are_orthonormal_on_the_quadrature_and_span_their_degree():
             assert_allclose(basis @ share, power, atol=1e-9)
     flat = points * [1, 1, 0]
     flat[:, 2] = 1.0
-    assert tied_magnets._polynomials(flat, weights, 1).shape[1] == 3
+    assert tied_magnets.polynomials(flat, weights, 1).shape[1] == 3
 
 
 def test_rigid_motions_are_those_of_shift_and_cross_product():
     rng = np.random.default_rng(1)
     arm, motion = rng.normal(size=(5, 3)), rng.normal(size=6)
-    found = np.stack([part @ motion for part in tied_magnets._rigid_motions(arm)], axis=1)
+    found = np.stack([part @ motion for part in tied_magnets.rigid_motions(arm)], axis=1)
     assert_allclose(found, motion[:3] + np.cross(motion[3:], arm))
