@@ -479,7 +479,9 @@ def _with_turns(
     return np.concatenate([nodes, *grown], axis=-2).reshape(len(rows), -1)
 
 
-def _turn_of_plane(slopes: Float[np.ndarray, "*node 3 3 rank"]) -> Float[np.ndarray, "*node 3 rank"]:
+def _turn_of_plane(
+    slopes: Float[np.ndarray, "*node 3 3 rank"],
+) -> Float[np.ndarray, "*node 3 rank"]:
     """Rotation vector of the material plane z = const. under slopes ∂u_c/∂x_d."""
     spin = (slopes[..., 1, 0, :] - slopes[..., 0, 1, :]) / 2
     return np.stack([slopes[..., 2, 1, :], -slopes[..., 2, 0, :], spin], axis=-2)
