@@ -1,7 +1,7 @@
 """One score of a layout on three fidelity levels, and how well one level predicts the next.
 
-1. `lowest_fidelity_score`: magnets without stiffness on stored presses, signals linear in their motions;
-   a fraction of a millisecond a layout in batches (`estimator.layouts.scoring`).
+1. `lowest_fidelity_score`: every magnet rigid as if it were alone, on stored presses, signals linear in
+   their motions; a fraction of a millisecond a layout in batches (`estimator.layouts.scoring`).
 2. `second_fidelity_score`: rigid magnets tied to the magnet-free mesh through its one factorization, contact
    and fields in full; about a minute of one core a layout. It wants the default mesh: ties on edges of
    5 mm (18 functionals) gave the worst bound of a layout with deep magnets as 1.18 instead of

@@ -2,7 +2,7 @@
 
 Space mapping (Bandler et al., IEEE Trans. Microw. Theory Tech. 42, 1994): near a layout, bounds are
 those of the lowest level times what the second one made of them there, place by place and force by
-force; limits on scores alike. Magnets' stiffness, which the lowest level lacks, then counts, as far as
+force; limits on scores alike. What the lowest level leaves out of the mechanics then counts, as far as
 it changes little on a short walk: once a leader on the paper's cube had walked, the second level's
 bounds were 0.92 to 1.06 times what so corrected ones foretold (90 % of the places; 1.06 to 2.0 times
 what the lowest level said).

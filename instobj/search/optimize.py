@@ -184,7 +184,9 @@ def _document(
         "verdict": verdict,
         "tables": {
             f"search of {spec.name}: {verdict}": [_trial_counts(kept)],
-            "lowest fidelity level: magnets without stiffness, linear signals": _rows(found, FIRST),
+            "lowest fidelity level: each magnet rigid as if alone, linear signals": _rows(
+                found, FIRST
+            ),
             "second fidelity level: rigid magnets, contact and fields in full": _rows(
                 found, SECOND
             ),
