@@ -1,4 +1,4 @@
-"""How one rigid magnet moves with the silicone round it, as weights on displacements at its skin.
+"""Motion of one rigid magnet with the silicone round it, as weights on displacements at its skin.
 
 The motion of a magnet tied by the functionals Φ of `tied_magnets`, in a field of displacements u that
 the silicone has without it, is (Rᵀ F⁻¹ R)⁻¹ Rᵀ F⁻¹ Φᵀ u, with R the functionals of its rigid motions

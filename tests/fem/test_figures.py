@@ -7,6 +7,7 @@ import pytest
 
 import fem.candidates.motions
 import fem.candidates.presses
+import fem.candidates.rigid_body
 import fem.candidates.tied_magnets
 import fem.contact.complementarity
 import fem.contact.half_space
@@ -34,7 +35,10 @@ import fem.presses.to_force
 
 FIGURES = {
     fem.candidates.motions: {"_PITCH_MM": 2.0, "_DEPTH_STEP_MM": 1.0, "_MARGIN_MM": 1.5},
-    fem.candidates.presses: {"_CIRCLES": 2, "_AROUND": 8, "FORCE_SHARES": (0.8, 1.2)},
+    fem.candidates.presses: {"FORCE_SHARES": (0.8, 1.2)},
+    fem.candidates.rigid_body: {
+        "_CIRCLES": 2, "_AROUND": 8, "_OF_THE_COVER": 0.8, "_TOLD_APART": 1e-4,
+    },
     fem.candidates.tied_magnets: {"DEGREE": 2, "INSET": 0.035, "MOST_INSET": 0.2},
     fem.contact.complementarity: {"_TOUCHES_BELOW": 0.6},
     fem.contact.half_space: {"SQUARE_OWN": 0.9505, "HAT_OWN": 0.9614},
