@@ -4,11 +4,12 @@ The motion of a magnet tied by the functionals Φ of `tied_magnets`, in a field 
 the silicone has without it, is (Rᵀ F⁻¹ R)⁻¹ Rᵀ F⁻¹ Φᵀ u, with R the functionals of its rigid motions
 and F = Φᵀ A⁻¹ Φ their flexibility: u weighted with the tractions that the magnet exerts when it is
 moved, as Faxén's laws say of a sphere in a fluid (Kim and Karrila, Microhydrodynamics, 1991, ch. 3).
-F is taken below the middle of every face, at three depths, and the mean serves everywhere. On the
-paper's cube at 5 N (24 random places of a face, rms over presses) a magnet tied at its own place moves
-otherwise by 4 % along the normal, 8 % along the face, 8 % in its tilt and 24 % in its spin, which shows
-nothing of a disk's field; a fit of its mid-plane was off by 31, 22, 37 and 24 %.
-Left out: the other magnets (5 %), and how magnets change the pressures of a press (4 %).
+F is taken below the middle of every face, at three depths, and the mean serves everywhere. How wrong
+that is was measured on the paper's cube alone, one mesh, 5 N, 24 random places of one face, with F from
+other places of that face (rms over presses): a magnet tied at its own place moves otherwise by 4 % along
+the normal, 6 to 9 % along the face, 8 % in its tilt and 24 % in its spin, which does not change a disk's
+field; a fit of its mid-plane was off by 31, 22, 37 and 24 %. On elements of 3 mm it is 8, 13, 23 and
+93 % (tests). Left out: the other magnets (5 %), and how magnets change the pressures of a press (4 %).
 """
 
 from __future__ import annotations
