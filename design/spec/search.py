@@ -100,13 +100,11 @@ class SearchLimitsSpec(SpecPart):
     all faces, in the unit of the prices, `build_minutes` their time by hand. `times_start` says how many
     times the starting specification's value a score may have at most (`sensitivity_ratio`: at least);
     `places_worse` is the share of (force, contact location) whose position bound may be larger than the
-    start's. Channels at rest may take `resting_share` of the range; at the higher fidelity levels,
-    pressed, they must leave `limits.saturation_margin` free.
+    start's. At rest and in the deepest press `limits.saturation_margin` of the sensors' range stays free.
     """
 
     pocket_gap_mm: NonNegative = 1.0
     board_gap_mm: NonNegative = 0.0
-    resting_share: Annotated[float, Field(gt=0, le=1)] = 0.5
     wiring_mm: Positive | None = None
     parts_per_face: Count | None = None
     cost: Positive | None = None

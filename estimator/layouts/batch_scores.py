@@ -100,7 +100,8 @@ def batch_scores(
     """Scores over the places of all pressed faces, those of `DEARER` only where they are named.
 
     Scorers of several forces: the geometric mean over them of the scores at each, so that every
-    force counts alike; false forces from presses nearest to `CROSS_FACE_FORCE_N`. With `start`, also
+    force counts alike; false forces from presses nearest to `CROSS_FACE_FORCE_N`, the largest counts from
+    those of the largest force. With `start`, also
     `OVER_START`: the position bound over the start's, by `worst_ratio`.
     NaN where a score does not exist: pairs of tips that do not fit on a face, grasps without two
     opposite faces among those pressed.
@@ -124,7 +125,7 @@ def batch_scores(
     for name in each[forces.index(of_cross_face)]:
         values = torch.stack([scores[name] for scores in each if name in scores])
         found[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
-    found["largest_resting_counts"] = each[0]["largest_resting_counts"]
+    found["largest_counts"] = each[-1]["largest_counts"]
     if start is not None:
         found[OVER_START] = _over_start([face.position_bound_mm for face in places], start)
     return found
@@ -166,7 +167,6 @@ def _scores_at_one_force(
         for name in ("position_bound_mm", "force_bound_n", "sensitivity")
     )
     ordered, sorted_mm = sensitivity.sort(dim=1).values, position.sort(dim=1).values
-    rest = torch.stack([face.resting_counts.abs().flatten(1).amax(dim=1) for face in places])
     found = {
         "worst_position_bound_mm": sorted_mm[:, -1],
         "percentile_99_position_bound_mm": percentile(sorted_mm, 99.0),
@@ -175,7 +175,7 @@ def _scores_at_one_force(
         "worst_force_bound_n": force.amax(dim=1),
         "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
         "edge_position_bound_mm": _edge_mean(scorers, [face.position_bound_mm for face in places]),
-        "largest_resting_counts": rest.amax(dim=0),
+        "largest_counts": torch.stack([face.largest_counts for face in places]).amax(dim=0),
     }
     for name in _DEARER.keys() & set(named):
         found[name] = _DEARER[name].score(scorers, layouts)

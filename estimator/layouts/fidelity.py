@@ -70,7 +70,7 @@ class FidelityScore:
         where the core has slipped by 1 mm, and over objects within tolerance; median over places
     compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
         (rms); the lowest fidelity level: of the shell without magnets
-    saturation_margin : share of the sensors' range that stays free (the lowest fidelity level: at rest)
+    saturation_margin : share of the sensors' range that stays free, at rest and in the deepest press
     position_bound_over_start : position bound over the start's at the same force and location, where
         it grew most (`against_start`); 1 against itself
     position_bounds_mm : position bound of every force, face and location that the face has, in
@@ -116,12 +116,12 @@ def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> 
     with torch.no_grad():
         scores = batch_scores(scorers, layouts, DEARER)
     found = {name: float(values) for name, values in scores.items()}
-    rest = found.pop("largest_resting_counts")
+    largest = found.pop("largest_counts")
     return FidelityScore(
         **found,
         position_bounds_mm=_flat(position_bounds(scorers, layouts)),
         compliance_deviation=unevenness(spec, scorers),
-        saturation_margin=1 - rest / full_scale_counts(spec.sensors),
+        saturation_margin=1 - largest / full_scale_counts(spec.sensors),
     )
 
 

@@ -16,7 +16,6 @@ from cmaes import CMA
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
-from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from estimator.layouts.batch_scores import OVER_START, PlaceBounds, batch_scores
 from estimator.layouts.limits.rules import broken_limits_mm
@@ -85,9 +84,9 @@ class Judged:
 class LowestFidelity:
     """Scorers of the pressed faces for one structure, and what the structure itself decides.
 
-    `constants` are scores that all its layouts share; `at_most` bounds scores (`sensitivity_ratio`
-    from below); `broken_mm` is what the structure breaks, in the currency of mm; `start` are the
-    bounds that layouts are held against place by place.
+    `constants` are scores that all its layouts share; `at_most` bounds what `batch_scores` tells
+    (`sensitivity_ratio` from below); `broken_mm` is what the structure breaks, in the currency of
+    mm; `start` are the bounds that layouts are held against place by place.
     """
 
     space: LayoutSpace
@@ -122,7 +121,7 @@ def judge(
     broken = torch.stack(
         [broken_limits_mm(lowest.space, one, face).sum(dim=1) for face, one in checked]
     )
-    excess = _saturation(lowest.space.structured, scores["largest_resting_counts"])
+    excess = torch.zeros_like(broken[0])
     for name, most in lowest.at_most.items():
         excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)
     broken = broken.amax(dim=0) + lowest.broken_mm + _MM_PER_EXCESS * excess
@@ -358,9 +357,3 @@ def _forget_undefined(point: Tensor) -> None:
     if point.grad is not None:
         defined: Bool[Tensor, "layout"] = point.grad.isfinite().all(dim=1)
         point.grad.nan_to_num_(0.0, 0.0, 0.0).mul_(defined[:, None])
-
-
-def _saturation(spec: ObjectSpec, counts: Float[Tensor, "layout"]) -> Float[Tensor, "layout"]:
-    """Share by which channels at rest exceed what they may."""
-    full = spec.sensors.range_mt * spec.sensors.counts_per_mt
-    return torch.relu(counts / (full * spec.search.limits.resting_share) - 1)

@@ -74,8 +74,9 @@ class PressBasis:
     else there are none, and one lattice serves all faces.
     `turn`, `shift_mm` take the other faces' frames to this one's: first those of `neighbours`
     (numbers of the adjacent faces), last that of `opposite`, where it is sensed. The opposite face
-    has no rows: what motions of magnets that far away add does not show in the bounds. `mm_per_n` is
-    indentation depth over force at every location, of the shell without magnets.
+    has no rows: what motions of magnets that far away add does not show in the bounds. Of the shell
+    without magnets, at every location: `deepest_n`, force of the deepest simulated press, and
+    `mm_per_n`, indentation depth over force.
     """
 
     face: int
@@ -91,6 +92,7 @@ class PressBasis:
     other: RowTable
     turn: Float[Tensor, "face 3 3"]
     shift_mm: Float[Tensor, "face 3"]
+    deepest_n: Float[Tensor, "place"]
     mm_per_n: Float[np.ndarray, "place"]
     patches: tuple[Patch, ...] = ()
 
@@ -185,6 +187,7 @@ def press_basis(
         table(adjacent, moving, other_rank) if moving else _nothing(scale, dtype),
         tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
         tensor([here.in_plane(frame.centre_mm) for frame in others]).reshape(-1, 3),
+        tensor(motions.deepest_n[motions.faces.tolist().index(face)][there]),
         _compliance(motions, face, force_n)[there],
         _patches(spec, [lattices[number] for number in order], dtype) if differ else (),
     )

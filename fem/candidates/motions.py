@@ -79,13 +79,15 @@ class CandidateMotions:
     object's frame; candidates run face by face as in `candidates`; memory-mapped where it was
     loaded. A layout gathers few candidates of all presses, hence the order. Steps are presses to
     `force_n` (N), at `depth_mm`, of places in `places`: two for each judged force; NaN, and motions 0,
-    at places that a face has not.
+    at places that a face has not. `deepest_n`: force of the deepest simulated press of the shell without
+    magnets.
     """
 
     faces: Int[np.ndarray, "face"]
     places: PlaceGrid
     force_n: Float[np.ndarray, "face place step"]
     depth_mm: Float[np.ndarray, "face place step"]
+    deepest_n: Float[np.ndarray, "face place"]
     candidates: tuple[FaceCandidates, ...]
     by_candidate: Float32[np.ndarray, "candidate face place step 6"]
     error: InterpolationError
@@ -216,6 +218,7 @@ def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:
         "place_y_mm": motions.places.y_mm,
         "force_n": motions.force_n,
         "depth_mm": motions.depth_mm,
+        "deepest_n": motions.deepest_n,
         "candidate_faces": np.array([lattice.face for lattice in motions.candidates]),
         "turns_with_plane": np.array(motions.turns_with_plane),
     }
@@ -245,6 +248,7 @@ def load_candidates(folder: Path | str) -> CandidateMotions:
             PlaceGrid(data["place_x_mm"], data["place_y_mm"]),
             data["force_n"],
             data["depth_mm"],
+            data["deepest_n"],
             lattices,
             by_candidate,
             InterpolationError(**{name: float(data[f"error_{name}"]) for name in names}),

@@ -45,11 +45,13 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True)
 class PressesAtForce:
-    """Pressures (place, step, vertex) on one face in MPa, their forces (N) and depths (mm)."""
+    """Pressures (place, step, vertex) on one face in MPa, their forces (N) and depths (mm); the force of the
+    deepest simulated press."""
 
     pressure_mpa: Float[np.ndarray, "place step vertex"]
     force_n: Float[np.ndarray, "place step"]
     depth_mm: Float[np.ndarray, "place step"]
+    deepest_n: Float[np.ndarray, "place"]
 
 
 def simulate_candidates(
@@ -80,11 +82,11 @@ def simulate_candidates(
         for index in range(len(response.surfaces))
     ]
     there = contact_places(spec)
-    force, depth = (
+    force, depth, deepest = (
         np.stack(
             [_on_grid(own, getattr(press, name)) for own, press in zip(there, presses, strict=True)]
         )
-        for name in ("force_n", "depth_mm")
+        for name in ("force_n", "depth_mm", "deepest_n")
     )
     count = sum(len(lattice) for lattice in lattices)
     motions = np.lib.format.open_memmap(
@@ -100,6 +102,7 @@ def simulate_candidates(
         contact_grid(spec),
         force,
         depth,
+        deepest,
         lattices,
         motions,
         unknown,
@@ -136,7 +139,8 @@ def presses_at_forces(
     share = (force - low) / (high - low)
     below, above = pressed[place, after - 1], pressed[place, after]
     mixed = below + share[..., None] * (above - below)
-    return PressesAtForce(mixed, force, depths[after - 1] + share * np.diff(depths)[after - 1])
+    depth = depths[after - 1] + share * np.diff(depths)[after - 1]
+    return PressesAtForce(mixed, force, depth, reached[:, -1])
 
 
 def _record(
@@ -206,10 +210,10 @@ def _test_points(spec: ObjectSpec, lattices: tuple[FaceCandidates, ...]) -> list
 
 
 def _on_grid(
-    there: Bool[np.ndarray, "place"], values: Float[np.ndarray, "own step"]
-) -> Float[np.ndarray, "place step"]:
+    there: Bool[np.ndarray, "place"], values: Float[np.ndarray, "own *step"]
+) -> Float[np.ndarray, "place *step"]:
     """Of the places that a face has; NaN elsewhere."""
-    found = np.full((len(there), values.shape[1]), np.nan)
+    found = np.full((len(there), *values.shape[1:]), np.nan)
     found[there] = values
     return found
 

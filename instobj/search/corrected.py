@@ -84,8 +84,13 @@ def corrected_fidelity(
     """
     limited = space.spec.search.limits.times_start
     scores = {name: _corrected(name, start, one) for name in limited}
-    before = StartScores(scores, _place_bounds(one, start))
+    before = StartScores(scores, _place_bounds(one, start), _counts_over_lowest(one))
     return structure_fidelity(space, dict(params), before)
+
+
+def _counts_over_lowest(one: Promoted) -> float:
+    low, high = (1 - one.levels[level].saturation_margin for level in (FIRST, SECOND))
+    return high / low
 
 
 def _corrected(name: str, start: Promoted, one: Promoted) -> float:

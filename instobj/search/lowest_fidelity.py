@@ -58,6 +58,7 @@ from estimator.layouts.polish import (
 from estimator.layouts.press_basis import faces_differ, press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
+from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
 from instobj.search.apart import Scored
 from instobj.search.joined import in_time
@@ -68,16 +69,22 @@ _UNFIT_MM = 0.5
 _START_RATE = 0.01
 """Of every variable's range: steps of the start's walk, short beside what its limits leave."""
 
+_COUNTS_OVER_LOWEST = 1.1
+"""Of the largest counts; measured 0.91 to 1.13 (`estimator.layouts.scoring.PlaceInformation`)."""
 
 Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
 
 
 @dataclass(frozen=True)
 class StartScores:
-    """The specification as it is at the lowest level; `position_mm` (1, place) by force and face."""
+    """The specification as it is at the lowest level; `position_mm` (1, place) by force and face.
+
+    `counts_over_lowest`: the largest counts that layouts have at the next level, over those of the lowest.
+    """
 
     scores: dict[str, float]
     position_mm: dict[tuple[float, int], torch.Tensor]
+    counts_over_lowest: float = _COUNTS_OVER_LOWEST
 
 
 def lowest_fidelity(question: tuple[str, int]) -> Evaluate:
@@ -164,7 +171,8 @@ def structure_fidelity(
     )
     constants, broken = decided_by_structure(structured, every), broken_by_structure(structured)
     limits = structured.search.limits.times_start
-    at_most = {
+    most_counts = full_scale_counts(structured.sensors) * (1 - structured.limits.saturation_margin)
+    at_most = {"largest_counts": most_counts / start.counts_over_lowest} | {
         name: 1 / (factor * start.scores[name])
         if name in OBJECTIVES_TO_MAXIMIZE
         else factor * start.scores[name]

@@ -104,7 +104,6 @@ search.vary.sensor_range_mt: least 1, most 20
 search.vary.shell_thickness_mm: least 1, most 20
 search.vary.silicone: least 1, most 20
 search.vary.core_size_mm: least 1, most 20
-search.limits.resting_share: le 1
 search.limits.parts_per_face: ge 1
 search.limits.places_worse: le 1
 mould.wall_mm: le 100
@@ -322,7 +321,6 @@ search.vary.layouts: 'per size'
 search.vary.magnet_north: False
 search.limits.pocket_gap_mm: 1.0
 search.limits.board_gap_mm: 0.0
-search.limits.resting_share: 0.5
 search.limits.places_worse: 0.02
 search.limits.times_start: {}
 search.prices.magnet: 0.2

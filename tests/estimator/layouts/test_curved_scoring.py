@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from estimator.layouts import press_basis as module
 from estimator.layouts.batch_scores import DEARER, batch_scores
 from estimator.layouts.press_basis import press_basis, scattered_slopes
-from estimator.layouts.scoring import layout_scorer, place_information
+from estimator.layouts.scoring import layout_scorer, place_information, press_changes
 from estimator.layouts.surfaces import surfaces
 from tests.support.mechanics.candidate_cases import (
     FACE,
@@ -51,7 +51,10 @@ def layouts_within(reach_mm, seed=0):
 def worst_error(spec, motions, face, presses=None):
     layouts = layouts_within(REACH_MM)
     scorer = layout_scorer(spec, presses or press_basis(spec, motions, face))
-    found = place_information(scorer, layouts)
+    found, resting = (
+        place_information(scorer, layouts),
+        press_changes(scorer, layouts).resting_counts,
+    )
     worst = 0.0
     for row in range(COUNT):
         bounds, _, rest = ordinary_chain(spec, motions, face, layouts, row)
@@ -60,7 +63,7 @@ def worst_error(spec, motions, face, presses=None):
             ("force_bound_n", bounds.force_n),
         ):
             worst = max(worst, float(np.max(abs(getattr(found, name)[row].numpy() / wanted - 1))))
-        away = abs(found.resting_counts[row].numpy() - rest).max() / abs(rest).max()
+        away = abs(resting[row].numpy() - rest).max() / abs(rest).max()
         worst = max(worst, float(away))
     return worst
 

@@ -120,7 +120,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
         force = scorers[0].presses.force_n
         asked[force] = set(named)
         scores = {"median_position_bound_mm": tensor([1 / force, 2 / force])}
-        scores["largest_resting_counts"] = tensor([force, 2 * force])
+        scores["largest_counts"] = tensor([force, 2 * force])
         for name in named:
             scores[name] = tensor([force, force + 1])
         return scores
@@ -135,7 +135,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
     assert_allclose(found["median_position_bound_mm"], [1 / mean, 2 / mean])
     assert_allclose(found["slip_place_mm"], [mean, (2 * 5 * 13) ** (1 / 3)])
     assert_allclose(found["median_false_force_n"], [12, 13])
-    assert_allclose(found["largest_resting_counts"], [1, 2])
+    assert_allclose(found["largest_counts"], [12, 24])
     assert batch_scores.OVER_START not in found
 
 

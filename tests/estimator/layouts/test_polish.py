@@ -397,12 +397,13 @@ def test_objectives_to_maximize_are_turned_over_and_constants_are_objectives_too
     assert (found.objectives[:, 1] == 50.0).all()
 
 
-def test_saturated_channels_break_a_limit(lowest, units):
-    structured = lowest.space.structured
-    sensors = structured.sensors.model_copy(update={"range_mt": 0.5})
-    small = structured.model_copy(update={"sensors": sensors})
-    narrow = replace(lowest, space=replace(lowest.space, structured=small))
-    assert (judged(narrow, units).broken_mm > judged(lowest, units).broken_mm + 1).all()
+def test_counts_beyond_a_limit_break_it(lowest, units):
+    free = judged(lowest, units)
+    most = float(free.scores["largest_counts"].median())
+    limited = judged(replace(lowest, at_most={"largest_counts": most}), units)
+    over = torch.relu(free.scores["largest_counts"] / most - 1)
+    assert 0 < (over > 0).sum() < COUNT
+    assert_allclose(limited.broken_mm - free.broken_mm, polishing._MM_PER_EXCESS * over, atol=1e-5)
 
 
 def made_judged(objectives, broken=0.0, worse=0.0):
@@ -475,13 +476,6 @@ def test_a_layout_without_a_gradient_stays_and_the_others_go_on():
     assert (seen[-1][1] < begin[1]).all()
 
 
-def test_a_channel_at_rest_may_use_its_share_of_the_full_scale(lowest):
-    spec = lowest.space.structured
-    most = spec.sensors.range_mt * spec.sensors.counts_per_mt * spec.search.limits.resting_share
-    found = polishing._saturation(spec, torch.tensor([0.5 * most, most, 1.25 * most]))
-    assert_allclose(found, [0, 0, 0.25], atol=1e-6)
-
-
 def test_the_worst_presses_over_the_start_are_twice_the_share_that_may_be_worse():
     over = torch.tensor([[1.0, 4.0, 0.5, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]])
     assert float(worst_ratio(over, 0.0)) == pytest.approx(4.0)
@@ -498,10 +492,10 @@ def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
     layouts = [layouts_of(lowest.space.structured, face) for face in FACES]
     count = [one.presses.count for one in scorers]
     values = [rng.uniform(0.1, 9.0, (3, 1, n)) for n in count]
-    rest = [rng.uniform(-9.0, 9.0, (1, 2, 3)) for _ in count]
+    largest = rng.uniform(1.0, 9.0, (len(count), 1))
     places = [
         PlaceInformation(*(torch.as_tensor(part) for part in value), torch.as_tensor(one))
-        for value, one in zip(values, rest, strict=True)
+        for value, one in zip(values, largest, strict=True)
     ]
     found = _scores_at_one_force(scorers, layouts, places, ())
     position, force, delta = (
@@ -515,7 +509,7 @@ def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
         "median_position_bound_mm": np.median(position),
         "worst_force_bound_n": force.max(),
         "sensitivity_ratio": low / middle,
-        "largest_resting_counts": max(abs(one).max() for one in rest),
+        "largest_counts": largest.max(),
     }
     assert found.keys() == {*wanted, "edge_position_bound_mm"}
     for name, value in wanted.items():

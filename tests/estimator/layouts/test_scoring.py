@@ -12,7 +12,12 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch import Layouts, layouts_of
 from estimator.layouts.press_basis import _compliance, mixed_rows, press_basis
-from estimator.layouts.scoring import layout_scorer, place_information, score_layouts
+from estimator.layouts.scoring import (
+    layout_scorer,
+    place_information,
+    press_changes,
+    score_layouts,
+)
 from tests.support.mechanics.candidate_cases import (
     FACE,
     ordinary_chain,
@@ -80,13 +85,31 @@ def test_polarity_counts(scorer, layouts, ordinary):
 
 
 def test_sensitivity_and_rest_are_those_of_the_ordinary_chain(spec, scorer, layouts, ordinary):
-    found = place_information(scorer, layouts)
+    found, resting = (
+        place_information(scorer, layouts),
+        press_changes(scorer, layouts).resting_counts,
+    )
     for row, (_, counts, rest) in enumerate(ordinary):
         white = counts / np.tile(spec.sensors.noise_counts, counts.shape[1] // 3)
         # determinant of noise plus one direction of signal, whose variance is an eighth
         wanted = np.sqrt(1 + (white**2).sum(axis=1) / 8)
         assert_allclose(found.sensitivity[row], wanted, rtol=0.02)
-        assert_allclose(found.resting_counts[row], rest, rtol=0, atol=0.02 * abs(rest).max())
+        assert_allclose(resting[row], rest, rtol=0, atol=0.02 * abs(rest).max())
+
+
+@pytest.mark.parametrize("over_score", [1.5, 0.2, -3.0])
+def test_largest_counts_are_those_at_rest_or_in_presses_to_their_deepest(
+    scorer, layouts, ordinary, over_score
+):
+    """Motions in proportion to force, so that signals nearly are; pulled where channels come from their
+    largest at rest."""
+    deepest = torch.full((scorer.presses.count,), over_score * scorer.presses.force_n)
+    scorer = replace(scorer, presses=replace(scorer.presses, deepest_n=deepest))
+    found = place_information(scorer, layouts).largest_counts
+    for row, (_, counts, rest) in enumerate(ordinary):
+        pressed = rest.ravel() + over_score * counts
+        wanted = max(abs(rest).max(), abs(pressed).max())
+        assert_allclose(found[row], wanted, rtol=0.02)
 
 
 def test_summaries_are_those_of_the_places(scorer, layouts):
@@ -97,7 +120,7 @@ def test_summaries_are_those_of_the_places(scorer, layouts):
         "median_position_bound_mm": np.median(position, axis=1),
         "worst_force_bound_n": found.force_bound_n.numpy().max(axis=1),
         "sensitivity_ratio": np.divide(*np.percentile(delta, [5, 50], axis=1)),
-        "largest_resting_counts": abs(found.resting_counts.numpy()).max(axis=(1, 2)),
+        "largest_counts": found.largest_counts.numpy(),
     }
     for name, values in wanted.items():
         assert_allclose(getattr(score, name), values, rtol=1e-5, err_msg=name)

@@ -129,6 +129,8 @@ def test_forces_are_those_asked_for_or_shares_of_the_reachable(cube, spec, table
     assert_allclose(press.depth_mm[:, 1], spec.press.depths_mm[-1], rtol=1e-12)
     assert_allclose(press.pressure_mpa @ weights, press.force_n, rtol=1e-12)
     assert_allclose(press.force_n[:, 0], press.force_n[:, 1] / 2, rtol=1e-12)
+    assert_allclose(press.deepest_n, press.force_n[:, 1], rtol=1e-12)
+    assert_allclose(table.deepest_n[0], press.deepest_n, rtol=1e-12)
 
 
 def test_a_force_out_of_reach_leaves_the_others_as_they_are(cube, spec):

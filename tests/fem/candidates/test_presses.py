@@ -56,7 +56,8 @@ def test_the_error_of_interpolation_is_of_the_pressed_face_s_own_points_by_hand(
     places = PlaceGrid(np.zeros(1), np.zeros(1))
     none = InterpolationError(0.0, 0.0, 0.0, 0.0)
     one = np.ones((2, 1, 1))
-    table = CandidateMotions(np.array([1, 3]), places, one, one, lattices, motion, none, 0.0)
+    faces, deepest = np.array([1, 3]), np.ones((2, 1))
+    table = CandidateMotions(faces, places, one, one, deepest, lattices, motion, none, 0.0)
     miss = np.array([[0, 0.3, 0, 0, 0, 0.1], [0, 0, 0.4, 0.2, 0, 0], [0, 0, 0, 0, 0, 0]])
     true = np.full((3, 2, 1, 1, 6), 50.0)  # of presses of the other face
     true[[0, 1, 2], [0, 0, 1], 0, 0] = motion[0, 0, 0, 0] + miss

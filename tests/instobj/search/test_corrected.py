@@ -23,7 +23,7 @@ SPACE = search_space(
             "search": {
                 "vary": {"magnet_reach_mm": 12.0, "sensor_chip": ["inward", "outward"]},
                 "forces_n": FORCES,
-                "limits": {"times_start": {"median_position_bound_mm": 0.5}, "resting_share": 0.5},
+                "limits": {"times_start": {"median_position_bound_mm": 0.5}},
             },
         },
         "made up",
@@ -32,11 +32,11 @@ SPACE = search_space(
 PARAMS = params_at(SPACE, np.array([0.6, *np.tile([0.05, 0.95], 5)])) | {"magnet5_y_mm": 0.0}
 
 
-def score(worth=1.0, growth=None):
+def score(worth=1.0, growth=None, free=0.5):
     bounds = np.full((len(FORCES), FACES, PLACES), worth)
     if growth is not None:
         bounds = bounds * growth
-    names = dict.fromkeys(SCORE_NAMES, worth)
+    names = dict.fromkeys(SCORE_NAMES, worth) | {"saturation_margin": free}
     return FidelityScore(**names, position_bounds_mm=tuple(bounds.ravel()))
 
 
@@ -68,12 +68,13 @@ def test_the_start_is_corrected_place_by_place_and_score_by_score(prepared):
     growth = np.ones((2, FACES, PLACES))
     growth[1, 2] = 3.0
     start = promoted(score(4.0), score(5.0))
-    one = promoted(score(1.0), score(2.0, growth))
+    one = promoted(score(1.0, free=0.6), score(2.0, growth, free=0.1))
     corrected.corrected_params(SPACE, PARAMS, start, one)
     (space, params, before), *_ = prepared
     assert_allclose(before.position_mm[2.0, 3], np.full((1, PLACES), 5.0 * 1.0 / 2.0))
     assert_allclose(before.position_mm[8.0, 3], np.full((1, PLACES), 5.0 * 1.0 / 6.0))
     assert before.scores == {"median_position_bound_mm": 2.5}
+    assert before.counts_over_lowest == pytest.approx(0.9 / 0.4)
     assert (space, params) == (SPACE, PARAMS)
 
 

@@ -64,6 +64,27 @@ def test_the_start_walks_to_a_layout_that_is_better_and_worse_nowhere(monkeypatc
     assert same == alone, "other trials walk nowhere"
 
 
+def test_what_the_sensors_range_leaves_free_limits_counts_by_what_the_next_level_makes_of_them(
+    monkeypatch,
+):
+    search = {"vary": {"magnet_reach_mm": 14.0}, "limits": {"places_worse": 1.0}}
+    sensors = {"range_mt": 50.0, "counts_per_mt": 100.0}
+    content = {"name": "cube", "search": search, "sensors": sensors}
+    spec = parse_spec(content | {"limits": {"saturation_margin": 0.2}}, "made up")
+    space = search_space(spec)
+    monkeypatch.setattr(lowest_fidelity, "scorers", lambda spec, faces: ())
+    monkeypatch.setattr(lowest_fidelity, "decided_by_structure", lambda spec, faces: {})
+    params = params_at(space, np.full(len(space.variables), 0.5))
+    usual, twice = (
+        lowest_fidelity.structure_fidelity(
+            space, params, lowest_fidelity.StartScores({}, {}, *over)
+        )
+        for over in ((), (2.0,))
+    )
+    assert usual.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 1.1)}
+    assert twice.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 2)}
+
+
 def test_cost_and_build_time_are_those_of_the_parts_of_all_faces():
     """Two magnets and three sensors on each of two faces, by hand."""
     prices = {"magnet": 0.5, "sensor": 4.0, "magnet_minutes": 3.0, "sensor_minutes": 10.0}

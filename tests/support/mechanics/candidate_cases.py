@@ -63,7 +63,8 @@ def made_up_motions(spec, pitch_mm=2.0):
     force = np.broadcast_to(spec.score.force_n * SHARES, table.shape[1:4]).copy()
     faces = np.array([frame.number for frame in frames])
     nan = InterpolationError(*4 * [np.nan])
-    return CandidateMotions(faces, places, force, force / 2, lattices, table, nan, 0.0)
+    deepest = 1.5 * force.max(axis=2)
+    return CandidateMotions(faces, places, force, force / 2, deepest, lattices, table, nan, 0.0)
 
 
 def in_object(frame, lattice):
