@@ -14,9 +14,9 @@ from torch import Tensor
 
 from estimator.field.gradient import field_change
 from estimator.layouts.batch import Layouts
+from estimator.layouts.mixed_rows import mixed_rows
 from estimator.layouts.near_field import OTHER, OWN, Reach
 from estimator.layouts.placed import chips, other_magnets, own_magnets
-from estimator.layouts.press_basis import mixed_rows
 from estimator.layouts.scoring import LayoutScorer, press_changes
 
 CROSS_FACE_FORCE_N = 10.0

@@ -25,9 +25,10 @@ from estimator.field.sources import BlockMagnet, Magnet, magnet_source
 from estimator.information.fisher import NoiseState, disturbance_counts
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import bounds, percentile
+from estimator.layouts.mixed_rows import candidate_ends_mm, mixed_rows
 from estimator.layouts.near_field import OTHER, OWN, Reach
 from estimator.layouts.placed import chips, other_magnets, own_magnets
-from estimator.layouts.press_basis import PressBasis, candidate_ends_mm, mixed_rows
+from estimator.layouts.press_basis import PressBasis
 
 _CHUNK = 512
 _FORCE_VARIANCE = 1 / 8

@@ -106,7 +106,7 @@ def candidate_rows(
     count, points = len(centres_mm), len(body.points_mm)
     each = np.broadcast_to(axes, (count, 3, 3))
     at = centres_mm[:, None] + body.points_mm @ np.swapaxes(each, 1, 2)
-    values = interpolate_at(space, at.reshape(-1, 3)).values
+    values = interpolate_at(space, at.reshape(-1, 3))
     local = body.weights.reshape(2, 3, 3, points)
     turned = np.einsum("bik,tkmp,bjm->btijp", each, local, each, optimize=True)
     ends, every = np.arange(0, count * points + 1, points), np.arange(count * points)
@@ -147,7 +147,7 @@ def _weights(
     rigid: Float[np.ndarray, "functional 6"],
 ) -> Float[np.ndarray, "6 functional"]:
     """Of the functionals in a magnet's motion, at one place."""
-    means = sp.csr_matrix(psi.T) @ interpolate_at(system.space, points_mm).values
+    means = sp.csr_matrix(psi.T) @ interpolate_at(system.space, points_mm)
     functionals = sp.csr_matrix(sp.kron(axes.T, means))
     flexibility = functionals @ displacements(system, factor, functionals.T.toarray())
     size, mode = np.linalg.eigh((flexibility + flexibility.T) / 2)

@@ -102,7 +102,7 @@ def tie_functionals(
         local, weights = skin_quadrature(layout.outline.inset(inset), layout.height_mm - 2 * inset)
         psi = polynomials(local, weights, degree) * weights[:, None]
         arm = local @ frame.T
-        values = interpolate_at(space, centre + arm).values
+        values = interpolate_at(space, centre + arm)
         rows.append(sp.block_diag([sp.csr_matrix(psi.T) @ values] * 3))
         rigid.append(np.concatenate([psi.T @ part for part in rigid_motions(arm)]))
     return rows_of(rows), np.asarray(scipy.linalg.block_diag(*rigid))

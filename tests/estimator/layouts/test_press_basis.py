@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
+from estimator.layouts import mixed_rows
 from estimator.layouts import press_basis as basis
 from fem.candidates.motions import FaceCandidates
 from tests.support.mechanics.candidate_cases import FACE
@@ -58,7 +59,7 @@ def test_derivatives_need_two_forces_and_four_locations_each_way(changes):
 def test_weights_between_nodes_are_those_of_keys():
     """Cubes come back exactly only to second order: parabolas do, and the weights sum to one."""
     t = torch.linspace(0, 1, 7, dtype=torch.float64)[:, None].expand(-1, 3)
-    weights = basis._kernel(t)
+    weights = mixed_rows._kernel(t)
     nodes = torch.tensor([-1.0, 0.0, 1.0, 2.0], dtype=torch.float64)
     assert_allclose(weights.sum(dim=-1), 1)
     assert_allclose(weights @ nodes, t, atol=1e-12)
@@ -156,13 +157,13 @@ def test_derivatives_of_motions_that_are_parabolas_times_the_force_are_exact(mis
 
 
 def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
-    least, most = basis.candidate_ends_mm(presses)
+    least, most = mixed_rows.candidate_ends_mm(presses)
     assert_allclose(least, presses.first_mm)
     wanted = presses.first_mm + presses.step_mm * (torch.tensor(presses.nodes) - 1)
     assert_allclose(most, wanted)
     inside = torch.stack([least, most])
     last = torch.tensor(presses.nodes) - 1.0
-    index, weight = basis._around(presses, torch.stack([0 * last, last]), inside)
+    index, weight = mixed_rows._around(presses, torch.stack([0 * last, last]), inside)
     ny, nz = (n + 2 for n in presses.nodes[1:])
     for row, node in ((0, torch.ones(3)), (1, last + 1)):
         at = int(node @ torch.tensor([float(ny * nz), float(nz), 1.0]))
@@ -173,9 +174,9 @@ def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
             place = torch.stack([0 * last if beyond < 0 else last])
             place[0, axis] += beyond
             with pytest.raises(InputError):
-                basis._around(presses, place, inside[:1])
+                mixed_rows._around(presses, place, inside[:1])
             place[0, axis] -= 0.75 * beyond
-            basis._around(presses, place, inside[:1])
+            mixed_rows._around(presses, place, inside[:1])
 
 
 def test_places_of_the_grid_have_the_rows_of_those_that_a_face_has(presses):

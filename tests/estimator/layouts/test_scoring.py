@@ -11,7 +11,8 @@ from pydantic import BaseModel
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch import Layouts, layouts_of
-from estimator.layouts.press_basis import _compliance, mixed_rows, press_basis
+from estimator.layouts.mixed_rows import mixed_rows
+from estimator.layouts.press_basis import _compliance, press_basis
 from estimator.layouts.scoring import (
     layout_scorer,
     place_information,

@@ -7,22 +7,17 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
-from design.layout.places.positions import shell_body_layout
 from design.spec.object import ContactGridSpec, ScoreSpec
 from fem.candidates.cubic_convolution import axis_weights
 from fem.candidates.motions import candidate_lattices, load_candidates
-from fem.candidates.point_motions import interpolate_at, motion_rows
 from fem.candidates.presses import presses_at_forces
 from fem.candidates.presses import simulate_candidates as simulate
-from fem.candidates.quadrature import outline_quadrature
 from fem.candidates.rigid_body import candidate_rows, rigid_body
 from fem.linear.factorization import Factorization
-from fem.linear.magnets import mean_motion_functionals
-from fem.linear.response import displacements, elastic_system, face_pressure_loads
+from fem.linear.response import displacements, face_pressure_loads
 from fem.presses.table import surface_weights_mm2
 from tests.support.mechanics.fem_cases import paper_cube
-from tests.support.objects.magnet_free_cases import EDGES_MM, magnet_free_cube
-from tests.support.shared import shared_mesh
+from tests.support.objects.magnet_free_cases import magnet_free_cube
 
 FACE = 3
 """Its x is −z and its y is +y: a mix-up of axes shows."""
@@ -225,26 +220,3 @@ def test_cubic_convolution_is_smooth_across_nodes_and_of_third_order():
     index, weight = axis_weights(nodes, nodes[10] + np.array([-2e-6, -1e-6, 1e-6, 2e-6]))
     low, below, above, high = (weight * np.exp(nodes)[index]).sum(axis=1)
     assert_allclose((below - low) / 1e-6, (high - above) / 1e-6, rtol=1e-4)
-
-
-def test_motions_of_points_against_ideal_magnets_resolved_by_the_mesh():
-    """Means over the disk's mid-plane here, over the volume of the meshed prism there."""
-    spec = paper_cube("points", EDGES_MM)
-    mesh = shared_mesh(spec)
-    system, layout = elastic_system(mesh, spec), shell_body_layout(spec)
-    surfaces, loads = face_pressure_loads(system.space, spec)
-    first = sum(len(surface.xy_mm) for surface in surfaces[: FACE - 1])
-    distance = np.linalg.norm(surfaces[FACE - 1].xy_mm - [4.0, -3.0], axis=1)
-    pressure = np.clip(1 - distance**2 / 49, 0, None) ** 2
-    force = loads[:, first : first + len(pressure)] @ pressure
-    with Factorization(system.matrix) as factor:
-        u = displacements(system, factor, force[:, None])[:, 0]
-    own = np.flatnonzero(layout.face == FACE)
-    volume = (mean_motion_functionals(mesh, system.space) @ u).reshape(-1, 6)[own]
-    local, weights = outline_quadrature(layout.outline, 4, 16)
-    for magnet, exact in zip(own, volume, strict=True):
-        centre, axes = layout.centre_mm[magnet], layout.frame[magnet]
-        rows = motion_rows(interpolate_at(system.space, centre + local @ axes[:, :2].T))
-        mean = weights @ (rows @ u).reshape(-1, 6)
-        assert_allclose(mean[:3], exact[:3], rtol=0, atol=0.03 * abs(volume[:, :3]).max())
-        assert_allclose(mean[3:], exact[3:], rtol=0, atol=0.1 * abs(volume[:, 3:]).max())

@@ -193,7 +193,7 @@ def mid_plane_fit(space, centre_mm, axes, outline, fields):
     """Rigid motion that fits a mid-plane best in the least-squares sense: what a magnet does not do."""
     local, weights = outline_quadrature(outline, 2, 8)
     arm = local @ axes[:, :2].T
-    values = interpolate_at(space, centre_mm + arm).values
+    values = interpolate_at(space, centre_mm + arm)
     root = np.sqrt(np.tile(weights, 3))[:, None]
     wanted = np.concatenate([values @ part for part in np.split(fields, 3)])
     return np.linalg.lstsq(np.concatenate(rigid_motions(arm)) * root, wanted * root, rcond=None)[0]

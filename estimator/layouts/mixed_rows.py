@@ -1,0 +1,134 @@
+"""Short rows of magnets anywhere among the candidates, and where candidates end."""
+
+from __future__ import annotations
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+from torch.nn.functional import embedding_bag
+
+from design.errors import InputError
+from estimator.layouts.batch import Layouts
+from estimator.layouts.press_basis import Patch, PressBasis, RowTable
+
+_BEYOND = 1e-4
+"""Of a step beyond the last candidates, that is rounding."""
+
+
+def mixed_rows(
+    basis: PressBasis, layouts: Layouts
+) -> tuple[Float[Tensor, "magnet own"], Float[Tensor, "magnet other"]]:
+    """Rows of magnets anywhere among the candidates: tricubic convolution, as `CandidateMotions.at`.
+
+    Of all layouts one after the other; differentiable in the positions.
+
+    Raises
+    ------
+    InputError
+        A place outside the candidates.
+    """
+    xyd_mm = layouts.magnet_mm.reshape(-1, 3)
+    if not basis.patches:
+        near = _around(basis, (xyd_mm - basis.first_mm) / basis.step_mm, xyd_mm)
+        own = _turned(_weighted(basis.own, *near), basis, layouts)
+        return own, _weighted(basis.other, *near)
+    own, *others = (
+        _around(patch, _places_along(patch, layouts), xyd_mm)
+        for patch in basis.patches[: 1 + len(basis.neighbours)]
+    )
+    moving = [
+        _weighted(basis.other, patch.start + index, weight)
+        for patch, (index, weight) in zip(basis.patches[1 : 1 + len(others)], others, strict=True)
+    ]
+    other = torch.cat(moving, dim=1) if moving else torch.zeros_like(xyd_mm[:, :0])
+    return _turned(_weighted(basis.own, *own), basis, layouts), other
+
+
+def _turned(
+    rows: Float[Tensor, "magnet column"], basis: PressBasis, layouts: Layouts
+) -> Float[Tensor, "magnet own"]:
+    """Rows of magnets turned as their layouts say."""
+    rank = len(basis.own.basis)
+    if rows.shape[1] == 6 * rank:
+        return rows
+    shift, *rotations = rows.reshape(-1, 4, 3, rank).unbind(1)
+    turn = layouts.turn_rad.reshape(-1, 2, 1, 1)
+    rotation = rotations[0] + turn[:, 0] * rotations[1] + turn[:, 1] * rotations[2]
+    return torch.cat([shift, rotation], dim=1).flatten(1)
+
+
+def candidate_ends_mm(
+    basis: PressBasis, face: int | None = None
+) -> tuple[Float[Tensor, "3"], Float[Tensor, "3"]]:
+    """Least and greatest (x, y, depth), x and y of the frames' planes, that have candidates on a face, or
+    on all of them."""
+    patches = [one for one in basis.patches if face in (None, one.surface.number)]
+    ends = [
+        (lattice.first_mm, lattice.first_mm + lattice.step_mm * (torch.tensor(lattice.nodes) - 1))
+        for lattice in patches or (basis,)
+    ]
+    for index, patch in enumerate(patches):
+        in_plane = torch.stack(ends[index]).double()
+        in_plane[:, :2] = torch.as_tensor(
+            patch.surface.frame.to_plane(in_plane[:, :2].cpu().numpy())
+        )
+        ends[index] = in_plane[0].to(basis.first_mm), in_plane[1].to(basis.first_mm)
+    least, most = (torch.stack(parts) for parts in zip(*ends, strict=True))
+    return least.amax(dim=0), most.amin(dim=0)
+
+
+def _places_along(patch: Patch, layouts: Layouts) -> Float[Tensor, "magnet 3"]:
+    """Where magnets lie on a patch's lattice, in steps."""
+    xyd = layouts.of(patch.surface.number).magnet_mm.reshape(-1, 3)
+    along = torch.cat([patch.surface.lengths_mm(xyd[:, :2]), xyd[:, 2:]], dim=1)
+    return (along - patch.first_mm) / patch.step_mm
+
+
+def _around(
+    lattice: PressBasis | Patch, place: Float[Tensor, "magnet 3"], xyd_mm: Float[Tensor, "magnet 3"]
+) -> tuple[Int[Tensor, "magnet 64"], Float[Tensor, "magnet 64"]]:
+    """Rows of a lattice round places told in its steps, and their weights."""
+    last = torch.tensor(lattice.nodes, dtype=place.dtype) - 1
+    outside = (place < -_BEYOND) | (place > last + _BEYOND)
+    if outside.any():
+        magnet, axis = outside.nonzero()[0].tolist()
+        low = float(lattice.first_mm[axis])
+        high = low + float(lattice.step_mm[axis] * last[axis])
+        raise InputError(
+            f"{('x', 'y', 'depth')[axis]} = {float(xyd_mm[magnet, axis]):.4g} mm of a magnet lies "
+            f"outside the candidates ({low:g} to {high:g} mm). Keep magnets within them"
+        )
+    # The tables hold one more node beyond each end, so that the four neighbours of
+    # a cell along an axis, −1 … 2, are nodes cell … cell + 3 of a table of nodes + 2.
+    cell = torch.minimum(place.detach().floor().clamp(min=0), last - 1)
+    x, y, z = _kernel(place - cell).unbind(1)
+    weight = x[:, :, None, None] * y[:, None, :, None] * z[:, None, None, :]
+    _, ny, nz = (count + 2 for count in lattice.nodes)
+    corner = (cell.long() * torch.tensor([ny * nz, nz, 1])).sum(
+        1
+    )  # CUDA multiplies no integer matrices
+    around = torch.arange(4)
+    near = ((around[:, None, None] * ny + around[:, None]) * nz + around).reshape(-1)
+    return corner[:, None] + near, weight.reshape(-1, 64)
+
+
+def _weighted(
+    table: RowTable, index: Int[Tensor, "magnet 64"], weight: Float[Tensor, "magnet 64"]
+) -> Float[Tensor, "magnet column"]:
+    """Sums of 64 rows each, without a copy of the rows."""
+    if not table.rows.numel():
+        return torch.zeros(len(index), 0, dtype=weight.dtype)
+    return embedding_bag(index, table.rows, per_sample_weights=weight, mode="sum")
+
+
+def _kernel(t: Float[Tensor, "magnet 3"]) -> Float[Tensor, "magnet 3 4"]:
+    """Weights of the nodes at −1, 0, 1, 2 for a point at 0 ≤ t ≤ 1 (Keys, 1981)."""
+    return torch.stack(
+        [
+            ((-0.5 * t + 1) * t - 0.5) * t,
+            (1.5 * t - 2.5) * t * t + 1,
+            ((-1.5 * t + 2) * t + 0.5) * t,
+            (0.5 * t - 0.5) * t * t,
+        ],
+        dim=-1,
+    )
