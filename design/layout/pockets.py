@@ -222,7 +222,7 @@ def sensor_boards(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     """Sensor boards in the shell, seated on the floors of their pockets."""
     width, length, thickness = spec.sensors.package_mm
     outline = Outline((width / 2, length / 2), False)
-    depth = spec.shell.pocket_depth_mm - thickness / 2
+    depth = boards_depth_mm(spec)
     return tuple(
         tuple(
             Body(
@@ -236,6 +236,11 @@ def sensor_boards(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
         )
         for face, places in zip(spec.body.sensed, sensor_places(spec), strict=True)
     )
+
+
+def boards_depth_mm(spec: ObjectSpec) -> float:
+    """Depth below a face of the mid-height of boards in the shell."""
+    return spec.shell.pocket_depth_mm - spec.sensors.package_mm[2] / 2
 
 
 def board_frame(azimuth_rad: float) -> Float[np.ndarray, "3 3"]:

@@ -59,7 +59,8 @@ def _unplaced(spec: ObjectSpec, count: int) -> dict[str, Any]:
 
 
 def _with_part(spec: ObjectSpec, name: str) -> dict[str, Any]:
-    """Another magnet, with the pocket's clearance and the silicone above it unchanged."""
+    """Another magnet, with its pocket's clearance and the silicone above it unchanged; in the core it fills
+    its pocket."""
     old, part = spec.magnets, magnet_part(name)
     graded = {} if part.grade is None else {"grade": part.grade}
     kept = old.model_dump(
@@ -68,6 +69,8 @@ def _with_part(spec: ObjectSpec, name: str) -> dict[str, Any]:
     if graded:
         kept.pop("remanence_t")
     new = MagnetSpec.model_validate({**kept, **graded, "part": name})
+    if spec.arrangement == "sensors-in-shell":
+        return {"magnets": new}
     wider, taller = new.diameter_mm - old.diameter_mm, new.height_mm - old.height_mm
     shell = spec.shell
     pocket = {

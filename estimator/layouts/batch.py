@@ -22,7 +22,7 @@ class Layouts:
 
     Attributes
     ----------
-    magnet_mm : x, y in the face's frame and depth below the face, mm
+    magnet_mm : x, y in the face's frame and depth below the face, in the core too, mm
     turn_rad : rotation vector of each magnet's axis about the face's x and y, rad; 0 is outward
     polarity : polarization over that of the specification's first magnet, negative for north inward
     sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
@@ -77,17 +77,24 @@ def layouts_of(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) 
 def _own_layout(spec: ObjectSpec, face: int, dtype: torch.dtype) -> Layouts:
     index = spec.body.sensed.index(face)
     bodies, places = magnet_bodies(spec)[index], sensor_places(spec)[index]
+    below = [0.0, 0.0, magnets_below_mm(spec)]
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * len(bodies)
 
     def batch(part: Any) -> Tensor:
         return torch.as_tensor(np.array(part, dtype=float)[None], dtype=dtype)
 
     return Layouts(
-        batch([body.centre_mm * [1, 1, -1] for body in bodies]),
+        batch([body.centre_mm * [1, 1, -1] + below for body in bodies]),
         batch(np.deg2rad(tilts)),
         batch(np.multiply(spec.magnets.polarities, spec.magnets.strengths)),
         batch([(x, y) for x, y, _ in places]),
     )
+
+
+def magnets_below_mm(spec: ObjectSpec) -> float:
+    """How deep below a face the plane lies that its magnets' depths count from: the core's where they rest
+    in it."""
+    return 0.0 if spec.arrangement == "sensors-in-core" else spec.shell.thickness_mm
 
 
 def magnet_axes(layouts: Layouts) -> Float[Tensor, "3 layout magnet"]:

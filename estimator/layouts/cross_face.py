@@ -1,7 +1,8 @@
 """Effect of presses of one face on its neighbours' sensors, for many layouts at once.
 
 Lowest fidelity level of a layout search, as `estimator.layouts.scoring`, on the same stored
-presses: magnets of the pressed face and of its neighbours move, the opposite face's are left out.
+presses: magnets, or boards in the silicone, of the pressed face and of its neighbours move, the opposite
+face's are left out.
 """
 
 from __future__ import annotations
@@ -12,12 +13,17 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from estimator.field.gradient import field_change
 from estimator.layouts.batch import Layouts
 from estimator.layouts.mixed_rows import mixed_rows
 from estimator.layouts.near_field import OTHER, OWN, Reach
 from estimator.layouts.placed import chips, other_magnets, own_magnets
-from estimator.layouts.scoring import LayoutScorer, press_changes
+from estimator.layouts.scoring import (
+    LayoutScorer,
+    by_motion_of_sensors,
+    field_of_magnets,
+    moving_bodies,
+    press_changes,
+)
 
 CROSS_FACE_FORCE_N = 10.0
 """Of the presses whose disturbance is scored, as in `estimator.information.cross_face`."""
@@ -66,6 +72,8 @@ def neighbour_changes(
 
     On the paper's cube the median change over neighbours and places is 5 % off the full chain's.
     """
+    if scorer.sensors_move:
+        return _of_moving_sensors(scorer, layouts, columns)
     moving = _moving_faces(scorer, layouts, columns)
     scale = (scorer.counts_per_t / scorer.sigma_counts)[:, None]
     found = []
@@ -76,6 +84,29 @@ def neighbour_changes(
             for index, face in enumerate(moving)
         )
         found.append((axes * scale @ change).flatten(1, 2))
+    return torch.stack(found, dim=1)
+
+
+def _of_moving_sensors(
+    scorer: LayoutScorer, layouts: Layouts, columns: Int[Tensor, "column"]
+) -> Float[Tensor, "layout neighbour channel column"]:
+    presses = scorer.presses
+    _, rows = mixed_rows(presses, moving_bodies(scorer, layouts))
+    rows = rows.reshape(*layouts.sensor_mm.shape[:2], len(presses.neighbours), 6, -1)
+    basis, scale = presses.other.basis[:, columns], scorer.counts_per_t / scorer.sigma_counts
+    others = (parts.unbind(-1) for parts in other_magnets(presses, layouts))
+    faces = [own_magnets(presses, layouts), *zip(*others, strict=True)]
+    found = []
+    for number in range(len(presses.neighbours)):
+        sensor, axes = chips(presses, layouts, scorer.sensor_depth_mm, scorer.chip, number)
+        fields = [
+            field_of_magnets(
+                scorer, sensor, magnets, layouts.polarity, OWN if index == 1 + number else OTHER
+            )
+            for index, magnets in enumerate(faces)
+        ]
+        felt = axes * scale[:, None] @ by_motion_of_sensors(*fields)
+        found.append((felt @ rows[:, :, number] @ basis).flatten(1, 2))
     return torch.stack(found, dim=1)
 
 
@@ -106,11 +137,8 @@ def _signals(
     reach: Reach,
 ) -> Float[Tensor, "layout sensor 3 column"]:
     """Change of the field (T) at sensors by one face's magnets, in the pressed face's frame."""
-    offset, axis = torch.broadcast_tensors(
-        sensor[..., None] - face.centre_mm[:, :, None], face.axis[:, :, None]
-    )
-    offset = reach.kept_off(offset, scorer.magnet)
-    change = field_change(offset, axis, scorer.magnet, reach.order).by_motion
-    by_motion = (change * layouts.polarity[:, None]).permute(2, 3, 0, 4, 1).flatten(3)
+    magnets = face.centre_mm, face.axis
+    change = field_of_magnets(scorer, sensor, magnets, layouts.polarity, reach)
+    by_motion = change.by_motion.permute(2, 3, 0, 4, 1).flatten(3)
     rows = face.rows.flatten(1, 2)[:, None]
     return (by_motion @ rows) @ face.basis

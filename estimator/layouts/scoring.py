@@ -19,6 +19,7 @@ from torch import Tensor
 
 from design.errors import InputError
 from design.layout.places.positions import chip_on_board
+from design.layout.pockets import boards_depth_mm
 from design.spec.object import ObjectSpec
 from estimator.field.gradient import FieldChange, field_change
 from estimator.field.sources import BlockMagnet, Magnet, magnet_source
@@ -27,7 +28,7 @@ from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import bounds, percentile
 from estimator.layouts.mixed_rows import candidate_ends_mm, mixed_rows
 from estimator.layouts.near_field import OTHER, OWN, Reach
-from estimator.layouts.placed import chips, other_magnets, own_magnets
+from estimator.layouts.placed import Magnets, chips, other_magnets, own_magnets
 from estimator.layouts.press_basis import PressBasis
 
 _CHUNK = 512
@@ -81,8 +82,9 @@ class PressChanges:
 
 @dataclass(frozen=True)
 class ChannelChanges:
-    """Counts of own channels at rest, and the change of whitened ones with each magnet's motion, whatever
-    is pressed how hard: `by_own` and `by_other` magnets, of the faces that move."""
+    """Counts of own channels at rest, and the change of whitened ones with the motion of each body in the
+    silicone, whatever is pressed how hard: `by_own` and, of the faces that move, `by_other` magnets;
+    boards change their own channels alone."""
 
     resting_counts: Float[Tensor, "layout sensor 3"]
     by_own: Float[Tensor, "layout channel motion"]
@@ -95,7 +97,8 @@ class LayoutScorer:
 
     `chip` are the chip's axes as columns on its board, `counts_per_t` counts per T,
     `white_share` one sigma of an axis over that of the white noise. The pressed face stands for
-    `faces` sensed ones.
+    `faces` sensed ones. `sensor_depth_mm` is below the face, in the core or in the shell; there the
+    sensors' boards move and the magnets rest.
     """
 
     spec: ObjectSpec
@@ -107,6 +110,10 @@ class LayoutScorer:
     sigma_counts: Float[Tensor, "3"]
     white_share: Float[Tensor, "3"]
     faces: int = 1
+
+    @property
+    def sensors_move(self) -> bool:
+        return self.spec.arrangement == "sensors-in-shell"
 
 
 def layout_scorer(
@@ -130,7 +137,7 @@ def layout_scorer(
         spec,
         presses,
         magnet_source(spec.magnets),
-        spec.shell.thickness_mm + spec.sensors.depth_below_core_face_mm,
+        _sensor_depth_mm(spec),
         torch.as_tensor(chip_on_board(spec.sensors), dtype=like.dtype),
         1e3 * spec.sensors.counts_per_mt,
         torch.as_tensor(sigma, dtype=like.dtype),
@@ -139,21 +146,26 @@ def layout_scorer(
     )
 
 
+def _sensor_depth_mm(spec: ObjectSpec) -> float:
+    if spec.arrangement == "sensors-in-shell":
+        return boards_depth_mm(spec)
+    return spec.shell.thickness_mm + spec.sensors.depth_below_core_face_mm
+
+
 def require_scorable(spec: ObjectSpec) -> None:
     """Layouts of this specification can be scored in batches.
 
     Raises
     ------
     InputError
-        Sensors in the shell, blocks, coils switched face by face, chips turned one by one, or an axis
+        Blocks, coils switched face by face, chips turned one by one, or an axis
         without noise.
     """
     magnet = magnet_source(spec.magnets)
-    if spec.arrangement != "sensors-in-core" or isinstance(magnet, BlockMagnet):
+    if isinstance(magnet, BlockMagnet):
         raise InputError(
-            "layouts are scored in batches with round magnets in the shell and sensors in the core "
-            f"only; got {magnet.description} in the arrangement {spec.arrangement!r}. Use the full "
-            "chain"
+            f"layouts are scored in batches with round magnets only; got {magnet.description}. Use the "
+            "full chain"
         )
     if spec.magnets.switching != "all-on":
         raise InputError(
@@ -246,6 +258,9 @@ def _channel_changes(
     field = own.field.sum(-1) + other.field.sum(-1)
     counts = scorer.counts_per_t * (axes @ field.permute(1, 2, 0)[..., None])[..., 0]
     whitened = axes * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
+    if scorer.sensors_move:
+        by_own = _each_its_own(whitened @ by_motion_of_sensors(own, other))
+        return ChannelChanges(counts, by_own, by_own[..., :0])
     moving = _of_moving_faces(
         other.by_motion, layouts.magnet_mm.shape[1], len(scorer.presses.neighbours)
     )
@@ -257,29 +272,66 @@ def _channel_changes(
 def _press_changes(
     scorer: LayoutScorer, layouts: Layouts, channels: ChannelChanges
 ) -> PressChanges:
-    rows = mixed_rows(scorer.presses, layouts)
-    mixed = torch.cat(
-        [
-            by_channel @ row.reshape(len(layouts), by_channel.shape[2], -1)
-            for by_channel, row in zip((channels.by_own, channels.by_other), rows, strict=True)
-            if row.numel()
-        ],
-        dim=-1,
-    )
-    basis = torch.cat([scorer.presses.own.basis, scorer.presses.other.basis])
+    tables = scorer.presses.own, scorer.presses.other
+    rows = mixed_rows(scorer.presses, moving_bodies(scorer, layouts))
+    moving = [
+        (by_channel @ row.reshape(len(layouts), by_channel.shape[2], -1), table.basis)
+        for by_channel, row, table in zip(
+            (channels.by_own, channels.by_other), rows, tables, strict=True
+        )
+        if by_channel.numel()
+    ]
+    mixed, basis = torch.cat([m for m, _ in moving], dim=-1), torch.cat([b for _, b in moving])
     change = mixed.transpose(0, 1).reshape(-1, len(basis)) @ basis
     by_parameter = change.reshape(mixed.shape[1], len(layouts), 4, -1)
     return PressChanges(by_parameter, channels.resting_counts)
 
 
 def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
-    """Magnets beyond the candidates at the nearest of their places."""
+    """Magnets, or boards in the silicone, beyond the candidates at the nearest of their places."""
 
     def nearest(one: Layouts, face: int | None) -> Layouts:
         first, last = candidate_ends_mm(scorer.presses, face)
+        if scorer.sensors_move:
+            xy = torch.maximum(torch.minimum(one.sensor_mm, last[:2]), first[:2])
+            return replace(one, sensor_mm=xy)
         return replace(one, magnet_mm=torch.maximum(torch.minimum(one.magnet_mm, last), first))
 
     return layouts.each(nearest)
+
+
+def moving_bodies(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
+    """What moves with the silicone, as magnets of layouts: these, or boards that lie flat."""
+    if not scorer.sensors_move:
+        return layouts
+
+    def boards(one: Layouts, _: int | None) -> Layouts:
+        depth = torch.full_like(one.sensor_mm[..., :1], scorer.sensor_depth_mm)
+        flat, at = torch.zeros_like(one.sensor_mm), torch.cat([one.sensor_mm, depth], dim=-1)
+        return replace(one, magnet_mm=at, turn_rad=flat, polarity=torch.ones_like(flat[..., 0]))
+
+    return layouts.each(boards)
+
+
+def by_motion_of_sensors(*of_magnets: FieldChange) -> Float[Tensor, "layout sensor 3 6"]:
+    """Change of the field that sensors feel with their own motions, from that with magnets'.
+
+    A sensor moved one way sees magnets moved the other way; one that turns feels the field turned back.
+    """
+    field = torch.cat([one.field for one in of_magnets], dim=-1).sum(-1).permute(1, 2, 0)
+    shifted = torch.cat([one.by_motion[:, :3] for one in of_magnets], dim=-1)
+    shift = -shifted.sum(-1).permute(2, 3, 0, 1)
+    about = torch.eye(3, dtype=field.dtype).expand(*field.shape, 3)
+    turn = torch.linalg.cross(field[..., None, :].expand_as(about), about, dim=-1)
+    return torch.cat([shift, turn.transpose(-1, -2)], dim=-1)
+
+
+def _each_its_own(
+    by_motion: Float[Tensor, "layout sensor 3 6"],
+) -> Float[Tensor, "layout channel motion"]:
+    layouts, sensors = by_motion.shape[:2]
+    own = torch.eye(sensors, dtype=by_motion.dtype)[:, None, :, None]
+    return (by_motion[:, :, :, None] * own).reshape(layouts, 3 * sensors, -1)
 
 
 def _field_changes(
@@ -288,21 +340,28 @@ def _field_changes(
     sensor_mm: Float[Tensor, "3 layout sensor"],
 ) -> tuple[FieldChange, FieldChange]:
     """Fields and their changes at (layout, sensor, magnet) of own and (magnet, face) of others."""
-    sensor = sensor_mm[..., None]
-
-    def change(centres: Tensor, axes: Tensor, polarity: Tensor, reach: Reach) -> FieldChange:
-        offset, axes = torch.broadcast_tensors(sensor - centres[:, :, None], axes[:, :, None])
-        offset = reach.kept_off(offset, scorer.magnet)
-        found = field_change(offset, axes, scorer.magnet, reach.order)
-        return FieldChange(found.field * polarity, found.by_motion * polarity)
-
-    centres, axes = other_magnets(scorer.presses, layouts)
-    polarity = layouts.polarity[:, None, :]
-    of_others = polarity.repeat_interleave(centres.shape[3], dim=2)
+    presses, polarity = scorer.presses, layouts.polarity
+    others = other_magnets(presses, layouts)
+    faces, flat = others[0].shape[3], (others[0].flatten(2), others[1].flatten(2))
     return (
-        change(*own_magnets(scorer.presses, layouts), polarity, OWN),
-        change(centres.flatten(2), axes.flatten(2), of_others, OTHER),
+        field_of_magnets(scorer, sensor_mm, own_magnets(presses, layouts), polarity, OWN),
+        field_of_magnets(scorer, sensor_mm, flat, polarity.repeat_interleave(faces, dim=1), OTHER),
     )
+
+
+def field_of_magnets(
+    scorer: LayoutScorer,
+    sensor_mm: Float[Tensor, "3 layout sensor"],
+    magnets: Magnets,
+    polarity: Float[Tensor, "layout magnet"],
+    reach: Reach,
+) -> FieldChange:
+    """Field (T) at (layout, sensor) of each magnet, and its change with the magnet's motion."""
+    centre, axis = (part[:, :, None] for part in magnets)
+    offset, axis = torch.broadcast_tensors(sensor_mm[..., None] - centre, axis)
+    offset = reach.kept_off(offset, scorer.magnet)
+    found = field_change(offset, axis, scorer.magnet, reach.order)
+    return FieldChange(found.field * polarity[:, None], found.by_motion * polarity[:, None])
 
 
 def _of_moving_faces(

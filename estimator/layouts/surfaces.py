@@ -20,7 +20,7 @@ from torch import Tensor
 from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
 from design.layout.places.positions import chip_on_board, sinks_of_boards_mm
-from design.layout.pockets import board_frame
+from design.layout.pockets import board_frame, boards_depth_mm
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
 
@@ -78,11 +78,13 @@ class Surface:
         return np.concatenate([centre, self.frame.axes_at(xy).reshape(-1, 9)], axis=1)
 
     def _chips(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 12"]:
-        xy = onto_patch_mm(self.core, xy_mm)
-        depth = self.spec.sensors.depth_below_core_face_mm + self.sinks_mm(xy_mm)
-        point = self.core.to_object(np.column_stack([xy, -depth]))
+        frame, depth = self.core, self.spec.sensors.depth_below_core_face_mm + self.sinks_mm(xy_mm)
+        if self.spec.arrangement == "sensors-in-shell":
+            frame, depth = self.frame, np.full(len(xy_mm), boards_depth_mm(self.spec))
+        xy = onto_patch_mm(frame, xy_mm)
+        point = frame.to_object(np.column_stack([xy, -depth]))
         board = np.stack([board_frame(azimuth) for azimuth in _azimuths(xy_mm)])
-        axes = self.core.axes_at(xy) @ board @ chip_on_board(self.spec.sensors)
+        axes = frame.axes_at(xy) @ board @ chip_on_board(self.spec.sensors)
         return np.concatenate([point, axes.transpose(0, 2, 1).reshape(-1, 9)], axis=1)
 
     def _boards(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 13"]:

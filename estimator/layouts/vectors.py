@@ -18,7 +18,7 @@ from design.search.faces import layout_groups
 from design.search.places import PlaceMap, magnet_maps, sensor_maps
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
-from estimator.layouts.batch import Layouts, layouts_by_face
+from estimator.layouts.batch import Layouts, layouts_by_face, magnets_below_mm
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,8 @@ def _layouts(
     if space.sensors and space.sensors[group].polar:
         azimuth = torch.deg2rad(sensors[..., 1])
         sensors = sensors[..., :1] * torch.stack([azimuth.cos(), azimuth.sin()], dim=-1)
-    return Layouts(magnets[..., :3], torch.deg2rad(magnets[..., 3:]), polarity, sensors)
+    below = torch.tensor([0.0, 0.0, magnets_below_mm(space.structured)], dtype=values.dtype)
+    return Layouts(magnets[..., :3] + below, torch.deg2rad(magnets[..., 3:]), polarity, sensors)
 
 
 def _places(

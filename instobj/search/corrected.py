@@ -21,7 +21,12 @@ from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, unit_of
 from estimator.layouts.fidelity import bounds_by_press
 from estimator.layouts.polish import Judged, LowestFidelity, descend, judge
-from instobj.search.lowest_fidelity import StartScores, misfit_of, structure_fidelity
+from instobj.search.lowest_fidelity import (
+    CHAIN_OVER_SECOND,
+    StartScores,
+    misfit_of,
+    structure_fidelity,
+)
 from instobj.search.verdict import FIRST, SECOND, Promoted, score_at
 
 _REACH = 0.04
@@ -90,7 +95,7 @@ def corrected_fidelity(
 
 def _counts_over_lowest(one: Promoted) -> float:
     low, high = (1 - one.levels[level].saturation_margin for level in (FIRST, SECOND))
-    return high / low
+    return CHAIN_OVER_SECOND * high / low
 
 
 def _corrected(name: str, start: Promoted, one: Promoted) -> float:

@@ -76,7 +76,9 @@ def optimize(
             "--resume, or loosen [search.limits]"
         )
     with progress.stage("report"):
-        files = write_outcome(space, kept, found, folder, path.parent, progress.step)
+        files = write_outcome(
+            space, kept, found, folder, path.parent, progress.step, limit.plain_engines_s
+        )
     return _document(spec, kept, found, files)
 
 

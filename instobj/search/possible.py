@@ -15,7 +15,7 @@ from design.errors import InputError
 from design.layout.body import body_of, face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.pockets import magnet_bodies
+from design.layout.pockets import shell_bodies
 from design.search.faces import layout_groups
 from design.search.space import (
     SearchSpace,
@@ -74,11 +74,6 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
             "a layout search moves one layout that all faces of a size repeat; magnets.positions_mm holds "
             'a list for each face. Give one list, or set search.vary.layouts = "per face"'
         )
-    if spec.arrangement != "sensors-in-core":
-        raise InputError(
-            "a layout search takes magnets in the shell; got arrangement = "
-            f"{spec.arrangement!r}. Compare such layouts by `instobj score A.toml B.toml`"
-        )
     require_scorable(spec)
     _require_mechanics(spec)
     _require_scores(spec)
@@ -100,6 +95,11 @@ def _require_known_on(spec: ObjectSpec) -> None:
         raise InputError(
             "search.vary.shell_thickness_mm makes the body grow round its core, which is known for boxes; "
             f"got body.kind = {kind!r}. Leave it out, and search once for each thickness"
+        )
+    if vary.magnet_depth_mm is not None and spec.arrangement == "sensors-in-shell":
+        raise InputError(
+            "search.vary.magnet_depth_mm is that of magnets in the shell; with arrangement = "
+            "'sensors-in-shell' they lie in the core, at magnets.depth_below_core_face_mm. Leave it out"
         )
     if vary.magnet_tilt_deg is not None and not all(frame.flat for frame in face_frames(spec)):
         raise InputError(
@@ -245,11 +245,12 @@ def _nearest(
 def _require_candidates(structured: ObjectSpec) -> None:
     """Depths must lie where magnets' motions are known."""
     known = candidate_lattices(structured)[0].depth_mm
-    lie = [-float(body.centre_mm[2]) for body in magnet_bodies(structured)[0]]
+    lie = [-float(body.centre_mm[2]) for body in shell_bodies(structured)[0]]
     low, high = structured.search.vary.magnet_depth_mm or (min(lie), max(lie))
+    what = "magnets" if structured.arrangement == "sensors-in-core" else "sensor boards"
     if low < known[0] - 1e-9 or high > known[-1] + 1e-9:
         raise InputError(
-            f"a search takes magnets whose mid-planes lie {known[0]:g} to {known[-1]:g} mm deep, 1.5 mm "
+            f"a search takes {what} whose mid-planes lie {known[0]:g} to {known[-1]:g} mm deep, 1.5 mm "
             f"from both skins of the shell; got {low:g} to {high:g} mm. Narrow "
-            "search.vary.magnet_depth_mm, or move the magnets"
+            f"search.vary.magnet_depth_mm, or move the {what}"
         )

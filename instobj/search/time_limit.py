@@ -13,7 +13,10 @@ from types import FrameType
 from design.errors import InputError
 
 TRIALS_SHARE = 0.4
-"""Of the time, for mechanics and trials: measured, leaders and finalists took 15 of 25 minutes."""
+"""Of the search's time, for mechanics and trials: measured, leaders and finalists took 15 of 25 minutes."""
+_PAGE_SHARE = 0.06
+"""Of the whole time, for the page: plain engines beside the search, and its pictures."""
+_OF_PLAIN_ENGINES = 2 / 3
 _CHAINS = 2
 """The start and a finalist."""
 _SHORTEST_S = 1e-3
@@ -25,30 +28,42 @@ class TimeSpent(BaseException):
 
 @dataclass(frozen=True)
 class TimeLimit:
-    """`seconds` from now on."""
+    """`seconds` from now on, the last of which are for the page."""
 
     seconds: float
     started: float = field(default_factory=lambda: time.monotonic())
 
     @property
+    def searching_s(self) -> float:
+        """Until the page."""
+        return (1 - _PAGE_SHARE) * self.seconds
+
+    @property
+    def plain_engines_s(self) -> float:
+        """What plain engines may take for the page."""
+        return _OF_PLAIN_ENGINES * _PAGE_SHARE * self.seconds
+
+    @property
     def left_s(self) -> float:
-        return self.started + self.seconds - time.monotonic()
+        """Until the page."""
+        return self.started + self.searching_s - time.monotonic()
 
     def over(self, share: float = 1.0) -> bool:
-        """Whether this share of the time is spent."""
-        return self.left_s <= (1 - share) * self.seconds
+        """Whether this share of the search's time is spent."""
+        return self.left_s <= (1 - share) * self.searching_s
 
     @property
     def left(self) -> str:
-        return f"{max(self.left_s, 0):.0f} of {self.seconds:.0f} s left"
+        return f"{max(self.left_s, 0):.0f} of {self.searching_s:.0f} s left until the page"
 
     @property
     def plan(self) -> str:
         """How the time is shared out, in words."""
         return (
             f"search.seconds = {self.seconds:g}: mechanics and trials until "
-            f"{round(TRIALS_SHARE * self.seconds)} s, then leaders; the last is for a finalist, as long "
-            "as the chain takes for the start"
+            f"{round(TRIALS_SHARE * self.searching_s)} s, then leaders; from what is left until "
+            f"{round(self.searching_s)} s a finalist has as long as the chain takes for the start; then the "
+            "page"
         )
 
     def mechanics_plan(self, lowest_s: float, chain_s: float) -> str:
@@ -60,10 +75,12 @@ class TimeLimit:
             f"{_in_words(lowest_s)} of one free core, half to twice as long"
         )
         whole_s = lowest_s + _CHAINS * chain_s
-        needed_s = max(lowest_s / TRIALS_SHARE, 2 * whole_s)
+        needed_s = max(lowest_s / TRIALS_SHARE, 2 * whole_s) / (1 - _PAGE_SHARE)
         if needed_s <= self.seconds:
             return text
-        holds = "not even the mechanics" if whole_s > self.seconds else "mechanics, but few trials"
+        holds = (
+            "not even the mechanics" if whole_s > self.searching_s else "mechanics, but few trials"
+        )
         return (
             f"{text}. search.seconds = {self.seconds:g} is likely to hold {holds}: give about "
             f"{100 * ceil(needed_s / 100)}. What was made is kept, and --resume goes on from there"

@@ -14,7 +14,6 @@ from design.body.surface_chart import FaceFrame
 from design.fit.boards import beyond_core_mm
 from design.fit.curved import room_for_recesses
 from design.layout.body import body_of, face_frames
-from design.layout.pockets import neighbours
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
 from estimator.field.sources import magnet_source
@@ -22,13 +21,13 @@ from estimator.layouts.batch import Layouts
 from estimator.layouts.limits.gaps import (
     Prisms,
     missing_between_boxes_mm,
-    missing_between_prisms_mm,
 )
 from estimator.layouts.limits.parts import (
     SLACK_MM,
     Boards,
     Pockets,
     boards_of,
+    pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
 )
@@ -58,7 +57,7 @@ def broken_on_surfaces_mm(
         "pockets near the edge": _worst(
             [_past_border(one, pockets[number]) for number, one in known.items()]
         ),
-        "pocket gap across an edge": _pocket_gaps_across(spec, placed, radius),
+        "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
         "seal": _worst(
             [_unsealed(one, laid[number], pockets[number]) for number, one in known.items()]
         ),
@@ -119,26 +118,6 @@ def _past_border(surface: Surface, pockets: Pockets) -> Float[Tensor, "layout"]:
     if body_of(surface.spec).cuboid:
         reach = reach + (-pockets.lowest).amax(dim=1, keepdim=True)
     return torch.relu(reach + SLACK_MM - half[:, None, None]).sum(dim=(0, 2))
-
-
-def _pocket_gaps_across(
-    spec: ObjectSpec, placed: dict[int, Prisms], radius: float
-) -> Float[Tensor, "layout"]:
-    """Silicone missing between the pockets of two faces beside each other, where most is missing."""
-    pairs = [(one.number, other.number) for one, other in neighbours(face_frames(spec))]
-    first = next(iter(placed.values()))[0]
-    if not pairs:
-        return torch.zeros_like(first[0, :, 0])
-
-    def of_side(side: int) -> Prisms:
-        floor, top, axis = (
-            torch.stack([placed[pair[side]][part] for pair in pairs], dim=1) for part in range(3)
-        )
-        return floor, top, axis
-
-    one, other = of_side(0), of_side(1)
-    least = spec.silicone.thinnest_wall_mm + SLACK_MM
-    return missing_between_prisms_mm(one, other, radius, least).sum(dim=(2, 3)).amax(dim=0)
 
 
 def _unsealed(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[Tensor, "layout"]:

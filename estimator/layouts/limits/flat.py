@@ -9,20 +9,20 @@ from torch import Tensor
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
-from design.layout.pockets import neighbours
 from design.spec.object import ObjectSpec
 from estimator.field.sources import magnet_source
 from estimator.layouts.batch import Layouts
 from estimator.layouts.limits.gaps import (
     Prisms,
     missing_between_boxes_mm,
-    missing_between_prisms_mm,
 )
 from estimator.layouts.limits.parts import (
     SLACK_MM,
     Boards,
     Pockets,
     boards_of,
+    in_object,
+    pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
 )
@@ -34,11 +34,12 @@ def broken_on_flat_faces_mm(
 ) -> dict[str, Float[Tensor, "layout"]]:
     """By how much each rule of pockets, boards and chips is broken; of sensors that stay, boards not."""
     pockets = pockets_of(spec, layouts)
+    placed = {frame.number: _placed(frame, pockets) for frame in face_frames(spec)}
     moving = spec.search.vary.sensor_reach_mm is not None
     found = {
         "pocket gap": pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, pocket_gap_mm),
         "pockets near the edge": _past_edges(spec, pockets),
-        "pocket gap across an edge": _pocket_gaps_across_edges(spec, pockets),
+        "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, pockets.radius),
         "seal": _unsealed(spec, layouts, pockets),
         "chip near a magnet": _chips_near_magnets(
             spec, layouts, spec.body.sensed if moving else (face,)
@@ -49,24 +50,6 @@ def broken_on_flat_faces_mm(
         found["board gap"] = _board_gaps(spec, boards, board_gap_mm)
         found["boards near the edge"] = _boards_past_edges(spec, boards)
     return found
-
-
-def _pocket_gaps_across_edges(spec: ObjectSpec, pockets: Pockets) -> Float[Tensor, "layout"]:
-    """Silicone missing between the pockets of two neighbouring faces, where most is missing; as
-    `design.layout.pockets`."""
-    least = spec.silicone.thinnest_wall_mm + SLACK_MM
-    frames = face_frames(spec)
-    pairs = neighbours(frames)
-    if not pairs:
-        return torch.zeros_like(pockets.lowest[:, 0])
-    row = {frame.number: index for index, frame in enumerate(frames)}
-    a, b = zip(*((row[one.number], row[other.number]) for one, other in pairs), strict=True)
-    floor, top, axis = (
-        torch.stack(parts, dim=1)
-        for parts in zip(*(_placed(frame, pockets) for frame in frames), strict=True)
-    )
-    one, other = ((floor[:, [*at]], top[:, [*at]], axis[:, [*at]]) for at in (a, b))
-    return missing_between_prisms_mm(one, other, pockets.radius, least).sum(dim=(2, 3)).amax(dim=0)
 
 
 def _placed(frame: FaceFrame, pockets: Pockets) -> Prisms:
@@ -90,21 +73,16 @@ def _chips_near_magnets(
     centre = layouts.magnet_mm * torch.tensor([1.0, 1.0, -1.0], dtype=place.dtype)
     missing = []
     for core in (frame for frame in core_frames(spec) if frame.number in faces):
-        chips = _in_object(core, chip)[:, :, None]
+        chips = in_object(core, chip)[:, :, None]
         short = torch.zeros_like(place[:, 0, 0])
         for frame in face_frames(spec):
             reach = OWN if frame.number == core.number else OTHER
-            apart = (chips - _in_object(frame, centre)[:, None]).square().sum(-1)
+            apart = (chips - in_object(frame, centre)[:, None]).square().sum(-1)
             distance = apart.clamp(min=1e-12).sqrt()
             lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
             short = short + lacking.sum(dim=(1, 2))
         missing.append(short)
     return torch.stack(missing).amax(dim=0)
-
-
-def _in_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
-    turn = torch.as_tensor(frame.axes.T.copy(), dtype=local_mm.dtype)
-    return local_mm @ turn + torch.as_tensor(frame.centre_mm.copy(), dtype=local_mm.dtype)
 
 
 def _past_edges(spec: ObjectSpec, pockets: Pockets) -> Float[Tensor, "layout"]:
@@ -158,7 +136,7 @@ def _recesses(
     centres, axes = [], []
     for frame in core_frames(spec):
         turn = torch.as_tensor(frame.axes.T.copy(), dtype=radial.dtype)
-        centres.append(_in_object(frame, local))
+        centres.append(in_object(frame, local))
         axes.append(box @ turn)
     return torch.cat(centres, dim=1), torch.cat(axes, dim=1)
 

@@ -8,10 +8,18 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from design.body.surface_chart import FaceFrame
 from design.layout.boards import passage_radius_mm
+from design.layout.body import face_frames
+from design.layout.pockets import neighbours
 from design.spec.object import ObjectSpec
-from estimator.layouts.batch import Layouts, magnet_axes
-from estimator.layouts.limits.gaps import between_segments, length
+from estimator.layouts.batch import Layouts, magnet_axes, magnets_below_mm
+from estimator.layouts.limits.gaps import (
+    Prisms,
+    between_segments,
+    length,
+    missing_between_prisms_mm,
+)
 
 SLACK_MM = 0.02
 """Kept from every limit, so that what keeps it still does once rounded to 0.01 mm and 0.1°."""
@@ -30,9 +38,13 @@ class Pockets:
 
 
 def pockets_of(spec: ObjectSpec, layouts: Layouts) -> Pockets:
-    """As `design.layout.pockets.Pocket`, of round magnets."""
-    radius, half = spec.shell.pocket_diameter_mm / 2, spec.magnets.height_mm / 2
-    axis, depth = magnet_axes(layouts), layouts.magnet_mm[..., 2]
+    """As `design.layout.pockets.Pocket`, of round magnets; heights above the core's face where they rest
+    in it, in pockets as wide as they are."""
+    wide = spec.shell.pocket_diameter_mm
+    if spec.arrangement == "sensors-in-shell":
+        wide = spec.magnets.diameter_mm
+    radius, half = wide / 2, spec.magnets.height_mm / 2
+    axis, depth = magnet_axes(layouts), layouts.magnet_mm[..., 2] - magnets_below_mm(spec)
     centre = torch.stack([*layouts.magnet_mm[..., :2].unbind(-1), -depth])
     up, lean = axis[2], axis[:2] / axis[2]
     across = radius * (1 - up * up).clamp(min=1e-12).sqrt()
@@ -92,3 +104,28 @@ def boards_beside_hole_mm(spec: ObjectSpec, boards: Boards) -> Float[Tensor, "la
     away = torch.where(beyond.amax(-1) > 0, outside, beyond.amax(-1))
     missing = torch.relu(passage_radius_mm(spec) + spec.printer.wall_mm + SLACK_MM - away)
     return torch.minimum(missing, torch.relu(away + SLACK_MM)).sum(dim=1)
+
+
+def pocket_gaps_across_edges_mm(
+    spec: ObjectSpec, placed: dict[int, Prisms], radius: float
+) -> Float[Tensor, "layout"]:
+    """Silicone missing between the pockets of two faces beside each other, where most is missing."""
+    pairs = [(one.number, other.number) for one, other in neighbours(face_frames(spec))]
+    first = next(iter(placed.values()))[0]
+    if not pairs:
+        return torch.zeros_like(first[0, :, 0])
+
+    def of_side(side: int) -> Prisms:
+        floor, top, axis = (
+            torch.stack([placed[pair[side]][part] for pair in pairs], dim=1) for part in range(3)
+        )
+        return floor, top, axis
+
+    one, other = of_side(0), of_side(1)
+    least = spec.silicone.thinnest_wall_mm + SLACK_MM
+    return missing_between_prisms_mm(one, other, radius, least).sum(dim=(2, 3)).amax(dim=0)
+
+
+def in_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
+    turn = torch.as_tensor(frame.axes.T.copy(), dtype=local_mm.dtype)
+    return local_mm @ turn + torch.as_tensor(frame.centre_mm.copy(), dtype=local_mm.dtype)

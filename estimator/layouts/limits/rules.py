@@ -15,6 +15,7 @@ from estimator.layouts.batch import Layouts
 from estimator.layouts.limits.curved import broken_on_surfaces_mm
 from estimator.layouts.limits.flat import broken_on_flat_faces_mm
 from estimator.layouts.limits.parts import boards_beside_hole_mm, boards_of
+from estimator.layouts.limits.reverse import broken_in_reverse_mm
 from estimator.layouts.press_basis import faces_differ
 from estimator.layouts.vectors import LayoutSpace
 
@@ -28,6 +29,7 @@ RULES = (
     "board beside the wire hole",
     "wiring",
     "chip near a magnet",
+    "magnets in the core",
 )
 
 
@@ -40,20 +42,22 @@ def broken_limits_mm(
     differ, on the face that breaks a rule most.
     """
     spec = space.structured
-    limits, wall = spec.search.limits, spec.printer.wall_mm
+    limits = spec.search.limits
     every = list(layouts.by_face.values()) or [layouts]
     wire = torch.stack([one.sensor_mm.norm(dim=-1).sum(dim=1) for one in every]).amax(dim=0)
     longest = np.inf if limits.wiring_mm is None else limits.wiring_mm
-    broken = broken_on_surfaces_mm if faces_differ(spec) else broken_on_flat_faces_mm
-    found = broken(
-        spec,
-        layouts,
-        face,
+    pocket_gap, board_gap = (
         max(limits.pocket_gap_mm, spec.silicone.thinnest_wall_mm),
-        max(limits.board_gap_mm, wall),
+        max(limits.board_gap_mm, spec.printer.wall_mm),
     )
+    in_core = spec.arrangement == "sensors-in-core"
+    broken = broken_on_surfaces_mm if faces_differ(spec) else broken_on_flat_faces_mm
+    if in_core:
+        found = broken(spec, layouts, face, pocket_gap, board_gap)
+    else:
+        found = broken_in_reverse_mm(spec, layouts, pocket_gap)
     found["wiring"] = torch.relu(wire - longest)
-    if space.sensors:
+    if space.sensors and in_core:
         beside = [boards_beside_hole_mm(spec, boards_of(spec, one)) for one in every]
         found["board beside the wire hole"] = torch.stack(beside).amax(dim=0)
     nothing = torch.zeros_like(wire)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -61,17 +62,18 @@ class History:
 
 
 @one_thread()
-def search_history(space: SearchSpace, kept: KeptStudy) -> History:
+def search_history(space: SearchSpace, kept: KeptStudy, seconds: float = np.inf) -> History:
     """Collect the trials, and let random search and plain CMA-ES score as many layouts as the search did, up
-    to 33 600."""
+    to 33 600, or as `seconds` hold."""
     names, finished = space.spec.search.objectives, kept.finished()
     start = start_scores(space.spec)
     free = sum(not v.choices for v in space.variables)
     each = np.array([trial.user_attrs["scorings"] for trial in finished])
     count = min(int(each.sum()), _MOST)
-    peers = [_random_search(space, start, count)]
+    engines = [_random_search]
     if free > 1:  # CMA-ES knows no choices, and not a single number
-        peers.append(_plain_cma_es(space, start, count))
+        engines.append(_plain_cma_es)
+    peers = [engine(space, start, count, seconds / len(engines)) for engine in engines]
     return History(
         names,
         np.array([[trial.user_attrs["scores"][name] for name in names] for trial in finished]),
@@ -110,13 +112,16 @@ class _Scorings:
         return Peer(name, np.concatenate(self._values), np.concatenate(self._at), self.count)
 
 
-def _random_search(space: SearchSpace, start: StartScores, count: int) -> Peer:
+def _random_search(space: SearchSpace, start: StartScores, count: int, seconds: float) -> Peer:
     """Random layouts, of one structure a chunk."""
+    ends = time.monotonic() + seconds
     rng, names = np.random.default_rng(space.spec.seed), space.spec.search.objectives
     flags = np.array([not v.choices for v in space.variables])
     by_structure: dict[Any, LowestFidelity] = {}
     found = _Scorings(names[0])
     for first in range(0, count, _CHUNK):
+        if first and time.monotonic() > ends:
+            break
         size = min(_CHUNK, count - first)
         units = rng.random((size, len(space.variables)))
         params = [params_at(space, unit) for unit in units]
@@ -131,10 +136,10 @@ def _random_search(space: SearchSpace, start: StartScores, count: int) -> Peer:
     return found.of("random search")
 
 
-def _plain_cma_es(space: SearchSpace, start: StartScores, count: int) -> Peer:
+def _plain_cma_es(space: SearchSpace, start: StartScores, count: int, seconds: float) -> Peer:
     """CMA-ES as it comes, by the first objective with penalties for broken limits; choices are those in the
     middle of the space."""
-    names = space.spec.search.objectives
+    ends, names = time.monotonic() + seconds, space.spec.search.objectives
     middle = params_at(space, np.full(len(space.variables), 0.5))
     lowest = structure_fidelity(space, middle, start)
     poles = torch.tensor(polarities(lowest.space.structured, middle))
@@ -145,7 +150,12 @@ def _plain_cma_es(space: SearchSpace, start: StartScores, count: int) -> Peer:
         found.add(judged)
         return judged.penalized[:, 0].double().numpy()
 
-    plain_cma_es(worth, free, space.spec.seed, lambda: found.count >= count)
+    plain_cma_es(
+        worth,
+        free,
+        space.spec.seed,
+        lambda: found.count >= count or (found.count > 0 and time.monotonic() > ends),
+    )
     return found.of("plain CMA-ES")
 
 

@@ -35,10 +35,12 @@ def write_outcome(
     folder: Path,
     beside: Path,
     step: Callable[[str], None],
+    plain_engines_s: float = float("inf"),
 ) -> list[Path]:
     """Write finalists, the best of them where it is better than the start, `search.json`, the page.
 
-    `beside` is the folder of the specification, from which it names other files.
+    `beside` is the folder of the specification, from which it names other files; `plain_engines_s` is the
+    time of the plain engines that the page shows.
     """
     written = []
     for place, one in enumerate(found.finalists, start=1):
@@ -51,7 +53,7 @@ def write_outcome(
         (folder / BEST).unlink(missing_ok=True)  # of an earlier call
     written.append(folder / "search.json")
     write_json(_results(found), written[-1])
-    history = search_history(space, kept)
+    history = search_history(space, kept, plain_engines_s)
     best = Run(found.best.spec)
     results = ChainResults(
         Run(found.start.spec).require("scores").folder,

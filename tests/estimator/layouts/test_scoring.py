@@ -225,7 +225,7 @@ def test_compliance_is_the_depth_over_the_force_on_the_straight_line_between_sto
 
 def test_what_cannot_be_scored_is_refused(spec, motions, presses):
     blocks = BaseModel.model_copy(spec.magnets, update={"shape": "block"})  # unvalidated
-    with pytest.raises(InputError, match="round magnets in the shell"):
+    with pytest.raises(InputError, match="round magnets only"):
         layout_scorer(BaseModel.model_copy(spec, update={"magnets": blocks}), presses)
     silent = BaseModel.model_copy(spec.sensors, update={"noise_counts": (1.0, 0.0, 1.0)})
     with pytest.raises(InputError, match="white noise on every axis"):

@@ -129,7 +129,9 @@ def test_walls_between_recesses_are_those_of_the_core(monkeypatch):
     assert (missing.numpy()[walls < least] >= least - walls[walls < least] - 0.02).all()
 
 
-@pytest.mark.parametrize("rule", range(len(RULES)))
+@pytest.mark.parametrize(
+    "rule", [k for k, name in enumerate(RULES) if name != "magnets in the core"]
+)
 def test_gradients_of_limits_are_those_of_differences(rule):
     _, space, _, poles, units = batch(7, 40, wiring_mm=18.0)
 

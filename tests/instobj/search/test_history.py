@@ -62,11 +62,19 @@ def test_plain_engines_score_as_many_layouts_and_only_those_within_limits_count(
     assert 0.8 < len(drawn.values) / drawn.scored < 0.97, "a tenth breaks the limit"
 
 
+def test_plain_engines_end_with_their_time_after_a_chunk_at_least(bowl, monkeypatch):
+    monkeypatch.setattr(history, "is_feasible", lambda one: True)
+    kept = SimpleNamespace(finished=lambda: [trial(2.0, True, 30_000)])
+    drawn, evolved = history.search_history(bowl, kept, seconds=0.0).peers
+    assert drawn.scored == 512
+    assert 0 < evolved.scored < 40, "a generation"
+
+
 def test_plain_cma_es_goes_down_where_random_search_does_not(bowl):
-    drawn = history._random_search(bowl, None, 3000)
-    evolved = history._plain_cma_es(bowl, None, 3000)
+    drawn = history._random_search(bowl, None, 3000, np.inf)
+    evolved = history._plain_cma_es(bowl, None, 3000, np.inf)
     assert evolved.values.min() - 1 < 0.01 * (drawn.values.min() - 1)
-    again = history._plain_cma_es(bowl, None, 3000)
+    again = history._plain_cma_es(bowl, None, 3000, np.inf)
     assert_allclose(again.values, evolved.values)
 
 

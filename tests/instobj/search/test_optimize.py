@@ -102,11 +102,11 @@ def test_what_only_the_whole_specification_refuses_is_said_too():
         require_possible(spec)
 
 
-def test_other_arrangements_and_bodies_are_refused():
-    reverse = {"arrangement": "sensors-in-shell", "magnets": {"positions_mm": [[8, 8], [-8, -8]]}}
-    spec = specification(vary=FREE).model_copy(update={"arrangement": reverse["arrangement"]})
-    with pytest.raises(InputError, match="sensors-in-shell"):
-        require_possible(spec)
+def test_depths_of_magnets_in_the_core_and_lists_of_faces_are_refused():
+    reverse = load_spec(EXAMPLES / "reverse_cube.toml")
+    vary = VarySpec(magnet_reach_mm=11.0, magnet_depth_mm=(2.0, 5.0))
+    with pytest.raises(InputError, match="magnet_depth_mm is that of magnets in the shell"):
+        require_possible(reverse.changed(search=reverse.search.changed(vary=vary)))
     lists = {"magnets": {"positions_mm": [[[8, 8], [-8, -8]]] * 5}, "search": {"vary": FREE}}
     with pytest.raises(InputError, match=r'layouts = "per face"'):
         require_possible(parse_spec({"name": "cube"} | lists, "made up"))

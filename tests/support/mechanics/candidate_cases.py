@@ -95,6 +95,12 @@ def ordinary_chain(spec, motions, face, layouts, row):
         for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm")
     )
     scene, motion = layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm)
+    return chain_of_scene(spec, motions, face, scene, motion)
+
+
+def chain_of_scene(spec, motions, face, scene, motion):
+    """The same of a scene whose sensors are the face's own, with the motions (place, step, body, 6) of what
+    moves in it."""
     model = FieldModel(magnet_source(spec.magnets), "exact")
 
     def counts(moved):

@@ -1,0 +1,126 @@
+"""Limits of layouts whose sensors lie in the shell and magnets in the core: boxes, every face flat."""
+
+from __future__ import annotations
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from design.body.surface_chart import FaceFrame
+from design.layout.boards import passage_radius_mm
+from design.layout.body import core_frames, face_frames
+from design.layout.pockets import Outline, sensor_boards
+from design.spec.object import ObjectSpec
+from estimator.field.sources import magnet_source
+from estimator.layouts.batch import Layouts
+from estimator.layouts.limits.gaps import Prisms
+from estimator.layouts.limits.parts import (
+    SLACK_MM,
+    Pockets,
+    in_object,
+    pocket_gaps_across_edges_mm,
+    pocket_gaps_mm,
+    pockets_of,
+)
+from estimator.layouts.near_field import OTHER, OWN
+
+
+def broken_in_reverse_mm(
+    spec: ObjectSpec, layouts: Layouts, pocket_gap_mm: float
+) -> dict[str, Float[Tensor, "layout"]]:
+    """By how much each rule is broken, on the face where it is most."""
+    laid = {frame.number: layouts.of(frame.number) for frame in face_frames(spec)}
+    boards = {number: _pockets_of_boards(spec, one) for number, one in laid.items()}
+    magnets = {number: pockets_of(spec, one) for number, one in laid.items()}
+    placed = {frame.number: _placed(frame, boards[frame.number]) for frame in face_frames(spec)}
+    radius = boards[spec.body.sensed[0]].radius
+    return {
+        "pocket gap": _worst(
+            [pocket_gaps_mm(one.floor, one.top, radius, pocket_gap_mm) for one in boards.values()]
+        ),
+        "pockets near the edge": _worst(
+            [_past_edges(frame, boards[frame.number], SLACK_MM) for frame in face_frames(spec)]
+        ),
+        "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
+        "magnets in the core": _worst(
+            [_magnets(spec, frame, magnets[frame.number]) for frame in core_frames(spec)]
+        ),
+        "chip near a magnet": _chips_near_magnets(spec, laid),
+    }
+
+
+def _worst(of_faces: list[Float[Tensor, "layout"]]) -> Float[Tensor, "layout"]:
+    return torch.stack(of_faces).amax(dim=0)
+
+
+def _pockets_of_boards(spec: ObjectSpec, layouts: Layouts) -> Pockets:
+    """Of one face; as wide as the circle round a board, but towards the edges as the board turned."""
+    outline: Outline = sensor_boards(spec)[0][0].outline
+    place = layouts.sensor_mm
+    radius = place.norm(dim=-1, keepdim=True)
+    along = torch.tensor([1.0, 0.0], dtype=place.dtype)
+    radial = torch.where(radius > 1e-6, place / radius.clamp(min=1e-6), along).abs()
+    across, ahead = outline.half_mm
+    reach = place.abs() + across * radial.flip(-1) + ahead * radial
+    x, y = place.unbind(-1)
+    zero = torch.zeros_like(x)
+    floor = zero - spec.shell.pocket_depth_mm
+    up = torch.stack([zero, zero, zero + 1])
+    return Pockets(
+        up,
+        torch.stack([x, y, floor]),
+        torch.stack([x, y, zero]),
+        reach.permute(2, 0, 1),
+        floor,
+        outline.radius_mm,
+    )
+
+
+def _placed(frame: FaceFrame, pockets: Pockets) -> Prisms:
+    floor, top = (
+        in_object(frame, ends.permute(1, 2, 0)).permute(2, 0, 1)
+        for ends in (pockets.floor, pockets.top)
+    )
+    turn = torch.as_tensor(frame.axes.copy(), dtype=floor.dtype)
+    return floor, top, torch.einsum("ij,jlm->ilm", turn, pockets.axis)
+
+
+def _past_edges(frame: FaceFrame, pockets: Pockets, wall_mm: float) -> Float[Tensor, "layout"]:
+    """Beyond the face less the zone of the neighbouring face's pockets, as deep as the deepest, and less a
+    wall."""
+    half = torch.tensor(frame.half_extents_mm, dtype=pockets.reach.dtype)
+    deepest = (-pockets.lowest).amax(dim=1, keepdim=True)
+    return torch.relu(pockets.reach + deepest + wall_mm - half[:, None, None]).sum(dim=(0, 2))
+
+
+def _magnets(spec: ObjectSpec, core: FaceFrame, pockets: Pockets) -> Float[Tensor, "layout"]:
+    """Walls that pockets in the core lack: between each other, to the next side, round the wire hole, and
+    below."""
+    wall = spec.printer.wall_mm
+    between = pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, wall)
+    beside = _past_edges(core, pockets, wall + SLACK_MM)
+    away = pockets.floor[:2].square().sum(0).clamp(min=1e-12).sqrt() - pockets.radius
+    hole = torch.relu(passage_radius_mm(spec) + wall + SLACK_MM - away)
+    below = torch.relu(wall + SLACK_MM - pockets.lowest - spec.core.wall_mm)
+    return between + beside + (hole + below).sum(dim=1)
+
+
+def _chips_near_magnets(spec: ObjectSpec, laid: dict[int, Layouts]) -> Float[Tensor, "layout"]:
+    """Distance missing between chips and magnets for the series of the field, on the worst of the faces."""
+    magnet, frames = magnet_source(spec.magnets), face_frames(spec)
+    depth = -float(sensor_boards(spec)[0][0].centre_mm[2])
+    missing = []
+    for own in frames:
+        place = laid[own.number].sensor_mm
+        below = torch.full_like(place[..., :1], -depth)
+        chips = in_object(own, torch.cat([place, below], dim=-1))[:, :, None]
+        short = torch.zeros_like(place[:, 0, 0])
+        for frame in frames:
+            reach = OWN if frame.number == own.number else OTHER
+            down = torch.tensor([1.0, 1.0, -1.0], dtype=place.dtype)
+            centre = in_object(frame, laid[frame.number].magnet_mm * down)[:, None]
+            distance = (chips - centre).square().sum(-1).clamp(min=1e-12).sqrt()
+            lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
+            short = short + lacking.sum(dim=(1, 2))
+        missing.append(short)
+    return torch.stack(missing).amax(dim=0)

@@ -1,0 +1,196 @@
+"""Sensors in the shell, magnets in the core: batched scores against the ordinary chain, and their limits."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from numpy.testing import assert_allclose
+
+from design.errors import InputError
+from design.layout.body import face_frames
+from design.layout.places.positions import magnet_layout, sensor_layout
+from design.layout.pockets import sensor_boards
+from design.search.space import params_at, search_space, with_layout
+from design.search.structure import with_structure
+from design.spec_io import parse_spec
+from estimator.field.environment import environment
+from estimator.layouts import scoring
+from estimator.layouts.batch import layouts_of
+from estimator.layouts.cross_face import neighbour_changes
+from estimator.layouts.limits.rules import RULES, broken_limits_mm
+from estimator.layouts.polish import descend
+from estimator.layouts.press_basis import press_basis
+from estimator.layouts.scoring import layout_scorer, place_information, press_changes
+from estimator.layouts.vectors import layout_space, layouts_at
+from estimator.signals.field_setup import Scene
+from estimator.signals.hall import chip_errors
+from tests.support.mechanics.candidate_cases import (
+    FACE,
+    chain_of_scene,
+    made_up_motions,
+    made_up_spec,
+)
+
+BOUND_TOLERANCE = 0.03
+"""As of magnets in the shell; measured 1.3 %."""
+SIZES = {"cube": (42.0, 42.0, 42.0), "box": (60.0, 44.0, 42.0)}
+
+
+def reverse_spec(body="cube", seed=0, **search):
+    """Four magnets in the core and three boards in the shell, anywhere they fit."""
+    rng = np.random.default_rng(seed)
+    corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
+    magnets = 7.5 * corners + rng.uniform(-0.7, 0.7, (4, 2))
+    around = np.deg2rad(120 * np.arange(3) + rng.uniform(0, 120))
+    sensors = 8.5 * np.stack([np.cos(around), np.sin(around)], axis=1) + rng.uniform(-1, 1, (3, 2))
+    content = {
+        "name": "reverse",
+        "arrangement": "sensors-in-shell",
+        "body": {"size_mm": SIZES[body]},
+        "magnets": {
+            "positions_mm": magnets.tolist(),
+            "depth_below_core_face_mm": 0.0,
+            "north": rng.choice(["outward", "inward"], 4).tolist(),
+        },
+        "sensors": {"package_mm": [6.6, 6.2, 1.6], "positions_mm": sensors.tolist()},
+        "contact_grid": {"count": [5, 4], "pitch_mm": 6.0},
+        "search": search,
+    }
+    return made_up_spec(parse_spec(content, "made up"))
+
+
+def chain(spec, motions, pressed, reads):
+    """Of the sensors of one face in presses of another, or of its own."""
+    sensors, magnets = sensor_layout(spec), magnet_layout(spec)
+    own = sensors.face == reads
+    sensors = replace(
+        sensors,
+        position_mm=sensors.position_mm[own],
+        axes=sensors.axes[own],
+        face=sensors.face[own],
+    )
+    chips = chip_errors(spec.sensors, int(own.sum()), 1)
+    index = spec.body.sensed.index(reads)
+    centres = np.array([board.centre_mm for board in sensor_boards(spec)[index]])
+    along = face_frames(spec)[index].from_plane(centres[:, :2])
+    row = motions.faces.tolist().index(pressed)
+    motion = motions.at(reads, along, -centres[:, 2])[row]
+    scene = Scene(magnets, sensors, chips, environment(spec), sensors_move=True)
+    return chain_of_scene(spec, motions, pressed, scene, motion)
+
+
+def worst_error(spec, motions):
+    scorer = layout_scorer(spec, press_basis(spec, motions, FACE))
+    found = place_information(scorer, layouts_of(spec, FACE))
+    bounds, _, _ = chain(spec, motions, FACE, FACE)
+    return max(
+        float(abs(part[0].numpy() / wanted - 1).max())
+        for part, wanted in (
+            (found.position_bound_mm, bounds.position_mm),
+            (found.force_bound_n, bounds.force_n),
+        )
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("body", SIZES)
+def test_bounds_are_those_of_the_ordinary_chain(body, seed):
+    spec = reverse_spec(body, seed)
+    assert worst_error(spec, made_up_motions(spec)) < BOUND_TOLERANCE
+
+
+@pytest.mark.parametrize("fault", ["shift", "turn", "field of others"])
+def test_a_planted_fault_in_the_motion_of_sensors_would_show(monkeypatch, fault):
+    spec = reverse_spec()
+    motions, right = made_up_motions(spec), scoring.by_motion_of_sensors
+
+    def wrong(own, other):
+        if fault == "field of others":
+            return right(own)
+        found = right(own, other)
+        columns = slice(0, 3) if fault == "shift" else slice(3, 6)
+        found[..., columns] *= -1
+        return found
+
+    monkeypatch.setattr(scoring, "by_motion_of_sensors", wrong)
+    assert worst_error(spec, motions) > 2 * BOUND_TOLERANCE
+
+
+@pytest.mark.parametrize("body", SIZES)
+def test_neighbours_read_what_the_chain_reads(body):
+    spec = reverse_spec(body)
+    motions = made_up_motions(spec)
+    scorer = layout_scorer(spec, press_basis(spec, motions, FACE))
+    places = scorer.presses.count
+    columns, layouts = torch.arange(3 * places, 4 * places), layouts_of(spec, FACE)
+    found = neighbour_changes(scorer, layouts, columns)[0]
+    resting = press_changes(scorer, layouts).resting_counts[0].flatten()
+    for number, face in enumerate(scorer.presses.neighbours):
+        _, counts, rest = chain(spec, motions, FACE, face)
+        wanted = counts.T / np.tile(scorer.sigma_counts, counts.shape[1] // 3)[:, None]
+        assert_allclose(found[number], wanted, rtol=0, atol=0.05 * abs(wanted).max())
+        assert rest.size == resting.numel()
+
+
+def test_resting_counts_are_the_chain_s():
+    spec = reverse_spec("box", 1)
+    motions = made_up_motions(spec)
+    scorer = layout_scorer(spec, press_basis(spec, motions, FACE))
+    found = press_changes(scorer, layouts_of(spec, FACE)).resting_counts[0]
+    _, _, rest = chain(spec, motions, FACE, FACE)
+    assert_allclose(found, rest, rtol=0, atol=0.02 * abs(rest).max())
+
+
+VARY = {"magnet_reach_mm": 11.0, "sensor_reach_mm": 15.0}
+
+
+def broken_of_random_layouts(count=40, seed=3, **given):
+    spec = reverse_spec(**given, vary=VARY)
+    space = search_space(spec)
+    units = np.random.default_rng(seed).random((count, len(space.variables)))
+    tensors = layout_space(space, with_structure(spec, params_at(space, units[0])), torch.float64)
+    point, poles = torch.as_tensor(units), torch.ones(count, 4)
+    return spec, space, tensors, poles, point
+
+
+@pytest.mark.parametrize("body", SIZES)
+def test_layouts_within_all_limits_pass_the_specification_s_own_check(body):
+    """What breaks no rule is accepted, and what the check refuses breaks one."""
+    spec, space, tensors, poles, point = broken_of_random_layouts(body=body)
+
+    def broken(point):
+        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, FACE), FACE).sum(dim=1)
+
+    point = torch.cat([point, descend(broken, point, 60)])
+    poles, accepted = torch.cat([poles, poles]), []
+    clear = (broken(point) == 0).numpy()
+    for one in (params_at(space, unit) for unit in point.numpy()):
+        try:
+            with_layout(spec, one)
+        except InputError:
+            accepted.append(False)
+        else:
+            accepted.append(True)
+    assert 0 < clear.sum() < len(clear)
+    assert not (clear & ~np.array(accepted)).any()
+    assert not np.all(accepted)
+
+
+REVERSE_RULES = ("pocket gap", "pockets near the edge", "magnets in the core")
+
+
+@pytest.mark.parametrize("rule", REVERSE_RULES)
+def test_gradients_of_limits_are_those_of_differences(rule):
+    _, _, tensors, poles, units = broken_of_random_layouts()
+
+    def broken(point):
+        laid = layouts_at(tensors, point, poles, FACE)
+        return broken_limits_mm(tensors, laid, FACE)[:, RULES.index(rule)]
+
+    point = units.clone().requires_grad_()
+    (slope,) = torch.autograd.grad(broken(point).sum(), point)
+    way = torch.as_tensor(np.random.default_rng(1).normal(size=units.shape))
+    numeric = (broken(units + 1e-6 * way) - broken(units - 1e-6 * way)) / 2e-6
+    assert_allclose((slope * way).sum(dim=1), numeric, rtol=1e-3, atol=1e-4)
+    assert float(broken(units).max()) > 0
