@@ -187,8 +187,11 @@ def test_short_of_time_fewer_leaders_and_finalists_are_scored_and_said(promoted)
 
 
 def test_as_much_time_is_kept_as_the_start_took_on_the_highest_level(promoted):
-    """Of 213 s 200 are for the search: 60 go to the start there, and 1.25 times that stays for a finalist, which
-    leaves 65 s for the second level. What is stored costs the start nothing, and is kept free all the same."""
+    """Of 213 s 200 are for the search: 60 go to the start there, and 1.25 times that stays for a finalist.
+
+    That leaves 65 s for the second level. What is stored costs the start nothing, and is kept free all the
+    same.
+    """
     few, said = promoted(seconds=200 / 0.94, second_s=20, highest_s=60)
     assert (len(few.leaders), len(few.finalists)) == (3, 1)
     assert "does not walk on: time runs short" in " ".join(said)
