@@ -146,7 +146,7 @@ def candidate_lattices(
     depth_step_mm: float = _DEPTH_STEP_MM,
     margin_mm: float = _MARGIN_MM,
 ) -> tuple[FaceCandidates, ...]:
-    """Regular places up to a pocket's radius from the borders, depths `margin_mm` off both skins.
+    """Regular places up to a pocket's radius, or half a board, from the borders, depths `margin_mm` off both skins.
 
     `pitch_mm` and `depth_step_mm` are the largest distances wanted. The paper's cube: 19 × 19
     places, depths 1.5 to 6.5 mm, on each of five faces. What of a lattice's corners lies beyond a
@@ -159,9 +159,10 @@ def candidate_lattices(
         would stand out of it.
     """
     deepest = spec.shell.thickness_mm - margin_mm
+    widest = max(spec.shell.pocket_diameter_mm / 2, *shell_bodies(spec)[0][0].outline.half_mm)
     lattices = []
     for frame in face_frames(spec):
-        reach = np.array(frame.half_extents_mm) - spec.shell.pocket_diameter_mm / 2
+        reach = np.array(frame.half_extents_mm) - widest
         if min(*reach, deepest - margin_mm) <= 0:
             raise InputError(
                 f"face {frame.number} has no room for candidates: reach {min(reach):g} mm, depths "

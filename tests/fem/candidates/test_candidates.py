@@ -8,6 +8,7 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ContactGridSpec, ScoreSpec
+from design.spec_io import parse_spec
 from fem.candidates.cubic_convolution import axis_weights
 from fem.candidates.motions import candidate_lattices, load_candidates
 from fem.candidates.presses import presses_at_forces
@@ -71,6 +72,16 @@ def test_the_paper_s_cube_has_19_by_19_places_at_six_depths():
     assert [lattice.shape for lattice in lattices] == [(19, 19, 6)] * 5
     assert_allclose(lattices[2].x_mm[[0, -1]], [-18, 18], rtol=0, atol=1e-12)
     assert_allclose(lattices[2].depth_mm, [1.5, 2.5, 3.5, 4.5, 5.5, 6.5], rtol=0, atol=1e-12)
+
+
+def test_boards_wider_than_pockets_keep_within_the_face():
+    sensors = {"package_mm": [6.6, 6.2, 1.6]}
+    magnets = {"positions_mm": [[8, 8], [-8, -8]]}
+    content = {"name": "reverse", "arrangement": "sensors-in-shell"}
+    spec = parse_spec(content | {"sensors": sensors, "magnets": magnets}, "made up")
+    assert max(spec.sensors.package_mm[:2]) > spec.shell.pocket_diameter_mm
+    for lattice in candidate_lattices(spec):
+        assert_allclose(lattice.x_mm[[0, -1]], [-17.7, 17.7])
 
 
 def test_axes_and_candidates_are_in_order(table, spec):
