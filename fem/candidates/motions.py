@@ -146,7 +146,7 @@ def candidate_lattices(
     depth_step_mm: float = _DEPTH_STEP_MM,
     margin_mm: float = _MARGIN_MM,
 ) -> tuple[FaceCandidates, ...]:
-    """Regular places up to a pocket's radius, or half a board, from the borders, depths `margin_mm` off both skins.
+    """Regular places up to a pocket's radius, or half a board, from the borders, `margin_mm` off both skins.
 
     `pitch_mm` and `depth_step_mm` are the largest distances wanted. The paper's cube: 19 × 19
     places, depths 1.5 to 6.5 mm, on each of five faces. What of a lattice's corners lies beyond a
