@@ -9,7 +9,9 @@ from torch import Tensor
 from design.body.surface_chart import FaceFrame
 from design.layout.boards import passage_radius_mm
 from design.layout.body import core_frames, face_frames
+from design.layout.mould.frame import play_mm
 from design.layout.pockets import Outline, sensor_boards
+from design.layout.template_marks import CORNER_MM
 from design.spec.object import ObjectSpec
 from estimator.field.sources import magnet_source
 from estimator.layouts.batch import Layouts
@@ -94,15 +96,17 @@ def _past_edges(frame: FaceFrame, pockets: Pockets, wall_mm: float) -> Float[Ten
 
 
 def _magnets(spec: ObjectSpec, core: FaceFrame, pockets: Pockets) -> Float[Tensor, "layout"]:
-    """Walls that pockets in the core lack: between each other, to the next side, round the wire hole, and
-    below."""
-    wall = spec.printer.wall_mm
-    between = pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, wall)
+    """Walls that pockets in the core lack: to the next side, round the wire hole and below; and in their
+    template, whose holes have their play, between each other and beside its cut corner."""
+    wall, play = spec.printer.wall_mm, play_mm(spec)
+    between = pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, wall + 2 * play)
+    to_corner = sum(core.half_extents_mm) - CORNER_MM - pockets.top[:2].sum(0)
+    corner = torch.relu(pockets.radius + play + wall + SLACK_MM - to_corner / 2**0.5)
     beside = _past_edges(core, pockets, wall + SLACK_MM)
     away = pockets.floor[:2].square().sum(0).clamp(min=1e-12).sqrt() - pockets.radius
     hole = torch.relu(passage_radius_mm(spec) + wall + SLACK_MM - away)
     below = torch.relu(wall + SLACK_MM - pockets.lowest - spec.core.wall_mm)
-    return between + beside + (hole + below).sum(dim=1)
+    return between + beside + (hole + below + corner).sum(dim=1)
 
 
 def _chips_near_magnets(spec: ObjectSpec, laid: dict[int, Layouts]) -> Float[Tensor, "layout"]:

@@ -1,6 +1,7 @@
 """Sensors in the shell, magnets in the core: batched scores against the ordinary chain, and their limits."""
 
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -8,9 +9,11 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.body import face_frames
+from design.layout.body import core_frames, face_frames
+from design.layout.mould.frame import play_mm
 from design.layout.places.positions import magnet_layout, sensor_layout
-from design.layout.pockets import sensor_boards
+from design.layout.pockets import core_pockets, sensor_boards
+from design.layout.template_marks import CORNER_MM
 from design.search.space import params_at, search_space, with_layout
 from design.search.structure import with_structure
 from design.spec_io import parse_spec
@@ -154,6 +157,18 @@ def broken_of_random_layouts(count=40, seed=3, **given):
     return spec, space, tensors, poles, point
 
 
+def thinnest_of_template_mm(spec):
+    """Between its holes, with their play, and from a hole to the corner that is cut off it."""
+    found = []
+    for core, pockets in zip(core_frames(spec), core_pockets(spec), strict=True):
+        at = np.array([pocket.body.centre_mm[:2] for pocket in pockets])
+        radius = pockets[0].outline.radius_mm + play_mm(spec)
+        found += [np.hypot(*(a - b)) - 2 * radius for a, b in combinations(at, 2)]
+        x, y = core.half_extents_mm
+        found += [(x + y - CORNER_MM - place.sum()) / np.sqrt(2) - radius for place in at]
+    return min(found)
+
+
 @pytest.mark.parametrize("body", SIZES)
 def test_layouts_within_all_limits_pass_the_specification_s_own_check(body):
     """What breaks no rule is accepted, and what the check refuses breaks one."""
@@ -163,11 +178,11 @@ def test_layouts_within_all_limits_pass_the_specification_s_own_check(body):
         return broken_limits_mm(tensors, layouts_at(tensors, point, poles, FACE), FACE).sum(dim=1)
 
     point = torch.cat([point, descend(broken, point, 60)])
-    poles, accepted = torch.cat([poles, poles]), []
+    poles, accepted, walls = torch.cat([poles, poles]), [], []
     clear = (broken(point) == 0).numpy()
     for one in (params_at(space, unit) for unit in point.numpy()):
         try:
-            with_layout(spec, one)
+            walls.append(thinnest_of_template_mm(with_layout(spec, one)))
         except InputError:
             accepted.append(False)
         else:
@@ -175,6 +190,33 @@ def test_layouts_within_all_limits_pass_the_specification_s_own_check(body):
     assert 0 < clear.sum() < len(clear)
     assert not (clear & ~np.array(accepted)).any()
     assert not np.all(accepted)
+    assert min(np.array(walls)[clear[accepted]]) >= spec.printer.wall_mm
+
+
+@pytest.mark.parametrize(
+    ("diameter_mm", "place", "missing_mm"),
+    [
+        (6.0, (2.7, 8.1), 0.0),
+        (6.0, (1.3, 8.1), 0.1),
+        (6.0, (8.1, 8.1), 0.0),
+        (4.0, (9.1, 9.1), 0.9 - (3.8 / 2**0.5 - 2)),
+        (4.0, (9.4, 3.0), 0.2),
+    ],
+)
+def test_walls_in_the_core_by_hand(diameter_mm, place, missing_mm):
+    """0.8 mm of wall, 0.1 mm of play round a hole of the template.
+
+    Beside the next magnet, beside the corner of 4 mm cut off 26 mm, and beside the pockets of the next
+    side, 1 mm deep.
+    """
+    spec = reverse_spec(vary={"magnet_reach_mm": 11.0})
+    places = ((-5.6, 8.1), place, (-8.0, -8.0), (8.0, -8.0))
+    magnets = spec.magnets.changed(positions_mm=places, north=(), diameter_mm=diameter_mm)
+    spec = spec.changed(magnets=magnets)
+    space = layout_space(search_space(spec), spec, torch.float64)
+    found = broken_limits_mm(space, layouts_of(spec, FACE, torch.float64), FACE)
+    told = float(found[0, RULES.index("magnets in the core")])
+    assert told == pytest.approx(missing_mm + 0.02 * (missing_mm > 0), abs=2e-5)
 
 
 REVERSE_RULES = ("pocket gap", "pockets near the edge", "magnets in the core")
