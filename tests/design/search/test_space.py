@@ -203,6 +203,14 @@ def test_the_start_is_a_layout_where_its_grades_are_choices(magnets, start):
     assert start == (None if found is None else list(found.values()))
 
 
+def test_another_magnet_in_the_core_leaves_the_boards_pockets_as_they_are():
+    spec = specification(vary={"magnet_part": ["D6x1", "D8x2"]})
+    reverse = spec.model_copy(update={"arrangement": "sensors-in-shell"})
+    found = with_structure(reverse, {"magnet_part": "D8x2"})
+    assert found.shell == spec.shell
+    assert found.magnets.diameter_mm == 8.0
+
+
 def test_a_larger_magnet_keeps_its_pockets_clearance_and_seal():
     spec = specification(vary={"magnet_part": ["D6x1", "D8x2"]})
     wide = with_structure(spec, {"magnet_part": "D8x2"})

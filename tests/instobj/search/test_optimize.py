@@ -102,6 +102,17 @@ def test_what_only_the_whole_specification_refuses_is_said_too():
         require_possible(spec)
 
 
+def test_sensors_in_the_shell_have_layouts_within_all_limits():
+    reverse = load_spec(EXAMPLES / "reverse_cube.toml")
+    vary = VarySpec(magnet_reach_mm=11.0, magnet_north=True, sensor_reach_mm=17.0)
+    space = require_possible(reverse.changed(search=reverse.search.changed(vary=vary)))
+    names = {"magnet4_y_mm", "magnet4_north", "sensor3_x_mm"}
+    assert names < {variable.name for variable in space.variables}
+    close = reverse.silicone.changed(thinnest_wall_mm=15.0)
+    with pytest.raises(InputError, match="pocket"):
+        require_possible(space.spec.changed(silicone=close))
+
+
 def test_depths_of_magnets_in_the_core_and_lists_of_faces_are_refused():
     reverse = load_spec(EXAMPLES / "reverse_cube.toml")
     vary = VarySpec(magnet_reach_mm=11.0, magnet_depth_mm=(2.0, 5.0))
