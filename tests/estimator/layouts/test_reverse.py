@@ -18,6 +18,7 @@ from design.search.space import params_at, search_space, with_layout
 from design.search.structure import with_structure
 from design.spec_io import parse_spec
 from estimator.field.environment import environment
+from estimator.field.models import FieldModel
 from estimator.layouts import scoring
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import neighbour_changes
@@ -26,8 +27,8 @@ from estimator.layouts.polish import descend
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import layout_scorer, place_information, press_changes
 from estimator.layouts.vectors import layout_space, layouts_at
-from estimator.signals.field_setup import Scene
-from estimator.signals.hall import chip_errors
+from estimator.signals.field_setup import Scene, sensed_field
+from estimator.signals.hall import chip_errors, counts_of_field
 from tests.support.mechanics.candidate_cases import (
     FACE,
     chain_of_scene,
@@ -65,6 +66,10 @@ def reverse_spec(body="cube", seed=0, **search):
 
 def chain(spec, motions, pressed, reads):
     """Of the sensors of one face in presses of another, or of its own."""
+    return chain_of_scene(spec, motions, pressed, *scene_of(spec, motions, pressed, reads))
+
+
+def scene_of(spec, motions, pressed, reads):
     sensors, magnets = sensor_layout(spec), magnet_layout(spec)
     own = sensors.face == reads
     sensors = replace(
@@ -79,8 +84,7 @@ def chain(spec, motions, pressed, reads):
     along = face_frames(spec)[index].from_plane(centres[:, :2])
     row = motions.faces.tolist().index(pressed)
     motion = motions.at(reads, along, -centres[:, 2])[row]
-    scene = Scene(magnets, sensors, chips, environment(spec), sensors_move=True)
-    return chain_of_scene(spec, motions, pressed, scene, motion)
+    return Scene(magnets, sensors, chips, environment(spec), sensors_move=True), motion
 
 
 def worst_error(spec, motions):
@@ -143,6 +147,28 @@ def test_resting_counts_are_the_chain_s():
     found = press_changes(scorer, layouts_of(spec, FACE)).resting_counts[0]
     _, _, rest = chain(spec, motions, FACE, FACE)
     assert_allclose(found, rest, rtol=0, atol=0.02 * abs(rest).max())
+
+
+@pytest.mark.parametrize("body", SIZES)
+def test_boards_pressed_near_magnets_have_their_counts_in_full(body):
+    """Motions in proportion to force, of some millimetres in the deepest press."""
+    spec = reverse_spec(body)
+    motions = made_up_motions(spec)
+    motions = replace(motions, by_candidate=5e3 * motions.by_candidate)
+    scorer = layout_scorer(spec, press_basis(spec, motions, FACE))
+    layouts = layouts_of(spec, FACE)
+    found = float(place_information(scorer, layouts).largest_counts)
+    scene, motion = scene_of(spec, motions, FACE, FACE)
+    share = motions.deepest_n[0, 0] / motions.force_n[0, 0, -1]
+    field = 1e3 * sensed_field(scene, share * motion[:, -1], FieldModel(scorer.magnet, "exact"))
+    wanted = abs(counts_of_field(field, scene.sensors.axes, spec.sensors)).max()
+    assert_allclose(found, wanted, rtol=0.03)
+    changes = press_changes(scorer, layouts)
+    sigma = scorer.sigma_counts.repeat(3)[:, None]
+    linear = changes.resting_counts[0].flatten()[:, None] + share * 1.2 * (
+        sigma * changes.by_parameter[:, 0, 3]
+    )
+    assert float(linear.abs().max()) < 0.9 * wanted, "linear signals would miss it"
 
 
 VARY = {"magnet_reach_mm": 11.0, "sensor_reach_mm": 15.0}

@@ -75,13 +75,11 @@ def test_what_the_sensors_range_leaves_free_limits_counts_by_what_the_chain_make
     monkeypatch.setattr(lowest_fidelity, "scorers", lambda spec, faces: ())
     monkeypatch.setattr(lowest_fidelity, "decided_by_structure", lambda spec, faces: {})
     params = params_at(space, np.full(len(space.variables), 0.5))
-    usual, twice = (
-        lowest_fidelity.structure_fidelity(
-            space, params, lowest_fidelity.StartScores({}, {}, *over)
-        )
-        for over in ((), (2.0,))
+    more, twice = (
+        lowest_fidelity.structure_fidelity(space, params, lowest_fidelity.StartScores({}, {}, over))
+        for over in (1.25, 2.0)
     )
-    assert usual.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 1.155)}
+    assert more.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 1.25)}
     assert twice.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 2)}
 
 
