@@ -7,10 +7,13 @@ hundred. A layout that was improved after it was asked is told as what it became
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from copy import copy
 from dataclasses import dataclass
+from itertools import count
+from typing import Any
 
+import numpy as np
 import optuna
 from optuna.distributions import BaseDistribution, CategoricalDistribution, FloatDistribution
 from optuna.samplers import (
@@ -34,10 +37,16 @@ never read from stored trials: whoever writes in a shared study could run code h
 
 @dataclass(frozen=True)
 class Sampling:
-    """A sampler's study in memory and the ranges that it samples from."""
+    """A sampler's study in memory and the ranges that it samples from.
+
+    `numbers` of its trials, where their choices go by turns, which begin with those of `first`.
+    """
 
     study: optuna.Study
     distributions: dict[str, BaseDistribution]
+    seed: int
+    first: Params
+    numbers: Iterator[int] | None = None
 
 
 def sampling(
@@ -47,8 +56,9 @@ def sampling(
     seed: int,
     batch: int,
     past: Iterable[FrozenTrial] = (),
+    first: Params | None = None,
 ) -> Sampling:
-    """An engine that knows the past trials of its study."""
+    """An engine that knows the past trials of its study, and asks for `first` where there are none."""
     optuna.logging.set_verbosity(optuna.logging.WARNING)
     past = [_without_sampler_state(trial) for trial in past]
     with warnings.catch_warnings():
@@ -56,12 +66,40 @@ def sampling(
         sampler = _sampler(engine, seed, batch, past)
     study = optuna.create_study(sampler=sampler, directions=[StudyDirection.MINIMIZE] * objectives)
     study.add_trials(past)
-    return Sampling(study, {v.name: _distribution(v) for v in variables})
+    asked = len(past)
+    if first is not None and not past:
+        study.enqueue_trial(dict(first))
+        asked = 1
+    numbers = count(asked) if engine == "random" else None
+    distributions = {v.name: _distribution(v) for v in variables}
+    return Sampling(study, distributions, seed, first or {}, numbers)
 
 
-def ask(engine: Sampling, count: int) -> list[Trial]:
+def ask(engine: Sampling, trials: int) -> list[Trial]:
     """The next trials; their `params` hold a value for every variable."""
-    return [engine.study.ask(engine.distributions) for _ in range(count)]
+    return [_ask(engine) for _ in range(trials)]
+
+
+def _ask(engine: Sampling) -> Trial:
+    if engine.numbers is not None:
+        engine.study.enqueue_trial(_choices_by_turns(engine, next(engine.numbers)))
+    return engine.study.ask(engine.distributions)
+
+
+def _choices_by_turns(engine: Sampling, number: int) -> dict[str, Any]:
+    """What a trial takes of each list of choices: all of a list once before one comes again, in an order that
+    is new every time, so that few trials leave none out."""
+    found = {}
+    for place, (name, one) in enumerate(engine.distributions.items()):
+        if isinstance(one, CategoricalDistribution):
+            turn, index = divmod(number, len(one.choices))
+            order = np.random.default_rng([engine.seed, place, turn]).permutation(len(one.choices))
+            drawn = [one.choices[k] for k in order]
+            if turn == 0 and engine.first.get(name) in drawn:
+                drawn.remove(engine.first[name])
+                drawn.insert(0, engine.first[name])
+            found[name] = drawn[index]
+    return found
 
 
 def tell(

@@ -48,10 +48,8 @@ def run_search(
     past = kept.trials()
     seed = _seed(space.spec.seed, len(past), worker)
     engine = sampling(
-        search.engine, space.variables, len(search.objectives), seed, search.batch, past
+        search.engine, space.variables, len(search.objectives), seed, search.batch, past, first
     )
-    if first is not None and not past:
-        engine.study.enqueue_trial(first)
     seen, failed = len(past), 0
     while seen < search.trials:
         asked = ask(engine, min(max(search.batch, processes), search.trials - seen))

@@ -330,3 +330,39 @@ def test_kept_trials_hold_no_pickled_state(tmp_path):
     for line in path.read_text().splitlines():
         record = json.loads(line)
         assert not any("cma" in key for key in record.get("system_attrs", {}))
+
+
+def test_choices_of_random_layouts_go_by_turns(tmp_path):
+    """Each of two and each of three choices once before one comes again, after past trials too."""
+    space = made_up_space(engine="random", trials=100, batch=6)
+    choices = {v.name: v.choices for v in space.variables if v.choices}
+    assert len(choices) > 1
+    engine = sampling("random", space.variables, 1, 7, 6)
+    asked = ask(engine, 12)
+    for name, values in choices.items():
+        drawn = [trial.params[name] for trial in asked]
+        for first in range(0, 12, len(values)):
+            if first + len(values) <= 12:
+                assert sorted(drawn[first : first + len(values)], key=str) == sorted(
+                    values, key=str
+                )
+    places = np.array([[t.params[v.name] for v in space.variables if not v.choices] for t in asked])
+    assert len(np.unique(places[:, 0])) == 12
+    done = list(searched(tmp_path / "journal.log", "random", trials=5).finished())
+    more = sampling("random", space.variables, 1, 7, 6, done)
+    again = ask(more, 1)[0]
+    late = {name: asked[len(done)].params[name] for name in choices}
+    assert {name: again.params[name] for name in choices} == late
+
+
+def test_turns_begin_with_the_first_layout_s_choices():
+    space = made_up_space(engine="random", trials=100, batch=6)
+    choices = {v.name: v.choices for v in space.variables if v.choices}
+    for pick in (0, -1):
+        first = {v.name: v.choices[pick] if v.choices else v.low for v in space.variables}
+        engine = sampling("random", space.variables, 1, 7, 6, first=first)
+        start, *others = ask(engine, max(map(len, choices.values())))
+        assert start.params == first
+        for name, values in choices.items():
+            drawn = [trial.params[name] for trial in (start, *others)][: len(values)]
+            assert set(drawn) == set(values)
