@@ -69,6 +69,12 @@ def objections(
                 f"the position bound is larger than the start's at {100 * worse:.2g} % of contact "
                 f"locations and forces, more than places_worse = {search.limits.places_worse:g}"
             )
+        elif name == "saturation_margin":
+            free, least = best.levels[LAST].saturation_margin, best.spec.limits.saturation_margin
+            found.append(
+                f"{100 * free:.2g} % of the sensors' range stays free in the deepest press, less than "
+                f"limits.saturation_margin = {least:g}"
+            )
         else:
             found.append(f"{name} misses its limit by {100 * share:.2g} %")
     first = search.objectives[0]

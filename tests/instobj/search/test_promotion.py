@@ -53,7 +53,9 @@ FAULTS = {
     "mean is not better": replace(START, median_position_bound_mm=0.1),
     "median_false_force_n misses its limit by 50 %": replace(BETTER, median_false_force_n=1.8),
     "sensitivity_ratio misses its limit by 1e+02 %": replace(BETTER, sensitivity_ratio=0.15),
-    "saturation_margin": replace(BETTER, saturation_margin=0.01),
+    "1 % of the sensors' range stays free in the deepest press, less than limits.saturation_margin = 0.1": (
+        replace(BETTER, saturation_margin=0.01)
+    ),
     "larger than the start's at 2.5 % of contact locations and forces, more than places_worse = 0.02": (
         replace(
             BETTER, position_bounds_mm=tuple(np.multiply(START.position_bounds_mm, _HERE_AND_THERE))
