@@ -61,9 +61,10 @@ class PlaceInformation:
     magnitude of any own channel in counts, at rest and in the deepest simulated presses.
 
     These are taken as far as the shell without magnets is pressed, by the change with force at the
-    basis's: of fourteen layouts of the paper's cube the second fidelity level, whose presses reach the same
-    depth with more force, had 0.91 to 1.13 times as many, from bases at 2, 5 and 12 N; of two with boards in
-    the shell, which stiffen it more, the chain had 1.57 and 1.72 times as many.
+    basis's. The second fidelity level, whose presses reach the same depth with more force, had 0.91 to
+    1.13 times as many (fourteen layouts of the paper's cube, from bases at 2, 5 and 12 N) and 0.99 to 1.23
+    times (ten that searches found on a box and a pear, from 8 N). With boards in the shell, which stiffen
+    it more, the chain had 1.57 and 1.72 times as many (two layouts).
     """
 
     position_bound_mm: Float[Tensor, "layout place"]

@@ -16,7 +16,6 @@ from design.fit.curved import room_for_recesses
 from design.layout.body import body_of, face_frames
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
-from estimator.field.sources import magnet_source
 from estimator.layouts.batch import Layouts
 from estimator.layouts.limits.gaps import (
     Prisms,
@@ -27,11 +26,12 @@ from estimator.layouts.limits.parts import (
     Boards,
     Pockets,
     boards_of,
+    chips_near_magnets_mm,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
+    worst_of_faces,
 )
-from estimator.layouts.near_field import OTHER, OWN
 from estimator.layouts.surfaces import Surface, onto_patch_mm, pointwise, surfaces
 
 _COVER_STEP_MM, _RIM_POINTS = 1.0, 24
@@ -51,20 +51,23 @@ def broken_on_surfaces_mm(
     moving = spec.search.vary.sensor_reach_mm is not None
     radius = pockets[face].radius
     found = {
-        "pocket gap": _worst(
+        "pocket gap": worst_of_faces(
             [pocket_gaps_mm(floor, top, radius, pocket_gap_mm) for floor, top, _ in placed.values()]
         ),
-        "pockets near the edge": _worst(
+        "pockets near the edge": worst_of_faces(
             [_past_border(one, pockets[number]) for number, one in known.items()]
         ),
         "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
-        "seal": _worst(
+        "seal": worst_of_faces(
             [_unsealed(one, laid[number], pockets[number]) for number, one in known.items()]
         ),
-        "chip near a magnet": _worst(
+        "chip near a magnet": worst_of_faces(
             [
-                _chips_near_magnets(
-                    one, laid[number], {n: centre for n, (centre, _) in turned.items()}
+                chips_near_magnets_mm(
+                    spec,
+                    number,
+                    one.chips(laid[number].sensor_mm)[0],
+                    {n: centre for n, (centre, _) in turned.items()},
                 )
                 for number, one in known.items()
                 if moving or number == face
@@ -81,17 +84,13 @@ def broken_on_surfaces_mm(
         )
         least = board_gap_mm + SLACK_MM
         found["board gap"] = missing_between_boxes_mm(centre, axes, half_mm, least)
-        found["boards near the edge"] = _worst(
+        found["boards near the edge"] = worst_of_faces(
             [
                 _boards_past_edges(one, laid[number], recesses[number])
                 for number, one in known.items()
             ]
         )
     return found
-
-
-def _worst(of_faces: list[Float[Tensor, "layout"]]) -> Float[Tensor, "layout"]:
-    return torch.stack(of_faces).amax(dim=0)
 
 
 def _placed(turned: tuple[Tensor, Tensor], layouts: Layouts, pockets: Pockets) -> Prisms:
@@ -181,21 +180,6 @@ def _highest(heights_mm: Float[np.ndarray, "place rim"]) -> Float[np.ndarray, "p
     """Of what lies on the patch; the middle one's where nothing does."""
     known = np.where(np.isfinite(heights_mm), heights_mm, -np.inf).max(axis=1)
     return np.where(np.isfinite(known), known, np.median(known[np.isfinite(known)]))
-
-
-def _chips_near_magnets(
-    surface: Surface, layouts: Layouts, centres: dict[int, Float[Tensor, "layout magnet 3"]]
-) -> Float[Tensor, "layout"]:
-    """Distance missing between a face's chips and the magnets of all faces for the series of the field."""
-    magnet = magnet_source(surface.spec.magnets)
-    chips = surface.chips(layouts.sensor_mm)[0][:, :, None]
-    short = torch.zeros_like(layouts.sensor_mm[:, 0, 0])
-    for number, centre in centres.items():
-        reach = OWN if number == surface.number else OTHER
-        distance = (chips - centre[:, None]).square().sum(-1).clamp(min=1e-12).sqrt()
-        lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
-        short = short + lacking.sum(dim=(1, 2))
-    return short
 
 
 _Boxes = tuple[

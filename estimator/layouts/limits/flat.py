@@ -7,13 +7,10 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
 from design.spec.object import ObjectSpec
-from estimator.field.sources import magnet_source
 from estimator.layouts.batch import Layouts
 from estimator.layouts.limits.gaps import (
-    Prisms,
     missing_between_boxes_mm,
 )
 from estimator.layouts.limits.parts import (
@@ -21,12 +18,14 @@ from estimator.layouts.limits.parts import (
     Boards,
     Pockets,
     boards_of,
+    chips_near_magnets_mm,
     in_object,
+    placed_pockets,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
+    worst_of_faces,
 )
-from estimator.layouts.near_field import OTHER, OWN
 
 
 def broken_on_flat_faces_mm(
@@ -34,7 +33,7 @@ def broken_on_flat_faces_mm(
 ) -> dict[str, Float[Tensor, "layout"]]:
     """By how much each rule of pockets, boards and chips is broken; of sensors that stay, boards not."""
     pockets = pockets_of(spec, layouts)
-    placed = {frame.number: _placed(frame, pockets) for frame in face_frames(spec)}
+    placed = {frame.number: placed_pockets(frame, pockets) for frame in face_frames(spec)}
     moving = spec.search.vary.sensor_reach_mm is not None
     found = {
         "pocket gap": pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, pocket_gap_mm),
@@ -52,37 +51,22 @@ def broken_on_flat_faces_mm(
     return found
 
 
-def _placed(frame: FaceFrame, pockets: Pockets) -> Prisms:
-    """Pockets of a face in the object's frame: ends of their axes, and these."""
-    turn = torch.as_tensor(frame.axes.copy(), dtype=pockets.floor.dtype)
-    centre = torch.as_tensor(frame.centre_mm.copy(), dtype=pockets.floor.dtype)
-    floor, top, axis = (
-        torch.einsum("ij,jlm->ilm", turn, part)
-        for part in (pockets.floor, pockets.top, pockets.axis)
-    )
-    return floor + centre[:, None, None], top + centre[:, None, None], axis
-
-
 def _chips_near_magnets(
     spec: ObjectSpec, layouts: Layouts, faces: tuple[int, ...]
 ) -> Float[Tensor, "layout"]:
-    """Distance missing between chips and magnets for the series of the field, on the worst of the faces."""
-    magnet, place = magnet_source(spec.magnets), layouts.sensor_mm
+    """On the worst of the faces."""
+    place = layouts.sensor_mm
     below = torch.full_like(place[..., :1], -spec.sensors.depth_below_core_face_mm)
     chip = torch.cat([place, below], dim=-1)
     centre = layouts.magnet_mm * torch.tensor([1.0, 1.0, -1.0], dtype=place.dtype)
-    missing = []
-    for core in (frame for frame in core_frames(spec) if frame.number in faces):
-        chips = in_object(core, chip)[:, :, None]
-        short = torch.zeros_like(place[:, 0, 0])
-        for frame in face_frames(spec):
-            reach = OWN if frame.number == core.number else OTHER
-            apart = (chips - in_object(frame, centre)[:, None]).square().sum(-1)
-            distance = apart.clamp(min=1e-12).sqrt()
-            lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
-            short = short + lacking.sum(dim=(1, 2))
-        missing.append(short)
-    return torch.stack(missing).amax(dim=0)
+    centres = {frame.number: in_object(frame, centre) for frame in face_frames(spec)}
+    return worst_of_faces(
+        [
+            chips_near_magnets_mm(spec, core.number, in_object(core, chip), centres)
+            for core in core_frames(spec)
+            if core.number in faces
+        ]
+    )
 
 
 def _past_edges(spec: ObjectSpec, pockets: Pockets) -> Float[Tensor, "layout"]:

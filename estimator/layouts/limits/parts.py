@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import torch
@@ -13,6 +14,7 @@ from design.layout.boards import passage_radius_mm
 from design.layout.body import face_frames
 from design.layout.pockets import neighbours
 from design.spec.object import ObjectSpec
+from estimator.field.sources import magnet_source
 from estimator.layouts.batch import Layouts, magnet_axes, magnets_below_mm
 from estimator.layouts.limits.gaps import (
     Prisms,
@@ -20,6 +22,7 @@ from estimator.layouts.limits.gaps import (
     length,
     missing_between_prisms_mm,
 )
+from estimator.layouts.near_field import OTHER, OWN
 
 SLACK_MM = 0.02
 """Kept from every limit, so that what keeps it still does once rounded to 0.01 mm and 0.1°."""
@@ -129,3 +132,36 @@ def pocket_gaps_across_edges_mm(
 def in_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
     turn = torch.as_tensor(frame.axes.T.copy(), dtype=local_mm.dtype)
     return local_mm @ turn + torch.as_tensor(frame.centre_mm.copy(), dtype=local_mm.dtype)
+
+
+def placed_pockets(frame: FaceFrame, pockets: Pockets) -> Prisms:
+    """Pockets of a face in the object's frame: ends of their axes, and these."""
+    turn = torch.as_tensor(frame.axes.copy(), dtype=pockets.floor.dtype)
+    centre = torch.as_tensor(frame.centre_mm.copy(), dtype=pockets.floor.dtype)
+    floor, top, axis = (
+        torch.einsum("ij,jlm->ilm", turn, part)
+        for part in (pockets.floor, pockets.top, pockets.axis)
+    )
+    return floor + centre[:, None, None], top + centre[:, None, None], axis
+
+
+def worst_of_faces(of_faces: list[Float[Tensor, "layout"]]) -> Float[Tensor, "layout"]:
+    return torch.stack(of_faces).amax(dim=0)
+
+
+def chips_near_magnets_mm(
+    spec: ObjectSpec,
+    face: int,
+    chips_mm: Float[Tensor, "layout sensor 3"],
+    centres_mm: Mapping[int, Float[Tensor, "layout magnet 3"]],
+) -> Float[Tensor, "layout"]:
+    """Distance missing between a face's chips and the magnets of all faces for the series of the field; both
+    in the object's frame."""
+    magnet = magnet_source(spec.magnets)
+    short = torch.zeros_like(chips_mm[:, 0, 0])
+    for number, centres in centres_mm.items():
+        reach = OWN if number == face else OTHER
+        apart = (chips_mm[:, :, None] - centres[:, None]).square().sum(-1)
+        lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - apart.clamp(min=1e-12).sqrt())
+        short = short + lacking.sum(dim=(1, 2))
+    return short

@@ -10,21 +10,21 @@ from design.body.surface_chart import FaceFrame
 from design.layout.boards import passage_radius_mm
 from design.layout.body import core_frames, face_frames
 from design.layout.mould.frame import play_mm
-from design.layout.pockets import Outline, sensor_boards
+from design.layout.pockets import Outline, boards_depth_mm, sensor_boards
 from design.layout.template_marks import CORNER_MM
 from design.spec.object import ObjectSpec
-from estimator.field.sources import magnet_source
 from estimator.layouts.batch import Layouts
-from estimator.layouts.limits.gaps import Prisms
 from estimator.layouts.limits.parts import (
     SLACK_MM,
     Pockets,
+    chips_near_magnets_mm,
     in_object,
+    placed_pockets,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
+    worst_of_faces,
 )
-from estimator.layouts.near_field import OTHER, OWN
 
 
 def broken_in_reverse_mm(
@@ -34,25 +34,23 @@ def broken_in_reverse_mm(
     laid = {frame.number: layouts.of(frame.number) for frame in face_frames(spec)}
     boards = {number: _pockets_of_boards(spec, one) for number, one in laid.items()}
     magnets = {number: pockets_of(spec, one) for number, one in laid.items()}
-    placed = {frame.number: _placed(frame, boards[frame.number]) for frame in face_frames(spec)}
+    placed = {
+        frame.number: placed_pockets(frame, boards[frame.number]) for frame in face_frames(spec)
+    }
     radius = boards[spec.body.sensed[0]].radius
     return {
-        "pocket gap": _worst(
+        "pocket gap": worst_of_faces(
             [pocket_gaps_mm(one.floor, one.top, radius, pocket_gap_mm) for one in boards.values()]
         ),
-        "pockets near the edge": _worst(
+        "pockets near the edge": worst_of_faces(
             [_past_edges(frame, boards[frame.number], SLACK_MM) for frame in face_frames(spec)]
         ),
         "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
-        "magnets in the core": _worst(
+        "magnets in the core": worst_of_faces(
             [_magnets(spec, frame, magnets[frame.number]) for frame in core_frames(spec)]
         ),
         "chip near a magnet": _chips_near_magnets(spec, laid),
     }
-
-
-def _worst(of_faces: list[Float[Tensor, "layout"]]) -> Float[Tensor, "layout"]:
-    return torch.stack(of_faces).amax(dim=0)
 
 
 def _pockets_of_boards(spec: ObjectSpec, layouts: Layouts) -> Pockets:
@@ -78,15 +76,6 @@ def _pockets_of_boards(spec: ObjectSpec, layouts: Layouts) -> Pockets:
     )
 
 
-def _placed(frame: FaceFrame, pockets: Pockets) -> Prisms:
-    floor, top = (
-        in_object(frame, ends.permute(1, 2, 0)).permute(2, 0, 1)
-        for ends in (pockets.floor, pockets.top)
-    )
-    turn = torch.as_tensor(frame.axes.copy(), dtype=floor.dtype)
-    return floor, top, torch.einsum("ij,jlm->ilm", turn, pockets.axis)
-
-
 def _past_edges(frame: FaceFrame, pockets: Pockets, wall_mm: float) -> Float[Tensor, "layout"]:
     """Beyond the face less the zone of the neighbouring face's pockets, as deep as the deepest, and less a
     wall."""
@@ -110,21 +99,15 @@ def _magnets(spec: ObjectSpec, core: FaceFrame, pockets: Pockets) -> Float[Tenso
 
 
 def _chips_near_magnets(spec: ObjectSpec, laid: dict[int, Layouts]) -> Float[Tensor, "layout"]:
-    """Distance missing between chips and magnets for the series of the field, on the worst of the faces."""
-    magnet, frames = magnet_source(spec.magnets), face_frames(spec)
-    depth = -float(sensor_boards(spec)[0][0].centre_mm[2])
+    """On the worst of the faces."""
+    frames, depth = face_frames(spec), boards_depth_mm(spec)
+    down = torch.tensor([1.0, 1.0, -1.0], dtype=laid[frames[0].number].magnet_mm.dtype)
+    centres = {
+        frame.number: in_object(frame, laid[frame.number].magnet_mm * down) for frame in frames
+    }
     missing = []
-    for own in frames:
-        place = laid[own.number].sensor_mm
-        below = torch.full_like(place[..., :1], -depth)
-        chips = in_object(own, torch.cat([place, below], dim=-1))[:, :, None]
-        short = torch.zeros_like(place[:, 0, 0])
-        for frame in frames:
-            reach = OWN if frame.number == own.number else OTHER
-            down = torch.tensor([1.0, 1.0, -1.0], dtype=place.dtype)
-            centre = in_object(frame, laid[frame.number].magnet_mm * down)[:, None]
-            distance = (chips - centre).square().sum(-1).clamp(min=1e-12).sqrt()
-            lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - distance)
-            short = short + lacking.sum(dim=(1, 2))
-        missing.append(short)
-    return torch.stack(missing).amax(dim=0)
+    for frame in frames:
+        place = laid[frame.number].sensor_mm
+        chips = torch.cat([place, torch.full_like(place[..., :1], -depth)], dim=-1)
+        missing.append(chips_near_magnets_mm(spec, frame.number, in_object(frame, chips), centres))
+    return worst_of_faces(missing)

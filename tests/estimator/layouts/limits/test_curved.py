@@ -19,6 +19,7 @@ from design.search.structure import with_structure
 from design.spec_io import parse_spec
 from estimator.field.sources import magnet_source
 from estimator.layouts.limits import curved
+from estimator.layouts.limits.parts import chips_near_magnets_mm
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.vectors import layout_space, layouts_at
@@ -246,13 +247,11 @@ def test_chips_keep_their_slack_from_where_the_series_of_magnets_is_right():
     radius, slack = magnet_source(spec.magnets).circumscribed_radius_mm, curved.SLACK_MM
     way = np.array([0.6, 0.0, 0.8])
     chips = torch.as_tensor(np.array([[[1.0, 2.0, 3.0], [1.0, 42.0, 3.0]]]))
-    surface = SimpleNamespace(spec=spec, number=3, chips=lambda place: (chips, None))
-    layouts = SimpleNamespace(sensor_mm=torch.zeros(1, 2, 2).double())
 
     def short(own, other):
         place = {3: own * way, 5: -other * way}
         centres = {n: torch.as_tensor(np.array([[[1.0, 2, 3]]]) + at) for n, at in place.items()}
-        return float(curved._chips_near_magnets.__wrapped__(surface, layouts, centres)[0])
+        return float(chips_near_magnets_mm(spec, 3, chips, centres)[0])
 
     least = {"own": 1.4 * radius, "other": 2.0 * radius}
     assert short(least["own"] + slack + 0.01, least["other"] + slack + 0.01) == 0

@@ -12,7 +12,7 @@ from design.layout.pockets import axis_in_object_mm, shell_pockets
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.limits import flat, parts
-from estimator.layouts.limits.parts import SLACK_MM, boards_of, pockets_of
+from estimator.layouts.limits.parts import SLACK_MM, boards_of, placed_pockets, pockets_of
 
 SPEC = ObjectSpec.model_validate(
     {
@@ -44,7 +44,7 @@ def test_recesses_are_those_cut_from_the_core():
 def test_pockets_lie_in_the_object_s_frame_as_the_design_has_them():
     pockets = pockets_of(SPEC, LAYOUTS)
     for frame, made in zip(face_frames(SPEC), shell_pockets(SPEC), strict=True):
-        floor, top, axis = flat._placed(frame, pockets)
+        floor, top, axis = placed_pockets(frame, pockets)
         for k, pocket in enumerate(made):
             ends = axis_in_object_mm(frame, pocket)
             assert_allclose(floor[:, 0, k], ends[0], atol=1e-3)
