@@ -101,8 +101,7 @@ def magnet_field(spec: ObjectSpec, points_mm: ArrayLike) -> xr.DataArray:
 
     from design.errors import InputError
     from design.layout.places.positions import magnet_layout
-    from estimator.field.models import FieldModel, sum_over_magnets
-    from estimator.field.sources import magnet_source
+    from estimator.field.models import exact_model, sum_over_magnets
 
     points = np.asarray(points_mm, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
@@ -115,8 +114,10 @@ def magnet_field(spec: ObjectSpec, points_mm: ArrayLike) -> xr.DataArray:
     centres, axes, sides = (
         tuple(given.T[:, :, None]) for given in (layout.centre_mm, layout.axis, layout.side)
     )
-    model = FieldModel(magnet_source(spec.magnets), "exact")
-    field_t = sum_over_magnets((x, y, z), centres, axes, model, sides, layout.strength[:, None])
+    model = exact_model(spec.magnets)
+    field_t = sum_over_magnets(
+        (x, y, z), centres, axes, model, sides, layout.strength[:, None], layout.size
+    )
     return xr.DataArray(
         np.stack(field_t, axis=-1),
         dims=("point", "axis"),

@@ -39,7 +39,7 @@ class SiliconeAmount:
 def silicone_amount(spec: ObjectSpec) -> SiliconeAmount:
     """Volume and mass of all silicone of one object, and both components with the waste."""
     bodies = shell_body_layout(spec)
-    volume = (sealed_volume_mm3(spec) - bodies.volume_mm3 * len(bodies.face)) / 1e3
+    volume = (sealed_volume_mm3(spec) - float(bodies.volume_mm3.sum())) / 1e3
     mass = volume * spec.silicone.density_g_per_cm3
     mixed, (a, b) = mass * (1 + spec.mould.silicone_waste), spec.silicone.mix_ratio
     return SiliconeAmount(volume, mass, mixed, (mixed * a / (a + b), mixed * b / (a + b)))
@@ -75,15 +75,10 @@ def write_bom(items: list[Item], target: Path) -> None:
 def magnet_name(spec: ObjectSpec, first: int = 0) -> str:
     """A magnet as one would order it: a face's first, or that of another kind."""
     magnets = spec.magnets
-    across = {
-        "disk": f"Ø{magnets.diameter_mm:g}",
-        "ring": f"Ø{magnets.diameter_mm:g}/{magnets.inner_diameter_mm:g}",
-        "block": f"{magnets.size_mm[0]:g} × {magnets.size_mm[1]:g}",
-    }[magnets.shape]
     kind = "coil" if magnets.kind == "coil" else f"{magnets.shape} magnet"
     grade = f" {magnets.grades[first]}" if magnets.grades else ""
-    part = f"{magnets.part}, " if magnets.part else ""
-    return f"{part}{kind}{grade} {across} × {magnets.height_mm:g} mm"
+    part = f"{magnets.parts[first]}, " if magnets.parts else ""
+    return f"{part}{kind}{grade} {magnets.sizes[first].told}"
 
 
 def _magnets(spec: ObjectSpec) -> list[Item]:

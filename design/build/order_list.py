@@ -129,8 +129,9 @@ def _magnets(spec: ObjectSpec) -> list[OrderLine]:
     if spec.magnets.kind == "coil":
         line = _line(ORDERS["magnet"], faces * spec.magnets.count)
         return [replace(line, part="coil", maker="your own", number=magnet_name(spec))]
-    part, lines = MAGNET_PARTS.get(spec.magnets.part or ""), []
+    parts, lines = spec.magnets.parts, []
     for which in spec.magnets.by_kind.values():
+        part = MAGNET_PARTS.get(parts[which[0]]) if parts else None
         line = _line(ORDERS["magnet"], faces * len(which))
         if part is not None and part.source != STOCK:
             seller, _, number = part.source.partition(", ")

@@ -12,6 +12,7 @@ from design.errors import StoreError
 from design.files import atomic_path
 from design.layout.boards import board_blocks
 from design.layout.places.positions import MagnetLayout, magnet_layout
+from design.spec.magnets import MagnetSize
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -70,17 +71,18 @@ def magnet_halves(
     """North and south half of every magnet, as solid prisms of its outline."""
     import trimesh
 
-    magnets, quarter = spec.magnets, spec.magnets.height_mm / 4
-    if magnets.shape == "block":
-        body = trimesh.creation.box((*magnets.size_mm, 2 * quarter))
-    elif magnets.shape == "ring":
-        radii = (magnets.inner_diameter_mm / 2, magnets.diameter_mm / 2)
-        body = trimesh.creation.annulus(*radii, 2 * quarter, sections=48)
-    else:
-        body = trimesh.creation.cylinder(magnets.diameter_mm / 2, 2 * quarter, sections=48)
-    halves = []
-    for centre, frame in zip(layout.centre_mm, layout.frames, strict=True):
-        up = quarter * frame[:, 2]
+    def half_of(size: MagnetSize) -> trimesh.Trimesh:
+        half, outer = size.height_mm / 2, size.diameter_mm / 2
+        if size.shape == "block":
+            return trimesh.creation.box((*size.edges_mm, half))
+        if size.shape == "ring":
+            return trimesh.creation.annulus(size.inner_diameter_mm / 2, outer, half, sections=48)
+        return trimesh.creation.cylinder(outer, half, sections=48)
+
+    sizes = spec.magnets.distinct_sizes
+    bodies, halves = [half_of(size) for size in sizes], []
+    for centre, frame, number in zip(layout.centre_mm, layout.frames, layout.size, strict=True):
+        body, up = bodies[number], sizes[number].height_mm / 4 * frame[:, 2]
         halves.append(tuple(_moved(body, frame, centre + sign * up) for sign in (1, -1)))
     return halves
 

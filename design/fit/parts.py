@@ -21,7 +21,7 @@ from design.layout.boards import (
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.dents import dents_mm
 from design.layout.places.positions import cover_mm, shell_covers_mm
-from design.layout.pockets import Pocket, sensor_places, shell_pockets
+from design.layout.pockets import Pocket, sensor_places, shell_pockets, widest_mm
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -67,15 +67,11 @@ def _check_keys(spec: ObjectSpec) -> Iterator[str]:
 
 
 def _check_pocket_width(spec: ObjectSpec) -> Iterator[str]:
-    magnets, wide = spec.magnets, spec.shell.pocket_diameter_mm
-    if (
-        spec.arrangement == "sensors-in-core"
-        and magnets.shape != "block"
-        and wide < magnets.diameter_mm
-    ):
+    wide, least = spec.shell.pocket_diameter_mm, widest_mm(spec)
+    if spec.arrangement == "sensors-in-core" and spec.magnets.shape != "block" and wide < least:
         yield (
-            f"shell.pocket_diameter_mm = {wide:g} is narrower than the magnets of {magnets.diameter_mm:g} "
-            f"mm, which would stand in the silicone. Make it {magnets.diameter_mm:g} or more, or take a "
+            f"shell.pocket_diameter_mm = {wide:g} is narrower than the magnets of {least:g} "
+            f"mm, which would stand in the silicone. Make it {least:g} or more, or take a "
             "smaller magnet"
         )
 

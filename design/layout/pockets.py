@@ -138,13 +138,20 @@ def shell_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
 
 @once
 def shell_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
-    """The shell's pockets, face by face."""
-    radius = spec.shell.pocket_diameter_mm / 2
-    wide = Outline((radius, radius), True)
+    """The shell's pockets, face by face: round ones as much wider than their bodies as
+    `shell.pocket_diameter_mm` is than the widest."""
     return tuple(
-        tuple(Pocket(body, wide if body.outline.round else body.outline) for body in face)
+        tuple(Pocket(body, _pocket_outline(spec, body.outline)) for body in face)
         for face in shell_bodies(spec)
     )
+
+
+def _pocket_outline(spec: ObjectSpec, body: Outline) -> Outline:
+    if not body.round:
+        return body
+    narrower = widest_mm(spec) - 2 * body.half_mm[0]
+    radius = (spec.shell.pocket_diameter_mm - narrower) / 2
+    return Outline((radius, radius), True)
 
 
 @once
@@ -161,24 +168,22 @@ def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
 
     A ring is the body of its outline: its hole is full of the glue that holds it.
     """
-    magnets, half = spec.magnets, spec.magnets.diameter_mm / 2
-    x, y = magnets.size_mm
-    block = magnets.shape == "block"
-    outline = Outline((x / 2, y / 2), False) if block else Outline((half, half), True)
+    magnets, sizes = spec.magnets, spec.magnets.sizes
     tilts = magnets.tilt_deg or ((0.0, 0.0),) * magnets.count
-    depths = magnets.depths_mm or (_seated_depth_mm(spec),) * magnets.count
+    depths = magnets.depths_mm or tuple(_seated_depth_mm(spec, size.height_mm) for size in sizes)
+    rows = list(zip(depths, tilts, sizes, strict=True))
 
     def on_face(key: str, places: Places) -> tuple[Body, ...]:
         return tuple(
             Body(
                 np.array([x, y, -depth]),
                 tilted_frame(*tilt),
-                outline,
-                magnets.height_mm,
+                Outline(size.half_mm, size.shape != "block"),
+                size.height_mm,
                 f"{key}[{index}] = ({x:g}, {y:g})"
                 + (f" with tilt_deg {list(tilt)}" if magnets.tilt_deg else ""),
             )
-            for index, ((x, y), depth, tilt) in enumerate(zip(places, depths, tilts, strict=True))
+            for index, ((x, y), (depth, tilt, size)) in enumerate(zip(places, rows, strict=True))
         )
 
     if len(magnets.lists) == 1:
@@ -195,12 +200,16 @@ def magnet_places(spec: ObjectSpec) -> tuple[Places, ...]:
     return by_sensed_face(spec, lists * len(spec.body.sensed) if len(lists) == 1 else lists)
 
 
-def _seated_depth_mm(spec: ObjectSpec) -> float:
+def widest_mm(spec: ObjectSpec) -> float:
+    """Diameter of the widest round magnet."""
+    return max(size.diameter_mm for size in spec.magnets.sizes)
+
+
+def _seated_depth_mm(spec: ObjectSpec, height_mm: float) -> float:
     """Depth of a magnet's mid-plane below the face that its pocket opens to."""
-    magnets = spec.magnets
     if spec.arrangement == "sensors-in-core":
-        return spec.shell.pocket_depth_mm - magnets.height_mm / 2
-    return magnets.depth_below_core_face_mm + magnets.height_mm / 2
+        return spec.shell.pocket_depth_mm - height_mm / 2
+    return spec.magnets.depth_below_core_face_mm + height_mm / 2
 
 
 @once

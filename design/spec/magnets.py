@@ -5,6 +5,8 @@ Defaults are the paper's cube (Knopke et al., RA-L 2024); docs/units.md gives th
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from math import pi
 from typing import Annotated, Any, Literal, TypeVar
 
@@ -46,6 +48,47 @@ PlacesOfFaces = Annotated[
 ]
 
 
+OneForEach = Annotated[tuple[Positive, ...], Field(min_length=1)]
+Edges = tuple[Positive, Positive]
+EdgesOfMagnets = Annotated[
+    Annotated[Edges, Tag("all magnets")]
+    | Annotated[tuple[Edges, ...], Field(min_length=1), Tag("each magnet")],
+    Discriminator(lambda given: "each magnet" if _holds_lists(given) else "all magnets"),
+]
+ONE_FOR_EACH = ("part", "diameter_mm", "inner_diameter_mm", "height_mm", "grade", "remanence_t")
+"""What is one for all magnets or a list; so is `size_mm`, each entry of which is a pair itself."""
+
+
+def _holds_lists(given: Any) -> bool:
+    return isinstance(given, list | tuple) and bool(given) and isinstance(given[0], list | tuple)
+
+
+@dataclass(frozen=True)
+class MagnetSize:
+    """Outline and height (mm) of one magnet: of a disk or ring its diameters, of a block its edges."""
+
+    shape: MagnetShape
+    diameter_mm: float
+    inner_diameter_mm: float
+    edges_mm: tuple[float, float]
+    height_mm: float
+
+    @property
+    def half_mm(self) -> tuple[float, float]:
+        """Half of the outline along a block's edges; of a round one its radius twice."""
+        x, y = self.edges_mm if self.shape == "block" else (self.diameter_mm, self.diameter_mm)
+        return x / 2, y / 2
+
+    @property
+    def told(self) -> str:
+        across = {
+            "disk": f"Ø{self.diameter_mm:g}",
+            "ring": f"Ø{self.diameter_mm:g}/{self.inner_diameter_mm:g}",
+            "block": f"{self.edges_mm[0]:g} × {self.edges_mm[1]:g}",
+        }[self.shape]
+        return f"{across} × {self.height_mm:g} mm"
+
+
 class MagnetSpec(SpecPart):
     """Axially magnetised bodies: one layout repeated on every sensed face, or one for each.
 
@@ -56,7 +99,8 @@ class MagnetSpec(SpecPart):
 
     `part` gives shape and dimensions (and grade) of a catalogued magnet. A ring has an
     `inner_diameter_mm`; a block has edges `size_mm` along the face's x and y. `remanence_t` is that
-    at 20 °C; left out, it is the typical one of `grade`. Both are one for all magnets or one each.
+    at 20 °C; left out, it is the typical one of `grade`. All these are one for all magnets or one
+    each, but the shape, which is one for all.
     `recoil_permeability` makes the polarization smaller than the remanence (docs/field.md); 1 takes the
     two as equal.
 
@@ -71,15 +115,15 @@ class MagnetSpec(SpecPart):
     face's frame.
     """
 
-    part: str | None = None
+    part: str | tuple[str, ...] | None = None
     kind: Literal["permanent", "coil"] = "permanent"
     shape: MagnetShape = "disk"
-    diameter_mm: Positive = 6.0
-    inner_diameter_mm: NonNegative = 0.0
-    size_mm: tuple[Positive, Positive] = (5.0, 5.0)
-    height_mm: Positive = 1.0
+    diameter_mm: Positive | OneForEach = 6.0
+    inner_diameter_mm: NonNegative | Annotated[tuple[NonNegative, ...], Field(min_length=1)] = 0.0
+    size_mm: EdgesOfMagnets = (5.0, 5.0)
+    height_mm: Positive | OneForEach = 1.0
     grade: str | tuple[str, ...] | None = None
-    remanence_t: Positive | Annotated[tuple[Positive, ...], Field(min_length=1)] = 1.43
+    remanence_t: Positive | OneForEach = 1.43
     recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
     temperature_c: Annotated[float, Field(ge=-40, le=150)] = REFERENCE_TEMPERATURE_C
     turns: Annotated[int, Field(ge=1)] = 50
@@ -132,9 +176,44 @@ class MagnetSpec(SpecPart):
         return self._each(self.remanence_t)
 
     @property
+    def parts(self) -> tuple[str, ...]:
+        """`part` of every magnet; empty where it is left out."""
+        return () if self.part is None else self._each(self.part)
+
+    @property
+    def sizes(self) -> tuple[MagnetSize, ...]:
+        """Outline and height of every magnet."""
+        edges = self.size_mm if _holds_lists(self.size_mm) else (self.size_mm,) * self.count
+        rows = zip(
+            self._each(self.diameter_mm),
+            self._each(self.inner_diameter_mm),
+            edges,
+            self._each(self.height_mm),
+            strict=True,
+        )
+        return tuple(MagnetSize(self.shape, *row) for row in rows)  # pyright: ignore[reportArgumentType]
+
+    @property
+    def distinct_sizes(self) -> tuple[MagnetSize, ...]:
+        """Every size once, in the order in which magnets first have it."""
+        return tuple(dict.fromkeys(self.sizes))
+
+    @property
+    def size_numbers(self) -> tuple[int, ...]:
+        """Of every magnet, which of `distinct_sizes` it has."""
+        return tuple(self.distinct_sizes.index(size) for size in self.sizes)
+
+    @property
     def kinds(self) -> tuple[str, ...]:
-        """Grade of every magnet, else its remanence: what tells magnets of one shape apart."""
-        return self.grades or tuple(f"{one:g} T" for one in self.remanences_t)
+        """What tells magnets apart: size where there are several, and grade, else remanence."""
+        names = self.grades or tuple(f"{one:g} T" for one in self.remanences_t)
+        if len(self.distinct_sizes) == 1:
+            return names
+        alike = len(set(names)) == 1
+        return tuple(
+            size.told if alike else f"{size.told}, {name}"
+            for size, name in zip(self.sizes, names, strict=True)
+        )
 
     @property
     def by_kind(self) -> dict[str, tuple[int, ...]]:
@@ -146,7 +225,8 @@ class MagnetSpec(SpecPart):
 
     @property
     def strengths(self) -> tuple[float, ...]:
-        """Polarization of every magnet over the first one's: of one shape it goes with the remanence."""
+        """Polarization of every magnet over that of one of its size and the first's remanence, with which
+        it goes."""
         first = self.remanences_t[0]
         return tuple(one / first for one in self.remanences_t)
 
@@ -161,17 +241,15 @@ class MagnetSpec(SpecPart):
     @property
     def winding_polarization_t(self) -> float:
         """μ0 N I / L: the polarization of the body whose field is that of the winding."""
-        return MU0_T_MM_PER_A * self.turns * self.current_a / self.height_mm
+        return MU0_T_MM_PER_A * self.turns * self.current_a / self.sizes[0].height_mm
 
     @model_validator(mode="before")
     @classmethod
     def _figures_of_part_and_grade(cls, given: Any) -> Any:
         if not isinstance(given, dict):
             return given
-        if isinstance(given.get("part"), str):
-            part = magnet_part(given["part"])
-            graded = part.grade is not None and given.get("remanence_t") is None
-            given = {**part.figures(), **({"grade": part.grade} if graded else {}), **given}
+        if given.get("part") and _names(given["part"]):
+            given = {**_figures_of_parts(given["part"], given.get("remanence_t") is None), **given}
         grade = given.get("grade")
         if isinstance(grade, str):
             given = {"remanence_t": magnet_grade(grade).remanence_t, **given}
@@ -194,8 +272,10 @@ class MagnetSpec(SpecPart):
                 f"magnets.positions_mm must hold as many places on every face; got {counts}. Add or take "
                 "out places"
             )
-        for key in ("depth_mm", "tilt_deg", "north", "grade", "remanence_t"):
+        for key in ("depth_mm", "tilt_deg", "north", "size_mm", *ONE_FOR_EACH):
             values = getattr(self, key)
+            if key == "size_mm" and not _holds_lists(values):
+                continue
             if isinstance(values, tuple) and len(values) not in (0, count):
                 raise ValueError(
                     f"magnets.{key} needs one entry for each of the {count} magnets.positions_mm; "
@@ -203,34 +283,23 @@ class MagnetSpec(SpecPart):
                 )
 
     def _check_part(self) -> None:
-        if self.part is None:
-            return
-        part = magnet_part(self.part)
-        figures = [(name, getattr(self, name), value) for name, value in part.figures().items()]
-        figures += [("grade", grade, part.grade) for grade in self.grades if part.grade is not None]
-        for name, given, value in figures:
-            if given != value:
-                raise ValueError(
-                    f"magnets.{name} = {given!r} contradicts magnets.part = "
-                    f"{self.part!r} ({value!r}). Leave one of the two out"
-                )
+        for index, name in enumerate(self.parts):
+            part, size = magnet_part(name), self.sizes[index]
+            figures = part.figures()
+            given = {key: getattr(size, "edges_mm" if key == "size_mm" else key) for key in figures}
+            if part.grade is not None and self.grades:
+                figures["grade"], given["grade"] = part.grade, self.grades[index]
+            for key, value in figures.items():
+                if given[key] != value:
+                    raise ValueError(
+                        f"magnets.{key} = {given[key]!r} contradicts magnets.part = {name!r} "
+                        f"({value!r}). Leave one of the two out"
+                    )
 
     def _check_shape(self) -> None:
         hollow = self.shape == "ring" or self.kind == "coil"
-        if self.inner_diameter_mm >= self.diameter_mm and hollow:
-            raise ValueError(
-                f"magnets.inner_diameter_mm must be below magnets.diameter_mm = "
-                f"{self.diameter_mm:g}; got {self.inner_diameter_mm:g}. Make the hole smaller"
-            )
-        if self.shape == "ring" and not self.inner_diameter_mm:
-            raise ValueError(
-                "magnets.shape = 'ring' needs magnets.inner_diameter_mm above 0; got 0"
-            )
-        if self.inner_diameter_mm and not hollow:
-            raise ValueError(
-                f"magnets.inner_diameter_mm = {self.inner_diameter_mm:g} belongs to a ring or a coil; "
-                f"magnets.shape is {self.shape!r}. Leave it out, or choose shape = 'ring'"
-            )
+        for size in self.distinct_sizes:
+            self._check_hole(size, hollow)
         if self.kind == "coil" and self.shape == "block":
             raise ValueError(
                 "magnets.kind = 'coil' is wound round; got magnets.shape = 'block'. Choose shape = "
@@ -241,10 +310,31 @@ class MagnetSpec(SpecPart):
                 "magnets.kind = 'coil' has no remanence; got a list of magnets.grade or "
                 f"magnets.remanence_t = {list(self.remanence_t)}. Leave it out: all coils are wound alike"
             )
+        if self.kind == "coil" and len(self.distinct_sizes) > 1:
+            raise ValueError(
+                "magnets.kind = 'coil' takes coils of one size; got "
+                f"{', '.join(size.told for size in self.distinct_sizes)}. Give one size for all"
+            )
         if self.switching == "face-by-face" and self.kind != "coil":
             raise ValueError(
                 "magnets.switching = 'face-by-face' needs magnets.kind = 'coil'; permanent magnets "
                 "cannot be switched off. Choose coils, or switching = 'all-on'"
+            )
+
+    def _check_hole(self, size: MagnetSize, hollow: bool) -> None:
+        if size.inner_diameter_mm >= size.diameter_mm and hollow:
+            raise ValueError(
+                f"magnets.inner_diameter_mm must be below magnets.diameter_mm = "
+                f"{size.diameter_mm:g}; got {size.inner_diameter_mm:g}. Make the hole smaller"
+            )
+        if self.shape == "ring" and not size.inner_diameter_mm:
+            raise ValueError(
+                "magnets.shape = 'ring' needs magnets.inner_diameter_mm above 0; got 0"
+            )
+        if size.inner_diameter_mm and not hollow:
+            raise ValueError(
+                f"magnets.inner_diameter_mm = {size.inner_diameter_mm:g} belongs to a ring or a coil; "
+                f"magnets.shape is {self.shape!r}. Leave it out, or choose shape = 'ring'"
             )
 
     def _check_grade(self) -> None:
@@ -262,3 +352,28 @@ class MagnetSpec(SpecPart):
                     f"{grade.max_temperature_c:g} °C at which grade {grade.name} begins to lose "
                     "magnetisation for good. Lower it, or leave magnets.grade out for a hotter grade"
                 )
+
+
+def _names(part: Any) -> bool:
+    return isinstance(part, str) or (
+        isinstance(part, list | tuple) and all(isinstance(name, str) for name in part)
+    )
+
+
+def _figures_of_parts(names: str | Sequence[str], graded: bool) -> dict[str, Any]:
+    """What one catalogued magnet gives for all magnets, or several for one each."""
+    if isinstance(names, str):
+        part = magnet_part(names)
+        return part.figures() | ({"grade": part.grade} if graded and part.grade else {})
+    parts = [magnet_part(name) for name in names]
+    shapes = sorted({part.shape for part in parts})
+    if len(shapes) > 1:
+        raise ValueError(
+            f"magnets.part must name magnets of one shape; got {' and '.join(shapes)}. Choose disks, "
+            "rings or blocks"
+        )
+    figures = {key: tuple(part.figures()[key] for part in parts) for key in parts[0].figures()}
+    grades = {"grade": tuple(part.grade for part in parts)} if graded else {}
+    if graded and not all(grades["grade"]):
+        grades = {}
+    return figures | {"shape": shapes[0]} | grades

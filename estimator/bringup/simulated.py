@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 from scipy.spatial.transform import Rotation
 
 from design.errors import InputError
@@ -28,8 +28,7 @@ from estimator.bringup.asking.hold_places import OVER_MM
 from estimator.bringup.diagnosis.earth import in_object
 from estimator.bringup.diagnosis.findings import channel_name
 from estimator.bringup.next_hold import next_hold
-from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import MagnetsModel, field_of_each, magnets_model
 from estimator.field.vectors import components
 from estimator.signals.field_setup import scene
 from estimator.signals.hall import read_out
@@ -134,26 +133,29 @@ class SimulatedObject:
         """Field of the magnets that are in their pockets."""
         magnets, some = self.assembly.scene.magnets, slice(0, self.magnets_in)
         axis = np.where(self.flipped[:, None], -1.0, 1.0) * magnets.axis
-        model = field_model(magnet_source(self.spec.magnets), 5.0)
+        model = magnets_model(self.spec.magnets, 5.0)
         every = _field_mt(
-            self.position_mm[:, None],
-            magnets.centre_mm[some],
-            axis[some],
+            self.position_mm,
+            magnets.centre_mm[some, None],
+            axis[some, None],
             model,
-            magnets.side[some],
+            magnets.side[some, None],
+            magnets.size[some],
         )
-        return (magnets.strength[some, None] * every).sum(axis=1)
+        return (magnets.strength[some, None, None] * every).sum(axis=0)
 
 
 def _field_mt(
     points_mm: Float[np.ndarray, "*points 3"],
     centres_mm: Float[np.ndarray, "*centres 3"],
     axes: Float[np.ndarray, "*axes 3"],
-    model: FieldModel,
+    model: MagnetsModel,
     sides: Float[np.ndarray, "*axes 3"] | None = None,
+    size: Int[np.ndarray, "magnet"] | None = None,
 ) -> Float[np.ndarray, "*any 3"]:
     side = None if sides is None else components(sides)
-    field = model(components(points_mm - centres_mm), components(axes), side)
+    offset = components(points_mm - centres_mm)
+    field = field_of_each(offset, components(axes), model, side, size)
     return 1e3 * np.stack(np.broadcast_arrays(*field), axis=-1)
 
 

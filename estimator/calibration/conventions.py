@@ -19,8 +19,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.interfaces import DEPTHS_MM, motions_on_curves
 from estimator.calibration.recorded_presses import RecordedPresses, own_channels
-from estimator.field.models import field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import magnets_model
 from estimator.signals.field_setup import min_distance_mm
 from estimator.tolerances.assembly import counts_of, designed
 from fem.linear.response import ResponseOperator
@@ -77,7 +76,7 @@ def predicted_changes(
         every = every.reshape(count * cases, *every.shape[2:])
         if model is None:
             nearest = min_distance_mm(design.scene, np.nan_to_num(every))
-            model = field_model(magnet_source(spec.magnets), nearest)
+            model = magnets_model(spec.magnets, nearest)
         rest = counts_of(spec, design.scene, np.zeros((1, *every.shape[1:])), model)[0]
         change = counts_of(spec, design.scene, every, model) - rest
         found.append(change.reshape(count, cases, -1))

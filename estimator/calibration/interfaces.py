@@ -31,8 +31,7 @@ from estimator.calibration.validation import (
     case_permutations,
     predict,
 )
-from estimator.field.models import field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import magnets_model
 from estimator.signals.field_setup import min_distance_mm
 from estimator.tolerances.assembly import designed
 from fem.loose_core.press import LooseCore, press_loose
@@ -104,8 +103,8 @@ def interface_agreement(
     design = designed(spec)
     rest = np.zeros(moving.motion.shape[3:])
     every = np.concatenate([press.motion for curve in curves for press in curve])
-    model = field_model(
-        magnet_source(spec.magnets),
+    model = magnets_model(
+        spec.magnets,
         min_distance_mm(design.scene, every.reshape(-1, *rest.shape)),
     )
     predictions = predict(spec, design, moving, rest, model)

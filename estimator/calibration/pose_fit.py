@@ -23,7 +23,7 @@ from estimator.calibration.recorded_presses import (
     own_channels,
     pressed_faces,
 )
-from estimator.field.models import FieldModel
+from estimator.field.models import MagnetsModel
 from estimator.tolerances.assembly import Assembly, counts_of
 
 PRIOR = (1.0, 1.0, 1.0, 3.0, 3.0, 3.0, 0.02, 0.5)
@@ -100,7 +100,7 @@ class Problem:
     presses: RecordedPresses
     moving: PredictedMotions
     rest: Float[np.ndarray, "body 6"]
-    model: FieldModel
+    model: MagnetsModel
 
     def predicted(
         self, assembly: Assembly, rows: Int[np.ndarray, "some"], case: Int[np.ndarray, "press"]

@@ -21,8 +21,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.conventions import TURNS, share_as_high
 from estimator.calibration.pose_fit import Calibration
-from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import MagnetsModel, magnets_model
 from estimator.signals.field_setup import Scene, at_rest, min_distance_mm
 from estimator.tolerances.assembly import counts_of, designed, face_axes
 
@@ -167,10 +166,10 @@ class RestingObject:
         return counts_of(self._spec, moved, at_rest(moved), self._model)[0].ravel()
 
 
-def _near_model(spec: ObjectSpec, place: Scene) -> FieldModel:
+def _near_model(spec: ObjectSpec, place: Scene) -> MagnetsModel:
     """A field that is right where bounds bring a chip and a magnet together, if ever."""
     nearest = min_distance_mm(place, at_rest(place)) - BOUNDS[1] - np.linalg.norm(BOUNDS[2:5])
-    return field_model(magnet_source(spec.magnets), max(float(nearest), 1.0))
+    return magnets_model(spec.magnets, max(float(nearest), 1.0))
 
 
 def common_fits(

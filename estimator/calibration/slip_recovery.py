@@ -17,8 +17,7 @@ from jaxtyping import Float
 from design.spec.object import ObjectSpec
 from estimator.calibration.pose_fit import BOUNDS, LARGEST_SHIFT_MM, Calibration
 from estimator.calibration.pose_fit import PRIOR as PRIOR_OF_NUISANCES
-from estimator.field.models import field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import magnets_model
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.signals.field_setup import min_distance_mm
 from estimator.signals.interpolation import counts_at_force, press_traces
@@ -60,7 +59,7 @@ def slip_from_rest(
     design, known = designed(spec), np.isfinite(change_counts)
     rest = np.zeros((1, design.scene.bodies, 6))
     nearest = min_distance_mm(design.scene, rest) - LARGEST_SHIFT_MM
-    model = field_model(magnet_source(spec.magnets), nearest)
+    model = magnets_model(spec.magnets, nearest)
     before = counts_of(spec, design.scene, rest, model)[0]
     rms = float(np.sqrt(np.mean(change_counts[known] ** 2)))
     sigma = np.hypot(noise_counts, _MODEL_ERROR * rms)

@@ -23,7 +23,7 @@ from estimator.calibration.recorded_presses import (
     RecordedPresses,
     own_channels,
 )
-from estimator.field.models import FieldModel
+from estimator.field.models import MagnetsModel
 from estimator.tolerances.assembly import Assembly, counts_of
 
 SIGNIFICANCE = 0.05
@@ -107,7 +107,7 @@ def predict(
     assembly: Assembly,
     moving: PredictedMotions,
     rest: Float[np.ndarray, "body 6"],
-    model: FieldModel,
+    model: MagnetsModel,
 ) -> Predictions:
     """Signals of all presses as all cases, for an assembly, at every tabulated modulus.
 

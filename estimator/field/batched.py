@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from design.errors import InputError
-from estimator.field.models import FieldModel, sum_over_magnets
+from estimator.field.models import MagnetsModel, sum_over_magnets
 from estimator.field.vectors import Vector
 
 _CPU_ARRAY_BYTES = 96 * 1024
@@ -33,10 +33,11 @@ def batched_field(
     points_mm: Float[Tensor, "#press point 3"],
     centres_mm: Float[Tensor, "#press magnet 3"],
     axes: Float[Tensor, "#press magnet 3"],
-    model: FieldModel,
+    model: MagnetsModel,
     chunk_pairs: int | None = None,
     sides: Float[Tensor, "#press magnet 3"] | None = None,
     strength: Float[Tensor, "magnet"] | None = None,
+    size: Int[np.ndarray, "magnet"] | None = None,
 ) -> Float[Tensor, "press point 3"]:
     """Flux density (T) of all magnets together, at every point of every press.
 
@@ -53,6 +54,7 @@ def batched_field(
     chunk_pairs : pairs worked on at once; by default what fits the processor's cache
     sides : unit vectors along the first edge of blocks; round magnets need none
     strength : polarization of each magnet over the model's; all alike where left out
+    size : which of the model's sizes each magnet has, where there are several
 
     Raises
     ------
@@ -80,7 +82,7 @@ def batched_field(
         field = [
             _stacked(
                 sum_over_magnets(
-                    _piece(point, first, point_chunk), centre, axis, model, side, weight
+                    _piece(point, first, point_chunk), centre, axis, model, side, weight, size
                 )
             )
             for first in range(0, points_mm.shape[1], point_chunk)
@@ -122,10 +124,11 @@ def _default_chunk_pairs(like: Tensor) -> int:
     return _CPU_ARRAY_BYTES // like.element_size()
 
 
-def _check(points_mm: Tensor, centres_mm: Tensor, axes: Tensor, model: FieldModel) -> None:
-    if model.name == "exact":
+def _check(points_mm: Tensor, centres_mm: Tensor, axes: Tensor, model: MagnetsModel) -> None:
+    exact = [one.magnet.description for one in model.of_sizes if one.exact]
+    if exact:
         raise InputError(
-            f"the exact field of {model.magnet.description} has no torch "
+            f"the exact field of {exact[0]} has no torch "
             "form and no gradients. Keep points far enough away for the multipole series, or "
             "call estimator.field.total_field"
         )

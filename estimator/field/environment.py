@@ -17,10 +17,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel, sum_over_magnets
+from estimator.field.models import FieldModel, MagnetsModel, sum_over_magnets
 from estimator.field.sources import DiskMagnet, at_working_point
 from estimator.field.vectors import Vector, dot
 
@@ -88,13 +88,14 @@ def with_images(
     points_mm: Vector,
     centres_mm: Vector,
     axes: Vector,
-    model: FieldModel,
+    model: MagnetsModel,
     plates: tuple[Plate, ...],
     sides: Vector | None = None,
     strength: Any = 1.0,
+    size: Int[np.ndarray, "magnet"] | None = None,
 ) -> Vector:
     """`field.sum_over_magnets`, with the magnets' images in every plate."""
-    total = sum_over_magnets(points_mm, centres_mm, axes, model, sides, strength)
+    total = sum_over_magnets(points_mm, centres_mm, axes, model, sides, strength, size)
     for plate in plates:
         side = None if sides is None else plate.image_of_moment(sides)
         image = sum_over_magnets(
@@ -104,6 +105,7 @@ def with_images(
             model,
             side,
             strength,
+            size,
         )
         total = _plus(total, image, plate.strength)
     return total

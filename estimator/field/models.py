@@ -13,10 +13,18 @@ from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
+from design.spec.magnets import MagnetSpec
 from estimator.field.exact import cuboid_field, cylinder_field
-from estimator.field.sources import BlockMagnet, DiskMagnet, Magnet, in_space, local_coordinates
+from estimator.field.sources import (
+    BlockMagnet,
+    DiskMagnet,
+    Magnet,
+    in_space,
+    local_coordinates,
+    magnet_sources,
+)
 from estimator.field.vectors import Vector, dot, plus_product, plus_scaled
 
 ModelName = Literal["dipole", "multipole", "charges", "exact"]
@@ -38,6 +46,20 @@ class FieldModel:
     order: int = 0
     charges: int = 0
 
+    @property
+    def of_sizes(self) -> tuple[FieldModel, ...]:
+        """This one alone: all magnets are of one size."""
+        return (self,)
+
+    @property
+    def exact(self) -> bool:
+        return self.name == "exact"
+
+    @property
+    def has_side(self) -> bool:
+        """Whether the field depends on where a magnet's side points, as a block's does."""
+        return isinstance(self.magnet, BlockMagnet)
+
     def __call__(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Vector:
         if self.name == "dipole":
             return dipole_field(offset_mm, axis, self.magnet)
@@ -48,6 +70,43 @@ class FieldModel:
         if self.name == "charges":
             return charges_field(offset_mm, axis, self.magnet, self.charges, side)
         return cuboid_field(offset_mm, axis, self.magnet, side)
+
+
+@dataclass(frozen=True)
+class MixedModel:
+    """Models of magnets of several sizes, in the order of `MagnetSpec.distinct_sizes`."""
+
+    of_sizes: tuple[FieldModel, ...]
+
+    @property
+    def exact(self) -> bool:
+        """Whether that of any size is."""
+        return any(one.exact for one in self.of_sizes)
+
+    @property
+    def has_side(self) -> bool:
+        return self.of_sizes[0].has_side
+
+
+MagnetsModel = FieldModel | MixedModel
+
+
+def magnets_model(
+    magnets: MagnetSpec, nearest_distance_mm: float, tolerance: float = 1e-3
+) -> MagnetsModel:
+    """`field_model` of every size of a specification's magnets."""
+    return _of_sizes(
+        [field_model(one, nearest_distance_mm, tolerance) for one in magnet_sources(magnets)]
+    )
+
+
+def exact_model(magnets: MagnetSpec) -> MagnetsModel:
+    """The exact bodies of a specification's magnets."""
+    return _of_sizes([FieldModel(one, "exact") for one in magnet_sources(magnets)])
+
+
+def _of_sizes(models: list[FieldModel]) -> MagnetsModel:
+    return models[0] if len(models) == 1 else MixedModel(tuple(models))
 
 
 def field_model(magnet: Magnet, nearest_distance_mm: float, tolerance: float = 1e-3) -> FieldModel:
@@ -237,9 +296,10 @@ def sum_over_magnets(
     points_mm: Vector,
     centres_mm: Vector,
     axes: Vector,
-    model: FieldModel,
+    model: MagnetsModel,
     sides: Vector | None = None,
     strength: Any = 1.0,
+    size: Int[np.ndarray, "magnet"] | None = None,
 ) -> Vector:
     """Flux density (T) of all magnets together; the magnets run along the first dimension.
 
@@ -249,14 +309,58 @@ def sum_over_magnets(
         vectors. Speed wants a long contiguous last dimension and a size that fits the cache.
     sides : unit vectors along the first edge of blocks; round magnets need none
     strength : polarization of each magnet over the model's, broadcastable alike
+    size : which of the model's sizes each magnet has, where there are several
 
     Returns
     -------
     Three arrays of shape (…), T.
     """
     offset = tuple(p - c for p, c in zip(points_mm, centres_mm, strict=True))
-    bx, by, bz = (strength * part for part in model(offset, axes, sides))
+    bx, by, bz = (strength * part for part in field_of_each(offset, axes, model, sides, size))
     return bx.sum(axis=0), by.sum(axis=0), bz.sum(axis=0)
+
+
+def field_of_each(
+    offset_mm: Vector,
+    axes: Vector,
+    model: MagnetsModel,
+    sides: Vector | None = None,
+    size: Int[np.ndarray, "magnet"] | None = None,
+) -> Vector:
+    """Flux density (T) of every magnet by itself; the magnets run along the first dimension.
+
+    Raises
+    ------
+    ValueError
+        A model of several sizes without the magnets' sizes.
+    """
+    if isinstance(model, FieldModel):
+        return model(offset_mm, axes, sides)
+    if size is None:
+        raise ValueError(f"a model of {len(model.of_sizes)} sizes needs to know which each has")
+    rows = [np.flatnonzero(size == number) for number in range(len(model.of_sizes))]
+    parts = [
+        one(_rows(offset_mm, those), _rows(axes, those), sides and _rows(sides, those))
+        for one, those in zip(model.of_sizes, rows, strict=True)
+        if len(those)
+    ]
+    back = np.argsort(np.concatenate(rows))
+    x, y, z = (_joined([part[k] for part in parts])[back] for k in range(3))
+    return x, y, z
+
+
+def _rows(vector: Vector, those: np.ndarray) -> Vector:
+    """Of some magnets; what all share is left as it is."""
+    x, y, z = (part if len(part) == 1 else part[those] for part in vector)
+    return x, y, z
+
+
+def _joined(parts: list[Any]) -> Any:
+    if isinstance(parts[0], np.ndarray):
+        return np.concatenate(parts)
+    import torch
+
+    return torch.cat(parts)
 
 
 def total_field(

@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 import numpy as np
 from jaxtyping import Float
 
-from design.spec.object import MagnetSpec
+from design.spec.magnets import MagnetSize, MagnetSpec
 from estimator.field.demagnetisation import of_block, of_cylinders
 from estimator.field.vectors import Vector, cross, dot, plus_product
 
@@ -129,22 +129,36 @@ Magnet = DiskMagnet | BlockMagnet
 _Body = TypeVar("_Body", DiskMagnet, BlockMagnet)
 
 
-def magnet_source(magnets: MagnetSpec) -> Magnet:
-    """The magnet or coil that a specification describes, at its temperature and working point.
+def magnet_sources(magnets: MagnetSpec) -> tuple[Magnet, ...]:
+    """The magnets or coils that a specification describes, one of each of its `distinct_sizes`, at its
+    temperature and working point.
 
-    Of magnets of several grades a face's first; the others have its outline and field, times their
-    `strengths`.
+    All are of a face's first magnet's grade; others have their fields times their `strengths`.
     """
-    hole, height = magnets.inner_diameter_mm, magnets.height_mm
+    return tuple(_source(magnets, size) for size in magnets.distinct_sizes)
+
+
+def magnet_source(magnets: MagnetSpec) -> Magnet:
+    """The same where all magnets are of one size.
+
+    Raises
+    ------
+    ValueError
+        Several sizes.
+    """
+    (source,) = magnet_sources(magnets)
+    return source
+
+
+def _source(magnets: MagnetSpec, size: MagnetSize) -> Magnet:
+    hole, height = size.inner_diameter_mm, size.height_mm
     if magnets.kind == "coil":
         winding_t = magnets.winding_polarization_t
-        return DiskMagnet(magnets.diameter_mm, height, winding_t, hole, wound=True)
+        return DiskMagnet(size.diameter_mm, height, winding_t, hole, wound=True)
     remanence_t, permeability = magnets.working_remanence_t, magnets.recoil_permeability
-    if magnets.shape == "block":
-        return at_working_point(
-            BlockMagnet(magnets.size_mm, height, 1.0), remanence_t, permeability
-        )
-    disk = DiskMagnet(magnets.diameter_mm, height, 1.0, hole)
+    if size.shape == "block":
+        return at_working_point(BlockMagnet(size.edges_mm, height, 1.0), remanence_t, permeability)
+    disk = DiskMagnet(size.diameter_mm, height, 1.0, hole)
     return at_working_point(disk, remanence_t, permeability)
 
 

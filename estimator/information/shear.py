@@ -18,8 +18,7 @@ from design.layout.places.contact_places import contact_places, face_rows
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_table
-from estimator.field.models import field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import magnets_model
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import on_places
 from estimator.information.sensitivity import own_channels
@@ -78,7 +77,7 @@ def shear_signals(spec: ObjectSpec, motions: MagnetMotions, shear: ShearMotions)
     there = contact_places(spec)[face_rows(spec, motions.faces)]
     pressed = motions.motion[:, grid_places_in_lattice(spec)][there]
     nearest = min_distance_mm(place, pressed.reshape(-1, place.bodies, 6))
-    model = field_model(magnet_source(spec.magnets), nearest - 0.1)
+    model = magnets_model(spec.magnets, nearest - 0.1)
     change = _STEP_N * shear.motion_per_n[there]
     field_t = [
         sensed_field(

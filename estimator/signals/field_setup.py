@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
 from design.layout.places.positions import (
@@ -22,8 +22,7 @@ from design.layout.places.positions import (
 )
 from design.spec.object import ObjectSpec
 from estimator.field.environment import Environment, environment, with_images
-from estimator.field.models import FieldModel
-from estimator.field.sources import BlockMagnet
+from estimator.field.models import MagnetsModel
 from estimator.field.vectors import Vector, components, rotated
 from estimator.signals.hall import ChipErrors, chip_errors, counts_of_field
 
@@ -81,7 +80,7 @@ def scene(spec: ObjectSpec, core_slipped: bool = False) -> Scene:
 
 
 def sensed_field(
-    scene: Scene, motion: Float[np.ndarray, "press body 6"], model: FieldModel
+    scene: Scene, motion: Float[np.ndarray, "press body 6"], model: MagnetsModel
 ) -> Float[np.ndarray, "press sensor 3"]:
     """Flux density (T) at every sensor with the shell's bodies moved, in cache-sized chunks.
 
@@ -117,7 +116,7 @@ class KnownField:
     )
 
     def of(
-        self, scene: Scene, motion: Float[np.ndarray, "press body 6"], model: FieldModel
+        self, scene: Scene, motion: Float[np.ndarray, "press body 6"], model: MagnetsModel
     ) -> Float[np.ndarray, "press sensor 3"]:
         """`sensed_field` of another scene, to rounding."""
         changed = self._changed(scene, motion)
@@ -180,7 +179,9 @@ _Magnets = tuple[Vector, Vector, Vector]
 """Centres, axes and sides (those of blocks turn with them, round magnets need none)."""
 
 
-def _magnets(scene: Scene, moved: Float[np.ndarray, "6 body press"], model: FieldModel) -> _Magnets:
+def _magnets(
+    scene: Scene, moved: Float[np.ndarray, "6 body press"], model: MagnetsModel
+) -> _Magnets:
     magnets = scene.magnets
     centre, axis, side = (
         components(given[:, None]) for given in (magnets.centre_mm, magnets.axis, magnets.side)
@@ -190,7 +191,7 @@ def _magnets(scene: Scene, moved: Float[np.ndarray, "6 body press"], model: Fiel
     x, y, z, *turns = moved
     turn = (turns[0], turns[1], turns[2])
     shifted = (centre[0] + x, centre[1] + y, centre[2] + z)
-    if isinstance(model.magnet, BlockMagnet):
+    if model.has_side:
         side = rotated(side, turn)
     return shifted, rotated(axis, turn), side
 
@@ -200,7 +201,7 @@ def _at_sensors(
     some: slice,
     moved: Float[np.ndarray, "6 body press"],
     magnets: _Magnets,
-    model: FieldModel,
+    model: MagnetsModel,
 ) -> list[Float[np.ndarray, "sensor press"]]:
     """Field of all sources at some sensors, in the directions that they have at rest.
 
@@ -213,10 +214,11 @@ def _at_sensors(
         point = (point[0] + own[0], point[1] + own[1], point[2] + own[2])
     on = scene.on_for(int(scene.sensors.face[some][0]))
     centres, axes, sides = (_chosen(given, on) for given in magnets)
-    if model.name == "exact":
-        _check_sensor_clear(point, centres, axes, sides, model)
-    strength = scene.magnets.strength[on, None, None]
-    field = with_images(point, centres, axes, model, scene.environment.plates, sides, strength)
+    size = scene.magnets.size[on]
+    if model.exact:
+        _check_sensor_clear(point, (centres, axes, sides), model, size)
+    strength, plates = scene.magnets.strength[on, None, None], scene.environment.plates
+    field = with_images(point, centres, axes, model, plates, sides, strength, size)
     around = scene.environment.field_at(point)
     field = (field[0] + around[0], field[1] + around[1], field[2] + around[2])
     if own is not None:
@@ -231,14 +233,16 @@ def _chosen(vector: Vector, on: slice) -> Vector:
 
 
 def _check_sensor_clear(
-    point: Vector, centres_mm: Vector, axes: Vector, sides: Vector, model: FieldModel
+    point: Vector, magnets: _Magnets, model: MagnetsModel, size: Int[np.ndarray, "magnet"]
 ) -> None:
-    offset = (point[0] - centres_mm[0], point[1] - centres_mm[1], point[2] - centres_mm[2])
-    if model.magnet.holds(offset, axes, sides).any():
-        raise InputError(
-            f"a press drives {model.magnet.description} onto a sensor. "
-            "Press less deep or move sensors and magnets further apart"
-        )
+    for number, one in enumerate(model.of_sizes):
+        centres, axes, sides = (tuple(part[size == number] for part in given) for given in magnets)
+        offset = (point[0] - centres[0], point[1] - centres[1], point[2] - centres[2])
+        if one.magnet.holds(offset, axes, sides).any():
+            raise InputError(
+                f"a press drives {one.magnet.description} onto a sensor. "
+                "Press less deep or move sensors and magnets further apart"
+            )
 
 
 def min_distance_mm(scene: Scene, motion: Float[np.ndarray, "press body 6"]) -> float:

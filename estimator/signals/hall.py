@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from design.catalogue.hall_sensors import wider_range
 from design.errors import InputError
@@ -109,20 +109,25 @@ def check_rest(
 
 
 def check_sensors_outside_magnets(
-    layout: SensorLayout, magnets: MagnetLayout, body: Magnet
+    layout: SensorLayout, magnets: MagnetLayout, bodies: tuple[Magnet, ...]
 ) -> None:
-    """Refuse a design in which a sensor's sensing point lies in a magnet at rest."""
+    """Refuse a design in which a sensor's sensing point lies in a magnet at rest.
+
+    `bodies` are one of each of the magnets' sizes.
+    """
     offset = (layout.position_mm[:, None] - magnets.centre_mm).transpose(2, 0, 1)
-    inside: Bool[np.ndarray, "sensor magnet"] = body.holds(
-        tuple(offset), tuple(magnets.axis.T[:, None]), tuple(magnets.side.T[:, None])
-    )
+    inside = np.zeros(offset.shape[1:], bool)
+    for number, body in enumerate(bodies):
+        own = magnets.size == number
+        axis, side = magnets.axis[own].T[:, None], magnets.side[own].T[:, None]
+        inside[:, own] = body.holds(tuple(offset[:, :, own]), tuple(axis), tuple(side))
     if inside.any():
         sensor, magnet = np.argwhere(inside)[0]
         distance = np.linalg.norm(offset[:, sensor, magnet])
         raise InputError(
             f"{_sensor_name(int(sensor), layout)} lies inside magnet {magnet} (face "
             f"{magnets.face[magnet]}): {distance:.3g} mm from the centre of "
-            f"{body.description}. Move the sensor or the magnet"
+            f"{bodies[magnets.size[magnet]].description}. Move the sensor or the magnet"
         )
 
 

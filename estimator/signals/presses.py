@@ -20,8 +20,8 @@ from design.layout.places.contact_places import contact_places, face_rows, press
 from design.layout.places.positions import sensor_layout
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import MagnetsModel, exact_model, magnets_model
+from estimator.field.sources import magnet_sources
 from estimator.signals.continuation import continued
 from estimator.signals.field_setup import at_rest, counts, min_distance_mm, scene, sensed_field
 from estimator.signals.hall import (
@@ -129,9 +129,8 @@ def press_signals(
         A sensor lies in a magnet (at rest or pressed) or saturates at rest.
     """
     place = scene(spec, core_slipped=spec.mechanics.slip.model == "sensors-only")
-    magnet = magnet_source(spec.magnets)
-    check_sensors_outside_magnets(place.sensors, place.magnets, magnet)
-    model = field_model(magnet, min_distance_mm(place, motions.every))
+    check_sensors_outside_magnets(place.sensors, place.magnets, magnet_sources(spec.magnets))
+    model = magnets_model(spec.magnets, min_distance_mm(place, motions.every))
     still = at_rest(place) if motions.rest is None else motions.rest[None]
     baseline = counts(place, sensed_field(place, still, model)[0], spec)
     check_rest(baseline, place.sensors, spec.sensors)
@@ -147,14 +146,16 @@ def press_signals(
     )
 
 
-def rest_counts(spec: ObjectSpec, model: FieldModel | None = None) -> Float[np.ndarray, "sensor 3"]:
+def rest_counts(
+    spec: ObjectSpec, model: MagnetsModel | None = None
+) -> Float[np.ndarray, "sensor 3"]:
     """Expected counts of all sensors at rest; exact bodies unless a model is given.
 
     A slip of the core moves what it carries rigidly against the shell, which is exact while the
     shell's outside is free.
     """
     place = scene(spec, core_slipped=True)
-    model = model or FieldModel(magnet_source(spec.magnets), "exact")
+    model = model or exact_model(spec.magnets)
     return counts(place, sensed_field(place, at_rest(place), model)[0], spec)
 
 

@@ -15,8 +15,7 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.spec.environment import SteelPlateSpec
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel
-from estimator.field.sources import magnet_source
+from estimator.field.models import exact_model
 from estimator.signals.field_setup import at_rest, counts, scene, sensed_field
 from estimator.signals.presses import rest_counts
 
@@ -93,7 +92,7 @@ def counts_of_states(spec: ObjectSpec) -> Float[np.ndarray, "state sensor 3"]:
     magnets a channel's baseline comes from.
     """
     whole = replace(scene(spec), face_by_face=False)
-    model = FieldModel(magnet_source(spec.magnets), "exact")
+    model = exact_model(spec.magnets)
     states = []
     for face in (*sensors_of_faces(spec).tolist(), None):
         on = slice(None) if face is None else whole.magnets.face == face

@@ -19,7 +19,7 @@ from design.layout.places.positions import MagnetLayout, SensorLayout, slipped
 from design.spec.assembly import TolerancesSpec
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel
+from estimator.field.models import MagnetsModel
 from estimator.field.vectors import rotate
 from estimator.signals.field_setup import Scene, counts, scene, sensed_field
 from estimator.signals.hall import ChipErrors
@@ -85,7 +85,7 @@ def counts_of(
     spec: ObjectSpec,
     place: Scene,
     motion: Float[np.ndarray, "press body 6"],
-    model: FieldModel,
+    model: MagnetsModel,
     face: int | None = None,
 ) -> Float[np.ndarray, "press sensor 3"]:
     """Expected counts (absolute) with the bodies moved, of one face's sensors or of all."""

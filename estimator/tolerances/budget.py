@@ -19,8 +19,7 @@ from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import MagnetsModel, magnets_model
 from estimator.information.fisher import disturbance_counts, position_and_force_bounds
 from estimator.signals.field_setup import KnownField, counts, min_distance_mm, sensed_field
 from estimator.signals.interpolation import press_traces
@@ -76,7 +75,7 @@ class Setting:
     faces: tuple[int, ...]
     states: tuple[PressStates, ...]
     live: tuple[Bool[np.ndarray, "_"], ...]
-    model: FieldModel
+    model: MagnetsModel
 
     def read_by(self, face: int) -> int | None:
         """The face whose own channels alone are read in presses on it; None for all."""
@@ -162,7 +161,7 @@ def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) ->
         own = design.scene.sensors.face == face
         live.append((working[own] if spec.score.channels == "own" else working).ravel())
     nearest = min_distance_mm(design.scene, motions.every)
-    model = field_model(magnet_source(spec.magnets), nearest - _NEARER_MM)
+    model = magnets_model(spec.magnets, nearest - _NEARER_MM)
     return Setting(spec, design, tuple(motions.faces.tolist()), tuple(states), tuple(live), model)
 
 

@@ -19,8 +19,7 @@ from jaxtyping import Bool, Float, Int
 from scipy.special import chdtrc
 
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import MagnetsModel, magnets_model
 from estimator.signals.field_setup import at_rest, min_distance_mm, scene
 from estimator.signals.hall import full_scale_counts
 from estimator.tolerances.assembly import (
@@ -131,11 +130,11 @@ def rest_model(spec: ObjectSpec, noise_counts: float = 0.0) -> RestModel:
     return RestModel(mean, covariance, faults, full_scale_counts(spec.sensors))
 
 
-def _design(spec: ObjectSpec) -> tuple[Assembly, FieldModel]:
+def _design(spec: ObjectSpec) -> tuple[Assembly, MagnetsModel]:
     """The specification's object at rest, and a field model good for tolerances about it."""
     design = undisturbed(scene(spec, core_slipped=True))
     nearest = min_distance_mm(design.scene, at_rest(design.scene))
-    return design, field_model(magnet_source(spec.magnets), nearest - _NEARER_MM)
+    return design, magnets_model(spec.magnets, nearest - _NEARER_MM)
 
 
 def _steps(spec: ObjectSpec, design: Assembly) -> Iterator[tuple[Assembly, Assembly]]:
@@ -146,12 +145,14 @@ def _steps(spec: ObjectSpec, design: Assembly) -> Iterator[tuple[Assembly, Assem
             yield assembled(spec, design, {name: step}), assembled(spec, design, {name: -step})
 
 
-def _rest(spec: ObjectSpec, assembly: Assembly, model: FieldModel) -> Float[np.ndarray, "channel"]:
+def _rest(
+    spec: ObjectSpec, assembly: Assembly, model: MagnetsModel
+) -> Float[np.ndarray, "channel"]:
     place = assembly.scene
     return counts_of(spec, place, at_rest(place), model)[0].ravel()
 
 
-def _faults(spec: ObjectSpec, design: Assembly, model: FieldModel) -> Iterator[Fault]:
+def _faults(spec: ObjectSpec, design: Assembly, model: MagnetsModel) -> Iterator[Fault]:
     place, mean = design.scene, _rest(spec, design, model)
     number = _numbers_within_face(place.magnets.face)
     for magnet, flipped in enumerate(_flipped(design)):

@@ -11,8 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import MagnetsModel, magnets_model
 from estimator.signals.continuation import continued
 from estimator.signals.field_setup import min_distance_mm
 from estimator.signals.press_states import rest_motion
@@ -72,10 +71,10 @@ def twin_changes(
 
 def twin_model(
     spec: ObjectSpec, assembly: Assembly, motion: Float[np.ndarray, "*press body 6"]
-) -> FieldModel:
+) -> MagnetsModel:
     """The field model that serves an assembled object in these motions."""
     nearest = min_distance_mm(assembly.scene, motion.reshape(-1, assembly.scene.bodies, 6))
-    return field_model(magnet_source(spec.magnets), nearest - _NEARER_MM)
+    return magnets_model(spec.magnets, nearest - _NEARER_MM)
 
 
 def _moved_aside(

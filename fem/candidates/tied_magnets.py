@@ -94,12 +94,12 @@ def tie_functionals(
     Shapes (functional, 3·node) and (functional, 6·magnet), magnet by magnet.
     """
     layout = shell_body_layout(spec)
-    whole, _ = skin_quadrature(layout.outline, layout.height_mm)
     rows, rigid = [], []
-    for centre, frame in zip(layout.centre_mm, layout.frame, strict=True):
+    for centre, frame, body in zip(layout.centre_mm, layout.frame, layout.bodies, strict=True):
+        whole, _ = skin_quadrature(body.outline, body.height_mm)
         inset = INSET * edge_mm(space, centre + whole @ frame.T)
-        inset = min(inset, MOST_INSET * layout.height_mm)
-        local, weights = skin_quadrature(layout.outline.inset(inset), layout.height_mm - 2 * inset)
+        inset = min(inset, MOST_INSET * body.height_mm)
+        local, weights = skin_quadrature(body.outline.inset(inset), body.height_mm - 2 * inset)
         psi = polynomials(local, weights, degree) * weights[:, None]
         arm = local @ frame.T
         values = interpolate_at(space, centre + arm)

@@ -43,10 +43,9 @@ def all_surfaces(spec: ObjectSpec, magnets: bool = True) -> trimesh.Trimesh:
 def body_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
     """Each rigid body (magnet or sensor board) as a prism of its outline's area and its height."""
     layout = shell_body_layout(spec)
-    prism = _prism(layout.outline.corners_mm(spec.mesh.magnet_sides), layout.height_mm)
     surfaces = []
-    for centre, frame in zip(layout.centre_mm, layout.frame, strict=True):
-        surface = prism.copy()
+    for centre, frame, body in zip(layout.centre_mm, layout.frame, layout.bodies, strict=True):
+        surface = _prism(body.outline.corners_mm(spec.mesh.magnet_sides), body.height_mm)
         surface.apply_transform(_placed(frame, centre))
         surfaces.append(surface)
     return surfaces
@@ -57,10 +56,11 @@ def in_body(
 ) -> Bool[np.ndarray, "n"]:
     """Whether points lie inside the prism of one rigid body."""
     x, y, z = ((points_mm - layout.centre_mm[index]) @ layout.frame[index]).T
-    corner = layout.outline.corners_mm(spec.mesh.magnet_sides)
+    body = layout.bodies[index]
+    corner = body.outline.corners_mm(spec.mesh.magnet_sides)
     edge = np.roll(corner, -1, axis=0) - corner
     left = edge[:, :1] * (y - corner[:, 1:]) - edge[:, 1:] * (x - corner[:, :1])
-    return (left > 0).all(axis=0) & (abs(z) < layout.height_mm / 2)
+    return (left > 0).all(axis=0) & (abs(z) < body.height_mm / 2)
 
 
 def _prism(corners_mm: np.ndarray, height_mm: float) -> trimesh.Trimesh:

@@ -121,10 +121,11 @@ def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
     worst = row.worst
     frame = face_frame(spec, worst.face)
     axes.add_patch(Polygon(frame.border_mm(), fc="#f7f4ec", ec="0.5"))
-    for x, y in frame.from_plane(
-        np.reshape(magnet_places(spec)[spec.body.sensed.index(worst.face)], (-1, 2))
+    places = magnet_places(spec)[spec.body.sensed.index(worst.face)]
+    for (x, y), size in zip(
+        frame.from_plane(np.reshape(places, (-1, 2))), spec.magnets.sizes, strict=True
     ):
-        axes.add_patch(Circle((x, y), spec.magnets.diameter_mm / 2, fill=False, ec="#1f77d0"))
+        axes.add_patch(Circle((x, y), size.half_mm[0], fill=False, ec="#1f77d0"))
     sensors = sensor_places(spec)[spec.body.sensed.index(worst.face)]
     for x, y in frame.from_plane(np.reshape([(x, y) for x, y, _ in sensors], (-1, 2))):
         axes.plot(x, y, marker="s", color="#0a8f5a", mfc="none", ms=7, ls="")

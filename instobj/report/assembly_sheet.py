@@ -85,19 +85,18 @@ def _face(
 ) -> dict[str, Any]:
     """One face seen from outside, x to the right and y up, each magnet with its outward pole."""
     half_x, half_y = frame.half_extents_mm
-    block = spec.magnets.shape == "block"
-    radius = max(spec.magnets.size_mm) / 2 if block else spec.magnets.diameter_mm / 2
     magnets = list[dict[str, Any]]()
     places = dict(zip(spec.body.sensed, magnet_places(spec), strict=True)).get(frame.number, ())
     kinds = spec.magnets.kinds if len(spec.magnets.by_kind) > 1 else ("",) * spec.magnets.count
-    for (x, y), way, kind in zip(places, spec.magnets.polarities, kinds, strict=bool(places)):
+    each = zip(spec.magnets.polarities, kinds, spec.magnets.sizes, strict=True)
+    for (x, y), (way, kind, size) in zip(places, each, strict=bool(places)):
         pole, colour = ("N", _NORTH) if way > 0 else ("S", _SOUTH)
         pin = _pin_at(pins, frame.number, x, y)
         magnets.append(
             {
                 "x": x,
                 "y": y,
-                "radius": radius,
+                "radius": max(size.half_mm),
                 "pole": pole,
                 "colour": colour,
                 "pin": pin,

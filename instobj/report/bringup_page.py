@@ -90,10 +90,17 @@ def _faces(spec: ObjectSpec, verdict: Verdict) -> list[dict[str, Any]]:
             )
         ]
         magnets = [
-            {"x": x, "y": y, "name": name, "wrong": _is_wrong(name, verdict.findings)}
-            for name, (x, y) in zip(
+            {
+                "x": x,
+                "y": y,
+                "name": name,
+                "wrong": _is_wrong(name, verdict.findings),
+                "radius_mm": size.half_mm[0],
+            }
+            for name, (x, y), size in zip(
                 _names_of(frame.number, "M", spec.magnets.count),
                 magnet_places(spec)[index],
+                spec.magnets.sizes,
                 strict=True,
             )
         ]
@@ -106,7 +113,6 @@ def _faces(spec: ObjectSpec, verdict: Verdict) -> list[dict[str, Any]]:
                 "chips": chips,
                 "magnets": magnets,
                 "chip_mm": _CHIP_MM,
-                "radius_mm": spec.magnets.diameter_mm / 2,
             }
         )
     return faces

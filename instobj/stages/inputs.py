@@ -10,15 +10,19 @@ from instobj.store.stage import Stage
 
 
 def _shell_bodies(spec: ObjectSpec) -> dict[str, Any]:
-    """Place and outline of what is cast into the silicone: all that mechanics knows of it."""
+    """Place and outline of what is cast into the silicone: all that mechanics knows of it; of bodies of
+    one size as before there were others, so that stored results stay."""
     from design.layout.places.positions import shell_body_layout
 
     layout = shell_body_layout(spec)
+    sizes = [(asdict(body.outline), body.height_mm) for body in layout.bodies]
+    alike = all(size == sizes[0] for size in sizes)
+    outlines, heights_mm = sizes[0] if alike else zip(*sizes, strict=True)
     return {
         "centre_mm": layout.centre_mm.tolist(),
         "frame": layout.frame.tolist(),
-        "outline": asdict(layout.outline),
-        "height_mm": layout.height_mm,
+        "outline": outlines,
+        "height_mm": heights_mm,
     }
 
 

@@ -91,7 +91,7 @@ def mesh_vertices(spec: ObjectSpec) -> float:
     below = max(volume - area * (FINE_LAYER_MM + ramp), 0.0)
     cells = area * (FINE_LAYER_MM / fine**3 + graded) + below / coarse**3
     layout = shell_body_layout(spec)
-    outlines_mm = len(layout.face) * 2 * sqrt(pi * layout.outline.area_mm2)
+    outlines_mm = sum(2 * sqrt(pi * body.outline.area_mm2) for body in layout.bodies)
     return (
         _VERTICES_PER_CELL * cells + _VERTICES_PER_RIM_EDGE * outlines_mm / spec.mesh.finest_edge_mm
     )

@@ -5,6 +5,7 @@ Everything comes from the specification's own solids and layouts: nothing is sol
 
 from __future__ import annotations
 
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -91,20 +92,21 @@ def _knots(section: SectionLengths | None) -> dict[str, list[float]] | None:
 
 
 def _add_magnets(spec: ObjectSpec, arrays: Arrays) -> None:
-    """The first magnet's north half in its own axes (x its side, z to its north), and all frames."""
+    """The first magnet's north half in its own axes (x its side, z to its north), and all frames, their
+    columns as much longer as a magnet is larger than the first."""
     from design.build.scene import magnet_halves
 
     layout = magnet_layout(spec)
-    first = MagnetLayout(
-        layout.centre_mm[:1], layout.axis[:1], layout.face[:1], layout.side[:1], layout.strength[:1]
-    )
+    first = MagnetLayout(*(getattr(layout, part.name)[:1] for part in fields(layout)))
+    sizes = [(*size.half_mm, size.height_mm / 2) for size in spec.magnets.distinct_sizes]
+    larger = (np.array(sizes) / sizes[0])[layout.size]
     ((north, _),) = magnet_halves(spec, first)
     turn = first.frames[0]
     north.apply_translation(-first.centre_mm[0])
     north.vertices = np.asarray(north.vertices) @ turn
     add_surface(arrays, "magnet_half", shaded_part(north))
     arrays["magnet_mm"] = stepped(layout.centre_mm, "i2", _POSITION_STEP_MM)
-    arrays["magnet_axes"] = stepped(layout.frames, "i2")
+    arrays["magnet_axes"] = stepped(layout.frames * larger[:, None], "i2")
     arrays["magnet_face"] = layout.face.astype("<u1")
 
 

@@ -37,7 +37,8 @@ class MagnetLayout:
     """Magnets at rest: centre (mm), unit axis along the polarization, the face they belong to.
 
     `side` is the unit vector along a block's first edge (the face's x, where it is not tilted);
-    `strength` is each one's polarization over that of the specification's first one.
+    `strength` is each one's polarization over that of one of its size and the first one's remanence;
+    `size` is which of `magnets.distinct_sizes` it has.
     """
 
     centre_mm: Float[np.ndarray, "magnet 3"]
@@ -45,6 +46,7 @@ class MagnetLayout:
     face: Int[np.ndarray, "magnet"]
     side: Float[np.ndarray, "magnet 3"]
     strength: Float[np.ndarray, "magnet"]
+    size: Int[np.ndarray, "magnet"]
 
     @property
     def frames(self) -> Float[np.ndarray, "magnet 3 3"]:
@@ -68,28 +70,26 @@ Layout = TypeVar("Layout", MagnetLayout, SensorLayout)
 class ShellBodies:
     """Rigid bodies in the silicone: magnets, or sensor boards in the reverse arrangement.
 
-    `frame` holds their axes as columns (the third along the height), in the object's frame; all
-    have one outline and height.
+    `frame` holds their axes as columns (the third along the height), in the object's frame.
     """
 
     centre_mm: Float[np.ndarray, "body 3"]
     frame: Float[np.ndarray, "body 3 3"]
     face: Int[np.ndarray, "body"]
-    outline: Outline
-    height_mm: float
+    bodies: tuple[Body, ...]
+    """The same in their faces' own frames: outline and height of each."""
 
     @property
-    def volume_mm3(self) -> float:
-        """Of one body."""
-        return self.outline.area_mm2 * self.height_mm
+    def volume_mm3(self) -> Float[np.ndarray, "body"]:
+        return np.array([body.volume_mm3 for body in self.bodies])
 
 
 @once
 def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
     """What moves with the silicone, face by face."""
     bodies = shell_bodies(spec)
-    first = bodies[0][0]
-    return ShellBodies(*_in_object(face_frames(spec), bodies), first.outline, first.height_mm)
+    every = tuple(body for face in bodies for body in face)
+    return ShellBodies(*_in_object(face_frames(spec), bodies), every)
 
 
 def cover_mm(frame: FaceFrame, body: Body) -> float:
@@ -137,8 +137,10 @@ def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
     frames = face_frames(spec) if in_shell else core_frames(spec)
     centre, frame, face = _in_object(frames, magnet_bodies(spec))
     north = np.tile(spec.magnets.polarities, len(frames))[:, None] * frame[:, :, 2]
-    strength = np.tile(spec.magnets.strengths, len(frames))
-    designed = MagnetLayout(centre, north, face, frame[:, :, 0], strength)
+    strength, size = (
+        np.tile(each, len(frames)) for each in (spec.magnets.strengths, spec.magnets.size_numbers)
+    )
+    designed = MagnetLayout(centre, north, face, frame[:, :, 0], strength, size)
     return magnets_as_built(spec, designed, frames)
 
 

@@ -16,7 +16,7 @@ from design.layout.places.positions import SensorLayout, sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.bringup.asking.hold_places import hold_places
 from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.sources import magnet_sources
 from estimator.field.vectors import components, rotate
 
 HAND_MM, HAND_RAD, TURNED_COUNTS_UT = 6.0, 0.5, 50.0
@@ -78,7 +78,7 @@ class HeldMagnet:
 def held_magnet(spec: ObjectSpec, holds: list[int]) -> HeldMagnet:
     """The model for one of the object's own magnets at the hold places of those numbers."""
     places = [hold_places(spec)[hold] for hold in holds]
-    source = magnet_source(spec.magnets)
+    source = magnet_sources(spec.magnets)[0]
     model = field_model(source, 1.7 * source.circumscribed_radius_mm)
     return HeldMagnet(
         sensor_layout(spec),

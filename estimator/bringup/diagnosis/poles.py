@@ -16,8 +16,7 @@ from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.bringup.asking.asked import magnet_names
 from estimator.bringup.diagnosis.findings import ChipFound, Finding
-from estimator.field.models import field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import field_of_each, magnets_model
 from estimator.field.vectors import components
 
 TURNED_UT = 100.0
@@ -55,13 +54,12 @@ class PocketFields:
 def pocket_fields(spec: ObjectSpec, chips: Sequence[ChipFound]) -> PocketFields:
     """For the object as designed, magnets without `as_built` flips."""
     magnets, sensors = magnet_layout(spec), sensor_layout(spec)
-    model = field_model(magnet_source(spec.magnets), 5.0)
+    model = magnets_model(spec.magnets, 5.0)
     sites = [chip.site for chip in chips]
     axes = np.stack([chip.turn for chip in chips]) @ sensors.axes[sites]
     offset = sensors.position_mm[sites] - magnets.centre_mm[:, None]
-    field = model(
-        components(offset), components(magnets.axis[:, None]), components(magnets.side[:, None])
-    )
+    axis, side = components(magnets.axis[:, None]), components(magnets.side[:, None])
+    field = field_of_each(components(offset), axis, model, side, magnets.size)
     in_object = magnets.strength[:, None, None] * np.stack(field, axis=-1)
     step = 1e3 * spec.sensors.counts_per_mt * np.einsum("cab,pcb->pca", axes, in_object)
     error = np.linalg.norm(step, axis=2) * _relative(spec, np.linalg.norm(offset, axis=2))

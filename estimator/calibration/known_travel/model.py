@@ -17,8 +17,7 @@ from scipy.ndimage import map_coordinates, spline_filter
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import magnet_source
+from estimator.field.models import MagnetsModel, magnets_model
 from estimator.signals.field_setup import Scene, at_rest, min_distance_mm, scene, sensed_field
 from fem.presses.results import MagnetMotions
 
@@ -81,7 +80,7 @@ class TravelModel:
     """
 
     scene: Scene
-    field: FieldModel
+    field: MagnetsModel
     x_mm: Float[np.ndarray, "nx"]
     y_mm: Float[np.ndarray, "ny"]
     travel_mm: Float[np.ndarray, "step"]
@@ -168,7 +167,7 @@ def travel_model(spec: ObjectSpec, motions: MagnetMotions) -> TravelModel:
     whole = np.concatenate([np.zeros_like(flat[:, :, :1]), flat], axis=2)
     splines = [spline_filter(part, order=3) for part in np.moveaxis(whole, -1, 0)]
     nearest = min_distance_mm(place, motions.motion.reshape(-1, place.bodies, 6))
-    model = field_model(magnet_source(spec.magnets), nearest - _PLAY_MM)
+    model = magnets_model(spec.magnets, nearest - _PLAY_MM)
     travel = np.append(0.0, motions.depth_mm)
     return TravelModel(place, model, lattice.x_mm, lattice.y_mm, travel, np.stack(splines))
 

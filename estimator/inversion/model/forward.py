@@ -21,8 +21,7 @@ from design.errors import InputError
 from design.layout.places.contact_grid import PlaceGrid, press_lattice
 from design.layout.places.contact_places import face_rows, pressed_nodes
 from design.spec.object import ObjectSpec
-from estimator.field.models import FieldModel, field_model
-from estimator.field.sources import BlockMagnet, magnet_source
+from estimator.field.models import MagnetsModel, magnets_model
 from estimator.field.vectors import components, rotated
 from estimator.information.shear import ShearSignals
 from estimator.inversion.model.arrays import (
@@ -93,9 +92,9 @@ class ContactModel:
         return designed(self.spec).scene
 
     @cached_property
-    def field(self) -> FieldModel:
+    def field(self) -> MagnetsModel:
         """The field model that serves several contacts."""
-        return field_model(magnet_source(self.spec.magnets), self.nearest_mm - _NEARER_MM)
+        return magnets_model(self.spec.magnets, self.nearest_mm - _NEARER_MM)
 
     @property
     def channels(self) -> int:
@@ -231,10 +230,7 @@ class ContactModel:
         """Whether nothing but moving magnets changes the field at resting sensors."""
         place = self.scene
         return not (
-            place.sensors_move
-            or place.face_by_face
-            or place.environment.plates
-            or self.field.name == "exact"
+            place.sensors_move or place.face_by_face or place.environment.plates or self.field.exact
         )
 
     def _field_of(self, states: Float[Array, "state body 6"]) -> Float[Array, "state sensor 3"]:
@@ -250,10 +246,12 @@ class ContactModel:
 
         points = like(states, self.scene.sensors.position_mm)[None]
         centres = like(states, magnets.centre_mm) + states[..., :3]
-        sides = turned(magnets.side) if isinstance(self.field.magnet, BlockMagnet) else None
+        sides = turned(magnets.side) if self.field.has_side else None
         strength = like(states, magnets.strength)
         axes = turned(magnets.axis)
-        return batched_field(points, centres, axes, self.field, sides=sides, strength=strength)
+        return batched_field(
+            points, centres, axes, self.field, sides=sides, strength=strength, size=magnets.size
+        )
 
     @cached_property
     def _resting(self) -> Float[np.ndarray, "channel"]:

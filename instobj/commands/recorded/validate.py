@@ -141,8 +141,7 @@ def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreemen
     from estimator.calibration.pose_fit import LARGEST_SHIFT_MM, Problem
     from estimator.calibration.recorded_presses import predicted_motions, pressed_faces
     from estimator.calibration.validation import agreement, predict
-    from estimator.field.models import field_model
-    from estimator.field.sources import magnet_source
+    from estimator.field.models import magnets_model
     from estimator.signals.field_setup import min_distance_mm
     from estimator.signals.press_states import rest_motion
     from estimator.tolerances.assembly import designed
@@ -151,7 +150,7 @@ def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreemen
     forces, motions = run.read(PRESSES)
     design, rest = designed(spec), rest_motion(motions)
     nearest = min_distance_mm(design.scene, motions.every)
-    model = field_model(magnet_source(spec.magnets), nearest - LARGEST_SHIFT_MM)
+    model = magnets_model(spec.magnets, nearest - LARGEST_SHIFT_MM)
     moving = predicted_motions(spec, forces, motions, presses)
     predictions = predict(spec, design, moving, rest, model)
     faces = pressed_faces(presses)

@@ -12,7 +12,7 @@ from jaxtyping import Float
 from design.body.triangles import Block
 from design.layout.boards import board_blocks, mounted_sensors
 from design.layout.body import body_of, face_frames
-from design.layout.places.positions import magnet_layout, shell_body_layout
+from design.layout.places.positions import magnet_layout
 from design.layout.pockets import magnet_bodies, sensor_places
 from design.search.space import SearchSpace, with_layout
 from design.spec.object import ObjectSpec
@@ -131,9 +131,11 @@ def _layout(one: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
 
 
 def _magnets(spec: ObjectSpec) -> list[dict[str, Any]]:
-    layout, bodies = magnet_layout(spec), shell_body_layout(spec)
-    half = np.array([*[bodies.outline.radius_mm] * 2, bodies.height_mm / 2])
-    return [_part(at, turn, half) for at, turn in zip(layout.centre_mm, layout.frames, strict=True)]
+    layout, bodies = magnet_layout(spec), (body for face in magnet_bodies(spec) for body in face)
+    return [
+        _part(at, turn, np.array([*[body.outline.radius_mm] * 2, body.height_mm / 2]))
+        for at, turn, body in zip(layout.centre_mm, layout.frames, bodies, strict=True)
+    ]
 
 
 def _blocks(blocks: list[Block]) -> list[dict[str, Any]]:

@@ -88,7 +88,7 @@ def _other_changes(start: ObjectSpec, found: ObjectSpec) -> list[tuple[str, str,
         magnets, sensors = spec.magnets, spec.sensors
         return [
             str(magnets.count),
-            f"Ø{magnets.diameter_mm:g} × {magnets.height_mm:g} mm",
+            ", ".join(size.told for size in magnets.distinct_sizes),
             str(sensors.count_per_face),
             f"{sensors.chip}, turned {sensors.mount_rotation_deg[2]:g}°",
             f"±{sensors.range_mt:g} mT",

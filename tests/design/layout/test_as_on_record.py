@@ -85,7 +85,8 @@ def of_layouts(spec):
     yield told("bodies", tips(bodies.centre_mm, bodies.frame))
     for name, layout in (("magnets", magnets), ("sensors", sensors), ("bodies", bodies)):
         yield told(f"{name} by face", np.bincount(layout.face, minlength=7))
-    yield told("a body's height, volume", [bodies.height_mm, bodies.volume_mm3])
+    first = bodies.bodies[0]
+    yield told("a body's height, volume", [first.height_mm, first.volume_mm3])
     yield told("sinks of boards", [[sink for _, sink in face] for _, face in board_places(spec)])
 
 

@@ -21,6 +21,10 @@ silicone.poisson_ratio: ge -0.3, le 0.5
 silicone.layers.modulus_ratio: ge 0.001, le 1000
 silicone.prony.fraction: lt 1
 silicone.peel_share: le 1
+magnets.diameter_mm: least 1
+magnets.inner_diameter_mm: least 1
+magnets.size_mm: least 1
+magnets.height_mm: least 1
 magnets.remanence_t: least 1
 magnets.recoil_permeability: ge 1, le 2
 magnets.temperature_c: ge -40, le 150

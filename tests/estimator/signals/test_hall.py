@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec, SensorSpec
-from estimator.field.sources import magnet_source
+from estimator.field.sources import magnet_sources
 from estimator.signals.hall import (
     check_rest,
     check_sensors_outside_magnets,
@@ -69,7 +69,7 @@ def test_saturation_at_rest_names_sensor_excess_and_remedy():
 
 
 def test_sensor_in_a_magnet_is_refused():
-    magnets, disk = magnet_layout(SPEC), magnet_source(SPEC.magnets)
+    magnets, disk = magnet_layout(SPEC), magnet_sources(SPEC.magnets)
     check_sensors_outside_magnets(LAYOUT, magnets, disk)
     moved = LAYOUT.position_mm.copy()
     moved[4] = magnets.centre_mm[8] + 0.4 * magnets.axis[8]

@@ -130,7 +130,7 @@ def test_tall_magnets_stay_inside_the_silicone_at_every_place(spec, solved, fact
     )
     system, lattices = solved[1], candidate_lattices(tall)
     body = rigid_body(tall, system, factor, lattices)
-    outline = shell_body_layout(tall).outline
+    outline = shell_body_layout(tall).bodies[0].outline
     whole = RigidBody(skin_quadrature(outline, 4.0, 2, 8)[0], body.weights)
     assert whole.points_mm.shape == body.points_mm.shape
     for lattice in lattices:

@@ -226,7 +226,9 @@ def test_magnets_anywhere_move_much_more_as_candidates_do_than_as_their_mid_plan
             exact.append(in_own_frame(axes, moved[magnet] @ pressures))
             found.append(in_own_frame(axes, rows @ fields))
             fit.append(
-                in_own_frame(axes, mid_plane_fit(cube.space, centre, axes, layout.outline, fields))
+                in_own_frame(
+                    axes, mid_plane_fit(cube.space, centre, axes, layout.bodies[0].outline, fields)
+                )
             )
     exact, found, fit = (np.concatenate(parts, axis=1) for parts in (exact, found, fit))
 

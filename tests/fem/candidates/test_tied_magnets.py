@@ -130,8 +130,10 @@ def test_ties_of_coarse_meshes_stay_within_a_share_of_the_magnet_s_height(cube, 
     monkeypatch.setattr(tied_magnets, "INSET", 1e3)
     layout = shell_body_layout(spec)
     _, rigid = tie_functionals(spec, cube.system.space, DEGREE)
-    inset = tied_magnets.MOST_INSET * layout.height_mm
-    local, weights = skin_quadrature(layout.outline.inset(inset), layout.height_mm - 2 * inset)
+    inset = tied_magnets.MOST_INSET * layout.bodies[0].height_mm
+    local, weights = skin_quadrature(
+        layout.bodies[0].outline.inset(inset), layout.bodies[0].height_mm - 2 * inset
+    )
     frame = layout.frame[0]
     psi = tied_magnets.polynomials(local, weights, DEGREE) * weights[:, None]
     count = psi.shape[1]

@@ -70,7 +70,7 @@ OTHER_BODIES = [
 def test_boards_and_blocks_are_boxes_in_their_own_directions(spec):
     layout, surfaces = shell_body_layout(spec), body_surfaces(spec)
     assert len(surfaces) == len(layout.face)
-    half = np.array([*layout.outline.half_mm, layout.height_mm / 2])
+    half = np.array([*layout.bodies[0].outline.half_mm, layout.bodies[0].height_mm / 2])
     rng = np.random.default_rng(8)
     for index, (surface, frame) in enumerate(zip(surfaces, layout.frame, strict=True)):
         assert_allclose(surface.volume, 8 * half.prod(), rtol=1e-12)
@@ -152,10 +152,10 @@ def test_edges_are_finest_at_the_rims_of_rigid_bodies(spec):
     """Against the nearest of many points on the rims; the background grid is 1 mm wide."""
     field, plain = edge_length_field(spec), edge_length_field(spec, magnets=False)
     layout = shell_body_layout(spec)
-    corner = layout.outline.corners_mm(spec.mesh.magnet_sides)
+    corner = layout.bodies[0].outline.corners_mm(spec.mesh.magnet_sides)
     share = np.linspace(0, 1, 20)[:, None, None]
     outline = (corner + share * (np.roll(corner, -1, axis=0) - corner)).reshape(-1, 2)
-    heights = np.linspace(-0.5, 0.5, 5) * layout.height_mm
+    heights = np.linspace(-0.5, 0.5, 5) * layout.bodies[0].height_mm
     wall = np.concatenate([np.column_stack([outline, np.full(len(outline), h)]) for h in heights])
     rims = np.concatenate(
         [c + wall @ f.T for c, f in zip(layout.centre_mm, layout.frame, strict=True)]

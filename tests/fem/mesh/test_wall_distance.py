@@ -11,7 +11,7 @@ from fem.mesh.edge_lengths import _wall_distance_mm
 def test_walls_end_at_the_rims():
     spec = ObjectSpec.model_validate({"name": "one", "magnets": {"positions_mm": [[0.0, 0.0]]}})
     layout = shell_body_layout(spec)
-    radius, top = layout.outline.half_mm[0], layout.height_mm / 2
+    radius, top = layout.bodies[0].outline.half_mm[0], layout.bodies[0].height_mm / 2
     local = [
         *([radius + 2.0, 0.0, 0.3 * top], [0.0, radius, top + 1.5], [radius + 3.0, 0.0, top + 4.0]),
         *([0.0, -radius, -top - 0.5], [0.0, 0.0, 0.0]),

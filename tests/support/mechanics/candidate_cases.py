@@ -134,8 +134,10 @@ def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
         along = frame.from_plane(magnet_mm[:, :2])
         motion.append(motions.at(frame.number, along, magnet_mm[:, 2])[index])
     axis = np.concatenate(axis)
-    strength = np.tile(polarity, len(faces))
-    magnets = MagnetLayout(np.concatenate(centre), axis, np.concatenate(faces), axis, strength)
+    strength, size = (np.tile(each, len(faces)) for each in (polarity, spec.magnets.size_numbers))
+    magnets = MagnetLayout(
+        np.concatenate(centre), axis, np.concatenate(faces), axis, strength, size
+    )
     core = core_frames(spec)[spec.body.sensed.index(face)]
     azimuth = np.arctan2(sensor_mm[:, 1], sensor_mm[:, 0])
     sink = sinks_of_boards_mm(spec, core, np.column_stack([sensor_mm, azimuth]))
