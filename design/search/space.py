@@ -15,7 +15,14 @@ from design.layout.body import face_frames
 from design.layout.pockets import magnet_bodies, sensor_places
 from design.search.faces import group_labels, layout_groups
 from design.search.places import choices_of_magnets, generators, magnet_maps, sensor_maps
-from design.search.structure import STRUCTURE, structure_choices, with_structure
+from design.search.structure import (
+    SIZE,
+    STRUCTURE,
+    part_names,
+    structure_choices,
+    with_structure,
+)
+from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
 from design.spec.search import VarySpec
 from design.spec_io import parse_spec
@@ -75,7 +82,11 @@ def search_space(spec: ObjectSpec) -> SearchSpace:
 
 def structure_of(space: SearchSpace, params: Params) -> tuple[tuple[str, Any], ...]:
     """The choices that decide which layouts can be scored together."""
-    return tuple((v.name, params[v.name]) for v in space.variables if v.name in STRUCTURE)
+    return tuple(
+        (v.name, params[v.name])
+        for v in space.variables
+        if v.name in STRUCTURE or v.name.endswith(SIZE)
+    )
 
 
 def params_at(space: SearchSpace, unit: Float[np.ndarray, "variable"]) -> dict[str, Any]:
@@ -107,10 +118,11 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
     spec = space.spec
     found: dict[str, Any] = structure_choices(spec)
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * spec.magnets.count
-    norths = spec.magnets.north or ("outward",) * len(tilts)
+    norths, parts = spec.magnets.north or ("outward",) * len(tilts), part_names(spec.magnets)
     for k, (depth, tilt) in enumerate(zip(_depths(spec), tilts, strict=True), start=1):
         values: dict[str, Any] = {"depth_mm": depth, "tilt_x_deg": tilt[0], "tilt_y_deg": tilt[1]}
         values["north"] = norths[k - 1]
+        values[SIZE.lstrip("_")] = parts[k - 1]
         values["grade"] = typical_grade(spec.magnets.remanences_t[k - 1])
         found |= {f"magnet{k}_{name}": value for name, value in values.items()}
     for group, label in zip(layout_groups(spec), group_labels(spec), strict=True):
@@ -204,6 +216,8 @@ def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
         tilt = vary.magnet_tilt_deg
         turns = None if tilt is None else (tilt, tilt)
         found += _pair(name, ("tilt_x_deg", "tilt_y_deg"), turns, seat.turn)
+        if vary.magnet_sizes is not None:
+            found.append(Variable(name + SIZE, choices=vary.magnet_sizes))
         if vary.magnet_north:
             found.append(Variable(f"{name}_north", choices=("outward", "inward")))
         if vary.magnet_grade is not None:
@@ -270,22 +284,52 @@ def _check(spec: ObjectSpec) -> None:
                 f'search.magnet_symmetry = "four-fold" takes 4, 5, 8, 9 … magnets; got {wrong}. Change '
                 "search.vary.magnet_count, or the symmetry"
             )
-    for name in vary.magnet_part or ():
-        if magnet_part(name).shape == "block":
-            raise InputError(
-                f"search.vary.magnet_part = {name!r} is a block; a search takes round magnets only. "
-                "Leave it out"
-            )
+    for key in ("magnet_part", "magnet_sizes"):
+        for name in getattr(vary, key) or ():
+            if magnet_part(name).shape == "block":
+                raise InputError(
+                    f"search.vary.{key} = {name!r} is a block; a search takes round magnets only. "
+                    "Leave it out"
+                )
     magnets = spec.magnets
+    _check_sizes(vary, magnets)
     listed = (magnets.depth_mm, magnets.grade, magnets.remanence_t)
+    listed += (magnets.part, magnets.diameter_mm, magnets.inner_diameter_mm, magnets.height_mm)
     if vary.magnet_count and (
         magnets.north or magnets.tilt_deg or any(isinstance(one, tuple) for one in listed)
     ):
         raise InputError(
             "search.vary.magnet_count changes how many magnets there are, and magnets.north, tilt_deg, "
-            "depth_mm, grade or remanence_t hold for as many as there were. Leave those out"
+            "depth_mm, grade, remanence_t or sizes hold for as many as there were. Leave those out"
         )
     _check_grades(spec)
+
+
+def _check_sizes(vary: VarySpec, magnets: MagnetSpec) -> None:
+    if vary.magnet_sizes is None:
+        return
+    if vary.magnet_part is not None:
+        raise InputError(
+            "search.vary.magnet_part chooses one magnet for all places, search.vary.magnet_sizes one for "
+            "each. Leave one of the two out"
+        )
+    if magnets.kind == "coil":
+        raise InputError(
+            "search.vary.magnet_sizes chooses among permanent magnets; got magnets.kind = 'coil'. Leave "
+            "it out"
+        )
+    parts = [magnet_part(name) for name in vary.magnet_sizes]
+    if len({part.shape for part in parts}) > 1:
+        raise InputError(
+            f"search.vary.magnet_sizes must be of one shape; got {list(vary.magnet_sizes)}. Choose disks or "
+            "rings"
+        )
+    graded = [part.name for part in parts if part.grade is not None]
+    if graded:
+        raise InputError(
+            f"search.vary.magnet_sizes takes sizes sold in all grades; got {graded}. Take stock sizes "
+            "such as D6x1"
+        )
 
 
 def _check_grades(spec: ObjectSpec) -> None:

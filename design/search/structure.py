@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 from design.catalogue.magnets import MAGNET_PARTS, magnet_part
+from design.search.places import seats_of
 from design.spec.assembly import AsBuiltSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
@@ -24,6 +26,8 @@ STRUCTURE = (
     "core_size_mm",
 )
 """Choices between which places are not comparable; a batch is scored structure by structure."""
+SIZE = "_size"
+"""Ends the names of choices of single magnets' sizes, which are of the structure too."""
 
 
 def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
@@ -38,12 +42,16 @@ def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
     if "magnet_count" in chosen:
         unplaced = _unplaced(spec, chosen["magnet_count"])
         update["magnets"] = update.get("magnets", spec.magnets).changed(**unplaced)
+    if spec.search.vary.magnet_sizes is not None:
+        magnets = update.get("magnets", spec.magnets)
+        seats = seats_of(spec.search.magnet_symmetry, magnets.count)
+        parts = tuple(params[f"magnet{seat.label}{SIZE}"] for seat in seats)
+        update |= _with_magnets(spec, _of_parts(magnets, parts))
     if "silicone" in chosen:
         update["silicone"] = SiliconeSpec(name=chosen["silicone"])
     update |= _with_sizes(spec, update.get("shell", spec.shell), chosen)
     update["sensors"] = _with_sensors(spec, chosen)
-    fields = spec.model_fields_set | update.keys()
-    return ObjectSpec.model_construct(fields, **(dict(spec) | update))
+    return _constructed(spec, update)
 
 
 def _unplaced(spec: ObjectSpec, count: int) -> dict[str, Any]:
@@ -59,23 +67,39 @@ def _unplaced(spec: ObjectSpec, count: int) -> dict[str, Any]:
 
 
 def _with_part(spec: ObjectSpec, name: str) -> dict[str, Any]:
-    """Another magnet, with its pocket's clearance and the silicone above it unchanged; in the core it fills
-    its pocket."""
-    old, part = spec.magnets, magnet_part(name)
-    graded = {} if part.grade is None else {"grade": part.grade}
-    kept = old.model_dump(
+    """Another magnet for all places."""
+    graded = magnet_part(name).grade
+    new = _of_parts(spec.magnets, name, {} if graded is None else {"grade": graded})
+    return _with_magnets(spec, new)
+
+
+def _of_parts(
+    magnets: MagnetSpec,
+    part: str | tuple[str, ...],
+    graded: Mapping[str, Any] = MappingProxyType({}),
+) -> MagnetSpec:
+    kept = magnets.model_dump(
         exclude={"shape", "diameter_mm", "inner_diameter_mm", "size_mm", "height_mm"}
     )
     if graded:
         kept.pop("remanence_t")
-    new = MagnetSpec.model_validate({**kept, **graded, "part": name})
+    return MagnetSpec.model_validate({**kept, **graded, "part": part})
+
+
+def _with_magnets(spec: ObjectSpec, new: MagnetSpec) -> dict[str, Any]:
+    """Other magnets, with their pockets' clearance and the silicone above the tallest unchanged; in the core
+    they fill their pockets."""
     if spec.arrangement == "sensors-in-shell":
         return {"magnets": new}
-    wider, taller = new.diameter_mm - old.diameter_mm, new.height_mm - old.height_mm
-    shell = spec.shell
+    old, shell = spec.magnets, spec.shell
+    wider, taller = (
+        max(getattr(size, name) for size in new.sizes)
+        - max(getattr(size, name) for size in old.sizes)
+        for name in ("diameter_mm", "height_mm")
+    )
     pocket = {
-        "pocket_diameter_mm": shell.pocket_diameter_mm + wider,
-        "pocket_depth_mm": shell.pocket_depth_mm + taller,
+        "pocket_diameter_mm": round(shell.pocket_diameter_mm + wider, 9),
+        "pocket_depth_mm": round(shell.pocket_depth_mm + taller, 9),
     }
     return {"magnets": new, "shell": shell.changed(**pocket)}
 
@@ -115,15 +139,66 @@ def _with_sensors(spec: ObjectSpec, chosen: dict[str, Any]) -> SensorSpec:
     return SensorSpec.model_validate(content)
 
 
+def of_each_size(spec: ObjectSpec) -> list[ObjectSpec]:
+    """The specification with all magnets of one of its sizes, size by size, pockets as they are for it: not
+    validated as a whole. Itself where there is one size, or sensors move and magnets do not."""
+    magnets = spec.magnets
+    if len(magnets.distinct_sizes) == 1 or spec.arrangement == "sensors-in-shell":
+        return [spec]
+    return [
+        _constructed(
+            spec,
+            _with_magnets(
+                spec,
+                magnets.changed(
+                    part=None,
+                    diameter_mm=size.diameter_mm,
+                    inner_diameter_mm=size.inner_diameter_mm,
+                    height_mm=size.height_mm,
+                ),
+            ),
+        )
+        for size in magnets.distinct_sizes
+    ]
+
+
+def of_each_searched_size(spec: ObjectSpec) -> list[ObjectSpec]:
+    """The same for the specification's own sizes and all that `search.vary.magnet_sizes` names."""
+    found = {one.magnets.sizes[0]: one for one in of_each_size(spec)}
+    if spec.arrangement == "sensors-in-core":
+        for name in spec.search.vary.magnet_sizes or ():
+            one = _constructed(spec, _with_part(spec, name))
+            found.setdefault(one.magnets.sizes[0], one)
+    return list(found.values())
+
+
+def _constructed(spec: ObjectSpec, update: dict[str, Any]) -> ObjectSpec:
+    """Not validated as a whole."""
+    fields = spec.model_fields_set | update.keys()
+    return ObjectSpec.model_construct(fields, **(dict(spec) | update))
+
+
+def part_names(magnets: MagnetSpec) -> list[str | None]:
+    """Catalogued part of every magnet; None of a size that is none."""
+    return [_part_name(magnets, index) for index in range(magnets.count)]
+
+
+def _part_name(magnets: MagnetSpec, index: int) -> str | None:
+    if magnets.parts:
+        return magnets.parts[index]
+    size = magnets.sizes[index]
+    figures = {key: getattr(size, key) for key in ("shape", "height_mm", "diameter_mm")}
+    figures["inner_diameter_mm"] = size.inner_diameter_mm
+    return next((name for name, part in MAGNET_PARTS.items() if part.figures() == figures), None)
+
+
 def structure_choices(spec: ObjectSpec) -> dict[str, Any]:
-    """The specification's own values of all choices; a magnet is named where it is a known part."""
+    """The specification's own values of all choices; a magnet is named where all are one known part."""
     magnets, sensors = spec.magnets, spec.sensors
-    figures = {key: getattr(magnets, key) for key in ("shape", "height_mm", "diameter_mm")}
-    figures["inner_diameter_mm"] = magnets.inner_diameter_mm
-    part = next((n for n, p in MAGNET_PARTS.items() if p.figures() == figures), magnets.part)
+    parts = set(part_names(magnets))
     return {
         "magnet_count": magnets.count,
-        "magnet_part": magnets.part or part,
+        "magnet_part": parts.pop() if len(parts) == 1 else None,
         "sensor_count": sensors.count_per_face,
         "sensor_chip": sensors.chip,
         "sensor_turn_deg": sensors.mount_rotation_deg[2],

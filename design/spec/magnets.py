@@ -204,6 +204,15 @@ class MagnetSpec(SpecPart):
         return tuple(self.distinct_sizes.index(size) for size in self.sizes)
 
     @property
+    def by_size(self) -> tuple[tuple[int, ...], ...]:
+        """Magnets of a face, counted from 0, of every one of `distinct_sizes`."""
+        numbers = self.size_numbers
+        return tuple(
+            tuple(magnet for magnet, own in enumerate(numbers) if own == number)
+            for number in range(len(self.distinct_sizes))
+        )
+
+    @property
     def kinds(self) -> tuple[str, ...]:
         """What tells magnets apart: size where there are several, and grade, else remanence."""
         names = self.grades or tuple(f"{one:g} T" for one in self.remanences_t)

@@ -49,7 +49,7 @@ class VarySpec(SpecPart):
     """What may change; magnets, and sensors that move, have one layout for all faces, one for each size
     of face (`layouts`: half extents within 10 %), or one for each; depths, tilts, poles and grades are the
     same on all. Where there are several, names of places in trials begin with `face` and the first face that
-    has them.
+    has them. `magnet_part` are catalogued magnets for all places, `magnet_sizes` for each by itself.
 
     A changed magnet keeps its pocket's clearance and the silicone above it; where thickness or core
     change, the core's inside stays and the body grows or shrinks. A changed range takes the part's
@@ -60,6 +60,7 @@ class VarySpec(SpecPart):
     layouts: Literal["one", "per size", "per face"] = "per size"
     magnet_count: Annotated[tuple[Count, ...], Some] | None = None
     magnet_part: Annotated[tuple[str, ...], Some] | None = None
+    magnet_sizes: Annotated[tuple[str, ...], Some] | None = None
     magnet_reach_mm: Positive | None = None
     magnet_depth_mm: Range | None = None
     magnet_tilt_deg: Annotated[float, Field(gt=0, le=30)] | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -24,7 +24,8 @@ class Layouts:
     ----------
     magnet_mm : x, y in the face's frame and depth below the face, in the core too, mm
     turn_rad : rotation vector of each magnet's axis about the face's x and y, rad; 0 is outward
-    polarity : polarization over that of the specification's first magnet, negative for north inward
+    polarity : polarization over that of a magnet of its size and the first one's remanence, negative for
+        north inward
     sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
     by_face : layouts of all faces by number, this one's (`face`) too, where they are not all the same
     """
@@ -47,6 +48,17 @@ class Layouts:
             self.sensor_mm[rows],
             {face: one[rows] for face, one in self.by_face.items()},
             self.face,
+        )
+
+    def magnets(self, which: Sequence[int]) -> Layouts:
+        """With some magnets of every face alone, counted from 0."""
+        some = list(which)
+        return replace(
+            self,
+            magnet_mm=self.magnet_mm[:, some],
+            turn_rad=self.turn_rad[:, some],
+            polarity=self.polarity[:, some],
+            by_face={face: one.magnets(which) for face, one in self.by_face.items()},
         )
 
     def of(self, face: int) -> Layouts:

@@ -13,14 +13,15 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from estimator.field.sources import Magnet
 from estimator.layouts.batch import Layouts
 from estimator.layouts.mixed_rows import mixed_rows
-from estimator.layouts.near_field import OTHER, OWN, Reach
+from estimator.layouts.near_field import OTHER, OWN, Reach, field_of_size
 from estimator.layouts.placed import chips, other_magnets, own_magnets
 from estimator.layouts.scoring import (
     LayoutScorer,
     by_motion_of_sensors,
-    field_of_magnets,
+    field_at,
     moving_bodies,
     press_changes,
 )
@@ -33,8 +34,12 @@ _MOST_SHARE = 2.0
 
 @dataclass(frozen=True)
 class _MovingFace:
-    """One face's magnets in the pressed face's frame, and their motions there on a basis."""
+    """One face's magnets of one size in the pressed face's frame, and their motions there on a basis; faces
+    count from the pressed one."""
 
+    index: int
+    source: Magnet
+    polarity: Float[Tensor, "layout magnet"]
     centre_mm: Float[Tensor, "3 layout magnet"]
     axis: Float[Tensor, "3 layout magnet"]
     rows: Float[Tensor, "layout magnet 6 rank"]
@@ -80,8 +85,7 @@ def neighbour_changes(
     for number in range(len(scorer.presses.neighbours)):
         sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip, number)
         change = sum(
-            _signals(scorer, layouts, sensor, face, OWN if index == 1 + number else OTHER)
-            for index, face in enumerate(moving)
+            _signals(face, sensor, OWN if face.index == 1 + number else OTHER) for face in moving
         )
         found.append((axes * scale @ change).flatten(1, 2))
     return torch.stack(found, dim=1)
@@ -100,7 +104,7 @@ def _of_moving_sensors(
     for number in range(len(presses.neighbours)):
         sensor, axes = chips(presses, layouts, scorer.sensor_depth_mm, scorer.chip, number)
         fields = [
-            field_of_magnets(
+            field_at(
                 scorer, sensor, magnets, layouts.polarity, OWN if index == 1 + number else OTHER
             )
             for index, magnets in enumerate(faces)
@@ -113,32 +117,33 @@ def _of_moving_sensors(
 def _moving_faces(
     scorer: LayoutScorer, layouts: Layouts, columns: Int[Tensor, "column"]
 ) -> list[_MovingFace]:
-    """The pressed face, then its neighbours."""
-    presses, shape = scorer.presses, layouts.magnet_mm.shape[:2]
-    own, other = mixed_rows(presses, layouts)
-    pressed = _MovingFace(
-        *own_magnets(presses, layouts),
-        own.reshape(*shape, 6, -1),
-        presses.own.basis[:, columns],
-    )
-    rows = other.reshape(*shape, len(presses.neighbours), 6, -1).unbind(2)
-    placed = (parts.unbind(-1) for parts in other_magnets(presses, layouts))
-    return [pressed] + [
-        _MovingFace(centre, axis, row, presses.other.basis[:, columns])
-        for row, centre, axis in zip(rows, *placed, strict=False)
-    ]
+    """The pressed face, then its neighbours, size by size."""
+    found = []
+    for source, (presses, some, _) in zip(scorer.sizes, scorer.of_each_size(layouts), strict=True):
+        shape = some.magnet_mm.shape[:2]
+        own, other = mixed_rows(presses, some)
+        rows = other.reshape(*shape, len(presses.neighbours), 6, -1).unbind(2)
+        placed = (parts.unbind(-1) for parts in other_magnets(presses, some))
+        faces = [
+            (*own_magnets(presses, some), own.reshape(*shape, 6, -1), presses.own),
+            *(
+                (centre, axis, row, presses.other)
+                for row, centre, axis in zip(rows, *placed, strict=False)
+            ),
+        ]
+        found += [
+            _MovingFace(index, source, some.polarity, centre, axis, row, table.basis[:, columns])
+            for index, (centre, axis, row, table) in enumerate(faces)
+        ]
+    return found
 
 
 def _signals(
-    scorer: LayoutScorer,
-    layouts: Layouts,
-    sensor: Float[Tensor, "3 layout sensor"],
-    face: _MovingFace,
-    reach: Reach,
+    face: _MovingFace, sensor: Float[Tensor, "3 layout sensor"], reach: Reach
 ) -> Float[Tensor, "layout sensor 3 column"]:
     """Change of the field (T) at sensors by one face's magnets, in the pressed face's frame."""
     magnets = face.centre_mm, face.axis
-    change = field_of_magnets(scorer, sensor, magnets, layouts.polarity, reach)
+    change = field_of_size(face.source, sensor, magnets, face.polarity, reach)
     by_motion = change.by_motion.permute(2, 3, 0, 4, 1).flatten(3)
     rows = face.rows.flatten(1, 2)[:, None]
     return (by_motion @ rows) @ face.basis

@@ -8,11 +8,15 @@ distance needs, and layouts with a chip nearer break a limit of their own
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from estimator.field.gradient import FieldChange, field_change
 from estimator.field.sources import Magnet
 
 
@@ -43,3 +47,48 @@ At the least distance, on any side of disks, rods and rings, the field is right 
 change with the magnet's motion to 1.5 % of the largest there; further away errors fall as fast as
 distance to the power of order + 2.
 """
+
+Magnets = tuple[Float[Tensor, "3 layout magnet"], Float[Tensor, "3 layout magnet"]]
+"""Centres (mm) and unit axes, coordinates first."""
+
+
+def field_of_size(
+    magnet: Magnet,
+    sensor_mm: Float[Tensor, "3 layout sensor"],
+    magnets: Magnets,
+    polarity: Float[Tensor, "layout magnet"],
+    reach: Reach,
+) -> FieldChange:
+    """Field (T) at (layout, sensor) of each of the magnets of one size, and its change with their motions."""
+    centre, axis = (part[:, :, None] for part in magnets)
+    offset, axis = torch.broadcast_tensors(sensor_mm[..., None] - centre, axis)
+    found = field_change(reach.kept_off(offset, magnet), axis, magnet, reach.order)
+    return FieldChange(found.field * polarity[:, None], found.by_motion * polarity[:, None])
+
+
+def field_of_magnets(
+    sizes: Sequence[Magnet],
+    by_size: Sequence[Sequence[int]],
+    sensor_mm: Float[Tensor, "3 layout sensor"],
+    magnets: Magnets,
+    polarity: Float[Tensor, "layout magnet"],
+    reach: Reach,
+) -> FieldChange:
+    """The same of magnets of several sizes; `by_size` are a face's of each, and each magnet's places on
+    several faces come one after the other."""
+    if len(sizes) == 1:
+        return field_of_size(sizes[0], sensor_mm, magnets, polarity, reach)
+    faces = polarity.shape[1] // sum(len(which) for which in by_size)
+    columns = [[faces * k + face for k in which for face in range(faces)] for which in by_size]
+    parts = [
+        field_of_size(
+            size, sensor_mm, (magnets[0][..., c], magnets[1][..., c]), polarity[:, c], reach
+        )
+        for size, c in zip(sizes, columns, strict=True)
+    ]
+    back = torch.as_tensor(np.argsort(np.concatenate(columns)))
+    field, by_motion = (
+        torch.cat([getattr(part, name) for part in parts], dim=-1)[..., back]
+        for name in ("field", "by_motion")
+    )
+    return FieldChange(field, by_motion)

@@ -11,10 +11,8 @@ from jaxtyping import Float
 from torch import Tensor
 
 from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
+from estimator.layouts.near_field import Magnets
 from estimator.layouts.press_basis import Patch, PressBasis
-
-Magnets = tuple[Float[Tensor, "3 layout magnet"], Float[Tensor, "3 layout magnet"]]
-"""Centres (mm) and unit axes, coordinates first."""
 
 Chips = tuple[Float[Tensor, "3 layout sensor"], Float[Tensor, "layout sensor 3 3"]]
 """Sensing points (mm), coordinates first, and chip axes as rows."""

@@ -21,14 +21,14 @@ from design.errors import InputError
 from design.layout.places.positions import chip_on_board
 from design.layout.pockets import boards_depth_mm
 from design.spec.object import ObjectSpec
-from estimator.field.gradient import FieldChange, field_change
-from estimator.field.sources import BlockMagnet, Magnet, magnet_source
+from estimator.field.gradient import FieldChange
+from estimator.field.sources import BlockMagnet, Magnet, magnet_sources
 from estimator.information.fisher import NoiseState, disturbance_counts
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import bounds, percentile
 from estimator.layouts.mixed_rows import candidate_ends_mm, mixed_rows
-from estimator.layouts.near_field import OTHER, OWN, Reach
-from estimator.layouts.placed import Magnets, chips, other_magnets, own_magnets
+from estimator.layouts.near_field import OTHER, OWN, Magnets, Reach, field_of_magnets
+from estimator.layouts.placed import chips, other_magnets, own_magnets
 from estimator.layouts.press_basis import PressBasis
 
 _CHUNK = 512
@@ -97,6 +97,7 @@ class ChannelChanges:
 class LayoutScorer:
     """All that stays the same between layouts; `layout_scorer` makes it.
 
+    `sizes` are the sources of the magnets' distinct sizes, `presses_of` the presses at candidates of each.
     `chip` are the chip's axes as columns on its board, `counts_per_t` counts per T,
     `white_share` one sigma of an axis over that of the white noise. The pressed face stands for
     `faces` sensed ones. `sensor_depth_mm` is below the face, in the core or in the shell; there the
@@ -104,8 +105,8 @@ class LayoutScorer:
     """
 
     spec: ObjectSpec
-    presses: PressBasis
-    magnet: Magnet
+    presses_of: tuple[PressBasis, ...]
+    sizes: tuple[Magnet, ...]
     sensor_depth_mm: float
     chip: Float[Tensor, "3 3"]
     counts_per_t: float
@@ -114,14 +115,36 @@ class LayoutScorer:
     faces: int = 1
 
     @property
+    def presses(self) -> PressBasis:
+        """Those of the first size: the shell's own figures are the same in all."""
+        return self.presses_of[0]
+
+    @property
     def sensors_move(self) -> bool:
         return self.spec.arrangement == "sensors-in-shell"
 
+    def of_each_size(
+        self, layouts: Layouts
+    ) -> list[tuple[PressBasis, Layouts, tuple[int, ...] | None]]:
+        """What moves with the silicone, size by size: its presses, its bodies alone, and which of a face's
+        they are; None for all."""
+        bodies = moving_bodies(self, layouts)
+        if len(self.presses_of) == 1:
+            return [(self.presses, bodies, None)]
+        return [
+            (presses, bodies.magnets(which), which)
+            for presses, which in zip(self.presses_of, self.spec.magnets.by_size, strict=True)
+        ]
+
 
 def layout_scorer(
-    spec: ObjectSpec, presses: PressBasis, state: NoiseState = "fresh", faces: int = 1
+    spec: ObjectSpec,
+    presses: PressBasis | Sequence[PressBasis],
+    state: NoiseState = "fresh",
+    faces: int = 1,
 ) -> LayoutScorer:
-    """Set up scoring of layouts of this specification's magnets and chips.
+    """Set up scoring of layouts of this specification's magnets and chips, with the presses at candidates of
+    every size of what moves with the silicone.
 
     Chips are nominal, and nothing but the magnets is around: what the environment adds at rest does
     not change the bounds.
@@ -132,13 +155,14 @@ def layout_scorer(
         Of `require_scorable`.
     """
     require_scorable(spec)
-    like = presses.first_mm
+    presses_of = (presses,) if isinstance(presses, PressBasis) else tuple(presses)
+    like = presses_of[0].first_mm
     sigma = disturbance_counts(spec.sensors, state, 3)
     white = np.asarray(spec.sensors.noise_counts, dtype=float)
     return LayoutScorer(
         spec,
-        presses,
-        magnet_source(spec.magnets),
+        presses_of,
+        magnet_sources(spec.magnets),
         _sensor_depth_mm(spec),
         torch.as_tensor(chip_on_board(spec.sensors), dtype=like.dtype),
         1e3 * spec.sensors.counts_per_mt,
@@ -163,10 +187,10 @@ def require_scorable(spec: ObjectSpec) -> None:
         Blocks, coils switched face by face, chips turned one by one, or an axis
         without noise.
     """
-    magnet = magnet_source(spec.magnets)
-    if isinstance(magnet, BlockMagnet):
+    blocks = [m for m in magnet_sources(spec.magnets) if isinstance(m, BlockMagnet)]
+    if blocks:
         raise InputError(
-            f"layouts are scored in batches with round magnets only; got {magnet.description}. Use the "
+            f"layouts are scored in batches with round magnets only; got {blocks[0].description}. Use the "
             "full chain"
         )
     if spec.magnets.switching != "all-on":
@@ -310,15 +334,15 @@ def _channel_changes(
 def _press_changes(
     scorer: LayoutScorer, layouts: Layouts, channels: ChannelChanges
 ) -> PressChanges:
-    tables = scorer.presses.own, scorer.presses.other
-    rows = mixed_rows(scorer.presses, moving_bodies(scorer, layouts))
-    moving = [
-        (by_channel @ row.reshape(len(layouts), by_channel.shape[2], -1), table.basis)
-        for by_channel, row, table in zip(
-            (channels.by_own, channels.by_other), rows, tables, strict=True
-        )
-        if by_channel.numel()
-    ]
+    moving = []
+    for presses, bodies, which in scorer.of_each_size(layouts):
+        rows, tables = mixed_rows(presses, bodies), (presses.own, presses.other)
+        some = (_of_bodies(each, which, layouts) for each in (channels.by_own, channels.by_other))
+        moving += [
+            (by_channel @ row.reshape(len(layouts), by_channel.shape[2], -1), table.basis)
+            for by_channel, row, table in zip(some, rows, tables, strict=True)
+            if by_channel.numel()
+        ]
     mixed, basis = torch.cat([m for m, _ in moving], dim=-1), torch.cat([b for _, b in moving])
     change = mixed.transpose(0, 1).reshape(-1, len(basis)) @ basis
     by_parameter = change.reshape(mixed.shape[1], len(layouts), 4, -1)
@@ -329,13 +353,35 @@ def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
     """Magnets, or boards in the silicone, beyond the candidates at the nearest of their places."""
 
     def nearest(one: Layouts, face: int | None) -> Layouts:
-        first, last = candidate_ends_mm(scorer.presses, face)
+        first, last = _ends_of_bodies_mm(scorer, face)
         if scorer.sensors_move:
-            xy = torch.maximum(torch.minimum(one.sensor_mm, last[:2]), first[:2])
+            xy = torch.maximum(torch.minimum(one.sensor_mm, last[..., :2]), first[..., :2])
             return replace(one, sensor_mm=xy)
         return replace(one, magnet_mm=torch.maximum(torch.minimum(one.magnet_mm, last), first))
 
     return layouts.each(nearest)
+
+
+def _ends_of_bodies_mm(scorer: LayoutScorer, face: int | None) -> tuple[Tensor, Tensor]:
+    """Least and greatest (x, y, depth) of candidates; (body, 3) where bodies have several sizes."""
+    ends = [candidate_ends_mm(presses, face) for presses in scorer.presses_of]
+    if len(ends) == 1:
+        return ends[0]
+    numbers = list(scorer.spec.magnets.size_numbers)
+    first, last = (torch.stack(parts)[numbers] for parts in zip(*ends, strict=True))
+    return first, last
+
+
+def _of_bodies(
+    by_channel: Float[Tensor, "layout channel motion"],
+    which: tuple[int, ...] | None,
+    layouts: Layouts,
+) -> Float[Tensor, "layout channel some_motion"]:
+    """Columns of some magnets' motions, on all faces."""
+    if which is None or not by_channel.numel():
+        return by_channel
+    count = layouts.magnet_mm.shape[1]
+    return by_channel.unflatten(-1, (count, -1))[..., list(which), :].flatten(-2)
 
 
 def moving_bodies(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
@@ -382,24 +428,21 @@ def _field_changes(
     others = other_magnets(presses, layouts)
     faces, flat = others[0].shape[3], (others[0].flatten(2), others[1].flatten(2))
     return (
-        field_of_magnets(scorer, sensor_mm, own_magnets(presses, layouts), polarity, OWN),
-        field_of_magnets(scorer, sensor_mm, flat, polarity.repeat_interleave(faces, dim=1), OTHER),
+        field_at(scorer, sensor_mm, own_magnets(presses, layouts), polarity, OWN),
+        field_at(scorer, sensor_mm, flat, polarity.repeat_interleave(faces, dim=1), OTHER),
     )
 
 
-def field_of_magnets(
+def field_at(
     scorer: LayoutScorer,
     sensor_mm: Float[Tensor, "3 layout sensor"],
     magnets: Magnets,
     polarity: Float[Tensor, "layout magnet"],
     reach: Reach,
 ) -> FieldChange:
-    """Field (T) at (layout, sensor) of each magnet, and its change with the magnet's motion."""
-    centre, axis = (part[:, :, None] for part in magnets)
-    offset, axis = torch.broadcast_tensors(sensor_mm[..., None] - centre, axis)
-    offset = reach.kept_off(offset, scorer.magnet)
-    found = field_change(offset, axis, scorer.magnet, reach.order)
-    return FieldChange(found.field * polarity[:, None], found.by_motion * polarity[:, None])
+    """`field_of_magnets` of the scorer's."""
+    which = scorer.spec.magnets.by_size
+    return field_of_magnets(scorer.sizes, which, sensor_mm, magnets, polarity, reach)
 
 
 def _of_moving_faces(

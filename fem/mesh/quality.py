@@ -49,6 +49,7 @@ def mesh_quality(mesh: TetMesh, spec: ObjectSpec) -> MeshQuality:
     body = shell_body_layout(spec).volume_mm3
     in_magnets = mesh.magnet != SILICONE
     per_magnet = np.bincount(mesh.magnet[in_magnets], volume[in_magnets])
+    body = body[: len(per_magnet)]  # none without magnets
     return MeshQuality(
         vertices=len(mesh.points_mm),
         tets=len(mesh.tets),

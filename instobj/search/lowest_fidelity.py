@@ -30,7 +30,7 @@ from design.search.space import (
     unit_of,
     with_layout,
 )
-from design.search.structure import with_structure
+from design.search.structure import of_each_size, with_structure
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from design.spec_io import parse_spec
@@ -197,10 +197,18 @@ def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> d
 
 
 def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[LayoutScorer, ...]:
-    """A scorer for every judged force and pressed face, on the stage `candidates`."""
-    motions = load_candidates(Run(spec).require("candidates").folder)
+    """A scorer for every judged force and pressed face, on the stage `candidates` of every size; places of
+    parts, which that does not depend on, need not fit yet."""
+    known = [
+        (one, load_candidates(Run(one, checked=False).require("candidates").folder))
+        for one in of_each_size(spec)
+    ]
     return tuple(
-        layout_scorer(spec, press_basis(spec, motions, face, force), faces=len(alike))
+        layout_scorer(
+            spec,
+            [press_basis(one, motions, face, force) for one, motions in known],
+            faces=len(alike),
+        )
         for force in spec.judged_forces_n
         for face, alike in faces.items()
     )

@@ -13,6 +13,7 @@ from design.layout.places.contact_places import shared_counts
 from design.layout.places.coverage import covered_share
 from design.search.faces import layout_groups
 from design.search.space import SearchSpace, start_params
+from design.search.structure import of_each_searched_size
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
@@ -84,8 +85,10 @@ def optimize(
 
 def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:
     estimate = search_seconds(spec)
-    stored = Run(spec).stored("candidates") is not None
-    return limit.mechanics_plan(0.0 if stored else estimate.lowest, estimate.chain)
+    missing = sum(
+        Run(one, checked=False).stored("candidates") is None for one in of_each_searched_size(spec)
+    )
+    return limit.mechanics_plan(missing * estimate.lowest, estimate.chain)
 
 
 def work(path: Path, out: Path, overrides: list[str], storage: str, worker: int) -> dict[str, Any]:
@@ -149,7 +152,8 @@ def _search(
         return
     if space.spec.search.trials < asked.trials:
         progress.say(joining(asked, space.spec.search))
-    Run(space.spec, progress).require("candidates")
+    for one in of_each_searched_size(space.spec):
+        Run(one, progress, checked=False).require("candidates")
     first = start_params(space)
 
     def waiting(trials: int) -> None:

@@ -348,7 +348,7 @@ def _score_of(kept: dict[str, Any], start: Promoted, level: str) -> FidelityScor
     return score if but == 1 else against_start(start.levels.get(level, score), score, but)
 
 
-_SCORER = ("magnet_part", "sensor_chip", "sensor_turn_deg", "sensor_range_mt")
+_SCORER = ("sensor_chip", "sensor_turn_deg", "sensor_range_mt")
 _SHELL = ("shell_thickness_mm", "silicone", "core_size_mm")
 
 
@@ -363,7 +363,7 @@ def _lowest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     found: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
 
     def score(spec: ObjectSpec) -> FidelityScore:
-        key = _alike(spec, _SCORER + _SHELL)
+        key = *_alike(spec, _SCORER + _SHELL), *spec.magnets.sizes
         if key not in found:
             found[key] = scorers(spec, each_alone(spec.body.sensed))
         return lowest_fidelity_score(spec, found[key])

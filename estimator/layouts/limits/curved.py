@@ -14,6 +14,7 @@ from design.body.surface_chart import FaceFrame
 from design.fit.boards import beyond_core_mm
 from design.fit.curved import room_for_recesses
 from design.layout.body import body_of, face_frames
+from design.spec.magnets import MagnetSize
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
 from estimator.layouts.batch import Layouts
@@ -27,6 +28,7 @@ from estimator.layouts.limits.parts import (
     Pockets,
     boards_of,
     chips_near_magnets_mm,
+    outlines_mm,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
@@ -126,10 +128,15 @@ def _unsealed(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[Ten
     if surface.frame.flat:
         up = pockets.axis[2]
         tilted = (1 - up * up).clamp(min=1e-12).sqrt()
-        half = spec.magnets.diameter_mm / 2 * tilted + up * spec.magnets.height_mm / 2
-        cover = depth - half
+        radius, half = outlines_mm(spec, depth.dtype)
+        cover = depth - radius * tilted - up * half
     else:
-        cover = pointwise(_cover_of(spec)[surface.number].at, layouts.magnet_mm)[..., 0]
+        covers, which = _covers_of(spec)[surface.number], spec.magnets.by_size
+        parts = [
+            pointwise(one.at, layouts.magnet_mm[:, those])[..., 0]
+            for one, those in zip(covers, which, strict=True)
+        ]
+        cover = torch.cat(parts, dim=1)[:, np.argsort(np.concatenate(which))]
     above = torch.relu(least - cover)
     below = torch.relu(-pockets.lowest + least - spec.shell.thickness_mm)
     return (above + below).sum(dim=1)
@@ -153,11 +160,16 @@ class _Cover:
 
 
 @once
-def _cover_of(spec: ObjectSpec) -> dict[int, _Cover]:
-    return {frame.number: _cover(spec, frame) for frame in face_frames(spec) if not frame.flat}
+def _covers_of(spec: ObjectSpec) -> dict[int, tuple[_Cover, ...]]:
+    """Of every curved face, over a magnet of each of the specification's sizes."""
+    return {
+        frame.number: tuple(_cover(spec, frame, size) for size in spec.magnets.distinct_sizes)
+        for frame in face_frames(spec)
+        if not frame.flat
+    }
 
 
-def _cover(spec: ObjectSpec, frame: FaceFrame) -> _Cover:
+def _cover(spec: ObjectSpec, frame: FaceFrame, size: MagnetSize) -> _Cover:
     half = np.asarray(frame.half_extents_mm)
     nodes = [
         np.linspace(-h, h, max(_FEWEST_NODES, int(np.ceil(2 * h / _COVER_STEP_MM)))) for h in half
@@ -165,8 +177,8 @@ def _cover(spec: ObjectSpec, frame: FaceFrame) -> _Cover:
     x, y = np.meshgrid(*nodes, indexing="ij")
     xy = onto_patch_mm(frame, np.column_stack([x.ravel(), y.ravel()]))
     turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
-    rim = spec.magnets.diameter_mm / 2 * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
-    axes, up = frame.axes_at(xy), spec.magnets.height_mm / 2
+    rim = size.diameter_mm / 2 * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
+    axes, up = frame.axes_at(xy), size.height_mm / 2
     depths, found = (up + 0.5, spec.shell.thickness_mm - up), []
     for depth in depths:
         top = frame.to_object(np.column_stack([xy, np.full(len(xy), up - depth)]))

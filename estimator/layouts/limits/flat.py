@@ -20,6 +20,7 @@ from estimator.layouts.limits.parts import (
     boards_of,
     chips_near_magnets_mm,
     in_object,
+    outlines_mm,
     placed_pockets,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
@@ -81,7 +82,8 @@ def _unsealed(spec: ObjectSpec, layouts: Layouts, pockets: Pockets) -> Float[Ten
     """Silicone missing over magnets and under pockets."""
     up, depth = pockets.axis[2], layouts.magnet_mm[..., 2]
     tilted = (1 - up * up).clamp(min=1e-12).sqrt()
-    upwards = spec.magnets.diameter_mm / 2 * tilted + up * spec.magnets.height_mm / 2
+    radius, half = outlines_mm(spec, depth.dtype)
+    upwards = radius * tilted + up * half
     least = spec.silicone.thinnest_wall_mm + SLACK_MM
     above = torch.relu(upwards + least - depth)
     below = torch.relu(-pockets.lowest + least - spec.shell.thickness_mm)

@@ -31,34 +31,42 @@ def between_segments(p: Tensor, p_end: Tensor, q: Tensor, q_end: Tensor) -> Tens
 
 
 def missing_between_prisms_mm(
-    one: Prisms, other: Prisms, radius: float, least: float
+    one: Prisms, other: Prisms, radius: Float[Tensor, "magnet"], least: float
 ) -> Float[Tensor, "edge layout magnet other"]:
-    """What the gap of every two prisms lacks; worked out in full only where spheres round them lack it."""
+    """What the gap of every two prisms lacks; worked out in full only where spheres round them lack it.
+
+    `radius` is that of the prisms of either side, in their order.
+    """
     p, p_end, u = (part[..., :, None] for part in one)
     q, q_end, v = (part[..., None, :] for part in other)
     parts = torch.broadcast_tensors(p, p_end, u, q, q_end, v)
     p, p_end, _, q, q_end, _ = (part.detach() for part in parts)
     apart = ((p + p_end - q - q_end) / 2).norm(dim=0)
     halves = ((p_end - p).norm(dim=0) + (q_end - q).norm(dim=0)) / 2
-    close = (apart - halves - 2 * radius < least).nonzero(as_tuple=True)
+    close = (apart - halves - radius[:, None] - radius < least).nonzero(as_tuple=True)
     p, p_end, u, q, q_end, v = (part[:, *close] for part in parts)
-    gap = _gap_of_prisms((p, p_end, u), (q, q_end, v), radius)
+    gap = _gap_of_prisms((p, p_end, u), (q, q_end, v), (radius[close[-2]], radius[close[-1]]))
     return torch.zeros_like(apart).index_put(close, torch.relu(least - gap))
 
 
-def _gap_of_prisms(one: Prisms, other: Prisms, radius: float) -> Float[Tensor, "pair"]:
+def _gap_of_prisms(
+    one: Prisms, other: Prisms, radii: tuple[Float[Tensor, "pair"], Float[Tensor, "pair"]]
+) -> Float[Tensor, "pair"]:
     """Largest gap along either axis and along the shortest way between the axes."""
     (p, p_end, u), (q, q_end, v) = one, other
     way = between_segments(p, p_end, q, q_end)
     gaps = []
     for d in (way / length(way), u, v):
         a, a_end, b, b_end = ((d * end).sum(0) for end in (p, p_end, q, q_end))
-        reach = sum((1 - (d * axis).sum(0) ** 2).clamp(min=1e-12).sqrt() for axis in (u, v))
+        reach = sum(
+            radius * (1 - (d * axis).sum(0) ** 2).clamp(min=1e-12).sqrt()
+            for radius, axis in zip(radii, (u, v), strict=True)
+        )
         apart = torch.maximum(
             torch.minimum(a, a_end) - torch.maximum(b, b_end),
             torch.minimum(b, b_end) - torch.maximum(a, a_end),
         )
-        gaps.append(apart - radius * reach)
+        gaps.append(apart - reach)
     return torch.stack(gaps).amax(dim=0)
 
 

@@ -12,9 +12,9 @@ from torch import Tensor
 from design.body.surface_chart import FaceFrame
 from design.layout.boards import passage_radius_mm
 from design.layout.body import face_frames
-from design.layout.pockets import neighbours
+from design.layout.pockets import core_pockets, neighbours, shell_pockets
 from design.spec.object import ObjectSpec
-from estimator.field.sources import magnet_source
+from estimator.field.sources import magnet_sources
 from estimator.layouts.batch import Layouts, magnet_axes, magnets_below_mm
 from estimator.layouts.limits.gaps import (
     Prisms,
@@ -37,16 +37,20 @@ class Pockets:
     top: Float[Tensor, "3 layout magnet"]
     reach: Float[Tensor, "2 layout magnet"]
     lowest: Float[Tensor, "layout magnet"]
-    radius: float
+    radius: Float[Tensor, "magnet"]
 
 
 def pockets_of(spec: ObjectSpec, layouts: Layouts) -> Pockets:
     """As `design.layout.pockets.Pocket`, of round magnets; heights above the core's face where they rest
     in it, in pockets as wide as they are."""
-    wide = spec.shell.pocket_diameter_mm
-    if spec.arrangement == "sensors-in-shell":
-        wide = spec.magnets.diameter_mm
-    radius, half = wide / 2, spec.magnets.height_mm / 2
+    pockets = shell_pockets if spec.arrangement == "sensors-in-core" else core_pockets
+    of_face = pockets(spec)[0]
+    radius, half = (
+        torch.tensor(each, dtype=layouts.magnet_mm.dtype)
+        for each in zip(
+            *((p.outline.radius_mm, p.body.height_mm / 2) for p in of_face), strict=True
+        )
+    )
     axis, depth = magnet_axes(layouts), layouts.magnet_mm[..., 2] - magnets_below_mm(spec)
     centre = torch.stack([*layouts.magnet_mm[..., :2].unbind(-1), -depth])
     up, lean = axis[2], axis[:2] / axis[2]
@@ -60,17 +64,29 @@ def pockets_of(spec: ObjectSpec, layouts: Layouts) -> Pockets:
     return Pockets(axis, floor, top, torch.maximum(on_floor, on_face), floor[2] - across, radius)
 
 
+def outlines_mm(
+    spec: ObjectSpec, dtype: torch.dtype
+) -> tuple[Float[Tensor, "magnet"], Float[Tensor, "magnet"]]:
+    """Radius and half height of every magnet of a face."""
+    sizes = spec.magnets.sizes
+    radius, half = (
+        [size.diameter_mm / 2 for size in sizes],
+        [size.height_mm / 2 for size in sizes],
+    )
+    return torch.tensor(radius, dtype=dtype), torch.tensor(half, dtype=dtype)
+
+
 def pocket_gaps_mm(
     floor: Float[Tensor, "3 layout magnet"],
     top: Float[Tensor, "3 layout magnet"],
-    radius: float,
+    radius: Float[Tensor, "magnet"],
     gap_mm: float,
 ) -> Float[Tensor, "layout"]:
     """Silicone missing between the pockets of a face; floors and tops in any one frame."""
     magnets = floor.shape[2]
     i, j = torch.triu_indices(magnets, magnets, offset=1)
     between = between_segments(*((ends[..., k]) for k in (i, j) for ends in (floor, top)))
-    return torch.relu(2 * radius + gap_mm + SLACK_MM - length(between)).sum(dim=1)
+    return torch.relu(radius[i] + radius[j] + gap_mm + SLACK_MM - length(between)).sum(dim=1)
 
 
 @dataclass(frozen=True)
@@ -110,7 +126,7 @@ def boards_beside_hole_mm(spec: ObjectSpec, boards: Boards) -> Float[Tensor, "la
 
 
 def pocket_gaps_across_edges_mm(
-    spec: ObjectSpec, placed: dict[int, Prisms], radius: float
+    spec: ObjectSpec, placed: dict[int, Prisms], radius: Float[Tensor, "magnet"]
 ) -> Float[Tensor, "layout"]:
     """Silicone missing between the pockets of two faces beside each other, where most is missing."""
     pairs = [(one.number, other.number) for one, other in neighbours(face_frames(spec))]
@@ -157,11 +173,12 @@ def chips_near_magnets_mm(
 ) -> Float[Tensor, "layout"]:
     """Distance missing between a face's chips and the magnets of all faces for the series of the field; both
     in the object's frame."""
-    magnet = magnet_source(spec.magnets)
+    sizes, which = magnet_sources(spec.magnets), spec.magnets.size_numbers
     short = torch.zeros_like(chips_mm[:, 0, 0])
     for number, centres in centres_mm.items():
         reach = OWN if number == face else OTHER
         apart = (chips_mm[:, :, None] - centres[:, None]).square().sum(-1)
-        lacking = torch.relu(reach.least_mm(magnet) + SLACK_MM - apart.clamp(min=1e-12).sqrt())
+        least = torch.tensor([reach.least_mm(sizes[n]) for n in which], dtype=apart.dtype)
+        lacking = torch.relu(least + SLACK_MM - apart.clamp(min=1e-12).sqrt())
         short = short + lacking.sum(dim=(1, 2))
     return short

@@ -72,7 +72,7 @@ def _pockets_of_boards(spec: ObjectSpec, layouts: Layouts) -> Pockets:
         torch.stack([x, y, zero]),
         reach.permute(2, 0, 1),
         floor,
-        outline.radius_mm,
+        torch.full((x.shape[1],), outline.radius_mm, dtype=x.dtype),
     )
 
 

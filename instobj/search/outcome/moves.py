@@ -29,13 +29,14 @@ def moved_parts(start: ObjectSpec, found: ObjectSpec, folder: Path) -> dict[str,
     return {
         "moves_picture": folder / "moves.png",
         "moves": rows,
-        "graded": _graded(found),
+        "kinds": _kinds_differ(found),
         "other_changes": others,
     }
 
 
-def _graded(found: ObjectSpec) -> bool:
-    return found.search.vary.magnet_grade is not None
+def _kinds_differ(found: ObjectSpec) -> bool:
+    vary = found.search.vary
+    return vary.magnet_grade is not None or vary.magnet_sizes is not None
 
 
 def _faces_in_words(spec: ObjectSpec) -> list[str]:
@@ -63,7 +64,7 @@ def _moved_magnets(start: ObjectSpec, found: ObjectSpec, face: int, label: str) 
 
 
 def _kind(found: ObjectSpec, magnet: int) -> str:
-    return f", {found.magnets.kinds[magnet]}" if _graded(found) else ""
+    return f", {found.magnets.kinds[magnet]}" if _kinds_differ(found) else ""
 
 
 def _moved_sensors(start: ObjectSpec, found: ObjectSpec, face: int, label: str) -> list[list[str]]:

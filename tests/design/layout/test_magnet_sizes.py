@@ -142,7 +142,7 @@ def test_a_sensor_in_the_largest_magnet_alone_is_named_with_it():
     frame = magnets.frames[3]
     position[4] = magnets.centre_mm[3] + 3.0 * frame[:, 0]
     moved = type(sensors)(position, sensors.axes, sensors.face)
-    with pytest.raises(InputError, match="inside magnet 3 .* a disk of Ø8 × 2 mm"):
+    with pytest.raises(InputError, match=r"inside magnet 3 .* a disk of Ø8 × 2 mm"):
         check_sensors_outside_magnets(moved, magnets, magnet_sources(spec.magnets))
     position[4] = magnets.centre_mm[4] + 3.0 * magnets.frames[4][:, 0]
     check_sensors_outside_magnets(moved, magnets, magnet_sources(spec.magnets))

@@ -306,5 +306,5 @@ def test_more_or_fewer_magnets_take_no_list_of_grades():
     magnets = {"positions_mm": [[8, 8], [-8, -8]], "grade": ["N35", "N52"]}
     search = {"vary": {"magnet_count": [2, 3], "magnet_reach_mm": 12.0}}
     spec = parse_spec({"name": "a", "magnets": magnets, "search": search}, "made up")
-    with pytest.raises(InputError, match="grade or remanence_t hold for as many as there were"):
+    with pytest.raises(InputError, match="grade, remanence_t or sizes hold for as many"):
         search_space(spec)

@@ -110,7 +110,7 @@ FAULTS = {
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_wrong_disturbance_is_caught(spec, motions, scorer, fault):
-    broken = replace(scorer, presses=FAULTS[fault](scorer.presses))
+    broken = replace(scorer, presses_of=(FAULTS[fault](scorer.presses),))
     assert worst_median_error(spec, motions, broken) > 5 * DISTURBANCE_TOLERANCE
 
 

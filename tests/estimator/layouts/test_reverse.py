@@ -160,7 +160,7 @@ def test_boards_pressed_near_magnets_have_their_counts_in_full(body):
     found = float(place_information(scorer, layouts).largest_counts)
     scene, motion = scene_of(spec, motions, FACE, FACE)
     share = motions.deepest_n[0, 0] / motions.force_n[0, 0, -1]
-    field = 1e3 * sensed_field(scene, share * motion[:, -1], FieldModel(scorer.magnet, "exact"))
+    field = 1e3 * sensed_field(scene, share * motion[:, -1], FieldModel(scorer.sizes[0], "exact"))
     wanted = abs(counts_of_field(field, scene.sensors.axes, spec.sensors)).max()
     assert_allclose(found, wanted, rtol=0.03)
     changes = press_changes(scorer, layouts)

@@ -76,7 +76,7 @@ FAULTS = {
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_planted_fault_would_show(scorer, presses, layouts, ordinary, fault):
-    wrong = replace(scorer, presses=FAULTS[fault](presses))
+    wrong = replace(scorer, presses_of=(FAULTS[fault](presses),))
     assert worst_error(wrong, layouts, ordinary) > 3 * BOUND_TOLERANCE
 
 
@@ -105,7 +105,7 @@ def test_largest_counts_are_those_at_rest_or_in_presses_to_their_deepest(
     """Motions in proportion to force, so that signals nearly are; pulled where channels come from their
     largest at rest."""
     deepest = torch.full((scorer.presses.count,), over_score * scorer.presses.force_n)
-    scorer = replace(scorer, presses=replace(scorer.presses, deepest_n=deepest))
+    scorer = replace(scorer, presses_of=(replace(scorer.presses, deepest_n=deepest),))
     found = place_information(scorer, layouts).largest_counts
     for row, (_, counts, rest) in enumerate(ordinary):
         pressed = rest.ravel() + over_score * counts

@@ -156,7 +156,7 @@ FAULTS = {
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_wrong_changes_of_other_faces_are_caught(fault, spec, scorer, other, exact):
-    wrong, opposite = (replace(s, presses=FAULTS[fault](s.presses)) for s in (scorer, other))
+    wrong, opposite = (replace(s, presses_of=(FAULTS[fault](s.presses),)) for s in (scorer, other))
     case = "two on a face, all channels"
     assert worst_error(case, spec, wrong, opposite, exact) > 2 * TOLERANCE
 

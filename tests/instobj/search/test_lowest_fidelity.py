@@ -1,5 +1,7 @@
 """Trials at the lowest fidelity level: refused at once where they cannot end in time."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import torch
@@ -102,3 +104,19 @@ def test_cost_and_build_time_are_those_of_the_parts_of_all_faces():
     assert broken(cost=13.0) == pytest.approx(10.0)
     assert broken(build_minutes=48.0) == pytest.approx(5.0)
     assert broken(cost=20.0, build_minutes=60.0) == pytest.approx(3.0 + 2.0)
+
+
+@pytest.mark.parametrize("choice", [{"magnet_count": 7}, {"sensor_count": 12}])
+def test_more_parts_than_the_start_has_need_no_places_for_their_mechanics(monkeypatch, choice):
+    """Places come with the trial; before, seven magnets in the middle of a face did not fit."""
+    vary = {"magnet_count": [5, 7], "magnet_reach_mm": 14.0}
+    vary |= {"sensor_count": [3, 12], "sensor_reach_mm": 10.0}
+    spec = made_up_spec().changed(search=SearchSpec.model_validate({"vary": vary}))
+    structured = with_structure(spec, choice)
+    made = made_up_motions(structured)
+    monkeypatch.setattr(
+        lowest_fidelity.Run, "require", lambda run, name: SimpleNamespace(folder=name)
+    )
+    monkeypatch.setattr(lowest_fidelity, "load_candidates", lambda folder: made)
+    found = lowest_fidelity.scorers(structured, {1: (1,), 3: (3,)})
+    assert len(found) == 2 * len(structured.judged_forces_n)

@@ -82,5 +82,5 @@ def test_grades_that_a_search_chose_stand_beside_the_poles(tmp_path, monkeypatch
     told = moves.moved_parts(start, found, tmp_path)
     norths = [row[-1] for row in told["moves"] if row[0].startswith("magnet")]
     assert norths == ["outward, N35", "inward, N52"]
-    assert told["graded"]
-    assert not moves.moved_parts(start, start, tmp_path)["graded"]
+    assert told["kinds"]
+    assert not moves.moved_parts(start, start, tmp_path)["kinds"]

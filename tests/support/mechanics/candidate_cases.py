@@ -14,8 +14,7 @@ from design.layout.places.positions import (
 from design.layout.pockets import board_frame, tilted_frame
 from design.spec.object import ContactGridSpec, ObjectSpec
 from estimator.field.environment import environment
-from estimator.field.models import FieldModel
-from estimator.field.sources import magnet_source
+from estimator.field.models import exact_model
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.layouts.batch import Layouts
 from estimator.layouts.surfaces import onto_patch_mm
@@ -101,7 +100,7 @@ def ordinary_chain(spec, motions, face, layouts, row):
 def chain_of_scene(spec, motions, face, scene, motion):
     """The same of a scene whose sensors are the face's own, with the motions (place, step, body, 6) of what
     moves in it."""
-    model = FieldModel(magnet_source(spec.magnets), "exact")
+    model = exact_model(spec.magnets)
 
     def counts(moved):
         flat = moved.reshape(-1, *moved.shape[-2:])
@@ -134,7 +133,8 @@ def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
         along = frame.from_plane(magnet_mm[:, :2])
         motion.append(motions.at(frame.number, along, magnet_mm[:, 2])[index])
     axis = np.concatenate(axis)
-    strength, size = (np.tile(each, len(faces)) for each in (polarity, spec.magnets.size_numbers))
+    strength = np.tile(polarity, len(faces))
+    size = np.resize(spec.magnets.size_numbers, len(strength))
     magnets = MagnetLayout(
         np.concatenate(centre), axis, np.concatenate(faces), axis, strength, size
     )

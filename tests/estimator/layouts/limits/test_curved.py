@@ -173,7 +173,7 @@ def test_gradients_of_limits_are_those_of_differences():
 
 def test_silicone_over_magnets_is_that_of_their_rims():
     spec, _, params, _, _ = batch("egg", 5)
-    covers = curved._cover_of(spec)
+    covers = {face: one for face, (one,) in curved._covers_of(spec).items()}
     for one in params:
         depths = [one[f"magnet{k}_depth_mm"] for k in (1, 2, 3)]
         for frame, bodies in zip(face_frames(spec), magnet_bodies(spec), strict=True):
@@ -207,7 +207,9 @@ def test_the_corner_of_a_recess_s_floor_that_goes_farthest_beyond_the_core_count
 
 def test_silicone_is_missing_over_a_leaning_magnet_and_under_its_pocket():
     """By hand on a flat face: 2 mm deep, and 2 mm deep leaning 30°; one pocket goes 0.2 mm too deep."""
+    two = ((0.0, 0.0), (9.0, 0.0))
     spec, lean = spec_of("box"), np.deg2rad(30)
+    spec = spec.changed(magnets=spec.magnets.changed(positions_mm=two))
     least = spec.silicone.thinnest_wall_mm + curved.SLACK_MM
     axis = torch.tensor([[[0.0, np.sin(lean)]], [[0.0, 0.0]], [[1.0, np.cos(lean)]]]).double()
     lowest = torch.tensor([[-1.0, least - spec.shell.thickness_mm - 0.2]]).double()
@@ -244,6 +246,7 @@ def test_pockets_keep_their_slack_from_the_edge_of_their_patch():
 def test_chips_keep_their_slack_from_where_the_series_of_magnets_is_right():
     """Two chips, one magnet of their own face and one of another, on a line through the first chip."""
     spec = spec_of("box")
+    spec = spec.changed(magnets=spec.magnets.changed(positions_mm=((0.0, 0.0),)))
     radius, slack = magnet_source(spec.magnets).circumscribed_radius_mm, curved.SLACK_MM
     way = np.array([0.6, 0.0, 0.8])
     chips = torch.as_tensor(np.array([[[1.0, 2.0, 3.0], [1.0, 42.0, 3.0]]]))

@@ -63,7 +63,8 @@ def test_boxes_lack_what_their_gaps_lack():
 def test_prisms_of_two_faces_lack_what_the_gaps_across_their_edge_lack():
     rng = np.random.default_rng(4)
     frames = [flat_frame(number, np.array([13.0, 13.0, 13.0])) for number in (1, 3)]
-    outline = Outline((RADIUS, RADIUS), True)
+    radii = torch.as_tensor(RADIUS * rng.uniform(0.6, 1.4, 12))
+    outlines = [Outline((radius, radius), True) for radius in radii.tolist()]
     pockets = [
         [
             Pocket(
@@ -76,7 +77,7 @@ def test_prisms_of_two_faces_lack_what_the_gaps_across_their_edge_lack():
                 ),
                 outline,
             )
-            for _ in range(12)
+            for outline in outlines
         ]
         for _ in frames
     ]
@@ -86,7 +87,7 @@ def test_prisms_of_two_faces_lack_what_the_gaps_across_their_edge_lack():
         axis = np.stack([frame.axes @ one.axis for one in made])
         parts = ends[:, 0].T, ends[:, 1].T, axis.T
         prisms.append(tuple(torch.as_tensor(part.copy())[:, None, None] for part in parts))
-    found = missing_between_prisms_mm(*prisms, RADIUS, LEAST)[0, 0].numpy()
+    found = missing_between_prisms_mm(*prisms, radii, LEAST)[0, 0].numpy()
     wanted = np.array(
         [
             [max(0.0, LEAST - gap_across_edge_mm(frames[0], a, frames[1], b)) for b in pockets[1]]
