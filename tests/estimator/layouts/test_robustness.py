@@ -31,7 +31,8 @@ TOLERANCE = 0.08
 
 
 def exact_change(spec, motions, one, row):
-    """Change (place, sensor, 3) of counts in presses, with exact fields of all 25 magnets."""
+    """Change (place, sensor, 3) of counts in presses, with exact fields of all 25 magnets; a uniform field
+    comes with the press."""
     parts = [
         np.asarray(getattr(one.layouts, name)[row], float)
         for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm")
@@ -44,7 +45,9 @@ def exact_change(spec, motions, one, row):
     moved = motion.mean(axis=1) / one.modulus_ratio  # of 0.8 and 1.2 times the score's force
     model = FieldModel(magnet_source(spec.magnets), "exact")
     states = np.concatenate([moved, 0 * moved[:1]])
-    counts = counts_of_field(1e3 * sensed_field(scene, states, model), sensors.axes, spec.sensors)
+    field = sensed_field(scene, states, model)
+    field[:-1] += axes @ one.uniform_t.double().numpy()
+    counts = counts_of_field(1e3 * field, sensors.axes, spec.sensors)
     change = counts[:-1] - counts[-1]
     return np.einsum("sij,psj->psi", one.chips.double().numpy(), change)
 
@@ -63,7 +66,8 @@ def exact_places(spec, motions, scorer, layouts, objects):
             np.einsum("pkc,pc->pk", read, (after - before).reshape(len(before), -1) / sigma)
             for after in (exact_change(spec, motions, one, row) for one in objects)
         ]
-        found.append(np.sqrt(np.mean(np.sum(np.square(errors)[..., :2], axis=-1), axis=0)))
+        weights = [one.weight for one in objects]
+        found.append(np.sqrt(weights @ np.sum(np.square(errors)[..., :2], axis=-1)))
     return np.stack(found)
 
 
@@ -96,8 +100,23 @@ def _boards_turn(scorer, layouts, shift=None):
 
 @pytest.mark.parametrize("case", CASES)
 def test_boards_that_turn_with_a_shift_are_caught(spec, motions, scorer, case, monkeypatch):
+    calm = spec.tolerances.model_copy(update={"earth_field_ut": 0.0})
+    scorer = within(scorer, calm)  # its errors would hide the others
     monkeypatch.setattr(layout_robustness, "press_changes", _boards_turn)
     assert worst_median_error(case, spec, motions, scorer, scorer) > 2 * TOLERANCE
+
+
+SIZES = [
+    "magnet_seat_mm",
+    "magnet_seat_depth_mm",
+    "magnet_tilt_deg",
+    "remanence_relative",
+    "sensor_seat_mm",
+    "sensor_rotation_deg",
+    "sensor_gain_relative",
+    "core_shift_mm",
+    "earth_field_ut",
+]
 
 
 def within(scorer, tolerances):
@@ -105,10 +124,15 @@ def within(scorer, tolerances):
     return replace(scorer, spec=scorer.spec.model_copy(update={"tolerances": tolerances}))
 
 
-@pytest.mark.parametrize("size", ["magnet_seat_mm", "sensor_rotation_deg", "core_shift_mm"])
-def test_a_tolerance_left_out_is_caught(spec, motions, scorer, size):
-    left = within(scorer, scorer.spec.tolerances.model_copy(update={size: 0.0}))
-    assert worst_median_error("tolerance", spec, motions, left, scorer) > 1.5 * TOLERANCE
+@pytest.mark.parametrize("size", SIZES)
+def test_each_tolerance_alone_is_that_of_exact_fields_and_its_lack_would_show(
+    spec, motions, scorer, size
+):
+    none = dict.fromkeys(type(spec.tolerances).model_fields, 0.0)
+    own = none | {size: getattr(spec.tolerances, size)}
+    alone, without = (within(scorer, spec.tolerances.model_copy(update=of)) for of in (own, none))
+    assert worst_median_error("tolerance", spec, motions, alone, alone) < TOLERANCE
+    assert worst_median_error("tolerance", spec, motions, without, alone) > 0.9
 
 
 def test_slipped_objects_are_moved_by_a_millimetre_each_way_and_else_as_designed():

@@ -33,11 +33,18 @@ LINEAR = 1e-3
 
 
 def made_up_spec(body=None):
-    """Places 5 × 4 of the paper's cube, or those of a body; little noise, different on all axes of a chip."""
+    """Places 5 × 4 of the paper's cube, or those of a body; little noise, different on all axes of a chip, and
+    as little of Earth's field."""
     spec = body or ObjectSpec(name="cube", contact_grid=ContactGridSpec(count=(5, 4), pitch_mm=6.0))
     noise = tuple(LINEAR * counts for counts in (22.0, 15.0, 11.0))
     update = {"noise_counts": noise, "zeroing_counts": 10 * LINEAR}
-    return spec.model_copy(update={"sensors": spec.sensors.model_copy(update=update)})
+    earth = {"earth_field_ut": LINEAR * spec.tolerances.earth_field_ut}
+    return spec.model_copy(
+        update={
+            "sensors": spec.sensors.model_copy(update=update),
+            "tolerances": spec.tolerances.model_copy(update=earth),
+        }
+    )
 
 
 def made_up_motions(spec, pitch_mm=2.0):
