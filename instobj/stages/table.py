@@ -166,6 +166,7 @@ STAGES: dict[str, Stage] = {
             *("search.forces_n", "search.compliance_mm_per_n"),
         ),
         make_second_fidelity,
+        version=2,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",

@@ -402,7 +402,7 @@ FIGURES = {
     estimator.signals.press_states: {"ASIDE_MM": 0.1, "_FORCE_STEP": 0.01},
     estimator.signals.surroundings: {"TYPICAL_EARTH_UT": 50.0},
     estimator.tolerances.budget: {"_NEARER_MM": 1.0, "_STEP": 0.05},
-    estimator.tolerances.localisation_bias: {"OBJECTS": 12, "_SPREAD_MM": 0.5},
+    estimator.tolerances.localisation_bias: {"OBJECTS": 8, "_SPREAD_MM": 0.5},
     estimator.tolerances.result: {"REACH_SHARE": 0.7},
     estimator.tolerances.selftest: {
         "_NEARER_MM": 1.0, "_STEP": 0.05, "PRIOR_PROBABILITY": 1e-3, "POOR_FIT": 1e-3,

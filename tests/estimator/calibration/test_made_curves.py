@@ -53,7 +53,7 @@ def test_an_interface_is_told_by_its_force_at_2_mm_and_the_travel_to_the_recorde
     monkeypatch.setattr(interfaces, "press_path", made_path(1.5))
     monkeypatch.setattr(interfaces, "designed", lambda spec: stand_in)
     monkeypatch.setattr(interfaces, "min_distance_mm", lambda scene, motion: float(len(motion)))
-    monkeypatch.setattr(interfaces, "field_model", lambda magnet, nearest: nearest)
+    monkeypatch.setattr(interfaces, "magnets_model", lambda magnets, nearest: nearest)
     monkeypatch.setattr(interfaces, "_own_cosine", lambda spec, presses, predictions: np.eye(4, 3))
     asked, judged = [], object.__new__(Agreement)
 
@@ -110,7 +110,7 @@ def test_predicted_changes_are_of_labels_turned_about_the_middle(monkeypatch):
     monkeypatch.setattr(conventions, "min_distance_mm", lambda scene, motion: 5.0)
     asked = []
     monkeypatch.setattr(
-        conventions, "field_model", lambda magnet, nearest: asked.append(nearest) or nearest
+        conventions, "magnets_model", lambda magnets, nearest: asked.append(nearest) or nearest
     )
     monkeypatch.setattr(
         conventions,

@@ -127,7 +127,7 @@ def test_false_places_are_root_mean_squares_of_what_the_calibrated_estimator_rea
         localisation_bias, "calibrated_estimator", lambda spec, jacobian, live: reads[jacobian]
     )
     setting = SimpleNamespace(design=0, spec=None, live=(None, None))
-    found = localisation_bias._false_places.__wrapped__(setting, [1, 2])
+    found = localisation_bias._false_places.__wrapped__(setting, [(0.5, 1), (0.5, 2)])
     assert_allclose(found, [np.sqrt(25 / 2), np.sqrt((4 + 16) / 2)])
 
 
@@ -164,7 +164,7 @@ def test_fields_are_good_for_magnets_a_millimetre_nearer_than_they_come(monkeypa
     design = assembly.designed(SPEC)
     motion = np.random.default_rng(4).uniform(-0.8, 0.8, (3, design.scene.bodies, 6))
     for module in (selftest, virtual_object):
-        monkeypatch.setattr(module, "field_model", lambda magnet, nearest: nearest)
+        monkeypatch.setattr(module, "magnets_model", lambda magnets, nearest: nearest)
     at_rest_mm = selftest._design.__wrapped__(SPEC)[1]
     assert_allclose(at_rest_mm, nearest_mm(np.zeros(6)) - 1.0, atol=1e-3)
     moved_mm = virtual_object.twin_model.__wrapped__(SPEC, design, motion)

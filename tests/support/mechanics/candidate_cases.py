@@ -33,8 +33,8 @@ LINEAR = 1e-3
 
 
 def made_up_spec(body=None):
-    """Places 5 × 4 of the paper's cube, or those of a body; little noise, different on all axes of a chip, and
-    as little of Earth's field."""
+    """Places 5 × 4 of the paper's cube, or those of a body; little noise, different on all axes of a chip,
+    and as little of Earth's field."""
     spec = body or ObjectSpec(name="cube", contact_grid=ContactGridSpec(count=(5, 4), pitch_mm=6.0))
     noise = tuple(LINEAR * counts for counts in (22.0, 15.0, 11.0))
     update = {"noise_counts": noise, "zeroing_counts": 10 * LINEAR}
