@@ -15,6 +15,7 @@ other, tasks side by side. Writes `search_engines.json`.
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 import time
@@ -187,7 +188,16 @@ def _of_task(settings: list[str], quick: bool) -> dict[str, Any]:
     middle = params_at(space, np.full(len(space.variables), 0.5))
     lowest = structure_fidelity(space, middle, start)
     lengths, seeds = ((1, 4), SEEDS[:1]) if quick else (GENERATIONS, SEEDS)
-    found = [compared(space, lowest, seed, lengths) for seed in seeds]
+    found = []
+    for seed in seeds:
+        found.append(compared(space, lowest, seed, lengths))
+        best = {
+            length: {
+                name: one.get("best", one.get("same scorings")) for name, one in engines.items()
+            }
+            for length, engines in found[-1].items()
+        }
+        print(f"{objective}, seed {seed}: {json.dumps(best)}", file=sys.stderr, flush=True)
     return {"objective": objective, "start": start.scores[objective], "seeds": found}
 
 

@@ -8,6 +8,7 @@ and flux density in T: a magnet written with its polarization needs no conversio
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Literal
@@ -311,13 +312,26 @@ def sum_over_magnets(
     strength : polarization of each magnet over the model's, broadcastable alike
     size : which of the model's sizes each magnet has, where there are several
 
+    Raises
+    ------
+    ValueError
+        A model of several sizes without them.
+
     Returns
     -------
     Three arrays of shape (…), T.
     """
     offset = tuple(p - c for p, c in zip(points_mm, centres_mm, strict=True))
-    bx, by, bz = (strength * part for part in field_of_each(offset, axes, model, sides, size))
-    return bx.sum(axis=0), by.sum(axis=0), bz.sum(axis=0)
+    if isinstance(model, FieldModel):
+        bx, by, bz = (strength * part for part in model(offset, axes, sides))
+        return bx.sum(axis=0), by.sum(axis=0), bz.sum(axis=0)
+    x, y, z = 0.0, 0.0, 0.0
+    for one, those in _by_size(model, size):
+        each = sides and _rows(sides, those)
+        weight = strength if np.ndim(strength) == 0 or len(strength) == 1 else strength[those]
+        bx, by, bz = (weight * b for b in one(_rows(offset, those), _rows(axes, those), each))
+        x, y, z = x + bx.sum(axis=0), y + by.sum(axis=0), z + bz.sum(axis=0)
+    return x, y, z
 
 
 def field_of_each(
@@ -327,40 +341,34 @@ def field_of_each(
     sides: Vector | None = None,
     size: Int[np.ndarray, "magnet"] | None = None,
 ) -> Vector:
-    """Flux density (T) of every magnet by itself; the magnets run along the first dimension.
-
-    Raises
-    ------
-    ValueError
-        A model of several sizes without the magnets' sizes.
-    """
+    """Flux density (T) of every magnet by itself, of arrays; the magnets run along the first dimension."""
     if isinstance(model, FieldModel):
         return model(offset_mm, axes, sides)
+    parts, rows = [], []
+    for one, those in _by_size(model, size):
+        each = sides and _rows(sides, those)
+        parts.append(one(_rows(offset_mm, those), _rows(axes, those), each))
+        rows.append(those)
+    back = np.argsort(np.concatenate(rows))
+    x, y, z = (np.concatenate([part[k] for part in parts])[back] for k in range(3))
+    return x, y, z
+
+
+def _by_size(
+    model: MixedModel, size: Int[np.ndarray, "magnet"] | None
+) -> Iterator[tuple[FieldModel, Int[np.ndarray, "some"]]]:
+    """The model of every size that some magnets have, and which they are."""
     if size is None:
         raise ValueError(f"a model of {len(model.of_sizes)} sizes needs to know which each has")
-    rows = [np.flatnonzero(size == number) for number in range(len(model.of_sizes))]
-    parts = [
-        one(_rows(offset_mm, those), _rows(axes, those), sides and _rows(sides, those))
-        for one, those in zip(model.of_sizes, rows, strict=True)
-        if len(those)
-    ]
-    back = np.argsort(np.concatenate(rows))
-    x, y, z = (_joined([part[k] for part in parts])[back] for k in range(3))
-    return x, y, z
+    for number, one in enumerate(model.of_sizes):
+        if (size == number).any():
+            yield one, np.flatnonzero(size == number)
 
 
 def _rows(vector: Vector, those: np.ndarray) -> Vector:
     """Of some magnets; what all share is left as it is."""
     x, y, z = (part if len(part) == 1 else part[those] for part in vector)
     return x, y, z
-
-
-def _joined(parts: list[Any]) -> Any:
-    if isinstance(parts[0], np.ndarray):
-        return np.concatenate(parts)
-    import torch
-
-    return torch.cat(parts)
 
 
 def total_field(

@@ -145,9 +145,10 @@ def _signals(scorer: LayoutScorer, one: _Object) -> Float[Tensor, "channel layou
     force = scorer.presses.force_n
     change = changes[:, :, 3] + changes[:, :, 2] * (force / one.modulus_ratio - force)
     sigma = scorer.sigma_counts
-    _, axes = chips(scorer.presses, one.layouts, scorer.sensor_depth_mm, scorer.chip)
-    uniform = scorer.counts_per_t / sigma * (axes @ one.uniform_t)
-    change = change + uniform.flatten(1).T[..., None]
+    if one.uniform_t.any():
+        _, axes = chips(scorer.presses, one.layouts, scorer.sensor_depth_mm, scorer.chip)
+        uniform = scorer.counts_per_t / sigma * (axes @ one.uniform_t)
+        change = change + uniform.flatten(1).T[..., None]
     turned = one.chips * sigma / sigma[:, None]  # from and to units of sigma
     by_sensor = change.unflatten(0, (-1, 3))
     return torch.einsum("sij,sjlp->silp", turned, by_sensor).flatten(0, 1)

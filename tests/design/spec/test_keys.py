@@ -99,6 +99,7 @@ search.leaders: ge 1
 search.finalists: ge 1
 search.vary.magnet_count: ge 1, least 1, most 20
 search.vary.magnet_part: least 1, most 20
+search.vary.magnet_sizes: least 1, most 20
 search.vary.magnet_tilt_deg: le 30
 search.vary.magnet_grade: least 1, most 20
 search.vary.sensor_count: ge 1, le 12, least 1, most 20

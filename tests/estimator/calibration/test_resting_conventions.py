@@ -128,5 +128,7 @@ def test_the_field_is_right_as_near_as_the_bounds_may_bring_a_magnet(monkeypatch
     """3 mm inwards, and 3 mm along each axis of a shifted core; 1 mm at least."""
     monkeypatch.setattr(resting_conventions, "min_distance_mm", lambda *given: apart)
     monkeypatch.setattr(resting_conventions, "at_rest", lambda place: None)
-    monkeypatch.setattr(resting_conventions, "magnets_model", lambda magnets, nearest_mm: nearest_mm)
+    monkeypatch.setattr(
+        resting_conventions, "magnets_model", lambda magnets, nearest_mm: nearest_mm
+    )
     assert resting_conventions._near_model.__wrapped__(CUBE, None) == pytest.approx(asked)

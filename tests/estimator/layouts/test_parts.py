@@ -38,7 +38,8 @@ def test_a_chip_that_turns_sees_the_field_turn_the_other_way():
 
 
 def test_signals_of_another_object_are_of_its_modulus_and_its_chips(monkeypatch):
-    """Chips mix counts, signals are in units of each axis's sigma; a softer object is pressed deeper."""
+    """Chips mix counts, signals are in units of each axis's sigma; a softer object is pressed deeper, and a
+    uniform field comes with the press."""
     rng = np.random.default_rng(1)
     changes, sigma = rng.normal(size=(6, 2, 4, 5)), np.array([10.0, 20.0, 5.0])
     chips, force, ratio = rng.normal(size=(2, 3, 3)), 3.0, 0.8
@@ -46,14 +47,27 @@ def test_signals_of_another_object_are_of_its_modulus_and_its_chips(monkeypatch)
         robustness, "press_changes",
         lambda scorer, layouts, shift: SimpleNamespace(by_parameter=tensor(changes)),
     )  # fmt: skip
-    scorer = SimpleNamespace(presses=SimpleNamespace(force_n=force), sigma_counts=tensor(sigma))
+    axes, uniform_t = rng.normal(size=(2, 2, 3, 3)), rng.normal(size=3)
+    monkeypatch.setattr(robustness, "chips", lambda *_: (None, tensor(axes)))
+    scorer = SimpleNamespace(
+        presses=SimpleNamespace(force_n=force),
+        sigma_counts=tensor(sigma),
+        sensor_depth_mm=0.0,
+        chip=None,
+        counts_per_t=7.0,
+    )
     other = SimpleNamespace(
-        layouts=None, sensor_shift_mm=None, chips=tensor(chips), modulus_ratio=ratio
+        layouts=None,
+        sensor_shift_mm=None,
+        chips=tensor(chips),
+        modulus_ratio=ratio,
+        uniform_t=tensor(uniform_t),
     )
     found = robustness._signals.__wrapped__(scorer, other).numpy()
     signal = changes[:, :, 3] + changes[:, :, 2] * (force / ratio - force)
     for sensor in range(2):
         counts = signal[3 * sensor : 3 * sensor + 3] * sigma[:, None, None]
+        counts = counts + (7.0 * axes[:, sensor] @ uniform_t).T[..., None]
         wanted = np.einsum("ab,blp->alp", chips[sensor], counts) / sigma[:, None, None]
         assert_allclose(found[3 * sensor : 3 * sensor + 3], wanted)
 
