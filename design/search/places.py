@@ -105,7 +105,7 @@ def polarities(structured: ObjectSpec, params: Mapping[str, Any]) -> list[float]
 
 
 def choices_of_magnets(
-    structured: ObjectSpec, params: Mapping[str, Any], name: Literal["north", "grade"]
+    structured: ObjectSpec, params: Mapping[str, Any], name: Literal["north", "grade", "size"]
 ) -> list[str]:
     """What a trial chose for every magnet of a face; those of one seat under the symmetry are alike."""
     seats = seats_of(structured.search.magnet_symmetry, structured.magnets.count)

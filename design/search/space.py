@@ -122,7 +122,7 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
     for k, (depth, tilt) in enumerate(zip(_depths(spec), tilts, strict=True), start=1):
         values: dict[str, Any] = {"depth_mm": depth, "tilt_x_deg": tilt[0], "tilt_y_deg": tilt[1]}
         values["north"] = norths[k - 1]
-        values[SIZE.lstrip("_")] = parts[k - 1]
+        values["size"] = parts[k - 1]
         values["grade"] = typical_grade(spec.magnets.remanences_t[k - 1])
         found |= {f"magnet{k}_{name}": value for name, value in values.items()}
     for group, label in zip(layout_groups(spec), group_labels(spec), strict=True):

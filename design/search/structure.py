@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import Any
 
 from design.catalogue.magnets import MAGNET_PARTS, magnet_part
-from design.search.places import seats_of
+from design.search.places import choices_of_magnets
 from design.spec.assembly import AsBuiltSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
@@ -43,10 +43,9 @@ def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
         unplaced = _unplaced(spec, chosen["magnet_count"])
         update["magnets"] = update.get("magnets", spec.magnets).changed(**unplaced)
     if spec.search.vary.magnet_sizes is not None:
-        magnets = update.get("magnets", spec.magnets)
-        seats = seats_of(spec.search.magnet_symmetry, magnets.count)
-        parts = tuple(params[f"magnet{seat.label}{SIZE}"] for seat in seats)
-        update |= _with_magnets(spec, _of_parts(magnets, parts))
+        counted = _constructed(spec, {"magnets": update.get("magnets", spec.magnets)})
+        parts = tuple(choices_of_magnets(counted, params, "size"))
+        update |= _with_magnets(spec, _of_parts(counted.magnets, parts))
     if "silicone" in chosen:
         update["silicone"] = SiliconeSpec(name=chosen["silicone"])
     update |= _with_sizes(spec, update.get("shell", spec.shell), chosen)

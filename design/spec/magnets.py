@@ -55,8 +55,6 @@ EdgesOfMagnets = Annotated[
     | Annotated[tuple[Edges, ...], Field(min_length=1), Tag("each magnet")],
     Discriminator(lambda given: "each magnet" if _holds_lists(given) else "all magnets"),
 ]
-ONE_FOR_EACH = ("part", "diameter_mm", "inner_diameter_mm", "height_mm", "grade", "remanence_t")
-"""What is one for all magnets or a list; so is `size_mm`, each entry of which is a pair itself."""
 
 
 def _holds_lists(given: Any) -> bool:
@@ -201,7 +199,8 @@ class MagnetSpec(SpecPart):
     @property
     def size_numbers(self) -> tuple[int, ...]:
         """Of every magnet, which of `distinct_sizes` it has."""
-        return tuple(self.distinct_sizes.index(size) for size in self.sizes)
+        distinct = self.distinct_sizes
+        return tuple(distinct.index(size) for size in self.sizes)
 
     @property
     def by_size(self) -> tuple[tuple[int, ...], ...]:
@@ -281,10 +280,11 @@ class MagnetSpec(SpecPart):
                 f"magnets.positions_mm must hold as many places on every face; got {counts}. Add or take "
                 "out places"
             )
-        for key in ("depth_mm", "tilt_deg", "north", "size_mm", *ONE_FOR_EACH):
+        sizes = ("part", "diameter_mm", "inner_diameter_mm", "size_mm", "height_mm")
+        for key in ("depth_mm", "tilt_deg", "north", *sizes, "grade", "remanence_t"):
             values = getattr(self, key)
             if key == "size_mm" and not _holds_lists(values):
-                continue
+                continue  # the pair of all
             if isinstance(values, tuple) and len(values) not in (0, count):
                 raise ValueError(
                     f"magnets.{key} needs one entry for each of the {count} magnets.positions_mm; "
@@ -382,7 +382,6 @@ def _figures_of_parts(names: str | Sequence[str], graded: bool) -> dict[str, Any
             "rings or blocks"
         )
     figures = {key: tuple(part.figures()[key] for part in parts) for key in parts[0].figures()}
-    grades = {"grade": tuple(part.grade for part in parts)} if graded else {}
-    if graded and not all(grades["grade"]):
-        grades = {}
-    return figures | {"shape": shapes[0]} | grades
+    grades = tuple(part.grade for part in parts)
+    own = {"grade": grades} if graded and all(grades) else {}
+    return figures | {"shape": shapes[0]} | own

@@ -11,7 +11,9 @@ import time
 import zlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
+from weakref import WeakValueDictionary
 
 import numpy as np
 import torch
@@ -55,7 +57,7 @@ from estimator.layouts.polish import (
     populations,
     runs_together,
 )
-from estimator.layouts.press_basis import faces_differ, press_basis
+from estimator.layouts.press_basis import PressBasis, faces_differ, press_basis
 from estimator.layouts.scoring import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
@@ -74,6 +76,9 @@ CHAIN_OVER_SECOND = 1.05
 _CHAIN_OVER_LOWEST = {"sensors-in-core": 1.1 * CHAIN_OVER_SECOND, "sensors-in-shell": 1.7}
 """The second level has 0.91 to 1.23 times as many (`estimator.layouts.scoring.PlaceInformation`): the
 leaders' walk takes their own figure. Of boards the chain had 1.57 and 1.72 times as many (two layouts)."""
+
+_HELD: WeakValueDictionary[tuple[str, int, float, bool, str], PressBasis] = WeakValueDictionary()
+"""Of scorers: structures that differ in single magnets' sizes share them, at tens of MB each."""
 
 Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
 
@@ -200,18 +205,27 @@ def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[Lay
     """A scorer for every judged force and pressed face, on the stage `candidates` of every size; places of
     parts, which that does not depend on, need not fit yet."""
     known = [
-        (one, load_candidates(Run(one, checked=False).require("candidates").folder))
-        for one in of_each_size(spec)
+        (one, Run(one, checked=False).require("candidates").folder) for one in of_each_size(spec)
     ]
     return tuple(
         layout_scorer(
             spec,
-            [press_basis(one, motions, face, force) for one, motions in known],
+            [_presses(one, folder, face, force) for one, folder in known],
             faces=len(alike),
         )
         for force in spec.judged_forces_n
         for face, alike in faces.items()
     )
+
+
+def _presses(spec: ObjectSpec, folder: Path, face: int, force_n: float) -> PressBasis:
+    """The basis of one size's candidates; that of a scorer which still is, where it is the same."""
+    shared = spec.model_dump_json(exclude={"magnets"})
+    key = str(folder), face, force_n, faces_differ(spec), shared
+    found = _HELD.get(key)
+    if found is None:
+        found = _HELD[key] = press_basis(spec, load_candidates(folder), face, force_n)
+    return found
 
 
 def pressed_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:

@@ -55,6 +55,8 @@ class Run:
     ----------
     spec : ObjectSpec
         The object. `load_spec` reads one from a file.
+    checked : bool
+        Whether its parts must fit together; False for mechanics of a shell whose layout is still sought.
 
     Raises
     ------

@@ -120,3 +120,25 @@ def test_more_parts_than_the_start_has_need_no_places_for_their_mechanics(monkey
     monkeypatch.setattr(lowest_fidelity, "load_candidates", lambda folder: made)
     found = lowest_fidelity.scorers(structured, {1: (1,), 3: (3,)})
     assert len(found) == 2 * len(structured.judged_forces_n)
+
+
+def test_structures_share_the_presses_of_sizes_that_both_have(monkeypatch):
+    vary = {"magnet_sizes": ["D6x1", "D4x1", "D5x1"], "magnet_reach_mm": 12.0}
+    spec = made_up_spec().changed(search=SearchSpec.model_validate({"vary": vary}))
+    monkeypatch.setattr(
+        lowest_fidelity.Run,
+        "require",
+        lambda run, name: SimpleNamespace(folder=f"{run.spec.magnets.sizes[0]}"),
+    )
+    monkeypatch.setattr(lowest_fidelity, "load_candidates", lambda folder: made_up_motions(spec))
+
+    def presses(*parts):
+        sizes = {f"magnet{k + 1}_size": part for k, part in enumerate(parts)}
+        return lowest_fidelity.scorers(with_structure(spec, sizes), {3: (3,)})
+
+    first = presses("D6x1", "D4x1", "D4x1", "D4x1", "D4x1")
+    second = presses("D5x1", "D6x1", "D6x1", "D4x1", "D4x1")
+    for one, other in zip(first, second, strict=True):
+        assert one.presses_of[0] is other.presses_of[1]
+        assert one.presses_of[1] is other.presses_of[2]
+        assert all(other.presses_of[0] is not its for its in one.presses_of)
