@@ -125,7 +125,7 @@ def batch_scores(
     for name in each[forces.index(of_cross_face)]:
         values = torch.stack([scores[name] for scores in each if name in scores])
         found[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
-    found["largest_counts"] = each[-1]["largest_counts"]
+    found["largest_counts"] = torch.stack([face.largest_counts for face in places]).amax(dim=0)
     if start is not None:
         found[OVER_START] = _over_start([face.position_bound_mm for face in places], start)
     return found
@@ -175,7 +175,6 @@ def _scores_at_one_force(
         "worst_force_bound_n": force.amax(dim=1),
         "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
         "edge_position_bound_mm": _edge_mean(scorers, [face.position_bound_mm for face in places]),
-        "largest_counts": torch.stack([face.largest_counts for face in places]).amax(dim=0),
     }
     for name in _DEARER.keys() & set(named):
         found[name] = _DEARER[name].score(scorers, layouts)

@@ -60,11 +60,12 @@ class PlaceInformation:
     """Bounds and δ (up to a factor that is the same everywhere) of every contact location; the largest
     magnitude of any own channel in counts, at rest and in the deepest simulated presses.
 
-    These are taken as far as the shell without magnets is pressed, by the change with force at the
-    basis's. The second fidelity level, whose presses reach the same depth with more force, had 0.91 to
-    1.13 times as many (fourteen layouts of the paper's cube, from bases at 2, 5 and 12 N) and 0.99 to 1.23
-    times (ten that searches found on a box and a pear, from 8 N). With boards in the shell, which stiffen
-    it more, the chain had 1.57 and 1.72 times as many (two layouts).
+    These are told by scorers of the largest force among those worked out together, the others tell those at
+    rest. The shell without magnets is pressed as deep, by the change with force at the basis's, and the
+    pressed face's magnets are where that moves them. The second fidelity level, whose presses reach the same
+    depth with more force, had 1.02 to 1.11 times as many (fourteen layouts of the paper's cube) and 1.17
+    times (one of a pear, whose presses took a third more force). With boards in the shell, which
+    stiffen it more, the chain had 1.57 and 1.72 times as many (two layouts).
     """
 
     position_bound_mm: Float[Tensor, "layout place"]
@@ -236,36 +237,74 @@ def places_information(
 ) -> list[PlaceInformation]:
     """The same of several scorers; fields are worked out once where face and batch are the same."""
     seen: dict[tuple[int, int], ChannelChanges] = {}
+    largest_n = max(scorer.presses.force_n for scorer in scorers)
     found = []
     for scorer, one in zip(scorers, layouts, strict=True):
         key = scorer.presses.face, id(one)
         if key not in seen:
             seen[key] = _channel_changes(scorer, one)
-        found.append(_information(scorer, one, _press_changes(scorer, one, seen[key])))
+        changes = _press_changes(scorer, one, seen[key])
+        counts = changes.resting_counts.flatten(1).abs().amax(dim=1)
+        if scorer.presses.force_n == largest_n:
+            counts = torch.maximum(counts, _counts_when_pressed(scorer, one, changes))
+        found.append(_information(scorer, changes, counts))
     return found
 
 
-def _information(scorer: LayoutScorer, layouts: Layouts, changes: PressChanges) -> PlaceInformation:
+def _information(
+    scorer: LayoutScorer, changes: PressChanges, largest_counts: Float[Tensor, "layout"]
+) -> PlaceInformation:
     by_parameter = changes.by_parameter
     position, force = bounds(by_parameter[:, :, :3])
     white = scorer.white_share.repeat(len(by_parameter) // 3)[:, None, None]
     power = (by_parameter[:, :, 3] * white).square().sum(0)
     delta = (1 + _FORCE_VARIANCE * power).sqrt()
-    return PlaceInformation(position, force, delta, _largest_counts(scorer, layouts, changes))
+    return PlaceInformation(position, force, delta, largest_counts)
 
 
-def _largest_counts(
+def _counts_when_pressed(
     scorer: LayoutScorer, layouts: Layouts, changes: PressChanges
 ) -> Float[Tensor, "layout"]:
-    resting = changes.resting_counts.flatten(1)
+    """Largest of any channel, each sensor's in the deepest press at the place where signals that are linear
+    in the motions have most."""
     _, _, by_force, in_press = changes.by_parameter.unbind(2)
-    further = _beyond_n(scorer)
     sigma = scorer.sigma_counts.repeat(len(by_force) // 3)[:, None, None]
-    pressed = resting.T[..., None] + sigma * (in_press + by_force * further)
-    if scorer.sensors_move:
-        at = pressed.abs().unflatten(0, (-1, 3)).amax(dim=1).argmax(dim=-1).T
-        pressed = _counts_of_pressed_boards(scorer, layouts, at).T[..., None]
-    return torch.maximum(pressed.abs().amax(dim=(0, 2)), resting.abs().amax(dim=1))
+    resting = changes.resting_counts.flatten(1).T[..., None]
+    linear = resting + sigma * (in_press + by_force * _beyond_n(scorer))
+    place = linear.abs().unflatten(0, (-1, 3)).amax(dim=1).argmax(dim=-1).T
+    counts = _counts_of_pressed_boards if scorer.sensors_move else _counts_of_pressed_magnets
+    return counts(scorer, layouts, place).abs().amax(dim=1)
+
+
+def _counts_of_pressed_magnets(
+    scorer: LayoutScorer, layouts: Layouts, place: Int[Tensor, "layout sensor"]
+) -> Float[Tensor, "layout channel"]:
+    """Of every sensor, the pressed face's magnets where its own press has moved them: their fields grow
+    faster than their motions."""
+    count, sensors = place.shape
+    motion = place.new_zeros(count, sensors, layouts.magnet_mm.shape[1], 6).to(layouts.magnet_mm)
+    for presses, bodies, which in scorer.of_each_size(layouts):
+        rows, _ = mixed_rows(presses, bodies)
+        deepest = _deepest(scorer, presses)[:, place]
+        rows = rows.reshape(count, bodies.magnet_mm.shape[1], 6, -1)
+        moved = torch.einsum("lmkr,rls->lsmk", rows, deepest)
+        motion[:, :, slice(None) if which is None else list(which)] = moved
+    sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip)
+    centre, axis = (part[:, :, None] for part in own_magnets(scorer.presses, layouts))
+    shift, turn = motion.permute(3, 0, 1, 2).split(3)
+    turned = axis + torch.linalg.cross(turn, axis.expand_as(turn), dim=0)
+    magnets = (centre + shift).flatten(1, 2), (turned / turned.norm(dim=0)).flatten(1, 2)
+    polarity = layouts.polarity.repeat_interleave(sensors, dim=0)
+    own = field_at(scorer, sensor.flatten(1)[..., None], magnets, polarity, OWN)
+    _, other = _field_changes(scorer, layouts, sensor)
+    field = own.field.sum(-1)[..., 0].unflatten(1, place.shape) + other.field.sum(-1)
+    return scorer.counts_per_t * (axes @ field.permute(1, 2, 0)[..., None]).flatten(1)
+
+
+def _deepest(scorer: LayoutScorer, presses: PressBasis) -> Float[Tensor, "rank place"]:
+    """Basis of the pressed face's motions in the deepest presses."""
+    table = presses.own.basis.unflatten(1, (4, -1))
+    return table[:, 3] + table[:, 2] * _beyond_n(scorer)
 
 
 def _beyond_n(scorer: LayoutScorer) -> Float[Tensor, "place"]:
@@ -279,8 +318,7 @@ def _counts_of_pressed_boards(
     """Of each board in the deepest press at a place of its own: signals of boards that come near magnets are
     far from linear."""
     rows, _ = mixed_rows(scorer.presses, moving_bodies(scorer, layouts))
-    table = scorer.presses.own.basis.unflatten(1, (4, -1))
-    deepest = (table[:, 3] + table[:, 2] * _beyond_n(scorer))[:, place]
+    deepest = _deepest(scorer, scorer.presses)[:, place]
     motion = torch.einsum("lskr,rls->lsk", rows.reshape(*place.shape, 6, -1), deepest)
     sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip)
     own, other = _field_changes(scorer, layouts, sensor + motion[..., :3].permute(2, 0, 1))

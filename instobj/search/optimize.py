@@ -171,7 +171,7 @@ def _document(
     verdict = (
         f"{found.best.label} is better than the start, at the highest fidelity level"
         if found.better
-        else f"no layout is better than the start at the highest fidelity level "
+        else f"no layout is known to be better than the start at the highest fidelity level "
         f"({'; '.join(found.objections)}); best.toml is not written"
     )
     covered = f"{100 * covered_share(found.best.spec):.0f} % of the sensed surface"

@@ -34,6 +34,7 @@ from estimator.networks.training.fitting import one_thread
 from instobj.search.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
+    Bounds,
     TwinRatio,
     bounds_of_twins,
     chain_score,
@@ -74,6 +75,9 @@ class Promotion:
     achieve on simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections`
     say why the highest fidelity level does not call the best one better than the start. `asked` are
     the numbers of leaders and finalists that should have been scored.
+
+    Where the time ended before the chain had scored a finalist there is none, and the leaders begin
+    with the one that it had come to.
     """
 
     start: Promoted
@@ -103,8 +107,13 @@ class Promotion:
 
     @property
     def best(self) -> Promoted:
-        """The finalist that the highest fidelity level puts first."""
-        return self.finalists[0]
+        """The finalist that the highest fidelity level puts first, or the first leader without one."""
+        return (self.finalists or self.leaders)[0]
+
+    @property
+    def level(self) -> str:
+        """The highest fidelity level that has scored the best one."""
+        return LAST if self.finalists else SECOND
 
 
 @dataclass(frozen=True)
@@ -169,21 +178,16 @@ def promote(
     needed_s += second_seconds(start.spec)  # who walks on is scored there again
     everyone += _corrected(space, chosen, everyone, memo, say, short, ahead)
     ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
-    finalists = _finalists(start, ranked, search.finalists, memo, say, limit, ahead)
-    if not finalists:
-        raise InputError(
-            "no leader could be fabricated and scored at the higher fidelity levels: see the reasons above. "
-            "Raise search.leaders and go on with --resume"
-        )
+    finalists, unfinished = _finalists(start, ranked, search.finalists, memo, say, limit, ahead)
     finalists.sort(key=lambda one: merit(search, one, start, LAST))
+    ranked.sort(key=lambda one: one is not unfinished)
     correlations = {
         FIRST: _correlations(everyone, FIRST, SECOND),
         SECOND: _correlations([start, *finalists], SECOND, LAST),
     }
-    say("twins within tolerance")
-    ratios = twin_ratios(start.spec, twins, bounds_of_twins(finalists[0].spec))
+    ratios = _ratios(start, twins, finalists, say)
     estimators = _estimators((start, *finalists), say, limit, ahead)
-    against = objections(search, finalists[0], start, ratios)
+    against = objections(search, (finalists or ranked)[0], start, ratios)
     return Promotion(
         start,
         tuple(ranked),
@@ -196,12 +200,28 @@ def promote(
     )
 
 
+def _ratios(
+    start: Promoted, twins: list[Bounds], finalists: Sequence[Promoted], say: Say
+) -> dict[str, TwinRatio]:
+    """Of the best finalist; none where the time ends."""
+    if not finalists:
+        return {}
+    say("twins within tolerance")
+    try:
+        return twin_ratios(start.spec, twins, bounds_of_twins(finalists[0].spec))
+    except TimeSpent:
+        say("twins are left out: the time is over")
+        return {}
+
+
 def _estimators(
     layouts: Sequence[Promoted], say: Say, limit: TimeLimit, ahead: _Ahead
 ) -> dict[str, dict[str, float]]:
     """By layout, for as long as there is time: the verdict stands without them."""
     found: dict[str, dict[str, float]] = {}
     took = 0.0
+    if limit.left_s <= 0:
+        return found
     try:
         ahead.make(layouts, (METRICS.stage,))
         for one in layouts:
@@ -256,24 +276,41 @@ def _finalists(
     say: Say,
     limit: TimeLimit,
     ahead: _Ahead,
-) -> list[Promoted]:
+) -> tuple[list[Promoted], Promoted | None]:
     """The first leaders that can be fabricated and the highest level can score; one, where the next may
-    take too long."""
+    take too long. Besides, the one that the end of the time broke off, where there are none.
+
+    Raises
+    ------
+    InputError
+        None can be.
+    """
     finalists: list[Promoted] = []
     for number, one in enumerate(ranked):
         began = limit.left_s
         side_by_side = min(ahead.workers.count, count - len(finalists))
-        ahead.make(ranked[number : number + side_by_side], (FINDINGS.stage, *_CHAIN))
-        say(f"fabrication checks of {one.label}")
-        why = why_unbuildable(one.spec, start.spec)
-        if why:
-            say(f"{one.label} falls out, the next takes its place: it cannot be fabricated: {why}")
-            continue
-        finalists += _score([start, one], LAST, _highest, memo, say)[1:]
+        try:
+            ahead.make(ranked[number : number + side_by_side], (FINDINGS.stage, *_CHAIN))
+            say(f"fabrication checks of {one.label}")
+            why = why_unbuildable(one.spec, start.spec)
+            if why:
+                say(
+                    f"{one.label} falls out, the next takes its place: it cannot be fabricated: {why}"
+                )
+                continue
+            finalists += _score([start, one], LAST, _highest, memo, say)[1:]
+        except TimeSpent:
+            say(f"fidelity level {LAST} of {one.label} is left out: the time is over")
+            return finalists, None if finalists else one
         took = began - limit.left_s
         if len(finalists) == count or (finalists and took > limit.left_s / 2):
             break
-    return finalists
+    if not finalists:
+        raise InputError(
+            "no leader could be fabricated and scored at the higher fidelity levels: see the reasons above. "
+            "Raise search.leaders and go on with --resume"
+        )
+    return finalists, None
 
 
 def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:

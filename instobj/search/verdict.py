@@ -58,19 +58,25 @@ def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> di
 def objections(
     search: SearchSpec, best: Promoted, start: Promoted, ratios: dict[str, TwinRatio]
 ) -> tuple[str, ...]:
-    """What keeps a layout from being better at the highest fidelity level, in words."""
-    found = []
-    if _mean_log(search, best, start, LAST) >= 0:
+    """What keeps a layout from being better at the highest fidelity level, in words; at the second one
+    where the time ended before the highest."""
+    found, level = [], LAST if LAST in best.levels else SECOND
+    if level != LAST:
+        found.append(
+            "the time ended before the whole chain had scored it, these are scores of the second fidelity "
+            "level: give more search.seconds and go on with --resume"
+        )
+    if _mean_log(search, best, start, level) >= 0:
         found.append("the objectives' mean is not better")
-    for name, share in excess(search, best, start, LAST).items():
+    for name, share in excess(search, best, start, level).items():
         if name == "places_worse":
-            worse = worse_share(start.levels[LAST], best.levels[LAST])
+            worse = worse_share(start.levels[level], best.levels[level])
             found.append(
                 f"the position bound is larger than the start's at {100 * worse:.2g} % of contact "
                 f"locations and forces, more than places_worse = {search.limits.places_worse:g}"
             )
         elif name == "saturation_margin":
-            free, least = best.levels[LAST].saturation_margin, best.spec.limits.saturation_margin
+            free, least = best.levels[level].saturation_margin, best.spec.limits.saturation_margin
             found.append(
                 f"{100 * free:.2g} % of the sensors' range stays free in the deepest press, less than "
                 f"limits.saturation_margin = {least:g}"
@@ -78,6 +84,8 @@ def objections(
         else:
             found.append(f"{name} misses its limit by {100 * share:.2g} %")
     first = search.objectives[0]
+    if level == LAST and not ratios:
+        found.append("the time ended before virtual objects within tolerance were scored")
     if first in ratios and not ratios[first].low > 1:
         found.append(f"{first} is not better in 95 % of pairs of twins")
     return tuple(found)

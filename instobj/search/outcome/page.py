@@ -47,11 +47,11 @@ _LARGEST = "largest_false_force_n"
 
 @dataclass(frozen=True)
 class ChainResults:
-    """Folders of the chain's results that the page shows: scores before and after, the parts."""
+    """Folders of the chain's results that the page shows: the parts; scores before and after, where the
+    chain has scored both."""
 
-    scores_before: Path
-    scores_after: Path
     parts: Path
+    scores: tuple[Path, Path] | None
 
 
 def write_search_page(
@@ -74,6 +74,7 @@ def write_search_page(
         history=history,
         objectives=len(history.names),
         scene=base64.b64encode(layouts_scene(layouts, history)).decode(),
+        level=_LEVELS[found.level],
         highest=_highest(found) + _cross_face(results),
         maps=_maps(found, results, figures),
         ratios=[
@@ -98,15 +99,20 @@ def _highest(found: Promotion) -> list[list[str]]:
     return [
         [_label(name), f"{before:.4g}", f"{after:.4g}", _change(name, before, after)]
         for name in SCORE_NAMES
-        for before, after in [[getattr(one.levels["3"], name) for one in (found.start, found.best)]]
+        for before, after in [
+            [getattr(one.levels[found.level], name) for one in (found.start, found.best)]
+        ]
         if not isnan(before)  # what this object has none of
     ]
 
 
 def _cross_face(results: ChainResults) -> list[list[str]]:
     """The largest false force by an adjacent face: the scores above are percentiles."""
-    folders = (results.scores_before, results.scores_after)
-    before, after = (CROSS_FACE.read(folder)["adjacent"].get(_LARGEST, 0.0) for folder in folders)
+    if results.scores is None:
+        return []
+    before, after = (
+        CROSS_FACE.read(folder)["adjacent"].get(_LARGEST, 0.0) for folder in results.scores
+    )
     if not before:
         return []
     label = "false force by the next face (N), largest"
@@ -120,7 +126,9 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
 
     spec, faces = found.best.spec, found.best.spec.body.sensed
     forces = spec.judged_forces_n
-    before, after = (bounds_by_press(spec, one.levels["3"]) for one in (found.start, found.best))
+    before, after = (
+        bounds_by_press(spec, one.levels[found.level]) for one in (found.start, found.best)
+    )
     ratio = {key: after[key] / bound for key, bound in before.items()}
     rows = []
     for force in forces:
@@ -169,9 +177,10 @@ def _maps(found: Promotion, results: ChainResults, folder: Path) -> list[tuple[s
     from instobj.figures.maps.overview import draw_overview
     from instobj.figures.maps.scale import finite_limits
 
+    if results.scores is None:
+        return []
     pair = {"before": found.start.spec, "after": found.best.spec}
-    folders = {"before": results.scores_before, "after": results.scores_after}
-    scores = {when: SCORES.read(one) for when, one in folders.items()}
+    scores = {when: SCORES.read(one) for when, one in zip(pair, results.scores, strict=True)}
     every = np.concatenate([one.position_bound_fresh_mm.ravel() for one in scores.values()])
     pictures = []
     for when, one in scores.items():

@@ -54,12 +54,11 @@ def write_outcome(
     written.append(folder / "search.json")
     write_json(_results(found), written[-1])
     history = search_history(space, kept, plain_engines_s)
-    best = Run(found.best.spec)
-    results = ChainResults(
-        Run(found.start.spec).require("scores").folder,
-        best.require("scores").folder,
-        best.require("build").folder,
+    start, best = (Run(one.spec) for one in (found.start, found.best))
+    scores = (
+        tuple(run.require("scores").folder for run in (start, best)) if found.finalists else None
     )
+    results = ChainResults(best.require("build").folder, scores)
     layouts = shown_layouts(space, kept, found, history)
     written.append(write_search_page(space.spec, found, history, layouts, results, folder, step))
     return written

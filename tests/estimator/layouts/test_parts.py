@@ -134,13 +134,13 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
         force = scorers[0].presses.force_n
         asked[force] = set(named)
         scores = {"median_position_bound_mm": tensor([1 / force, 2 / force])}
-        scores["largest_counts"] = tensor([force, 2 * force])
         for name in named:
             scores[name] = tensor([force, force + 1])
         return scores
 
     monkeypatch.setattr(batch_scores, "_scores_at_one_force", at_one_force)
-    monkeypatch.setattr(batch_scores, "places_information", lambda scorers, layouts: [None] * 4)
+    counts = [SimpleNamespace(largest_counts=tensor([n, 24.0])) for n in (3.0, 1.0, 12.0, 4.0)]
+    monkeypatch.setattr(batch_scores, "places_information", lambda scorers, layouts: counts)
     scorers = [SimpleNamespace(presses=SimpleNamespace(force_n=n)) for n in (4.0, 1.0, 12.0, 4.0)]
     names = {"median_false_force_n", "slip_place_mm"}
     found = batch_scores.batch_scores.__wrapped__(scorers, [None] * 4, names)

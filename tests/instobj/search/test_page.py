@@ -2,7 +2,7 @@
 
 import json
 import re
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -61,23 +61,45 @@ def results(tmp_path):
     for folder, force_n in ((tmp_path, 20.0), (after, 30.0)):
         adjacent = {"largest_false_force_n": force_n}
         CROSS_FACE.path(folder).write_text(json.dumps({"adjacent": adjacent}))
-    return ChainResults(tmp_path, after, tmp_path)
+    return ChainResults(tmp_path, (tmp_path, after))
 
 
-def promote(objections):
+def promote(objections, levels=("1", "2", "3")):
     def promoted(label, trial, value, **content):
         spec = parse_spec({"name": "a", **content}, "a")
         score = FidelityScore(
             **dict.fromkeys(SCORE_NAMES, value), position_bounds_mm=(value,) * 1500
         )
-        return Promoted(label, trial, spec, dict.fromkeys(("1", "2", "3"), score))
+        return Promoted(label, trial, spec, dict.fromkeys(levels, score))
 
     moved = {"positions_mm": [[0, 0], [9, 8], [-9, 8], [9, -8], [-8, -9]]}
     start, best = promoted("start", None, 2.0), promoted("trial 7 <b>", 7, 1.0, magnets=moved)
     correlations = {level: dict.fromkeys(SCORE_NAMES, 0.5) for level in ("1", "2")}
+    if "3" not in levels:
+        return Promotion(start, (best,), (), correlations, {}, {}, objections, (1, 1))
     ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
     estimators = {one.label: dict.fromkeys(METRIC_LABELS, 0.25) for one in (start, best)}
     return Promotion(start, (best,), (best,), correlations, ratios, estimators, objections, (1, 1))
+
+
+def test_without_the_whole_chain_the_page_shows_the_second_level(tmp_path, results, monkeypatch):
+    for module, names in DRAWN.items():
+        for name in names:
+            monkeypatch.setattr(module, name, _dots)
+    found = promote(("the time ended before the whole chain",), levels=("1", "2"))
+    history, spec = made_up_history(), parse_spec({"name": "start"}, "s")
+    layouts = [ShownLayout(one.label, one.spec, (2.0, 3.0)) for one in (found.start, found.best)]
+    results = replace(results, scores=None)
+    path = write_search_page(spec, found, history, layouts, results, tmp_path, print)
+    text = path.read_text(encoding="utf-8")
+    told = read(text)
+    assert "NOT BETTER" in told
+    assert "the time ended before the whole chain" in told
+    assert "second fidelity level start found change" in told
+    assert "From the scores of all faces at the second fidelity level" in told
+    assert "None were scored: the search's time was over." in told
+    for absent in ("the whole chain start", "Position bound before", "largest 20 30"):
+        assert absent not in told
 
 
 @pytest.mark.parametrize("objections", [(), ("the objectives' mean is not better",)])

@@ -110,6 +110,10 @@ def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
     assert len(kept.trials()) == 30, "a call does at least one batch"
 
 
+BROKEN_OFF_S = 400.0
+"""Of a step that the end of the time breaks off."""
+
+
 @pytest.fixture
 def promoted(tmp_path, monkeypatch, clock):
     """Promotes a made-up search with so many seconds per layout at the second and highest level."""
@@ -121,6 +125,9 @@ def promoted(tmp_path, monkeypatch, clock):
         def scoring():
             def score(spec):
                 clock.now_s += seconds
+                if spec is not space.spec and seconds == BROKEN_OFF_S:
+                    clock.now_s += 1e4
+                    raise TimeSpent
                 worth = 1.0 + 0.01 * len(spec.magnets.positions_mm)
                 return FidelityScore(
                     **dict.fromkeys(SCORE_NAMES, worth), position_bounds_mm=(worth,)
@@ -131,7 +138,14 @@ def promoted(tmp_path, monkeypatch, clock):
         return scoring
 
     ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
-    monkeypatch.setattr(promotion, "bounds_of_twins", lambda spec: [])
+
+    def twins(spec):
+        if spec is not space.spec and twins_end:
+            raise TimeSpent
+        return []
+
+    twins_end = []
+    monkeypatch.setattr(promotion, "bounds_of_twins", twins)
     monkeypatch.setattr(promotion, "twin_ratios", lambda start, old, new: ratios)
 
     def trained(spec):
@@ -152,7 +166,9 @@ def promoted(tmp_path, monkeypatch, clock):
         walked=lambda params: None,
         space=space,
         workers=None,
+        twins_s=0.0,
     ):
+        twins_end[:] = [twins_s] * (twins_s == BROKEN_OFF_S)
         asked, took_out_of[0] = iter(range(99)), seconds + clock.now_s - 100.0
         monkeypatch.setattr(
             promotion, "corrected_params", lambda space, params, start, one, over: walked(params)
@@ -197,6 +213,24 @@ def test_as_much_time_is_kept_as_the_start_took_on_the_highest_level(promoted):
     assert "does not walk on: time runs short" in " ".join(said)
     again, _ = promoted(seconds=90, second_s=20, highest_s=60)
     assert (len(again.leaders), len(again.finalists)) == (4, 2)
+
+
+def test_where_the_time_ends_within_the_chain_the_second_level_is_the_result(promoted):
+    found, said = promoted(seconds=1000, second_s=10, highest_s=BROKEN_OFF_S, unbuildable=(0,))
+    assert (found.finalists, found.level, found.ratios, found.estimators) == ((), "2", {}, {})
+    assert f"fidelity level 3 of {found.best.label} is left out: the time is over" in said
+    assert f"fabrication checks of {found.best.label}" in said[-3:]
+    assert len(found.leaders) == 3
+    assert not any("walked" in one.label for one in found.leaders)
+    assert "the time ended before the whole chain had scored it" in found.objections[0]
+
+
+def test_where_the_time_ends_within_virtual_objects_nothing_is_called_better(promoted):
+    found, said = promoted(seconds=1000, second_s=10, highest_s=10, twins_s=BROKEN_OFF_S)
+    assert found.finalists
+    assert not found.ratios
+    assert "the time ended before virtual objects within tolerance were scored" in found.objections
+    assert "twins are left out: the time is over" in said
 
 
 def test_one_leader_and_one_finalist_are_always_scored(promoted):

@@ -107,18 +107,10 @@ def ordinary_chain(spec, motions, face, layouts, row):
 def chain_of_scene(spec, motions, face, scene, motion):
     """The same of a scene whose sensors are the face's own, with the motions (place, step, body, 6) of what
     moves in it."""
-    model = exact_model(spec.magnets)
-
-    def counts(moved):
-        flat = moved.reshape(-1, *moved.shape[-2:])
-        field = 1e3 * sensed_field(scene, flat, model)
-        found = counts_of_field(field, scene.sensors.axes, spec.sensors)
-        return found.reshape(*moved.shape[:-2], -1, 3)
-
-    rest = counts(np.zeros_like(motion[:1, 0]))[0]
+    rest = counts_of_scene(spec, scene, np.zeros_like(motion[:1, 0]))[0]
     index = motions.faces.tolist().index(face)
     delta = np.zeros((len(motions.faces), *motion.shape[:2], *rest.shape))
-    delta[index] = counts(motion) - rest
+    delta[index] = counts_of_scene(spec, scene, motion) - rest
     depth = np.array([1.0, 2.0])
     signals = Signals(motions.faces, motions.places, depth, motions.force_n, delta, rest)
     xy = motions.places.xy_mm
@@ -126,6 +118,14 @@ def chain_of_scene(spec, motions, face, scene, motion):
     found = signal_gradient(signals, np.full(len(xy), face), xy[:, 0], xy[:, 1], force)
     sigma = disturbance_counts(spec.sensors, "fresh", found.counts.shape[1])
     return cramer_rao_bounds(found.jacobian, sigma), found.counts, rest
+
+
+def counts_of_scene(spec, scene, motion):
+    """Counts (…, sensor, 3) where what moves has moved by (…, body, 6), by exact fields."""
+    flat = motion.reshape(-1, *motion.shape[-2:])
+    field = 1e3 * sensed_field(scene, flat, exact_model(spec.magnets))
+    found = counts_of_field(field, scene.sensors.axes, spec.sensors)
+    return found.reshape(*motion.shape[:-2], -1, 3)
 
 
 def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
