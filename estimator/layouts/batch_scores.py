@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import torch
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 from torch import Tensor
 
 from design.spec.object import ObjectSpec
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N
-from estimator.information.scores import compliance_deviation, on_places, outermost_places
+from estimator.information.scores import compliance_deviation, on_places
 from estimator.information.two_contacts import PERCENT
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import percentile
@@ -185,15 +185,9 @@ def _edge_mean(
     scorers: Sequence[LayoutScorer], bounds_mm: Sequence[Float[Tensor, "layout _"]]
 ) -> Float[Tensor, "layout"]:
     found = [
-        bound[:, torch.as_tensor(_outermost(scorer))]
-        for scorer, bound in zip(scorers, bounds_mm, strict=True)
+        bound[:, scorer.presses.outermost] for scorer, bound in zip(scorers, bounds_mm, strict=True)
     ]
     return _all_faces(scorers, found).mean(dim=1)
-
-
-def _outermost(scorer: LayoutScorer) -> Bool[np.ndarray, "place"]:
-    there = scorer.presses.there
-    return outermost_places(scorer.presses.places, there)[there]
 
 
 def unevenness(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> float:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 import torch
@@ -25,6 +25,7 @@ from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.contact_places import contact_places
 from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
+from estimator.information.scores import outermost_places
 from estimator.layouts.surfaces import Surface, surfaces
 from fem.candidates.motions import CandidateMotions, FaceCandidates
 
@@ -96,6 +97,11 @@ class PressBasis:
     def count(self) -> int:
         """Contact locations that the face has."""
         return int(self.there.sum())
+
+    @cached_property
+    def outermost(self) -> Bool[Tensor, "place"]:
+        """Places of the face's outermost ring, corners included."""
+        return torch.as_tensor(outermost_places(self.places, self.there)[self.there])
 
     def rows_of(self, places: Int[np.ndarray, "some"]) -> Int[np.ndarray, "some"]:
         """Rows that places of the contact grid have among the face's own."""

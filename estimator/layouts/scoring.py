@@ -75,23 +75,35 @@ class PlaceInformation:
 
 
 @dataclass(frozen=True)
-class PressChanges:
-    """Whitened derivatives of own channels by x, y and force, their change in the press itself, and
-    the counts at rest."""
-
-    by_parameter: Float[Tensor, "channel layout 4 place"]
-    resting_counts: Float[Tensor, "layout sensor 3"]
-
-
-@dataclass(frozen=True)
 class ChannelChanges:
     """Counts of own channels at rest, and the change of whitened ones with the motion of each body in the
     silicone, whatever is pressed how hard: `by_own` and, of the faces that move, `by_other` magnets;
-    boards change their own channels alone."""
+    boards change their own channels alone. Besides, where the chips are, their axes and the other faces'
+    field (T) there."""
 
     resting_counts: Float[Tensor, "layout sensor 3"]
     by_own: Float[Tensor, "layout channel motion"]
     by_other: Float[Tensor, "layout channel motion_of_others"]
+    sensor_mm: Float[Tensor, "3 layout sensor"]
+    axes: Float[Tensor, "layout sensor 3 3"]
+    others_t: Float[Tensor, "3 layout sensor"]
+
+
+@dataclass(frozen=True)
+class PressChanges:
+    """Whitened derivatives of own channels by x, y and force, and their change in the press itself; of what
+    moves with the silicone, which of a face's bodies (None: all), and how they move with the presses
+    of their size."""
+
+    by_parameter: Float[Tensor, "channel layout 4 place"]
+    channels: ChannelChanges
+    motions: tuple[
+        tuple[tuple[int, ...] | None, PressBasis, Float[Tensor, "layout body 6 rank"]], ...
+    ]
+
+    @property
+    def resting_counts(self) -> Float[Tensor, "layout sensor 3"]:
+        return self.channels.resting_counts
 
 
 @dataclass(frozen=True)
@@ -273,32 +285,30 @@ def _counts_when_pressed(
     linear = resting + sigma * (in_press + by_force * _beyond_n(scorer))
     place = linear.abs().unflatten(0, (-1, 3)).amax(dim=1).argmax(dim=-1).T
     counts = _counts_of_pressed_boards if scorer.sensors_move else _counts_of_pressed_magnets
-    return counts(scorer, layouts, place).abs().amax(dim=1)
+    return counts(scorer, layouts, changes, place).abs().amax(dim=1)
 
 
 def _counts_of_pressed_magnets(
-    scorer: LayoutScorer, layouts: Layouts, place: Int[Tensor, "layout sensor"]
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    changes: PressChanges,
+    place: Int[Tensor, "layout sensor"],
 ) -> Float[Tensor, "layout channel"]:
     """Of every sensor, the pressed face's magnets where its own press has moved them: their fields grow
     faster than their motions."""
-    count, sensors = place.shape
-    motion = place.new_zeros(count, sensors, layouts.magnet_mm.shape[1], 6).to(layouts.magnet_mm)
-    for presses, bodies, which in scorer.of_each_size(layouts):
-        rows, _ = mixed_rows(presses, bodies)
-        deepest = _deepest(scorer, presses)[:, place]
-        rows = rows.reshape(count, bodies.magnet_mm.shape[1], 6, -1)
-        moved = torch.einsum("lmkr,rls->lsmk", rows, deepest)
+    channels, sensors = changes.channels, place.shape[1]
+    motion = layouts.magnet_mm.new_zeros(*place.shape, layouts.magnet_mm.shape[1], 6)
+    for which, presses, rows in changes.motions:
+        moved = torch.einsum("lmkr,rls->lsmk", rows, _deepest(scorer, presses)[:, place])
         motion[:, :, slice(None) if which is None else list(which)] = moved
-    sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip)
     centre, axis = (part[:, :, None] for part in own_magnets(scorer.presses, layouts))
     shift, turn = motion.permute(3, 0, 1, 2).split(3)
     turned = axis + torch.linalg.cross(turn, axis.expand_as(turn), dim=0)
     magnets = (centre + shift).flatten(1, 2), (turned / turned.norm(dim=0)).flatten(1, 2)
     polarity = layouts.polarity.repeat_interleave(sensors, dim=0)
-    own = field_at(scorer, sensor.flatten(1)[..., None], magnets, polarity, OWN)
-    _, other = _field_changes(scorer, layouts, sensor)
-    field = own.field.sum(-1)[..., 0].unflatten(1, place.shape) + other.field.sum(-1)
-    return scorer.counts_per_t * (axes @ field.permute(1, 2, 0)[..., None]).flatten(1)
+    own = field_at(scorer, channels.sensor_mm.flatten(1)[..., None], magnets, polarity, OWN)
+    field = own.field.sum(-1)[..., 0].unflatten(1, place.shape) + channels.others_t
+    return _counts(scorer, channels.axes, field)
 
 
 def _deepest(scorer: LayoutScorer, presses: PressBasis) -> Float[Tensor, "rank place"]:
@@ -313,18 +323,28 @@ def _beyond_n(scorer: LayoutScorer) -> Float[Tensor, "place"]:
 
 
 def _counts_of_pressed_boards(
-    scorer: LayoutScorer, layouts: Layouts, place: Int[Tensor, "layout sensor"]
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    changes: PressChanges,
+    place: Int[Tensor, "layout sensor"],
 ) -> Float[Tensor, "layout channel"]:
     """Of each board in the deepest press at a place of its own: signals of boards that come near magnets are
     far from linear."""
-    rows, _ = mixed_rows(scorer.presses, moving_bodies(scorer, layouts))
-    deepest = _deepest(scorer, scorer.presses)[:, place]
-    motion = torch.einsum("lskr,rls->lsk", rows.reshape(*place.shape, 6, -1), deepest)
-    sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip)
-    own, other = _field_changes(scorer, layouts, sensor + motion[..., :3].permute(2, 0, 1))
+    ((_, presses, rows),) = changes.motions
+    motion = torch.einsum("lskr,rls->lsk", rows, _deepest(scorer, presses)[:, place])
+    moved = changes.channels.sensor_mm + motion[..., :3].permute(2, 0, 1)
+    own, other = _field_changes(scorer, layouts, moved)
     field = (own.field.sum(-1) + other.field.sum(-1)).permute(1, 2, 0)
     felt = _turned_back(field, motion[..., 3:])
-    return scorer.counts_per_t * (axes @ felt[..., None]).flatten(1)
+    return _counts(scorer, changes.channels.axes, felt.permute(2, 0, 1))
+
+
+def _counts(
+    scorer: LayoutScorer,
+    axes: Float[Tensor, "layout sensor 3 3"],
+    field_t: Float[Tensor, "3 layout sensor"],
+) -> Float[Tensor, "layout channel"]:
+    return scorer.counts_per_t * (axes @ field_t.permute(1, 2, 0)[..., None]).flatten(1)
 
 
 def press_changes(
@@ -355,26 +375,29 @@ def _channel_changes(
     if sensor_shift_mm is not None:
         sensor = sensor + sensor_shift_mm.permute(2, 0, 1)
     own, other = _field_changes(scorer, layouts, sensor)
-    field = own.field.sum(-1) + other.field.sum(-1)
-    counts = scorer.counts_per_t * (axes @ field.permute(1, 2, 0)[..., None])[..., 0]
+    others_t = other.field.sum(-1)
+    counts = _counts(scorer, axes, own.field.sum(-1) + others_t).unflatten(1, (-1, 3))
+    there = sensor, axes, others_t
     whitened = axes * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
     if scorer.sensors_move:
         by_own = _each_its_own(whitened @ by_motion_of_sensors(own, other))
-        return ChannelChanges(counts, by_own, by_own[..., :0])
+        return ChannelChanges(counts, by_own, by_own[..., :0], *there)
     moving = _of_moving_faces(
         other.by_motion, layouts.magnet_mm.shape[1], len(scorer.presses.neighbours)
     )
     return ChannelChanges(
-        counts, _by_channel(whitened, own.by_motion), _by_channel(whitened, moving)
+        counts, _by_channel(whitened, own.by_motion), _by_channel(whitened, moving), *there
     )
 
 
 def _press_changes(
     scorer: LayoutScorer, layouts: Layouts, channels: ChannelChanges
 ) -> PressChanges:
-    moving = []
+    moving, motions = [], []
     for presses, bodies, which in scorer.of_each_size(layouts):
         rows, tables = mixed_rows(presses, bodies), (presses.own, presses.other)
+        count = bodies.magnet_mm.shape[1]
+        motions.append((which, presses, rows[0].reshape(len(layouts), count, 6, -1)))
         some = (_of_bodies(each, which, layouts) for each in (channels.by_own, channels.by_other))
         moving += [
             (by_channel @ row.reshape(len(layouts), by_channel.shape[2], -1), table.basis)
@@ -384,7 +407,7 @@ def _press_changes(
     mixed, basis = torch.cat([m for m, _ in moving], dim=-1), torch.cat([b for _, b in moving])
     change = mixed.transpose(0, 1).reshape(-1, len(basis)) @ basis
     by_parameter = change.reshape(mixed.shape[1], len(layouts), 4, -1)
-    return PressChanges(by_parameter, channels.resting_counts)
+    return PressChanges(by_parameter, channels, tuple(motions))
 
 
 def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
