@@ -10,12 +10,11 @@ from math import prod
 
 from design.search.space import SearchSpace
 from design.spec.search import SearchSpec
-from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
 
 _LONGEST = 600
 """Generations that one run gains by, seen on the paper's cube; more were not tried."""
 _SPARE = 2.0
-"""A joined run shall take half of the time at most that all trials have."""
+"""A joined run shall take half of the time at most that is left to all trials."""
 
 
 def joined(space: SearchSpace, at_once: int) -> SearchSpace:
@@ -40,16 +39,14 @@ def joined(space: SearchSpace, at_once: int) -> SearchSpace:
     )
 
 
-def in_time(space: SearchSpace, generations: int, generation_s: float, layouts: int) -> SearchSpace:
-    """The search as asked for with joined runs of so many `generations`, or as many as half of the time of
-    all trials allows where one of each of so many layouts takes so long; never fewer than asked for."""
+def in_time(
+    space: SearchSpace, generations: int, generation_s: float, layouts: int, left_s: float
+) -> SearchSpace:
+    """The search as asked for with joined runs of so many `generations`, or as many as half of the time
+    `left_s` of all trials allows where one of each of so many layouts takes so long; never fewer than asked
+    for."""
     search = space.spec.search
-    fits = int(
-        TRIALS_SHARE
-        * TimeLimit(search.seconds).searching_s
-        / _SPARE
-        / max(generation_s * layouts, 1e-9)
-    )
+    fits = int(left_s / _SPARE / max(generation_s * layouts, 1e-9))
     return _with(space, polish_steps=min(generations, max(fits, search.polish_steps)))
 
 

@@ -96,14 +96,14 @@ class StartScores:
     counts_over_lowest: float
 
 
-def lowest_fidelity(question: tuple[str, int]) -> Evaluate:
+def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
     """The function that scores trials of one structure; takes and gives what pipes can carry.
 
-    Of a specification as JSON, and how many generations a trial has once trials are joined, fewer where
-    time is short (`in_time`). On the device that `INSTOBJ_DEVICE` names, which all tensors
-    of this process then lie on.
+    Of a specification as JSON, how many generations a trial has once trials are joined, and the seconds that
+    are left to all trials: fewer generations where that is short (`in_time`). On the device that
+    `INSTOBJ_DEVICE` names, which all tensors of this process then lie on.
     """
-    content, generations = question
+    content, generations, left_s = question
     torch.set_num_threads(1)
     device = compute_device()
     if device.type != "cpu":
@@ -119,7 +119,7 @@ def lowest_fidelity(question: tuple[str, int]) -> Evaluate:
             if space.spec.search.polish_steps:
                 generation_s = seconds_per_generation(space, lowest, trials[0], len(trials))
                 require_in_time(space.spec.search, generation_s, len(trials))
-                timed = in_time(space, generations, generation_s, len(trials))
+                timed = in_time(space, generations, generation_s, len(trials), left_s)
             by_structure[structure] = timed, lowest
         return score_trials(*by_structure[structure], trials)
 

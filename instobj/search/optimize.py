@@ -68,7 +68,7 @@ def optimize(
         progress.step(f"{text}; {limit.left}")
 
     with _kept_on_interrupt(kept, progress), limit.enforced():
-        _search(space, kept, progress, say, lambda: limit.over(TRIALS_SHARE), processes=workers)
+        _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), processes=workers)
         with progress.stage("promotion"), open_workers(workers, scheduler, progress) as others:
             found = promote(space, kept, folder, say, limit, others)
     if found is None:
@@ -103,7 +103,7 @@ def work(path: Path, out: Path, overrides: list[str], storage: str, worker: int)
     progress = ProgressLine()
     kept = open_study(spec, storage, join=True, say=progress.step)
     limit = TimeLimit(spec.search.seconds)
-    _search(space, kept, progress, progress.step, limit.over, worker)
+    _search(space, kept, progress, progress.step, lambda: limit.left_s, worker)
     return {"command": "worker", "tables": {f"search of {spec.name}": [_trial_counts(kept)]}}
 
 
@@ -142,7 +142,7 @@ def _search(
     kept: KeptStudy,
     progress: ProgressLine,
     say: Callable[[str], None],
-    over: Callable[[], bool],
+    left_s: Callable[[], float],
     worker: int = 0,
     processes: int = 1,
 ) -> None:
@@ -159,10 +159,10 @@ def _search(
     def waiting(trials: int) -> None:
         say("1 trial at work" if trials == 1 else f"{trials} trials at work")
 
-    question = (content, space.spec.search.polish_steps)
+    question = (content, space.spec.search.polish_steps, left_s())
     made = side_by_side(lowest_fidelity, question, processes, waiting)
     with made as score, progress.stage("search"):
-        run_search(space, kept, score, say, first, worker, over, processes)
+        run_search(space, kept, score, say, first, worker, lambda: left_s() <= 0, processes)
 
 
 def _document(

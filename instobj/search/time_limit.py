@@ -48,9 +48,9 @@ class TimeLimit:
         """Until the page."""
         return self.started + self.searching_s - time.monotonic()
 
-    def over(self, share: float = 1.0) -> bool:
-        """Whether this share of the search's time is spent."""
-        return self.left_s <= (1 - share) * self.searching_s
+    def left_of(self, share: float) -> float:
+        """Seconds that are left of this share of the search's time."""
+        return self.left_s - (1 - share) * self.searching_s
 
     @property
     def left(self) -> str:

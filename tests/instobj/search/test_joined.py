@@ -59,23 +59,23 @@ def test_choices_batches_processes_and_fronts_keep_their_runs(search, at_once, b
 
 
 @pytest.mark.parametrize(
-    ("generation_s", "layouts", "seconds", "steps"),
+    ("generation_s", "layouts", "left_s", "steps"),
     [
-        (0.1, 1, 2700.0, 600),
-        (1.0, 1, 2700.0, 507),
-        (0.5, 2, 2700.0, 507),
-        (2.0, 1, 86400.0, 600),  # a joined run may take as long as the trials that it stands for
-        (0.1, 1, 200.0, 376),  # half of what trials have of the search's time
-        (0.1, 1, 60.0, 300),  # as asked for, whatever that takes
-        (0.0, 1, 60.0, 600),
+        (0.1, 1, 1014.0, 600),
+        (1.0, 1, 1014.0, 507),
+        (0.5, 2, 1014.0, 507),
+        (2.0, 1, 32000.0, 600),  # a joined run may take as long as the trials that it stands for
+        (0.1, 1, 75.2, 376),  # half of what is left to trials
+        (0.1, 1, -3.0, 300),  # as asked for, whatever that takes
+        (0.0, 1, 20.0, 600),
     ],
 )
-def test_a_joined_run_is_shorter_where_time_is_short(generation_s, layouts, seconds, steps):
-    asked = space_of(trials=4, vary=LENGTHS, seconds=seconds)
+def test_a_joined_run_is_shorter_where_time_is_short(generation_s, layouts, left_s, steps):
+    asked = space_of(trials=4, vary=LENGTHS)
     space = joined(asked, 1)
     assert runs(space) == (2, 600)
     assert space.spec.search.trial_seconds == 2 * asked.spec.search.trial_seconds
-    assert runs(in_time(asked, 600, generation_s, layouts)) == (4, steps)
+    assert runs(in_time(asked, 600, generation_s, layouts, left_s)) == (4, steps)
 
 
 def test_what_became_of_the_trials_is_said():

@@ -81,17 +81,16 @@ def test_time_spent_before_is_counted(clock):
 def test_shares_of_the_time(clock):
     limit = TimeLimit(1000)
     clock.now_s += 375
-    assert not limit.over(0.4)
+    assert limit.left_of(0.4) == pytest.approx(1)
     clock.now_s += 2
-    assert limit.over(0.4)
-    assert not limit.over()
+    assert limit.left_of(0.4) == pytest.approx(-1)
     assert limit.left_s == pytest.approx(563)
     assert limit.left == "563 of 940 s left until the page"
     assert "trials until 376 s, then leaders" in limit.plan
     assert "until 940 s" in limit.plan
     assert limit.plain_engines_s == pytest.approx(40)
     clock.now_s += 564
-    assert limit.over()
+    assert limit.left_s < 0
     assert limit.left == "0 of 940 s left until the page"
 
 
@@ -104,9 +103,9 @@ def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
         return made_up_score(trials, seconds)
 
     kept = open_study(space.spec, tmp_path / "journal.log", join=True)
-    run_search(space, kept, slow, lambda line: None, over=limit.over)
+    run_search(space, kept, slow, lambda line: None, over=lambda: limit.left_s <= 0)
     assert len(kept.trials()) == 20
-    run_search(space, kept, slow, lambda line: None, over=limit.over)
+    run_search(space, kept, slow, lambda line: None, over=lambda: limit.left_s <= 0)
     assert len(kept.trials()) == 30, "a call does at least one batch"
 
 
