@@ -258,13 +258,15 @@ def start_scores(spec: ObjectSpec) -> StartScores:
     own = {name: float(value) for name, value in scores.items()}
     by_press = {_pressed(one): bound for one, bound in zip(found, bounds, strict=True)}
     scores = own | decided_by_structure(spec, found) | {OVER_START: 1.0}
-    return StartScores(scores, by_press, _CHAIN_OVER_LOWEST[_kind(spec)])
+    return StartScores(scores, by_press, counts_over_lowest(spec))
 
 
-def _kind(spec: ObjectSpec) -> str:
-    if spec.arrangement != "sensors-in-core":
-        return spec.arrangement
-    return "flat" if all(frame.flat for frame in face_frames(spec)) else "curved"
+def counts_over_lowest(spec: ObjectSpec) -> float:
+    """The most that layouts of this body are taken to have in the chain."""
+    kind = spec.arrangement
+    if kind == "sensors-in-core":
+        kind = "flat" if all(frame.flat for frame in face_frames(spec)) else "curved"
+    return _CHAIN_OVER_LOWEST[kind]
 
 
 def _pressed(scorer: LayoutScorer) -> tuple[float, int]:

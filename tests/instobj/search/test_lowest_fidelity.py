@@ -1,5 +1,6 @@
 """Trials at the lowest fidelity level: refused at once where they cannot end in time."""
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,7 +11,7 @@ from design.errors import InputError
 from design.search.space import params_at, search_space, start_params
 from design.search.structure import with_structure
 from design.spec.search import SearchSpec
-from design.spec_io import parse_spec
+from design.spec_io import load_spec, parse_spec
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import OVER_START, PlaceBounds, position_bounds
 from estimator.layouts.polish import LowestFidelity
@@ -20,11 +21,14 @@ from estimator.layouts.vectors import layout_space
 from instobj.search import lowest_fidelity
 from instobj.search.lowest_fidelity import (
     broken_by_structure,
+    counts_over_lowest,
     parts_scores,
     require_in_time,
     score_trials,
 )
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
 @pytest.mark.parametrize(("steps", "layouts", "fits"), [(300, 1, 100), (60, 5, 20)])
@@ -142,3 +146,11 @@ def test_structures_share_the_presses_of_sizes_that_both_have(monkeypatch):
         assert one.presses_of[0] is other.presses_of[1]
         assert one.presses_of[1] is other.presses_of[2]
         assert all(other.presses_of[0] is not its for its in one.presses_of)
+
+
+@pytest.mark.parametrize(
+    ("example", "times"), [("paper_cube", 1.155), ("handle", 1.25), ("reverse_cube", 1.7)]
+)
+def test_counts_kept_free_are_what_bodies_were_measured_to_have_more_in_the_chain(example, times):
+    spec = load_spec(EXAMPLES / f"{example}.toml")
+    assert counts_over_lowest(spec) == pytest.approx(times)
