@@ -252,10 +252,16 @@ def boards_depth_mm(spec: ObjectSpec) -> float:
     return spec.shell.pocket_depth_mm - spec.sensors.package_mm[2] / 2
 
 
-def board_frame(azimuth_rad: float) -> Float[np.ndarray, "3 3"]:
-    """Axes of a sensor board as columns: −tangential, radial outward, the face's normal."""
+def board_frame(
+    azimuth_rad: float | Float[np.ndarray, "*board"],
+) -> Float[np.ndarray, "*board 3 3"]:
+    """Axes of sensor boards as columns: −tangential, radial outward, the face's normal."""
     cosine, sine = np.cos(azimuth_rad), np.sin(azimuth_rad)
-    return np.array([[sine, cosine, 0.0], [-cosine, sine, 0.0], [0.0, 0.0, 1.0]])
+    frame = np.zeros((*np.shape(azimuth_rad), 3, 3))
+    frame[..., 0, 0] = frame[..., 1, 1] = sine
+    frame[..., 0, 1], frame[..., 1, 0] = cosine, -cosine
+    frame[..., 2, 2] = 1.0
+    return frame
 
 
 def tilted_frame(about_x_deg: float, about_y_deg: float) -> Float[np.ndarray, "3 3"]:

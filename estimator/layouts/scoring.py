@@ -27,7 +27,7 @@ from estimator.information.fisher import NoiseState, disturbance_counts
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import bounds, percentile
 from estimator.layouts.mixed_rows import candidate_ends_mm, mixed_rows
-from estimator.layouts.near_field import OTHER, OWN, Magnets, Reach, field_of_magnets
+from estimator.layouts.near_field import OTHER, OWN, PRESSED, Magnets, Reach, field_of_magnets
 from estimator.layouts.placed import chips, other_magnets, own_magnets
 from estimator.layouts.press_basis import PressBasis
 
@@ -306,7 +306,7 @@ def _counts_of_pressed_magnets(
     turned = axis + torch.linalg.cross(turn, axis.expand_as(turn), dim=0)
     magnets = (centre + shift).flatten(1, 2), (turned / turned.norm(dim=0)).flatten(1, 2)
     polarity = layouts.polarity.repeat_interleave(sensors, dim=0)
-    own = field_at(scorer, channels.sensor_mm.flatten(1)[..., None], magnets, polarity, OWN)
+    own = field_at(scorer, channels.sensor_mm.flatten(1)[..., None], magnets, polarity, PRESSED)
     field = own.field.sum(-1)[..., 0].unflatten(1, place.shape) + channels.others_t
     return _counts(scorer, channels.axes, field)
 

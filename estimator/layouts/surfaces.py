@@ -83,7 +83,7 @@ class Surface:
             frame, depth = self.frame, np.full(len(xy_mm), boards_depth_mm(self.spec))
         xy = onto_patch_mm(frame, xy_mm)
         point = frame.to_object(np.column_stack([xy, -depth]))
-        board = np.stack([board_frame(azimuth) for azimuth in _azimuths(xy_mm)])
+        board = board_frame(_azimuths(xy_mm))
         axes = frame.axes_at(xy) @ board @ chip_on_board(self.spec.sensors)
         return np.concatenate([point, axes.transpose(0, 2, 1).reshape(-1, 9)], axis=1)
 

@@ -273,7 +273,7 @@ def _rims_of_stack(
     stack, sensors = mounted_stack(spec, (0.0, 0.0, 0.0)), spec.sensors
     board = _RIM / 2 * sensors.package_mm[:2] + [0.0, stack.board_xy_mm[0]]
     chip = _RIM / 2 * sensors.chip_mm[:2]
-    turns = np.stack([board_frame(azimuth)[:2, :2] for azimuth in places[:, 2]])
+    turns = board_frame(places[:, 2])[:, :2, :2]
     tops = np.repeat([stack.board_top_mm, stack.chip_top_mm], len(_RIM))
     return np.concatenate([board, chip]) @ turns.transpose(0, 2, 1), tops
 
