@@ -49,8 +49,9 @@ change with the magnet's motion to 1.5 % of the largest there; further away erro
 distance to the power of order + 2.
 """
 PRESSED = Reach(order=21, least=1.15, straight_on=True)
-"""A face's own magnets in deep presses, which no limit keeps off: at the least distance the field is right to
-1.2 %, at 1.1 and 1.0 times the radius TODO."""
+"""A face's own magnets in deep presses, which no limit keeps off: the field is 0.97 to 1.02 of the true one
+at the least distance and 0.92 to 1.03 at 1.1 times the radius; at the radius 0.97 in the median and
+0.63 or more in 95 % of the poses, least beside a disk's rim."""
 
 Magnets = tuple[Float[Tensor, "3 layout magnet"], Float[Tensor, "3 layout magnet"]]
 """Centres (mm) and unit axes, coordinates first."""

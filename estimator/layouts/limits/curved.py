@@ -28,6 +28,7 @@ from estimator.layouts.limits.parts import (
     Pockets,
     boards_of,
     chips_near_magnets_mm,
+    missing_beside_hole_mm,
     outlines_mm,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
@@ -86,6 +87,9 @@ def broken_on_surfaces_mm(
         )
         least = board_gap_mm + SLACK_MM
         found["board gap"] = missing_between_boxes_mm(centre, axes, half_mm, least)
+        found["board beside the wire hole"] = worst_of_faces(
+            [_boards_beside_hole(one, recesses[number]) for number, one in known.items()]
+        )
         found["boards near the edge"] = worst_of_faces(
             [
                 _boards_past_edges(one, laid[number], recesses[number])
@@ -209,6 +213,28 @@ def _recesses(surface: Surface, layouts: Layouts, boards: Boards) -> _Boxes:
     centre = point + ahead[..., None] * axes[..., 0, :] - deep[..., None] * axes[..., 2, :]
     radial, across = (torch.full_like(deep, half) for half in boards.half_mm)
     return centre, axes, torch.stack([radial, across, deep], dim=-1)
+
+
+def _boards_beside_hole(surface: Surface, recesses: _Boxes) -> Float[Tensor, "layout"]:
+    """As `boards_beside_hole_mm`, of recesses turned with the core's surface: seen along the hole, which
+    they come nearer to the deeper they are."""
+    centre, axes, half = recesses
+    middle, plane = (
+        torch.tensor(part, dtype=centre.dtype)
+        for part in (surface.core.centre_mm, surface.core.axes[:, :2])
+    )
+    seen, edges = (centre - middle) @ plane, (half[..., None] * axes) @ plane
+    signs = torch.cartesian_prod(*3 * [torch.tensor([-1.0, 1.0])]).to(centre)
+    across = torch.stack([-edges[..., 1], edges[..., 0]], dim=-1)
+    ways = torch.cat([across, seen[..., None, :] + signs @ edges], dim=-2)
+    length = ways.norm(dim=-1, keepdim=True)
+    ways = ways / length.clamp(min=1e-9)
+    reach = (ways @ edges.transpose(-1, -2)).abs().sum(-1)
+    apart = (ways * seen[..., None, :]).sum(-1).abs() - reach
+    away = apart.where(length[..., 0] > 1e-6, -torch.inf).amax(
+        dim=-1
+    )  # an edge along the hole has none
+    return missing_beside_hole_mm(surface.spec, away)
 
 
 def _boards_past_edges(

@@ -121,8 +121,15 @@ def boards_beside_hole_mm(spec: ObjectSpec, boards: Boards) -> Float[Tensor, "la
     beyond = middle.abs() - half
     outside = (beyond.clamp(min=0) ** 2).sum(-1).clamp(min=1e-12).sqrt()
     away = torch.where(beyond.amax(-1) > 0, outside, beyond.amax(-1))
-    missing = torch.relu(passage_radius_mm(spec) + spec.printer.wall_mm + SLACK_MM - away)
-    return torch.minimum(missing, torch.relu(away + SLACK_MM)).sum(dim=1)
+    return missing_beside_hole_mm(spec, away)
+
+
+def missing_beside_hole_mm(
+    spec: ObjectSpec, away_mm: Float[Tensor, "layout recess"]
+) -> Float[Tensor, "layout"]:
+    """Of recesses that far from the hole's axis, negative where they hold it."""
+    missing = torch.relu(passage_radius_mm(spec) + spec.printer.wall_mm + SLACK_MM - away_mm)
+    return torch.minimum(missing, torch.relu(away_mm + SLACK_MM)).sum(dim=1)
 
 
 def pocket_gaps_across_edges_mm(

@@ -56,9 +56,9 @@ def broken_limits_mm(
         found = broken(spec, layouts, face, pocket_gap, board_gap)
     else:
         found = broken_in_reverse_mm(spec, layouts, pocket_gap)
-    found["wiring"] = torch.relu(wire - longest)
+    found["wiring"], nothing = torch.relu(wire - longest), torch.zeros_like(wire)
     if space.sensors and in_core:
         beside = [boards_beside_hole_mm(spec, boards_of(spec, one)) for one in every]
-        found["board beside the wire hole"] = torch.stack(beside).amax(dim=0)
-    nothing = torch.zeros_like(wire)
+        rule = "board beside the wire hole"
+        found[rule] = torch.stack([*beside, found.get(rule, nothing)]).amax(dim=0)
     return torch.stack([found.get(rule, nothing) for rule in RULES], dim=1)

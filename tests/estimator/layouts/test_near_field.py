@@ -1,5 +1,7 @@
 """Fields of magnets as near as the lowest fidelity level lets a chip come: against magpylib."""
 
+from dataclasses import replace
+
 import magpylib as magpy
 import numpy as np
 import pytest
@@ -11,7 +13,7 @@ from estimator.field.gradient import field_change
 from estimator.field.sources import DiskMagnet, magnet_source
 from estimator.layouts.limits.parts import SLACK_MM
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
-from estimator.layouts.near_field import OTHER, OWN
+from estimator.layouts.near_field import OTHER, OWN, PRESSED, field_of_size
 from estimator.layouts.vectors import layouts_at
 from tests.support.objects.layout_batches import batch
 
@@ -78,6 +80,34 @@ def test_fields_are_right_as_near_as_a_chip_may_be(magnet, reach):
     field, change = errors(MAGNETS[magnet], reach, reach.order)
     assert field < FIELD_ERROR
     assert change < CHANGE_ERROR
+
+
+@pytest.mark.parametrize(
+    ("share", "low", "high"), [(1.15, 0.96, 1.03), (1.1, 0.9, 1.04), (1.0, 0.6, 1.06)]
+)
+@pytest.mark.parametrize("magnet", MAGNETS)
+def test_fields_of_pressed_magnets_go_on_straight_nearer_than_that(magnet, share, low, high):
+    """95 % of poses round the magnet; the field at the least distance would be half of that at the
+    radius."""
+    source = MAGNETS[magnet]
+    offset, axis = poses(source, PRESSED, 200)
+    offset *= share / PRESSED.least
+    along = abs((offset * axis).sum(axis=1))
+    across = np.sqrt(np.maximum((offset**2).sum(axis=1) - along**2, 0))
+    outside = (along > source.height_mm / 2) | (across > source.diameter_mm / 2)
+    at, turned = (torch.as_tensor(part.T)[:, :, None] for part in (offset, axis))
+    one = torch.ones(len(offset), 1, dtype=at.dtype)
+    wanted = np.linalg.norm(by_magpylib(source, offset, axis), axis=1)
+
+    def share_found(reach):
+        field = field_of_size(source, at, (0 * at, turned), one, reach).field[:, :, 0, 0]
+        return np.quantile((field.norm(dim=0).numpy() / wanted)[outside], [0.05, 0.5, 0.95])
+
+    found = share_found(PRESSED)
+    assert low < found[0]
+    assert found[2] < high
+    if share == 1.0:
+        assert found[1] > 0.95 > 0.8 > share_found(replace(PRESSED, straight_on=False))[1]
 
 
 def test_short_series_would_be_seen_there():
