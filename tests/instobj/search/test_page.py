@@ -93,7 +93,7 @@ def test_without_the_whole_chain_the_page_shows_the_second_level(tmp_path, resul
     path = write_search_page(spec, found, history, layouts, results, tmp_path, print)
     text = path.read_text(encoding="utf-8")
     told = read(text)
-    assert "NOT BETTER" in told
+    assert "NOT CONFIRMED" in told
     assert "the time ended before the whole chain" in told
     assert "second fidelity level start found change" in told
     assert "From the scores of all faces at the second fidelity level" in told
