@@ -55,9 +55,9 @@ def write_outcome(
     write_json(_results(found), written[-1])
     history = search_history(space, kept, plain_engines_s)
     start, best = (Run(one.spec) for one in (found.start, found.best))
-    scores = (
-        tuple(run.require("scores").folder for run in (start, best)) if found.finalists else None
-    )
+    scores = None
+    if found.finalists:
+        scores = start.require("scores").folder, best.require("scores").folder
     results = ChainResults(best.require("build").folder, scores)
     layouts = shown_layouts(space, kept, found, history)
     written.append(write_search_page(space.spec, found, history, layouts, results, folder, step))
