@@ -231,9 +231,8 @@ def _boards_beside_hole(surface: Surface, recesses: _Boxes) -> Float[Tensor, "la
     ways = ways / length.clamp(min=1e-9)
     reach = (ways @ edges.transpose(-1, -2)).abs().sum(-1)
     apart = (ways * seen[..., None, :]).sum(-1).abs() - reach
-    away = apart.where(length[..., 0] > 1e-6, -torch.inf).amax(
-        dim=-1
-    )  # an edge along the hole has none
+    along_the_hole = length[..., 0] < 1e-6
+    away = apart.where(~along_the_hole, -torch.inf).amax(dim=-1)
     return missing_beside_hole_mm(surface.spec, away)
 
 
