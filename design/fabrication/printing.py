@@ -37,6 +37,10 @@ def check_walls(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Fin
     cast = part.material == "silicone"
     limit = spec.silicone.thinnest_wall_mm if cast else spec.printer.wall_mm
     advice = "move pockets and slits apart" if cast else "thicken it, or move what thins it"
+    if part.name.startswith("mould_half"):
+        advice += (
+            ", or turn the seam (mould.parting_azimuth_deg) away from holes of pins that it grazes"
+        )
     return [
         Finding(
             "thinnest wall",

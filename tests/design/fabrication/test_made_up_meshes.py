@@ -171,6 +171,13 @@ def test_walls_are_thin_by_their_material(monkeypatch, material, wall, status, l
     assert check_walls(Part("core", lambda: None, material), None, CUBE) == []
 
 
+@pytest.mark.parametrize(("name", "told"), [("mould_half_a", True), ("mould_box", False)])
+def test_halves_of_moulds_are_told_to_turn_their_seam(monkeypatch, name, told):
+    monkeypatch.setattr(printing, "thinnest_wall", lambda mesh: ThinnestWall(0.1, np.zeros(3)))
+    (found,) = check_walls(Part(name, lambda: None), None, CUBE)
+    assert ("mould.parting_azimuth_deg" in found.what) == told
+
+
 def test_edges_below_40_degrees_are_a_warning(monkeypatch):
     for angle, status in ((39.9, "warn"), (40.0, "pass")):
         monkeypatch.setattr(printing, "sharpest_edge", lambda mesh, a=angle: (a, np.zeros(3)))
