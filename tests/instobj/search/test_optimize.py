@@ -30,8 +30,8 @@ def test_a_search_with_room_is_possible():
 
 
 def test_what_the_specification_keeps_itself_is_possible(monkeypatch):
-    """A layout for each face of a handle: random ones are far from the limits, the start is not, once its third
-    board leaves a wall beside the wire hole."""
+    """A layout for each face of a handle: random ones are far from the limits, the start is not, once its
+    third board leaves a wall beside the wire hole."""
     monkeypatch.setattr(possible, "_WALKS", 0)
     places = "sensors.positions_mm=[[9.0, 0.0], [-9.0, 0.0], [0.0, 8.6]]"
     spec = load_spec(EXAMPLES / "handle.toml", [places])
