@@ -28,7 +28,7 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import spearmanr
 
 from design.layout.body import core_frames, face_frames
-from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_grid import contact_grid, grid_places_in_lattice
 from design.layout.places.positions import chip_on_board
 from design.layout.pockets import board_frame, tilted_frame
 from design.spec.object import ObjectSpec
@@ -104,7 +104,8 @@ def plain_scores(
     by_x = np.einsum("ip,pqc->iqc", along_x, value).reshape(len(per_n), -1)
     by_y = np.einsum("jq,pqc->pjc", along_y, value).reshape(len(per_n), -1)
     sigma = disturbance_counts(spec.sensors, "fresh", by_x.shape[1])
-    bounds = cramer_rao_bounds(np.stack([by_x, by_y, per_n], axis=-1), sigma)
+    located = grid_places_in_lattice(spec)
+    bounds = cramer_rao_bounds(np.stack([by_x, by_y, per_n], axis=-1)[located], sigma)
     position = bounds.position_mm
     return float(position.max()), float(np.median(position)), float(bounds.force_n.max())
 

@@ -21,18 +21,27 @@ from torch import Tensor
 from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.contact_grid import PlaceGrid
+from design.layout.places.contact_grid import (
+    PlaceGrid,
+    contact_grid,
+    grid_places_in_lattice,
+    press_lattice,
+)
 from design.layout.places.contact_places import contact_places
 from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
 from estimator.information.scores import outermost_places
 from estimator.layouts.surfaces import Surface, surfaces
-from fem.candidates.motions import CandidateMotions, FaceCandidates
+from estimator.signals.continuation import continued
+from fem.candidates.motions import MM_PER_RAD, CandidateMotions, FaceCandidates
 
+OWN_RANK_PER_PLACE, LEAST_OWN_RANK = 1.5, 60
+"""Of the pressed face's basis. On the paper's cube (100 places, fourteen layouts, 2 and 12 N) 100 leave
+1.4 % of the bounds (rms; 13 % at most) and 1.6 % of the worst one, 130 leave 0.6 % (5 %; 1.2 %), 160 0.3 %
+(3 %; 0.6 %); 200 cost 1.4 times as much as 130."""
 OTHER_RANK = 40
-"""Of the other faces' basis: 40 leave 2 % of a random layout's worst bound, 24 leave 5 %."""
-_MM_PER_RAD = 4.0
-"""Weight of rotations beside displacements: both then change a magnet's field about alike."""
+"""Of the other faces' basis: 40 leave 0.2 % of the bounds (1.4 % at most) there and 0.4 % of the worst one,
+60 leave 0.1 %."""
 
 
 @dataclass(frozen=True)
@@ -121,18 +130,18 @@ def press_basis(
 
     Between and beyond the two stored forces that belong to it motions go on straight, so that places
     that the presses could not load to it count as if they could. Derivatives in x and y, along the
-    surface, are at constant force: those of cubic splines through the contact locations, or of an r⁵
-    spline where the face has not all of the grid.
+    surface, are at constant force: those of cubic splines through the lattice of presses, as of the chain's
+    signals (`estimator.signals.interpolation`).
 
     Parameters
     ----------
-    own_rank : as many as there are places by default, which leaves 0.5 % of a random layout's worst
-        bound; 80 for 100 places leave 8 %: where little is seen, little may be left out
+    own_rank, other_rank : `OWN_RANK_PER_PLACE` for each place by default, and `OTHER_RANK`: where little is
+        seen, little may be left out
 
     Raises
     ------
     InputError
-        A face that was not pressed, fewer than two forces or four locations per axis.
+        A face that was not pressed, presses on another lattice, or of fewer than two forces.
     """
     _check(spec, motions, face)
     force_n = force_n or spec.score.force_n
@@ -141,15 +150,10 @@ def press_basis(
     others = sorted(frames.values(), key=lambda frame: _opposite(frame, here))
     adjacent = [frame.number for frame in others if not _opposite(frame, here)]
     there = contact_places(spec)[spec.body.sensed.index(face)]
+    located = grid_places_in_lattice(spec)[there]
     differ = faces_differ(spec)
-    derive = partial(
-        _derivatives,
-        motions,
-        pressed=face,
-        axes=here.axes,
-        force_n=force_n,
-        there=there,
-    )
+    of_modes = _press_derivatives(motions, face, force_n, located)
+    derive = partial(_derivatives, motions, pressed=face, axes=here.axes, of_modes=of_modes)
     own, *moving = (derive(number) for number in (face, *adjacent))
     scale = np.sqrt(np.mean(own**2, axis=(0, 1, 3)))
     scale = np.repeat(np.where(scale > 0, scale, 1.0), int(there.sum()))
@@ -180,17 +184,19 @@ def press_basis(
         tuple(adjacent),
         opposite[0] if opposite else None,
         force_n,
-        motions.places,
+        contact_grid(spec),
         there,
         first,
         step,
         lattice.shape,
-        table([face], [own], own_rank or int(there.sum())),
+        table(
+            [face], [own], own_rank or max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * there.sum()))
+        ),
         table(adjacent, moving, other_rank) if moving else _nothing(scale, dtype),
         tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
         tensor([here.in_plane(frame.centre_mm) for frame in others]).reshape(-1, 3),
-        tensor(motions.deepest_n[motions.faces.tolist().index(face)][there]),
-        _compliance(motions, face, force_n)[there],
+        tensor(motions.deepest_n[motions.faces.tolist().index(face)][located]),
+        _compliance(motions, face, force_n)[located],
         _patches(spec, [lattices[number] for number in order], dtype) if differ else (),
     )
 
@@ -245,10 +251,15 @@ def _opposite(a: FaceFrame, b: FaceFrame) -> bool:
 def _check(spec: ObjectSpec, motions: CandidateMotions, face: int) -> None:
     if face not in motions.faces:
         raise InputError(f"face {face} was not pressed. Choose one of {motions.faces.tolist()}")
-    if motions.force_n.shape[2] < 2 or min(motions.places.shape) < 4:
+    if motions.force_n.shape[2] < 2:
+        raise InputError("derivatives of presses need two forces; got one. Simulate more")
+    lattice = press_lattice(spec)
+    if motions.places.shape != lattice.shape or not np.allclose(
+        motions.places.xy_mm, lattice.xy_mm
+    ):
         raise InputError(
-            "derivatives of presses need two forces and four locations per axis; got "
-            f"{motions.force_n.shape[2]} forces and {motions.places.shape} places. Simulate more"
+            f"presses were simulated on {motions.places.shape} places, not on the lattice of this "
+            f"specification's contact grid, {lattice.shape}. Simulate them anew"
         )
     first = motions.candidates[0].xyd_mm
     for lattice in () if faces_differ(spec) else motions.candidates:
@@ -260,79 +271,56 @@ def _check(spec: ObjectSpec, motions: CandidateMotions, face: int) -> None:
             )
 
 
+def _press_derivatives(
+    motions: CandidateMotions,
+    pressed: int,
+    force_n: float,
+    located: Int[np.ndarray, "place"],
+) -> Float[np.ndarray, "mode 4 place"]:
+    """∂/∂x, ∂/∂y, ∂/∂F of what presses have of the modes, and that itself, at places of the lattice."""
+    row = motions.faces.tolist().index(pressed)
+    steps = motions.steps_around(force_n)
+    force, pressed_there = motions.force_n[row][:, steps], ~np.isnan(motions.force_n[row, :, 0])
+    low, high = (np.asarray(motions.presses[row, :, step], float) for step in steps)
+    per_n = (high - low) / (force[:, 1] - force[:, 0])[:, None]
+    share = low + per_n * (force_n - force[:, 0])[:, None]
+    shape = motions.places.shape
+    if not pressed_there.all():
+        share = continued(share, pressed_there, shape)
+    along_x, along_y = (
+        make_interp_spline(nodes, np.eye(len(nodes)), k=3)(nodes, nu=1)
+        for nodes in (motions.places.x_mm, motions.places.y_mm)
+    )
+    table = share.reshape(*shape, -1)
+    by_x = np.einsum("ip,pqr->iqr", along_x, table).reshape(share.shape)
+    by_y = np.einsum("jq,pqr->pjr", along_y, table).reshape(share.shape)
+    return np.stack([by_x, by_y, per_n, share])[:, located].transpose(2, 0, 1)
+
+
 def _derivatives(
     motions: CandidateMotions,
     face: int,
     pressed: int,
     axes: Float[np.ndarray, "3 3"],
-    force_n: float,
-    there: Bool[np.ndarray, "grid_place"],
+    of_modes: Float[np.ndarray, "mode 4 place"],
 ) -> Float[np.ndarray, "candidate 6 4 place"]:
-    """∂/∂x, ∂/∂y, ∂/∂F and the motion of one face's candidates, along the columns of `axes`, at the
-    places that are there."""
+    """∂/∂x, ∂/∂y, ∂/∂F and the motion of one face's candidates, along the columns of `axes`, from those of
+    the modes."""
     row = motions.faces.tolist().index(pressed)
     number = [lattice.face for lattice in motions.candidates].index(face)
     first = sum(len(lattice) for lattice in motions.candidates[:number])
     chosen = slice(first, first + len(motions.candidates[number]))
-    steps = motions.steps_around(force_n)
-    stored = np.asarray(motions.by_candidate[chosen, row, :, steps], dtype=float)
-    force = motions.force_n[row][:, steps]
-    shape, scattered = motions.places.shape, not there.all()
-    if scattered:
-        stored, force, shape = stored[:, :, there], force[there], (int(there.sum()), 1)
-    low, high = stored.reshape(2, -1, *shape, 2, 3) @ axes
-    force = force.reshape(*shape, 2, 1, 1)
-    per_n = (high - low) / (force[:, :, 1] - force[:, :, 0])
-    motion = low + per_n * (force_n - force[:, :, 0])
-    if scattered:
-        slopes = scattered_slopes(motions.places.xy_mm[there])
-        by_x, by_y = (np.einsum("ip,cpqkv->ciqkv", slope, motion) for slope in slopes)
-    else:
-        along_x, along_y = (
-            make_interp_spline(nodes, np.eye(len(nodes)), k=3)(nodes, nu=1)
-            for nodes in (motions.places.x_mm, motions.places.y_mm)
-        )
-        by_x = np.einsum("ip,cpqkv->ciqkv", along_x, motion)
-        by_y = np.einsum("jq,cpqkv->cpjkv", along_y, motion)
-    parts = np.stack([by_x, by_y, per_n, motion], axis=-1)
-    return parts.reshape(len(motion), -1, 6, 4).transpose(0, 2, 3, 1)
-
-
-def scattered_slopes(
-    xy_mm: Float[np.ndarray, "place 2"],
-) -> tuple[Float[np.ndarray, "place place"], Float[np.ndarray, "place place"]]:
-    """∂/∂x and ∂/∂y at places from values at all of them: of the r⁵ spline through these.
-
-    Polyharmonic, with parabolas (Duchon, RAIRO Anal. Numér. 10 (1976) 5): where places fill a square
-    or a disk 3 mm apart its slopes are as good as a cubic spline's or better.
-    """
-    scale = np.ptp(xy_mm, axis=0).max() / 2
-    at = xy_mm / scale
-    away = at[:, None] - at
-    distance = np.linalg.norm(away, axis=2)
-    powers = [(a, n - a) for n in range(3) for a in range(n + 1)]
-    x, y = at.T
-    parabolas = np.stack([x**a * y**b for a, b in powers], axis=1)
-    by_axis = (
-        np.stack([a * x ** max(a - 1, 0) * y**b for a, b in powers], axis=1),
-        np.stack([b * x**a * y ** max(b - 1, 0) for a, b in powers], axis=1),
-    )
-    system = np.block(
-        [[distance**5, parabolas], [parabolas.T, np.zeros((len(powers), len(powers)))]]
-    )
-    weights = np.linalg.solve(system, np.eye(len(system))[:, : len(at)])
-    slopes = (
-        np.hstack([5 * distance**3 * away[..., k], by_axis[k]]) @ weights / scale for k in (0, 1)
-    )
-    by_x, by_y = slopes
-    return by_x, by_y
+    modes = np.asarray(motions.by_candidate[chosen, row], dtype=float)
+    count, used = modes.shape[:2]
+    turned = (modes.reshape(count, used, 2, 3) @ axes).reshape(count, used, 6)
+    return np.einsum("crv,rqp->cvqp", turned, of_modes, optimize=True)
 
 
 def _compressed(
     tables: list[np.ndarray], scale: Float[np.ndarray, "quantity"], rank: int
 ) -> tuple[list[Float[np.ndarray, "node column"]], Float[np.ndarray, "rank quantity"]]:
     """Rows (node; 6, rank) of each table on the leading singular vectors of all tables' columns."""
-    weight = np.repeat([1.0, _MM_PER_RAD], 3)[:, None]
+    weight = np.repeat([1.0, MM_PER_RAD], 3)[:, None]
     weighted = [t.reshape(*t.shape[:2], -1) * weight / scale for t in tables]
     gram = sum(np.einsum("ckq,ckp->qp", w, w, optimize=True) for w in weighted)
     vectors = np.linalg.eigh(gram)[1][:, ::-1][:, :rank]

@@ -23,6 +23,8 @@ from design.spec.object import ObjectSpec
 from fem.candidates.cubic_convolution import axis_weights
 
 MOTIONS_FILE = "candidate_motions.npy"
+MM_PER_RAD = 4.0
+"""Weight of rotations beside displacements: both then change a magnet's field about alike."""
 _TABLE_FILE = "candidates.npz"
 _PITCH_MM = 2.0
 _DEPTH_STEP_MM = 1.0
@@ -75,12 +77,13 @@ class InterpolationError:
 class CandidateMotions:
     """What every press does at every candidate of every face.
 
-    `by_candidate` (candidate, face, place, step, 6): displacement (mm) and rotation (rad) in the
-    object's frame; candidates run face by face as in `candidates`; memory-mapped where it was
-    loaded. A layout gathers few candidates of all presses, hence the order. Steps are presses to
-    `force_n` (N), at `depth_mm`, of places in `places`: two for each judged force; NaN, and motions 0,
-    at places that a face has not. `deepest_n`: force of the deepest simulated press of the shell without
-    magnets.
+    `by_candidate` (candidate, face, mode, 6): displacement (mm) and rotation (rad) in the object's frame, for
+    each mode of the pressed face; candidates run face by face as in `candidates`; memory-mapped where it
+    was loaded. A layout gathers few candidates of all presses, hence the order. `presses`: what each press
+    has of the modes; their number does not grow with that of presses. Steps are presses to
+    `force_n` (N), at `depth_mm`, of places in `places`, the lattice of presses: two for each judged force;
+    NaN, and motions 0, at places that a face has not. `deepest_n`: force of the deepest simulated press
+    of the shell without magnets.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -89,15 +92,11 @@ class CandidateMotions:
     depth_mm: Float[np.ndarray, "face place step"]
     deepest_n: Float[np.ndarray, "face place"]
     candidates: tuple[FaceCandidates, ...]
-    by_candidate: Float32[np.ndarray, "candidate face place step 6"]
+    by_candidate: Float32[np.ndarray, "candidate face mode 6"]
+    presses: Float32[np.ndarray, "face place step mode"]
     error: InterpolationError
     turns_with_plane: float
     """Of magnets: `RigidBody.turns_with_plane`."""
-
-    @property
-    def motion(self) -> Float32[np.ndarray, "face place step candidate 6"]:
-        """The same numbers in the order of `MagnetMotions` (a view)."""
-        return np.moveaxis(self.by_candidate, 0, 3)
 
     def steps_around(self, force_n: float) -> list[int]:
         """The pair of steps of the judged force nearest to `force_n`; one force has all steps.
@@ -118,9 +117,8 @@ class CandidateMotions:
     ) -> Float[np.ndarray, "face place step magnet 6"]:
         """Motions of magnets anywhere among one face's candidates, in all presses of all faces."""
         index, weight = self.weights(face, np.column_stack([xy_mm, depth_mm]))
-        rows = self.by_candidate[index.ravel()].reshape(*index.shape, -1)
-        motion = np.einsum("mk,mkv->mv", weight, rows)
-        return np.moveaxis(motion.reshape(-1, *self.by_candidate.shape[1:]), 0, 3)
+        mixed = np.einsum("mk,mkfrv->mfrv", weight, self.by_candidate[index])
+        return np.einsum("fpsr,mfrv->fpsmv", self.presses, mixed, optimize=True)
 
     def weights(
         self, face: int, xyd_mm: Float[np.ndarray, "magnet 3"]
@@ -220,6 +218,7 @@ def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:
         "force_n": motions.force_n,
         "depth_mm": motions.depth_mm,
         "deepest_n": motions.deepest_n,
+        "presses": motions.presses,
         "candidate_faces": np.array([lattice.face for lattice in motions.candidates]),
         "turns_with_plane": np.array(motions.turns_with_plane),
     }
@@ -252,6 +251,7 @@ def load_candidates(folder: Path | str) -> CandidateMotions:
             data["deepest_n"],
             lattices,
             by_candidate,
+            data["presses"],
             InterpolationError(**{name: float(data[f"error_{name}"]) for name in names}),
             float(data["turns_with_plane"]),
         )

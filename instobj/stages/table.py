@@ -155,7 +155,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_cylinder",
         ),
         make_candidates,
-        version=5,
+        version=6,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",

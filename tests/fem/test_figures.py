@@ -34,8 +34,10 @@ import fem.presses.table
 import fem.presses.to_force
 
 FIGURES = {
-    fem.candidates.motions: {"_PITCH_MM": 2.0, "_DEPTH_STEP_MM": 1.0, "_MARGIN_MM": 1.5},
-    fem.candidates.presses: {"FORCE_SHARES": (0.8, 1.2)},
+    fem.candidates.motions: {"_PITCH_MM": 2.0, "_DEPTH_STEP_MM": 1.0, "_MARGIN_MM": 1.5, "MM_PER_RAD": 4.0},
+    fem.candidates.presses: {
+        "FORCE_SHARES": (0.8, 1.2), "_LEAST_PRESSURE": 1e-7, "_LEAST_MODE": 3e-4,
+    },
     fem.candidates.rigid_body: {
         "_CIRCLES": 2, "_AROUND": 8, "_OF_THE_COVER": 0.8, "_TOLD_APART": 1e-4,
     },

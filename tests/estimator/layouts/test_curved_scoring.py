@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from estimator.layouts import press_basis as module
 from estimator.layouts.batch_scores import DEARER, batch_scores
-from estimator.layouts.press_basis import press_basis, scattered_slopes
+from estimator.layouts.press_basis import press_basis
 from estimator.layouts.scoring import layout_scorer, place_information, press_changes
 from estimator.layouts.surfaces import surfaces
 from tests.support.mechanics.candidate_cases import (
@@ -23,7 +23,7 @@ from tests.support.objects.body_cases import body_spec
 
 COUNT = 2
 REACH_MM = 12.0
-BOUND_TOLERANCE = 0.01
+BOUND_TOLERANCE = 0.008
 """Of a place's bound and of counts at rest; measured 0.004."""
 GRID = {"contact_grid": {"count": [6, 5], "pitch_mm": 2.5}}
 BODIES = {"cylinder": 2, "capsule": 3, "ellipsoid": 3}
@@ -183,22 +183,6 @@ def test_gradients_are_those_of_finite_differences():
         return place_information(scorer, laid).position_bound_mm.log().mean()
 
     assert torch.autograd.gradcheck(logarithms, (magnets, sensors), eps=1e-4, atol=1e-5, rtol=1e-2)
-
-
-def test_slopes_of_scattered_places_are_those_of_parabolas_and_nearly_of_smooth_functions():
-    rng = np.random.default_rng(5)
-    grid = np.stack(np.meshgrid(*2 * [np.arange(-9.0, 10.0, 3.0)], indexing="ij"), -1).reshape(
-        -1, 2
-    )
-    xy = grid[np.linalg.norm(grid, axis=1) < 9.5]
-    by_x, by_y = scattered_slopes(xy)
-    (a, b, c, d, e), (x, y) = rng.normal(size=5), xy.T
-    values = a * x + b * y + c * x * x + d * x * y + e * y * y
-    assert_allclose(by_x @ values, a + 2 * c * x + d * y, atol=1e-8)
-    assert_allclose(by_y @ values, b + d * x + 2 * e * y, atol=1e-8)
-    bump = np.exp(-((x - 2) ** 2 + (y + 3) ** 2) / 72)
-    assert_allclose(by_x @ bump, -(x - 2) / 36 * bump, rtol=0, atol=0.008)
-    assert_allclose(by_y @ bump, -(y + 3) / 36 * bump, rtol=0, atol=0.008)
 
 
 def test_surfaces_are_worked_out_once():

@@ -38,6 +38,7 @@ from estimator.signals.presses import press_signals, saturation_margin
 from estimator.tolerances.budget import twin_bounds
 from tests.support.mechanics.candidate_cases import (
     FACE,
+    at_contacts,
     layout_scene,
     random_layouts,
 )
@@ -59,7 +60,8 @@ def ordinary_changes(spec, motions, layouts, row, numbers):
         np.asarray(getattr(layouts, name)[row], float)
         for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm")
     ]
-    motion = layout_scene(spec, motions, FACE, *parts)[1].mean(axis=1)  # of 0.8 and 1.2 times 8 N
+    motion = at_contacts(spec, layout_scene(spec, motions, FACE, *parts)[1])
+    motion = motion.mean(axis=1)  # of 0.8 and 1.2 times 8 N
     model, found = FieldModel(magnet_source(spec.magnets), "exact"), []
     for number in numbers:
         scene = layout_scene(spec, motions, number, *parts)[0]

@@ -99,7 +99,14 @@ def test_every_force_counts_alike_and_places_are_held_against_the_start(lowest):
         low,
         force_n=np.concatenate([low.force_n, high.force_n], axis=2),
         depth_mm=np.concatenate([low.depth_mm, high.depth_mm], axis=2),
-        by_candidate=np.concatenate([low.by_candidate, high.by_candidate], axis=3),
+        by_candidate=np.concatenate([low.by_candidate, high.by_candidate], axis=2),
+        presses=np.concatenate(
+            [
+                np.concatenate([low.presses, 0 * high.presses], axis=3),
+                np.concatenate([0 * low.presses, high.presses], axis=3),
+            ],
+            axis=2,
+        ),
     )
     pooled = [
         layout_scorer(spec, press_basis(spec, both, face, n)) for n in forces for face in FACES

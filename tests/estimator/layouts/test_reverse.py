@@ -31,6 +31,7 @@ from estimator.signals.field_setup import Scene, sensed_field
 from estimator.signals.hall import chip_errors, counts_of_field
 from tests.support.mechanics.candidate_cases import (
     FACE,
+    at_contacts,
     chain_of_scene,
     made_up_motions,
     made_up_spec,
@@ -159,6 +160,7 @@ def test_boards_pressed_near_magnets_have_their_counts_in_full(body):
     layouts = layouts_of(spec, FACE)
     found = float(place_information(scorer, layouts).largest_counts)
     scene, motion = scene_of(spec, motions, FACE, FACE)
+    motion = at_contacts(spec, motion)
     share = motions.deepest_n[0, 0] / motions.force_n[0, 0, -1]
     field = 1e3 * sensed_field(scene, share * motion[:, -1], FieldModel(scorer.sizes[0], "exact"))
     wanted = abs(counts_of_field(field, scene.sensors.axes, spec.sensors)).max()

@@ -20,6 +20,7 @@ from estimator.tolerances.budget import robustness
 from estimator.tolerances.localisation_bias import false_places_mm
 from tests.support.mechanics.candidate_cases import (
     FACE,
+    at_contacts,
     layout_scene,
     random_layouts,
 )
@@ -38,6 +39,7 @@ def exact_change(spec, motions, one, row):
         for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm")
     ]
     scene, motion = layout_scene(spec, motions, FACE, *parts)
+    motion = at_contacts(spec, motion)
     axes = next(frame.axes for frame in face_frames(spec) if frame.number == FACE)
     shift = one.sensor_shift_mm[row].double().numpy() @ axes.T
     sensors = replace(scene.sensors, position_mm=scene.sensors.position_mm + shift)

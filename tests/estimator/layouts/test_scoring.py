@@ -23,6 +23,7 @@ from tests.support.mechanics.candidate_cases import (
     FACE,
     LINEAR,
     SHARES,
+    at_contacts,
     counts_of_scene,
     layout_scene,
     ordinary_chain,
@@ -130,7 +131,7 @@ def test_counts_in_deepest_presses_are_those_of_magnets_where_they_were_moved(
         parts = (layouts.magnet_mm, layouts.turn_rad, layouts.polarity, layouts.sensor_mm)
         of_row = (part[row].double().numpy() for part in parts)
         scene, motion = layout_scene(spec, motions, FACE, *of_row)
-        moved = motion[:, 0] * over_score / SHARES[0]
+        moved = at_contacts(spec, motion)[:, 0] * over_score / SHARES[0]
         counts = counts_of_scene(spec, scene, np.concatenate([0 * moved[:1], moved]))
         assert_allclose(found[row], abs(counts).max(), rtol=0.02)
         little = counts_of_scene(spec, scene, np.concatenate([0 * moved[:1], 1e-3 * moved]))
@@ -198,7 +199,7 @@ def test_stored_forces_between_the_least_and_the_largest_change_nothing(spec, mo
     between = {
         "force_n": np.insert(motions.force_n, 1, motions.force_n.mean(axis=2), axis=2),
         "depth_mm": np.insert(motions.depth_mm, 1, 7.0, axis=2),
-        "by_candidate": np.insert(motions.by_candidate, 1, 7.0, axis=3),
+        "presses": np.insert(motions.presses, 1, np.float32(7.0), axis=2),
     }
     found, wanted = (press_basis(spec, m, FACE) for m in (replace(motions, **between), motions))
     torch.testing.assert_close(found.own.rows, wanted.own.rows)
@@ -215,7 +216,7 @@ def test_rows_are_the_motions_of_the_table(spec, motions, layouts):
     unfolded = own.reshape(len(xyd), 6, -1) @ presses.own.basis
     found = unfolded.reshape(len(xyd), 2, 3, 4, -1)[:, :, :, 3]
     at = xyd.double().numpy()
-    stored = motions.at(FACE, at[:, :2], at[:, 2])[FACE - 1].mean(axis=1)
+    stored = at_contacts(spec, motions.at(FACE, at[:, :2], at[:, 2])[FACE - 1]).mean(axis=1)
     axes = np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]]).T
     wanted = (stored.reshape(*stored.shape[:2], 2, 3) @ axes).transpose(1, 2, 3, 0)
     assert_allclose(found, wanted, rtol=0, atol=2e-3 * abs(wanted).max())
@@ -261,7 +262,7 @@ def test_what_cannot_be_scored_is_refused(spec, motions, presses):
         motions,
         force_n=motions.force_n[..., :1],
         depth_mm=motions.depth_mm[..., :1],
-        by_candidate=motions.by_candidate[..., :1, :],
+        presses=motions.presses[:, :, :1],
     )
     with pytest.raises(InputError, match="two forces"):
         press_basis(spec, once, FACE)

@@ -12,7 +12,7 @@ from design.layout.body import face_frames
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.mixed_rows import mixed_rows
 from estimator.layouts.press_basis import press_basis
-from tests.support.mechanics.candidate_cases import made_up_motions
+from tests.support.mechanics.candidate_cases import at_contacts, made_up_motions
 from tests.support.objects.search_cases import made_up_spec
 
 FACE = 1
@@ -48,10 +48,13 @@ def motions_in_even_strain(spec, share):
         axis=1,
     )
     size = table.force_n[FACE - 1] * np.linspace(1.0, 2.0, table.force_n.shape[1])[:, None]
-    own = np.array(table.by_candidate)
+    own, presses = np.array(table.by_candidate), np.array(table.presses)
     first = sum(map(len, table.candidates[: FACE - 1]))
-    own[first : first + len(local), FACE - 1] = size[None, :, :, None] * moved[:, None, None]
-    return replace(table, by_candidate=own.astype(np.float32), turns_with_plane=share), size
+    own[first : first + len(local), FACE - 1] = 0
+    own[first : first + len(local), FACE - 1, 0] = moved
+    presses[FACE - 1, :, :, 0] = size
+    strained = replace(table, by_candidate=own, presses=presses, turns_with_plane=share)
+    return strained, at_contacts(spec, size)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.64, 1.0])

@@ -64,7 +64,7 @@ def exact_jacobian(spec, motions, pressed, layouts, row):
     signals = Signals(
         motions.faces, motions.places, depth, motions.force_n, every, np.zeros(delta.shape[2:])
     )
-    xy = motions.places.xy_mm
+    xy = contact_grid(spec).xy_mm
     force = np.full(len(xy), spec.score.force_n)
     found = signal_gradient(signals, np.full(len(xy), pressed), xy[:, 0], xy[:, 1], force)
     white = (

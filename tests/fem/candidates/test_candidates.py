@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_grid import press_lattice
 from design.spec.object import ContactGridSpec, ScoreSpec
 from design.spec_io import parse_spec
 from fem.candidates.cubic_convolution import axis_weights
@@ -17,6 +17,7 @@ from fem.candidates.rigid_body import candidate_rows, rigid_body
 from fem.linear.factorization import Factorization
 from fem.linear.response import displacements, face_pressure_loads
 from fem.presses.table import surface_weights_mm2
+from tests.support.mechanics.candidate_cases import motion_of
 from tests.support.mechanics.fem_cases import paper_cube
 from tests.support.objects.magnet_free_cases import magnet_free_cube
 
@@ -62,6 +63,7 @@ def body(cube, spec, table, factor):
 def fields(cube, spec, factor):
     """Nodal displacements of every press of face 3 at the second force; (3·node, place)."""
     press = presses_at_forces(spec, cube.response, FACE - 1, (0.5, 1.0))
+    assert len(press.force_n) == len(press_lattice(spec)) == 35
     tractions = face_pressure_loads(cube.space, spec)[1]
     loads = tractions[:, cube.response.face_loads(FACE - 1)]
     return displacements(cube.system, factor, loads @ press.pressure_mpa[:, 1].T)
@@ -86,7 +88,8 @@ def test_boards_wider_than_pockets_keep_within_the_face():
 
 def test_axes_and_candidates_are_in_order(table, spec):
     count = sum(len(lattice) for lattice in table.candidates)
-    assert table.motion.shape == (5, 6, 2, count, 6)
+    assert table.by_candidate.shape == (count, 5, table.presses.shape[3], 6)
+    assert table.presses.shape[:3] == (5, 35, 2)
     assert table.by_candidate.dtype == np.float32
     assert list(table.faces) == [1, 2, 3, 4, 5]
     lattice = table.candidates[1]
@@ -94,20 +97,19 @@ def test_axes_and_candidates_are_in_order(table, spec):
     index = (ix * lattice.shape[1] + iy) * lattice.shape[2] + iz
     wanted = [lattice.x_mm[ix], lattice.y_mm[iy], lattice.depth_mm[iz]]
     assert_allclose(lattice.xyd_mm[index], wanted, rtol=0, atol=0)
-    assert_allclose(table.places.xy_mm, contact_grid(spec).xy_mm, rtol=0, atol=0)
+    assert_allclose(table.places.xy_mm, press_lattice(spec).xy_mm, rtol=0, atol=0)
 
 
 def test_candidates_move_as_the_solved_field_does(cube, table, fields, body):
-    """Every candidate of faces 3 and 4 under presses of face 3, with its own rows."""
+    """Every candidate of faces 3 and 4 under presses of face 3, with its own rows; modes that are left out
+    are small beside the largest."""
     first = sum(len(lattice) for lattice in table.candidates[: FACE - 1])
     for lattice, frame in zip(table.candidates[2:4], face_frames(cube.spec)[2:4], strict=True):
         points = frame.to_object(lattice.xyd_mm * [1, 1, -1])
         rows = candidate_rows(cube.space, points, frame.axes, body)
         direct = (rows @ fields).reshape(len(lattice), 6, -1)
-        found = table.motion[FACE - 1, :, 1, first : first + len(lattice)]
-        assert_allclose(
-            np.moveaxis(found, 0, 2), direct, rtol=0, atol=2e-7 * abs(direct).max()
-        )  # float32
+        found = motion_of(table)[FACE - 1, :, 1, first : first + len(lattice)]
+        assert_allclose(np.moveaxis(found, 0, 2), direct, rtol=0, atol=1e-3 * abs(direct).max())
         first += len(lattice)
 
 
@@ -121,7 +123,7 @@ def test_a_fault_of_frames_would_show(cube, table, fields, body, fault):
     rows = candidate_rows(cube.space, points, frame.axes, body)
     direct = (rows @ fields).reshape(len(lattice), 6, -1)
     first = sum(len(one) for one in table.candidates[: FACE - 1])
-    found = np.moveaxis(table.motion[FACE - 1, :, 1, first : first + len(lattice)], 0, 2)
+    found = np.moveaxis(motion_of(table)[FACE - 1, :, 1, first : first + len(lattice)], 0, 2)
     assert abs(found - direct).max() > 0.05 * abs(direct).max()
 
 
@@ -153,7 +155,7 @@ def test_at_a_candidate_interpolation_gives_its_own_motion(table):
     first = sum(len(one) for one in table.candidates[: FACE - 1])
     at = lattice.xyd_mm[index]
     found = table.at(FACE, at[:, :2], at[:, 2])
-    assert_allclose(found, table.motion[:, :, :, first + index], rtol=0, atol=1e-9)
+    assert_allclose(found, motion_of(table)[:, :, :, first + index], rtol=0, atol=1e-6)
 
 
 def test_the_stated_interpolation_error_is_that_of_direct_evaluation(cube, table, fields, body):
@@ -185,7 +187,7 @@ def test_a_table_comes_back_from_its_folder_memory_mapped(table, folder):
     loaded = load_candidates(folder)
     assert isinstance(loaded.by_candidate, np.memmap)
     np.testing.assert_array_equal(loaded.by_candidate, table.by_candidate)
-    for name in ("faces", "force_n", "depth_mm"):
+    for name in ("faces", "force_n", "depth_mm", "presses"):
         np.testing.assert_array_equal(getattr(loaded, name), getattr(table, name))
     assert loaded.error == table.error
     for read, saved in zip(loaded.candidates, table.candidates, strict=True):

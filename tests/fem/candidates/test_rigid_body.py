@@ -6,6 +6,7 @@ from numpy.linalg import norm
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frame
+from design.layout.places.contact_grid import grid_places_in_lattice
 from design.layout.places.positions import shell_body_layout
 from design.layout.pockets import tilted_frame
 from design.spec.object import ContactGridSpec, ScoreSpec
@@ -76,7 +77,8 @@ def pressed(cube, factor):
         score=ScoreSpec(force_n=1.0),
         search=cube.spec.search.changed(forces_n=()),
     )
-    pressures = presses_at_forces(spec, cube.response, FACE - 1, (0.5, 1.0)).pressure_mpa[:, 1].T
+    press = presses_at_forces(spec, cube.response, FACE - 1, (0.5, 1.0))
+    pressures = press.pressure_mpa[grid_places_in_lattice(spec), 1].T
     loads = face_pressure_loads(cube.space, spec)[1][:, cube.response.face_loads(FACE - 1)]
     return pressures, displacements(cube.system, factor, loads @ pressures)
 

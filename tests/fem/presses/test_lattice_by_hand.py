@@ -94,7 +94,7 @@ def test_on_a_slipped_shell_presses_stand_on_its_rest(monkeypatch):
 def test_between_simulated_depths_pressures_depths_and_forces_are_linear(monkeypatch):
     """Forces 0, 1, 3 and 7 N at depths 0, 0.5, 1 and 2 mm, of the first place; twice that of others."""
     share = np.array([1.0, 3.0, 7.0])
-    grid = contact_grid(SPEC)
+    grid = press_lattice(SPEC)
 
     def press_places(spec, given, index, xy_mm, depths_mm):
         assert_array_equal(depths_mm, [0.5, 1, 2])

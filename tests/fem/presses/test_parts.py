@@ -95,9 +95,9 @@ def test_presses_to_forces_are_mixed_of_the_depths_on_both_sides(monkeypatch):
     """Two vertices bear 1, 4 and 9 N at 1, 2 and 3 mm in all; 2 and 6 N lie a third and 0.4 beyond."""
     steps = np.array([[[0.5, 0.5], [1.0, 3.0], [4.0, 5.0]]])
     monkeypatch.setattr(candidates, "press_places", lambda *given: steps)
-    monkeypatch.setattr(candidates, "contact_places", lambda spec: np.array([[True]]))
+    monkeypatch.setattr(candidates, "pressed_nodes", lambda spec: np.array([[True]]))
     monkeypatch.setattr(
-        candidates, "contact_grid", lambda spec: SimpleNamespace(xy_mm=np.zeros((1, 2)))
+        candidates, "press_lattice", lambda spec: SimpleNamespace(xy_mm=np.zeros((1, 2)))
     )
     monkeypatch.setattr(candidates, "surface_weights_mm2", lambda surface: np.ones(2))
     press = SimpleNamespace(depths_mm=(1.0, 2.0, 3.0))

@@ -4,7 +4,11 @@ import numpy as np
 import torch
 
 from design.layout.body import core_frames, face_frames
-from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_grid import (
+    contact_grid,
+    grid_places_in_lattice,
+    press_lattice,
+)
 from design.layout.places.positions import (
     MagnetLayout,
     SensorLayout,
@@ -23,6 +27,7 @@ from estimator.signals.hall import chip_errors, counts_of_field
 from estimator.signals.interpolation import signal_gradient
 from estimator.signals.presses import Signals
 from fem.candidates.motions import CandidateMotions, InterpolationError, candidate_lattices
+from fem.candidates.presses import compressed
 
 FACE = 3
 """Its x is −z and its y is +y: a mix-up of axes shows."""
@@ -50,10 +55,10 @@ def made_up_spec(body=None):
 def made_up_motions(spec, pitch_mm=2.0):
     """In proportion to force; silicone goes down, aside and tilts near a press."""
     lattices, frames = candidate_lattices(spec, pitch_mm), face_frames(spec)
-    places = contact_grid(spec)
+    places = press_lattice(spec)
     points = np.concatenate([in_object(f, one) for f, one in zip(frames, lattices, strict=True)])
-    table = np.empty((len(points), len(frames), len(places), 2, 6), np.float32)
-    for row, frame in enumerate(frames):
+    motion = []
+    for frame in frames:
         local, (x, y, normal) = frame.in_plane(points), frame.axes.T
         away = local[:, None, :2] - places.xy_mm
         near = LINEAR * np.exp(-np.sum(away**2, -1) / 90 + local[:, 2:] / 9)
@@ -64,13 +69,46 @@ def made_up_motions(spec, pitch_mm=2.0):
             [*(-0.35 * normal), 0, 0, 0],
         ]
         weights = np.stack([near * away[..., 0], near * away[..., 1], near], axis=-1)
-        moved = weights.reshape(-1, 3) @ np.concatenate(np.multiply.outer(SHARES, ways), axis=1)
-        table[:, row] = moved.reshape(table[:, row].shape)
-    force = np.broadcast_to(spec.score.force_n * SHARES, table.shape[1:4]).copy()
-    faces = np.array([frame.number for frame in frames])
+        motion.append(np.float32(weights @ np.array(ways)))
+    force = spec.score.force_n * np.ones((len(frames), len(places), 1)) * SHARES
+    return table_of(spec, lattices, force, motion)
+
+
+def table_of(spec, lattices, force_n, per_share):
+    """Presses whose motions (candidate, place, 6), of each face, grow with the share of the force."""
+    faces = np.array([frame.number for frame in face_frames(spec)])
+    parts = [compressed(motion.transpose(0, 2, 1), 1e-7) for motion in per_share]
+    modes = max(mode.shape[1] for _, mode in parts)
+    by_candidate = np.zeros((len(per_share[0]), len(faces), modes, 6), np.float32)
+    presses = np.zeros((*force_n.shape, modes), np.float32)
+    for row, (rows, mode) in enumerate(parts):
+        by_candidate[:, row, : mode.shape[1]] = rows
+        presses[row, :, :, : mode.shape[1]] = mode[:, None] * SHARES[:, None]
     nan = InterpolationError(*4 * [np.nan])
-    deepest = 1.5 * force.max(axis=2)
-    return CandidateMotions(faces, places, force, force / 2, deepest, lattices, table, nan, 0.0)
+    deepest = 1.5 * force_n.max(axis=2)
+    places = press_lattice(spec)
+    return CandidateMotions(
+        faces,
+        places,
+        force_n,
+        force_n / 2,
+        deepest,
+        lattices,
+        by_candidate,
+        presses,
+        nan,
+        0.0,
+    )
+
+
+def at_contacts(spec, of_lattice):
+    """Of the places of the lattice of presses, the contact locations."""
+    return of_lattice[grid_places_in_lattice(spec)]
+
+
+def motion_of(table):
+    """(face, place, step, candidate, 6) of a table."""
+    return np.einsum("fpsr,cfrv->fpscv", table.presses, table.by_candidate, optimize=True)
 
 
 def in_object(frame, lattice):
@@ -113,7 +151,7 @@ def chain_of_scene(spec, motions, face, scene, motion):
     delta[index] = counts_of_scene(spec, scene, motion) - rest
     depth = np.array([1.0, 2.0])
     signals = Signals(motions.faces, motions.places, depth, motions.force_n, delta, rest)
-    xy = motions.places.xy_mm
+    xy = contact_grid(spec).xy_mm
     force = np.full(len(xy), spec.score.force_n)
     found = signal_gradient(signals, np.full(len(xy), face), xy[:, 0], xy[:, 1], force)
     sigma = disturbance_counts(spec.sensors, "fresh", found.counts.shape[1])
