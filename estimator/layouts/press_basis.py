@@ -35,7 +35,7 @@ from estimator.layouts.surfaces import Surface, surfaces
 from estimator.signals.continuation import continued
 from fem.candidates.motions import MM_PER_RAD, CandidateMotions, FaceCandidates
 
-OWN_RANK_PER_PLACE, LEAST_OWN_RANK = 1.5, 60
+OWN_RANK_PER_PLACE, LEAST_OWN_RANK = 1.3, 60
 """Of the pressed face's basis. On the paper's cube (100 places, fourteen layouts, 2 and 12 N) 100 leave
 1.4 % of the bounds (rms; 13 % at most) and 1.6 % of the worst one, 130 leave 0.6 % (5 %; 1.2 %), 160 0.3 %
 (3 %; 0.6 %); 200 cost 1.4 times as much as 130."""

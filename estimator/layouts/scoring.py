@@ -32,8 +32,8 @@ from estimator.layouts.placed import chips, other_magnets, own_magnets
 from estimator.layouts.press_basis import PressBasis
 
 _CHUNK = 512
-_FORCE_VARIANCE = 1 / 8
-"""Of a raised-cosine press from 0 to its peak, over the peak squared."""
+_FORCE_VARIANCE, _CURVE_VARIANCE = 1 / 8, 1 / 128
+"""Of c and of c² − c, which do not correlate, in a press whose force is c of its peak, a raised cosine."""
 
 
 @dataclass(frozen=True)
@@ -268,10 +268,24 @@ def _information(
 ) -> PlaceInformation:
     by_parameter = changes.by_parameter
     position, force = bounds(by_parameter[:, :, :3])
+    return PlaceInformation(position, force, _sensitivity(scorer, by_parameter), largest_counts)
+
+
+def _sensitivity(
+    scorer: LayoutScorer, by_parameter: Float[Tensor, "channel layout 4 place"]
+) -> Float[Tensor, "layout place"]:
+    """√det of the channels' covariance in a press, in units of white noise, signals taken as parabolas over
+    force: their change in the press and their slope at its peak."""
     white = scorer.white_share.repeat(len(by_parameter) // 3)[:, None, None]
-    power = (by_parameter[:, :, 3] * white).square().sum(0)
-    delta = (1 + _FORCE_VARIANCE * power).sqrt()
-    return PlaceInformation(position, force, delta, largest_counts)
+    at_peak = by_parameter[:, :, 3] * white
+    curve = by_parameter[:, :, 2] * white * scorer.presses.force_n - at_peak
+    straight, both, bent = (
+        (one * other).sum(0)
+        for one, other in ((at_peak, at_peak), (at_peak, curve), (curve, curve))
+    )
+    along = 1 + _FORCE_VARIANCE * straight
+    across = 1 + _CURVE_VARIANCE * torch.relu(bent - _FORCE_VARIANCE * both.square() / along)
+    return (along * across).sqrt()
 
 
 def _counts_when_pressed(

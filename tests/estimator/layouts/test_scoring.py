@@ -10,6 +10,7 @@ from pydantic import BaseModel
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.layouts import scoring
 from estimator.layouts.batch import Layouts, layouts_of
 from estimator.layouts.mixed_rows import mixed_rows
 from estimator.layouts.press_basis import _compliance, press_basis
@@ -101,6 +102,25 @@ def test_sensitivity_and_rest_are_those_of_the_ordinary_chain(spec, scorer, layo
         wanted = np.sqrt(1 + (white**2).sum(axis=1) / 8)
         assert_allclose(found.sensitivity[row], wanted, rtol=0.02)
         assert_allclose(resting[row], rest, rtol=0, atol=0.02 * abs(rest).max())
+
+
+def test_sensitivity_is_the_determinant_of_a_press_whose_signals_bend_with_force(scorer):
+    """Against the covariance of its frames; with straight signals det would be far too small."""
+    rng = np.random.default_rng(4)
+    force_n, white = scorer.presses.force_n, scorer.white_share.repeat(3).numpy()
+    peak, slope = 30 * rng.normal(size=(2, 9, 3, 5))
+    given = torch.as_tensor(
+        np.stack([0 * peak, 0 * peak, slope / force_n, peak], axis=2), dtype=torch.float32
+    )
+    found = scoring._sensitivity(scorer, given).numpy()
+    share = 0.5 - 0.5 * np.cos(2 * np.pi * (np.arange(400) + 0.5) / 400)
+    parabola = np.multiply.outer(peak, share) + np.multiply.outer(slope - peak, share**2 - share)
+    frames = (parabola * white[:, None, None, None]).transpose(1, 2, 0, 3)
+    centred = frames - frames.mean(axis=-1, keepdims=True)
+    covariance = np.eye(9) + np.einsum("lpcf,lpdf->lpcd", centred, centred) / 400
+    assert_allclose(found, np.sqrt(np.linalg.det(covariance)), rtol=1e-3)
+    straight = np.sqrt(1 + ((peak * white[:, None, None]) ** 2).sum(axis=0) / 8)
+    assert (straight < 0.5 * found).all()
 
 
 @pytest.mark.parametrize("over_score", [1.5, 0.2, -3.0])
