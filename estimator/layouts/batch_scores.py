@@ -18,11 +18,8 @@ from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import percentile
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n
 from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
-from estimator.layouts.scoring import (
-    LayoutScorer,
-    PlaceInformation,
-    places_information,
-)
+from estimator.layouts.scorer import LayoutScorer
+from estimator.layouts.scoring import PlaceInformation, places_information
 from estimator.layouts.two_contacts import grasps_mm, pairs_all_mm, pairs_own_mm
 
 _OfFaces = Callable[[Sequence[LayoutScorer], Sequence[Layouts]], Tensor]

@@ -18,13 +18,8 @@ from estimator.layouts.batch import Layouts
 from estimator.layouts.mixed_rows import mixed_rows
 from estimator.layouts.near_field import OTHER, OWN, Reach, field_of_size
 from estimator.layouts.placed import chips, other_magnets, own_magnets
-from estimator.layouts.scoring import (
-    LayoutScorer,
-    by_motion_of_sensors,
-    field_at,
-    moving_bodies,
-    press_changes,
-)
+from estimator.layouts.press_changes import by_motion_of_sensors, field_at, press_changes
+from estimator.layouts.scorer import LayoutScorer, moving_bodies
 
 CROSS_FACE_FORCE_N = 10.0
 """Of the presses whose disturbance is scored, as in `estimator.information.cross_face`."""

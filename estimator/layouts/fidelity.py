@@ -35,7 +35,7 @@ from estimator.layouts.batch_scores import (
 )
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N
 from estimator.layouts.robustness import SLIP_MM
-from estimator.layouts.scoring import LayoutScorer
+from estimator.layouts.scorer import LayoutScorer
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.localisation_bias import false_places_mm

@@ -19,7 +19,7 @@ from torch import Tensor
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from estimator.layouts.batch_scores import OVER_START, PlaceBounds, batch_scores
 from estimator.layouts.limits.rules import broken_limits_mm
-from estimator.layouts.scoring import LayoutScorer, within_candidates
+from estimator.layouts.scorer import LayoutScorer, within_candidates
 from estimator.layouts.vectors import LayoutSpace, layouts_at
 
 PENALTY_PER_MM = 10.0

@@ -22,7 +22,8 @@ from torch import Tensor
 
 from estimator.layouts.batch import Layouts
 from estimator.layouts.placed import chips
-from estimator.layouts.scoring import LayoutScorer, press_changes, within_candidates
+from estimator.layouts.press_changes import press_changes
+from estimator.layouts.scorer import LayoutScorer, within_candidates
 
 SLIP_MM = 1.0
 """Of the core in the shell, along each of six directions."""

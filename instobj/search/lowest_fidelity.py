@@ -58,7 +58,7 @@ from estimator.layouts.polish import (
     runs_together,
 )
 from estimator.layouts.press_basis import PressBasis, faces_differ, press_basis
-from estimator.layouts.scoring import LayoutScorer, layout_scorer
+from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates

@@ -31,7 +31,7 @@ from estimator.information.contact_sets import spread_pairs
 from estimator.information.two_contacts import opposite_faces
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
-from estimator.layouts.scoring import require_scorable
+from estimator.layouts.scorer import require_scorable
 from estimator.layouts.vectors import layout_space, layouts_at
 from estimator.networks.training.fitting import one_thread
 from fem.candidates.motions import candidate_lattices

@@ -29,7 +29,7 @@ from estimator.layouts.fidelity import (
     lowest_fidelity_score,
     rank_correlations,
 )
-from estimator.layouts.scoring import LayoutScorer
+from estimator.layouts.scorer import LayoutScorer
 from estimator.networks.training.fitting import one_thread
 from instobj.search.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params

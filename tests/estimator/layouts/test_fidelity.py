@@ -31,7 +31,9 @@ from estimator.layouts.fidelity import (
     worse_share,
 )
 from estimator.layouts.press_basis import press_basis
-from estimator.layouts.scoring import layout_scorer, place_information, press_changes
+from estimator.layouts.press_changes import press_changes
+from estimator.layouts.scorer import layout_scorer
+from estimator.layouts.scoring import place_information
 from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field, full_scale_counts
 from estimator.signals.presses import press_signals, saturation_margin

@@ -29,7 +29,8 @@ from estimator.layouts.fidelity import lowest_fidelity_score
 from estimator.layouts.polish import Judged, LowestFidelity, judge, polish
 from estimator.layouts.press_basis import press_basis
 from estimator.layouts.robustness import slip_places_mm
-from estimator.layouts.scoring import PlaceInformation, layout_scorer
+from estimator.layouts.scorer import layout_scorer
+from estimator.layouts.scoring import PlaceInformation
 from estimator.layouts.two_contacts import pairs_all_mm, pairs_own_mm
 from estimator.layouts.vectors import layout_space
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec, random_layouts

@@ -19,13 +19,15 @@ from design.search.structure import with_structure
 from design.spec_io import parse_spec
 from estimator.field.environment import environment
 from estimator.field.models import FieldModel
-from estimator.layouts import scoring
+from estimator.layouts import press_changes as changes_module
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import neighbour_changes
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.press_basis import press_basis
-from estimator.layouts.scoring import layout_scorer, place_information, press_changes
+from estimator.layouts.press_changes import press_changes
+from estimator.layouts.scorer import layout_scorer
+from estimator.layouts.scoring import place_information
 from estimator.layouts.vectors import layout_space, layouts_at
 from estimator.signals.field_setup import Scene, sensed_field
 from estimator.signals.hall import chip_errors, counts_of_field
@@ -111,7 +113,7 @@ def test_bounds_are_those_of_the_ordinary_chain(body, seed):
 @pytest.mark.parametrize("fault", ["shift", "turn", "field of others"])
 def test_a_planted_fault_in_the_motion_of_sensors_would_show(monkeypatch, fault):
     spec = reverse_spec()
-    motions, right = made_up_motions(spec), scoring.by_motion_of_sensors
+    motions, right = made_up_motions(spec), changes_module.by_motion_of_sensors
 
     def wrong(own, other):
         if fault == "field of others":
@@ -121,7 +123,7 @@ def test_a_planted_fault_in_the_motion_of_sensors_would_show(monkeypatch, fault)
         found[..., columns] *= -1
         return found
 
-    monkeypatch.setattr(scoring, "by_motion_of_sensors", wrong)
+    monkeypatch.setattr(changes_module, "by_motion_of_sensors", wrong)
     assert worst_error(spec, motions) > 2 * BOUND_TOLERANCE
 
 

@@ -14,12 +14,9 @@ from estimator.layouts import scoring
 from estimator.layouts.batch import Layouts, layouts_of
 from estimator.layouts.mixed_rows import mixed_rows
 from estimator.layouts.press_basis import _compliance, press_basis
-from estimator.layouts.scoring import (
-    layout_scorer,
-    place_information,
-    press_changes,
-    score_layouts,
-)
+from estimator.layouts.press_changes import press_changes
+from estimator.layouts.scorer import layout_scorer
+from estimator.layouts.scoring import place_information, score_layouts
 from tests.support.mechanics.candidate_cases import (
     FACE,
     LINEAR,

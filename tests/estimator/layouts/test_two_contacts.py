@@ -14,7 +14,7 @@ from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import disturbance_counts
 from estimator.layouts.press_basis import press_basis
-from estimator.layouts.scoring import layout_scorer
+from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.two_contacts import grasps_mm, pairs_all_mm, pairs_own_mm
 from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field

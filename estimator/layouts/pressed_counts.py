@@ -1,0 +1,89 @@
+"""Largest counts of layouts in the deepest presses, where signals are far from linear in the motions."""
+
+from __future__ import annotations
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from estimator.layouts.batch import Layouts
+from estimator.layouts.near_field import PRESSED
+from estimator.layouts.placed import own_magnets
+from estimator.layouts.press_basis import PressBasis
+from estimator.layouts.press_changes import PressChanges, counts_of_field, field_at, field_changes
+from estimator.layouts.scorer import LayoutScorer
+
+
+def counts_when_pressed(
+    scorer: LayoutScorer, layouts: Layouts, changes: PressChanges
+) -> Float[Tensor, "layout"]:
+    """Largest of any channel, each sensor's in the deepest press at the place where signals that are linear
+    in the motions have most."""
+    _, _, by_force, in_press = changes.by_parameter.unbind(2)
+    sigma = scorer.sigma_counts.repeat(len(by_force) // 3)[:, None, None]
+    resting = changes.resting_counts.flatten(1).T[..., None]
+    linear = resting + sigma * (in_press + by_force * _beyond_n(scorer))
+    place = linear.abs().unflatten(0, (-1, 3)).amax(dim=1).argmax(dim=-1).T
+    counts = _counts_of_pressed_boards if scorer.sensors_move else _counts_of_pressed_magnets
+    return counts(scorer, layouts, changes, place).abs().amax(dim=1)
+
+
+def _counts_of_pressed_magnets(
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    changes: PressChanges,
+    place: Int[Tensor, "layout sensor"],
+) -> Float[Tensor, "layout channel"]:
+    """Of every sensor, the pressed face's magnets where its own press has moved them: their fields grow
+    faster than their motions."""
+    channels, sensors = changes.channels, place.shape[1]
+    motion = layouts.magnet_mm.new_zeros(*place.shape, layouts.magnet_mm.shape[1], 6)
+    for which, presses, rows in changes.motions:
+        moved = torch.einsum("lmkr,rls->lsmk", rows, _deepest(scorer, presses)[:, place])
+        motion[:, :, slice(None) if which is None else list(which)] = moved
+    centre, axis = (part[:, :, None] for part in own_magnets(scorer.presses, layouts))
+    shift, turn = motion.permute(3, 0, 1, 2).split(3)
+    turned = axis + torch.linalg.cross(turn, axis.expand_as(turn), dim=0)
+    magnets = (centre + shift).flatten(1, 2), (turned / turned.norm(dim=0)).flatten(1, 2)
+    polarity = layouts.polarity.repeat_interleave(sensors, dim=0)
+    own = field_at(scorer, channels.sensor_mm.flatten(1)[..., None], magnets, polarity, PRESSED)
+    field = own.field.sum(-1)[..., 0].unflatten(1, place.shape) + channels.others_t
+    return counts_of_field(scorer, channels.axes, field)
+
+
+def _deepest(scorer: LayoutScorer, presses: PressBasis) -> Float[Tensor, "rank place"]:
+    """Basis of the pressed face's motions in the deepest presses."""
+    table = presses.own.basis.unflatten(1, (4, -1))
+    return table[:, 3] + table[:, 2] * _beyond_n(scorer)
+
+
+def _beyond_n(scorer: LayoutScorer) -> Float[Tensor, "place"]:
+    """From the basis's force to that of the deepest press."""
+    return scorer.presses.deepest_n - scorer.presses.force_n
+
+
+def _counts_of_pressed_boards(
+    scorer: LayoutScorer,
+    layouts: Layouts,
+    changes: PressChanges,
+    place: Int[Tensor, "layout sensor"],
+) -> Float[Tensor, "layout channel"]:
+    """Of each board in the deepest press at a place of its own: signals of boards that come near magnets are
+    far from linear."""
+    ((_, presses, rows),) = changes.motions
+    motion = torch.einsum("lskr,rls->lsk", rows, _deepest(scorer, presses)[:, place])
+    moved = changes.channels.sensor_mm + motion[..., :3].permute(2, 0, 1)
+    own, other = field_changes(scorer, layouts, moved)
+    field = (own.field.sum(-1) + other.field.sum(-1)).permute(1, 2, 0)
+    felt = _turned_back(field, motion[..., 3:])
+    return counts_of_field(scorer, changes.channels.axes, felt.permute(2, 0, 1))
+
+
+def _turned_back(
+    field: Float[Tensor, "layout sensor 3"], turn_rad: Float[Tensor, "layout sensor 3"]
+) -> Float[Tensor, "layout sensor 3"]:
+    """As a body feels it that has turned by a rotation vector (Rodrigues)."""
+    angle = (turn_rad.square().sum(-1, keepdim=True) + 1e-14).sqrt()
+    once = torch.linalg.cross(turn_rad, field, dim=-1)
+    twice = torch.linalg.cross(turn_rad, once, dim=-1)
+    return field - angle.sin() / angle * once + (1 - angle.cos()) / angle**2 * twice
