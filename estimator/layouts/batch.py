@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import torch
@@ -13,6 +13,8 @@ from torch import Tensor
 
 from design.layout.pockets import magnet_bodies, sensor_places
 from design.spec.object import ObjectSpec
+
+_Made = TypeVar("_Made")
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,17 @@ class Layouts:
     sensor_mm: Float[Tensor, "layout sensor 2"]
     by_face: Mapping[int, Layouts] = field(default_factory=dict)
     face: int | None = None
+    _kept: dict[Hashable, tuple[tuple[Any, ...], Any]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+
+    def kept(self, name: Hashable, made_of: tuple[Any, ...], make: Callable[[], _Made]) -> _Made:
+        """What is worked out once of these layouts and of these very objects, with its graph of
+        gradients: scorers of several forces share most of it."""
+        key = name, *map(id, made_of)
+        if key not in self._kept:
+            self._kept[key] = made_of, make()
+        return self._kept[key][1]
 
     def __len__(self) -> int:
         return len(self.magnet_mm)

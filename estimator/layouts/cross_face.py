@@ -23,6 +23,8 @@ from estimator.layouts.scorer import LayoutScorer, moving_bodies
 
 CROSS_FACE_FORCE_N = 10.0
 """Of the presses whose disturbance is scored, as in `estimator.information.cross_face`."""
+_TOGETHER = 4
+"""Layouts whose pairs of places a processor's cache holds."""
 _MOST_SHARE = 2.0
 """Of the score's force, that a false force may reach."""
 
@@ -54,15 +56,26 @@ def false_forces_n(
     share = CROSS_FACE_FORCE_N / presses.force_n
     change = share * neighbour_changes(scorer, layouts, motion).transpose(2, 3)
     own = press_changes(scorer, layouts).by_parameter[:, :, 3].permute(1, 2, 0)
+    together = _TOGETHER if change.device.type == "cpu" else len(change)
     with torch.no_grad():
-        along = torch.einsum("lnpc,lqc->lnpq", change, own)
-        squared = own.square().sum(-1)[:, None, None] + 1e-20
-        part = (along / squared).clamp(0.0, _MOST_SHARE)
-        nearest = (part * (part * squared - 2 * along)).argmin(dim=-1)
+        parts = zip(change.split(together), own.split(together), strict=True)
+        nearest = torch.cat([_nearest(*part) for part in parts])
     each = torch.arange(len(own))[:, None, None]
     chosen = own[each, nearest]
     part = (change * chosen).sum(-1) / (chosen.square().sum(-1) + 1e-20)
     return presses.force_n * part.clamp(0.0, _MOST_SHARE)
+
+
+def _nearest(
+    change: Float[Tensor, "layout neighbour place channel"],
+    own: Float[Tensor, "layout own_place channel"],
+) -> Int[Tensor, "layout neighbour place"]:
+    """Own place some share of whose signals is nearest to a change."""
+    along = change.flatten(1, 2) @ own.transpose(1, 2)
+    squared = own.square().sum(-1)[:, None] + 1e-20
+    part = torch.minimum(along.clamp(min=0.0), _MOST_SHARE * squared)
+    worth = along.mul_(-2).add_(part).mul_(part).div_(squared)
+    return worth.argmin(dim=-1).unflatten(1, change.shape[1:3])
 
 
 def neighbour_changes(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
-from torch.nn.functional import embedding_bag
+from torch.nn.functional import embedding_bag, pad
 
 from design.errors import InputError
 from estimator.layouts.batch import Layouts
@@ -27,6 +27,13 @@ def mixed_rows(
     InputError
         A place outside the candidates.
     """
+    made_of = basis.own.rows, basis.other.rows, basis.first_mm, basis.step_mm, basis.patches
+    return layouts.kept("rows", made_of, lambda: _mixed_rows(basis, layouts))
+
+
+def _mixed_rows(
+    basis: PressBasis, layouts: Layouts
+) -> tuple[Float[Tensor, "magnet own"], Float[Tensor, "magnet other"]]:
     xyd_mm = layouts.magnet_mm.reshape(-1, 3)
     if not basis.patches:
         near = _around(basis, (xyd_mm - basis.first_mm) / basis.step_mm, xyd_mm)
@@ -51,10 +58,11 @@ def _turned(
     rank = len(basis.own.basis)
     if rows.shape[1] == 6 * rank:
         return rows
-    shift, *rotations = rows.reshape(-1, 4, 3, rank).unbind(1)
+    still, grown = rows[:, : 6 * rank], rows[:, 6 * rank :].unflatten(1, (2, 3, -1))
     turn = layouts.turn_rad.reshape(-1, 2, 1, 1)
-    rotation = rotations[0] + turn[:, 0] * rotations[1] + turn[:, 1] * rotations[2]
-    return torch.cat([shift, rotation], dim=1).flatten(1)
+    rotation = turn[:, 0] * grown[:, 0] + turn[:, 1] * grown[:, 1]
+    more = pad(rotation, (0, rank - rotation.shape[2], 3, 0))
+    return still + more.flatten(1)
 
 
 def candidate_ends_mm(

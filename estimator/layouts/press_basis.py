@@ -9,8 +9,8 @@ and of the other faces', which move less, have bases of their own.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cached_property, partial
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import torch
@@ -42,6 +42,12 @@ OWN_RANK_PER_PLACE, LEAST_OWN_RANK = 1.3, 60
 OTHER_RANK = 40
 """Of the other faces' basis: 40 leave 0.2 % of the bounds (1.4 % at most) there and 0.4 % of the worst one,
 60 leave 0.1 %."""
+MORE_RANK = 1.2
+"""For several forces at once: 182 and 56 leave 0.3 % of the bounds at 2, 5 and 12 N (3 % at most) and
+0.7 % of the worst one, 150 and 56 0.5 % (6 %) and 1.5 %."""
+TURN_RANK = 64
+"""Of what a tilt adds to a magnet's rotations: leaves 0.2 % of the bounds (3 %) and 0.7 % of the worst one of
+ten layouts whose magnets are tilted by up to 20°; 32 leave 1.8 % (13 %) and 5 %."""
 
 
 @dataclass(frozen=True)
@@ -49,13 +55,18 @@ class RowTable:
     """Short rows on a regular lattice, with one ghost node beyond each end of every axis.
 
     `rows` (node, 6 · rank · faces), or (node of any face, 6 · rank) where faces differ; of a flat pressed
-    face (node, 12 · rank), with what the rotation grows by with each rad that a magnet is turned about
-    the face's x, and about its y. `basis` (rank, 4 · place) unfolds them to ∂/∂x, ∂/∂y, ∂/∂F and the
-    motion itself, block by block: mm and rad, per mm, mm and N.
+    face followed by what the rotation grows by with each rad that a magnet is turned about the face's x,
+    3 · `TURN_RANK` columns or less, and about its y. `basis` (rank, 4 · place) unfolds them to ∂/∂x, ∂/∂y,
+    ∂/∂F and the motion itself, block by block: mm and rad, per mm, mm and N.
     """
 
     rows: Float[Tensor, "node column"]
     basis: Float[Tensor, "rank quantity"]
+
+    def of_force(self, index: int, count: int) -> RowTable:
+        """The same rows for one of several forces, whose quantities follow each other."""
+        width = self.basis.shape[1] // count
+        return RowTable(self.rows, self.basis[:, index * width : (index + 1) * width].contiguous())
 
 
 @dataclass(frozen=True)
@@ -123,20 +134,34 @@ def press_basis(
     face: int,
     force_n: float | None = None,
     own_rank: int | None = None,
-    other_rank: int = OTHER_RANK,
+    other_rank: int | None = None,
     dtype: torch.dtype = torch.float32,
 ) -> PressBasis:
-    """Compress the presses of one face to `force_n` (`score.force_n` by default).
+    """`press_bases` of one force, `score.force_n` by default."""
+    forces_n = (force_n or spec.score.force_n,)
+    return press_bases(spec, motions, face, forces_n, own_rank, other_rank, dtype)[0]
 
-    Between and beyond the two stored forces that belong to it motions go on straight, so that places
+
+def press_bases(
+    spec: ObjectSpec,
+    motions: CandidateMotions,
+    face: int,
+    forces_n: Sequence[float],
+    own_rank: int | None = None,
+    other_rank: int | None = None,
+    dtype: torch.dtype = torch.float32,
+) -> tuple[PressBasis, ...]:
+    """Compress the presses of one face to several forces, which share their rows.
+
+    Between and beyond the two stored forces that belong to one motions go on straight, so that places
     that the presses could not load to it count as if they could. Derivatives in x and y, along the
     surface, are at constant force: those of cubic splines through the lattice of presses, as of the chain's
     signals (`estimator.signals.interpolation`).
 
     Parameters
     ----------
-    own_rank, other_rank : `OWN_RANK_PER_PLACE` for each place by default, and `OTHER_RANK`: where little is
-        seen, little may be left out
+    own_rank, other_rank : `OWN_RANK_PER_PLACE` for each place by default, and `OTHER_RANK`, or
+        `MORE_RANK` times as many for several forces: where little is seen, little may be left out
 
     Raises
     ------
@@ -144,27 +169,26 @@ def press_basis(
         A face that was not pressed, presses on another lattice, or of fewer than two forces.
     """
     _check(spec, motions, face)
-    force_n = force_n or spec.score.force_n
     frames = {frame.number: frame for frame in face_frames(spec)}
     here = frames.pop(face)
     others = sorted(frames.values(), key=lambda frame: _opposite(frame, here))
     adjacent = [frame.number for frame in others if not _opposite(frame, here)]
     there = contact_places(spec)[spec.body.sensed.index(face)]
     located = grid_places_in_lattice(spec)[there]
-    differ = faces_differ(spec)
-    of_modes = _press_derivatives(motions, face, force_n, located)
-    derive = partial(_derivatives, motions, pressed=face, axes=here.axes, of_modes=of_modes)
-    own, *moving = (derive(number) for number in (face, *adjacent))
-    scale = np.sqrt(np.mean(own**2, axis=(0, 1, 3)))
-    scale = np.repeat(np.where(scale > 0, scale, 1.0), int(there.sum()))
+    differ, row = faces_differ(spec), motions.faces.tolist().index(face)
+    of_modes = np.concatenate(
+        [_press_derivatives(motions, face, force, located) for force in forces_n], axis=1
+    )
+    own, *moving = (_modes_of(motions, number, row, here.axes) for number in (face, *adjacent))
     lattices = {lattice.face: lattice for lattice in motions.candidates}
     lattice = lattices[face] if differ else motions.candidates[0]
+    scale = _rms(own, of_modes)
 
     def tensor(values: object) -> Tensor:
         return torch.as_tensor(np.asarray(values), dtype=dtype)
 
     def table(numbers: list[int], parts: list[np.ndarray], rank: int) -> RowTable:
-        rows, basis = _compressed(parts, scale, rank)
+        rows, basis = _compressed(parts, of_modes, scale, rank)
         if numbers == [face] and here.flat:
             rows = [_with_turns(rows[0], lattices[face], motions.turns_with_plane)]
         if differ:
@@ -176,28 +200,44 @@ def press_basis(
             tensor(_with_ghosts(np.concatenate(rows, axis=1), lattice.shape)), tensor(basis)
         )
 
+    more = MORE_RANK if len(forces_n) > 1 else 1.0
+    least = max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * there.sum()))
+    whole = table([face], [own], own_rank or int(more * least))
+    beside = (
+        table(adjacent, moving, other_rank or int(more * OTHER_RANK))
+        if moving
+        else _nothing(of_modes, dtype)
+    )
     opposite = [frame.number for frame in others if _opposite(frame, here)]
     first, step = (tensor(part) for part in _ends_and_steps(lattice))
     order = [face, *(frame.number for frame in others)]
-    return PressBasis(
+    shared = PressBasis(
         face,
         tuple(adjacent),
         opposite[0] if opposite else None,
-        force_n,
+        np.nan,
         contact_grid(spec),
         there,
         first,
         step,
         lattice.shape,
-        table(
-            [face], [own], own_rank or max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * there.sum()))
-        ),
-        table(adjacent, moving, other_rank) if moving else _nothing(scale, dtype),
+        whole,
+        beside,
         tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
         tensor([here.in_plane(frame.centre_mm) for frame in others]).reshape(-1, 3),
-        tensor(motions.deepest_n[motions.faces.tolist().index(face)][located]),
-        _compliance(motions, face, force_n)[located],
+        tensor(motions.deepest_n[row][located]),
+        np.full(len(located), np.nan),
         _patches(spec, [lattices[number] for number in order], dtype) if differ else (),
+    )
+    return tuple(
+        replace(
+            shared,
+            force_n=force,
+            own=whole.of_force(index, len(forces_n)),
+            other=beside.of_force(index, len(forces_n)),
+            mm_per_n=_compliance(motions, face, force)[located],
+        )
+        for index, force in enumerate(forces_n)
     )
 
 
@@ -228,9 +268,10 @@ def _ends_and_steps(lattice: FaceCandidates) -> tuple[np.ndarray, np.ndarray]:
     return ends[:, 0], ends[:, 1] - ends[:, 0]
 
 
-def _nothing(scale: np.ndarray, dtype: torch.dtype) -> RowTable:
+def _nothing(of_modes: Float[np.ndarray, "mode quantity place"], dtype: torch.dtype) -> RowTable:
     """Of a face without neighbours."""
-    return RowTable(torch.zeros(0, 0, dtype=dtype), torch.zeros(0, len(scale), dtype=dtype))
+    quantities = of_modes[0].size
+    return RowTable(torch.zeros(0, 0, dtype=dtype), torch.zeros(0, quantities, dtype=dtype))
 
 
 def _compliance(
@@ -297,35 +338,46 @@ def _press_derivatives(
     return np.stack([by_x, by_y, per_n, share])[:, located].transpose(2, 0, 1)
 
 
-def _derivatives(
-    motions: CandidateMotions,
-    face: int,
-    pressed: int,
-    axes: Float[np.ndarray, "3 3"],
-    of_modes: Float[np.ndarray, "mode 4 place"],
-) -> Float[np.ndarray, "candidate 6 4 place"]:
-    """∂/∂x, ∂/∂y, ∂/∂F and the motion of one face's candidates, along the columns of `axes`, from those of
-    the modes."""
-    row = motions.faces.tolist().index(pressed)
+def _modes_of(
+    motions: CandidateMotions, face: int, row: int, axes: Float[np.ndarray, "3 3"]
+) -> Float[np.ndarray, "candidate 6 mode"]:
+    """Modes of one face's candidates under presses of another, or its own, along the columns of `axes`."""
     number = [lattice.face for lattice in motions.candidates].index(face)
     first = sum(len(lattice) for lattice in motions.candidates[:number])
     chosen = slice(first, first + len(motions.candidates[number]))
     modes = np.asarray(motions.by_candidate[chosen, row], dtype=float)
-    count, used = modes.shape[:2]
-    turned = (modes.reshape(count, used, 2, 3) @ axes).reshape(count, used, 6)
-    return np.einsum("crv,rqp->cvqp", turned, of_modes, optimize=True)
+    turned = modes.reshape(*modes.shape[:2], 2, 3) @ axes
+    return turned.reshape(modes.shape).transpose(0, 2, 1)
+
+
+def _rms(
+    modes: Float[np.ndarray, "candidate 6 mode"],
+    of_modes: Float[np.ndarray, "mode quantity place"],
+) -> Float[np.ndarray, "quantity"]:
+    """Of every quantity over candidates, motions and places; 1 where it is 0."""
+    flat = modes.reshape(-1, modes.shape[2])
+    power = np.einsum("rqp,rs,sqp->q", of_modes, flat.T @ flat, of_modes, optimize=True)
+    found = np.sqrt(power / (len(flat) * of_modes.shape[2]))
+    return np.where(found > 0, found, 1.0)
 
 
 def _compressed(
-    tables: list[np.ndarray], scale: Float[np.ndarray, "quantity"], rank: int
-) -> tuple[list[Float[np.ndarray, "node column"]], Float[np.ndarray, "rank quantity"]]:
-    """Rows (node; 6, rank) of each table on the leading singular vectors of all tables' columns."""
+    tables: Sequence[Float[np.ndarray, "_ 6 mode"]],
+    of_modes: Float[np.ndarray, "mode quantity place"],
+    scale: Float[np.ndarray, "quantity"],
+    rank: int,
+) -> tuple[list[Float[np.ndarray, "_ _"]], Float[np.ndarray, "_ _"]]:
+    """Rows (node; 6, rank) of each table on the leading right singular vectors of all that the tables tell of
+    scaled quantities."""
     weight = np.repeat([1.0, MM_PER_RAD], 3)[:, None]
-    weighted = [t.reshape(*t.shape[:2], -1) * weight / scale for t in tables]
-    gram = sum(np.einsum("ckq,ckp->qp", w, w, optimize=True) for w in weighted)
-    vectors = np.linalg.eigh(gram)[1][:, ::-1][:, :rank]
-    rows = [(w @ vectors / weight).reshape(len(w), -1) for w in weighted]
-    return rows, vectors.T * scale
+    flat = [(table * weight).reshape(-1, table.shape[2]) for table in tables]
+    power, mode = np.linalg.eigh(sum(one.T @ one for one in flat))
+    root = np.sqrt(np.maximum(power, 0.0))[:, None] * mode.T  # rootᵀ root is the modes' Gram matrix
+    columns = (of_modes / scale[:, None]).reshape(len(mode), -1)
+    vectors = np.linalg.svd(root @ columns, full_matrices=False)[2][:rank]
+    mixed = columns @ vectors.T
+    rows = [(table @ mixed).reshape(len(table), -1) for table in tables]
+    return rows, vectors * np.repeat(scale, of_modes.shape[2])
 
 
 def _with_turns(
@@ -350,7 +402,8 @@ def _with_turns(
         change -= np.einsum("bc,...cdr->...bdr", cross, slopes)
         turned = np.einsum("bc,...cr->...br", cross, _turn_of_plane(slopes))
         grown.append(turns_with_plane * (_turn_of_plane(change) + turned))
-    return np.concatenate([nodes, *grown], axis=-2).reshape(len(rows), -1)
+    parts = [nodes, *(one[..., :TURN_RANK] for one in grown)]
+    return np.concatenate([one.reshape(len(rows), -1) for one in parts], axis=1)
 
 
 def _turn_of_plane(

@@ -59,10 +59,15 @@ def press_changes(
     sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
 ) -> PressChanges:
     """What presses change, with sensors shifted off their places (boards do not turn with it)."""
-    return changes_of_channels(scorer, layouts, channel_changes(scorer, layouts, sensor_shift_mm))
+    if sensor_shift_mm is not None:
+        return _press_changes(scorer, layouts, _channel_changes(scorer, layouts, sensor_shift_mm))
+    presses = scorer.presses
+    made_of = scorer.spec, presses.own.rows, presses.turn, presses.patches
+    channels = layouts.kept("channels", made_of, lambda: _channel_changes(scorer, layouts))
+    return layouts.kept("presses", (scorer,), lambda: _press_changes(scorer, layouts, channels))
 
 
-def channel_changes(
+def _channel_changes(
     scorer: LayoutScorer,
     layouts: Layouts,
     sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
@@ -86,7 +91,7 @@ def channel_changes(
     )
 
 
-def changes_of_channels(
+def _press_changes(
     scorer: LayoutScorer, layouts: Layouts, channels: ChannelChanges
 ) -> PressChanges:
     moving, motions = [], []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 import torch
@@ -56,11 +57,13 @@ class LayoutScorer:
     ) -> list[tuple[PressBasis, Layouts, tuple[int, ...] | None]]:
         """What moves with the silicone, size by size: its presses, its bodies alone, and which of a face's
         they are; None for all."""
-        bodies = moving_bodies(self, layouts)
+        bodies = layouts
+        if self.sensors_move:
+            bodies = layouts.kept("boards", (self.spec,), lambda: moving_bodies(self, layouts))
         if len(self.presses_of) == 1:
             return [(self.presses, bodies, None)]
         return [
-            (presses, bodies.magnets(which), which)
+            (presses, bodies.kept(which, (), partial(bodies.magnets, which)), which)
             for presses, which in zip(self.presses_of, self.spec.magnets.by_size, strict=True)
         ]
 

@@ -18,12 +18,7 @@ from torch import Tensor
 
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import bounds, percentile
-from estimator.layouts.press_changes import (
-    ChannelChanges,
-    PressChanges,
-    changes_of_channels,
-    channel_changes,
-)
+from estimator.layouts.press_changes import PressChanges, press_changes
 from estimator.layouts.pressed_counts import counts_when_pressed
 from estimator.layouts.scorer import LayoutScorer
 
@@ -97,15 +92,11 @@ def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformatio
 def places_information(
     scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts]
 ) -> list[PlaceInformation]:
-    """The same of several scorers; fields are worked out once where face and batch are the same."""
-    seen: dict[tuple[int, int], ChannelChanges] = {}
+    """The same of several scorers."""
     largest_n = max(scorer.presses.force_n for scorer in scorers)
     found = []
     for scorer, one in zip(scorers, layouts, strict=True):
-        key = scorer.presses.face, id(one)
-        if key not in seen:
-            seen[key] = channel_changes(scorer, one)
-        changes = changes_of_channels(scorer, one, seen[key])
+        changes = press_changes(scorer, one)
         counts = changes.resting_counts.flatten(1).abs().amax(dim=1)
         if scorer.presses.force_n == largest_n:
             counts = torch.maximum(counts, counts_when_pressed(scorer, one, changes))

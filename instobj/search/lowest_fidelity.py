@@ -57,7 +57,7 @@ from estimator.layouts.polish import (
     populations,
     runs_together,
 )
-from estimator.layouts.press_basis import PressBasis, faces_differ, press_basis
+from estimator.layouts.press_basis import PressBasis, faces_differ, press_bases
 from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
@@ -210,25 +210,25 @@ def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[Lay
     known = [
         (one, Run(one, checked=False).require("candidates").folder) for one in of_each_size(spec)
     ]
+    by_face = {face: [_presses(one, folder, face) for one, folder in known] for face in faces}
     return tuple(
-        layout_scorer(
-            spec,
-            [_presses(one, folder, face, force) for one, folder in known],
-            faces=len(alike),
-        )
-        for force in spec.judged_forces_n
+        layout_scorer(spec, [of_size[index] for of_size in by_face[face]], faces=len(alike))
+        for index in range(len(spec.judged_forces_n))
         for face, alike in faces.items()
     )
 
 
-def _presses(spec: ObjectSpec, folder: Path, face: int, force_n: float) -> PressBasis:
-    """The basis of one size's candidates; that of a scorer which still is, where it is the same."""
+def _presses(spec: ObjectSpec, folder: Path, face: int) -> tuple[PressBasis, ...]:
+    """The bases of one size's candidates, force by force; those of scorers which still are, where they are
+    the same."""
     shared = spec.model_dump_json(exclude={"magnets"})
-    key = str(folder), face, force_n, faces_differ(spec), shared
-    found = _HELD.get(key)
-    if found is None:
-        found = _HELD[key] = press_basis(spec, load_candidates(folder), face, force_n)
-    return found
+    forces_n = spec.judged_forces_n
+    keys = [(str(folder), face, force, faces_differ(spec), shared) for force in forces_n]
+    found = [_HELD.get(key) for key in keys]
+    if None in found:
+        found = press_bases(spec, load_candidates(folder), face, forces_n)
+        _HELD.update(zip(keys, found, strict=True))
+    return tuple(one for one in found if one is not None)
 
 
 def pressed_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:

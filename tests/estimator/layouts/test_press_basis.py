@@ -87,10 +87,12 @@ def test_nodes_beyond_the_lattice_go_on_as_parabolas():
 
 def test_compressed_rows_are_the_best_of_their_rank_with_rotations_weighed_by_four_millimetres():
     rng = np.random.default_rng(0)
-    tables = [rng.normal(size=(5, 6, 3, 4)) for _ in range(2)]
-    scale = np.repeat([1.0, 2.0, 5.0], 4)
-    for rank in (12, 3):
-        rows, vectors = basis._compressed(tables, scale, rank)
+    of_modes, sizes = rng.normal(size=(7, 3, 4)), np.array([1.0, 2.0, 5.0])
+    modes = [rng.normal(size=(5, 6, 7)) for _ in range(2)]
+    tables = [np.einsum("cvr,rqp->cvqp", one, of_modes) for one in modes]
+    scale = np.repeat(sizes, 4)
+    for rank in (7, 3):
+        rows, vectors = basis._compressed(modes, of_modes, sizes, rank)
         weight = np.repeat([1.0, 4.0], 3)[:, None]
         every = np.concatenate([(t.reshape(5, 6, 12) * weight / scale) for t in tables]).reshape(
             -1, 12
@@ -108,7 +110,8 @@ def test_columns_are_scaled_by_the_rms_of_their_quantity(spec, motions, presses)
     of_modes = basis._press_derivatives(
         motions, FACE, spec.score.force_n, grid_places_in_lattice(spec)
     )
-    own = basis._derivatives(motions, FACE, FACE, frame.axes, of_modes)
+    modes = basis._modes_of(motions, FACE, FACE - 1, frame.axes)
+    own = np.einsum("cvr,rqp->cvqp", modes, of_modes)
     assert own.shape[2] == 4
     scale = np.repeat(np.sqrt(np.mean(own**2, axis=(0, 1, 3))), own.shape[3])
     for table in (presses.own, presses.other):
@@ -143,7 +146,8 @@ def test_derivatives_of_motions_that_are_parabolas_times_the_force_are_exact(mis
     located = np.array([6, 8, 12, 16, 18])
     axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
     of_modes = basis._press_derivatives.__wrapped__(motions, 5, 1.8, located)
-    found = basis._derivatives.__wrapped__(motions, 5, 5, axes, of_modes)
+    turned = basis._modes_of.__wrapped__(motions, 5, 1, axes)
+    found = np.einsum("cvr,rqp->cvqp", turned, of_modes)
 
     def wanted(terms):
         per_n = np.einsum("pt,tr,crq->cpq", terms, parabola[1], modes[3:, 1])
