@@ -307,7 +307,8 @@ FIGURES = {
     estimator.layouts.limits.parts: {"SLACK_MM": 0.02},
     estimator.layouts.near_field: {"OWN": Reach(15, 1.4), "OTHER": Reach(7, 2.0)},
     estimator.layouts.polish: {"PENALTY_PER_MM": 10.0, "_MM_PER_EXCESS": 10.0},
-    estimator.layouts.press_basis: {"OTHER_RANK": 40, 
+    estimator.layouts.press_basis: {
+        "OTHER_RANK": 40,
         "OWN_RANK_PER_PLACE": 1.3, "LEAST_OWN_RANK": 60, "MORE_RANK": 1.2, "TURN_RANK": 64,
     },
     estimator.layouts.robustness: {"_RIDGE": 1e-6, "SLIP_MM": 1.0},
