@@ -5,11 +5,11 @@ from __future__ import annotations
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
-from torch.nn.functional import embedding_bag, pad
+from torch.nn.functional import embedding_bag, grid_sample, pad
 
 from design.errors import InputError
 from estimator.layouts.batch import Layouts
-from estimator.layouts.press_basis import Patch, PressBasis, RowTable
+from estimator.layouts.press_basis import Patch, PressBasis
 
 _BEYOND = 1e-4
 """Of a step beyond the last candidates, that is rounding."""
@@ -27,7 +27,14 @@ def mixed_rows(
     InputError
         A place outside the candidates.
     """
-    made_of = basis.own.rows, basis.other.rows, basis.first_mm, basis.step_mm, basis.patches
+    made_of = (
+        basis.own.rows,
+        basis.other.rows,
+        basis.first_mm,
+        basis.step_mm,
+        basis.held,
+        basis.patches,
+    )
     return layouts.kept("rows", made_of, lambda: _mixed_rows(basis, layouts))
 
 
@@ -37,18 +44,19 @@ def _mixed_rows(
     xyd_mm = layouts.magnet_mm.reshape(-1, 3)
     if not basis.patches:
         near = _around(basis, (xyd_mm - basis.first_mm) / basis.step_mm, xyd_mm)
-        own = _turned(_weighted(basis.own, *near), basis, layouts)
-        return own, _weighted(basis.other, *near)
+        own = _turned(_weighted(basis.own.rows, *near), basis, layouts)
+        return own + _moved_by_others(basis, layouts, near), _weighted(basis.other.rows, *near)
     own, *others = (
         _around(patch, _places_along(patch, layouts), xyd_mm)
         for patch in basis.patches[: 1 + len(basis.neighbours)]
     )
     moving = [
-        _weighted(basis.other, patch.start + index, weight)
+        _weighted(basis.other.rows, patch.start + index, weight)
         for patch, (index, weight) in zip(basis.patches[1 : 1 + len(others)], others, strict=True)
     ]
     other = torch.cat(moving, dim=1) if moving else torch.zeros_like(xyd_mm[:, :0])
-    return _turned(_weighted(basis.own, *own), basis, layouts), other
+    rows = _turned(_weighted(basis.own.rows, *own), basis, layouts)
+    return rows + _moved_by_others(basis, layouts, own), other
 
 
 def _turned(
@@ -121,12 +129,65 @@ def _around(
 
 
 def _weighted(
-    table: RowTable, index: Int[Tensor, "magnet 64"], weight: Float[Tensor, "magnet 64"]
+    rows: Float[Tensor, "node column"],
+    index: Int[Tensor, "magnet 64"],
+    weight: Float[Tensor, "magnet 64"],
 ) -> Float[Tensor, "magnet column"]:
     """Sums of 64 rows each, without a copy of the rows."""
-    if not table.rows.numel():
+    if not rows.numel():
         return torch.zeros(len(index), 0, dtype=weight.dtype)
-    return embedding_bag(index, table.rows, per_sample_weights=weight, mode="sum")
+    return embedding_bag(index, rows, per_sample_weights=weight, mode="sum")
+
+
+def _moved_by_others(
+    basis: PressBasis, layouts: Layouts, near: tuple[Tensor, Tensor]
+) -> Float[Tensor, "magnet own"]:
+    """Rows of what each magnet of the pressed face moves as the others there resist the strain round them."""
+    count, rank = layouts.magnet_mm.shape[1], len(basis.own.basis)
+    if count == 1:
+        return torch.zeros_like(layouts.magnet_mm[:, 0, :1])
+    strain = _weighted(basis.held.strain, *near).reshape(len(layouts), count, 5, -1)
+    moved = torch.einsum("lijms,ljsr->limr", influences(basis, layouts), strain)
+    if basis.patches and not basis.patches[0].surface.frame.flat:
+        surface = basis.patches[0].surface
+        face = torch.as_tensor(surface.frame.axes.copy(), dtype=moved.dtype)
+        axes = face.T @ surface.magnets(layouts.magnet_mm)[1]
+        moved = torch.einsum("liba,litar->litbr", axes, moved.unflatten(2, (2, 3))).flatten(2, 3)
+    return pad(moved, (0, rank - moved.shape[3])).flatten(2).flatten(0, 1)
+
+
+def influences(basis: PressBasis, layouts: Layouts) -> Float[Tensor, "layout magnet magnet 6 5"]:
+    """Motion of each magnet of the pressed face, in its own frame, for each strain round each other one."""
+    held, xyd = basis.held, layouts.magnet_mm
+    xy, depth = xyd[..., :2], xyd[..., 2]
+    if basis.patches:
+        xy = basis.patches[0].surface.lengths_mm(xy)
+    away = xy[:, :, None] - xy[:, None]
+    itself = torch.eye(xyd.shape[1], dtype=torch.bool)[..., None]
+    distance = (away.masked_fill(itself, 1.0).square().sum(-1) + 1e-6).sqrt()
+    own, other = torch.broadcast_tensors(depth[:, :, None], depth[:, None])
+    at = (torch.stack([distance, own, other], dim=-1) - held.first_mm) / held.span_mm
+    found = grid_sample(
+        held.values[None], 2 * at[None] - 1, padding_mode="border", align_corners=True
+    )
+    motion = found[0].permute(1, 2, 3, 0).unflatten(-1, (6, 5)).masked_fill(itself[..., None], 0.0)
+    cosine, sine = (away.masked_fill(itself, 1.0) / distance[..., None]).unbind(-1)
+    once, twice = (cosine, sine), (cosine.square() - sine.square(), 2 * cosine * sine)
+    columns = [motion[..., :1], *_turned_columns(motion[..., 1:3], once)]
+    motion = torch.cat([*columns, *_turned_columns(motion[..., 3:], twice)], dim=-1)
+    rows = motion.unflatten(-2, (2, 3)).movedim(-2, 0)
+    c, s = (part[..., None, None] for part in once)
+    turned = torch.stack([c * rows[0] - s * rows[1], s * rows[0] + c * rows[1], rows[2]], dim=-2)
+    return turned.flatten(-3, -2)
+
+
+def _turned_columns(
+    pair: Float[Tensor, "*n 6 2"], turn: tuple[Float[Tensor, "*n"], Float[Tensor, "*n"]]
+) -> list[Float[Tensor, "*n 6 1"]]:
+    """For strains told in a frame that is not turned: cosine and sine of the turn."""
+    c, s = (part[..., None, None] for part in turn)
+    one, other = pair[..., :1], pair[..., 1:]
+    return [c * one - s * other, s * one + c * other]
 
 
 def _kernel(t: Float[Tensor, "magnet 3"]) -> Float[Tensor, "magnet 3 4"]:

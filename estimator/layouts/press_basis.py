@@ -45,7 +45,7 @@ OTHER_RANK = 40
 MORE_RANK = 1.2
 """For several forces at once: 182 and 56 leave 0.3 % of the bounds at 2, 5 and 12 N (3 % at most) and
 0.7 % of the worst one, 150 and 56 0.5 % (6 %) and 1.5 %."""
-TURN_RANK = 64
+TURN_RANK = STRAIN_RANK = 64
 """Of what a tilt adds to a magnet's rotations: leaves 0.2 % of the bounds (3 %) and 0.7 % of the worst one of
 ten layouts whose magnets are tilted by up to 20°; 32 leave 1.8 % (13 %) and 5 %."""
 
@@ -67,6 +67,21 @@ class RowTable:
         """The same rows for one of several forces, whose quantities follow each other."""
         width = self.basis.shape[1] // count
         return RowTable(self.rows, self.basis[:, index * width : (index + 1) * width].contiguous())
+
+
+@dataclass(frozen=True)
+class Held:
+    """What magnets of the pressed face take from each other as they resist strain.
+
+    `strain` (node, 5 · `STRAIN_RANK` or less): rows of the strain round each, on the first vectors of the
+    face's own basis. `values`: `Influence`, of depths of the other and of its own and of distances, motion by
+    motion; their lattice, distance first, begins at `first_mm` and is `span_mm` long.
+    """
+
+    strain: Float[Tensor, "node column"]
+    values: Float[Tensor, "30 depth depth distance"]
+    first_mm: Float[Tensor, "3"]
+    span_mm: Float[Tensor, "3"]
 
 
 @dataclass(frozen=True)
@@ -111,6 +126,7 @@ class PressBasis:
     shift_mm: Float[Tensor, "face 3"]
     deepest_n: Float[Tensor, "place"]
     mm_per_n: Float[np.ndarray, "place"]
+    held: Held
     patches: tuple[Patch, ...] = ()
 
     @property
@@ -183,6 +199,7 @@ def press_bases(
     lattices = {lattice.face: lattice for lattice in motions.candidates}
     lattice = lattices[face] if differ else motions.candidates[0]
     scale = _rms(own, of_modes)
+    widths = np.repeat(scale, of_modes.shape[2])
 
     def tensor(values: object) -> Tensor:
         return torch.as_tensor(np.asarray(values), dtype=dtype)
@@ -227,6 +244,9 @@ def press_bases(
         tensor([here.in_plane(frame.centre_mm) for frame in others]).reshape(-1, 3),
         tensor(motions.deepest_n[row][located]),
         np.full(len(located), np.nan),
+        _held(
+            motions, lattices[face], of_modes, whole.basis.double().numpy() / widths, widths, dtype
+        ),
         _patches(spec, [lattices[number] for number in order], dtype) if differ else (),
     )
     return tuple(
@@ -336,6 +356,32 @@ def _press_derivatives(
     by_x = np.einsum("ip,pqr->iqr", along_x, table).reshape(share.shape)
     by_y = np.einsum("jq,pqr->pjr", along_y, table).reshape(share.shape)
     return np.stack([by_x, by_y, per_n, share])[:, located].transpose(2, 0, 1)
+
+
+def _held(
+    motions: CandidateMotions,
+    lattice: FaceCandidates,
+    of_modes: Float[np.ndarray, "mode quantity place"],
+    vectors: Float[np.ndarray, "rank column"],
+    scale: Float[np.ndarray, "column"],
+    dtype: torch.dtype,
+) -> Held:
+    """Strain on the orthonormal vectors of the face's own basis for scaled quantities."""
+    number = [one.face for one in motions.candidates].index(lattice.face)
+    first = sum(map(len, motions.candidates[:number]))
+    strain = np.asarray(motions.strain[first : first + len(lattice)], dtype=float)
+    mixed = of_modes.reshape(len(of_modes), -1) / scale @ vectors[:STRAIN_RANK].T
+    rows = np.einsum("crs,rt->cst", strain, mixed, optimize=True)
+    between = motions.influence
+    values = between.values.transpose(3, 4, 0, 1, 2).reshape(30, *between.values.shape[:3])
+    ends = np.array([between.first_mm, *2 * [between.depth_mm[0]]])
+    span = [between.step_mm * (values.shape[3] - 1), *2 * [np.ptp(between.depth_mm)]]
+    return Held(
+        torch.as_tensor(_with_ghosts(rows.reshape(len(rows), -1), lattice.shape), dtype=dtype),
+        torch.as_tensor(values, dtype=dtype),
+        torch.as_tensor(ends, dtype=dtype),
+        torch.as_tensor(np.array(span), dtype=dtype),
+    )
 
 
 def _modes_of(

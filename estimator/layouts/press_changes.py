@@ -1,4 +1,4 @@
-"""How presses change the channels of layouts in batches, signals linear in what moves with the silicone.
+"""Changes of channels in presses, of layouts in batches, signals linear in what moves with the silicone.
 
 J = ∂S/∂(motion) · ∂(motion)/∂(x, y, F), with the field's derivatives in closed form and the motions'
 compressed (`estimator.layouts.press_basis`).

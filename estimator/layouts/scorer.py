@@ -1,4 +1,4 @@
-"""What stays the same between layouts that are scored in batches: presses, chips, magnets and noise."""
+"""Constants of layouts that are scored in batches: presses, chips, magnets and noise."""
 
 from __future__ import annotations
 

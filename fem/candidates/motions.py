@@ -8,7 +8,7 @@ magnets do not hold one another.
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -74,6 +74,22 @@ class InterpolationError:
 
 
 @dataclass(frozen=True)
+class Influence:
+    """Motion (c, ω) of a magnet, mm and rad, for each strain round another (`STRAINS` of
+    `fem.candidates.rigid_body`), in a frame whose x points from that one to it along the face and whose z
+    is the face's normal.
+
+    `values` by depth of the other and of its own, both at `depth_mm`, and by their distance along the face,
+    `first_mm` and then in steps of `step_mm`; none at the last and beyond.
+    """
+
+    depth_mm: Float[np.ndarray, "depth"]
+    first_mm: float
+    step_mm: float
+    values: Float32[np.ndarray, "depth depth distance 6 5"]
+
+
+@dataclass(frozen=True)
 class CandidateMotions:
     """What every press does at every candidate of every face.
 
@@ -83,7 +99,8 @@ class CandidateMotions:
     has of the modes; their number does not grow with that of presses. Steps are presses to
     `force_n` (N), at `depth_mm`, of places in `places`, the lattice of presses: two for each judged force;
     NaN, and motions 0, at places that a face has not. `deepest_n`: force of the deepest simulated press
-    of the shell without magnets.
+    of the shell without magnets. `strain`: round candidates in their own frames, for each mode of the face
+    that they lie under; others near them are moved by it (`influence`).
     """
 
     faces: Int[np.ndarray, "face"]
@@ -97,6 +114,8 @@ class CandidateMotions:
     error: InterpolationError
     turns_with_plane: float
     """Of magnets: `RigidBody.turns_with_plane`."""
+    strain: Float32[np.ndarray, "candidate mode 5"]
+    influence: Influence
 
     def steps_around(self, force_n: float) -> list[int]:
         """The pair of steps of the judged force nearest to `force_n`; one force has all steps.
@@ -183,6 +202,17 @@ def known_places(spec: ObjectSpec, lattice: FaceCandidates) -> Bool[np.ndarray, 
     return frame.covers(abs(frame.to_plane(places)) + beside)
 
 
+def middle_of(
+    spec: ObjectSpec, lattice: FaceCandidates
+) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "3 3"]]:
+    """Place in the face's plane of the candidate nearest to its middle, and its axes as columns."""
+    frame, known = face_frame(spec, lattice.face), known_places(spec, lattice)
+    away = np.hypot(*np.meshgrid(lattice.x_mm, lattice.y_mm, indexing="ij"))
+    ix, iy = np.unravel_index(int(np.where(known, away, np.inf).argmin()), known.shape)
+    plane = frame.to_plane(np.array([[lattice.x_mm[ix], lattice.y_mm[iy]]]))
+    return plane[0], frame.axes if frame.flat else frame.axes_at(plane)[0]
+
+
 def stands_out_mm(spec: ObjectSpec, lattice: FaceCandidates) -> float:
     """How far the mid-plane of a magnet at the least depth stands out of its face where it does most;
     below 0 for the silicone over it."""
@@ -221,7 +251,9 @@ def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:
         "presses": motions.presses,
         "candidate_faces": np.array([lattice.face for lattice in motions.candidates]),
         "turns_with_plane": np.array(motions.turns_with_plane),
+        "strain": motions.strain,
     }
+    arrays |= {f"influence_{f.name}": getattr(motions.influence, f.name) for f in fields(Influence)}
     for lattice in motions.candidates:
         for name in ("x_mm", "y_mm", "depth_mm"):
             arrays[f"candidate_{name}_{lattice.face}"] = getattr(lattice, name)
@@ -254,6 +286,13 @@ def load_candidates(folder: Path | str) -> CandidateMotions:
             data["presses"],
             InterpolationError(**{name: float(data[f"error_{name}"]) for name in names}),
             float(data["turns_with_plane"]),
+            data["strain"],
+            Influence(
+                data["influence_depth_mm"],
+                float(data["influence_first_mm"]),
+                float(data["influence_step_mm"]),
+                data["influence_values"],
+            ),
         )
 
 

@@ -21,17 +21,18 @@ from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
 from design.spec.object import ObjectSpec
 from fem.candidates.cubic_convolution import extension
+from fem.candidates.influence import influence
 from fem.candidates.motions import (
     MM_PER_RAD,
     MOTIONS_FILE,
     CandidateMotions,
     FaceCandidates,
+    Influence,
     InterpolationError,
     known_places,
     save_candidates,
 )
-from fem.candidates.rigid_body import RigidBody, candidate_rows, rigid_body
-from fem.linear.elements import DisplacementSpace
+from fem.candidates.rigid_body import RigidBody, candidate_rows, strain_rows, tied_magnets
 from fem.linear.factorization import Factorization
 from fem.linear.response import (
     ResponseOperator,
@@ -102,17 +103,19 @@ def simulate_candidates(
         for name in ("force_n", "depth_mm", "deepest_n")
     )
     tests = _test_points(spec, lattices)
-    recorded, body = _record(spec, mesh, response, presses, lattices, tests, progress)
+    recorded, body, between = _record(spec, mesh, response, presses, lattices, tests, progress)
     modes = max(len(one.presses.T) for one in recorded)
     count = sum(len(lattice) for lattice in lattices)
     by_candidate = np.lib.format.open_memmap(
         Path(folder) / MOTIONS_FILE, "w+", np.float32, (count, len(recorded), modes, 6)
     )
     mixed = np.zeros((*force.shape, modes), np.float32)
+    strain = np.zeros((count, modes, 5), np.float32)
     for index, (own, one) in enumerate(zip(there, recorded, strict=True)):
         used = one.presses.shape[1]
         by_candidate[:, index, :used] = one.by_candidate
         mixed[index, own, :, :used] = one.presses.reshape(int(own.sum()), -1, used)
+        strain[one.under_face, :used] = one.strain
     by_candidate.flush()
     faces = np.array([surface.number for surface in response.surfaces])
     unknown = InterpolationError(*(4 * [np.nan]))
@@ -127,6 +130,8 @@ def simulate_candidates(
         mixed,
         unknown,
         body.turns_with_plane,
+        strain,
+        between,
     )
     table = _with_error(table, tests, [one.at_tests for one in recorded])
     save_candidates(table, folder)
@@ -165,9 +170,11 @@ def presses_at_forces(
 
 @dataclass(frozen=True)
 class _Recorded:
-    """What presses of one face do, in its own modes: motions of candidates and of test points, and what
-    each press has of every mode."""
+    """What presses of one face do, in its own modes: motions of candidates and of test points, strain round
+    candidates under that face, and what each press has of every mode."""
 
+    under_face: slice
+    strain: Float32[np.ndarray, "own_candidate mode 5"]
     by_candidate: Float32[np.ndarray, "candidate mode 6"]
     at_tests: Float32[np.ndarray, "test mode 6"]
     presses: Float32[np.ndarray, "press mode"]
@@ -181,39 +188,48 @@ def _record(
     lattices: tuple[FaceCandidates, ...],
     tests: list[np.ndarray],
     progress: Progress | None,
-) -> tuple[list[_Recorded], RigidBody]:
-    """Of every pressed face, and the magnet that moves so."""
+) -> tuple[list[_Recorded], RigidBody, Influence]:
+    """Of every pressed face; the magnet that moves so, and how others move it."""
     system = elastic_system(mesh, spec)
     tractions = face_pressure_loads(system.space, spec)[1]
     known = [np.repeat(known_places(spec, one), len(one.depth_mm)) for one in lattices]
     points = [*(one.xyd_mm[here] for one, here in zip(lattices, known, strict=True)), *tests]
     filled, count, recorded = _filled(lattices, known), sum(map(len, tests)), []
     with Factorization(system.matrix) as factor:
-        body = rigid_body(spec, system, factor, lattices)
-        rows = rows_of(
-            [
-                _face_rows(spec, system.space, lattice.face, xyd, body)
-                for lattice, xyd in zip(lattices * 2, points, strict=True)
-            ]
-        )
+        body, tied = tied_magnets(spec, system, factor, lattices)
+        between = influence(spec, system.space, body, tied, lattices)
+        placed = [
+            _placed(spec, lattice.face, xyd)
+            for lattice, xyd in zip(lattices * 2, points, strict=True)
+        ]
+        rows = rows_of([candidate_rows(system.space, *at, body) for at in placed])
+        strained = [strain_rows(system.space, *at, body) for at in placed[: len(lattices)]]
         for index, press in enumerate(presses):
             share, patterns = _patterns(press.pressure_mpa)
             loads = tractions[:, response.face_loads(index)] @ patterns.T
-            found = np.empty((shape_of(rows)[0], len(patterns)), np.float32)
+            number = response.surfaces[index].number
+            (under,) = (k for k, one in enumerate(lattices) if one.face == number)
+            every = rows_of([rows, strained[under]])
+            found = np.empty((shape_of(every)[0], len(patterns)), np.float32)
             for first in range(0, len(patterns), _CHUNK):
                 column = slice(first, first + _CHUNK)
-                found[:, column] = rows @ displacements(system, factor, loads[:, column])
+                found[:, column] = every @ displacements(system, factor, loads[:, column])
+            found, strain = np.split(found, [shape_of(rows)[0]])
             motion, of_patterns = compressed(found.reshape(-1, 6, len(patterns)))
+            strain = (strain @ np.float32(of_patterns)).reshape(-1, 5, of_patterns.shape[1])
+            begin = sum(map(len, lattices[:under]))
             recorded.append(
                 _Recorded(
+                    slice(begin, begin + len(lattices[under])),
+                    _filled((lattices[under],), [known[under]])(strain.transpose(0, 2, 1)),
                     filled(motion[: len(motion) - count]),
                     motion[len(motion) - count :],
                     np.float32(share @ of_patterns),
                 )
             )
             if progress:
-                progress(f"face {response.surfaces[index].number}: {len(share)} presses")
-    return recorded, body
+                progress(f"face {number}: {len(share)} presses")
+    return recorded, body, between
 
 
 def _patterns(
@@ -242,14 +258,15 @@ def compressed(
     return np.float32(motion @ np.float32(mode)).transpose(0, 2, 1), mode
 
 
-def _face_rows(
-    spec: ObjectSpec, space: DisplacementSpace, face: int, xyd_mm: np.ndarray, body: RigidBody
-) -> sp.csr_matrix:
+def _placed(
+    spec: ObjectSpec, face: int, xyd_mm: np.ndarray
+) -> tuple[Float[np.ndarray, "body 3"], Float[np.ndarray, "body 3 3"]]:
+    """Centres of magnets under a face, and their axes as columns."""
     frame = face_frame(spec, face)
     plane = frame.to_plane(xyd_mm[:, :2])
     points = frame.to_object(np.column_stack([plane, -xyd_mm[:, 2]]))
-    axes = frame.axes if frame.flat else frame.axes_at(plane)
-    return candidate_rows(space, points, axes, body)
+    axes = np.broadcast_to(frame.axes, (len(points), 3, 3)) if frame.flat else frame.axes_at(plane)
+    return points, axes
 
 
 def _test_points(spec: ObjectSpec, lattices: tuple[FaceCandidates, ...]) -> list[np.ndarray]:

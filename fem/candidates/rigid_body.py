@@ -24,7 +24,7 @@ from jaxtyping import Float
 from design.layout.body import face_frame
 from design.layout.pockets import shell_bodies
 from design.spec.object import ObjectSpec
-from fem.candidates.motions import FaceCandidates, known_places, stands_out_mm
+from fem.candidates.motions import FaceCandidates, middle_of, stands_out_mm
 from fem.candidates.point_motions import interpolate_at
 from fem.candidates.quadrature import skin_quadrature
 from fem.candidates.tied_magnets import (
@@ -47,13 +47,27 @@ _TOLD_APART = 1e-4
 the magnet lies in, and would get weights that suit no other place."""
 
 
+STRAINS = np.array(
+    [
+        np.diag([-0.5, -0.5, 1.0]),
+        [[0, 0, 1], [0, 0, 0], [1, 0, 0]],
+        [[0, 0, 0], [0, 0, 1], [0, 1, 0]],
+        np.diag([1.0, -1.0, 0.0]),
+        [[0, 1, 0], [1, 0, 0], [0, 0, 0]],
+    ]
+)
+"""All strains of a material that keeps its volume: along the axis z, shears xz and yz, in the plane."""
+
+
 @dataclass(frozen=True)
 class RigidBody:
-    """Points on a magnet's skin about its centre, in its own frame, mm, and the weights (1, and 1/mm for
-    ω) of displacements there in its motion (c, ω), components in that frame too."""
+    """Points on a magnet's skin about its centre, in its own frame, mm, and weights of displacements there:
+    in its motion (c, ω), 1 and 1/mm, and in the strain round it as shares of `STRAINS`, 1/mm; components in
+    that frame too."""
 
     points_mm: Float[np.ndarray, "point 3"]
     weights: Float[np.ndarray, "6 3 point"]
+    strain_weights: Float[np.ndarray, "5 3 point"]
 
     @property
     def turns_with_plane(self) -> float:
@@ -65,13 +79,28 @@ class RigidBody:
         return float(about_x[1] @ z + about_x[2] @ y - about_y[0] @ z - about_y[2] @ x) / 2
 
 
-def rigid_body(
+@dataclass(frozen=True)
+class Tied:
+    """A magnet tied below the middle of a face: its place and axes, weights of its functionals in its motion
+    and in the strain round it, and nodal displacements by which it resists each of `STRAINS`."""
+
+    face: int
+    depth_mm: float
+    centre_mm: Float[np.ndarray, "3"]
+    axes: Float[np.ndarray, "3 3"]
+    motion: Float[np.ndarray, "6 functional"]
+    strain: Float[np.ndarray, "5 functional"]
+    field: Float[np.ndarray, "degree 5"]
+
+
+def tied_magnets(
     spec: ObjectSpec,
     system: ElasticSystem,
     factor: Factorization,
     lattices: Sequence[FaceCandidates],
-) -> RigidBody:
-    """The magnet of a specification, in the silicone that `system` is, with its matrix factored.
+) -> tuple[RigidBody, list[Tied]]:
+    """The magnet of a specification, in the silicone that `system` is, with its matrix factored, and it tied
+    at three depths of every face.
 
     One higher than twice the silicone over the uppermost candidates counts as if it fitted there.
     """
@@ -80,16 +109,37 @@ def rigid_body(
     height = min(body.height_mm, 2 * _OF_THE_COVER * cover)
     places = [place for lattice in lattices for place in _middle_places(spec, lattice)]
     whole, _ = skin_quadrature(body.outline, height)
-    around = np.concatenate([centre + whole @ axes.T for centre, axes in places])
+    around = np.concatenate([centre + whole @ axes.T for *_, centre, axes in places])
     inset = min(INSET * edge_mm(system.space, around), MOST_INSET * height)
     outline, between = body.outline.inset(inset), height - 2 * inset
     points, weights = skin_quadrature(outline, between, _CIRCLES, _AROUND)
     psi = polynomials(points, weights, DEGREE) * weights[:, None]
     rigid = np.concatenate([psi.T @ part for part in rigid_motions(points)])
-    moved = np.zeros((6, len(rigid)))
-    for centre, axes in places:
-        moved += _weights(system, factor, centre + points @ axes.T, axes, psi, rigid) / len(places)
-    return RigidBody(points, moved.reshape(6, 3, -1) @ psi.T)
+    strained = np.stack([(psi.T @ (points @ one.T)).T.ravel() for one in STRAINS], axis=1)
+    tied = []
+    for face, depth, centre, axes in places:
+        means = sp.csr_matrix(psi.T) @ interpolate_at(system.space, centre + points @ axes.T)
+        functionals = sp.csr_matrix(sp.kron(axes.T, means))
+        tied.append(
+            Tied(
+                face, depth, centre, axes, *_resisting(system, factor, functionals, rigid, strained)
+            )
+        )
+    motion, strain = (
+        np.mean([getattr(one, of) for one in tied], axis=0) for of in ("motion", "strain")
+    )
+    of_points = (part.reshape(len(part), 3, -1) @ psi.T for part in (motion, strain))
+    return RigidBody(points, *of_points), tied
+
+
+def rigid_body(
+    spec: ObjectSpec,
+    system: ElasticSystem,
+    factor: Factorization,
+    lattices: Sequence[FaceCandidates],
+) -> RigidBody:
+    """`tied_magnets` without where they were tied."""
+    return tied_magnets(spec, system, factor, lattices)[0]
 
 
 def candidate_rows(
@@ -103,54 +153,87 @@ def candidate_rows(
     `axes` are the body's x, y and axis as columns, one frame of all places or of each; motions are
     told in the object's frame.
     """
-    count, points = len(centres_mm), len(body.points_mm)
-    each = np.broadcast_to(axes, (count, 3, 3))
-    at = centres_mm[:, None] + body.points_mm @ np.swapaxes(each, 1, 2)
-    values = interpolate_at(space, at.reshape(-1, 3))
-    local = body.weights.reshape(2, 3, 3, points)
+    each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
+    local = body.weights.reshape(2, 3, 3, -1)
     turned = np.einsum("bik,tkmp,bjm->btijp", each, local, each, optimize=True)
+    return _weighted_rows(space, centres_mm, each, body, turned.reshape(len(each), 6, 3, -1))
+
+
+def strain_rows(
+    space: DisplacementSpace,
+    centres_mm: Float[np.ndarray, "body 3"],
+    axes: Float[np.ndarray, "3 3"] | Float[np.ndarray, "body 3 3"],
+    body: RigidBody,
+) -> sp.csr_matrix:
+    """Strains round bodies at these places, in their own frames as shares of `STRAINS`, that the silicone
+    would have without them; (5·body, 3·node)."""
+    each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
+    turned = np.einsum("smp,bjm->bsjp", body.strain_weights, each, optimize=True)
+    return _weighted_rows(space, centres_mm, each, body, turned)
+
+
+def _weighted_rows(
+    space: DisplacementSpace,
+    centres_mm: Float[np.ndarray, "body 3"],
+    axes: Float[np.ndarray, "body 3 3"],
+    body: RigidBody,
+    weights: Float[np.ndarray, "body row 3 point"],
+) -> sp.csr_matrix:
+    """Sums over the bodies' points, body by body, of displacement components in the object's frame."""
+    count, points = len(centres_mm), len(body.points_mm)
+    at = centres_mm[:, None] + body.points_mm @ np.swapaxes(axes, 1, 2)
+    values = interpolate_at(space, at.reshape(-1, 3))
     ends, every = np.arange(0, count * points + 1, points), np.arange(count * points)
 
     def mean(weights: Float[np.ndarray, "body point"]) -> sp.csr_matrix:
         rows = sp.csr_matrix((weights.ravel(), every, ends), shape=(count, count * points))
         return sp.csr_matrix(rows @ values)
 
+    rows = weights.shape[1]
     blocks = [
-        sp.hstack([mean(turned[:, part, axis, component]) for component in range(3)])
-        for part in range(2)
-        for axis in range(3)
+        sp.hstack([mean(weights[:, row, component]) for component in range(3)])
+        for row in range(rows)
     ]
-    order = np.arange(6 * count).reshape(6, count).T.ravel()
+    order = np.arange(rows * count).reshape(rows, count).T.ravel()
     return sp.csr_matrix(sp.vstack(blocks))[order]
 
 
 def _middle_places(
     spec: ObjectSpec, lattice: FaceCandidates
-) -> list[tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]]:
-    """Centre and axes below the candidate nearest to the middle of a face: least, middle and largest
-    depth."""
-    frame, known = face_frame(spec, lattice.face), known_places(spec, lattice)
-    away = np.hypot(*np.meshgrid(lattice.x_mm, lattice.y_mm, indexing="ij"))
-    ix, iy = np.unravel_index(int(np.where(known, away, np.inf).argmin()), known.shape)
-    plane = frame.to_plane(np.array([[lattice.x_mm[ix], lattice.y_mm[iy]]]))
-    axes = frame.axes if frame.flat else frame.axes_at(plane)[0]
+) -> list[tuple[int, float, Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]]:
+    """Face, depth, centre and axes below the candidate nearest to the middle of a face: least, middle and
+    largest depth."""
+    plane, axes = middle_of(spec, lattice)
+    frame = face_frame(spec, lattice.face)
     depths = lattice.depth_mm[[0, len(lattice.depth_mm) // 2, -1]]
-    return [(frame.to_object(np.append(plane[0], -depth)), axes) for depth in depths]
+    return [
+        (lattice.face, float(depth), frame.to_object(np.append(plane, -depth)), axes)
+        for depth in depths
+    ]
 
 
-def _weights(
+def _resisting(
     system: ElasticSystem,
     factor: Factorization,
-    points_mm: Float[np.ndarray, "point 3"],
-    axes: Float[np.ndarray, "3 3"],
-    psi: Float[np.ndarray, "point k"],
+    functionals: sp.csr_matrix,
     rigid: Float[np.ndarray, "functional 6"],
-) -> Float[np.ndarray, "6 functional"]:
-    """Of the functionals in a magnet's motion, at one place."""
-    means = sp.csr_matrix(psi.T) @ interpolate_at(system.space, points_mm)
-    functionals = sp.csr_matrix(sp.kron(axes.T, means))
-    flexibility = functionals @ displacements(system, factor, functionals.T.toarray())
+    strained: Float[np.ndarray, "functional 5"],
+) -> tuple[
+    Float[np.ndarray, "6 functional"],
+    Float[np.ndarray, "5 functional"],
+    Float[np.ndarray, "degree 5"],
+]:
+    """Weights of the functionals in a magnet's motion and in the strain round it, at one place, and the
+    displacements that it adds where the silicone round it would be strained."""
+    field = displacements(system, factor, functionals.T.toarray())
+    flexibility = functionals @ field
     size, mode = np.linalg.eigh((flexibility + flexibility.T) / 2)
     kept = size > _TOLD_APART * size[-1]
-    held = (mode[:, kept] / size[kept]) @ (mode[:, kept].T @ rigid)
-    return np.linalg.solve(rigid.T @ held, held.T)
+    stiffness = (mode[:, kept] / size[kept]) @ mode[:, kept].T
+    held = stiffness @ rigid
+    motion = np.linalg.solve(rigid.T @ held, held.T)
+    resisted = stiffness @ (
+        strained - rigid @ (motion @ strained)
+    )  # tractions without force or torque
+    strain = np.linalg.solve(strained.T @ resisted, resisted.T)
+    return motion, strain, -field @ resisted

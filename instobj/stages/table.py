@@ -155,7 +155,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_cylinder",
         ),
         make_candidates,
-        version=6,
+        version=7,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",

@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose
 from design.layout.places.contact_grid import PlaceGrid
 from fem.candidates.motions import CandidateMotions, FaceCandidates, InterpolationError
 from fem.candidates.presses import _filled, _on_grid, _with_error
+from tests.support.mechanics.candidate_cases import no_influence
 
 
 def lattice(face):
@@ -58,7 +59,20 @@ def test_the_error_of_interpolation_is_of_the_pressed_face_s_own_points_by_hand(
     none = InterpolationError(0.0, 0.0, 0.0, 0.0)
     one = np.ones((2, 1, 1))
     faces, deepest = np.array([1, 3]), np.ones((2, 1))
-    table = CandidateMotions(faces, places, one, one, deepest, lattices, motion, presses, none, 0.0)
+    table = CandidateMotions(
+        faces,
+        places,
+        one,
+        one,
+        deepest,
+        lattices,
+        motion,
+        presses,
+        none,
+        0.0,
+        np.zeros((128, 2, 5), np.float32),
+        no_influence(lattices[0].depth_mm),
+    )
     miss = np.array([[0, 0.3, 0, 0, 0, 0.1], [0, 0, 0.4, 0.2, 0, 0], [0, 0, 0, 0, 0, 0]])
     true = [np.full((3, 2, 6), 50.0, np.float32) for _ in range(2)]  # of presses of the other face
     for point, row in enumerate((0, 0, 1)):

@@ -26,7 +26,12 @@ from estimator.signals.field_setup import Scene, sensed_field
 from estimator.signals.hall import chip_errors, counts_of_field
 from estimator.signals.interpolation import signal_gradient
 from estimator.signals.presses import Signals
-from fem.candidates.motions import CandidateMotions, InterpolationError, candidate_lattices
+from fem.candidates.motions import (
+    CandidateMotions,
+    Influence,
+    InterpolationError,
+    candidate_lattices,
+)
 from fem.candidates.presses import compressed
 
 FACE = 3
@@ -98,7 +103,15 @@ def table_of(spec, lattices, force_n, per_share):
         presses,
         nan,
         0.0,
+        np.zeros((len(by_candidate), modes, 5), np.float32),
+        no_influence(lattices[0].depth_mm),
     )
+
+
+def no_influence(depth_mm):
+    """Of magnets on each other."""
+    values = np.zeros((len(depth_mm), len(depth_mm), 3, 6, 5), np.float32)
+    return Influence(depth_mm, 6.0, 1.0, values)
 
 
 def at_contacts(spec, of_lattice):
