@@ -83,4 +83,4 @@ def test_rows_have_what_the_other_magnets_strain_adds(spec, motions, held, fault
         matrix = by_hand(slopes, at * ([1, -1, 1] if fault == "turned the other way" else 1))
         wanted = np.einsum("ijms,jsp->imp", matrix, strain[row])
         off = abs(added[row] - wanted).max() / abs(wanted).max()
-        assert (off < 0.05) if fault is None else (off > 0.2)
+        assert (off < 1e-5) if fault is None else (off > 0.01)

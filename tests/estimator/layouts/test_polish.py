@@ -108,6 +108,7 @@ def test_every_force_counts_alike_and_places_are_held_against_the_start(lowest):
             ],
             axis=2,
         ),
+        strain=np.concatenate([low.strain, high.strain], axis=1),
     )
     pooled = [
         layout_scorer(spec, press_basis(spec, both, face, n)) for n in forces for face in FACES

@@ -111,7 +111,9 @@ def test_rows_give_a_rigid_motion_back_in_every_frame(cube, bodies, shape):
 def test_rows_weigh_displacements_in_the_body_s_own_frame(cube):
     """Any weights, under a field that elements represent exactly: c and ω as vectors of the object."""
     random = np.random.default_rng(5)
-    body = RigidBody(random.uniform(-1, 1, (7, 3)), random.normal(size=(6, 3, 7)))
+    body = RigidBody(
+        random.uniform(-1, 1, (7, 3)), random.normal(size=(6, 3, 7)), np.zeros((5, 3, 7))
+    )
     centres = np.array([[4.0, -6.0, 17.5], [-9.0, 3.0, 16.5], [0.0, 0.0, 17.0]])
     each = np.stack(
         [tilted_frame(9.0, -14.0), tilted_frame(-20.0, 5.0), face_frame(cube.spec, 3).axes]
