@@ -1,8 +1,8 @@
 """Scores of many layouts in batches on stored motions of candidate magnets, with gradients.
 
 Lowest fidelity level of a layout search. A layout is one face's magnets and sensors, repeated on every face;
-every magnet is rigid as if it were alone. Counts are linearised in the magnets' motions about rest,
-J = ∂S/∂(motion) · ∂(motion)/∂(x, y, F), with the field's derivatives in closed form and the
+magnets are rigid and hold each other in first reflection. Counts are linearised in the magnets' motions
+about rest, J = ∂S/∂(motion) · ∂(motion)/∂(x, y, F), with the field's derivatives in closed form and the
 motions' compressed (`estimator.layouts.press_basis`). The other faces' magnets count too, by a lower order
 of the series and a shorter basis: cheap, as they are further away and move less.
 """

@@ -2,8 +2,8 @@
 
 A layout search moves magnets thousands of times: it needs what each press does at any point of the
 silicone, without mechanics. A candidate moves as one rigid magnet there would in the field of the
-silicone without it (`fem.candidates.rigid_body`); pressures are those of the magnet-free shell, and
-magnets do not hold one another.
+silicone without it (`fem.candidates.rigid_body`); pressures are those of the magnet-free shell. What the
+others round it add is told by the strain that each of them resists (`fem.candidates.influence`).
 """
 
 from __future__ import annotations

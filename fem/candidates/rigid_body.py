@@ -9,7 +9,8 @@ that is was measured on the paper's cube alone, one mesh, 5 N, 24 random places 
 other places of that face (rms over presses): a magnet tied at its own place moves otherwise by 4 % along
 the normal, 6 to 9 % along the face, 8 % in its tilt and 24 % in its spin, which does not change a disk's
 field; a fit of its mid-plane was off by 31, 22, 37 and 24 %. On elements of 3 mm it is 8, 13, 23 and
-93 % (tests). Left out: the other magnets (5 %), and how magnets change the pressures of a press (4 %).
+93 % (tests). Left out here: the other magnets (5 %; `fem.candidates.influence`), and how magnets change the
+pressures of a press (4 %).
 """
 
 from __future__ import annotations

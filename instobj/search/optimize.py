@@ -190,7 +190,7 @@ def _document(
         "verdict": verdict,
         "tables": {
             f"search of {spec.name}: {verdict}": [_trial_counts(kept)],
-            "lowest fidelity level: each magnet rigid as if alone, linear signals": _rows(
+            "lowest fidelity level: rigid magnets in first reflection, linear signals": _rows(
                 found, FIRST
             ),
             "second fidelity level: rigid magnets, contact and fields in full": _rows(
