@@ -73,7 +73,7 @@ def influence(
     kept = np.zeros((6, 5))
     kept[_ALONG] = kept[_ACROSS] = 1.0
     values = np.einsum("ed,drzij->ezrij", _parabolas(np.array(known), depth), table) * kept
-    return Influence(depth, first, _STEP_MM, np.float32(values))
+    return Influence(depth, first, _STEP_MM, values.astype(np.float32))
 
 
 def strains_turned(angle: float) -> Float[np.ndarray, "5 5"]:

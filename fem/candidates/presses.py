@@ -216,7 +216,7 @@ def _record(
                 found[:, column] = every @ displacements(system, factor, loads[:, column])
             found, strain = np.split(found, [shape_of(rows)[0]])
             motion, of_patterns = compressed(found.reshape(-1, 6, len(patterns)))
-            strain = (strain @ np.float32(of_patterns)).reshape(-1, 5, of_patterns.shape[1])
+            strain = (strain @ of_patterns.astype(np.float32)).reshape(-1, 5, of_patterns.shape[1])
             begin = sum(map(len, lattices[:under]))
             recorded.append(
                 _Recorded(
@@ -224,7 +224,7 @@ def _record(
                     _filled((lattices[under],), [known[under]])(strain.transpose(0, 2, 1)),
                     filled(motion[: len(motion) - count]),
                     motion[len(motion) - count :],
-                    np.float32(share @ of_patterns),
+                    (share @ of_patterns).astype(np.float32),
                 )
             )
             if progress:
@@ -255,7 +255,8 @@ def compressed(
         gram += part.T.astype(float) @ part
     power, mode = np.linalg.eigh(gram)
     mode = mode[:, power > least**2 * power[-1]][:, ::-1]
-    return np.float32(motion @ np.float32(mode)).transpose(0, 2, 1), mode
+    modes = (motion @ mode.astype(np.float32)).astype(np.float32)
+    return modes.transpose(0, 2, 1), mode
 
 
 def _placed(
@@ -322,7 +323,7 @@ def _with_error(
     exact, wrong = [], []
     ends = np.cumsum([len(points) for points in tests])
     for lattice, points, end in zip(table.candidates, tests, ends, strict=True):
-        for row in np.flatnonzero(table.faces == lattice.face):
+        for row in np.flatnonzero(table.faces == lattice.face).tolist():
             index, weight = table.weights(lattice.face, points)
             found = np.einsum("mk,mkrv->mrv", weight, table.by_candidate[index, row])
             own = direct[row][end - len(points) : end]
