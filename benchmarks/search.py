@@ -15,6 +15,7 @@ from __future__ import annotations
 import sys
 import tempfile
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -159,6 +160,8 @@ def agreement(
 ) -> dict[str, Any]:
     """Median relative error and rank correlation of three scores over random layouts."""
     layouts = random_layouts(count, seed=3)
+    # upright, as the plain reference turns no magnet with the plane that its tilt lies in
+    layouts = replace(layouts, turn_rad=0 * layouts.turn_rad)
     plain = np.array([plain_scores(spec, motions, layouts, row, scale) for row in range(count)])
     with torch.no_grad():
         score = score_layouts(scorer, layouts)
@@ -187,6 +190,8 @@ def measure(quick: bool) -> dict[str, Any]:
         solved = 1 if quick else 2
         solve_s, rate = solve_seconds(spec, solved), len(layouts) / batch_s
         compared = 4 if quick else 40
+        alone = replace(motions, strain=0 * motions.strain)  # as the plain reference's magnets are
+        scorer = layout_scorer(spec, press_basis(spec, alone, FACE))
         return {
             "places": len(contact_grid(spec)),
             "candidates_once_s": candidates_s,
