@@ -9,7 +9,8 @@ from torch.nn.functional import embedding_bag, grid_sample, pad
 
 from design.errors import InputError
 from estimator.layouts.batch import Layouts
-from estimator.layouts.press_basis import Patch, PressBasis
+from estimator.layouts.placed import magnets_under
+from estimator.layouts.press_basis import Held, Patch, PressBasis
 
 _BEYOND = 1e-4
 """Of a step beyond the last candidates, that is rounding."""
@@ -45,10 +46,14 @@ def _mixed_rows(
     if not basis.patches:
         near = _around(basis, (xyd_mm - basis.first_mm) / basis.step_mm, xyd_mm)
         own = _turned(_weighted(basis.own.rows, *near), basis, layouts)
-        return own + _moved_by_others(basis, layouts, near), _weighted(basis.other.rows, *near)
+        return own + _moved_by_others(basis, layouts, xyd_mm, near), _weighted(
+            basis.other.rows, *near
+        )
+    here, *beside = basis.patches[: 1 + len(basis.neighbours)]
+    along = _along(here, layouts)
     own, *others = (
-        _around(patch, _places_along(patch, layouts), xyd_mm)
-        for patch in basis.patches[: 1 + len(basis.neighbours)]
+        _around(patch, (at - patch.first_mm) / patch.step_mm, xyd_mm)
+        for patch, at in [(here, along), *((patch, _along(patch, layouts)) for patch in beside)]
     )
     moving = [
         _weighted(basis.other.rows, patch.start + index, weight)
@@ -56,7 +61,7 @@ def _mixed_rows(
     ]
     other = torch.cat(moving, dim=1) if moving else torch.zeros_like(xyd_mm[:, :0])
     rows = _turned(_weighted(basis.own.rows, *own), basis, layouts)
-    return rows + _moved_by_others(basis, layouts, own), other
+    return rows + _moved_by_others(basis, layouts, along, own), other
 
 
 def _turned(
@@ -93,11 +98,10 @@ def candidate_ends_mm(
     return least.amax(dim=0), most.amin(dim=0)
 
 
-def _places_along(patch: Patch, layouts: Layouts) -> Float[Tensor, "magnet 3"]:
-    """Where magnets lie on a patch's lattice, in steps."""
+def _along(patch: Patch, layouts: Layouts) -> Float[Tensor, "magnet 3"]:
+    """Lengths along a patch's surface, and depths, of its magnets, as its candidates are told."""
     xyd = layouts.of(patch.surface.number).magnet_mm.reshape(-1, 3)
-    along = torch.cat([patch.surface.lengths_mm(xyd[:, :2]), xyd[:, 2:]], dim=1)
-    return (along - patch.first_mm) / patch.step_mm
+    return torch.cat([patch.surface.lengths_mm(xyd[:, :2]), xyd[:, 2:]], dim=1)
 
 
 def _around(
@@ -140,30 +144,32 @@ def _weighted(
 
 
 def _moved_by_others(
-    basis: PressBasis, layouts: Layouts, near: tuple[Tensor, Tensor]
+    basis: PressBasis,
+    layouts: Layouts,
+    along_mm: Float[Tensor, "magnet 3"],
+    near: tuple[Tensor, Tensor],
 ) -> Float[Tensor, "magnet own"]:
     """Rows of what each magnet of the pressed face moves as the others there resist the strain round them."""
     count, rank = layouts.magnet_mm.shape[1], len(basis.own.basis)
     if count == 1:
         return torch.zeros_like(layouts.magnet_mm[:, 0, :1])
     strain = _weighted(basis.held.strain, *near).reshape(len(layouts), count, 5, -1)
-    moved = torch.einsum("lijms,ljsr->limr", influences(basis, layouts), strain)
+    between = influences(basis.held, along_mm.reshape(len(layouts), count, 3))
+    moved = torch.einsum("lijms,ljsr->limr", between, strain)
     if basis.patches and not basis.patches[0].surface.frame.flat:
-        surface = basis.patches[0].surface
-        face = torch.as_tensor(surface.frame.axes.copy(), dtype=moved.dtype)
-        axes = face.T @ surface.magnets(layouts.magnet_mm)[1]
+        face = torch.as_tensor(basis.patches[0].surface.frame.axes.copy(), dtype=moved.dtype)
+        axes = face.T @ magnets_under(basis.patches[0], layouts)[1]
         moved = torch.einsum("liba,litar->litbr", axes, moved.unflatten(2, (2, 3))).flatten(2, 3)
     return pad(moved, (0, rank - moved.shape[3])).flatten(2).flatten(0, 1)
 
 
-def influences(basis: PressBasis, layouts: Layouts) -> Float[Tensor, "layout magnet magnet 6 5"]:
-    """Motion of each magnet of the pressed face, in its own frame, for each strain round each other one."""
-    held, xyd = basis.held, layouts.magnet_mm
-    xy, depth = xyd[..., :2], xyd[..., 2]
-    if basis.patches:
-        xy = basis.patches[0].surface.lengths_mm(xy)
+def influences(
+    held: Held, along_mm: Float[Tensor, "layout magnet 3"]
+) -> Float[Tensor, "layout magnet magnet 6 5"]:
+    """Motion of each magnet of a face, in its own frame, for each strain round each other one."""
+    xy, depth = along_mm[..., :2], along_mm[..., 2]
     away = xy[:, :, None] - xy[:, None]
-    itself = torch.eye(xyd.shape[1], dtype=torch.bool)[..., None]
+    itself = torch.eye(along_mm.shape[1], dtype=torch.bool)[..., None]
     distance = (away.masked_fill(itself, 1.0).square().sum(-1) + 1e-6).sqrt()
     own, other = torch.broadcast_tensors(depth[:, :, None], depth[:, None])
     at = (torch.stack([distance, own, other], dim=-1) - held.first_mm) / held.span_mm

@@ -69,9 +69,17 @@ def chips(
     return (local @ turn.T + shift).permute(2, 0, 1), axes @ turn.T
 
 
+def magnets_under(
+    patch: Patch, layouts: Layouts
+) -> tuple[Float[Tensor, "layout magnet 3"], Float[Tensor, "layout magnet 3 3"]]:
+    """Centres and axes of a patch's magnets as its surface tells them, in the object's frame."""
+    surface, own = patch.surface, layouts.of(patch.surface.number)
+    return own.kept("under", (surface,), lambda: surface.magnets(own.magnet_mm))
+
+
 def _under(presses: PressBasis, patch: Patch, layouts: Layouts) -> Magnets:
     frame, layouts = presses.patches[0].surface.frame, layouts.of(patch.surface.number)
-    centre, axes = patch.surface.magnets(layouts.magnet_mm)
+    centre, axes = magnets_under(patch, layouts)
     turn = torch.as_tensor(frame.axes.copy(), dtype=centre.dtype)
     middle = torch.as_tensor(frame.centre_mm.copy(), dtype=centre.dtype)
     axis = (axes @ magnet_axes(layouts).permute(1, 2, 0)[..., None])[..., 0]

@@ -5,8 +5,8 @@ add: the first reflection (Kim and Karrila, Microhydrodynamics, 1991, ch. 8), of
 the volume. Taken between a magnet below the middle of every face and others beside it, in four directions as
 far as the face has room, and at three depths of the first; means over faces and directions serve everywhere.
 Beside all magnets tied at once, with the ties of each place, motions of a face's own magnets under 5 N are
-off by 1.4 to 5.3 % (rms) instead of 4.8 to 12.8 % (six layouts of the paper's cube, of which a search had
-found the worst).
+off by 1.4 to 5.3 % (rms) instead of 4.8 to 12.8 % (seven layouts of the paper's cube, one mesh, one face;
+a search had found the worst of them). No other body was measured.
 """
 
 from __future__ import annotations

@@ -133,16 +133,6 @@ def tied_magnets(
     return RigidBody(points, *of_points), tied
 
 
-def rigid_body(
-    spec: ObjectSpec,
-    system: ElasticSystem,
-    factor: Factorization,
-    lattices: Sequence[FaceCandidates],
-) -> RigidBody:
-    """`tied_magnets` without where they were tied."""
-    return tied_magnets(spec, system, factor, lattices)[0]
-
-
 def candidate_rows(
     space: DisplacementSpace,
     centres_mm: Float[np.ndarray, "body 3"],
@@ -233,8 +223,7 @@ def _resisting(
     stiffness = (mode[:, kept] / size[kept]) @ mode[:, kept].T
     held = stiffness @ rigid
     motion = np.linalg.solve(rigid.T @ held, held.T)
-    resisted = stiffness @ (
-        strained - rigid @ (motion @ strained)
-    )  # tractions without force or torque
+    without_motion = strained - rigid @ (motion @ strained)
+    resisted = stiffness @ without_motion  # tractions without force or torque
     strain = np.linalg.solve(strained.T @ resisted, resisted.T)
     return motion, strain, -field @ resisted

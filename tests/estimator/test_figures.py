@@ -310,6 +310,7 @@ FIGURES = {
     estimator.layouts.press_basis: {
         "OTHER_RANK": 40,
         "OWN_RANK_PER_PLACE": 1.3, "LEAST_OWN_RANK": 60, "MORE_RANK": 1.2, "TURN_RANK": 64,
+        "STRAIN_RANK": 96,
     },
     estimator.layouts.robustness: {"_RIDGE": 1e-6, "SLIP_MM": 1.0},
     estimator.layouts.scoring: {"_FORCE_VARIANCE": 1 / 8, "_CURVE_VARIANCE": 1 / 128},

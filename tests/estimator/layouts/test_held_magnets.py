@@ -52,7 +52,7 @@ def test_influences_are_those_of_the_table_turned_from_one_magnet_to_the_other(s
     motions, slopes = held
     presses, layouts = press_basis(spec, motions, FACE, dtype=torch.float64), random_layouts(COUNT)
     layouts = replace(layouts, magnet_mm=layouts.magnet_mm.double())
-    found = influences(presses, layouts).numpy()
+    found = influences(presses.held, layouts.magnet_mm).numpy()
     for row in range(COUNT):
         wanted = by_hand(slopes, layouts.magnet_mm[row].numpy())
         assert_allclose(found[row], wanted, rtol=0, atol=1e-4 * abs(wanted).max())

@@ -13,21 +13,14 @@ from fem.candidates.cubic_convolution import axis_weights
 from fem.candidates.motions import candidate_lattices, load_candidates
 from fem.candidates.presses import presses_at_forces
 from fem.candidates.presses import simulate_candidates as simulate
-from fem.candidates.rigid_body import candidate_rows, rigid_body
-from fem.linear.factorization import Factorization
+from fem.candidates.rigid_body import candidate_rows, tied_magnets
 from fem.linear.response import displacements, face_pressure_loads
 from fem.presses.table import surface_weights_mm2
 from tests.support.mechanics.candidate_cases import motion_of
 from tests.support.mechanics.fem_cases import paper_cube
-from tests.support.objects.magnet_free_cases import magnet_free_cube
 
 FACE = 3
 """Its x is −z and its y is +y: a mix-up of axes shows."""
-
-
-@pytest.fixture(scope="module")
-def cube():
-    return magnet_free_cube()
 
 
 @pytest.fixture(scope="module")
@@ -49,14 +42,8 @@ def table(cube, spec, folder):
 
 
 @pytest.fixture(scope="module")
-def factor(cube):
-    with Factorization(cube.system.matrix) as factor:
-        yield factor
-
-
-@pytest.fixture(scope="module")
 def body(cube, spec, table, factor):
-    return rigid_body(spec, cube.system, factor, table.candidates)
+    return tied_magnets(spec, cube.system, factor, table.candidates)[0]
 
 
 @pytest.fixture(scope="module")

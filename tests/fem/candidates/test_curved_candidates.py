@@ -15,7 +15,7 @@ from fem.candidates.motions import candidate_lattices, known_places
 from fem.candidates.presses import presses_at_forces
 from fem.candidates.presses import simulate_candidates as simulate
 from fem.candidates.quadrature import skin_quadrature
-from fem.candidates.rigid_body import candidate_rows, rigid_body
+from fem.candidates.rigid_body import candidate_rows, tied_magnets
 from fem.linear.factorization import Factorization
 from fem.linear.response import (
     build_response,
@@ -103,7 +103,7 @@ def test_candidates_move_as_the_solved_field_does(spec, solved, factor, table):
     press = presses_at_forces(spec, response, row, (0.5, 1.0))
     loads = face_pressure_loads(system.space, spec)[1][:, response.face_loads(row)]
     fields = displacements(system, factor, loads @ press.pressure_mpa[:, 1].T)
-    body = rigid_body(spec, system, factor, table.candidates)
+    body = tied_magnets(spec, system, factor, table.candidates)[0]
     there = pressed_nodes(spec)[row]
     assert not there.all()
     assert (np.isfinite(table.force_n[row]).all(axis=1) == there).all()
@@ -132,7 +132,7 @@ def test_tall_magnets_stay_inside_the_silicone_at_every_place(spec, solved, fact
         magnets=spec.magnets.changed(height_mm=4.0), shell=spec.shell.changed(pocket_depth_mm=5.0)
     )
     system, lattices = solved[1], candidate_lattices(tall)
-    body = rigid_body(tall, system, factor, lattices)
+    body = tied_magnets(tall, system, factor, lattices)[0]
     outline = shell_body_layout(tall).bodies[0].outline
     whole = replace(body, points_mm=skin_quadrature(outline, 4.0, 2, 8)[0])
     assert whole.points_mm.shape == body.points_mm.shape

@@ -10,23 +10,11 @@ from fem.candidates.influence import influence, strains_turned
 from fem.candidates.motions import candidate_lattices
 from fem.candidates.rigid_body import STRAINS, strain_rows, tied_magnets
 from fem.candidates.tied_magnets import DEGREE, tie_functionals
-from fem.linear.factorization import Factorization
 from fem.linear.response import displacements, face_pressure_loads
-from tests.support.objects.magnet_free_cases import magnet_free_cube, nodal
+from tests.support.objects.magnet_free_cases import nodal
 
 FACE = 3
 APART_MM = 7.5
-
-
-@pytest.fixture(scope="module")
-def cube():
-    return magnet_free_cube()
-
-
-@pytest.fixture(scope="module")
-def factor(cube):
-    with Factorization(cube.system.matrix) as factor:
-        yield factor
 
 
 @pytest.fixture(scope="module")

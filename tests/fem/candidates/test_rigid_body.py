@@ -15,7 +15,7 @@ from fem.candidates.motions import FaceCandidates, candidate_lattices
 from fem.candidates.point_motions import interpolate_at
 from fem.candidates.presses import presses_at_forces
 from fem.candidates.quadrature import outline_quadrature
-from fem.candidates.rigid_body import RigidBody, candidate_rows, rigid_body
+from fem.candidates.rigid_body import RigidBody, candidate_rows, tied_magnets
 from fem.candidates.tied_magnets import (
     _flexibilities,
     _tied,
@@ -23,9 +23,8 @@ from fem.candidates.tied_magnets import (
     rigid_motions,
     tie_functionals,
 )
-from fem.linear.factorization import Factorization
 from fem.linear.response import displacements, face_pressure_loads
-from tests.support.objects.magnet_free_cases import magnet_free_cube, nodal
+from tests.support.objects.magnet_free_cases import nodal
 
 SHIFT = np.array([0.4, -0.9, 0.2])
 TURN = np.array([0.03, -0.07, 0.05])
@@ -46,17 +45,6 @@ def quadratic(points):
 
 
 @pytest.fixture(scope="module")
-def cube():
-    return magnet_free_cube()
-
-
-@pytest.fixture(scope="module")
-def factor(cube):
-    with Factorization(cube.system.matrix) as factor:
-        yield factor
-
-
-@pytest.fixture(scope="module")
 def lattices(cube):
     return candidate_lattices(cube.spec, pitch_mm=4.0)
 
@@ -64,7 +52,7 @@ def lattices(cube):
 @pytest.fixture(scope="module")
 def bodies(cube, factor, lattices):
     return {
-        shape: rigid_body(with_magnets(cube.spec, **size), cube.system, factor, lattices)
+        shape: tied_magnets(with_magnets(cube.spec, **size), cube.system, factor, lattices)[0]
         for shape, size in SHAPES.items()
     }
 
@@ -167,7 +155,7 @@ def test_a_magnet_at_the_only_candidate_moves_as_its_row_says(
     layout = shell_body_layout(one)
 
     def by_row():
-        body = rigid_body(one, cube.system, factor, [lattice])
+        body = tied_magnets(one, cube.system, factor, [lattice])[0]
         return candidate_rows(cube.space, layout.centre_mm, layout.frame, body) @ fields
 
     coarse = by_row()
@@ -185,7 +173,7 @@ def test_a_fault_at_the_only_candidate_would_show(cube, factor, pressed, fault):
     centre = face_frame(cube.spec, FACE).to_object(np.array([[4.0, -7.0, -2.7]]))
     axes = face_frame(cube.spec, FACE).axes
     lattice = FaceCandidates(FACE, np.array([4.0]), np.array([-7.0]), np.array([2.7]))
-    body = rigid_body(cube.spec, cube.system, factor, [lattice])
+    body = tied_magnets(cube.spec, cube.system, factor, [lattice])[0]
     right = candidate_rows(cube.space, centre, axes, body) @ fields
     other = {"sign": axes * [1, -1, -1], "turned": axes[:, [1, 0, 2]] * [1, -1, 1]}.get(fault, axes)
     at = centre - 0.5 * axes[:, 2] if fault == "depth" else centre
@@ -254,7 +242,7 @@ def test_means_that_the_mesh_does_not_tell_apart_get_no_weight(cube, factor, lat
     """A magnet smaller than the elements it lies in."""
     size = {"diameter_mm": 1.0} if shape == "disk" else {"shape": "block", "size_mm": (1.5, 1.0)}
     small = with_magnets(cube.spec, **size, height_mm=0.5)
-    body = rigid_body(small, cube.system, factor, lattices)
+    body = tied_magnets(small, cube.system, factor, lattices)[0]
     at_skin = np.stack(rigid_motions(body.points_mm))
     found = np.einsum("kmp,mpj->kj", body.weights, at_skin)
     assert_allclose(found, np.eye(6), rtol=0, atol=1e-10)
@@ -266,7 +254,7 @@ def test_a_magnet_higher_than_its_cover_allows_counts_as_lower(cube, factor, lat
     cover = lattices[0].depth_mm[0]
     spec = cube.spec.changed(shell=cube.spec.shell.changed(pocket_depth_mm=4.5))
     lower, limit, higher, highest = (
-        rigid_body(with_magnets(spec, height_mm=height), cube.system, factor, lattices)
+        tied_magnets(with_magnets(spec, height_mm=height), cube.system, factor, lattices)[0]
         for height in (2.0, 1.6 * cover, 2.9, 4.0)
     )
     for one in (higher, highest):
@@ -275,5 +263,5 @@ def test_a_magnet_higher_than_its_cover_allows_counts_as_lower(cube, factor, lat
     assert lower.points_mm[:, 2].max() < limit.points_mm[:, 2].max() - 0.1
     assert limit.points_mm[:, 2].max() < 0.8 * cover
     deeper = [FaceCandidates(one.face, one.x_mm, one.y_mm, one.depth_mm[1:]) for one in lattices]
-    allowed = rigid_body(with_magnets(spec, height_mm=2.9), cube.system, factor, deeper)
+    allowed = tied_magnets(with_magnets(spec, height_mm=2.9), cube.system, factor, deeper)[0]
     assert allowed.points_mm[:, 2].max() > limit.points_mm[:, 2].max() + 0.1

@@ -13,18 +13,12 @@ from design.spec.object import MagnetSpec
 from fem.candidates import tied_magnets
 from fem.candidates.quadrature import skin_quadrature
 from fem.candidates.tied_magnets import rigid_magnet_response, tie_functionals
-from fem.linear.factorization import Factorization, SingularSystemError, solve_symmetric
+from fem.linear.factorization import SingularSystemError, solve_symmetric
 from fem.linear.response import face_pressure_loads
-from tests.support.objects.magnet_free_cases import magnet_free_cube
 
 PLACES_MM = ((3.0, -5.0), (-8.0, 6.0))
 DEGREE = 1
 SPRING_N_PER_MM = 1e7
-
-
-@pytest.fixture(scope="module")
-def cube():
-    return magnet_free_cube()
 
 
 @pytest.fixture(scope="module")
@@ -34,12 +28,6 @@ def spec(cube):
     magnets = MagnetSpec(positions_mm=PLACES_MM, tilt_deg=tilts, depth_mm=(2.4, 3.1))
     shell = cube.spec.shell.model_copy(update={"pocket_diameter_mm": 7.0})
     return cube.spec.model_copy(update={"magnets": magnets, "shell": shell})
-
-
-@pytest.fixture(scope="module")
-def factor(cube):
-    with Factorization(cube.system.matrix) as factor:
-        yield factor
 
 
 @pytest.fixture(scope="module")
