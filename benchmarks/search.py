@@ -93,9 +93,11 @@ def random_layouts(count: int, seed: int) -> Layouts:
 def plain_scores(
     spec: ObjectSpec, motions: CandidateMotions, layouts: Layouts, row: int, scale: float = 1.0
 ) -> tuple[float, float, float]:
-    """One layout's scores with magpylib's exact fields of all 25 magnets at both stored forces."""
-    signals = _signals(spec, motions, layouts, row, scale) / scale
-    force = motions.force_n[FACE - 1][:, :, None]
+    """One layout's scores with magpylib's exact fields of all 25 magnets at the two stored forces that
+    belong to the score's."""
+    steps = motions.steps_around(spec.score.force_n)
+    signals = _signals(spec, motions, layouts, row, scale)[:, steps] / scale
+    force = motions.force_n[FACE - 1][:, steps, None]
     per_n = (signals[:, 1] - signals[:, 0]) / (force[:, 1] - force[:, 0])
     value = signals[:, 0] + per_n * (spec.score.force_n - force[:, 0])
     value = value.reshape(*motions.places.shape, -1)
