@@ -109,7 +109,7 @@ def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> 
     """Score on stored presses, with a scorer for each face that counts.
 
     `estimator.layouts.scoring` says what is left out. Of fourteen layouts of the paper's cube the second
-    level had 0.98 to 1.15 times the median position bound and 0.88 to 1.47 times the worst one; of one that
+    level had 0.98 to 1.15 times the median position bound and 0.88 to 1.42 times the worst one; of one that
     a search had improved on a level without each other's hold 1.2 and 1.1 times.
     """
     layouts = [layouts_of(spec, one.presses.face, one.presses.first_mm.dtype) for one in scorers]
