@@ -81,11 +81,13 @@ DEARER = tuple(_DEARER)
 class PlaceBounds:
     """Position bounds (mm) of another layout, of each scorer at the places of all its faces.
 
-    A batch is told by how much it exceeds them where it does so most (`worst_ratio` of `but`).
+    A batch is told by how much it exceeds them where it does so most (`worst_ratio` of `but`), and may
+    have `most` of them there.
     """
 
     position_mm: tuple[Float[Tensor, "_ _"], ...]
     but: float
+    most: float = 1.0
 
 
 def batch_scores(

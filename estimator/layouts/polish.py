@@ -54,9 +54,9 @@ class Judged:
     """What layouts are worth: every objective as something to minimise, above 0.
 
     `broken_mm` is 0 where all limits are kept. `worse_mm` is above 0 where position bounds are larger
-    than the start's at more places than `PlaceBounds.but` (`OVER_START` above 1), which the verdict
-    refuses; as this level's bounds of single places are rough, that makes no layout one that breaks
-    limits. `scores` are those of the lowest fidelity level, with the objectives that the
+    than `PlaceBounds.most` of the start's at more places than `PlaceBounds.but` (by `OVER_START`): the
+    verdict refuses what is larger than the start's; as this level's bounds of single places are rough,
+    that makes no layout one that breaks limits. `scores` are those of the lowest fidelity level, with the objectives that the
     structure alone decides. `eased`: the objectives, with the 95th percentile for those
     that fewer places decide.
     """
@@ -127,7 +127,7 @@ def judge(
     broken = broken.amax(dim=0) + lowest.broken_mm + _MM_PER_EXCESS * excess
     worse = torch.zeros_like(broken)
     if lowest.start is not None:
-        worse = _MM_PER_EXCESS * torch.relu(scores[OVER_START] - 1)
+        worse = _MM_PER_EXCESS * torch.relu(scores[OVER_START] / lowest.start.most - 1)
     worth, eased = (
         torch.stack([_to_minimize(name, scores) for name in names], dim=1).clamp(min=1e-9)
         for names in (objectives, [_EASED.get(name, name) for name in objectives])

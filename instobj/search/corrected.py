@@ -3,9 +3,9 @@
 Space mapping (Bandler et al., IEEE Trans. Microw. Theory Tech. 42, 1994): near a layout, bounds are
 those of the lowest level times what the second one made of them there, place by place and force by
 force; limits on scores alike. What the lowest level leaves out of the mechanics then counts, as far as
-it changes little on a short walk: once a leader on the paper's cube had walked, the second level's
-bounds were 0.92 to 1.06 times what so corrected ones foretold (90 % of the places; 1.06 to 2.0 times
-what the lowest level said).
+it changes little on a short walk: of nineteen leaders that had walked, on cubes, boxes, handles, pears and
+boards in the shell, the second level's bounds over the start's, where they were largest
+(`estimator.layouts.batch_scores.worst_ratio`), were 0.90 to 1.08 times what so corrected ones foretold.
 """
 
 from __future__ import annotations
@@ -21,12 +21,7 @@ from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, unit_of
 from estimator.layouts.fidelity import bounds_by_press
 from estimator.layouts.polish import Judged, LowestFidelity, descend, judge
-from instobj.search.lowest_fidelity import (
-    CHAIN_OVER_SECOND,
-    StartScores,
-    misfit_of,
-    structure_fidelity,
-)
+from instobj.search.lowest_fidelity import StartScores, misfit_of, structure_fidelity
 from instobj.search.verdict import FIRST, SECOND, Promoted, score_at
 
 _REACH = 0.04
@@ -34,6 +29,9 @@ _REACH = 0.04
 _STEPS, _RATE = 300, 0.05
 _SPREAD = (0.0, 0.02, 0.05, 0.1)
 """Of that reach (rms): where copies of the layout begin."""
+_CHAIN_OVER_WALKED = 1.07
+"""Of the largest counts, beside what the second level makes of the leader's: of ten walked finalists 0.93
+to 1.064."""
 
 
 def corrected_params(
@@ -89,13 +87,13 @@ def corrected_fidelity(
     """
     limited = space.spec.search.limits.times_start
     scores = {name: _corrected(name, start, one) for name in limited}
-    before = StartScores(scores, _place_bounds(one, start), _counts_over_lowest(one))
+    before = StartScores(scores, _place_bounds(one, start), _counts_over_lowest(one), 1.0)
     return structure_fidelity(space, dict(params), before)
 
 
 def _counts_over_lowest(one: Promoted) -> float:
     low, high = (1 - one.levels[level].saturation_margin for level in (FIRST, SECOND))
-    return CHAIN_OVER_SECOND * high / low
+    return _CHAIN_OVER_WALKED * high / low
 
 
 def _corrected(name: str, start: Promoted, one: Promoted) -> float:

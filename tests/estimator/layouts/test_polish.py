@@ -172,6 +172,8 @@ def test_more_worse_places_than_allowed_cost_by_themselves_and_break_no_limit(lo
     over = limited.scores[OBJECTIVES[0]]
     assert_allclose(limited.broken_mm - free.broken_mm, 10 * torch.relu(over - 1), rtol=1e-4)
     assert_allclose(worse.worse_mm, 10 * (ratio - 1), rtol=1e-5)
+    stricter = replace(harder, start=replace(harder.start, most=0.8))
+    assert_allclose(judged(stricter, units).worse_mm, 10 * (ratio / 0.8 - 1), rtol=1e-5)
     assert_allclose(worse.broken_mm, free.broken_mm)
     grown = 1 + worse.worse_mm[:, None]
     assert_allclose(worse.penalized, grown * free.penalized, rtol=1e-5)

@@ -70,10 +70,10 @@ def test_the_start_walks_to_a_layout_that_is_better_and_worse_nowhere(monkeypatc
     assert same == alone, "other trials walk nowhere"
 
 
-def test_what_the_sensors_range_leaves_free_limits_counts_by_what_the_chain_makes_of_them(
+def test_counts_and_places_are_limited_by_what_the_chain_makes_of_the_lowest_levels(
     monkeypatch,
 ):
-    search = {"vary": {"magnet_reach_mm": 14.0}, "limits": {"places_worse": 1.0}}
+    search = {"vary": {"magnet_reach_mm": 14.0}, "limits": {"places_worse": 0.03}}
     sensors = {"range_mt": 50.0, "counts_per_mt": 100.0}
     content = {"name": "cube", "search": search, "sensors": sensors}
     spec = parse_spec(content | {"limits": {"saturation_margin": 0.2}}, "made up")
@@ -82,11 +82,14 @@ def test_what_the_sensors_range_leaves_free_limits_counts_by_what_the_chain_make
     monkeypatch.setattr(lowest_fidelity, "decided_by_structure", lambda spec, faces: {})
     params = params_at(space, np.full(len(space.variables), 0.5))
     more, twice = (
-        lowest_fidelity.structure_fidelity(space, params, lowest_fidelity.StartScores({}, {}, over))
-        for over in (1.25, 2.0)
+        lowest_fidelity.structure_fidelity(
+            space, params, lowest_fidelity.StartScores({}, {}, counts, 0.4 * counts)
+        )
+        for counts in (1.25, 2.0)
     )
     assert more.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 1.25)}
     assert twice.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 2)}
+    assert [one.start for one in (more, twice)] == [PlaceBounds((), 0.03, most) for most in (0.5, 0.8)]
 
 
 def test_cost_and_build_time_are_those_of_the_parts_of_all_faces():
