@@ -26,6 +26,8 @@ PENALTY_PER_MM = 10.0
 """A limit broken by 0.1 mm doubles every objective, more than any layout gains by it."""
 _MM_PER_EXCESS = 10.0
 """A score or channel beyond its limit by a tenth counts as a length broken by 1 mm."""
+_AFTER_ALL = 100.0
+"""More than logarithms of bounds differ by; it has no slope."""
 _LEARNING_RATE = 0.03
 """Of the unit cube: 1 mm in a range of 30."""
 
@@ -78,6 +80,11 @@ class Judged:
     def penalized(self) -> Float[Tensor, "layout objective"]:
         """Objectives with their penalties."""
         return self.objectives * (1 + self.penalties).prod(dim=1, keepdim=True)
+
+    def loss(self, weights: Float[Tensor, "objective"]) -> Float[Tensor, "layout"]:
+        """Weighted logarithms of penalised objectives, for walks: what breaks a limit, be it by a hair,
+        comes after all that keep them."""
+        return self.penalized.log() @ weights + _AFTER_ALL * (self.broken_mm > 0)
 
 
 @dataclass(frozen=True)
@@ -151,8 +158,8 @@ def polish(
     `runs_together` of them are judged side by side. In its first half the penalty grows from a
     thousandth to all of it, so that early generations cross what later ones may not; what a few places
     decide gives way to the 95th percentile at first, whose slope is smoother. Runs that are too short for
-    broad generations are plain CMA-ES. No point ends worth less than it began, and none without a value
-    is taken. Repeatable: a run's seed comes from its point.
+    broad generations are plain CMA-ES. No point ends worth less than it began, but that what keeps all limits
+    goes before what breaks one by a hair, and none without a value is taken. Repeatable: a run's seed comes from its point.
     """
     sizes = populations(unit.shape[1], generations)
     runs = [_Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
@@ -232,7 +239,7 @@ class _Evolution:
         self, row: int, begin: Float[Tensor, "variable"], weights: Float[Tensor, "objective"]
     ) -> None:
         self.row, self.begin, self.weights = row, begin, weights.cpu()
-        self.best, self.least, self.whole = begin, np.inf, float(weights.sum())
+        self.best, self.least, self.whole = begin, (True, np.inf), float(weights.sum())
         count = max(len(begin), 2)  # the package takes no single variable
         mean = np.full(count, 0.5)
         mean[: len(begin)] = begin.cpu().numpy()
@@ -261,11 +268,13 @@ class _Evolution:
         self.search.tell(list(zip(self._asked, now.tolist(), strict=True)))
 
     def keep_best(self, worth: _Worth) -> None:
-        """The best so far, with all of the penalties."""
+        """The best so far of those that keep all limits, before others, with all of the penalties."""
         finally_worth = worth.value + self.whole * np.log1p(worth.penalties).sum(axis=1)
-        leader = int(finally_worth.argmin())
-        if finally_worth[leader] < self.least:
-            self.best, self.least = worth.points[leader], float(finally_worth[leader])
+        broken = ~((worth.penalties[:, 0] == 0) & np.isfinite(finally_worth))
+        leader = int(np.lexsort([finally_worth, broken])[0])
+        found = bool(broken[leader]), float(finally_worth[leader])
+        if found < self.least:
+            self.best, self.least = worth.points[leader], found
 
 
 @dataclass(frozen=True)

@@ -58,7 +58,7 @@ def corrected_params(
         return judge(lowest, point, poles[: len(point)], objectives)
 
     def loss(walk: torch.Tensor) -> Float[torch.Tensor, "layout"]:
-        return judged_at(walk).penalized.log().sum(dim=1)
+        return judged_at(walk).loss(torch.ones(len(objectives)))
 
     rng = np.random.default_rng(space.spec.seed)
     away = np.array(_SPREAD)[:, None] * rng.normal(size=(len(_SPREAD), int(free.sum())))

@@ -337,7 +337,7 @@ def _better(
 
     def loss(point: torch.Tensor) -> torch.Tensor:
         rows = torch.full((len(point),), row)
-        return judge_at(point, rows).penalized.log() @ weights
+        return judge_at(point, rows).loss(weights)
 
     steps = min(search.polish_steps, _START_STEPS)
     walked = descend(loss, begin[None], steps, _START_RATE)[0]

@@ -380,6 +380,29 @@ def test_a_run_passes_by_what_only_the_eased_objective_sees_past(monkeypatch):
     assert float((stuck - 0.85).abs().max()) > 0.5
 
 
+def test_what_keeps_all_limits_goes_before_what_gains_by_breaking_one_by_a_hair():
+    """The penalty is too small to tell; beyond 0.8 nothing has a value and nothing is broken."""
+
+    def judge_at(point, rows):
+        first = point[:, 0]
+        value = torch.where(first >= 0.8, torch.nan, 2 - first)
+        return worth(value[:, None], 1e-6 * torch.relu(0.6 - (first - 1).abs()) * (first < 0.8))
+
+    def loss(point):
+        return judge_at(point, None).loss(torch.ones(1))
+
+    begin = torch.full((1, 3), 0.1)
+    run, walk = (
+        polish(judge_at, begin, 60, torch.ones(1, 1)),
+        polishing.descend(loss, begin, 60, 0.05),
+    )
+    for end in (run, walk):
+        assert 0.3 < float(end[0, 0]) <= 0.4
+        assert float(judge_at(end, None).broken_mm) == 0
+    inside = polishing.descend(loss, torch.full((1, 3), 0.5), 60, 0.05)
+    assert float(inside[0, 0]) > 0.7, "where all that it finds breaks the limit, the best of that"
+
+
 def test_layouts_without_a_value_are_never_taken():
     def judge_at(point, rows):
         value = torch.where(point[:, 0] > 0.5, torch.nan, 2 - point[:, 0])

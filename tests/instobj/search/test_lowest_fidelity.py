@@ -89,7 +89,9 @@ def test_counts_and_places_are_limited_by_what_the_chain_makes_of_the_lowest_lev
     )
     assert more.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 1.25)}
     assert twice.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 2)}
-    assert [one.start for one in (more, twice)] == [PlaceBounds((), 0.03, most) for most in (0.5, 0.8)]
+    assert [one.start for one in (more, twice)] == [
+        PlaceBounds((), 0.03, most) for most in (0.5, 0.8)
+    ]
 
 
 def test_cost_and_build_time_are_those_of_the_parts_of_all_faces():
