@@ -36,7 +36,7 @@ from design.spec.object import ObjectSpec
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.layouts.batch import Layouts
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.scoring import score_layouts
 from fem.candidates.motions import CandidateMotions, candidate_lattices

@@ -15,10 +15,10 @@ from torch import Tensor
 
 from estimator.field.sources import Magnet
 from estimator.layouts.batch import Layouts
-from estimator.layouts.mixed_rows import mixed_rows
 from estimator.layouts.near_field import OTHER, OWN, Reach, field_of_size
 from estimator.layouts.placed import chips, other_magnets, own_magnets
-from estimator.layouts.press_changes import by_motion_of_sensors, field_at, press_changes
+from estimator.layouts.presses.changes import by_motion_of_sensors, field_at, press_changes
+from estimator.layouts.presses.mixed_rows import mixed_rows
 from estimator.layouts.scorer import LayoutScorer, moving_bodies
 
 CROSS_FACE_FORCE_N = 10.0

@@ -12,7 +12,7 @@ from torch import Tensor
 
 from estimator.layouts.batch import Layouts, chip_axes, magnet_axes
 from estimator.layouts.near_field import Magnets
-from estimator.layouts.press_basis import Patch, PressBasis
+from estimator.layouts.presses.basis import Patch, PressBasis
 
 Chips = tuple[Float[Tensor, "3 layout sensor"], Float[Tensor, "layout sensor 3 3"]]
 """Sensing points (mm), coordinates first, and chip axes as rows."""

@@ -58,8 +58,8 @@ class Judged:
     `broken_mm` is 0 where all limits are kept. `worse_mm` is above 0 where position bounds are larger
     than `PlaceBounds.most` of the start's at more places than `PlaceBounds.but` (by `OVER_START`): the
     verdict refuses what is larger than the start's; as this level's bounds of single places are rough,
-    that makes no layout one that breaks limits. `scores` are those of the lowest fidelity level, with the objectives that the
-    structure alone decides. `eased`: the objectives, with the 95th percentile for those
+    that makes no layout one that breaks limits. `scores` are those of the lowest fidelity level, with the
+    objectives that the structure alone decides. `eased`: the objectives, with the 95th percentile for those
     that fewer places decide.
     """
 
@@ -159,7 +159,8 @@ def polish(
     thousandth to all of it, so that early generations cross what later ones may not; what a few places
     decide gives way to the 95th percentile at first, whose slope is smoother. Runs that are too short for
     broad generations are plain CMA-ES. No point ends worth less than it began, but that what keeps all limits
-    goes before what breaks one by a hair, and none without a value is taken. Repeatable: a run's seed comes from its point.
+    goes before what breaks one by a hair, and none without a value is taken. Repeatable: a run's seed comes
+    from its point.
     """
     sizes = populations(unit.shape[1], generations)
     runs = [_Evolution(row, unit[row], weights[row]) for row in range(len(unit))]

@@ -22,7 +22,7 @@ from torch import Tensor
 
 from estimator.layouts.batch import Layouts
 from estimator.layouts.placed import chips
-from estimator.layouts.press_changes import press_changes
+from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.scorer import LayoutScorer, within_candidates
 
 SLIP_MM = 1.0

@@ -18,8 +18,8 @@ from design.spec.object import ObjectSpec
 from estimator.field.sources import BlockMagnet, Magnet, magnet_sources
 from estimator.information.fisher import NoiseState, disturbance_counts
 from estimator.layouts.batch import Layouts
-from estimator.layouts.mixed_rows import candidate_ends_mm
-from estimator.layouts.press_basis import PressBasis
+from estimator.layouts.presses.basis import PressBasis
+from estimator.layouts.presses.mixed_rows import candidate_ends_mm
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 Lowest fidelity level of a layout search. A layout is one face's magnets and sensors, repeated on every face;
 magnets are rigid and hold each other in first reflection. Counts are linearised in the magnets' motions
 about rest, J = ∂S/∂(motion) · ∂(motion)/∂(x, y, F), with the field's derivatives in closed form and the
-motions' compressed (`estimator.layouts.press_basis`). The other faces' magnets count too, by a lower order
+motions' compressed (`estimator.layouts.presses.basis`). The other faces' magnets count too, by a lower order
 of the series and a shorter basis: cheap, as they are further away and move less.
 """
 
@@ -18,8 +18,8 @@ from torch import Tensor
 
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import bounds, percentile
-from estimator.layouts.press_changes import PressChanges, press_changes
-from estimator.layouts.pressed_counts import counts_when_pressed
+from estimator.layouts.presses.changes import PressChanges, press_changes
+from estimator.layouts.presses.counts import counts_when_pressed
 from estimator.layouts.scorer import LayoutScorer
 
 _CHUNK = 512

@@ -18,7 +18,7 @@ from torch import Tensor
 from estimator.information.contact_sets import spread_pairs, spread_places
 from estimator.layouts.batch import Layouts
 from estimator.layouts.cross_face import neighbour_changes
-from estimator.layouts.press_changes import press_changes
+from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.scorer import LayoutScorer
 
 _SMALLEST = 1e-6

@@ -9,6 +9,7 @@ from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from multiprocessing.process import BaseProcess
+from queue import SimpleQueue
 from typing import Any
 
 from design.errors import InputError
@@ -114,28 +115,38 @@ def side_by_side(
     prepare: Callable[[Any], Callable[[Any], Any]],
     argument: Any,
     count: int,
-    waiting: Callable[[int], None] = lambda questions: None,
-) -> Iterator[Callable[[Sequence[Any], float], list[Any]]]:
-    """A function that answers lists of questions by `count` processes, each with its share of a list.
+    waiting: Callable[[int], None] = lambda parts: None,
+) -> Iterator[Callable[[Sequence[Sequence[Any]], float], list[Any]]]:
+    """A function that answers questions of several parts by `count` processes, each whichever is free next.
 
-    It raises as `Apart.ask`, once every process has answered or was given up; meanwhile, every few
-    seconds, `waiting` gets the number of questions.
+    It gives an answer to each, or the error of `Apart.ask` in its place; meanwhile, every few seconds,
+    `waiting` gets the number of parts of all questions. Each may take the seconds that it is given.
     """
     processes = [Apart(prepare, argument) for _ in range(count)]
+    free: SimpleQueue[Apart] = SimpleQueue()
+    for one in processes:
+        free.put(one)
     threads = ThreadPoolExecutor(count)
 
-    def ask(questions: Sequence[Any], seconds: float) -> list[Any]:
-        shares = [list(questions[k::count]) for k in range(min(count, len(questions)))]
-        pairs = zip(processes, shares, strict=False)
-        jobs = [threads.submit(one.ask, share, seconds) for one, share in pairs]
+    def answer(question: Sequence[Any], seconds: float) -> Any:
+        one = free.get()
+        try:
+            return one.ask(question, seconds)
+        except (GivenUp, InputError) as error:
+            return error
+        finally:
+            free.put(one)
+
+    def ask(questions: Sequence[Sequence[Any]], seconds: float) -> list[Any]:
+        jobs = [threads.submit(answer, question, seconds) for question in questions]
         while wait(jobs, NEWS_EVERY_S).not_done:
-            waiting(len(questions))
-        answers = [job.result() for job in jobs]
-        return [answers[k % count][k // count] for k in range(len(questions))]
+            waiting(sum(map(len, questions)))
+        return [job.result() for job in jobs]
 
     try:
         yield ask
     finally:
+        threads.shutdown(wait=False, cancel_futures=True)
         for one in processes:  # threads that still wait for an answer end with their process
             one.close()
         threads.shutdown()

@@ -19,8 +19,9 @@ from instobj.search.study import KeptStudy
 _FAILURES_IN_A_ROW = 3
 """Batches without a single result after which a search is given up."""
 
-Score = Callable[[list[dict[str, Any]], float], list[Scored]]
-"""Scores trials of one structure within so many seconds; raises GivenUp."""
+Answer = list[Scored] | GivenUp | InputError
+Score = Callable[[list[list[dict[str, Any]]], float], list[Answer]]
+"""Scores lists of trials, each of one structure and within so many seconds, or says why it does not."""
 Say = Callable[[str], None]
 
 
@@ -53,7 +54,7 @@ def run_search(
     seen, failed = len(past), 0
     while seen < search.trials:
         asked = ask(engine, min(max(search.batch, processes), search.trials - seen))
-        finished = _scored_batch(space, engine, asked, score)
+        finished = _scored_batch(space, engine, asked, score, processes)
         kept.keep(finished)
         for reason in sorted(set(_failures(finished))):
             say(f"no result, kept as failed: {reason}")
@@ -65,24 +66,32 @@ def run_search(
 
 
 def _scored_batch(
-    space: SearchSpace, engine: Sampling, asked: list[Trial], score: Score
+    space: SearchSpace, engine: Sampling, asked: list[Trial], score: Score, processes: int
 ) -> list[FrozenTrial]:
-    """All trials of the batch, finished: scored, or failed with a reason."""
+    """All trials of the batch, finished: scored, or failed with a reason.
+
+    Those of one structure are shared out to the processes.
+    """
     groups: dict[Any, list[Trial]] = defaultdict(list)
     for trial in asked:
         groups[structure_of(space, trial.params)].append(trial)
+    shares = [
+        trials[k::processes]
+        for trials in groups.values()
+        for k in range(min(processes, len(trials)))
+    ]
+    answers = score(
+        [[dict(trial.params) for trial in share] for share in shares],
+        space.spec.search.trial_seconds,
+    )
     finished: list[FrozenTrial] = []
-    for trials in groups.values():
-        try:
-            results = score(
-                [dict(trial.params) for trial in trials], space.spec.search.trial_seconds
-            )
-        except (GivenUp, InputError) as error:
-            finished += [tell_failed(engine, trial, str(error)) for trial in trials]
+    for share, answer in zip(shares, answers, strict=True):
+        if isinstance(answer, Exception):
+            finished += [tell_failed(engine, trial, str(answer)) for trial in share]
             continue
         finished += [
             tell(engine, trial, result.params, result.values, _attributes(result))
-            for trial, result in zip(trials, results, strict=True)
+            for trial, result in zip(share, answer, strict=True)
         ]
     return finished
 

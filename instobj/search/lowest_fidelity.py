@@ -57,7 +57,7 @@ from estimator.layouts.polish import (
     populations,
     runs_together,
 )
-from estimator.layouts.press_basis import PressBasis, faces_differ, press_bases
+from estimator.layouts.presses.basis import PressBasis, faces_differ, press_bases
 from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts

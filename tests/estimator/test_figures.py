@@ -79,7 +79,8 @@ import estimator.layouts.cross_face
 import estimator.layouts.limits.parts
 import estimator.layouts.near_field
 import estimator.layouts.polish
-import estimator.layouts.press_basis
+import estimator.layouts.presses.basis
+import estimator.layouts.presses.compression
 import estimator.layouts.robustness
 import estimator.layouts.scoring
 import estimator.metrics.contacts
@@ -307,11 +308,11 @@ FIGURES = {
     estimator.layouts.limits.parts: {"SLACK_MM": 0.02},
     estimator.layouts.near_field: {"OWN": Reach(15, 1.4), "OTHER": Reach(7, 2.0)},
     estimator.layouts.polish: {"PENALTY_PER_MM": 10.0, "_MM_PER_EXCESS": 10.0},
-    estimator.layouts.press_basis: {
+    estimator.layouts.presses.basis: {
         "OTHER_RANK": 40,
-        "OWN_RANK_PER_PLACE": 1.3, "LEAST_OWN_RANK": 60, "MORE_RANK": 1.2, "TURN_RANK": 64,
-        "STRAIN_RANK": 96,
+        "OWN_RANK_PER_PLACE": 1.3, "LEAST_OWN_RANK": 60, "MORE_RANK": 1.2, "STRAIN_RANK": 96,
     },
+    estimator.layouts.presses.compression: {"TURN_RANK": 64},
     estimator.layouts.robustness: {"_RIDGE": 1e-6, "SLIP_MM": 1.0},
     estimator.layouts.scoring: {"_FORCE_VARIANCE": 1 / 8, "_CURVE_VARIANCE": 1 / 128},
     estimator.metrics.contacts: {

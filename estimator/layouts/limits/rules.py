@@ -16,7 +16,7 @@ from estimator.layouts.limits.curved import broken_on_surfaces_mm
 from estimator.layouts.limits.flat import broken_on_flat_faces_mm
 from estimator.layouts.limits.parts import boards_beside_hole_mm, boards_of
 from estimator.layouts.limits.reverse import broken_in_reverse_mm
-from estimator.layouts.press_basis import faces_differ
+from estimator.layouts.presses.basis import faces_differ
 from estimator.layouts.vectors import LayoutSpace
 
 RULES = (

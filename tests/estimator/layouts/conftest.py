@@ -2,7 +2,7 @@
 
 import pytest
 
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import layout_scorer
 from tests.support.mechanics.candidate_cases import FACE, made_up_motions, made_up_spec
 

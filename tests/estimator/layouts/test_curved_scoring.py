@@ -7,10 +7,10 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
-from estimator.layouts import press_basis as module
 from estimator.layouts.batch_scores import DEARER, batch_scores
-from estimator.layouts.press_basis import press_basis
-from estimator.layouts.press_changes import press_changes
+from estimator.layouts.presses import basis as module
+from estimator.layouts.presses.basis import press_basis
+from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.scoring import place_information
 from estimator.layouts.surfaces import surfaces

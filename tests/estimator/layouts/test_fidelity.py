@@ -30,8 +30,8 @@ from estimator.layouts.fidelity import (
     score_signals,
     worse_share,
 )
-from estimator.layouts.press_basis import press_basis
-from estimator.layouts.press_changes import press_changes
+from estimator.layouts.presses.basis import press_basis
+from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.scoring import place_information
 from estimator.signals.field_setup import sensed_field

@@ -7,8 +7,8 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
-from estimator.layouts.mixed_rows import influences, mixed_rows
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.presses.basis import press_basis
+from estimator.layouts.presses.mixed_rows import influences, mixed_rows
 from fem.candidates.influence import strains_turned
 from fem.candidates.motions import Influence
 from tests.support.mechanics.candidate_cases import FACE, at_contacts, random_layouts

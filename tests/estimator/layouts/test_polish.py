@@ -27,7 +27,7 @@ from estimator.layouts.batch_scores import (
 from estimator.layouts.cross_face import false_forces_n
 from estimator.layouts.fidelity import lowest_fidelity_score
 from estimator.layouts.polish import Judged, LowestFidelity, judge, polish
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.robustness import slip_places_mm
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.scoring import PlaceInformation

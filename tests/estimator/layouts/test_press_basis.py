@@ -12,8 +12,7 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import grid_places_in_lattice, press_lattice
 from design.spec.object import ObjectSpec
-from estimator.layouts import mixed_rows
-from estimator.layouts import press_basis as basis
+from estimator.layouts.presses import basis, compression, mixed_rows
 from fem.candidates.motions import FaceCandidates
 from tests.support.mechanics.candidate_cases import FACE
 
@@ -80,7 +79,7 @@ def test_nodes_beyond_the_lattice_go_on_as_parabolas():
     def parabola(x, y, z):
         return np.stack([(1 + x + 2 * x**2) * (y**2 - y) * (3 - z**2), x * y * z], axis=-1)
 
-    padded = basis._with_ghosts(parabola(x, y, z).reshape(-1, 2), (4, 3, 5))
+    padded = compression.with_ghosts(parabola(x, y, z).reshape(-1, 2), (4, 3, 5))
     x, y, z = np.meshgrid(*(np.arange(-1.0, n + 1) for n in (4, 3, 5)), indexing="ij")
     assert_allclose(padded, parabola(x, y, z).reshape(-1, 2), atol=1e-9)
 
@@ -92,7 +91,7 @@ def test_compressed_rows_are_the_best_of_their_rank_with_rotations_weighed_by_fo
     tables = [np.einsum("cvr,rqp->cvqp", one, of_modes) for one in modes]
     scale = np.repeat(sizes, 4)
     for rank in (7, 3):
-        rows, vectors = basis._compressed(modes, of_modes, sizes, rank)
+        rows, vectors = compression.compressed(modes, of_modes, sizes, rank)
         weight = np.repeat([1.0, 4.0], 3)[:, None]
         every = np.concatenate([(t.reshape(5, 6, 12) * weight / scale) for t in tables]).reshape(
             -1, 12

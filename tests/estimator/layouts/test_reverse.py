@@ -19,13 +19,13 @@ from design.search.structure import with_structure
 from design.spec_io import parse_spec
 from estimator.field.environment import environment
 from estimator.field.models import FieldModel
-from estimator.layouts import press_changes as changes_module
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import neighbour_changes
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
-from estimator.layouts.press_basis import press_basis
-from estimator.layouts.press_changes import press_changes
+from estimator.layouts.presses import changes as changes_module
+from estimator.layouts.presses.basis import press_basis
+from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.scoring import place_information
 from estimator.layouts.vectors import layout_space, layouts_at

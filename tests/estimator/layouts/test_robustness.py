@@ -12,7 +12,7 @@ from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import disturbance_counts
 from estimator.layouts import robustness as layout_robustness
-from estimator.layouts.press_changes import press_changes
+from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
 from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field

@@ -12,9 +12,9 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.layouts import scoring
 from estimator.layouts.batch import Layouts, layouts_of
-from estimator.layouts.mixed_rows import mixed_rows
-from estimator.layouts.press_basis import _compliance, press_basis
-from estimator.layouts.press_changes import press_changes
+from estimator.layouts.presses.basis import _compliance, press_basis
+from estimator.layouts.presses.changes import press_changes
+from estimator.layouts.presses.mixed_rows import mixed_rows
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.scoring import place_information, score_layouts
 from tests.support.mechanics.candidate_cases import (

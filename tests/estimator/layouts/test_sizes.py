@@ -14,7 +14,7 @@ from design.spec.object import ContactGridSpec, ObjectSpec
 from estimator.layouts.batch import layouts_by_face, layouts_of
 from estimator.layouts.batch_scores import DEARER, batch_scores
 from estimator.layouts.limits.parts import chips_near_magnets_mm, pockets_of
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import layout_scorer, within_candidates
 from estimator.layouts.scoring import place_information
 from tests.support.mechanics.candidate_cases import (

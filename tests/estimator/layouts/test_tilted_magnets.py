@@ -10,8 +10,8 @@ from scipy.spatial.transform import Rotation
 
 from design.layout.body import face_frames
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.mixed_rows import mixed_rows
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.presses.basis import press_basis
+from estimator.layouts.presses.mixed_rows import mixed_rows
 from tests.support.mechanics.candidate_cases import at_contacts, made_up_motions
 from tests.support.objects.search_cases import made_up_spec
 

@@ -13,7 +13,7 @@ from design.layout.places.contact_grid import contact_grid
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.fisher import disturbance_counts
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.two_contacts import grasps_mm, pairs_all_mm, pairs_own_mm
 from estimator.signals.field_setup import sensed_field

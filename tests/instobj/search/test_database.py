@@ -19,7 +19,7 @@ from design.errors import InputError
 from instobj.search.database import open_database, patiently, without_secrets
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
-from tests.support.objects.search_cases import made_up_score, made_up_space
+from tests.support.objects.search_cases import answering, made_up_score, made_up_space
 
 TRIALS = 45
 HERE = Path(__file__).parent
@@ -91,14 +91,14 @@ def server():
 WORK = """
 import sys
 from pathlib import Path
-from tests.support.objects.search_cases import made_up_score, made_up_space
+from tests.support.objects.search_cases import answering, made_up_score, made_up_space
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
 space = made_up_space(engine="random", trials=int(sys.argv[4]), batch=5)
 kept = open_study(space.spec, sys.argv[1], join=True)
 print("ready", flush=True)
 sys.stdin.readline()
-run_search(space, kept, made_up_score, lambda line: None, worker=int(sys.argv[2]))
+run_search(space, kept, answering(made_up_score), lambda line: None, worker=int(sys.argv[2]))
 """
 
 
@@ -118,7 +118,7 @@ def test_workers_share_one_search(server):
     assert other.stdout.readline() == "ready\n"
     other.stdin.write("go\n")
     other.stdin.flush()
-    run_search(space, kept, made_up_score, lambda line: None, worker=2)
+    run_search(space, kept, answering(made_up_score), lambda line: None, worker=2)
     assert other.communicate(timeout=240)[1] == ""
     assert other.returncode == 0
     trials = kept.finished()
@@ -129,7 +129,10 @@ def test_workers_share_one_search(server):
         made_up_space(engine="random", trials=TRIALS + 10, batch=5).spec, url, resume=True
     )
     run_search(
-        made_up_space(engine="random", trials=TRIALS + 10, batch=5), resumed, made_up_score, print
+        made_up_space(engine="random", trials=TRIALS + 10, batch=5),
+        resumed,
+        answering(made_up_score),
+        print,
     )
     assert len(resumed.trials()) >= TRIALS + 10
     with pytest.raises(InputError, match="another specification"):

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
+from design.search.space import structure_of
 from design.spec_io import parse_spec
 from instobj.search.apart import Apart, GivenUp
 from instobj.search.engines import ask, sampling
@@ -23,6 +24,7 @@ from instobj.search.loop import run_search
 from instobj.search.study import open_study, repair_journal
 from tests.support.objects.search_cases import (
     OBJECTIVES,
+    answering,
     journal_records,
     made_up_score,
     made_up_scores,
@@ -306,10 +308,32 @@ def test_trials_given_up_are_kept_as_failed_and_the_search_goes_on(tmp_path):
     assert {t.params["shell_thickness_mm"] for t in kept.finished()} == {9.0}
 
 
+@pytest.mark.parametrize(("processes", "lengths"), [(1, [2] * 4), (2, [1] * 8)])
+def test_structures_of_a_batch_are_scored_side_by_side_each_shared_out(
+    processes, lengths, tmp_path
+):
+    asked = []
+
+    def score(questions, seconds):
+        asked.append(questions)
+        return answering(made_up_score)(questions, seconds)
+
+    space = made_up_space(engine="random", trials=8, batch=8)
+    kept = open_study(space.spec, tmp_path / "journal.log")
+    run_search(space, kept, score, lambda line: None, processes=processes)
+    (questions,) = asked
+    of_each = [{structure_of(space, trial) for trial in question} for question in questions]
+    assert all(len(structures) == 1 for structures in of_each)
+    assert sorted(map(len, questions)) == sorted(lengths)
+    assert {tuple(sorted(t.params.items())) for t in kept.finished()} == {
+        tuple(sorted(trial.items())) for question in questions for trial in question
+    }
+
+
 def test_why_trials_have_no_result_is_said(tmp_path):
     space, said = made_up_space(trials=8, batch=8), []
     kept = open_study(space.spec, tmp_path / "journal.log")
-    run_search(space, kept, _slow_on_thin_shells, said.append)
+    run_search(space, kept, answering(_slow_on_thin_shells), said.append)
     assert any(t.state.name == "FAIL" for t in kept.trials())
     reason, standing = said
     assert reason.startswith("no result, kept as failed: no result after")

@@ -15,7 +15,7 @@ from design.spec_io import load_spec, parse_spec
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import OVER_START, PlaceBounds, position_bounds
 from estimator.layouts.polish import LowestFidelity
-from estimator.layouts.press_basis import press_basis
+from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.vectors import layout_space
 from instobj.search import lowest_fidelity

@@ -13,7 +13,7 @@ from instobj.search.fidelity import TwinRatio
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
 from instobj.search.time_limit import TimeLimit, TimeSpent
-from tests.support.objects.search_cases import made_up_score, made_up_space, searched
+from tests.support.objects.search_cases import answering, made_up_score, made_up_space, searched
 
 
 class Clock:
@@ -103,9 +103,9 @@ def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
         return made_up_score(trials, seconds)
 
     kept = open_study(space.spec, tmp_path / "journal.log", join=True)
-    run_search(space, kept, slow, lambda line: None, over=lambda: limit.left_s <= 0)
+    run_search(space, kept, answering(slow), lambda line: None, over=lambda: limit.left_s <= 0)
     assert len(kept.trials()) == 20
-    run_search(space, kept, slow, lambda line: None, over=lambda: limit.left_s <= 0)
+    run_search(space, kept, answering(slow), lambda line: None, over=lambda: limit.left_s <= 0)
     assert len(kept.trials()) == 30, "a call does at least one batch"
 
 

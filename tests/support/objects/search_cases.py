@@ -5,7 +5,7 @@ Processes of searches import it: nothing heavy in here.
 
 from design.search.space import search_space
 from design.spec_io import parse_spec
-from instobj.search.apart import Scored
+from instobj.search.apart import GivenUp, Scored
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
 
@@ -58,6 +58,21 @@ def _scores(trial):
     }
 
 
+def answering(score):
+    """A score of trials of one structure, asked for several."""
+
+    def answers(questions, seconds):
+        found = []
+        for trials in questions:
+            try:
+                found.append(score(trials, seconds))
+            except GivenUp as error:
+                found.append(error)
+        return found
+
+    return answers
+
+
 def journal_records(path):
     """Whole records of a journal, two of them before the first trial; each trial is one."""
     return path.read_bytes().count(b"\n") if path.is_file() else 0
@@ -67,5 +82,5 @@ def searched(path, engine="tpe", score=made_up_score, worker=0, **search):
     """A search that was run to its end, kept in the journal `path`."""
     space = made_up_space(engine=engine, **search)
     kept = open_study(space.spec, path, join=True)
-    run_search(space, kept, score, lambda line: None, worker=worker)
+    run_search(space, kept, answering(score), lambda line: None, worker=worker)
     return kept

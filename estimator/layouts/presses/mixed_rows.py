@@ -10,7 +10,7 @@ from torch.nn.functional import embedding_bag, grid_sample, pad
 from design.errors import InputError
 from estimator.layouts.batch import Layouts
 from estimator.layouts.placed import magnets_under
-from estimator.layouts.press_basis import Held, Patch, PressBasis
+from estimator.layouts.presses.basis import Held, Patch, PressBasis
 
 _BEYOND = 1e-4
 """Of a step beyond the last candidates, that is rounding."""

@@ -31,9 +31,10 @@ from design.layout.places.contact_places import contact_places
 from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
 from estimator.information.scores import outermost_places
+from estimator.layouts.presses.compression import compressed, rms, with_ghosts, with_turns
 from estimator.layouts.surfaces import Surface, surfaces
 from estimator.signals.continuation import continued
-from fem.candidates.motions import MM_PER_RAD, CandidateMotions, FaceCandidates
+from fem.candidates.motions import CandidateMotions, FaceCandidates
 
 OWN_RANK_PER_PLACE, LEAST_OWN_RANK = 1.3, 60
 """Of the pressed face's basis. On the paper's cube (100 places, fourteen layouts, 2 and 12 N) 100 leave
@@ -45,9 +46,6 @@ OTHER_RANK = 40
 MORE_RANK = 1.2
 """For several forces at once: 182 and 56 leave 0.3 % of the bounds at 2, 5 and 12 N (3 % at most) and
 0.7 % of the worst one, 150 and 56 0.5 % (6 %) and 1.5 %."""
-TURN_RANK = 64
-"""Of what a tilt adds to a magnet's rotations: leaves 0.2 % of the bounds (3 %) and 0.7 % of the worst one of
-ten layouts whose magnets are tilted by up to 20°; 32 leave 1.8 % (13 %) and 5 %."""
 STRAIN_RANK = 96
 """Of what magnets take from each other: leaves 0.2 % of the bounds at 2, 5 and 12 N (3 %) and 0.6 % of the
 worst one of the fourteen layouts; 64 leave 1.1 % (18 %) and 2.7 %."""
@@ -59,8 +57,8 @@ class RowTable:
 
     `rows` (node, 6 · rank · faces), or (node of any face, 6 · rank) where faces differ; of a flat pressed
     face followed by what the rotation grows by with each rad that a magnet is turned about the face's x,
-    3 · `TURN_RANK` columns or less, and about its y. `basis` (rank, 4 · place) unfolds them to ∂/∂x, ∂/∂y,
-    ∂/∂F and the motion itself, block by block: mm and rad, per mm, mm and N.
+    3 · `compression.TURN_RANK` columns or less, and about its y. `basis` (rank, 4 · place) unfolds them to
+    ∂/∂x, ∂/∂y, ∂/∂F and the motion itself, block by block: mm and rad, per mm, mm and N.
     """
 
     rows: Float[Tensor, "node column"]
@@ -195,39 +193,19 @@ def press_bases(
     there = contact_places(spec)[spec.body.sensed.index(face)]
     located = grid_places_in_lattice(spec)[there]
     differ, row = faces_differ(spec), motions.faces.tolist().index(face)
+    lattices = {lattice.face: lattice for lattice in motions.candidates}
+    lattice = lattices[face] if differ else motions.candidates[0]
+    more = MORE_RANK if len(forces_n) > 1 else 1.0
+    least = max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * there.sum()))
+    ranks = own_rank or int(more * least), other_rank or int(more * OTHER_RANK)
     of_modes = np.concatenate(
         [_press_derivatives(motions, face, force, located) for force in forces_n], axis=1
     )
-    own, *moving = (_modes_of(motions, number, row, here.axes) for number in (face, *adjacent))
-    lattices = {lattice.face: lattice for lattice in motions.candidates}
-    lattice = lattices[face] if differ else motions.candidates[0]
-    scale = _rms(own, of_modes)
-    widths = np.repeat(scale, of_modes.shape[2])
+    whole, beside, held = _tables(spec, motions, here, adjacent, of_modes, ranks, dtype)
 
     def tensor(values: object) -> Tensor:
         return torch.as_tensor(np.asarray(values), dtype=dtype)
 
-    def table(numbers: list[int], parts: list[np.ndarray], rank: int) -> RowTable:
-        rows, basis = _compressed(parts, of_modes, scale, rank)
-        if numbers == [face] and here.flat:
-            rows = [_with_turns(rows[0], lattices[face], motions.turns_with_plane)]
-        if differ:
-            each = [
-                _with_ghosts(one, lattices[n].shape) for n, one in zip(numbers, rows, strict=True)
-            ]
-            return RowTable(tensor(np.concatenate(each)), tensor(basis))
-        return RowTable(
-            tensor(_with_ghosts(np.concatenate(rows, axis=1), lattice.shape)), tensor(basis)
-        )
-
-    more = MORE_RANK if len(forces_n) > 1 else 1.0
-    least = max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * there.sum()))
-    whole = table([face], [own], own_rank or int(more * least))
-    beside = (
-        table(adjacent, moving, other_rank or int(more * OTHER_RANK))
-        if moving
-        else _nothing(of_modes, dtype)
-    )
     opposite = [frame.number for frame in others if _opposite(frame, here)]
     first, step = (tensor(part) for part in _ends_and_steps(lattice))
     order = [face, *(frame.number for frame in others)]
@@ -247,9 +225,7 @@ def press_bases(
         tensor([here.in_plane(frame.centre_mm) for frame in others]).reshape(-1, 3),
         tensor(motions.deepest_n[row][located]),
         np.full(len(located), np.nan),
-        _held(
-            motions, lattices[face], of_modes, whole.basis.double().numpy() / widths, widths, dtype
-        ),
+        held,
         _patches(spec, [lattices[number] for number in order], dtype) if differ else (),
     )
     return tuple(
@@ -262,6 +238,41 @@ def press_bases(
         )
         for index, force in enumerate(forces_n)
     )
+
+
+def _tables(
+    spec: ObjectSpec,
+    motions: CandidateMotions,
+    here: FaceFrame,
+    adjacent: Sequence[int],
+    of_modes: Float[np.ndarray, "mode quantity place"],
+    ranks: tuple[int, int],
+    dtype: torch.dtype,
+) -> tuple[RowTable, RowTable, Held]:
+    """Of the pressed face, of those beside it, and what its magnets take from each other."""
+    face, differ = here.number, faces_differ(spec)
+    lattices = {lattice.face: lattice for lattice in motions.candidates}
+    row = motions.faces.tolist().index(face)
+    own, *moving = (_modes_of(motions, number, row, here.axes) for number in (face, *adjacent))
+    scale = rms(own, of_modes)
+    widths = np.repeat(scale, of_modes.shape[2])
+
+    def table(numbers: Sequence[int], rows: list[np.ndarray], basis: np.ndarray) -> RowTable:
+        if differ:
+            each = zip(numbers, rows, strict=True)
+            padded = np.concatenate([with_ghosts(one, lattices[n].shape) for n, one in each])
+        else:
+            padded = with_ghosts(np.concatenate(rows, axis=1), motions.candidates[0].shape)
+        return RowTable(torch.as_tensor(padded, dtype=dtype), torch.as_tensor(basis, dtype=dtype))
+
+    rows, basis = compressed([own], of_modes, scale, ranks[0])
+    if here.flat:
+        rows = [with_turns(rows[0], lattices[face], motions.turns_with_plane)]
+    beside = _nothing(of_modes, dtype)
+    if moving:
+        beside = table(adjacent, *compressed(moving, of_modes, scale, ranks[1]))
+    held = _held(motions, lattices[face], of_modes, basis / widths, widths, dtype)
+    return table([face], rows, basis), beside, held
 
 
 def faces_differ(spec: ObjectSpec) -> bool:
@@ -380,7 +391,7 @@ def _held(
     ends = np.array([between.first_mm, *2 * [between.depth_mm[0]]])
     span = [between.step_mm * (values.shape[3] - 1), *2 * [np.ptp(between.depth_mm)]]
     return Held(
-        torch.as_tensor(_with_ghosts(rows.reshape(len(rows), -1), lattice.shape), dtype=dtype),
+        torch.as_tensor(with_ghosts(rows.reshape(len(rows), -1), lattice.shape), dtype=dtype),
         torch.as_tensor(values, dtype=dtype),
         torch.as_tensor(ends, dtype=dtype),
         torch.as_tensor(np.array(span), dtype=dtype),
@@ -397,79 +408,3 @@ def _modes_of(
     modes = np.asarray(motions.by_candidate[chosen, row], dtype=float)
     turned = modes.reshape(*modes.shape[:2], 2, 3) @ axes
     return turned.reshape(modes.shape).transpose(0, 2, 1)
-
-
-def _rms(
-    modes: Float[np.ndarray, "candidate 6 mode"],
-    of_modes: Float[np.ndarray, "mode quantity place"],
-) -> Float[np.ndarray, "quantity"]:
-    """Of every quantity over candidates, motions and places; 1 where it is 0."""
-    flat = modes.reshape(-1, modes.shape[2])
-    power = np.einsum("rqp,rs,sqp->q", of_modes, flat.T @ flat, of_modes, optimize=True)
-    found = np.sqrt(power / (len(flat) * of_modes.shape[2]))
-    return np.where(found > 0, found, 1.0)
-
-
-def _compressed(
-    tables: Sequence[Float[np.ndarray, "_ 6 mode"]],
-    of_modes: Float[np.ndarray, "mode quantity place"],
-    scale: Float[np.ndarray, "quantity"],
-    rank: int,
-) -> tuple[list[Float[np.ndarray, "_ _"]], Float[np.ndarray, "_ _"]]:
-    """Rows (node; 6, rank) of each table on the leading right singular vectors of all that the tables tell of
-    scaled quantities."""
-    weight = np.repeat([1.0, MM_PER_RAD], 3)[:, None]
-    flat = [(table * weight).reshape(-1, table.shape[2]) for table in tables]
-    power, mode = np.linalg.eigh(sum(one.T @ one for one in flat))
-    root = np.sqrt(np.maximum(power, 0.0))[:, None] * mode.T  # rootᵀ root is the modes' Gram matrix
-    columns = (of_modes / scale[:, None]).reshape(len(mode), -1)
-    vectors = np.linalg.svd(root @ columns, full_matrices=False)[2][:rank]
-    mixed = columns @ vectors.T
-    rows = [(table @ mixed).reshape(len(table), -1) for table in tables]
-    return rows, vectors * np.repeat(scale, of_modes.shape[2])
-
-
-def _with_turns(
-    rows: Float[np.ndarray, "node column"], lattice: FaceCandidates, turns_with_plane: float
-) -> Float[np.ndarray, "node wider"]:
-    """Rows of a flat face, and by what the rotations grow with each rad about x, and about y.
-
-    A magnet turns with the silicone's plane that it lies in, as far as strain turns it: by the slopes of
-    the candidates' displacements, to first order in its tilt. At 15 to 20° the rotations of a disk of
-    6 × 1 mm are off by 9 %, without this by 30 %.
-    """
-    nodes = rows.reshape(*lattice.shape, 6, -1)
-    along = (lattice.x_mm, lattice.y_mm, -lattice.depth_mm)
-    slopes = np.stack(
-        [np.gradient(nodes[..., :3, :], at, axis=k, edge_order=2) for k, at in enumerate(along)],
-        axis=-2,
-    )  # (…, component, direction, rank)
-    grown = []
-    for about in np.eye(3)[:2]:
-        cross = np.cross(about, np.eye(3)).T  # cross @ v = about × v
-        change = np.einsum("...cdr,de->...cer", slopes, cross)
-        change -= np.einsum("bc,...cdr->...bdr", cross, slopes)
-        turned = np.einsum("bc,...cr->...br", cross, _turn_of_plane(slopes))
-        grown.append(turns_with_plane * (_turn_of_plane(change) + turned))
-    parts = [nodes, *(one[..., :TURN_RANK] for one in grown)]
-    return np.concatenate([one.reshape(len(rows), -1) for one in parts], axis=1)
-
-
-def _turn_of_plane(
-    slopes: Float[np.ndarray, "*node 3 3 rank"],
-) -> Float[np.ndarray, "*node 3 rank"]:
-    """Rotation vector of the material plane z = const. under slopes ∂u_c/∂x_d."""
-    spin = (slopes[..., 1, 0, :] - slopes[..., 0, 1, :]) / 2
-    return np.stack([slopes[..., 2, 1, :], -slopes[..., 2, 0, :], spin], axis=-2)
-
-
-def _with_ghosts(
-    rows: Float[np.ndarray, "node column"], shape: tuple[int, int, int]
-) -> Float[np.ndarray, "padded column"]:
-    """Nodes beyond both ends of every axis, as parabolas go on (Keys' border)."""
-    lattice = rows.reshape(*shape, -1)
-    for axis in range(3):
-        a = np.moveaxis(lattice, axis, 0)
-        before, after = 3 * a[0] - 3 * a[1] + a[2], 3 * a[-1] - 3 * a[-2] + a[-3]
-        lattice = np.moveaxis(np.concatenate([before[None], a, after[None]]), 0, axis)
-    return np.ascontiguousarray(lattice).reshape(-1, rows.shape[1])

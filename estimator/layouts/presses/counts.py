@@ -9,8 +9,8 @@ from torch import Tensor
 from estimator.layouts.batch import Layouts
 from estimator.layouts.near_field import PRESSED
 from estimator.layouts.placed import own_magnets
-from estimator.layouts.press_basis import PressBasis
-from estimator.layouts.press_changes import PressChanges, counts_of_field, field_at, field_changes
+from estimator.layouts.presses.basis import PressBasis
+from estimator.layouts.presses.changes import PressChanges, counts_of_field, field_at, field_changes
 from estimator.layouts.scorer import LayoutScorer
 
 

@@ -1,7 +1,7 @@
 """Changes of channels in presses, of layouts in batches, signals linear in what moves with the silicone.
 
 J = ∂S/∂(motion) · ∂(motion)/∂(x, y, F), with the field's derivatives in closed form and the motions'
-compressed (`estimator.layouts.press_basis`).
+compressed (`estimator.layouts.presses.basis`).
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from torch import Tensor
 
 from estimator.field.gradient import FieldChange
 from estimator.layouts.batch import Layouts
-from estimator.layouts.mixed_rows import mixed_rows
 from estimator.layouts.near_field import OTHER, OWN, Magnets, Reach, field_of_magnets
 from estimator.layouts.placed import chips, other_magnets, own_magnets
-from estimator.layouts.press_basis import PressBasis
+from estimator.layouts.presses.basis import PressBasis
+from estimator.layouts.presses.mixed_rows import mixed_rows
 from estimator.layouts.scorer import LayoutScorer
 
 
