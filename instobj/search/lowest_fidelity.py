@@ -79,9 +79,9 @@ sensors in the core (of a pear the chain had 1.20 times as many), and of boards.
 their own figure."""
 
 _PLACES_OVER_START = 0.8
-"""Of the start's bound, at most, where the layout gains least: its few worst places are worse by the
-chain. By that they exceed the start's 1.0 to 1.31 times as much as here (six layouts found for a cube,
-a box, a handle and a pear), by the second level 1.1 to 1.5 times."""
+"""Of the start's bounds, at most, where a layout gains least: there the chain has 1.0 to 1.31 times this
+level's ratio to the start (eight layouts found for a cube, a box, a handle and a pear), the second level 1.1
+to 1.5."""
 
 _HELD: WeakValueDictionary[tuple[str, int, float, bool, str], PressBasis] = WeakValueDictionary()
 """Of scorers: structures that differ in single magnets' sizes share them, at tens of MB each."""
