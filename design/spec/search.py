@@ -32,6 +32,7 @@ Objective = Literal[
     "grasp_position_bound_mm",
     "slip_place_mm",
     "tolerance_place_mm",
+    "task_loss",
     "compliance_deviation",
     "cost",
     "build_minutes",
@@ -139,6 +140,15 @@ class PricesSpec(SpecPart):
         return self.magnet_minutes * magnets + self.sensor_minutes * sensors
 
 
+class TaskSpec(SpecPart):
+    """What presses are read for: those of `from_n` and more are to be found, placed `within_mm`, and their
+    force told within `force_percent` of itself. `task_loss` is the share that fails in any of these."""
+
+    from_n: Positive = 1.0
+    within_mm: Positive = 3.0
+    force_percent: Annotated[float, Field(gt=0, le=100)] = 10.0
+
+
 class SearchSpec(SpecPart):
     """A layout search: what may change, limits, objectives, engine and budget.
 
@@ -172,6 +182,7 @@ class SearchSpec(SpecPart):
     vary: VarySpec = VarySpec()
     limits: SearchLimitsSpec = SearchLimitsSpec()
     prices: PricesSpec = PricesSpec()
+    task: TaskSpec = TaskSpec()
 
     @property
     def named(self) -> set[str]:

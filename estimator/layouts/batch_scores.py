@@ -20,6 +20,7 @@ from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n
 from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
 from estimator.layouts.scorer import LayoutScorer
 from estimator.layouts.scoring import PlaceInformation, places_information
+from estimator.layouts.task_loss import expected_loss, press_loss
 from estimator.layouts.two_contacts import grasps_mm, pairs_all_mm, pairs_own_mm
 
 _OfFaces = Callable[[Sequence[LayoutScorer], Sequence[Layouts]], Tensor]
@@ -99,8 +100,8 @@ def batch_scores(
     """Scores over the places of all pressed faces, those of `DEARER` only where they are named.
 
     Scorers of several forces: the geometric mean over them of the scores at each, so that every
-    force counts alike; false forces from presses nearest to `CROSS_FACE_FORCE_N`, the largest counts from
-    those of the largest force. With `start`, also
+    force counts alike, but for `task_loss`, which is the mean; false forces from presses nearest to
+    `CROSS_FACE_FORCE_N`, the largest counts from those of the largest force. With `start`, also
     `OVER_START`: the position bound over the start's, by `worst_ratio`.
     NaN where a score does not exist: pairs of tips that do not fit on a face, grasps without two
     opposite faces among those pressed.
@@ -120,7 +121,8 @@ def batch_scores(
                 asked,
             )
         )
-    found = {}
+    losses = {force: scores.pop("task_loss") for force, scores in zip(forces, each, strict=True)}
+    found = {"task_loss": expected_loss(scorers[0].spec.search.task, losses)}
     for name in each[forces.index(of_cross_face)]:
         values = torch.stack([scores[name] for scores in each if name in scores])
         found[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
@@ -165,6 +167,7 @@ def _scores_at_one_force(
         _all_faces(scorers, [getattr(face, name) for face in places])
         for name in ("position_bound_mm", "force_bound_n", "sensitivity")
     )
+    force_n = scorers[0].presses.force_n
     ordered, sorted_mm = sensitivity.sort(dim=1).values, position.sort(dim=1).values
     found = {
         "worst_position_bound_mm": sorted_mm[:, -1],
@@ -173,6 +176,7 @@ def _scores_at_one_force(
         "median_position_bound_mm": percentile(sorted_mm, 50.0),
         "worst_force_bound_n": force.amax(dim=1),
         "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
+        "task_loss": press_loss(scorers[0].spec.search.task, force_n, position, force).mean(dim=1),
         "edge_position_bound_mm": _edge_mean(scorers, [face.position_bound_mm for face in places]),
     }
     for name in _DEARER.keys() & set(named):

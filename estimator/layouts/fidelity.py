@@ -36,6 +36,7 @@ from estimator.layouts.batch_scores import (
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N
 from estimator.layouts.robustness import SLIP_MM
 from estimator.layouts.scorer import LayoutScorer
+from estimator.layouts.task_loss import expected_loss, press_loss
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.localisation_bias import false_places_mm
@@ -68,6 +69,9 @@ class FidelityScore:
         channels; NaN where no two sensed faces are opposite
     slip_place_mm, tolerance_place_mm : place error (rms) of an estimator calibrated on the design
         where the core has slipped by 1 mm, and over objects within tolerance; median over places
+    task_loss : share of presses that fail `search.task`, of estimates as good as the bounds
+        (`estimator.layouts.task_loss`); mean over locations and the judged forces that belong to it, NaN
+        where none does
     compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
         (rms); the lowest fidelity level: of the shell without magnets
     saturation_margin : share of the sensors' range that stays free, at rest and in the deepest press
@@ -95,6 +99,7 @@ class FidelityScore:
     grasp_position_bound_mm: float
     slip_place_mm: float
     tolerance_place_mm: float
+    task_loss: float
     compliance_deviation: float
     saturation_margin: float
     position_bounds_mm: tuple[float, ...] = field(repr=False)
@@ -158,6 +163,9 @@ def score_signals(
         for force in spec.judged_forces_n
     ]
     places = [scores.pop("places") for scores in each]
+    losses = dict(
+        zip(spec.judged_forces_n, [scores.pop("task_loss") for scores in each], strict=True)
+    )
     near = min(places, key=lambda one: abs(float(one.force_at_score_n.max()) - spec.score.force_n))
     means = {
         name: float(np.exp(np.mean([np.log(scores[name]) for scores in each]))) for name in each[0]
@@ -165,6 +173,7 @@ def score_signals(
     return FidelityScore(
         **means,
         **_false_forces(spec, signals),
+        task_loss=float(expected_loss(spec.search.task, losses)),
         compliance_deviation=compliance_deviation(
             spec.search.compliance_mm_per_n, near.grid, 1 / near.stiffness_n_per_mm, near.places
         ),
@@ -191,6 +200,12 @@ def _at_force(
         **_two_contacts(spec, signals),
         "sensitivity_ratio": float(low / middle),
         "edge_position_bound_mm": float(scores.position_bound_fresh_mm[at_edge].mean()),
+        "task_loss": press_loss(
+            spec.search.task,
+            spec.score.force_n,
+            torch.as_tensor(bound),
+            torch.as_tensor(scores.force_bound_fresh_n[there]),
+        ).mean(),
         "slip_place_mm": float(np.median(false["slip"])),
         "tolerance_place_mm": float(np.median(false["tolerance"])),
         "places": scores,

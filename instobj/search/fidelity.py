@@ -178,6 +178,7 @@ def score_row(score: FidelityScore) -> dict[str, Any]:
         "grasp mm": score.grasp_position_bound_mm,
         "slip mm": score.slip_place_mm,
         "tolerance mm": score.tolerance_place_mm,
+        "task failed %": 100 * score.task_loss,
         "softness off": score.compliance_deviation,
         "free range": score.saturation_margin,
     }

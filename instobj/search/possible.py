@@ -152,6 +152,11 @@ def _lacking(spec: ObjectSpec) -> dict[str, str]:
     if faces * (faces - 1) // 2 == opposite:
         for name in ("median_false_force_n", "percentile_95_false_force_n"):
             found[name] = f"{sensed} has no two adjacent faces"
+    task, forces_n = spec.search.task, spec.judged_forces_n
+    if max(forces_n) < task.from_n:
+        found["task_loss"] = (
+            f"search.task.from_n = {task.from_n:g} N is beyond all judged forces, {list(forces_n)}"
+        )
     if not opposite:
         found["grasp_position_bound_mm"] = f"{sensed} has no two opposite faces"
     sensors = min(spec.search.vary.sensor_count or (spec.sensors.count_per_face,))

@@ -163,10 +163,10 @@ STAGES: dict[str, Stage] = {
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "silicone"),
             *(*_PRESSED, "mechanics", "score", "tolerances", "seed"),
-            *("search.forces_n", "search.compliance_mm_per_n"),
+            *("search.forces_n", "search.compliance_mm_per_n", "search.task"),
         ),
         make_second_fidelity,
-        version=2,
+        version=3,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",

@@ -39,6 +39,7 @@ LABELS = {
     "grasp_position_bound_mm": "contacts on two opposite faces, position bound (mm)",
     "slip_place_mm": "localisation error by a core slip of 1 mm (mm)",
     "tolerance_place_mm": "localisation error within tolerance (mm)",
+    "task_loss": "share of presses that fail the task",
     "compliance_deviation": "deviation from the wanted compliance (relative)",
     "cost": "cost of the parts",
     "build_minutes": "build time by hand (min)",

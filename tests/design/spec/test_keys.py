@@ -111,6 +111,7 @@ search.vary.silicone: least 1, most 20
 search.vary.core_size_mm: least 1, most 20
 search.limits.parts_per_face: ge 1
 search.limits.places_worse: le 1
+search.task.force_percent: le 100
 mould.wall_mm: le 100
 mould.play_mm: le 2
 mould.flange_mm: le 100
@@ -332,6 +333,9 @@ search.prices.magnet: 0.2
 search.prices.sensor: 3.0
 search.prices.magnet_minutes: 2.0
 search.prices.sensor_minutes: 15.0
+search.task.from_n: 1.0
+search.task.within_mm: 3.0
+search.task.force_percent: 10.0
 mould.wall_mm: 1.5
 mould.flange_mm: 8.0
 mould.dowel_draft_deg: 10.0

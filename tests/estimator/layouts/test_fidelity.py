@@ -34,6 +34,7 @@ from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.scoring import place_information
+from estimator.layouts.task_loss import press_loss
 from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field, full_scale_counts
 from estimator.signals.presses import press_signals, saturation_margin
@@ -186,6 +187,10 @@ def test_lowest_fidelity_score_pools_the_places_of_all_faces(spec, motions, scor
     )
 
 
+def bounds_of(scores):
+    return scores.position_bound_fresh_mm, scores.force_bound_fresh_n
+
+
 def test_a_score_of_signals_is_that_of_its_parts():
     spec = coarse_spec()
     presses = synthetic_presses(spec)
@@ -212,7 +217,7 @@ def test_a_score_of_signals_is_that_of_its_parts():
     assert_allclose(found.compliance_deviation, travel.std() / travel.mean(), rtol=1e-9)
 
 
-def test_a_range_of_forces_is_judged_by_geometric_means():
+def test_a_range_of_forces_is_judged_by_geometric_means_but_the_task_by_the_mean_of_its_own():
     forces = (1.0, 2.5)
     spec = coarse_spec(search={"forces_n": forces})
     presses = synthetic_presses(spec)
@@ -224,6 +229,15 @@ def test_a_range_of_forces_is_judged_by_geometric_means():
     wanted = np.prod([np.percentile(one, 99) for one in bounds]) ** 0.5
     assert_allclose(found.percentile_99_position_bound_mm, wanted, rtol=1e-12)
     assert_allclose(found.worst_position_bound_mm, np.prod(bounds.max((1, 2))) ** 0.5, rtol=1e-12)
+    losses = [
+        press_loss(spec.search.task, n, *map(torch.as_tensor, bounds_of(one))).numpy()
+        for n, one in zip(forces, each, strict=True)
+    ]
+    assert 0.01 < losses[1].mean() < losses[0].mean() < 0.999
+    assert_allclose(found.task_loss, np.mean(losses), rtol=1e-6)
+    heavy = spec.search.task.changed(from_n=2.0)
+    spec = spec.changed(search=spec.search.changed(task=heavy))
+    assert_allclose(score_signals(spec, signals, *presses).task_loss, losses[1].mean(), rtol=1e-6)
     better = replace(found, position_bounds_mm=tuple((0.5 * bounds.ravel()).tolist()))
     assert worse_share(better, found) == 1
     held = against_start(better, found, 0.02)
@@ -246,6 +260,7 @@ START = FidelityScore(
     grasp_position_bound_mm=1.0,
     slip_place_mm=2.0,
     tolerance_place_mm=0.4,
+    task_loss=0.3,
     compliance_deviation=0.1,
     saturation_margin=0.8,
     position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
@@ -352,7 +367,8 @@ def test_compliance_is_of_the_press_whose_force_is_nearest_to_the_score_s(
             places=np.ones(2, bool),
             grid=None,
         )
-        return {"worst_position_bound_mm": float(force[0]), "places": place}
+        loss = torch.tensor(0.5)
+        return {"worst_position_bound_mm": float(force[0]), "task_loss": loss, "places": place}
 
     made = {}
     monkeypatch.setattr(fidelity, "_at_force", at_force)

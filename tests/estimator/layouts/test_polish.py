@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
-from scipy.stats import gmean
+from scipy.stats import gmean, norm
 
 from design.search.space import search_space
 from design.search.structure import with_structure
@@ -129,6 +129,10 @@ def test_every_force_counts_alike_and_places_are_held_against_the_start(lowest):
         assert abs(a / b - 1).mean() > 0.1
         assert_allclose(found[name], (a * b).sqrt(), rtol=1e-4)
     assert_allclose(found["median_false_force_n"], each[1]["median_false_force_n"], rtol=1e-4)
+    assert_allclose(
+        found["task_loss"], (each[0]["task_loss"] + each[1]["task_loss"]) / 2, rtol=1e-4
+    )
+    assert 0.1 < float(found["task_loss"].min()) < float(found["task_loss"].max()) < 0.99
     bounds = position_bounds(pooled, layouts * 2)
     before = PlaceBounds(tuple(bound[:1] for bound in bounds), 0.02)
     over = batch_scores(pooled, layouts * 2, [], before)[OVER_START]
@@ -192,7 +196,7 @@ def test_the_score_of_a_level_has_every_score_of_a_batch(lowest):
     layouts = [layouts_of(spec, face) for face in FACES]
     found = batch_scores(lowest.scorers, layouts, DEARER)
     wanted = lowest_fidelity_score(spec, lowest.scorers)
-    for name in (*OBJECTIVES, *DEARER):
+    for name in (*OBJECTIVES, "task_loss", *DEARER):
         assert_allclose(float(found[name][0]), getattr(wanted, name), rtol=1e-5)
 
 
@@ -535,6 +539,10 @@ def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
         np.concatenate([values[0][k, 0], np.tile(values[1][k, 0], 3)]) for k in range(3)
     )
     low, middle = np.percentile(delta, [5, 50])
+    task, force_n = scorers[0].spec.search.task, scorers[0].presses.force_n
+    placed = -np.expm1(-((task.within_mm / position) ** 2))
+    most = task.force_percent / 100 * force_n / force
+    least = np.minimum(np.maximum(-most, 2.326 - force_n / force), most)
     wanted = {
         "worst_position_bound_mm": position.max(),
         "percentile_99_position_bound_mm": np.percentile(position, 99),
@@ -542,6 +550,7 @@ def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
         "median_position_bound_mm": np.median(position),
         "worst_force_bound_n": force.max(),
         "sensitivity_ratio": low / middle,
+        "task_loss": 1 - (placed * (norm.cdf(most) - norm.cdf(least))).mean(),
     }
     assert found.keys() == {*wanted, "edge_position_bound_mm"}
     for name, value in wanted.items():

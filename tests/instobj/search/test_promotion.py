@@ -25,6 +25,7 @@ START = FidelityScore(
     grasp_position_bound_mm=1.0,
     slip_place_mm=0.6,
     tolerance_place_mm=0.9,
+    task_loss=0.2,
     compliance_deviation=0.1,
     saturation_margin=0.8,
     position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
