@@ -1,1 +1,1 @@
-"""Presses of one face at the lowest fidelity level: compressed, mixed round magnets, and what they change."""
+"""Presses of one face at the lowest fidelity level: compressed and mixed round magnets."""
