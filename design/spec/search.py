@@ -159,6 +159,7 @@ class SearchSpec(SpecPart):
     all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first. A trial
     beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets),
     `finalists` to the last.
+    Bounds are of a `baseline` just taken, or of one that has drifted by `sensors.drift_counts` since.
     `compliance_mm_per_n` is indentation depth over force at `score.force_n` that
     `compliance_deviation` is taken from, by area (later ones over earlier ones; "edge" without
     corners); none: even.
@@ -168,6 +169,7 @@ class SearchSpec(SpecPart):
         "worst_position_bound_mm",
     )
     forces_n: Annotated[tuple[Positive, ...], Field(max_length=8)] = (2.0, 5.0, 12.0)
+    baseline: Literal["fresh", "drifted"] = "fresh"
     engine: Engine = "tpe"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
     trials: Count = 60

@@ -55,7 +55,7 @@ class FidelityScore:
     ----------
     worst_position_bound_mm, percentile_99_position_bound_mm, percentile_95_position_bound_mm,
     median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over the contact locations of
-        all faces, freshly zeroed; at every one of `spec.judged_forces_n`, then the geometric mean of
+        all faces, with `search.baseline`; at every one of `spec.judged_forces_n`, then the geometric mean of
         these, so that every force counts alike
     median_false_force_n, percentile_95_false_force_n : force that a face reads on itself, by its own
         channels alone, from presses of 10 N on an adjacent face; over pairs of faces and places, at
@@ -158,6 +158,7 @@ def score_signals(
     InputError
         Signals that cannot be scored (`score_places`).
     """
+    spec = as_judged(spec)
     each = [
         _at_force(spec.changed(score=spec.score.changed(force_n=force)), signals, forces, motions)
         for force in spec.judged_forces_n
@@ -210,6 +211,15 @@ def _at_force(
         "tolerance_place_mm": float(np.median(false["tolerance"])),
         "places": scores,
     }
+
+
+def as_judged(spec: ObjectSpec) -> ObjectSpec:
+    """The specification with the disturbances that layouts are judged by: with `search.baseline` = "drifted"
+    a baseline is as far off as sensors drift (`estimator.information.fisher.disturbance_counts`)."""
+    if spec.search.baseline == "fresh":
+        return spec
+    drifted = spec.sensors.changed(zeroing_counts=spec.sensors.drift_counts)
+    return spec.changed(sensors=drifted)
 
 
 def bounds_by_press(

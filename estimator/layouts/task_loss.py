@@ -1,6 +1,6 @@
 """Expected loss of a task: the share of its presses that are missed, misplaced or misjudged.
 
-Of estimates as good as their Cramér–Rao bounds, with normal errors, freshly zeroed; errors of place and force
+Of estimates as good as their Cramér–Rao bounds, with normal errors; errors of place and force
 are taken as independent. A press is found where the force that is read exceeds what one frame in a hundred
 reads at rest. The error of its place is taken as alike in both directions: where all of it lies in one, up to
 0.17 more of the presses lie within the distance asked for (where that is half the bound), or up to 0.05 fewer

@@ -107,12 +107,13 @@ def twin_ratios(start: ObjectSpec, old: list[Bounds], new: list[Bounds]) -> dict
 
 
 def bounds_of_twins(spec: ObjectSpec, twins: int = TWINS) -> list[Bounds]:
-    """Bounds of the design, then of its twins, at each judged force."""
+    """Bounds of the design, then of its twins, at each judged force, with `search.baseline`."""
+    from estimator.layouts.fidelity import as_judged
     from estimator.tolerances.budget import twin_bounds
 
-    presses = Run(spec).read(PRESSES)
+    presses, judged = Run(spec).read(PRESSES), as_judged(spec)
     return [
-        twin_bounds(spec.changed(score=spec.score.changed(force_n=force_n)), *presses, twins)
+        twin_bounds(judged.changed(score=spec.score.changed(force_n=force_n)), *presses, twins)
         for force_n in spec.judged_forces_n
     ]
 

@@ -46,6 +46,7 @@ from estimator.layouts.batch_scores import (
     position_bounds,
     unevenness,
 )
+from estimator.layouts.fidelity import as_judged
 from estimator.layouts.polish import (
     Judge,
     Judged,
@@ -217,7 +218,9 @@ def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[Lay
     ]
     by_face = {face: [_presses(one, folder, face) for one, folder in known] for face in faces}
     return tuple(
-        layout_scorer(spec, [of_size[index] for of_size in by_face[face]], faces=len(alike))
+        layout_scorer(
+            as_judged(spec), [of_size[index] for of_size in by_face[face]], faces=len(alike)
+        )
         for index in range(len(spec.judged_forces_n))
         for face, alike in faces.items()
     )

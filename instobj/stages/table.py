@@ -163,7 +163,7 @@ STAGES: dict[str, Stage] = {
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "silicone"),
             *(*_PRESSED, "mechanics", "score", "tolerances", "seed"),
-            *("search.forces_n", "search.compliance_mm_per_n", "search.task"),
+            *("search.forces_n", "search.baseline", "search.compliance_mm_per_n", "search.task"),
         ),
         make_second_fidelity,
         version=3,

@@ -181,10 +181,12 @@ def _maps(found: Promotion, results: ChainResults, folder: Path) -> list[tuple[s
         return []
     pair = {"before": found.start.spec, "after": found.best.spec}
     scores = {when: SCORES.read(one) for when, one in zip(pair, results.scores, strict=True)}
-    every = np.concatenate([one.position_bound_fresh_mm.ravel() for one in scores.values()])
+    baseline = found.start.spec.search.baseline
+    bounds = {when: getattr(one, f"position_bound_{baseline}_mm") for when, one in scores.items()}
+    every = np.concatenate([values.ravel() for values in bounds.values()])
     pictures = []
     for when, one in scores.items():
-        values, path = one.position_bound_fresh_mm, folder / f"position_bound_{when}.png"
+        values, path = bounds[when], folder / f"position_bound_{when}.png"
         worst, middle = np.nanmax(values), np.nanmedian(values)
         draw_overview(
             values,
@@ -194,7 +196,7 @@ def _maps(found: Promotion, results: ChainResults, folder: Path) -> list[tuple[s
             "mm",
             *finite_limits(every),
             path,
-            note=f"Worst location {worst:.2f} mm, median {middle:.2f} mm, fresh baseline.",
+            note=f"Worst location {worst:.2f} mm, median {middle:.2f} mm, {baseline} baseline.",
         )
         pictures.append((when, path))
     return pictures

@@ -24,6 +24,7 @@ from estimator.layouts.fidelity import (
     SCORE_NAMES,
     FidelityScore,
     against_start,
+    as_judged,
     gains,
     lowest_fidelity_score,
     rank_correlations,
@@ -315,6 +316,25 @@ def test_twins_are_the_design_first_then_seeded_draws_of_its_tolerances():
     perfect = spec.model_copy(update={"tolerances": spec.tolerances.model_copy(update=exact)})
     alike = twin_bounds(perfect, *presses, 2)["position_mm"]
     assert_allclose(alike[1:], alike[[0, 0]], rtol=1e-12)
+
+
+def test_bounds_are_those_of_a_drifted_baseline_where_the_search_asks_for_them():
+    grid = {"count": (2, 3), "pitch_mm": 4.0}
+    fresh, drifted = (
+        coarse_spec(contact_grid=grid, search={"baseline": state, "forces_n": []})
+        for state in ("fresh", "drifted")
+    )
+    presses = synthetic_presses(fresh)
+    signals = press_signals(fresh, *presses)
+    known, found = score_places(fresh, signals), score_signals(drifted, signals, *presses)
+    assert_allclose(found.position_bounds_mm, known.position_bound_drifted_mm.ravel(), rtol=1e-12)
+    assert_allclose(found.worst_force_bound_n, known.force_bound_drifted_n.max(), rtol=1e-12)
+    before = score_signals(fresh, signals, *presses)
+    assert found.median_position_bound_mm > 1.5 * before.median_position_bound_mm
+    assert found.sensitivity_ratio == before.sensitivity_ratio, "δ is of white noise"
+    twins = twin_bounds(as_judged(drifted), *presses, 1)["position_mm"][0]
+    assert_allclose(twins, known.position_bound_drifted_mm.ravel(), rtol=0.06)
+    assert as_judged(fresh) is fresh
 
 
 def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import torch
+from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.search.space import params_at, search_space, start_params
@@ -129,6 +130,22 @@ def test_more_parts_than_the_start_has_need_no_places_for_their_mechanics(monkey
     monkeypatch.setattr(lowest_fidelity, "load_candidates", lambda folder: made)
     found = lowest_fidelity.scorers(structured, {1: (1,), 3: (3,)})
     assert len(found) == 2 * len(structured.judged_forces_n)
+
+
+@pytest.mark.parametrize(("baseline", "offset"), [("fresh", 4.0), ("drifted", 60.0)])
+def test_candidates_are_scored_with_the_baseline_that_the_search_names(
+    monkeypatch, baseline, offset
+):
+    spec = made_up_spec()
+    sensors = spec.sensors.changed(zeroing_counts=4.0, drift_counts=60.0)
+    spec = spec.changed(sensors=sensors, search=spec.search.changed(baseline=baseline))
+    monkeypatch.setattr(
+        lowest_fidelity.Run, "require", lambda run, name: SimpleNamespace(folder=name)
+    )
+    made = made_up_motions(spec)
+    monkeypatch.setattr(lowest_fidelity, "load_candidates", lambda folder: made)
+    for one in lowest_fidelity.scorers(spec, {1: (1,)}):
+        assert_allclose(one.sigma_counts, np.hypot(spec.sensors.noise_counts, offset), rtol=1e-6)
 
 
 def test_structures_share_the_presses_of_sizes_that_both_have(monkeypatch):
