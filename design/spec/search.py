@@ -168,7 +168,7 @@ class SearchSpec(SpecPart):
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (
         "worst_position_bound_mm",
     )
-    forces_n: Annotated[tuple[Positive, ...], Field(max_length=8)] = (2.0, 5.0, 12.0)
+    forces_n: Annotated[tuple[Positive, ...], Field(max_length=8)] = (1.0, 3.5, 12.0)
     baseline: Literal["fresh", "drifted"] = "fresh"
     engine: Engine = "tpe"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300

@@ -311,7 +311,7 @@ as_built.magnets.flipped: False
 as_built.sensors.rotation_deg: (0.0, 0.0, 0.0)
 as_built.sensors.dead: ()
 search.objectives: ('worst_position_bound_mm',)
-search.forces_n: (2.0, 5.0, 12.0)
+search.forces_n: (1.0, 3.5, 12.0)
 search.baseline: 'fresh'
 search.engine: 'tpe'
 search.polish_steps: 300

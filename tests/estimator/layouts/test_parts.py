@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from design.spec.object import ObjectSpec
+from design.spec.search import TaskSpec
 from estimator.layouts import batch_scores, cross_face, robustness
 from estimator.layouts.batch_scores import PlaceBounds, worst_ratio
 from estimator.layouts.limits import curved
@@ -134,6 +135,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
         force = scorers[0].presses.force_n
         asked[force] = set(named)
         scores = {"median_position_bound_mm": tensor([1 / force, 2 / force])}
+        scores["task_loss"] = tensor([1 / force, 0.0])
         for name in named:
             scores[name] = tensor([force, force + 1])
         return scores
@@ -141,7 +143,9 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
     monkeypatch.setattr(batch_scores, "_scores_at_one_force", at_one_force)
     counts = [SimpleNamespace(largest_counts=tensor([n, 24.0])) for n in (3.0, 1.0, 12.0, 4.0)]
     monkeypatch.setattr(batch_scores, "places_information", lambda scorers, layouts: counts)
-    scorers = [SimpleNamespace(presses=SimpleNamespace(force_n=n)) for n in (4.0, 1.0, 12.0, 4.0)]
+    spec = SimpleNamespace(search=SimpleNamespace(task=TaskSpec(from_n=2.0)))
+    presses = [SimpleNamespace(force_n=n) for n in (4.0, 1.0, 12.0, 4.0)]
+    scorers = [SimpleNamespace(spec=spec, presses=one) for one in presses]
     names = {"median_false_force_n", "slip_place_mm"}
     found = batch_scores.batch_scores.__wrapped__(scorers, [None] * 4, names)
     assert asked == {1.0: {"slip_place_mm"}, 4.0: {"slip_place_mm"}, 12.0: names}
@@ -150,6 +154,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
     assert_allclose(found["slip_place_mm"], [mean, (2 * 5 * 13) ** (1 / 3)])
     assert_allclose(found["median_false_force_n"], [12, 13])
     assert_allclose(found["largest_counts"], [12, 24])
+    assert_allclose(found["task_loss"], [1 / 6, 1e-6])
     assert batch_scores.OVER_START not in found
 
 
