@@ -158,7 +158,7 @@ def score_signals(
     InputError
         Signals that cannot be scored (`score_places`).
     """
-    spec = as_judged(spec)
+    spec = spec.as_judged
     each = [
         _at_force(spec.changed(score=spec.score.changed(force_n=force)), signals, forces, motions)
         for force in spec.judged_forces_n
@@ -211,15 +211,6 @@ def _at_force(
         "tolerance_place_mm": float(np.median(false["tolerance"])),
         "places": scores,
     }
-
-
-def as_judged(spec: ObjectSpec) -> ObjectSpec:
-    """The specification with the disturbances that layouts are judged by: with `search.baseline` = "drifted"
-    a baseline is as far off as sensors drift (`estimator.information.fisher.disturbance_counts`)."""
-    if spec.search.baseline == "fresh":
-        return spec
-    drifted = spec.sensors.changed(zeroing_counts=spec.sensors.drift_counts)
-    return spec.changed(sensors=drifted)
 
 
 def bounds_by_press(

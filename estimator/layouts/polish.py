@@ -240,7 +240,7 @@ class _Evolution:
         self, row: int, begin: Float[Tensor, "variable"], weights: Float[Tensor, "objective"]
     ) -> None:
         self.row, self.begin, self.weights = row, begin, weights.cpu()
-        self.best, self.least, self.whole = begin, (True, np.inf), float(weights.sum())
+        self.best, self.least, self.whole = begin, np.inf, float(weights.sum())
         count = max(len(begin), 2)  # the package takes no single variable
         mean = np.full(count, 0.5)
         mean[: len(begin)] = begin.cpu().numpy()
@@ -271,11 +271,10 @@ class _Evolution:
     def keep_best(self, worth: _Worth) -> None:
         """The best so far of those that keep all limits, before others, with all of the penalties."""
         finally_worth = worth.value + self.whole * np.log1p(worth.penalties).sum(axis=1)
-        broken = ~((worth.penalties[:, 0] == 0) & np.isfinite(finally_worth))
-        leader = int(np.lexsort([finally_worth, broken])[0])
-        found = bool(broken[leader]), float(finally_worth[leader])
-        if found < self.least:
-            self.best, self.least = worth.points[leader], found
+        finally_worth += _AFTER_ALL * (worth.penalties[:, 0] > 0)
+        leader = int(finally_worth.argmin())
+        if finally_worth[leader] < self.least:
+            self.best, self.least = worth.points[leader], float(finally_worth[leader])
 
 
 @dataclass(frozen=True)

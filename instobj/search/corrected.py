@@ -30,7 +30,7 @@ _STEPS, _RATE = 300, 0.05
 _SPREAD = (0.0, 0.02, 0.05, 0.1)
 """Of that reach (rms): where copies of the layout begin."""
 _CHAIN_OVER_WALKED = 1.07
-"""Of the largest counts, beside what the second level makes of the leader's: of ten walked finalists 0.93
+"""Of the largest counts, beside what the second level makes of the leader's: of twelve walked finalists 0.91
 to 1.064."""
 
 

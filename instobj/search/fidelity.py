@@ -108,10 +108,9 @@ def twin_ratios(start: ObjectSpec, old: list[Bounds], new: list[Bounds]) -> dict
 
 def bounds_of_twins(spec: ObjectSpec, twins: int = TWINS) -> list[Bounds]:
     """Bounds of the design, then of its twins, at each judged force, with `search.baseline`."""
-    from estimator.layouts.fidelity import as_judged
     from estimator.tolerances.budget import twin_bounds
 
-    presses, judged = Run(spec).read(PRESSES), as_judged(spec)
+    presses, judged = Run(spec).read(PRESSES), spec.as_judged
     return [
         twin_bounds(judged.changed(score=spec.score.changed(force_n=force_n)), *presses, twins)
         for force_n in spec.judged_forces_n

@@ -46,7 +46,6 @@ from estimator.layouts.batch_scores import (
     position_bounds,
     unevenness,
 )
-from estimator.layouts.fidelity import as_judged
 from estimator.layouts.polish import (
     Judge,
     Judged,
@@ -80,9 +79,9 @@ sensors in the core (of a pear the chain had 1.20 times as many), and of boards.
 their own figure."""
 
 _PLACES_OVER_START = 0.8
-"""Of the start's bounds, at most, where a layout gains least: there the chain has 1.0 to 1.31 times this
-level's ratio to the start (eight layouts found for a cube, a box, a handle and a pear), the second level 1.1
-to 1.5."""
+"""Of the start's bounds, at most, where a layout gains least: there the chain has 1.0 to 1.3 times this
+level's ratio to the start (twelve layouts found for a cube, a box, a handle and a pear), the second level
+1.05 to 1.55."""
 
 _HELD: WeakValueDictionary[tuple[str, int, float, bool, str], PressBasis] = WeakValueDictionary()
 """Of scorers: structures that differ in single magnets' sizes share them, at tens of MB each."""
@@ -216,11 +215,10 @@ def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[Lay
     known = [
         (one, Run(one, checked=False).require("candidates").folder) for one in of_each_size(spec)
     ]
+    judged = spec.as_judged
     by_face = {face: [_presses(one, folder, face) for one, folder in known] for face in faces}
     return tuple(
-        layout_scorer(
-            as_judged(spec), [of_size[index] for of_size in by_face[face]], faces=len(alike)
-        )
+        layout_scorer(judged, [of_size[index] for of_size in by_face[face]], faces=len(alike))
         for index in range(len(spec.judged_forces_n))
         for face, alike in faces.items()
     )
