@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -20,13 +21,11 @@ def write_generated_pages(folder: Path) -> None:
 
 
 @cache
-def commands() -> dict[str, Any]:
-    """Name → command of the `instobj` program, in the order of `instobj --help`."""
+def commands(module: str = "instobj.cli.app") -> dict[str, Any]:
+    """Name → command of the program in a module, in the order of its `--help`."""
     from typer.main import get_command
 
-    from instobj.cli.app import app
-
-    return dict(get_command(app).commands)  # pyright: ignore[reportAttributeAccessIssue]
+    return dict(get_command(import_module(module).app).commands)  # pyright: ignore[reportAttributeAccessIssue]
 
 
 def option_names(command: Any) -> set[str]:

@@ -13,7 +13,7 @@ gc.disable()  # until all is imported: modules are no garbage
 from tests.support import in_memory, scheduling, typechecks  # noqa: E402
 
 in_memory.install()
-typechecks.install(["design", "fem", "estimator"])
+typechecks.install(["design", "fem", "estimator", "studies"])
 
 from instobj.figures import saving  # noqa: E402  types are checked in what is imported from here
 from instobj.render import parts  # noqa: E402

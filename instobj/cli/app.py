@@ -268,12 +268,17 @@ def _chain(
 
 
 def main() -> None:
-    """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
+    """Run the command line of `instobj`."""
+    run_command(app)
+
+
+def run_command(command: typer.Typer) -> None:
+    """Run a command line: bad input ends with one error and exit code 2, without a traceback."""
     interrupted = _note_interrupts()
     warnings.formatwarning = _warning_line
     code = 0
     try:
-        code = app(standalone_mode=False)
+        code = command(standalone_mode=False)
     except typer.BadParameter as error:
         error.show()
         sys.exit(2)

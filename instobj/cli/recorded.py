@@ -43,47 +43,6 @@ def selftest(
 
 
 @app.command()
-def interfaces(
-    spec: Spec,
-    recordings: Recordings,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Bonded, frictionless or friction at the core: what each predicts of recorded presses."""
-    from instobj.commands.recorded.interfaces import interfaces_on
-
-    show(interfaces_on(spec, recordings, out, overrides or []), as_json)
-
-
-@app.command()
-def conventions(
-    spec: Spec,
-    recordings: Recordings,
-    exchanges: Annotated[
-        int, typer.Option(min=1, help="Number of permutations for the null distribution.")
-    ] = 499,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Order of chips, labels and axes: searched on one recording, judged on the other."""
-    from instobj.commands.recorded.conventions import conventions_of
-
-    show(conventions_of(spec, recordings, exchanges, overrides or []), as_json)
-
-
-@app.command()
-def cycles(
-    recording: Annotated[Path, typer.Argument(help="Folder with sensor.csv and states.csv.")],
-    as_json: AsJson = False,
-) -> None:
-    """Loading cycles at one place: what elasticity, lag and relaxation explain of force and field."""
-    from instobj.commands.recorded.cycles import cycles_in
-
-    show(cycles_in(recording), as_json)
-
-
-@app.command()
 def validate(
     spec: Spec,
     recordings: Recordings,

@@ -1,4 +1,4 @@
-"""Commands of the layout search and of experiments: studies of the design, the paper's experiments."""
+"""Commands of the layout search and of sweeps."""
 
 from __future__ import annotations
 
@@ -64,31 +64,3 @@ def sweep(
     from instobj.sweep.sweep import sweep as run
 
     show(run(study, out, workers, scheduler), as_json)
-
-
-@app.command()
-def experiment(
-    name: Annotated[
-        str, typer.Argument(help="Name of the experiment; `instobj experiments` lists them.")
-    ],
-    spec: Spec,
-    quick: Annotated[
-        bool, typer.Option("--quick", help="Reduced resolution, for a preview only.")
-    ] = False,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Run an experiment on a specification: a table and a figure."""
-    from instobj.experiments.registry import run_study
-
-    show(run_study(name, spec, out, quick, overrides or []), as_json)
-
-
-@app.command()
-def experiments(as_json: AsJson = False) -> None:
-    """List the experiments."""
-    from instobj.experiments.registry import studies
-
-    rows = [{"experiment": study.name, "answers": study.help} for study in studies().values()]
-    show({"command": "experiments", "tables": {"experiments": rows}}, as_json)

@@ -8,8 +8,8 @@ from design.fabrication.layout import failures, layout_findings
 from design.spec_io import load_spec
 from estimator.layouts.fidelity import gains, worse_share
 from instobj.commands.run import check_specifications
-from instobj.experiments.layouts import changed
 from instobj.search.fidelity import chain_score
+from studies.layouts import changed
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BETTER, PAPER = EXAMPLES / "better_cube.toml", EXAMPLES / "paper_cube.toml"

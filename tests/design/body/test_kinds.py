@@ -34,7 +34,6 @@ NAMED = {
     "design/spec/mechanics.py": "the indenter's shape",
     "design/layout/tips.py": "the indenter's shape",
     "design/solids/probes.py": "the indenter's shape",
-    "instobj/experiments/weak_areas.py": "the objects of that study",
     "instobj/figures/weak_areas.py": "matplotlib's padding",
 }
 """Files outside the kinds that hold a word which is a kind's name, and what it says there."""
