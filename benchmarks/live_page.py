@@ -1,6 +1,6 @@
 """The live page for a minute: pictures per second, their age, and what they cost.
 
-`instobj live --demo` and a headless Chromium with WebGL by software run on this machine; the page
+`instobj bench live --demo` and a headless Chromium with WebGL by software run on this machine; the page
 measures pictures and ages itself, processor times are the system's. Linux only.
 """
 

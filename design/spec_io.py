@@ -138,7 +138,7 @@ def _with_as_built(content: dict[str, Any], path: Path) -> dict[str, Any]:
         file = beside
     else:
         return content
-    missing = "no as-built file at {}. Fix the key as_built (or --as-built), or leave it out"
+    missing = "no as-built file at {}. Fix the key as_built, or leave it out"
     return content | {"as_built": _read_toml(file, missing)}
 
 

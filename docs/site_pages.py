@@ -22,10 +22,18 @@ def write_generated_pages(folder: Path) -> None:
 
 @cache
 def commands(module: str = "instobj.cli.app") -> dict[str, Any]:
-    """Name → command of the program in a module, in the order of its `--help`."""
+    """Name → command of the program in a module, in the order of its `--help`; "bench rig" in a group."""
     from typer.main import get_command
 
-    return dict(get_command(import_module(module).app).commands)  # pyright: ignore[reportAttributeAccessIssue]
+    return dict(_visible(get_command(import_module(module).app)))
+
+
+def _visible(group: Any) -> Iterator[tuple[str, Any]]:
+    for name, command in group.commands.items():
+        if hasattr(command, "commands"):
+            yield from ((f"{name} {inner}", one) for inner, one in _visible(command))
+        elif not command.hidden:
+            yield name, command
 
 
 def option_names(command: Any) -> set[str]:
@@ -40,13 +48,13 @@ def command_line_page() -> str:
     """The page that lists all commands with their arguments and options (MyST)."""
     blocks = ["# Command line", "As `instobj COMMAND --help` prints it."]
     for name, command in commands().items():
-        blocks += [f"## {name}", _plain(command.help), *_tables(command)]
+        blocks += [f"## {name}", _plain(command.help), *_tables(name, command)]
     return "\n\n".join(blocks) + "\n"
 
 
-def _tables(command: Any) -> Iterator[str]:
+def _tables(name: str, command: Any) -> Iterator[str]:
     usage = " ".join(_usage(parameter) for parameter in command.params)
-    yield f"```text\ninstobj {command.name} {usage}\n```"
+    yield f"```text\ninstobj {name} {usage}\n```"
     rows = [f"| {_spelling(p)} | {_plain(p.help)} | {_default(p)} |" for p in command.params]
     yield "\n".join(["| | | default |", "|---|---|---|", *rows])
 

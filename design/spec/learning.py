@@ -27,7 +27,7 @@ _TRIANGLES: tuple[ProbePose, ...] = (
 
 
 class CollectionSpec(SpecPart):
-    """Simulated recordings, `instobj frames`.
+    """Simulated recordings, `instobj run --to frames`.
 
     "paper": on each of `faces` every contact location, the probes of two and three tips at
     `dual_poses` and `triple_poses`, and `non_contact_cases`; `frames_per_case` frames each, at one
@@ -166,7 +166,7 @@ class TrainingSpec(SpecPart):
     Gaussian process answers where a frame is novel (both compact and whole-object only). Left out,
     these four follow from the data (`estimator.networks.defaults`).
     `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects that
-    `instobj pretrain` draws within `[tolerances]`, or `--twin` within what labelled presses leave
+    `instobj run --to pretraining` draws within `[tolerances]`, or `--twin` within what labelled presses leave
     possible.
     """
 

@@ -13,7 +13,7 @@ PINS_OF_KIND = {"none": 0, "hx711": 2, "analog": 1}
 
 
 class LoadCellSpec(SpecPart):
-    """A load cell that the firmware of `instobj firmware` reads, for presses by hand or by a machine.
+    """A load cell that the firmware of `instobj bench firmware` reads, for presses by hand or by a machine.
 
     `kind` "hx711": a strain-gauge bridge on an HX711, gain 128, at `rate_sps` readings per second (its
     pin RATE); `capacity_n` and `output_mv_per_v` (at capacity) are the bridge's. "analog": a force

@@ -106,10 +106,10 @@ _INSTALL_PICO = """\
 _README = """\
 # Firmware of {name} for the {board}
 {count} sensors by {way}, {rate:g} frames per second, {baud} baud; pull-ups {pullup:g} kΩ on every bus line.
-Written by `instobj firmware`; `{plan}` holds all that belongs to this object.
+Written by `instobj bench firmware`; `{plan}` holds all that belongs to this object.
 
 {install}
-    instobj collect FIRST --port /dev/ttyACM0 --baud {baud}
+    instobj bench collect FIRST --port /dev/ttyACM0 --baud {baud}
 
 `wiring.svg` is the drawing; `wiring.csv` has every wire with colour and length in the order of soldering,
 `orders.csv` every part to buy.

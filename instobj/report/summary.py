@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from design.spec.object import ObjectSpec
+from instobj.report.core_section import comparison_rows
 from instobj.report.remedies import verdict_summary
 from instobj.report.uncertainty import robustness_summary
 from instobj.report.weak_areas import WEAK_TITLE, weak_rows
@@ -29,6 +30,7 @@ from instobj.store.readers import (
     RESPONSE_SIZE,
     SCORES,
     SHEAR_SCORES,
+    SLIP,
     ResultFile,
 )
 
@@ -48,6 +50,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
+        ("slip", "cost of the core's slip, by both models of it", _slip),
         ("identify", _identify_title(spec), _identify),
         ("frames", "simulated presses", _read(PROTOCOL)),
         ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
@@ -75,6 +78,13 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     if spec and "report" in results:
         made = {"verdict": verdict_summary(spec, results)} | made
     return {title: values for title, values in made.items() if values}
+
+
+def _slip(result: StoredResult) -> list[dict[str, Any]]:
+    """Rows of both models; none where the core has not slipped."""
+    if not SLIP.path(result.folder).exists():
+        return []
+    return comparison_rows(SLIP.read(result.folder)["models"])
 
 
 def _identify_title(spec: ObjectSpec | None) -> str:

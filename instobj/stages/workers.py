@@ -204,7 +204,7 @@ def _client(workers: int, scheduler: str | None) -> Iterator[Client]:
     except ImportError:
         raise InputError(
             "several workers need Dask, which is not installed. Install instobj[dask], or leave "
-            "--workers and --scheduler out"
+            "--workers out"
         ) from None
     if scheduler is not None:
         try:

@@ -68,7 +68,7 @@ def run_core_slip(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
         SIMULATED,
         f"Slip of {np.linalg.norm(SLIP_MM):.2f} mm after calibration; the resting signals change by "
         f"up to {np.abs(change).max():.0f} counts. It moves the sensors with the core; the silicone "
-        "stays as it was (`instobj slip` says how far finite elements differ).",
+        "stays as it was (`instobj run --to slip` says how far finite elements differ).",
         "Carried over: the slip found in the resting signals "
         f"({', '.join(f'{value:.2f}' for value in found.shift_mm)} mm; it is "
         f"{', '.join(f'{value:g}' for value in SLIP_MM)} mm), what it changes in presses of the design "

@@ -91,7 +91,9 @@ def _unknown_in(snippet: str) -> list[str]:
         words = ["instobj", *words[3:]]
     if words and words[0] == "instobj":
         words = words[1:]
-        if words and re.fullmatch(r"[a-z][a-z-]*", words[0]) and words[0] not in known:
+        if words[:1] == ["bench"]:
+            words = [" ".join(words[:2]), *words[2:]]
+        if words and re.fullmatch(r"[a-z][a-z -]*", words[0]) and words[0] not in known:
             return [words[0]]
     options = [word.split("=")[0].rstrip(",.;)") for word in words if word.startswith("--")]
     if words and words[0] in known:

@@ -25,7 +25,7 @@ from estimator.bringup.diagnosis.findings import channel_name
 from estimator.recordings.formats.generic import cell_text
 from estimator.tolerances.selftest import sensor_names
 
-_FORMAT = "# instobj bringup 1"
+_FORMAT = "# instobj bench bringup 1"
 _OWN = ("recording", "row", "rows", "sequence", "board_ms", "damaged_lines", "bus_errors")
 _SECTIONS = ("arrangement", "body", "shell", "core", "sensors", "magnets")
 

@@ -1,4 +1,4 @@
-"""`instobj collect`: a board's readings and their labels, into a recording that grows."""
+"""`instobj bench collect`: a board's readings and their labels, into a recording that grows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`instobj live`: a board, a recording or a simulated object on a page, recorded as `collect` does."""
+"""`instobj bench live`: a board, a recording or a simulated object on a page, recorded as `collect` does."""
 
 from __future__ import annotations
 

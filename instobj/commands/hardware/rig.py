@@ -1,4 +1,4 @@
-"""`instobj rig`: presses planned, done by a machine and recorded, or written for a robot arm."""
+"""`instobj bench rig`: presses planned, done by a machine and recorded, or written for a robot arm."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`instobj collect`: a dummy board on a pseudo-terminal, replays, interruptions and damage."""
+"""`instobj bench collect`: a dummy board on a pseudo-terminal, replays, interruptions and damage."""
 
 import os
 import signal
@@ -46,7 +46,7 @@ def collected(tmp_path, monkeypatch):
 def started(tmp_path, port, *arguments):
     """A collection running beside the test, once it has written its first rows."""
     process = subprocess.Popen(
-        [sys.executable, "-m", "instobj", "collect", "cube", "--port", port, *arguments],
+        [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port, *arguments],
         cwd=tmp_path,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
@@ -125,7 +125,7 @@ def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
         return board_lines(k, loads=False)
 
     with dummy_board(bare) as port:
-        command = [sys.executable, "-m", "instobj", "collect", "cube", "--port", port]
+        command = [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port]
         command += ["--force", "9.81", "--place", "3:0,0", "--zero", "15", "--frames", "40"]
         process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE, text=True)
         while rows_of(tmp_path) < 15:
@@ -179,7 +179,16 @@ def test_kill_loses_nothing_and_the_same_command_goes_on(tmp_path, collected):
 
 def test_a_board_that_is_unplugged_keeps_what_came(tmp_path):
     master, slave = os.openpty()
-    command = [sys.executable, "-m", "instobj", "collect", "cube", "--port", os.ttyname(slave)]
+    command = [
+        sys.executable,
+        "-m",
+        "instobj",
+        "bench",
+        "collect",
+        "cube",
+        "--port",
+        os.ttyname(slave),
+    ]
     process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)  # fmt: skip
     os.read(master, 10)
@@ -238,7 +247,7 @@ def test_another_board_does_not_append_to_the_file(tmp_path):
     """Through the command, which ends with one error."""
     (tmp_path / "cube.csv").write_text("time_s,session,rest,F1-X1,cell1_force_n,cell1_face\n")
     with dummy_board() as port:
-        done = run("collect", "cube", "--port", port, cwd=tmp_path)
+        done = run("bench", "collect", "cube", "--port", port, cwd=tmp_path)
     assert_one_clear_error(done, "other columns")
 
 
@@ -249,7 +258,7 @@ def test_a_board_without_force_is_told_so(tmp_path):
     asked = threading.Event()
     with dummy_board(bare, asked=asked) as port:
         process = subprocess.Popen(
-            [sys.executable, "-m", "instobj", "collect", "cube", "--port", port, "--zero", "0"],
+            [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port, "--zero", "0"],
             cwd=tmp_path, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
         assert asked.wait(60)

@@ -1,4 +1,4 @@
-"""`instobj live`: sources, recording, and what outlives the page."""
+"""`instobj bench live`: sources, recording, and what outlives the page."""
 
 import os
 import signal

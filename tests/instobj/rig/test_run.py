@@ -276,7 +276,15 @@ def test_after_a_fault_the_run_goes_on_without_pressing_twice(tmp_path, fault):
 
 def killed(made, given, when):
     """A run by the command line that is killed at a moment; then six seconds of the machine's time."""
-    arguments = ["rig", str(given.spec), "--port", made.port, "--board-port", made.board_port]
+    arguments = [
+        "bench",
+        "rig",
+        str(given.spec),
+        "--port",
+        made.port,
+        "--board-port",
+        made.board_port,
+    ]
     arguments += ["--out", str(given.out), "--face", "3", "--middle", "-150,-100", "--yes"]
     arguments += ["--depth", "1", "--depth", "2", "--speed", "4", "--presses", "3"]
     arguments += ["--rest", "0.5", "--reference-every", "0", "--clearance", "3"]

@@ -1,15 +1,16 @@
-"""Commands that meet real things: silicones, boards, recordings, built objects."""
+"""Commands of the bench: boards, machines and built objects, `instobj bench …`."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from instobj.cli import rig as cli_rig
 from instobj.cli.options import (
     HERE,
-    AsBuilt,
     AsJson,
     Baud,
     Forces,
@@ -18,32 +19,16 @@ from instobj.cli.options import (
     Overrides,
     Places,
     Port,
-    Recordings,
     ReplaySpeed,
     Seconds,
     Spec,
     ZeroFrames,
     ZeroMode,
     show,
-    with_as_built,
 )
 
-app = typer.Typer()
-
-
-@app.command()
-def recordings(
-    files: Recordings,
-    spec: Annotated[
-        Path | None, typer.Option(help="Specification of the object, for its contact grid.")
-    ] = None,
-    out: Out = HERE,
-    as_json: AsJson = False,
-) -> None:
-    """Read recordings, find and correct their faults, and write a data set to train on."""
-    from instobj.commands.training import read_recordings
-
-    show(read_recordings(files, out, spec), as_json)
+app = typer.Typer(help="Boards, machines and built objects.", no_args_is_help=True)
+app.add_typer(cli_rig.app)
 
 
 @app.command()
@@ -162,7 +147,6 @@ def live(
     speed: ReplaySpeed = 1.0,
     as_json: AsJson = False,
     overrides: Overrides = None,
-    as_built: AsBuilt = None,
 ) -> None:
     """Contacts, channels and their health on a page in the browser, while a board is read."""
     from instobj.commands.hardware.collect_options import CollectOptions
@@ -176,7 +160,7 @@ def live(
     )  # fmt: skip
     options = LiveOptions(
         spec, readings, tuple(model or ()), demo, Zeroing(zero, zero_frames),
-        tuple(with_as_built(overrides, as_built)), address, page_port, remote,
+        tuple(overrides or ()), address, page_port, remote,
         record is not None, seconds,
     )  # fmt: skip
     show(show_live(options), as_json)
@@ -223,17 +207,25 @@ def bringup(
 
 
 @app.command()
-def material(
-    source: Annotated[
-        str,
-        typer.Argument(
-            help="CSV of a tensile test, name of a silicone, or Shore hardness.", show_default=False
-        ),
+def selftest(
+    spec: Spec,
+    resting: Annotated[
+        Path,
+        typer.Argument(help="Recording, or CSV of frames at rest.", show_default=False),
     ],
-    out: Out = HERE,
     as_json: AsJson = False,
+    overrides: Overrides = None,
 ) -> None:
-    """Young's modulus of a silicone with its uncertainty; models fitted to a tensile test."""
-    from instobj.commands.material import describe_material
+    """Flipped magnets, swapped or dead channels, from the resting signals of a built object."""
+    from instobj.commands.recorded.validate import self_test_of
 
-    show(describe_material(source, out), as_json)
+    result = self_test_of(spec, resting, overrides or [])
+    show(result, as_json)
+    if not result["passed"]:
+        raise typer.Exit(1)
+
+
+def commands() -> list[Callable[..., None]]:
+    """Functions of all commands of the bench."""
+    registered = (*app.registered_commands, *cli_rig.app.registered_commands)
+    return [command.callback for command in registered if command.callback is not None]
