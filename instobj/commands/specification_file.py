@@ -27,7 +27,7 @@ ESSENTIAL = {
     "score.force_n",
     "score.channels",
     *(f"limits.{key}" for key in ("use", "position_bound_mm", "detectable_force_n")),
-    *(f"search.{key}" for key in ("objectives", "seconds")),
+    "search.seconds",
     *(f"search.vary.{key}" for key in ("layouts", "magnet_reach_mm", "sensor_reach_mm")),
 }
 """Keys that are written beside those placed; the others have their defaults."""
