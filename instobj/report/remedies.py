@@ -86,6 +86,13 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
     }
 
 
+def _above(ratio: float) -> str:
+    """Return by how much a figure is above its limit, rounded so that it is never nothing."""
+    if ratio >= 1.1:
+        return f"{ratio:.3g} times"
+    return f"{100 * (ratio - 1):.2g} % above"
+
+
 def decision(found: list[Remedy], go: bool) -> str:
     """What to do, in one or two sentences."""
     if go:
@@ -97,7 +104,7 @@ def decision(found: list[Remedy], go: bool) -> str:
     if not found:
         return "None of the changes tried here fits"
     nearest = min(found, key=_order)
-    left = f"Nearest: {nearest.told}, with a figure still {nearest.ratio:.3g} times its limit"
+    left = f"Nearest: {nearest.told}, with a figure still {_above(nearest.ratio)} its limit"
     if not isfinite(nearest.ratio):
         left = "After each of them some locations stay blind up to the deepest press"
         if isfinite(nearest.bound_mm):

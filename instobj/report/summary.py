@@ -34,6 +34,8 @@ from instobj.store.readers import (
     ResultFile,
 )
 
+AREAS_TITLE = "bounds by area (medians over all faces, fresh zero)"
+
 
 def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) -> dict[str, Any]:
     """Title → numbers (or rows of numbers) for the stages that have results. NaN becomes None.
@@ -46,7 +48,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("response", "mechanics", _read(RESPONSE_SIZE)),
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
         ("discretisation", "discretisation error", _discretisation),
-        ("scores", "bounds by area (medians over all faces, fresh zero)", _areas),
+        ("scores", AREAS_TITLE, _areas),
         ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 Content = TypeVar("Content")
 _LIBRARIES = ("instobj",)
+_WORTH_A_LINE_S = 0.5
+"""Time of a stage above which it gets a line of its own in a log, s."""
 _UNITS_BY_ENDING = {"n_per_mm": "N/mm", "mm": "mm", "n": "N", "deg": "deg"}
 _UNITS_BY_NAME = {
     "delta_raw": "count^d/N",
@@ -159,8 +161,10 @@ class Run:
         with self.progress.stage(stage.title):
             result = stored(self.root, name, inputs, make, self.progress.say)
         self.results[name] = self.found[key] = result
-        how = "reused, first made in" if result.reused else "made in"
-        self.progress.say(f"{stage.title}: {how} {result.seconds:.1f} s")
+        if result.reused:
+            self.progress.step(f"{stage.title}: reused")
+        elif result.seconds >= _WORTH_A_LINE_S:
+            self.progress.say(f"{stage.title}: made in {result.seconds:.1f} s")
         return result
 
     def _of(self, spec: ObjectSpec) -> Run:

@@ -96,6 +96,11 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
 
 
+def test_a_figure_just_above_its_limit_is_told_as_above_it():
+    told = decision(remedies(SPEC, [START, row(("a",), bound_mm=2.004)]), go=False)
+    assert "0.2 % above its limit" in told
+
+
 def test_the_page_shows_what_the_object_itself_costs():
     section = remedies_section(SPEC, {"alternatives": [START, row(("a",), sensors=11)]}, go=False)
     specified, changed = section["alternatives"]
