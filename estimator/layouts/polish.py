@@ -28,10 +28,11 @@ _MM_PER_EXCESS = 10.0
 """A score or channel beyond its limit by a tenth counts as a length broken by 1 mm."""
 _AFTER_ALL = 100.0
 """More than logarithms of bounds differ by; it has no slope."""
-ROUNDING_MM = 1e-3
-"""What breaks a limit by less is called to keep it. Walks and runs keep limits to the last bit; judged again in
-another batch, the same layout differs by up to 1e-4 (single precision; a score's 1e-5 counts tenfold). Places
-lie `SLACK_MM`, 20 times as much, within their limits; scores then exceed theirs by 0.01 % at most."""
+ROUNDING_MM = 2e-3
+"""What breaks a limit by less is called to keep it. Walks and runs keep limits to the last bit; in another
+batch the same layout's places differ by 1e-5 mm, its position bounds by up to 1.2e-4 of themselves
+(`estimator.layouts.bounds`), which counts tenfold. Rules of places keep ten times as much free, `SLACK_MM`;
+scores and prices exceed their limits by 0.02 % at most."""
 _LEARNING_RATE = 0.03
 """Of the unit cube: 1 mm in a range of 30."""
 

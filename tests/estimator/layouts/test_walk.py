@@ -10,7 +10,14 @@ from design.search.structure import with_structure
 from design.spec.search import SearchSpec
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import PlaceBounds, position_bounds
-from estimator.layouts.polish import Judged, LowestFidelity, judge, polish, walk
+from estimator.layouts.polish import (
+    ROUNDING_MM,
+    Judged,
+    LowestFidelity,
+    judge,
+    polish,
+    walk,
+)
 from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.vectors import layout_space
@@ -20,7 +27,6 @@ FACES, OBJECTIVES, MEDIAN = (1, 3), ("worst_position_bound_mm",), "median_positi
 MAGNETS = {"magnet_reach_mm": 14.0, "magnet_depth_mm": [2.0, 5.0]}
 WITHIN, BOARDS_TOO_CLOSE = MAGNETS, MAGNETS | {"sensor_reach_mm": 10.0}
 DISTURBANCE, STEPS, RATE = 1e-6, 40, 0.01
-HAIR_MM = 1e-3
 
 
 class Start:
@@ -31,6 +37,7 @@ class Start:
         spec = made_up_spec().model_copy(update={"search": search})
         motions, space = made_up_motions(spec), search_space(spec)
         params = start_params(space)
+        assert params is not None
         scorers = tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in FACES)
         before = position_bounds(scorers, [layouts_of(spec, face) for face in FACES])
         tensors = layout_space(space, with_structure(spec, params))
@@ -58,7 +65,7 @@ class Start:
 
 def broken_anew(begin, end):
     """How many ends break a limit that their beginning kept, by more than rounding."""
-    return int(((begin.broken <= HAIR_MM) & (end.broken > HAIR_MM)).any(dim=1).sum())
+    return int(((begin.broken <= ROUNDING_MM) & (end.broken > ROUNDING_MM)).any(dim=1).sum())
 
 
 def test_walks_from_within_all_limits_end_there_and_better():
@@ -73,7 +80,7 @@ def test_walks_from_a_broken_limit_break_no_other():
     begin, end = Start(BOARDS_TOO_CLOSE).walked(24)
     assert (begin.broken_mm > 8).all()
     assert broken_anew(begin, end) == 0
-    assert (end.broken.sum(dim=1) <= begin.broken.sum(dim=1) + HAIR_MM).all()
+    assert (end.broken.sum(dim=1) <= begin.broken.sum(dim=1) + ROUNDING_MM).all()
     assert (end.broken_mm == 0).sum() > 12
 
 
