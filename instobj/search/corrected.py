@@ -15,12 +15,11 @@ from typing import Any
 
 import numpy as np
 import torch
-from jaxtyping import Float
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, unit_of
 from estimator.layouts.fidelity import bounds_by_press
-from estimator.layouts.polish import Judged, LowestFidelity, descend, judge
+from estimator.layouts.polish import Judged, LowestFidelity, judge, walk
 from instobj.search.lowest_fidelity import StartScores, misfit_of, structure_fidelity
 from instobj.search.verdict import FIRST, SECOND, Promoted, score_at
 
@@ -53,20 +52,19 @@ def corrected_params(
     centre = torch.as_tensor(unit[free], dtype=torch.float32)
     poles = torch.tensor([polarities(lowest.space.structured, params)]).expand(len(_SPREAD), -1)
 
-    def judged_at(walk: torch.Tensor) -> Judged:
-        point = (centre + _REACH * (2 * walk - 1)).clamp(0, 1)
+    def judged_at(near: torch.Tensor) -> Judged:
+        point = (centre + _REACH * (2 * near - 1)).clamp(0, 1)
         return judge(lowest, point, poles[: len(point)], objectives)
 
-    def loss(walk: torch.Tensor) -> Float[torch.Tensor, "layout"]:
-        return judged_at(walk).loss(torch.ones(len(objectives)))
-
+    weights = torch.ones(len(objectives))
     rng = np.random.default_rng(space.spec.seed)
     away = np.array(_SPREAD)[:, None] * rng.normal(size=(len(_SPREAD), int(free.sum())))
     begin = torch.as_tensor(0.5 + 0.5 * away, dtype=torch.float32).clamp(0, 1)
-    walked = descend(loss, begin, _STEPS, _RATE, over)
+    walked = walk(judged_at, begin, weights, _STEPS, _RATE, over)
     with torch.no_grad():
-        broken, worth = judged_at(walked).broken_mm, loss(walked)
-        before = float(loss(torch.full_like(walked[:1], 0.5)))
+        judged = judged_at(walked)
+        broken, worth = judged.broken_mm, judged.loss(weights)
+        before = float(judged_at(torch.full_like(walked[:1], 0.5)).loss(weights))
     for row in worth.argsort().tolist():
         unit[free] = (centre + _REACH * (2 * walked[row] - 1)).clamp(0, 1).numpy()
         chosen = {v.name: params[v.name] for v in space.variables if v.choices}

@@ -50,12 +50,12 @@ from estimator.layouts.polish import (
     Judge,
     Judged,
     LowestFidelity,
-    descend,
     judge,
     polish,
     population,
     populations,
     runs_together,
+    walk,
 )
 from estimator.layouts.presses.basis import PressBasis, faces_differ, press_bases
 from estimator.layouts.scorer import LayoutScorer, layout_scorer
@@ -336,15 +336,13 @@ def _better(
     """The better of an end and of a walk from a beginning, both points of a trial."""
     end, begin = points
 
-    def loss(point: torch.Tensor) -> torch.Tensor:
-        rows = torch.full((len(point),), row)
-        return judge_at(point, rows).loss(weights)
+    def judged_at(point: torch.Tensor) -> Judged:
+        return judge_at(point, torch.full((len(point),), row))
 
     steps = min(search.polish_steps, _START_STEPS)
-    walked = descend(loss, begin[None], steps, _START_RATE)[0]
-    both = torch.stack([end, walked])
+    both = torch.cat([end[None], walk(judged_at, begin[None], weights, steps, _START_RATE)])
     with torch.no_grad():
-        return both[loss(both).nan_to_num(torch.inf).argmin()]
+        return both[judged_at(both).loss(weights).nan_to_num(torch.inf).argmin()]
 
 
 def _scored(

@@ -55,7 +55,7 @@ def prepared(monkeypatch):
 
     def judge(lowest, unit, poles, objectives):
         worth = 1 + ((unit - 0.5) ** 2).sum(dim=1, keepdim=True)
-        return Judged(worth, torch.zeros(len(unit)), torch.zeros(len(unit)), {}, worth)
+        return Judged(worth, torch.zeros(len(unit), 1), torch.zeros(len(unit)), {}, worth)
 
     monkeypatch.setattr(corrected, "structure_fidelity", fidelity)
     monkeypatch.setattr(corrected, "judge", judge)
