@@ -26,19 +26,18 @@ _END_BYTES = len(_END) + hashlib.sha256().digest_size
 _OTHERS_MAY_WRITE = 0o022
 
 
-def seal_file(path: Path) -> None:
-    """Write the checksum into a finished file that holds `SEAL` once.
+def sealed(content: bytes) -> bytes:
+    """A finished file's bytes, which hold `SEAL` once, with the checksum in its place.
 
     Raises
     ------
     ValueError
         `SEAL` is not there exactly once.
     """
-    content = path.read_bytes()
     if content.count(SEAL.encode()) != 1:
-        raise ValueError(f"{path} holds {content.count(SEAL.encode())} seals, not 1")
+        raise ValueError(f"the file holds {content.count(SEAL.encode())} seals, not 1")
     digest = hashlib.sha256(content).hexdigest().encode()
-    path.write_bytes(content.replace(SEAL.encode(), _MARK + digest))
+    return content.replace(SEAL.encode(), _MARK + digest)
 
 
 def sealed_content(path: Path, advice: str) -> bytes:

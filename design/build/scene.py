@@ -100,6 +100,7 @@ def _coloured(mesh: trimesh.Trimesh, colour: tuple[float, ...]) -> trimesh.Trime
     from trimesh.visual.material import PBRMaterial
 
     copy = mesh.copy()
+    copy.metadata.clear()  # names of temporary files would go into the GLB
     mode = "BLEND" if colour[3] < 1 else "OPAQUE"
     material = PBRMaterial(
         baseColorFactor=colour, metallicFactor=0.1, roughnessFactor=0.7, alphaMode=mode
