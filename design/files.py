@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from design.errors import InputError, StoreError
+from design.errors import FullDisk, InputError, StoreError
 
 _NO_ROOM = {
     errno.ENOSPC: "no space left on its disk",
@@ -65,24 +65,44 @@ def full_disk_told(target: Path, written: Path) -> Iterator[None]:
 
     Raises
     ------
-    StoreError
-        The disk, or the user's share of it, is full.
+    FullDisk
+        The disk, or the user's share of it, is full; of `target`, whatever file of `written` failed.
     """
     try:
         yield
-    except StoreError:
-        raise
     except OSError as error:
-        if error.errno not in _NO_ROOM:
+        reason = _NO_ROOM.get(error.errno or 0)
+        if error.errno is None and " requested and " in str(
+            error
+        ):  # ndarray.tofile drops the number
+            reason = _NO_ROOM[errno.ENOSPC]
+        if isinstance(error, FullDisk) and written in error.path.parents:
+            reason = error.reason
+        if reason is None:
             raise
         files = [path for path in (written, *written.rglob("*")) if path.is_file()]
         megabytes = sum(path.stat().st_size for path in files) / 1e6
         free = shutil.disk_usage(written.parent).free / 1e6
-        raise StoreError(
-            f"cannot write {target}: {_NO_ROOM[error.errno]}; {free:.1f} MB are free beside the "
-            f"{megabytes:.1f} MB that were written, and it needs more. Make room there, or choose another "
-            "folder (--out; for stored results INSTOBJ_STORE)"
+        raise FullDisk(
+            f"cannot write {target}: {reason}; {free:.1f} MB are free beside the {megabytes:.1f} MB "
+            "that were written, and it needs more. Make room there, or choose another folder (--out; "
+            "for stored results INSTOBJ_STORE, for temporary files TMPDIR)",
+            target,
+            reason,
         ) from error
+
+
+def write_whole(handle: int, content: bytes) -> None:
+    """Write all bytes to an open file; the system writes the first of them alone as a disk fills.
+
+    Raises
+    ------
+    OSError
+        The disk is full; some bytes may have been written.
+    """
+    rest = memoryview(content)
+    while rest:
+        rest = rest[os.write(handle, rest) :]
 
 
 def reserve_room(path: Path, start: int) -> None:

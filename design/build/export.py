@@ -3,7 +3,9 @@
 # pyright: reportAttributeAccessIssue=false
 from __future__ import annotations
 
+import errno
 import io
+import os
 import re
 from collections.abc import Callable
 from importlib.metadata import version
@@ -164,9 +166,17 @@ def _without_changing_marks(step: bytes) -> bytes:
 def _write_stl(solid: cq.Solid, target: Path, export: ExportSpec) -> trimesh.Trimesh:
     with atomic_path(target) as path:
         fineness = (export.mesh_tolerance_mm, export.mesh_angle_rad)
-        if not solid.exportStl(str(path), *fineness, relative=False):
-            raise InputError(f"cannot write {target}. Choose a writable folder with room left")
+        told = solid.exportStl(str(path), *fineness, relative=False)
+        if not told or not _is_whole(path):  # the kernel does not say why
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         return _closed(path, target.stem)
+
+
+def _is_whole(stl: Path) -> bool:
+    """Whether a binary STL is as long as it says: 84 bytes, and 50 for each triangle."""
+    with stl.open("rb") as file:
+        head = file.read(84)
+    return stl.stat().st_size == 84 + 50 * int.from_bytes(head[80:84], "little")
 
 
 def _closed(path: Path, name: str) -> trimesh.Trimesh:

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from design.errors import StoreError
 from design.files import atomic_path
 from design.layout.boards import board_blocks
 from design.layout.places.positions import MagnetLayout, magnet_layout
@@ -56,13 +55,8 @@ def write_glb(scene: trimesh.Scene, target: Path) -> None:
     """
     turned = scene.copy()
     turned.apply_transform(_GLTF_FRAME)
-    try:
-        with atomic_path(target) as path:
-            turned.export(path, file_type="glb")
-    except StoreError:
-        raise
-    except OSError as error:
-        raise StoreError(f"cannot write {target}: {error.strerror}. Make room there") from error
+    with atomic_path(target) as path:
+        turned.export(path, file_type="glb")
 
 
 def magnet_halves(
