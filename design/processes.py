@@ -6,7 +6,9 @@ each of these is one error.
 
 from __future__ import annotations
 
+import errno
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -14,7 +16,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from design.errors import InputError
+from design.errors import FullDisk, InputError
 
 MEMORY_SWITCH = "INSTOBJ_MEMORY_GIB"
 _GIB = 2.0**30
@@ -37,7 +39,7 @@ def run_child(
     """Run Python with these arguments in a folder, at most so long and in so much memory.
 
     A program that fails says why in the last line of its standard error. The limit of
-    memory holds on Linux alone.
+    memory holds on Linux alone: elsewhere a program may fill the memory until its time is over.
 
     Raises
     ------
@@ -45,6 +47,8 @@ def run_child(
         It did not end in time.
     ChildFailed
         It crashed, ran out of memory, or ended with another code than 0.
+    FullDisk
+        It could not write its temporary files.
     """
     with tempfile.TemporaryFile("w+", errors="replace") as said:
         child = subprocess.Popen(
@@ -60,7 +64,9 @@ def run_child(
             child.wait()
         said.seek(0)
         if child.returncode != 0:
-            raise ChildFailed(_reason(child.returncode, said.read(), memory_gib))
+            text = said.read()
+            _require_room(text, folder)
+            raise ChildFailed(_reason(child.returncode, text, memory_gib))
 
 
 def machine_memory_gib() -> float | None:
@@ -102,6 +108,20 @@ def _limit_memory(pid: int, gib: float | None) -> None:
         resource.prlimit(pid, resource.RLIMIT_AS, (most, most))
     except (ProcessLookupError, ValueError):  # it has ended, or may not have so much anyway
         return
+
+
+def _require_room(said: str, folder: Path) -> None:
+    """Raise FullDisk where a program said, as Python does, that the system had no room."""
+    for number in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+        if f"[Errno {number}]" in said:
+            reason = os.strerror(number)
+            free = shutil.disk_usage(folder).free / 1e6
+            raise FullDisk(
+                f"cannot write temporary files in {folder.parent}: {reason}; {free:.1f} MB are free, and "
+                "more are needed. Make room there, or set TMPDIR to a folder elsewhere",
+                folder,
+                reason,
+            )
 
 
 def _reason(code: int, said: str, memory_gib: float | None) -> str:

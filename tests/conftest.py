@@ -45,6 +45,7 @@ def pytest_configure(config):
     if not hasattr(config, "workerinput"):
         shared = tempfile.mkdtemp(prefix="instobj_tests_")
         os.environ["INSTOBJ_TESTS_SHARED"] = shared  # for `tests.support.shared`, in all workers
+        os.environ["XDG_STATE_HOME"] = shared  # not the list of files that the user wrote
         config.add_cleanup(lambda: shutil.rmtree(shared, ignore_errors=True))
     else:
         config.args = scheduling.own_turn(config.args, config.workerinput)

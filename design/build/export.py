@@ -1,7 +1,12 @@
 """Export of every part of an object as STL, 3MF and STEP files, described in a manifest."""
 
+# pyright: reportAttributeAccessIssue=false
 from __future__ import annotations
 
+import errno
+import io
+import os
+import re
 from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
@@ -24,6 +29,8 @@ from design.spec_io import spec_hash
 if TYPE_CHECKING:
     import trimesh
 
+_STEP_TIME = re.compile(rb"(FILE_NAME\('[^']*',\s*)'[^']*'")
+_STEP_COUNT = re.compile(rb"('Open CASCADE STEP translator [\d.]+) \d+'")
 _LIBRARIES = ("instobj", "cadquery", "cadquery-ocp", "trimesh", "numpy")
 
 
@@ -133,19 +140,43 @@ def _write_3mf(
 
 
 def _write_step(solid: cq.Solid, target: Path) -> None:
-    from OCP.IFSelect import IFSelect_RetDone  # pyright: ignore[reportAttributeAccessIssue]
+    """By CadQuery's settings, through memory; equal solids give equal files."""
+    from OCP.IFSelect import IFSelect_RetDone
+    from OCP.Interface import Interface_Static
+    from OCP.STEPControl import STEPControl_AsIs, STEPControl_Writer
 
+    writer, content = STEPControl_Writer(), io.BytesIO()
+    Interface_Static.SetIVal_s("write.surfacecurve.mode", 1)
+    Interface_Static.SetIVal_s("write.precision.mode", 0)
+    Interface_Static.SetCVal_s("xstep.cascade.unit", "MM")
+    Interface_Static.SetCVal_s("write.step.unit", "MM")
+    writer.Transfer(solid.wrapped, STEPControl_AsIs)
+    if writer.WriteStream(content) != IFSelect_RetDone:
+        raise InputError(f"{target.stem} cannot be written as STEP. Change its dimensions a little")
     with atomic_path(target) as path:
-        if solid.exportStep(str(path)) != IFSelect_RetDone:
-            raise InputError(f"cannot write {target}. Choose a writable folder with room left")
+        path.write_bytes(_without_changing_marks(content.getvalue()))
+
+
+def _without_changing_marks(step: bytes) -> bytes:
+    """STEP without the time in its header, and without the kernel's count of models of this process."""
+    step = _STEP_TIME.sub(rb"\1'1980-01-01T00:00:00'", step, count=1)
+    return _STEP_COUNT.sub(rb"\1 1'", step)
 
 
 def _write_stl(solid: cq.Solid, target: Path, export: ExportSpec) -> trimesh.Trimesh:
     with atomic_path(target) as path:
         fineness = (export.mesh_tolerance_mm, export.mesh_angle_rad)
-        if not solid.exportStl(str(path), *fineness, relative=False):
-            raise InputError(f"cannot write {target}. Choose a writable folder with room left")
+        told = solid.exportStl(str(path), *fineness, relative=False)
+        if not told or not _is_whole(path):  # the kernel does not say why
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         return _closed(path, target.stem)
+
+
+def _is_whole(stl: Path) -> bool:
+    """Whether a binary STL is as long as it says: 84 bytes, and 50 for each triangle."""
+    with stl.open("rb") as file:
+        head = file.read(84)
+    return stl.stat().st_size == 84 + 50 * int.from_bytes(head[80:84], "little")
 
 
 def _closed(path: Path, name: str) -> trimesh.Trimesh:

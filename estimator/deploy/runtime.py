@@ -94,23 +94,44 @@ def open_session(path: Path) -> Any:
     Raises
     ------
     InputError
-        Not a file that onnxruntime reads.
+        Not a file that onnxruntime reads, or one with tensors in other files.
     """
     import onnxruntime
+
+    content = path.read_bytes()
+    _require_self_contained(path, content)
 
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = 1  # networks this small gain nothing from more
     options.inter_op_num_threads = 1
     options.log_severity_level = 4
     try:
-        return onnxruntime.InferenceSession(
-            path.read_bytes(), options, providers=["CPUExecutionProvider"]
-        )
+        return onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
     except Exception as error:  # onnxruntime's errors share no base class of their own
         reason = str(error).splitlines()[0][:120]
         raise InputError(
             f"{path} is not an ONNX file that onnxruntime reads ({reason}). {_ADVICE}"
         ) from None
+
+
+def _require_self_contained(path: Path, content: bytes) -> None:
+    """Refuse tensors in other files before onnxruntime opens these."""
+    import onnx
+    from google.protobuf.message import DecodeError
+
+    try:
+        waiting: list[Any] = [onnx.load_model_from_string(content)]
+    except DecodeError:
+        raise InputError(f"{path} is not an ONNX file. {_ADVICE}") from None
+    while waiting:
+        message = waiting.pop()
+        if isinstance(message, onnx.TensorProto) and message.external_data:
+            raise InputError(
+                f"{path} keeps the tensor {message.name!r} in another file, which is not read. {_ADVICE}"
+            )
+        for part, value in message.ListFields():
+            if part.message_type is not None:
+                waiting.extend(value if part.is_repeated else [value])
 
 
 def run_model(model: DeployedModel, counts: Float[np.ndarray, "frame channel"]) -> Prediction:

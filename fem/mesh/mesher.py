@@ -14,6 +14,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import SolverError
+from design.files import full_disk_told
 from design.imports import deferred
 from design.processes import ChildFailed, ChildTooSlow, machine_memory_gib, run_child
 
@@ -37,7 +38,8 @@ def run_mesher(
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         given, made = folder / "in.npz", folder / "out.npz"
-        np.savez(given, **content)  # pyright: ignore[reportArgumentType]
+        with full_disk_told(given, folder):
+            np.savez(given, **content)  # pyright: ignore[reportArgumentType]
         command = (*_CHILD, str(given), str(made))
         try:
             run_child(command, folder, seconds, machine_memory_gib())

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import InputError, StoreError
+from design.files import write_whole
 from instobj.rig.mounting import Mounting
 from instobj.rig.plan import PressPlan, plan_of
 
@@ -106,7 +107,7 @@ def _append(path: Path, document: dict[str, Any]) -> None:
     try:
         handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
         try:
-            os.write(handle, (json.dumps(document) + "\n").encode())
+            write_whole(handle, (json.dumps(document) + "\n").encode())
             os.fsync(handle)
         finally:
             os.close(handle)

@@ -176,8 +176,8 @@ FIGURES = {
         "POST_HEIGHT_MM": 4.0, "POST_MM": 7.3, "BLOCK_MM": 10.0, "CHAMFER_MM": 3.0,
     },
     design.netcdf: {
-        "_LARGEST_CHUNK_BYTES": 2**30, "_SEAL_BYTES": 48, "FIRST_READING_S": 120.0,
-        "_FIRST_READING_BYTES_PER_S": 2e7,
+        "_LARGEST_CHUNK_BYTES": 2**30, "FIRST_READING_S": 120.0,
+        "_FIRST_READING_BYTES_PER_S": 2e7, "MEMORY_GIB": 8.0,
     },
     design.placement.asked: {
         "_GROWTH": 1.25, "_LARGEST_GROWTH": 8.0, "_LARGEST_BESIDE": 3.1, "_HALVINGS": 3, "_PLATE": 0.5,

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from design.errors import InputError, StoreError
-from design.files import require_regular_file
+from design.files import require_regular_file, write_whole
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.bringup.asking.asked import Recording, asked_of, further_holds
@@ -73,7 +73,7 @@ class Journal:
     def _write(self, text: str) -> None:
         try:
             with self.path.open("ab", buffering=0) as file:
-                file.write(text.encode())
+                write_whole(file.fileno(), text.encode())
                 os.fsync(file.fileno())
         except OSError as error:
             raise StoreError(f"cannot write {self.path}: {error.strerror}. Make room") from None
