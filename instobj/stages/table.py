@@ -84,7 +84,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell"),
         make_sheet,
-        version=10,
+        version=11,
     ),
     "fabrication": Stage(
         "design: fabrication checks",
