@@ -92,8 +92,8 @@ def resumed_journal(path: Path) -> Journal:
     try:
         first, *rest = (json.loads(line) for line in content[:whole].splitlines())
         plan, where = plan_of(first["plan"]), first["mounting"]
-        x, y = where["middle_mm"]
-        mounting = Mounting((float(x), float(y)), float(where["turn_deg"]))
+        x, y, z = where["middle_mm"]
+        mounting = Mounting((float(x), float(y), float(z)), float(where["turn_deg"]))
         finished = {one["press"]: one for one in rest if one["event"] == "finished"}
         session = int(first["session"])
     except (ValueError, KeyError, TypeError) as error:
