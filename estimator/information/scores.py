@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
@@ -26,7 +27,9 @@ from estimator.information.sensitivity import (
     own_channels,
     periodic_press,
 )
-from estimator.signals.interpolation import Traces, depth_at_force, press_traces, signal_gradient
+from estimator.signals.hall import full_scale_counts
+from estimator.signals.interpolation import Traces, depth_at_force, press_traces
+from estimator.signals.live import live_jacobian, read_change
 from estimator.signals.presses import Signals, require_finite
 
 Area = Literal["corner", "edge", "mid_edge", "centre"]
@@ -158,15 +161,19 @@ def _score_face(
     reach = traces.force_n[:, -1]
     force = np.minimum(spec.score.force_n, reach)
     depth = depth_at_force(traces, force[:, None])[:, 0]
-    jacobian = signal_gradient(signals, *where, force).jacobian[:, used]
+    jacobian = live_jacobian(spec, signals, *where, force)[:, used]
     noise = channel_noise(spec.sensors, live.size)[own]
-    row: dict[str, Any] = _sensitivities(spec, every.of_channels(own), force, face, noise)
+    rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
+    press = _periodic_press(spec, every.of_channels(own), force)
+    press = read_change(rest[own], press, most)
+    row: dict[str, Any] = _sensitivities(spec, press, force, face, noise)
     for state in ("fresh", "drifted"):
         sigma = disturbance_counts(spec.sensors, state, live.size)[used]
         bounds = cramer_rao_bounds(jacobian, sigma)
         row[f"position_bound_{state}_mm"] = bounds.position_mm
         row[f"force_bound_{state}_n"] = bounds.force_n
-        row[f"detectable_force_{state}_n"] = detectable_force_n(traces, sigma)
+        read = partial(read_change, rest[used], range_counts=most)
+        row[f"detectable_force_{state}_n"] = detectable_force_n(traces, sigma, read=read)
         if state == "fresh":
             x, y = bounds.weakest_direction.T
             row["weakest_direction_deg"] = np.rad2deg(np.arctan2(y, x)) % 180
@@ -178,15 +185,21 @@ def _score_face(
     }
 
 
+def _periodic_press(
+    spec: ObjectSpec, own: Traces, force_n: Float[np.ndarray, "place"]
+) -> Float[np.ndarray, "place frame channel"]:
+    form, frames = spec.score.hull, spec.score.hull_frames
+    return periodic_press(own, force_n, _COVARIANCE_SAMPLES if form == "covariance" else frames)
+
+
 def _sensitivities(
     spec: ObjectSpec,
-    own: Traces,
+    press: Float[np.ndarray, "place frame channel"],
     force_n: Float[np.ndarray, "place"],
     face: int,
     noise: Float[np.ndarray, "channel"],
 ) -> dict[str, Float[np.ndarray, "place"]]:
     form, frames = spec.score.hull, spec.score.hull_frames
-    press = periodic_press(own, force_n, _COVARIANCE_SAMPLES if form == "covariance" else frames)
     if form == "covariance":
         raw = covariance_sensitivity(press, force_n, noise, frames)
     else:

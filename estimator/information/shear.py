@@ -24,6 +24,7 @@ from estimator.information.scores import on_places
 from estimator.information.sensitivity import own_channels
 from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field
 from estimator.signals.interpolation import press_traces, signal_gradient
+from estimator.signals.live import live_in_press
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions
@@ -103,13 +104,14 @@ def contact_jacobian(
     where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
     traces = press_traces(signals, *where)
     force = np.minimum(spec.score.force_n, traces.force_n[:, -1])
-    normal = signal_gradient(signals, *where, force).jacobian
+    gradient = signal_gradient(signals, *where, force)
+    live = live_in_press(spec, signals.baseline_counts, gradient.counts)
     per_n = shear.counts_per_n[list(shear.faces).index(face), there]
     rest_first = np.concatenate([per_n[:, :1], per_n], axis=1).reshape(*traces.force_n.shape, -1)
     carry_over_missing(rest_first)
     tangential = monotone_cubic(traces.force_n, rest_first, force[:, None])[:, 0]
     tangential = tangential.reshape(len(xy), 2, -1).swapaxes(1, 2)
-    return np.concatenate([normal, tangential], axis=2)
+    return np.concatenate([gradient.jacobian, tangential], axis=2) * live[..., None]
 
 
 def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:

@@ -31,7 +31,7 @@ from instobj.report.uncertainty import (
     modulus_text,
     travel_text,
 )
-from instobj.report.verdict import judge
+from instobj.report.verdict import judge, objects_text
 from instobj.report.weak_areas import weak_areas_section
 from instobj.store import readers
 from instobj.store.readers import BOUND_OVERVIEW, published_files
@@ -74,7 +74,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
     """Write the page from the folders of the stages it stands on."""
     scores = readers.SCORES.read(inputs["scores"])
     curves = readers.PRESS_CURVES.read(inputs["press_curves"])
-    verdict = judge(spec, scores, curves["saturation_margin"])
+    budget = readers.ROBUSTNESS.read(inputs["robustness"])
+    verdict = judge(spec, scores, curves["saturation_margin"], budget.saturation)
     protocol = readers.PROTOCOL.read(inputs["frames"])
     page = render(
         "report.html.j2",
@@ -208,6 +209,7 @@ def _robustness(inputs: Inputs) -> dict[str, Any]:
             for row in bound_rows(budget)
         ],
         "draws": budget.draws,
+        "saturation": f"{objects_text(budget.saturation).capitalize()}.",
         "budget_forces": forces_told(budget),
         "seat_error": SEAT_ERROR,
     }

@@ -18,7 +18,7 @@ import torch
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, unit_of
-from estimator.layouts.fidelity import bounds_by_press
+from estimator.layouts.fidelity import MARGINS, bounds_by_press
 from estimator.layouts.polish import Judged, LowestFidelity, judge, walk
 from instobj.search.lowest_fidelity import StartScores, misfit_of, structure_fidelity
 from instobj.search.verdict import FIRST, SECOND, Promoted, score_at
@@ -90,8 +90,11 @@ def corrected_fidelity(
 
 
 def _counts_over_lowest(one: Promoted) -> float:
-    low, high = (1 - one.levels[level].saturation_margin for level in (FIRST, SECOND))
-    return _CHAIN_OVER_WALKED * high / low
+    low, high = (
+        np.array([1 - getattr(one.levels[level], name) for name in MARGINS])
+        for level in (FIRST, SECOND)
+    )
+    return _CHAIN_OVER_WALKED * float(np.max(high / low))
 
 
 def _corrected(name: str, start: Promoted, one: Promoted) -> float:

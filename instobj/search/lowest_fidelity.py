@@ -187,8 +187,9 @@ def structure_fidelity(
     )
     constants, broken = decided_by_structure(structured, every), broken_by_structure(structured)
     limits = structured.search.limits.times_start
-    most_counts = full_scale_counts(structured.sensors) * (1 - structured.limits.saturation_margin)
-    at_most = {"largest_counts": most_counts / start.counts_over_lowest} | {
+    most_counts = full_scale_counts(structured.sensors) / start.counts_over_lowest
+    free = structured.limits.saturation_margin
+    at_most = {"largest_counts": (1 - free) * most_counts, "kept_counts": most_counts} | {
         name: 1 / (factor * start.scores[name])
         if name in OBJECTIVES_TO_MAXIMIZE
         else factor * start.scores[name]

@@ -166,7 +166,7 @@ STAGES: dict[str, Stage] = {
             *("search.forces_n", "search.baseline", "search.compliance_mm_per_n", "search.task"),
         ),
         make_second_fidelity,
-        version=3,
+        version=4,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
@@ -190,7 +190,7 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=6
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=7
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
@@ -211,13 +211,14 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals", "shear"),
         ("score",),
         make_shear_scores,
+        version=2,
     ),
     "identify": Stage(
         "sensitivity: several simultaneous contacts",
         ("presses", "signals"),
         ("score", "limits.position_bound_mm", "seed"),
         make_identify,
-        version=2,
+        version=3,
     ),
     "robustness": Stage(
         "robustness: tolerances",
@@ -227,7 +228,7 @@ STAGES: dict[str, Stage] = {
             *("score.force_n", "score.channels", "tolerances", "seed"),
         ),
         make_robustness,
-        version=2,
+        version=3,
     ),
     "frames": Stage(
         "estimator: simulated presses",
@@ -314,17 +315,17 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         (
             *(*_MAKING, "silicone", "score", "seed", "mechanics", "contact_grid", "press"),
-            *("environment", "as_built", "limits"),
+            *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=4,
+        version=5,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",
         (),
         ("name", "mechanics.slip", "score"),
         make_slip,
-        version=2,
+        version=3,
         of_others=objects_compared,
     ),
     "scene": Stage(
@@ -358,7 +359,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "search.prices", "silicone"),
         make_report,
-        version=16,
+        version=17,
     ),
 }
 """In the order in which a command works through those that it needs."""

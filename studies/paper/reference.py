@@ -174,7 +174,8 @@ def cramer_rao_row(recorded: SimulatedObject, face: int) -> dict[str, float]:
     from design.layout.places.contact_grid import contact_grid
     from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
     from estimator.information.sensitivity import own_channels
-    from estimator.signals.interpolation import press_traces, signal_gradient
+    from estimator.signals.interpolation import press_traces
+    from estimator.signals.live import live_jacobian
 
     spec, signals = recorded.spec, recorded.signals
     xy = contact_grid(spec).xy_mm
@@ -182,7 +183,7 @@ def cramer_rao_row(recorded: SimulatedObject, face: int) -> dict[str, float]:
     force = np.minimum(spec.score.force_n, press_traces(signals, *where).force_n[:, -1])
     own = own_channels(signals, spec.sensors, face)
     sigma = disturbance_counts(spec.sensors, "fresh", signals.baseline_counts.size)[own]
-    bounds = cramer_rao_bounds(signal_gradient(signals, *where, force).jacobian[:, own], sigma)
+    bounds = cramer_rao_bounds(live_jacobian(spec, signals, *where, force)[:, own], sigma)
     return {
         "Cramér–Rao mean |F error| N": round(float(np.sqrt(2 / np.pi) * bounds.force_n.mean()), 4),
         "Cramér–Rao mean place error px": round(

@@ -16,7 +16,7 @@ from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
 from estimator.information.scores import on_places
-from estimator.layouts.fidelity import SCORE_NAMES, bounds_by_press
+from estimator.layouts.fidelity import MARGINS, SCORE_NAMES, bounds_by_press
 from instobj.report.pages import render, shown
 from instobj.search.fidelity import METRIC_LABELS
 from instobj.search.outcome.figures import (
@@ -163,7 +163,7 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
 
 
 def _change(name: str, before: float, after: float) -> str:
-    if name == "saturation_margin":
+    if name in MARGINS:
         return f"{after - before:+.3f}"
     return f"× {after / before:.2f}"
 
