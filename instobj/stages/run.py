@@ -239,7 +239,7 @@ class Run:
         names = [field.name for field in fields(scores)][2:]
         return xr.Dataset(
             {
-                name.replace("_fresh", ""): (
+                name: (
                     ("face", "place"),
                     getattr(scores, name),
                     {"units": _unit(name)},

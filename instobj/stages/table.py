@@ -190,14 +190,14 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=6
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=7
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=2,
+        version=3,
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -211,6 +211,7 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals", "shear"),
         ("score",),
         make_shear_scores,
+        version=2,
     ),
     "identify": Stage(
         "sensitivity: several simultaneous contacts",
