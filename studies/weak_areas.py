@@ -122,7 +122,7 @@ def run(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
         variant = placed_case(spec, case, quick)
         scores = score_places(variant, Run(variant).read(SIGNALS))
         areas, there = weak_areas(variant, scores), scores.places
-        bound = scores.position_bound_fresh_mm[there]
+        bound = scores.position_bound_mm[there]
         path = areas.measures.path_mm[there]
         found.append((case.kind, path, bound))
         rank = areas.rank_correlation

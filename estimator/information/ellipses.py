@@ -20,7 +20,7 @@ def position_covariances_mm2(
     """Smallest covariance of (x, y) at every contact location, with a fresh baseline, in mm².
 
     At the forces of the scores and from their channels: its trace is the square of
-    `position_bound_fresh_mm`. NaN where the signals cannot tell the place.
+    `position_bound_mm`. NaN where the signals cannot tell the place.
     """
     grid = contact_grid(spec)
     count = signals.baseline_counts.size
@@ -29,7 +29,7 @@ def position_covariances_mm2(
     for row, face in enumerate(scores.faces.tolist()):
         own = own_channels(signals, spec.sensors, face)
         used = own if spec.score.channels == "own" else np.arange(count)
-        told = np.isfinite(scores.position_bound_fresh_mm[row])
+        told = np.isfinite(scores.position_bound_mm[row])
         x_mm, y_mm = grid.xy_mm[told].T
         force_n = scores.force_at_score_n[row, told]
         faces = np.full(len(x_mm), face)

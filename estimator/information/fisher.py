@@ -20,6 +20,8 @@ from design.spec.object import SensorSpec
 from estimator.signals.interpolation import Traces, counts_at_force
 
 NoiseState = Literal["fresh", "drifted"]
+SUFFIXES: dict[NoiseState, str] = {"fresh": "", "drifted": "_drifted"}
+"""In names of scores: `position_bound_mm` is of a fresh zero, `position_bound_drifted_mm` is not."""
 DETECTION_DISTANCE = 5.0
 """A force is detectable where the signal's Mahalanobis distance from rest reaches this."""
 

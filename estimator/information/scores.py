@@ -19,7 +19,12 @@ from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.spec.search import WantedCompliance
 from design.tables import write_table
-from estimator.information.fisher import cramer_rao_bounds, detectable_force_n, disturbance_counts
+from estimator.information.fisher import (
+    SUFFIXES,
+    cramer_rao_bounds,
+    detectable_force_n,
+    disturbance_counts,
+)
 from estimator.information.sensitivity import (
     channel_noise,
     covariance_sensitivity,
@@ -49,9 +54,9 @@ class PlaceScores:
         counts^d/N and, with each channel divided by its range over the face (three sigma of noise
         at either end included), in 1/N
     delta_raw_standard_error : of the Monte Carlo form; 0 for the others
-    position_bound_*_mm, force_bound_*_n : Cramér–Rao bounds at `force_at_score_n`, freshly zeroed
-        and drifted (`estimator.information.fisher`); infinite where the signals cannot tell
-    detectable_force_*_n : force at which the signal stands five sigma off rest
+    position_bound_mm, force_bound_n : Cramér–Rao bounds at `force_at_score_n`, freshly zeroed, and
+        `…_drifted_…` (`estimator.information.fisher`); infinite where the signals cannot tell
+    detectable_force_n : force at which the signal stands five sigma off rest
     weakest_direction_deg : direction of the largest position bound, 0 to 180° from x
     force_at_score_n : `score.force_n`, or the force of the deepest press where that is less
     reaches_score_force : whether `score.force_n` is reached
@@ -63,11 +68,11 @@ class PlaceScores:
     delta_raw: Float[np.ndarray, "face place"]
     delta_raw_standard_error: Float[np.ndarray, "face place"]
     delta_scaled: Float[np.ndarray, "face place"]
-    position_bound_fresh_mm: Float[np.ndarray, "face place"]
+    position_bound_mm: Float[np.ndarray, "face place"]
     position_bound_drifted_mm: Float[np.ndarray, "face place"]
-    force_bound_fresh_n: Float[np.ndarray, "face place"]
+    force_bound_n: Float[np.ndarray, "face place"]
     force_bound_drifted_n: Float[np.ndarray, "face place"]
-    detectable_force_fresh_n: Float[np.ndarray, "face place"]
+    detectable_force_n: Float[np.ndarray, "face place"]
     detectable_force_drifted_n: Float[np.ndarray, "face place"]
     weakest_direction_deg: Float[np.ndarray, "face place"]
     force_at_score_n: Float[np.ndarray, "face place"]
@@ -167,13 +172,13 @@ def _score_face(
     press = _periodic_press(spec, every.of_channels(own), force)
     press = read_change(rest[own], press, most)
     row: dict[str, Any] = _sensitivities(spec, press, force, face, noise)
-    for state in ("fresh", "drifted"):
+    for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, live.size)[used]
         bounds = cramer_rao_bounds(jacobian, sigma)
-        row[f"position_bound_{state}_mm"] = bounds.position_mm
-        row[f"force_bound_{state}_n"] = bounds.force_n
+        row[f"position_bound{suffix}_mm"] = bounds.position_mm
+        row[f"force_bound{suffix}_n"] = bounds.force_n
         read = partial(read_change, rest[used], range_counts=most)
-        row[f"detectable_force_{state}_n"] = detectable_force_n(traces, sigma, read=read)
+        row[f"detectable_force{suffix}_n"] = detectable_force_n(traces, sigma, read=read)
         if state == "fresh":
             x, y = bounds.weakest_direction.T
             row["weakest_direction_deg"] = np.rad2deg(np.arctan2(y, x)) % 180
@@ -215,7 +220,7 @@ def _sensitivities(
 
 def weakest_place(scores: PlaceScores) -> WeakestPlace:
     """Where the freshly zeroed object knows the contact location least."""
-    bound = scores.position_bound_fresh_mm
+    bound = scores.position_bound_mm
     worst = np.argmax(np.where(scores.places, bound, -np.inf))
     face, place = (int(i) for i in np.unravel_index(worst, bound.shape))
     x, y = scores.grid.xy_mm[place]
@@ -279,7 +284,7 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     rows = slice(None) if face is None else scores.faces == face
     names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
     names.remove("delta_raw_standard_error")
-    names += ["detectable_force_fresh_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
+    names += ["detectable_force_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
     medians, counts = {}, {}
     for area in AREAS:
         there = np.stack([area_places(scores.grid, area, own) for own in scores.places[rows]])

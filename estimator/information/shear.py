@@ -19,7 +19,7 @@ from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from estimator.field.models import magnets_model
-from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.information.fisher import SUFFIXES, cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import on_places
 from estimator.information.sensitivity import own_channels
 from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field
@@ -53,9 +53,9 @@ class ShearScores:
 
     Attributes
     ----------
-    position_bound_*_mm : √(σx² + σy²) with both tangential forces unknown
-    normal_force_bound_*_n : σF
-    tangential_force_bound_*_n : √(σFx² + σFy²)
+    position_bound_mm : √(σx² + σy²) with both tangential forces unknown
+    normal_force_bound_n : σF
+    tangential_force_bound_n : √(σFx² + σFy²)
     condition : of the whitened Jacobian in mm and N, freshly zeroed
 
     NaN at places that a face has not.
@@ -63,11 +63,11 @@ class ShearScores:
 
     faces: Int[np.ndarray, "face"]
     grid: PlaceGrid
-    position_bound_fresh_mm: Float[np.ndarray, "face place"]
+    position_bound_mm: Float[np.ndarray, "face place"]
     position_bound_drifted_mm: Float[np.ndarray, "face place"]
-    normal_force_bound_fresh_n: Float[np.ndarray, "face place"]
+    normal_force_bound_n: Float[np.ndarray, "face place"]
     normal_force_bound_drifted_n: Float[np.ndarray, "face place"]
-    tangential_force_bound_fresh_n: Float[np.ndarray, "face place"]
+    tangential_force_bound_n: Float[np.ndarray, "face place"]
     tangential_force_bound_drifted_n: Float[np.ndarray, "face place"]
     condition: Float[np.ndarray, "face place"]
 
@@ -131,12 +131,12 @@ def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Shea
         used = used[live[used]]
         jacobian = jacobian[:, used]
         row = {}
-        for state in ("fresh", "drifted"):
+        for state, suffix in SUFFIXES.items():
             sigma = disturbance_counts(spec.sensors, state, live.size)[used]
             bounds = cramer_rao_bounds(jacobian, sigma)
-            row[f"position_bound_{state}_mm"] = bounds.position_mm
-            row[f"normal_force_bound_{state}_n"] = bounds.force_n
-            row[f"tangential_force_bound_{state}_n"] = bounds.tangential_force_n
+            row[f"position_bound{suffix}_mm"] = bounds.position_mm
+            row[f"normal_force_bound{suffix}_n"] = bounds.force_n
+            row[f"tangential_force_bound{suffix}_n"] = bounds.tangential_force_n
             if state == "fresh":
                 row["condition"] = np.linalg.cond(jacobian / sigma[:, None])
         rows.append(row)

@@ -189,7 +189,7 @@ def score_signals(
         ),
         saturation_margin=saturation_margin(signals, spec),
         objects_margin=saturation(spec, signals, motions, deepest_alone=True).margin[-1],
-        position_bounds_mm=_flat(one.position_bound_fresh_mm[one.places] for one in places),
+        position_bounds_mm=_flat(one.position_bound_mm[one.places] for one in places),
     )
 
 
@@ -200,22 +200,22 @@ def _at_force(
     scores = score_places(spec, signals)
     false = false_places_mm(spec, forces, motions, SLIP_MM)
     there = scores.places
-    bound, at_edge = scores.position_bound_fresh_mm[there], outermost_of_faces(scores)
+    bound, at_edge = scores.position_bound_mm[there], outermost_of_faces(scores)
     low, middle = np.percentile(scores.delta_raw[there], [5.0, 50.0])
     return {
         "worst_position_bound_mm": float(bound.max()),
         "percentile_99_position_bound_mm": float(np.percentile(bound, 99.0)),
         "percentile_95_position_bound_mm": float(np.percentile(bound, 95.0)),
         "median_position_bound_mm": float(np.median(bound)),
-        "worst_force_bound_n": float(scores.force_bound_fresh_n[there].max()),
+        "worst_force_bound_n": float(scores.force_bound_n[there].max()),
         **_two_contacts(spec, signals),
         "sensitivity_ratio": float(low / middle),
-        "edge_position_bound_mm": float(scores.position_bound_fresh_mm[at_edge].mean()),
+        "edge_position_bound_mm": float(scores.position_bound_mm[at_edge].mean()),
         "task_loss": press_loss(
             spec.search.task,
             spec.score.force_n,
             torch.as_tensor(bound),
-            torch.as_tensor(scores.force_bound_fresh_n[there]),
+            torch.as_tensor(scores.force_bound_n[there]),
         ).mean(),
         "slip_place_mm": float(np.median(false["slip"])),
         "tolerance_place_mm": float(np.median(false["tolerance"])),

@@ -42,7 +42,7 @@ def draw_weak_areas(
     panels = figure.subplots(rows, columns, sharey=True, squeeze=False).ravel()
     for empty in panels[len(shown) :]:
         empty.set_axis_off()
-    bound = scores.position_bound_fresh_mm[scores.places]
+    bound = scores.position_bound_mm[scores.places]
     known = bound[np.isfinite(bound)]
     top = 1.3 * float(known.max()) if len(known) else 1.0
     low = float(known.min()) / 1.3 if len(known) else 0.1

@@ -159,10 +159,10 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
     from estimator.information.scores import summarize_areas
 
     columns = {
-        "position_bound_fresh_mm": "position bound, mm",
+        "position_bound_mm": "position bound, mm",
         "position_bound_drifted_mm": "after 15 min of drift, mm",
-        "force_bound_fresh_n": "force bound, N",
-        "detectable_force_fresh_n": "detectable force, N",
+        "force_bound_n": "force bound, N",
+        "detectable_force_n": "detectable force, N",
         "stiffness_n_per_mm": "N/mm",
     }
     areas = summarize_areas(scores)
@@ -171,7 +171,7 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
             area.area.replace("_", "-"),
             str(area.places),
             *(shown(area.medians[name]) for name in columns),
-            shown(area.ratio_to_centre["position_bound_fresh_mm"]),
+            shown(area.ratio_to_centre["position_bound_mm"]),
         ]
         for area in areas
     ]

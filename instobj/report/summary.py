@@ -168,11 +168,11 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
         {
             "area": area.area,
             "places": area.places,
-            "place mm": area.medians["position_bound_fresh_mm"],
-            "force N": area.medians["force_bound_fresh_n"],
-            "detect N": area.medians["detectable_force_fresh_n"],
+            "place mm": area.medians["position_bound_mm"],
+            "force N": area.medians["force_bound_n"],
+            "detect N": area.medians["detectable_force_n"],
             "δ": area.medians["delta_raw"],
-            "/centre": area.ratio_to_centre["position_bound_fresh_mm"],
+            "/centre": area.ratio_to_centre["position_bound_mm"],
             "δ/centre": area.ratio_to_centre["delta_raw"],
         }
         for area in summarize_areas(scores)
@@ -197,19 +197,21 @@ def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _shear(result: StoredResult) -> list[dict[str, Any]]:
+    from estimator.information.fisher import SUFFIXES
+
     every = SHEAR_SCORES.read(result.folder)
-    rows = [row for row in every if not math.isnan(float(row["position_bound_fresh_mm"]))]
+    rows = [row for row in every if not math.isnan(float(row["position_bound_mm"]))]
     return [
         {
             "zero": state,
-            "place mm": _median(rows, f"position_bound_{state}_mm"),
-            "normal N": _median(rows, f"normal_force_bound_{state}_n"),
-            "tangential N": _median(rows, f"tangential_force_bound_{state}_n"),
+            "place mm": _median(rows, f"position_bound{suffix}_mm"),
+            "normal N": _median(rows, f"normal_force_bound{suffix}_n"),
+            "tangential N": _median(rows, f"tangential_force_bound{suffix}_n"),
             "tangential N, largest": max(
-                float(row[f"tangential_force_bound_{state}_n"]) for row in rows
+                float(row[f"tangential_force_bound{suffix}_n"]) for row in rows
             ),
         }
-        for state in ("fresh", "drifted")
+        for state, suffix in SUFFIXES.items()
     ]
 
 

@@ -102,7 +102,7 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
 
 
 def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
-    every = np.where(scores.places, scores.detectable_force_fresh_n, -np.inf)
+    every = np.where(scores.places, scores.detectable_force_n, -np.inf)
     face, place = np.unravel_index(np.argmax(every), every.shape)
     force = every[scores.places]
     x, y = scores.grid.xy_mm[place]
@@ -154,7 +154,7 @@ def objects_text(objects: Saturation) -> str:
 
 def _edge_weakness(scores: PlaceScores) -> str:
     times = {
-        area.area: f"{area.ratio_to_centre['position_bound_fresh_mm']:.1f} times"
+        area.area: f"{area.ratio_to_centre['position_bound_mm']:.1f} times"
         for area in summarize_areas(scores)
     }
     if "corner" not in times:

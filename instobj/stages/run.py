@@ -243,7 +243,7 @@ class Run:
         names = [field.name for field in fields(scores)][2:]
         return xr.Dataset(
             {
-                name.replace("_fresh", ""): (
+                name: (
                     ("face", "place"),
                     getattr(scores, name),
                     {"units": _unit(name)},

@@ -197,7 +197,7 @@ STAGES: dict[str, Stage] = {
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=2,
+        version=3,
     ),
     "shear": Stage(
         "mechanics: tangential forces",

@@ -82,8 +82,8 @@ def run_sensitivity(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     predictors = {
         "1 / δ, raw": 1 / scores.delta_raw[row],
         "1 / δ, scaled": 1 / scores.delta_scaled[row],
-        "position bound (mm)": scores.position_bound_fresh_mm[row],
-        "force bound (N)": scores.force_bound_fresh_n[row],
+        "position bound (mm)": scores.position_bound_mm[row],
+        "force bound (N)": scores.force_bound_n[row],
     }
     errors = {
         "E_f (%)": maps.force_error_percent.ravel(),

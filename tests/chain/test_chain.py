@@ -118,8 +118,8 @@ def test_the_published_signals_give_the_published_bounds(folder, first):
         load_spec(folder / "small.toml"), load_signals(run / "lattice_signals.nc")
     )
     with (run / "scores.csv").open() as file:
-        published = [float(row["position_bound_fresh_mm"]) for row in csv.DictReader(file)]
-    np.testing.assert_allclose(scores.position_bound_fresh_mm.ravel(), published, rtol=1e-4)
+        published = [float(row["position_bound_mm"]) for row in csv.DictReader(file)]
+    np.testing.assert_allclose(scores.position_bound_mm.ravel(), published, rtol=1e-4)
 
 
 def test_the_shell_stl_has_the_closed_form_volume(folder, first):

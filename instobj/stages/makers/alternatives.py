@@ -190,13 +190,13 @@ def _row(
     changes: tuple[str, ...], spec: ObjectSpec, signals: Signals, objects_margin: float
 ) -> Alternative:
     scores = _scores(spec, signals)
-    bound, there = scores.position_bound_fresh_mm, scores.places
+    bound, there = scores.position_bound_mm, scores.places
     faces = len(spec.body.sensed)
     return Alternative(
         changes,
         float(bound[there].max()),
         float(np.median(bound[there])),
-        float(scores.detectable_force_fresh_n[there].max()),
+        float(scores.detectable_force_n[there].max()),
         saturation_margin(signals, spec),
         objects_margin,
         faces * spec.magnets.count,

@@ -188,7 +188,7 @@ def test_lowest_fidelity_score_pools_the_places_of_all_faces(spec, motions, scor
 
 
 def bounds_of(scores):
-    return scores.position_bound_fresh_mm, scores.force_bound_fresh_n
+    return scores.position_bound_mm, scores.force_bound_n
 
 
 def test_a_score_of_signals_is_that_of_its_parts():
@@ -196,8 +196,8 @@ def test_a_score_of_signals_is_that_of_its_parts():
     presses = synthetic_presses(spec)
     signals = press_signals(spec, *presses)
     found, scores = score_signals(spec, signals, *presses), score_places(spec, signals)
-    assert found.worst_position_bound_mm == scores.position_bound_fresh_mm.max()
-    assert found.worst_force_bound_n == scores.force_bound_fresh_n.max()
+    assert found.worst_position_bound_mm == scores.position_bound_mm.max()
+    assert found.worst_force_bound_n == scores.force_bound_n.max()
     assert found.saturation_margin == saturation_margin(signals, spec)
     cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
     for name in ("median_false_force_n", "percentile_95_false_force_n"):
@@ -211,7 +211,7 @@ def test_a_score_of_signals_is_that_of_its_parts():
     assert_allclose(found.sensitivity_ratio, ratio, rtol=1e-12)
     ring = np.ones(scores.grid.shape, bool)
     ring[1:-1, 1:-1] = False
-    at_edge = scores.position_bound_fresh_mm[:, ring.ravel()]
+    at_edge = scores.position_bound_mm[:, ring.ravel()]
     assert_allclose(found.edge_position_bound_mm, at_edge.mean(), rtol=1e-12)
     travel = scores.depth_at_score_mm / scores.force_at_score_n
     assert_allclose(found.compliance_deviation, travel.std() / travel.mean(), rtol=1e-9)
@@ -224,7 +224,7 @@ def test_a_range_of_forces_is_judged_by_geometric_means_but_the_task_by_the_mean
     signals = press_signals(spec, *presses)
     found = score_signals(spec, signals, *presses)
     each = [score_places(spec.changed(score=ScoreSpec(force_n=n)), signals) for n in forces]
-    bounds = np.array([one.position_bound_fresh_mm for one in each])
+    bounds = np.array([one.position_bound_mm for one in each])
     assert_allclose(found.position_bounds_mm, bounds.ravel(), rtol=1e-12)
     wanted = np.prod([np.percentile(one, 99) for one in bounds]) ** 0.5
     assert_allclose(found.percentile_99_position_bound_mm, wanted, rtol=1e-12)
@@ -309,7 +309,7 @@ def test_twins_are_the_design_first_then_seeded_draws_of_its_tolerances():
     assert_allclose(found["position_mm"], twin_bounds(spec, *presses, 3)["position_mm"], rtol=0)
     assert np.ptp(found["position_mm"][1:].mean(axis=1)) > 1e-3
     signals = press_signals(spec, *presses)
-    design = score_places(spec, signals).position_bound_fresh_mm
+    design = score_places(spec, signals).position_bound_mm
     assert_allclose(found["position_mm"][0], design.ravel(), rtol=0.06)
     exact = dict.fromkeys(type(spec.tolerances).model_fields, 0.0)
     perfect = spec.model_copy(update={"tolerances": spec.tolerances.model_copy(update=exact)})
@@ -363,8 +363,8 @@ def test_locations_that_a_face_has_not_are_in_no_score():
     own = contact_places(spec)
     assert not own.all()
     assert all(np.isfinite(getattr(found, name)) for name in SCORE_NAMES)
-    assert found.position_bounds_mm == tuple(scores.position_bound_fresh_mm[own].tolist())
-    assert found.worst_position_bound_mm == pytest.approx(scores.position_bound_fresh_mm[own].max())
+    assert found.position_bounds_mm == tuple(scores.position_bound_mm[own].tolist())
+    assert found.worst_position_bound_mm == pytest.approx(scores.position_bound_mm[own].max())
     travel = (scores.depth_at_score_mm / scores.force_at_score_n)[own]
     assert found.compliance_deviation == pytest.approx(travel.std() / travel.mean())
 
@@ -382,7 +382,7 @@ def test_compliance_is_of_the_press_whose_force_is_nearest_to_the_score_s(
         place = SimpleNamespace(
             force_at_score_n=force,
             stiffness_n_per_mm=force,
-            position_bound_fresh_mm=force,
+            position_bound_mm=force,
             places=np.ones(2, bool),
             grid=None,
         )

@@ -119,12 +119,12 @@ def test_scores_are_those_of_the_whole_table_and_missing_elsewhere(signals, tmp_
     scores = score_places(BOX, signals)
     there = contact_places(BOX)
     np.testing.assert_array_equal(scores.places, there)
-    for values in (scores.position_bound_fresh_mm, scores.delta_raw, scores.stiffness_n_per_mm):
+    for values in (scores.position_bound_mm, scores.delta_raw, scores.stiffness_n_per_mm):
         assert np.isnan(values[~there]).all()
         assert np.isfinite(values[there]).all()
     assert not scores.reaches_score_force[~there].any()
     weakest = weakest_place(scores)
-    assert weakest.position_bound_mm == scores.position_bound_fresh_mm[there].max()
+    assert weakest.position_bound_mm == scores.position_bound_mm[there].max()
     save_scores_csv(scores, tmp_path / "scores.csv")
     back = load_scores_csv(tmp_path / "scores.csv")
     np.testing.assert_array_equal(back.places, there)
@@ -132,8 +132,8 @@ def test_scores_are_those_of_the_whole_table_and_missing_elsewhere(signals, tmp_
     corner = {area.area: area for area in summarize_areas(scores)}["corner"]
     assert corner.places_per_face == (4,) * 5
     on_corners = [bound[area_places(scores.grid, "corner", own)]
-                  for bound, own in zip(scores.position_bound_fresh_mm, there, strict=True)]  # fmt: skip
-    assert corner.medians["position_bound_fresh_mm"] == np.median(np.concatenate(on_corners))
+                  for bound, own in zip(scores.position_bound_mm, there, strict=True)]  # fmt: skip
+    assert corner.medians["position_bound_mm"] == np.median(np.concatenate(on_corners))
 
 
 def test_a_missing_press_of_a_place_that_a_face_has_is_an_error(signals):

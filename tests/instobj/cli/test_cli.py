@@ -55,7 +55,7 @@ def test_new_writes_a_specification_that_check_accepts(tmp_path):
     [
         ("shell.thicknes_mm=8", ("thickness_mm",)),
         ("shell.thickness_cm=0.8", ("thickness_mm",)),
-        ("shell.thickness_mm=-8", ("greater than 0", "-8")),
+        ("shell.thickness_mm=-8", ("greater than or equal to 0.3", "-8")),
         ("shell.thickness_mm=eight", ("shell.thickness_mm", "eight")),
         ("magnets.positions_mm=[[0,0],[19,0]]", ("outside the shell",)),
         ("magnets.positions_mm=[[0,0],[4,0]]", ("overlap",)),

@@ -20,7 +20,7 @@ def made_scores(spec, bound_mm):
     columns = {f.name: np.ones((5, len(grid))) for f in fields(PlaceScores)[2:]}
     bound = np.full((5, len(grid)), bound_mm)
     bound[3, 42] = 5 * bound_mm
-    columns |= {"position_bound_fresh_mm": bound, "position_bound_drifted_mm": 3 * bound}
+    columns |= {"position_bound_mm": bound, "position_bound_drifted_mm": 3 * bound}
     columns["reaches_score_force"] = np.ones((5, len(grid)), bool)
     return PlaceScores(np.arange(1, 6), grid, **columns)
 

@@ -11,7 +11,7 @@ def test_the_verdict_names_areas_that_the_face_has(monkeypatch):
 
     def told(*areas):
         summaries = [
-            AreaSummary(area, (1,), {}, {"position_bound_fresh_mm": found[area]}) for area in areas
+            AreaSummary(area, (1,), {}, {"position_bound_mm": found[area]}) for area in areas
         ]
         monkeypatch.setattr(verdict, "summarize_areas", lambda scores: summaries)
         return verdict._edge_weakness(None)
