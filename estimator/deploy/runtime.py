@@ -117,11 +117,10 @@ def open_session(path: Path) -> Any:
 def _require_self_contained(path: Path, content: bytes) -> None:
     """Refuse tensors in other files before onnxruntime opens these."""
     import onnx
-    from google.protobuf.message import DecodeError
 
     try:
         waiting: list[Any] = [onnx.load_model_from_string(content)]
-    except DecodeError:
+    except Exception:  # protobuf's DecodeError, whose package comes with onnx
         raise InputError(f"{path} is not an ONNX file. {_ADVICE}") from None
     while waiting:
         message = waiting.pop()

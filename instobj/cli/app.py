@@ -12,6 +12,7 @@ from typing import Annotated
 import typer
 
 from design.errors import InputError, InstobjError
+from design.imports import missing_extra
 from instobj.cli import bench as cli_bench
 from instobj.cli import estimators as cli_estimators
 from instobj.cli import presses as cli_presses
@@ -225,6 +226,10 @@ def run_command(command: typer.Typer) -> None:
         _fail(f"the computation failed: {error}", 2)
     except InstobjError as error:
         _fail(str(error), 2)
+    except ModuleNotFoundError as error:
+        if interrupted or (advice := missing_extra(error)) is None:
+            raise
+        _fail(advice, 2)
     except MemoryError as error:
         _fail(f"out of memory: {error}. Use a larger mesh.edge_mm or mesh.surface_edge_mm", 2)
     except (KeyboardInterrupt, typer.Abort, ImportError):

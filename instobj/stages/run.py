@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from design.errors import InputError
+from design.imports import missing_extra
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from instobj.stages.inputs import stage_inputs
@@ -293,10 +294,8 @@ class Run:
         try:
             from instobj.report.widget import object_view
         except ModuleNotFoundError as error:
-            raise InputError(
-                f"the view in a notebook needs {error.name}, which is not installed. Run "
-                "pip install 'instobj[notebook]', or open report.html of `instobj run`"
-            ) from error
+            advice = missing_extra(error) or str(error)
+            raise InputError(f"{advice}. Or open report.html of `instobj run`") from error
         return object_view(self.spec.name, self.read(readers.SCENE).read_bytes())
 
 

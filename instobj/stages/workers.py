@@ -198,14 +198,9 @@ def _outcome(future: Any) -> dict[str, Any]:
 
 @contextmanager
 def _client(workers: int, scheduler: str | None) -> Iterator[Client]:
-    try:
-        from dask import config
-        from distributed import Client, LocalCluster
-    except ImportError:
-        raise InputError(
-            "several workers need Dask, which is not installed. Install instobj[dask], or leave "
-            "--workers out"
-        ) from None
+    from dask import config
+    from distributed import Client, LocalCluster
+
     if scheduler is not None:
         try:
             client = Client(scheduler, timeout=_ANSWER_S)

@@ -2,19 +2,27 @@
 
 import ast
 import re
+import subprocess
 import sys
 import tomllib
 from importlib.metadata import packages_distributions
 from pathlib import Path
 
+import pytest
 from packaging.requirements import Requirement
 
+from design.imports import EXTRAS
+
 ROOT = Path(__file__).parents[2]
-PACKAGES = ("design", "fem", "estimator", "instobj")
+PACKAGES = ("design", "fem", "estimator", "instobj", "studies")
 ON_BOARDS = ROOT / "instobj" / "firmware" / "pico"
 """MicroPython, which has modules of its own."""
 IMPORTED_BY_OTHERS = {"networkx"}
 """What trimesh imports for graphs of faces, which we ask for, and does not require by itself."""
+
+
+WITH_THEIR_PACKAGE = {"pydantic_core"}
+"""Cores of declared packages, which pin them to the patch."""
 
 
 def _imports(source: str) -> set[str]:
@@ -41,7 +49,7 @@ def _key(name: str) -> str:
 
 def _undeclared(imported: set[str], declared: set[str]) -> set[str]:
     homes = packages_distributions()
-    foreign = imported - set(sys.stdlib_module_names) - set(PACKAGES)
+    foreign = imported - set(sys.stdlib_module_names) - set(PACKAGES) - WITH_THEIR_PACKAGE
     # manifold3d, a bare extension module, stands in no list of its wheel
     return {name for name in foreign if not set(map(_key, homes.get(name, [name]))) & declared}
 
@@ -56,6 +64,42 @@ def test_every_import_of_the_packages_is_declared():
 def test_an_import_that_is_not_declared_is_noticed():
     source = "def f():\n    import vtkmodules.util\n    from numpy import array"
     assert _undeclared(_imports(source), {"numpy"}) == {"vtkmodules"}
+
+
+def test_the_extras_that_messages_name_are_those_declared():
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
+        "optional-dependencies"
+    ]
+    brought = {extra: {_key(Requirement(line).name) for line in extras[extra]} for extra in extras}
+    names = {"serial": "pyserial"}
+    for module, extra in EXTRAS.items():
+        assert names.get(module, module) in brought[extra]
+    packages = set().union(
+        *(brought[extra] for extra in ("bench", "deploy", "cluster", "notebook"))
+    )
+    assert packages == {names.get(module, module) for module in EXTRAS}
+
+
+@pytest.mark.parametrize(
+    ("module", "command", "extra"),
+    [
+        ("onnxruntime", ["predict", "face.onnx", "a.csv"], "deploy"),
+        ("serial", ["predict", "contacts.nc", "--port", "/dev/none"], "bench"),
+        ("distributed", ["run", "cube.toml", "--to", "mesh", "--workers", "2"], "cluster"),
+    ],
+)
+def test_without_an_extra_one_sentence_says_what_to_install(tmp_path, module, command, extra):
+    (tmp_path / "cube.toml").write_text('name = "cube"\n')
+    (tmp_path / "face.onnx").write_bytes(b"no model")
+    (tmp_path / "a.csv").write_text("time_s,F1-X1\n")
+    code = f"import sys; sys.modules[{module!r}] = None\nfrom instobj.cli.app import main; main()"
+    done = subprocess.run(
+        [sys.executable, "-c", code, *command], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 2
+    if "contacts.nc" not in command:
+        assert done.stderr.splitlines()[-1].endswith(f"pip install 'instobj[{extra}]'")
+    assert "Traceback" not in done.stderr
 
 
 def test_dependencies_have_bounds_on_both_sides():

@@ -193,7 +193,7 @@ def test_an_impossible_search_ends_with_one_error(tmp_path):
 
 
 def test_an_unreachable_database_ends_with_one_error(tmp_path):
-    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[cluster]")
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
     url = "postgresql+psycopg://somebody:secret@127.0.0.1:1/none"
