@@ -26,7 +26,12 @@ from design.layout.body import body_of, core_frames, face_frames
 from design.layout.places.contact_places import MOST_COUNT, contact_places
 from design.layout.places.positions import board_sinks_mm, sensor_layout
 from design.placement.paths import long_path_mm
-from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
+from design.placement.patterns import (
+    Shares,
+    along_longer_side,
+    magnet_patterns,
+    sensor_patterns,
+)
 from design.placement.room import (
     low_rim,
     narrow_heads,
@@ -270,7 +275,9 @@ def _with_patterns(
     """The first share and pattern that fit; if need be one whose recesses end in the core's slope."""
     on_slopes = []
     for share, pattern in tried:
-        tables = body | _electronics(request, [share * half * pattern for half in halves])
+        tables = body | _electronics(
+            request, [share * half * along_longer_side(pattern, half) for half in halves]
+        )
         spec = spec_of(tables)
         if tight_middle(spec) or tight_core(spec, sunk=False):
             continue
