@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import sys
 import warnings
@@ -12,6 +13,7 @@ from typing import Annotated
 import typer
 
 from design.errors import InstobjError
+from design.processes import ONE_THREAD
 from instobj.cli import estimators as cli_estimators
 from instobj.cli import hardware as cli_hardware
 from instobj.cli import presses as cli_presses
@@ -268,7 +270,12 @@ def _chain(
 
 
 def main() -> None:
-    """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
+    """Entry point: bad input ends with one error message and exit code 2, without a traceback.
+
+    Libraries take one thread, unless the environment says otherwise.
+    """
+    for name, count in ONE_THREAD.items():
+        os.environ.setdefault(name, count)
     interrupted = _note_interrupts()
     warnings.formatwarning = _warning_line
     code = 0

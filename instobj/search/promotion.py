@@ -22,6 +22,7 @@ from design.files import atomic_path
 from design.search.space import SearchSpace, unit_of, with_layout
 from design.search.structure import structure_choices
 from design.spec.object import ObjectSpec
+from estimator.field.device import one_thread
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
     FidelityScore,
@@ -30,7 +31,6 @@ from estimator.layouts.fidelity import (
     rank_correlations,
 )
 from estimator.layouts.scorer import LayoutScorer
-from estimator.networks.training.fitting import one_thread
 from instobj.search.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
