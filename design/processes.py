@@ -19,6 +19,9 @@ from pathlib import Path
 from design.errors import FullDisk, InputError
 
 MEMORY_SWITCH = "INSTOBJ_MEMORY_GIB"
+ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+"""Environment of processes that compute, before they load what reads it: threads of a solver wait for each
+other where cores are shared. More processes (`--workers`) take more cores."""
 _GIB = 2.0**30
 
 

@@ -17,6 +17,7 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
+from estimator.field.device import one_thread
 from estimator.layouts.batch_scores import OVER_START, PlaceBounds, batch_scores
 from estimator.layouts.limits.rules import broken_limits_mm
 from estimator.layouts.scorer import LayoutScorer, within_candidates
@@ -115,6 +116,7 @@ class LowestFidelity:
     start: PlaceBounds | None = None
 
 
+@one_thread()
 def judge(
     lowest: LowestFidelity,
     unit: Float[Tensor, "layout variable"],
@@ -157,6 +159,7 @@ def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"
     return 1 / scores[name] if name in OBJECTIVES_TO_MAXIMIZE else scores[name]
 
 
+@one_thread()
 def polish(
     judge_at: Judge,
     unit: Float[Tensor, "layout variable"],
@@ -350,6 +353,7 @@ def _break_more(
     return (broken > begun).any(dim=1)
 
 
+@one_thread()
 def walk(
     judged_at: Callable[[Tensor], Judged],
     begin: Float[Tensor, "layout variable"],
@@ -375,6 +379,7 @@ def walk(
     return descend(loss, begin, steps, rate, over)
 
 
+@one_thread()
 def descend(
     loss_at: Callable[[Tensor], Tensor],
     unit: Float[Tensor, "layout variable"],

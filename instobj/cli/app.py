@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import sys
 import warnings
@@ -13,6 +14,7 @@ import typer
 
 from design.errors import InputError, InstobjError
 from design.imports import missing_extra
+from design.processes import ONE_THREAD
 from instobj.cli import bench as cli_bench
 from instobj.cli import estimators as cli_estimators
 from instobj.cli import presses as cli_presses
@@ -211,7 +213,12 @@ def main() -> None:
 
 
 def run_command(command: typer.Typer) -> None:
-    """Run a command line: bad input ends with one error and exit code 2, without a traceback."""
+    """Run a command line: bad input ends with one error and exit code 2, without a traceback.
+
+    Libraries take one thread, unless the environment says otherwise.
+    """
+    for name, count in ONE_THREAD.items():
+        os.environ.setdefault(name, count)
     interrupted = _note_interrupts()
     warnings.formatwarning = _warning_line
     code = 0

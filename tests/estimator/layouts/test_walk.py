@@ -110,6 +110,24 @@ def test_a_broken_limit_is_not_mended_by_breaking_another():
         assert 0.35 < float(end[0, 0]) <= 0.4, "the nearest that keeps what the start kept"
 
 
+def test_walks_take_one_thread_whatever_the_user_set_and_leave_that():
+    """Two threads of two busy cores took ten times as long."""
+    threads, before = [], torch.get_num_threads()
+
+    def judged_at(point, rows=None):
+        threads.append(torch.get_num_threads())
+        return hidden_limit(point)
+
+    torch.set_num_threads(2)
+    try:
+        walk(judged_at, torch.full((1, 2), 0.2), torch.ones(1), 3, 0.05)
+        polish(judged_at, torch.full((1, 2), 0.2), 2, torch.ones(1, 1))
+        assert {*threads} == {1}
+        assert torch.get_num_threads() == 2
+    finally:
+        torch.set_num_threads(before)
+
+
 def test_the_start_is_the_end_where_every_way_on_breaks_a_limit():
     """Judged a second time the start itself breaks its limit, as another order of a sum may tell."""
     calls = []

@@ -1,6 +1,7 @@
 """The command line as a user meets it: help, errors, interruption."""
 
 import json
+import os
 import re
 import signal
 import subprocess
@@ -11,6 +12,7 @@ import pytest
 import tomli_w
 from typer.main import get_command
 
+from design.processes import ONE_THREAD
 from instobj.cli.app import app
 from tests.support.cli import CUBE, assert_one_clear_error, run, run_apart
 from tests.support.objects.body_cases import BODIES, CORE, GRID, ONE
@@ -40,6 +42,26 @@ def test_help_names_every_command_and_starts_quickly(tmp_path):
     ]:
         assert command in done.stdout
     assert time.perf_counter() - started < 5
+
+
+def test_libraries_take_one_thread_unless_the_user_asks_for_more():
+    """As the command's own process finds them, once it has answered."""
+    program = (
+        "import sys; from instobj.cli.app import main; sys.argv = ['instobj', '--help']\n"
+        "assert not {'numpy', 'torch'} & sys.modules.keys()\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "import scipy.linalg, threadpoolctl, torch\n"
+        "found = {one['num_threads'] for one in threadpoolctl.threadpool_info()}\n"
+        "print(found | {torch.get_num_threads()})"
+    )
+    bare = {name: value for name, value in os.environ.items() if name not in ONE_THREAD}
+    for asked, found in (({}, "{1}"), (dict.fromkeys(ONE_THREAD, "2"), "{2}")):
+        done = subprocess.run(
+            [sys.executable, "-c", program], env=bare | asked, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+        assert done.stdout.splitlines()[-1] == found
 
 
 def test_new_writes_a_specification_that_check_accepts(tmp_path):

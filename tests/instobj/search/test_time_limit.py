@@ -67,8 +67,23 @@ def test_mechanics_that_the_time_will_not_hold_are_announced():
     none = TimeLimit(319).mechanics_plan(180.0, 60.0)
     assert "not even the mechanics" in none
     assert "--resume" in none
-    assert "give about 1300" in TimeLimit(10).mechanics_plan(450.0, 60.0)
-    assert "about 50 s of one" in TimeLimit(10).mechanics_plan(50.0, 0.0)
+    assert "give about 1300" in TimeLimit(400).mechanics_plan(450.0, 60.0)
+    assert "about 50 s of one" in TimeLimit(40).mechanics_plan(50.0, 0.0)
+
+
+def test_time_that_holds_no_result_were_all_twice_as_quick_is_refused_with_what_is_needed():
+    """180 s of mechanics and twice 60 s of the chain, in 94 % of the time."""
+    assert "not even the mechanics" in TimeLimit(160).mechanics_plan(180.0, 60.0)
+    with pytest.raises(InputError, match=r"about 3 min.*2 × 60 s for the chain.*give about 700$"):
+        TimeLimit(159).mechanics_plan(180.0, 60.0)
+
+
+def test_the_best_so_far_is_kept_and_named_when_the_time_is_spent():
+    with (
+        pytest.raises(InputError, match=r"a result\. It is in first_look\.toml\. Trials"),
+        TimeLimit(0.01).enforced(lambda: " It is in first_look.toml."),
+    ):
+        time.sleep(5)
 
 
 def test_time_spent_before_is_counted(clock):
