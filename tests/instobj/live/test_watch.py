@@ -25,7 +25,7 @@ class Told:
     def __init__(self, every_frame):
         self.every_frame, self.seen, self.passed, self.zeroed = every_frame, [], [], 0
 
-    def feed(self, raw_counts, time_s):
+    def feed(self, raw_counts, time_s, left_out=None):
         self.seen.append(time_s)
         if np.isnan(raw_counts[1, 0, 2]):
             raise InputError("channel F2-Z1 gives no reading")
@@ -33,7 +33,7 @@ class Told:
         row = placed_contact(SPEC, (1, 3.0, -2.0), (0.5, 4.0, 0.2), np.zeros(2))
         return Found(np.array([row])[: int(pressed)], True)
 
-    def pass_by(self, raw_counts, time_s):
+    def pass_by(self, raw_counts, time_s, left_out=None):
         self.passed.append(time_s)
 
     def rezero(self):
