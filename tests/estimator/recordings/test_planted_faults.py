@@ -5,6 +5,7 @@ from collections import Counter, defaultdict
 import numpy as np
 import pytest
 
+from estimator.recordings.combine import combine, faults_between
 from estimator.recordings.reading import read_recording
 from tests.support.recordings import plantings
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
@@ -116,6 +117,19 @@ def test_a_channel_of_another_press_may_be_steep(sheet, tmp_path):
         changed.cells[row : row + 3, 1:3] = np.array([[600.0], [1200.0], [600.0]])
     recording = read_recording(changed.write(tmp_path / "taps.csv"))
     assert "wrong force readings" not in {fault.kind for fault in recording.report.faults}
+
+
+def test_presses_of_one_file_in_another_are_counted_once(sheet, tmp_path, clean):
+    changed = sheet.copy()
+    changed.cells = changed.cells[100:900]
+    changed.cells[:, 0] += 86_400
+    both = [read_recording(clean), read_recording(changed.write(tmp_path / "again.csv"))]
+    (fault,) = [one for one in faults_between(both) if one.kind == "copied rows"]
+    frames = len(sheet.cells)
+    assert f"rows {frames}–" in fault.where
+    joined = combine(both)
+    assert not joined.valid[frames + 10 : frames + 790].any()
+    np.testing.assert_array_equal(joined.valid[:frames], both[0].frames.valid)
 
 
 @pytest.mark.slow
