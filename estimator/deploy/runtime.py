@@ -174,11 +174,13 @@ class LiveReader:
     zero : "rest" follows rest, also where the first frames were none; "first" takes the mean of the
         first `zero_frames`, in which nothing may touch; "none" takes counts for changes
     zero_frames : how many (still) frames give a zero
+    leaves_out : a network needs all of its channels
     """
 
     model: DeployedModel
     zero: ZeroMode = "rest"
     zero_frames: int = ZERO_FRAMES
+    leaves_out: bool = False
     _recent: deque[np.ndarray] = field(default_factory=deque)
     _last_s: float = math.nan
 
@@ -186,15 +188,21 @@ class LiveReader:
         self.rezero()
 
     def feed(
-        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float = math.nan
+        self,
+        raw_counts: Float[np.ndarray, "face sensor 3"],
+        time_s: float = math.nan,
+        left_out: Bool[np.ndarray, "face sensor 3"] | None = None,
     ) -> Prediction | None:
         """Read one frame of raw counts, faces in order from 1; None while there is no zero.
 
         Raises
         ------
         InputError
-            A channel that the model uses does not exist or misses its reading.
+            A channel that the model uses does not exist, misses its reading, or has one that is not to be
+            believed (`left_out`).
         """
+        if left_out is not None:
+            raw_counts = np.where(left_out, np.nan, raw_counts)
         now = channel_readings(raw_counts, self.model.channels)
         if is_pause(time_s - self._last_s):
             self._recent.clear()
@@ -249,7 +257,7 @@ def channel_readings(
         if np.isnan(value):
             raise InputError(
                 f"channel {channel_label((face % HISTORY, sensor, axis))}, which the model "
-                "uses, gives no reading. Fix the sensor, or train anew without it"
+                "uses, gives no reading, or none to believe. Fix the sensor, or train anew without it"
             )
         values.append(value)
     return np.array(values)

@@ -15,13 +15,13 @@ from jaxtyping import Bool, Float, Int
 
 from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.recordings.checks.cells import check_rate, repaired_forces, wrong_forces
 from estimator.recordings.checks.faults import (
     Fault,
     axis_noise_counts,
     channel_faults,
     correct_face_labels,
     dead_channels,
-    doubtful_presses,
     jump_faults,
     mirror_faults,
     noisy_channels,
@@ -30,21 +30,16 @@ from estimator.recordings.checks.faults import (
     stamp_faults,
     unread_faces,
 )
-from estimator.recordings.checks.labels import (
-    contacts_at_rest,
-    hidden_contacts,
-    place_label_faults,
-    pressed_faces,
-    restless_presses,
-    silent_presses,
-)
+from estimator.recordings.checks.labels import place_label_faults
 from estimator.recordings.checks.limits import (
     Limits,
     places_off_the_body,
     usual_limits,
     within_range,
 )
+from estimator.recordings.checks.readings import without_faults
 from estimator.recordings.checks.repeats import Repeats, repeat_faults, repeated_readings
+from estimator.recordings.checks.table import PRESSES, RESTS, Judged, judged, spoilt_channels
 from estimator.recordings.checks.turned import turned_channels, turned_forces
 from estimator.recordings.contacts import (
     Place,
@@ -107,7 +102,8 @@ class Recording:
 class _Presses:
     """A table after its force and labels were brought into line with its signals.
 
-    `hidden` marks frames at rest by the load cells in which the signals show a contact.
+    `doubtful` marks frames whose labels a check names, `hidden` those at rest by the load cells in which
+    the signals show a contact.
     """
 
     time_s: Float[np.ndarray, "frame"]
@@ -158,7 +154,12 @@ def read_recording(
         table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
     limits = limits or usual_limits(table)
     with naming(path):
-        table, unreachable = within_range(table, limits)
+        raw = table.counts
+        counts, unreadable = without_faults(raw)
+        _require_readings(raw, counts, unreadable)
+        lost = np.isfinite(raw) & np.isnan(counts)
+        table, unreachable = within_range(replace(table, counts=counts), limits)
+        left_out, spoilt = spoilt_channels(table.counts, lost)
         presses = _find_presses(table)
         zeros = rest_levels(
             table.counts,
@@ -172,7 +173,7 @@ def read_recording(
         presses.face, presses.tip_xy_mm, presses.force_n >= CONTACT_FORCE_N
     )
     session = np.unique(table.case, return_inverse=True)[1] if table.kind == "generic" else block
-    frames = _frames(table, presses, zeros, jumping, session, place)
+    frames = _frames(table, presses, zeros, jumping | left_out, session, place)
     turned, turns = turned_channels(frames)
     frames.signal_counts[:, turned] = np.nan
     off, off_faults = places_off_the_body(presses.tip_xy_mm, limits)
@@ -180,10 +181,12 @@ def read_recording(
     frames = replace(frames, valid=frames.valid & ~wrong & ~off)
     faults = (
         *stamp_faults(table),
+        *unreadable,
         *unreachable,
+        *spoilt,
         *repeat_faults(presses.repeats, presses.rate_hz),
-        *channel_faults(table.counts, presses.noise_counts),
-        *unread_faces(table.counts, presses.face),
+        *channel_faults(raw, presses.noise_counts),
+        *unread_faces(raw, presses.face),
         *jumps,
         *turns,
         *presses.faults,
@@ -193,6 +196,16 @@ def read_recording(
     )
     report = _report(path, table, presses, frames, places, zeroed_after, faults)
     return Recording(frames, report, zero)
+
+
+def _require_readings(raw: np.ndarray, counts: np.ndarray, faults: list[Fault]) -> None:
+    if not np.isfinite(raw).any():
+        raise RecordingError(
+            f"no channel has a reading in any of its {len(raw)} frames. Check the sensors' wiring (`instobj "
+            "bringup`) and record anew"
+        )
+    if not np.isfinite(counts).any():
+        raise RecordingError(f"no reading is left: {'; '.join(map(str, faults[:3]))}")
 
 
 def _report(
@@ -235,9 +248,11 @@ def _find_presses(table: RawTable) -> _Presses:
     keys = np.column_stack([table.case, place_keys(label_face, tip_xy_mm)])
     stretch = stretches(table.time_s, keys)
     time_s, rate_hz = frame_times_s(table.time_s, stretch, NOMINAL_RATE_HZ)
+    check_rate(rate_hz)
     limit_n = REST_FORCE_N[table.kind]
     block = block_numbers(keys)
-    measured_n, turns = table.force_n, []
+    wrong, misread = wrong_forces(table.force_n)
+    measured_n, turns = repaired_forces(table.force_n, wrong), []
     if table.kind != "training":
         measured_n, turns = turned_forces(measured_n, table.counts, label_face, block, limit_n)
     force_n = tared(measured_n, no_contact, limit_n, signed=table.kind != "training")
@@ -249,23 +264,23 @@ def _find_presses(table: RawTable) -> _Presses:
     press = number_presses(force_n, stretch, limit_n)
     responses = press_responses(table.counts, force_n, press)
     face, corrected = correct_face_labels(table, press, responses)
-    doubtful, doubts = doubtful_presses(pressed_faces(face, force_n, press), press, responses)
     lag = estimate_lag(table.counts, force_n, face, press, stretch)
-    aligned_n = shifted_forces(force_n, stretch, lag.frames if lag.corrected else 0)
+    late = lag.frames if lag.corrected else 0
+    aligned_n = shifted_forces(force_n, stretch, late)
+    unsure = np.any(shifted_forces(wrong.astype(float), stretch, late) > 0, axis=1)
     rest = at_rest(aligned_n, limit_n)
     shear_n = np.zeros((*aligned_n.shape, 2))
     if table.shear_n is not None:
-        shear_n = shifted_shear(table.shear_n, stretch, lag.frames if lag.corrected else 0, rest)
+        shear_n = shifted_shear(table.shear_n, stretch, late, rest)
     repeats = repeated_readings(table.counts)
     noise = rest_noise_counts(table.counts, rest, repeats.stale)
-    unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
-    hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
-    silent, quiet = silent_presses(face, force_n, press, responses, noise)
-    restless = restless_presses(rest, np.any(force_n >= CONTACT_FORCE_N, axis=1), press)
+    case = Judged(
+        table, face, force_n, press, responses, no_contact, rest, stretch, block, noise
+    )  # fmt: skip
+    (named, found), (hidden, concealed) = judged(case, PRESSES), judged(case, RESTS)
     return _Presses(
-        time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm,
-        doubtful | unlabelled | hidden | silent, repeats, noise, lag,
-        (*restless, *turns, *corrected, *doubts, *denied, *concealed, *quiet),
+        time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm, named | hidden | unsure,
+        repeats, noise, lag, (*misread, *turns, *corrected, *found, *concealed),
     )  # fmt: skip
 
 

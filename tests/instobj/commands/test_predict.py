@@ -345,7 +345,9 @@ class Heard:
     def __init__(self):
         self.fed = []
 
-    def feed(self, raw_counts, time_s):
+    leaves_out = False
+
+    def feed(self, raw_counts, time_s, left_out):
         channel_readings(raw_counts, ((3, 0, 1),))
         self.fed.append(time_s)
         return time_s
