@@ -164,9 +164,8 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
     >>> bool(after < before)
     True
     """
-    import xarray as xr
-
     from design.errors import InputError
+    from instobj.stages.named import Results
     from instobj.stages.run import Run
 
     names = [spec.name for spec in specs]
@@ -186,7 +185,7 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
         float(np.mean(one.position_bound_mm.values[one.on_face.values] <= limit))
         for one, limit in zip(scores, limits, strict=True)
     ]
-    return xr.Dataset(
+    return Results(
         columns | {"share_within_limit": ("object", within, {"units": "1"})},
         coords={"object": names, "statistic": ["median", "largest"]},
     )

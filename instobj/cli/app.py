@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import signal
 import sys
 import warnings
@@ -30,6 +31,7 @@ from instobj.cli.options import (
     show,
     with_as_built,
 )
+from instobj.store.progress import show_progress
 
 app = typer.Typer(
     name="instobj",
@@ -48,7 +50,7 @@ def new(
         typer.Option(help="Kind of body (see `instobj docs bodies`).", show_default=False),
     ] = None,
     size: Annotated[
-        tuple[float, float, float] | None,
+        str | None,
         typer.Option(metavar="X Y Z", help="Box around the body, mm.", show_default=False),
     ] = None,
     sensors: Annotated[
@@ -71,9 +73,10 @@ def new(
     out: Out = HERE,
 ) -> None:
     """Write a commented specification to start from, NAME.toml, with everything placed to fit."""
-    from instobj.commands.new import new_specification, request_of
+    from instobj.commands.new import new_specification, request_of, size_of
 
-    request = request_of(kind, size, sensors, magnets, file, unit, scale)
+    size_mm = None if size is None else size_of(size, kind)
+    request = request_of(kind, size_mm, sensors, magnets, file, unit, scale)
     typer.echo(f"wrote {new_specification(name, out, request)}")
 
 
@@ -269,11 +272,12 @@ def _chain(
 
 def main() -> None:
     """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
+    show_progress()
     interrupted = _note_interrupts()
     warnings.formatwarning = _warning_line
     code = 0
     try:
-        code = app(standalone_mode=False)
+        code = app(_with_joined_sizes(sys.argv[1:]), standalone_mode=False)
     except typer.BadParameter as error:
         error.show()
         sys.exit(2)
@@ -292,6 +296,21 @@ def main() -> None:
         again = "the same command goes on from there (optimize: with --resume)"
         _fail(f"interrupted. Finished stages are kept: {again}", 130)
     sys.exit(code)
+
+
+def _with_joined_sizes(words: list[str]) -> list[str]:
+    """The words of a command, the lengths after --size as one: an option takes a fixed number of them."""
+    joined: list[str] = []
+    for word in words:
+        after_size = len(joined) > 1 and joined[-2] == "--size"
+        if after_size and _LENGTH.fullmatch(word) and _LENGTH.match(joined[-1]):
+            joined[-1] += f" {word}"
+        else:
+            joined.append(word)
+    return joined
+
+
+_LENGTH = re.compile(r"[+-]?\.?\d[^ ]*")
 
 
 def _warning_line(

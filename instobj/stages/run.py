@@ -6,7 +6,7 @@ import platform
 from dataclasses import dataclass, field, fields
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -49,7 +49,7 @@ class Run:
 
     The store is that of the commands (`INSTOBJ_STORE`, by default `.instobj` in the current
     folder): what `instobj run` has made is read, and a run that was interrupted goes on from its
-    last complete stage. Progress is written to standard error.
+    last complete stage. Progress is not told, but by the command line.
 
     Parameters
     ----------
@@ -98,6 +98,11 @@ class Run:
     def __post_init__(self) -> None:
         if self.checked:
             check(self.spec, table=False)
+
+    def __getattr__(self, name: str) -> Any:
+        """Called for names that a run has not."""
+        known = [one for one in dir(type(self)) if not one.startswith("_")]
+        raise AttributeError(f"a Run has no {name!r}. It has {', '.join(known)}")
 
     def __repr__(self) -> str:
         asked = ", ".join(self.results) or "nothing asked for yet"
@@ -188,12 +193,12 @@ class Run:
         rad). Variables: `force_n` (N), `contact_area_mm2` (mm²), `motion`; NaN at places that a
         face has not.
         """
-        import xarray as xr
+        from instobj.stages.named import Results
 
         forces, motions = self.read(readers.PRESSES)
         per_press = ("face", "place", "step")
         xy_mm = forces.lattice.xy_mm
-        return xr.Dataset(
+        return Results(
             {
                 "force_n": (per_press, forces.force_n, {"units": "N"}),
                 "contact_area_mm2": (per_press, forces.contact_area_mm2, {"units": "mm2"}),
@@ -218,8 +223,12 @@ class Run:
         """
         import xarray as xr
 
-        return xr.load_dataset(
-            self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
+        from instobj.stages.named import Results
+
+        return Results(
+            xr.load_dataset(
+                self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
+            )
         )
 
     @property
@@ -233,11 +242,11 @@ class Run:
         `stiffness_n_per_mm`. The coordinate `on_face` (face, place) tells which places of the grid a
         face has; variables are NaN at the others. Source: `estimator.information.scores`.
         """
-        import xarray as xr
+        from instobj.stages.named import Results
 
         scores = self.read(readers.SCORES)
         names = [field.name for field in fields(scores)][2:]
-        return xr.Dataset(
+        return Results(
             {
                 name: (
                     ("face", "place"),

@@ -15,6 +15,12 @@ from rich.status import Status
 NEWS_EVERY_S = 4.0
 """For code that has news all the time."""
 _MOST_SILENT_S = 5.0
+_shown = Event()
+
+
+def show_progress() -> None:
+    """Let this process tell its progress, as the command line does; a library is silent."""
+    _shown.set()
 
 
 @dataclass
@@ -24,7 +30,9 @@ class ProgressLine:
     Where a stage says nothing for 5 s, its last step is told again with the time it has taken.
     """
 
-    console: Console = field(default_factory=lambda: Console(stderr=True, highlight=False))
+    console: Console = field(
+        default_factory=lambda: Console(stderr=True, highlight=False, quiet=not _shown.is_set())
+    )
     _status: Status | None = None
     _title: str = ""
     _step: str = ""
