@@ -264,10 +264,14 @@ def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]
     from design.body.imported import body_of_file
 
     try:
-        measured = BodySpec.model_validate({k: body[k] for k in ("unit", "scale") if k in body})
+        measured = BodySpec.model_validate(_IMPORTED | {k: body[k] for k in _FOREIGN if k in body})
     except ValidationError:
         return content  # told with all other problems of the specification
     return content | {"body": body | body_of_file(folder / body["file"], measured.mm_per_unit)}
+
+
+_IMPORTED = {"kind": "imported"}
+_FOREIGN = ("file", "unit", "scale")
 
 
 def _rename(content: dict[str, Any], table: str) -> None:

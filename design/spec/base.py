@@ -29,8 +29,8 @@ Coordinate = Annotated[float, Field(ge=-1000, le=1000)]
 """mm."""
 Wall = Annotated[float, Field(ge=0.3, le=200)]
 """mm, of the shell or the core."""
-Angle = Annotated[float, Field(ge=-360, le=360)]
-"""Degrees."""
+Angle = Annotated[float, Field(ge=-720, le=720)]
+"""Degrees, two turns at most."""
 Component = Annotated[float, Field(ge=-1e4, le=1e4)]
 """Of a direction of any length."""
 Force = Annotated[float, Field(ge=0.001, le=500)]

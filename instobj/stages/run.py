@@ -240,7 +240,8 @@ class Run:
         `detectable_force_n` (N); further `delta_raw`, `delta_scaled` (convex-hull sensitivity),
         `weakest_direction_deg`, `force_at_score_n`, `reaches_score_force`, `depth_at_score_mm`,
         `stiffness_n_per_mm`. The coordinate `on_face` (face, place) tells which places of the grid a
-        face has; variables are NaN at the others. Source: `estimator.information.scores`.
+        face has; variables are NaN at the others; bounds and
+        δ also where no press `reaches_score_force`. Source: `estimator.information.scores`.
         """
         from instobj.stages.named import Results
 

@@ -180,7 +180,7 @@ def _with_forces(spec: ObjectSpec, other: ObjectSpec, signals: Signals) -> Signa
 
 def _row(changes: tuple[str, ...], spec: ObjectSpec, signals: Signals) -> Alternative:
     scores = _scores(spec, signals)
-    bound, there = scores.position_bound_mm, scores.places
+    bound, there = scores.position_bound_mm, scores.judged
     faces = len(spec.body.sensed)
     return Alternative(
         changes,
