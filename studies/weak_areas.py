@@ -121,7 +121,7 @@ def run(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     for case in _QUICK if quick else CASES:
         variant = placed_case(spec, case, quick)
         scores = score_places(variant, Run(variant).read(SIGNALS))
-        areas, there = weak_areas(variant, scores), scores.places
+        areas, there = weak_areas(variant, scores), scores.judged
         bound = scores.position_bound_mm[there]
         path = areas.measures.path_mm[there]
         found.append((case.kind, path, bound))

@@ -29,8 +29,8 @@ Coordinate = Annotated[float, Field(ge=-1000, le=1000)]
 """mm."""
 Wall = Annotated[float, Field(ge=0.3, le=200)]
 """mm, of the shell or the core."""
-Angle = Annotated[float, Field(ge=-360, le=360)]
-"""Degrees."""
+Angle = Annotated[float, Field(ge=-720, le=720)]
+"""Degrees, two turns at most."""
 Component = Annotated[float, Field(ge=-1e4, le=1e4)]
 """Of a direction of any length."""
 Force = Annotated[float, Field(ge=0.001, le=500)]
@@ -273,7 +273,23 @@ def _nearest_key(location: tuple[Any, ...], model: type[BaseModel]) -> str:
     close = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
     stem = name.rsplit("_", 1)[0]
     close = close or [key for key in known if key.rsplit("_", 1)[0] == stem]
+    close = close or sorted(_keys_named(name, model), key=len)
     return f"Did you mean {close[0]!r}?" if close else f"Known keys: {', '.join(known)}"
+
+
+def _keys_named(name: str, model: Any) -> list[str]:
+    """Dotted keys of that very name in any table of a model."""
+    found = []
+    for key, field in model.model_fields.items():
+        for kind in _kinds(field.annotation):
+            kind = get_args(kind)[0] if get_origin(kind) is tuple else kind
+            if isinstance(kind, type) and issubclass(kind, BaseModel):
+                found += [
+                    f"{key}.{inner}"
+                    for inner in (name, *_keys_named(name, kind))
+                    if inner != name or name in kind.model_fields
+                ]
+    return found
 
 
 def _known_keys(location: tuple[Any, ...], model: type[BaseModel]) -> set[str]:

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from design.spec.base import Distinct, SpecPart
+from design.spec.base import SpecPart
 
 LoadCellKind = Literal["none", "hx711", "analog"]
 PINS_OF_KIND = {"none": 0, "hx711": 2, "analog": 1}
@@ -24,7 +24,7 @@ class LoadCellSpec(SpecPart):
     """
 
     kind: LoadCellKind = "none"
-    pins: Annotated[tuple[str, ...], Distinct] | None = None
+    pins: tuple[str, ...] | None = None
     rate_sps: Literal[10, 80] = 80
     capacity_n: Annotated[float, Field(ge=0.1, le=1e4)] = 49.03
     output_mv_per_v: Annotated[float, Field(ge=-10, le=10)] = 1.0

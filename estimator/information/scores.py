@@ -40,6 +40,8 @@ from estimator.signals.presses import Signals, require_finite
 Area = Literal["corner", "edge", "mid_edge", "centre"]
 AREAS: tuple[Area, ...] = ("corner", "edge", "mid_edge", "centre")
 _COVARIANCE_SAMPLES = 64
+_AT_FORCE = ("delta", "position", "force_bound", "weakest")
+"""Beginnings of the names of scores that hold at `score.force_n` alone."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +60,8 @@ class PlaceScores:
         `…_drifted_…` (`estimator.information.fisher`); infinite where the signals cannot tell
     detectable_force_n : force at which the signal stands five sigma off rest
     weakest_direction_deg : direction of the largest position bound, 0 to 180° from x
-    force_at_score_n : `score.force_n`, or the force of the deepest press where that is less
+    force_at_score_n : `score.force_n`, or the force of the deepest press where that is less: bounds
+        and δ of such a place are NaN, as no press shows them
     reaches_score_force : whether `score.force_n` is reached
     depth_at_score_mm, stiffness_n_per_mm : indentation depth at that force, and force over depth
     """
@@ -84,6 +87,23 @@ class PlaceScores:
     def places(self) -> Bool[np.ndarray, "face place"]:
         """Which places of the grid each face has."""
         return ~np.isnan(self.force_at_score_n)
+
+    @property
+    def judged(self) -> Bool[np.ndarray, "face place"]:
+        """Which of them a press reaches `score.force_n` at."""
+        return self.reaches_score_force
+
+    @property
+    def unreached(self) -> str:
+        """In words, how many places are not judged; empty where all are."""
+        out = self.places & ~self.judged
+        if not out.any():
+            return ""
+        return (
+            f"{out.sum()} of {self.places.sum()} contact locations do not reach score.force_n; the least "
+            f"gets to {self.force_at_score_n[out].min():.3g} N. They are not judged. Press deeper "
+            "(press.depths_mm), or lower the force"
+        )
 
 
 @dataclass(frozen=True)
@@ -125,7 +145,8 @@ def score_places(
     Raises
     ------
     InputError
-        Signals that are not finite, forces that do not grow with depth, or no hull volume.
+        Signals that are not finite, forces that do not grow with depth, no hull volume, or a force
+        that no press reaches.
     """
     require_finite(spec, signals)
     grid, rows = contact_grid(spec), []
@@ -135,7 +156,25 @@ def score_places(
             progress(f"face {face}: {there.sum()} places, hull form {spec.score.hull}")
         rows.append(_score_face(spec, signals, grid.xy_mm[there], face))
     columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
+    require_reached(spec, columns["force_at_score_n"], columns["reaches_score_force"])
+    for name in columns:
+        if name.startswith(_AT_FORCE):
+            columns[name][~columns["reaches_score_force"]] = np.nan
     return PlaceScores(signals.faces, grid, **columns)
+
+
+def require_reached(
+    spec: ObjectSpec,
+    force_n: Float[np.ndarray, "..."],
+    reached: Bool[np.ndarray, "..."],
+) -> None:
+    """Raise InputError where no press reaches `score.force_n`: nothing could be judged at it."""
+    if not reached.any():
+        raise InputError(
+            f"no press reaches {spec.score.force_n:g} N (score.force_n, search.forces_n): the hardest one "
+            f"gets to {np.nanmax(force_n):.3g} N, {spec.press.depths_mm[-1]:g} mm deep. Lower the force, or "
+            "press deeper (press.depths_mm)"
+        )
 
 
 def on_places(
@@ -221,7 +260,7 @@ def _sensitivities(
 def weakest_place(scores: PlaceScores) -> WeakestPlace:
     """Where the freshly zeroed object knows the contact location least."""
     bound = scores.position_bound_mm
-    worst = np.argmax(np.where(scores.places, bound, -np.inf))
+    worst = np.argmax(np.where(scores.judged, bound, -np.inf))
     face, place = (int(i) for i in np.unravel_index(worst, bound.shape))
     x, y = scores.grid.xy_mm[place]
     return WeakestPlace(
@@ -288,6 +327,7 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     medians, counts = {}, {}
     for area in AREAS:
         there = np.stack([area_places(scores.grid, area, own) for own in scores.places[rows]])
+        there &= scores.judged[rows]
         if there.any():
             counts[area] = tuple(there.sum(axis=1).tolist())
             medians[area] = {

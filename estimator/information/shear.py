@@ -11,9 +11,9 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
-from design.layout.places.contact_grid import PlaceGrid, grid_places_in_lattice
+from design.layout.places.contact_grid import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.layout.places.contact_places import contact_places, face_rows
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
@@ -58,7 +58,7 @@ class ShearScores:
     tangential_force_bound_n : √(σFx² + σFy²)
     condition : of the whitened Jacobian in mm and N, freshly zeroed
 
-    NaN at places that a face has not.
+    NaN at places that a face has not, and where no press reaches `score.force_n`.
     """
 
     faces: Int[np.ndarray, "face"]
@@ -114,6 +114,13 @@ def contact_jacobian(
     return np.concatenate([gradient.jacobian, tangential], axis=2) * live[..., None]
 
 
+def _reaches(spec: ObjectSpec, signals: Signals, face: int) -> Bool[np.ndarray, "place"]:
+    """Whether a press of each place that the face has gets to `score.force_n`."""
+    there = contact_places(spec)[spec.body.sensed.index(face)]
+    x, y = contact_grid(spec).xy_mm[there].T
+    return press_traces(signals, np.full(len(x), face), x, y).force_n[:, -1] >= spec.score.force_n
+
+
 def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
     """Give presses that found no contact the slopes of the next deeper one, in place."""
     for node in range(per_n.shape[1] - 2, -1, -1):
@@ -124,6 +131,7 @@ def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
 def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> ShearScores:
     """Bounds of all five parameters at every contact location, from `score.channels`."""
     rows, live = [], live_channels(spec).ravel()
+    reaches = [_reaches(spec, signals, face) for face in signals.faces.tolist()]
     for face in signals.faces.tolist():
         jacobian = contact_jacobian(spec, signals, shear, face)
         own = own_channels(signals, spec.sensors, face)
@@ -142,6 +150,9 @@ def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Shea
         rows.append(row)
     places = contact_places(spec)[face_rows(spec, signals.faces)]
     columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
+    reached = on_places(places, reaches)
+    for values in columns.values():
+        values[~reached] = np.nan
     return ShearScores(signals.faces, shear.grid, **columns)
 
 

@@ -199,8 +199,8 @@ def _at_force(
     """Scores of presses to `score.force_n`."""
     scores = score_places(spec, signals)
     false = false_places_mm(spec, forces, motions, SLIP_MM)
-    there = scores.places
-    bound, at_edge = scores.position_bound_mm[there], outermost_of_faces(scores)
+    there = scores.judged
+    bound, at_edge = scores.position_bound_mm[there], outermost_of_faces(scores) & there
     low, middle = np.percentile(scores.delta_raw[there], [5.0, 50.0])
     return {
         "worst_position_bound_mm": float(bound.max()),
@@ -210,7 +210,9 @@ def _at_force(
         "worst_force_bound_n": float(scores.force_bound_n[there].max()),
         **_two_contacts(spec, signals),
         "sensitivity_ratio": float(low / middle),
-        "edge_position_bound_mm": float(scores.position_bound_mm[at_edge].mean()),
+        "edge_position_bound_mm": float(
+            scores.position_bound_mm[at_edge if at_edge.any() else there].mean()
+        ),
         "task_loss": press_loss(
             spec.search.task,
             spec.score.force_n,
@@ -234,13 +236,16 @@ def bounds_by_press(
 
 
 def worse_share(start: FidelityScore, found: FidelityScore) -> float:
-    """Share of (force, face, location) whose position bound is larger than the start's."""
-    return float(np.mean(_over(start, found) > 1))
+    """Share of (force, face, location) whose position bound is larger than the start's, of those where
+    both reach the force."""
+    over = _over(start, found)
+    return float(np.mean(over[~np.isnan(over)] > 1))
 
 
 def against_start(start: FidelityScore, found: FidelityScore, but: float) -> FidelityScore:
     """The score with its position bound over the start's (`estimator.layouts.batch_scores.worst_ratio`)."""
-    ratio = torch.as_tensor(_over(start, found))[None]
+    over = _over(start, found)
+    ratio = torch.as_tensor(over[~np.isnan(over)])[None]
     return replace(found, position_bound_over_start=float(worst_ratio(ratio, but)))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import sys
 import warnings
@@ -36,6 +37,7 @@ from instobj.cli.options import (
     show,
 )
 from instobj.cli.renamed import add_renamed
+from instobj.store.progress import show_progress
 
 app = typer.Typer(
     name="instobj",
@@ -68,7 +70,7 @@ def new(
         typer.Option(help="Kind of body (see `instobj docs bodies`).", show_default=False),
     ] = None,
     size: Annotated[
-        tuple[float, float, float] | None,
+        str | None,
         typer.Option(metavar="X Y Z", help="Box around the body, mm.", show_default=False),
     ] = None,
     sensors: Annotated[
@@ -91,9 +93,10 @@ def new(
     out: Out = HERE,
 ) -> None:
     """Write a commented specification to start from, NAME.toml, with everything placed to fit."""
-    from instobj.commands.new import new_specification, request_of
+    from instobj.commands.new import new_specification, request_of, size_of
 
-    request = request_of(kind, size, sensors, magnets, file, unit, scale)
+    size_mm = None if size is None else size_of(size, kind)
+    request = request_of(kind, size_mm, sensors, magnets, file, unit, scale)
     typer.echo(f"wrote {new_specification(name, out, request)}")
 
 
@@ -209,21 +212,22 @@ add_renamed(app, score)
 
 def main() -> None:
     """Run the command line of `instobj`."""
-    run_command(app)
+    run_command(app, _with_joined_sizes(sys.argv[1:]))
 
 
-def run_command(command: typer.Typer) -> None:
+def run_command(command: typer.Typer, arguments: list[str] | None = None) -> None:
     """Run a command line: bad input ends with one error and exit code 2, without a traceback.
 
     Libraries take one thread, unless the environment says otherwise.
     """
     for name, count in ONE_THREAD.items():
         os.environ.setdefault(name, count)
+    show_progress()
     interrupted = _note_interrupts()
     warnings.formatwarning = _warning_line
     code = 0
     try:
-        code = command(standalone_mode=False)
+        code = command(arguments, standalone_mode=False)
     except typer.BadParameter as error:
         error.show()
         sys.exit(2)
@@ -246,6 +250,21 @@ def run_command(command: typer.Typer) -> None:
         again = "the same command goes on from there (optimize: with --resume)"
         _fail(f"interrupted. Finished stages are kept: {again}", 130)
     sys.exit(code)
+
+
+def _with_joined_sizes(words: list[str]) -> list[str]:
+    """The words of a command, the lengths after --size as one: an option takes a fixed number of them."""
+    joined: list[str] = []
+    for word in words:
+        after_size = len(joined) > 1 and joined[-2] == "--size"
+        if after_size and _LENGTH.fullmatch(word) and _LENGTH.match(joined[-1]):
+            joined[-1] += f" {word}"
+        else:
+            joined.append(word)
+    return joined
+
+
+_LENGTH = re.compile(r"[+-]?\.?\d[^ ]*")
 
 
 def _warning_line(

@@ -31,17 +31,18 @@ def comparison_picture(specs: list[ObjectSpec], out: Path) -> Path:
 
 def comparison_row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
     """Scores of one object as tables show them."""
-    there, weakest = scores.places, weakest_place(scores)
+    there, weakest = scores.judged, weakest_place(scores)
     bound = scores.position_bound_mm[there]
-    mid_edge = np.stack([area_places(scores.grid, "mid_edge", own) for own in there])
-    at_mid_edge = scores.position_bound_mm[mid_edge]
+    mid_edge = np.stack([area_places(scores.grid, "mid_edge", own) for own in scores.places])
+    at_mid_edge = scores.position_bound_mm[mid_edge & there]
     return {
         "object": spec.name,
         "press N": spec.score.force_n,
+        "places that reach it %": round(100 * there.sum() / scores.places.sum(), 1),
         "surface covered %": round(100 * covered_share(spec)),
         "bounds read": spec.score.channels,
         "place mm": float(np.median(bound)),
-        "place at mid-edge mm": float(np.median(at_mid_edge)),
+        "place at mid-edge mm": float(np.median(at_mid_edge)) if len(at_mid_edge) else float("nan"),
         "weakest place mm": weakest.position_bound_mm,
         "on face": weakest.face,
         "places within limit %": round(
@@ -65,7 +66,7 @@ def draw_comparison(specs: list[ObjectSpec], scores: list[PlaceScores], path: Pa
     colours = colormaps["viridis"](np.linspace(0.05, 0.85, len(specs)))
     for spec, places, colour in zip(specs, scores, colours, strict=True):
         for name, style in (("position_bound_mm", "-"), ("position_bound_drifted_mm", ":")):
-            bound = np.sort(getattr(places, name)[places.places])
+            bound = np.sort(getattr(places, name)[places.judged])
             share = 100 * np.arange(1, bound.size + 1) / bound.size
             label = spec.name if style == "-" else None
             axes.plot(bound, share, color=colour, ls=style, label=label)

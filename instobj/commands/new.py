@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 import warnings
 from collections.abc import Iterable, Iterator
@@ -255,7 +256,7 @@ def request_of(
         return None
     kind = kind or BodySpec().kind
     if kind not in KINDS:
-        raise InputError(f"--kind {kind} is not known. Choose one of {', '.join(KINDS)}")
+        raise InputError(f"--kind {kind} is not known. {_kind_that_is_meant(kind)}")
     if unit is not None and unit not in MM:
         raise InputError(f"--unit {unit} is not known. Choose one of {', '.join(MM)}")
     if scale is not None and not 0 < scale < inf:
@@ -277,6 +278,54 @@ def request_of(
     read = body_of_file(file, MM[keys["unit"]] * keys["scale"])
     keys = {"file": read["file"], **keys}
     return replace(request, size_mm=tuple(read["size_mm"]), file=tuple(keys.items()))
+
+
+_MEANT = {
+    "cube": "box",
+    "cuboid": "box",
+    "block": "box",
+    "ball": "sphere",
+    "globe": "sphere",
+    "egg": "ellipsoid",
+    "can": "cylinder",
+    "tube": "cylinder",
+    "pill": "capsule",
+    "hemisphere": "dome",
+    "stl": "imported",
+    "step": "imported",
+}
+"""Words for shapes, and the kind of body that has them."""
+
+
+def _kind_that_is_meant(word: str) -> str:
+    kinds = f"Choose one of {', '.join(KINDS)}"
+    close = difflib.get_close_matches(word.lower(), [*KINDS, *_MEANT], n=1)
+    meant = _MEANT.get(close[0], close[0]) if close else None
+    return f"Did you mean {meant}? {kinds}" if meant in KINDS else kinds
+
+
+def size_of(text: str, kind: str | None) -> tuple[float, float, float]:
+    """The three edges (mm) that options give: apart, or joined as 60x60x85; one of a sphere or a cube.
+
+    Raises
+    ------
+    InputError
+        Another number of edges, or something that is no number.
+    """
+    words = re.split(r"[x×,; ]+", text.strip())
+    example = "write --size 70 50 35"
+    try:
+        edges = [float(word.removesuffix("mm")) for word in words]
+    except ValueError:
+        raise InputError(f"--size is three lengths in mm; got {text}: {example}") from None
+    if len(edges) == 1 and kind in ("sphere", "box"):
+        edges *= 3
+    if len(edges) != 3:
+        raise InputError(
+            f"--size is three lengths in mm, along x, y and z; got {len(edges)}: {text}. "
+            f"For instance, {example}"
+        )
+    return edges[0], edges[1], edges[2]
 
 
 def _refuse_alone(goes_with: str, **options: Any) -> None:

@@ -164,7 +164,8 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
     from estimator.information.scores import summarize_areas
 
     scores = SCORES.read(result.folder)
-    return [
+    unreached = [{"area": scores.unreached}] if scores.unreached else []
+    rows = [
         {
             "area": area.area,
             "places": area.places,
@@ -177,6 +178,7 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
         }
         for area in summarize_areas(scores)
     ]
+    return rows + unreached
 
 
 def _cross_face(result: StoredResult) -> list[dict[str, Any]]:

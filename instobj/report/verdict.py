@@ -97,7 +97,8 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
         f"≤ {limit:g} mm",
         weakest.position_bound_mm / limit,
         f"face {weakest.face} at ({weakest.x_mm:g}, {weakest.y_mm:g}) mm, worst along "
-        f"{weakest.direction_deg:.0f}° from x",
+        f"{weakest.direction_deg:.0f}° from x"
+        + (f". {scores.unreached}" if scores.unreached else ""),
     )
 
 
@@ -157,6 +158,8 @@ def _edge_weakness(scores: PlaceScores) -> str:
         area.area: f"{area.ratio_to_centre['position_bound_mm']:.1f} times"
         for area in summarize_areas(scores)
     }
+    if "corner" not in times and "edge" not in times:
+        return "No location at the border reaches this force"
     if "corner" not in times:
         return f"The position bound is {times['edge']} the centre's at the outermost locations"
     if "mid_edge" not in times:

@@ -89,6 +89,9 @@ def corrected_fidelity(
     return structure_fidelity(space, dict(params), before)
 
 
+_NEVER_WORSE_MM = 1e9
+
+
 def _counts_over_lowest(one: Promoted) -> float:
     low, high = (
         np.array([1 - getattr(one.levels[level], name) for name in MARGINS])
@@ -109,6 +112,10 @@ def _place_bounds(one: Promoted, start: Promoted) -> dict[tuple[float, int], tor
         for score in (one.levels[FIRST], one.levels[SECOND], start.levels[SECOND])
     )
     return {
-        key: torch.as_tensor(before[key] * low[key] / high[key], dtype=torch.float32)[None]
+        key: torch.as_tensor(
+            # a location that one of the two does not press so hard is never worse
+            np.nan_to_num(before[key] * low[key] / high[key], nan=_NEVER_WORSE_MM),
+            dtype=torch.float32,
+        )[None]
         for key in before
     }

@@ -6,7 +6,7 @@ import platform
 from dataclasses import dataclass, field, fields
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -52,7 +52,7 @@ class Run:
 
     The store is that of the commands (`INSTOBJ_STORE`, by default `.instobj` in the current
     folder): what `instobj run` has made is read, and a run that was interrupted goes on from its
-    last complete stage. Progress is written to standard error.
+    last complete stage. Progress is not told, but by the command line.
 
     Parameters
     ----------
@@ -101,6 +101,11 @@ class Run:
     def __post_init__(self) -> None:
         if self.checked:
             check(self.spec, table=False)
+
+    def __getattr__(self, name: str) -> Any:
+        """Called for names that a run has not."""
+        known = [one for one in dir(type(self)) if not one.startswith("_")]
+        raise AttributeError(f"a Run has no {name!r}. It has {', '.join(known)}")
 
     def __repr__(self) -> str:
         asked = ", ".join(self.results) or "nothing asked for yet"
@@ -193,12 +198,12 @@ class Run:
         rad). Variables: `force_n` (N), `contact_area_mm2` (mm²), `motion`; NaN at places that a
         face has not.
         """
-        import xarray as xr
+        from instobj.stages.named import Results
 
         forces, motions = self.read(readers.PRESSES)
         per_press = ("face", "place", "step")
         xy_mm = forces.lattice.xy_mm
-        return xr.Dataset(
+        return Results(
             {
                 "force_n": (per_press, forces.force_n, {"units": "N"}),
                 "contact_area_mm2": (per_press, forces.contact_area_mm2, {"units": "mm2"}),
@@ -223,8 +228,12 @@ class Run:
         """
         import xarray as xr
 
-        return xr.load_dataset(
-            self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
+        from instobj.stages.named import Results
+
+        return Results(
+            xr.load_dataset(
+                self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
+            )
         )
 
     @property
@@ -236,13 +245,14 @@ class Run:
         `detectable_force_n` (N); further `delta_raw`, `delta_scaled` (convex-hull sensitivity),
         `weakest_direction_deg`, `force_at_score_n`, `reaches_score_force`, `depth_at_score_mm`,
         `stiffness_n_per_mm`. The coordinate `on_face` (face, place) tells which places of the grid a
-        face has; variables are NaN at the others. Source: `estimator.information.scores`.
+        face has; variables are NaN at the others; bounds and
+        δ also where no press `reaches_score_force`. Source: `estimator.information.scores`.
         """
-        import xarray as xr
+        from instobj.stages.named import Results
 
         scores = self.read(readers.SCORES)
         names = [field.name for field in fields(scores)][2:]
-        return xr.Dataset(
+        return Results(
             {
                 name: (
                     ("face", "place"),

@@ -18,6 +18,12 @@ _MOST_SILENT_S = 5.0
 """Longest time without a change of the live line, s."""
 _LOG_EVERY_S = 60.0
 """Least time between two steps that a log shows, s: a log is read afterwards, not watched."""
+_shown = Event()
+
+
+def show_progress() -> None:
+    """Let this process tell its progress, as the command line does; a library is silent."""
+    _shown.set()
 
 
 @dataclass
@@ -28,7 +34,9 @@ class ProgressLine:
     taken. In a log a step is written once a minute at most.
     """
 
-    console: Console = field(default_factory=lambda: Console(stderr=True, highlight=False))
+    console: Console = field(
+        default_factory=lambda: Console(stderr=True, highlight=False, quiet=not _shown.is_set())
+    )
     _status: Status | None = None
     _title: str = ""
     _step: str = ""

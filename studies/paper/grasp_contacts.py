@@ -21,7 +21,7 @@ from studies.paper.object import SIMULATED, SimulatedObject, simulated_object
 from studies.registry import Study, StudyResult
 
 if TYPE_CHECKING:
-    from design.spec.object import ObjectSpec
+    from design.spec.object import LARGEST_SEED, ObjectSpec
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.inversion import Inversion
     from estimator.inversion.readings import ContactSets
@@ -111,7 +111,7 @@ def _calibrated(recorded: SimulatedObject) -> Inversion:
     from estimator.frames.press_protocol import simulate_presses
     from instobj.stages.makers.twin import TwinOfData
 
-    again = recorded.spec.changed(seed=recorded.spec.seed + _CALIBRATION_SEED)
+    again = recorded.spec.changed(seed=(recorded.spec.seed + _CALIBRATION_SEED) % LARGEST_SEED)
     frames = simulate_presses(again, recorded.signals, recorded.key)
     pressed = [
         np.unique(frames.place_id[(frames.contact_face == face).any(axis=1)])[::_EVERY_PLACE]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.spec.object import ObjectSpec
+from design.spec.object import LARGEST_SEED, ObjectSpec
 from estimator.frames.press_protocol import PLACE_ID_STRIDE
 from instobj.store.content import store_root, stored
 from instobj.store.keys import content_key
@@ -84,7 +84,7 @@ class SimulatedObject:
         spec = changed(
             self.spec,
             {f"collection.{name}": value for name, value in changes.items()}
-            | {"seed": self.spec.seed + seed},
+            | {"seed": (self.spec.seed + seed) % LARGEST_SEED},
         )
         return simulate_collection(spec, self.signals, self.key, self.mechanics)
 

@@ -87,6 +87,7 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
             f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
             f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
             + (" ∞: blind, along the line." if np.isinf(values).any() else "")
+            + (f" {scores.unreached}." if scores.unreached else "")
         ),
     )
 
@@ -114,7 +115,7 @@ def draw_measure_maps(
     step: Callable[[str], None],
 ) -> None:
     """Overviews of the measures that vary over the object, its weakest tenth framed."""
-    bound, there = scores.position_bound_mm, scores.places
+    bound, there = scores.position_bound_mm, scores.judged
     weakest = there & (bound >= np.quantile(bound[there], 0.9, method="lower"))
     for name, stem, title, unit, factor, colours in _MEASURE_MAPS:
         if name not in areas.rank_correlation:

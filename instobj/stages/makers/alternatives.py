@@ -190,7 +190,7 @@ def _row(
     changes: tuple[str, ...], spec: ObjectSpec, signals: Signals, objects_margin: float
 ) -> Alternative:
     scores = _scores(spec, signals)
-    bound, there = scores.position_bound_mm, scores.places
+    bound, there = scores.position_bound_mm, scores.judged
     faces = len(spec.body.sensed)
     return Alternative(
         changes,

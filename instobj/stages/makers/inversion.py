@@ -22,7 +22,7 @@ from instobj.store.readers import (
 from instobj.store.stage import StageContext, Step, write_json
 
 if TYPE_CHECKING:
-    from design.spec.object import ObjectSpec
+    from design.spec.object import LARGEST_SEED, ObjectSpec
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.inversion import Inversion
     from estimator.inversion.readings import ContactSets
@@ -91,7 +91,9 @@ def _presses_anywhere(
         )  # fmt: skip
         protocol = spec.protocol.changed(frames_per_press=_FRAMES_A_PRESS, rest_frames_per_press=2)
         wanted = spec.changed(
-            collection=asked, protocol=protocol, seed=spec.seed + _OBJECT_SEED + contacts
+            collection=asked,
+            protocol=protocol,
+            seed=(spec.seed + _OBJECT_SEED + contacts) % LARGEST_SEED,
         )
         parts.append(simulate_collection(wanted, signals, context.key, mechanics, shear=shear))
     return joined(parts)

@@ -75,12 +75,12 @@ sensors.axes: least 1
 sensors.count_per_face: ge 1, le 12
 sensors.radius_mm: gt 0, le 1000
 sensors.depth_below_core_face_mm: ge 0, le 1000
-sensors.first_azimuth_deg: ge -360, le 360, least 1
+sensors.first_azimuth_deg: ge -720, le 720, least 1
 sensors.positions_mm: ge -1000, le 1000, least 1, most 12
 sensors.package_mm: gt 0, le 1000
 sensors.chip_mm: gt 0, le 1000
-sensors.mount_rotation_deg: ge -360, le 360
-sensors.rotations_deg: ge -360, le 360, least 1, most 12
+sensors.mount_rotation_deg: ge -720, le 720
+sensors.rotations_deg: ge -720, le 720, least 1, most 12
 sensors.counts_per_mt: ge 0.1, le 1e+06
 sensors.range_mt: ge 0.01, le 3000
 sensors.noise_counts: gt 0, le 32768
@@ -113,7 +113,7 @@ indenter.length_mm: gt 0, le 1000
 indenter.size_mm: gt 0, le 1000
 indenter.fillet_mm: ge 0, le 1000
 indenter.vertices_mm: ge -1000, le 1000, least 4
-indenter.yaw_deg: ge -360, le 360
+indenter.yaw_deg: ge -720, le 720
 indenter.tilt_deg: ge -45, le 45
 indenter.direction_deg: ge -60, le 60
 indenter.tip_spacing_mm: gt 0, le 1000
@@ -137,8 +137,8 @@ protocol.force_noise_n: ge 0, le 20
 collection.faces: ge 1, le 6, least 1
 collection.frames_per_case: ge 4, le 1e+06
 collection.non_contact_cases: ge 1, le 100000
-collection.dual_poses: ge -1000, ge -360, le 1000, le 360
-collection.triple_poses: ge -1000, ge -360, le 1000, le 360
+collection.dual_poses: ge -1000, ge -720, le 1000, le 720
+collection.triple_poses: ge -1000, ge -720, le 1000, le 720
 collection.grasp_faces: ge 1, le 6
 collection.grasp_force_n: ge 0.001, le 500
 collection.random_grasps: ge 0, le 100000
@@ -187,7 +187,7 @@ as_built.magnets.dent_mm: ge 0, le 1000
 as_built.sensors.face: ge 1, le 6
 as_built.sensors.sensor: ge 1, le 100000
 as_built.sensors.position_mm: ge -1000, le 1000
-as_built.sensors.rotation_deg: ge -360, le 360
+as_built.sensors.rotation_deg: ge -720, le 720
 search.objectives: least 1, most 4
 search.forces_n: ge 0.001, le 500, most 8
 search.polish_steps: ge 0, le 1000
@@ -208,7 +208,7 @@ search.vary.magnet_grade: least 1, most 20
 search.vary.sensor_count: ge 1, le 12, least 1, most 20
 search.vary.sensor_reach_mm: gt 0, le 1000
 search.vary.sensor_chip: least 1, most 20
-search.vary.sensor_turn_deg: ge -360, le 360, least 1, most 20
+search.vary.sensor_turn_deg: ge -720, le 720, least 1, most 20
 search.vary.sensor_range_mt: ge 0.01, le 3000, least 1, most 20
 search.vary.shell_thickness_mm: ge 0.3, le 200, least 1, most 20
 search.vary.silicone: least 1, most 20
@@ -230,7 +230,7 @@ search.task.within_mm: gt 0, le 100
 search.task.force_percent: gt 0, le 100
 mould.wall_mm: ge 0.1, le 100
 mould.play_mm: ge 0.005, le 2
-mould.parting_azimuth_deg: ge -360, le 360
+mould.parting_azimuth_deg: ge -720, le 720
 mould.flange_mm: ge 0.1, le 100
 mould.dowel_draft_deg: ge 0, le 30
 mould.draft_deg: ge 0, le 10

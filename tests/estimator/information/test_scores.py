@@ -223,3 +223,37 @@ def test_a_place_whose_deepest_press_just_reaches_the_force_reaches_it(signals):
     assert exact.reaches_score_force[0, 0]
     beyond = score_places(coarse_spec(score={"force_n": float(largest) * 1.001}), signals)
     assert not beyond.reaches_score_force[0, 0]
+
+
+def _partly_reached(presses):
+    """A force that some locations reach and others do not, and the signals."""
+    signals = press_signals(coarse_spec(), *presses)
+    deepest = np.sort(signals.force_n[..., -1].ravel())
+    between = float(deepest[0] + deepest[-1]) / 2
+    return coarse_spec(score={"force_n": between}), signals
+
+
+def test_a_force_that_a_press_never_reaches_is_not_judged_under_its_name():
+    presses = synthetic_presses(coarse_spec())
+    spec, signals = _partly_reached(presses)
+    scores = score_places(spec, signals)
+    out = scores.places & ~scores.judged
+    assert out.any()
+    assert scores.judged.any()
+    for values in (scores.position_bound_mm, scores.force_bound_n, scores.delta_raw):
+        assert np.isnan(values[out]).all()
+        assert not np.isnan(values[scores.judged]).any()
+    assert (
+        f"{out.sum()} of {scores.places.sum()} contact locations do not reach" in scores.unreached
+    )
+    assert np.isfinite(weakest_place(scores).position_bound_mm)
+    for area in summarize_areas(scores):
+        assert np.isfinite(area.medians["position_bound_mm"])
+
+
+def test_a_force_that_no_press_reaches_is_refused_with_the_largest():
+    signals = press_signals(coarse_spec(), *synthetic_presses(coarse_spec()))
+    deepest = float(np.nanmax(signals.force_n))
+    with pytest.raises(InputError, match=f"gets to {deepest:.3g} N"):
+        score_places(coarse_spec(score={"force_n": 1.01 * deepest}), signals)
+    assert not score_places(coarse_spec(score={"force_n": 0.01}), signals).unreached
