@@ -39,6 +39,7 @@ from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field, full_scale_counts
 from estimator.signals.presses import press_signals, saturation_margin
 from estimator.tolerances.budget import twin_bounds
+from estimator.tolerances.saturation import saturation
 from tests.support.mechanics.candidate_cases import (
     FACE,
     at_contacts,
@@ -185,6 +186,9 @@ def test_lowest_fidelity_score_pools_the_places_of_all_faces(spec, motions, scor
     assert_allclose(
         found.saturation_margin, 1 - largest / full_scale_counts(spec.sensors), rtol=1e-6
     )
+    kept = max(float(p.kept_counts) for p in places)
+    assert_allclose(found.objects_margin, 1 - kept / full_scale_counts(spec.sensors), rtol=1e-6)
+    assert found.objects_margin < found.saturation_margin
 
 
 def bounds_of(scores):
@@ -199,6 +203,7 @@ def test_a_score_of_signals_is_that_of_its_parts():
     assert found.worst_position_bound_mm == scores.position_bound_mm.max()
     assert found.worst_force_bound_n == scores.force_bound_n.max()
     assert found.saturation_margin == saturation_margin(signals, spec)
+    assert found.objects_margin == saturation(spec, signals, presses[1]).margin[-1]
     cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
     for name in ("median_false_force_n", "percentile_95_false_force_n"):
         assert getattr(found, name) == cross[name] > LEAST_FALSE_FORCE_N
@@ -263,6 +268,7 @@ START = FidelityScore(
     task_loss=0.3,
     compliance_deviation=0.1,
     saturation_margin=0.8,
+    objects_margin=0.4,
     position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
 )
 
@@ -271,13 +277,17 @@ def test_gains_are_above_one_where_a_layout_is_better():
     better = replace(
         START, worst_position_bound_mm=0.5, worst_force_bound_n=5.0, sensitivity_ratio=0.6
     )
-    found = gains(START, replace(better, grasp_position_bound_mm=0.25, saturation_margin=0.7))
+    found = gains(
+        START,
+        replace(better, grasp_position_bound_mm=0.25, saturation_margin=0.7, objects_margin=0.5),
+    )
     wanted = dict.fromkeys(SCORE_NAMES, 1.0) | {
         "worst_position_bound_mm": 3.0,
         "worst_force_bound_n": 0.5,
         "sensitivity_ratio": 2.0,
         "grasp_position_bound_mm": 4.0,
         "saturation_margin": -0.1,
+        "objects_margin": 0.1,
     }
     assert found == pytest.approx(wanted)
 
@@ -393,6 +403,8 @@ def test_compliance_is_of_the_press_whose_force_is_nearest_to_the_score_s(
     monkeypatch.setattr(fidelity, "_at_force", at_force)
     monkeypatch.setattr(fidelity, "_false_forces", lambda *given: {})
     monkeypatch.setattr(fidelity, "saturation_margin", lambda *given: 0.5)
+    drawn = SimpleNamespace(margin=(0.3, 0.2))
+    monkeypatch.setattr(fidelity, "saturation", lambda *given, **also: drawn)
     monkeypatch.setattr(fidelity, "compliance_deviation", lambda *given: float(given[2].min()))
     monkeypatch.setattr(fidelity, "FidelityScore", lambda **given: made.update(given))
     fidelity.score_signals.__wrapped__(spec, None, None, None)

@@ -533,7 +533,7 @@ def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
     count = [one.presses.count for one in scorers]
     values = [rng.uniform(0.1, 9.0, (3, 1, n)) for n in count]
     places = [
-        PlaceInformation(*(torch.as_tensor(part) for part in value), torch.zeros(1))
+        PlaceInformation(*(torch.as_tensor(part) for part in value), *torch.zeros(2, 1))
         for value in values
     ]
     found = _scores_at_one_force(scorers, layouts, places, ())

@@ -15,13 +15,14 @@ SPEC = parse_spec(
 )
 
 
-def row(changes, bound_mm=1.0, force_n=1.0, margin=0.5, magnets=10, sensors=10):
+def row(changes, bound_mm=1.0, force_n=1.0, margin=0.5, of_objects=0.5, magnets=10, sensors=10):
     return {
         "changes": list(changes),
         "weakest_bound_mm": bound_mm,
         "median_bound_mm": bound_mm / 2,
         "worst_detectable_n": force_n,
         "saturation_margin": margin,
+        "objects_margin": of_objects,
         "magnets": magnets,
         "sensors": sensors,
     }
@@ -120,3 +121,9 @@ def test_minutes_by_hand_are_those_of_the_specification():
     spec = parse_spec({"name": "a", "search": {"prices": prices}}, "a")
     (found,) = remedies(spec, [START, row(("both",), magnets=12, sensors=11)])
     assert (found.price, found.minutes) == (5, 40)
+
+
+def test_a_change_is_not_enough_where_chips_of_virtual_objects_leave_their_range():
+    (found,) = remedies(SPEC, [START, row(("strong",), of_objects=-0.2)])
+    assert found.ratio == pytest.approx(1.2)
+    assert not found.turns

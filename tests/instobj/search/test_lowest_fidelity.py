@@ -85,8 +85,11 @@ def test_counts_and_places_are_limited_by_what_the_chain_makes_of_the_lowest_lev
         )
         for counts in (1.25, 2.0)
     )
-    assert more.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 1.25)}
-    assert twice.at_most == {"largest_counts": pytest.approx(0.8 * 5000 / 2)}
+    for one, counts in ((more, 1.25), (twice, 2.0)):
+        assert one.at_most == {
+            "largest_counts": pytest.approx(0.8 * 5000 / counts),
+            "kept_counts": pytest.approx(5000 / counts),
+        }
     assert [one.start for one in (more, twice)] == [
         PlaceBounds((), 0.03, most) for most in (0.5, 0.8)
     ]
