@@ -32,6 +32,11 @@ def optimize(
     overrides: Overrides = None,
 ) -> None:
     """Search for a better layout, as the table `search` says; confirm it with the whole chain."""
+    from design.search.space import search_space
+    from design.spec_io import load_spec
+
+    search_space(load_spec(spec, overrides or []))  # refused before the seconds that imports take
+
     from instobj.search.optimize import optimize as run
 
     show(run(spec, out, overrides or [], resume, storage, workers, scheduler), as_json)
