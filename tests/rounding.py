@@ -34,7 +34,7 @@ ROOMS = {
     "inversion": ("tests/estimator/inversion",),
     "mechanics": ("tests/fem/linear", "tests/fem/contact"),
 }
-"""Where sums in another order change more than the last digits; "walks" are the quick ones of the next two."""
+"""Where sums in another order change more than the last digits; "walks" are quick ones of the next two."""
 SETTINGS = {
     "as it is": {},
     **{f"MKL {one}": {"MKL_CBWR": one} for one in ("COMPATIBLE", "SSE4_2", "AVX2", "AVX512")},

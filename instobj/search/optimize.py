@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -67,15 +68,13 @@ def optimize(
     def say(text: str) -> None:
         progress.step(f"{text}; {limit.left}")
 
-    def first_look() -> str:
-        return _first_look(space, kept, folder, path.parent)
-
-    with _kept_on_interrupt(kept, progress), limit.enforced(first_look):
+    keep_best = partial(first_look, space, kept, folder, path.parent)
+    with _kept_on_interrupt(kept, progress), limit.enforced(keep_best):
         _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), processes=workers)
         with progress.stage("promotion"), open_workers(workers, scheduler, progress) as others:
             found = promote(space, kept, folder, say, limit, others)
     if found is None:
-        return _nothing_better(spec, kept, limit)
+        return nothing_better(spec, kept, limit)
     with progress.stage("report"):
         files = write_outcome(
             space, kept, found, folder, path.parent, progress.step, limit.plain_engines_s
@@ -83,7 +82,7 @@ def optimize(
     return _document(spec, kept, found, files)
 
 
-def _nothing_better(spec: ObjectSpec, kept: KeptStudy, limit: TimeLimit) -> dict[str, Any]:
+def nothing_better(spec: ObjectSpec, kept: KeptStudy, limit: TimeLimit) -> dict[str, Any]:
     """What is said where no trial but the start itself keeps every limit.
 
     Raises
@@ -113,11 +112,12 @@ def _nothing_better(spec: ObjectSpec, kept: KeptStudy, limit: TimeLimit) -> dict
     }
 
 
-def _first_look(space: SearchSpace, kept: KeptStudy, folder: Path, beside: Path) -> str:
+def first_look(space: SearchSpace, kept: KeptStudy, folder: Path, beside: Path) -> str:
     """Write the best trial so far, which only the lowest level knows; where, in words, or nothing."""
     best = leaders(space, kept, 1)
     if not best:
         return ""
+    folder.mkdir(parents=True, exist_ok=True)
     path = folder / "first_look.toml"
     layout = with_layout(space.spec, best[0].params)
     write_specification(layout, f"{space.spec.name}_first_look", path, beside)
