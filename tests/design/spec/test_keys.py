@@ -118,10 +118,10 @@ indenter.tilt_deg: ge -45, le 45
 indenter.direction_deg: ge -60, le 60
 indenter.tip_spacing_mm: gt 0, le 1000
 press.depths_mm: gt 0, le 1000, least 2
-mesh.edge_mm: gt 0, le 1000
-mesh.surface_edge_mm: gt 0, le 1000
+mesh.edge_mm: ge 0.02, le 100
+mesh.surface_edge_mm: ge 0.02, le 100
 mesh.rim_edge_ratio: ge 0.1, le 1
-mesh.envelope_mm: gt 0, le 1000
+mesh.envelope_mm: ge 0.0001, le 5
 mesh.magnet_sides: ge 6, le 64
 mechanics.slip.shift_mm: ge -3, le 3
 mechanics.slip.rotation_deg: ge -10, le 10
