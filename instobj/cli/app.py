@@ -277,7 +277,7 @@ def main() -> None:
     warnings.formatwarning = _warning_line
     code = 0
     try:
-        code = app(_with_joined_sizes(sys.argv[1:]), standalone_mode=False)
+        code = app(with_joined_sizes(sys.argv[1:]), standalone_mode=False)
     except typer.BadParameter as error:
         error.show()
         sys.exit(2)
@@ -298,7 +298,7 @@ def main() -> None:
     sys.exit(code)
 
 
-def _with_joined_sizes(words: list[str]) -> list[str]:
+def with_joined_sizes(words: list[str]) -> list[str]:
     """The words of a command, the lengths after --size as one: an option takes a fixed number of them."""
     joined: list[str] = []
     for word in words:
