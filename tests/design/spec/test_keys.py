@@ -105,7 +105,7 @@ environment.magnets.remanence_t: ge 0.01, le 1.6
 environment.magnets.recoil_permeability: ge 1, le 2
 environment.steel_plates.position_mm: ge -1000, le 1000
 environment.steel_plates.normal: ge -10000, le 10000
-environment.steel_plates.relative_permeability: ge 1, le 1e+06
+environment.steel_plates.relative_permeability: ge 1, le 1e+12
 contact_grid.count: ge 2, le 100
 contact_grid.pitch_mm: gt 0, le 1000
 indenter.radius_mm: gt 0, le 1000
