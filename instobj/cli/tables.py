@@ -54,7 +54,9 @@ def print_result(result: dict[str, Any]) -> None:
         _print_files(console, item["files"])
     if "comparison" in result:
         console.rule("comparison")
-        title = "medians over all contact locations, fresh baseline unless stated"
+        title = (
+            "medians over the contact locations that reach the force, fresh baseline unless stated"
+        )
         _print_rows(console, title, _turned(result["comparison"]["rows"]))
         _print_files(console, result["comparison"]["files"])
     for title, rows in result.get("tables", {}).items():
