@@ -292,13 +292,13 @@ def near_pairs(
 
     A tree of their middles leaves only neighbours to be measured.
     """
-    from scipy.spatial import cKDTree
+    from scipy.spatial import KDTree
 
     if len(ends_mm) < 2:
         return
     ends, reach = np.stack(ends_mm), np.array(reach_mm)
     halves = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / 2
-    pairs = cKDTree(ends.mean(axis=1)).query_pairs(
+    pairs = KDTree(ends.mean(axis=1)).query_pairs(
         2 * float((halves + reach).max()), output_type="ndarray"
     )
     pairs = pairs[np.lexsort(pairs.T[::-1])]

@@ -46,7 +46,7 @@ class SteelPlateSpec(SpecPart):
 
     position_mm: Place
     normal: Direction
-    relative_permeability: Annotated[float, Field(ge=1, le=1e6)] = 1000.0
+    relative_permeability: Annotated[float, Field(ge=1, le=1e12)] = 1000.0
 
     @model_validator(mode="after")
     def _normal_points_somewhere(self) -> SteelPlateSpec:

@@ -53,10 +53,10 @@ class MeshSpec(SpecPart):
     is for the triangles that stand for curved surfaces.
     """
 
-    edge_mm: Length = 4.0
-    surface_edge_mm: Length = 1.7
+    edge_mm: Annotated[float, Field(ge=0.02, le=100)] = 4.0
+    surface_edge_mm: Annotated[float, Field(ge=0.02, le=100)] = 1.7
     rim_edge_ratio: Annotated[float, Field(ge=0.1, le=1)] = 0.4
-    envelope_mm: Length = 0.06
+    envelope_mm: Annotated[float, Field(ge=1e-4, le=5)] = 0.06
     magnet_sides: Annotated[int, Field(ge=6, le=64)] = 16
 
     @property

@@ -212,7 +212,7 @@ add_renamed(app, score)
 
 def main() -> None:
     """Run the command line of `instobj`."""
-    run_command(app, _with_joined_sizes(sys.argv[1:]))
+    run_command(app, with_joined_sizes(sys.argv[1:]))
 
 
 def run_command(command: typer.Typer, arguments: list[str] | None = None) -> None:
@@ -252,7 +252,7 @@ def run_command(command: typer.Typer, arguments: list[str] | None = None) -> Non
     sys.exit(code)
 
 
-def _with_joined_sizes(words: list[str]) -> list[str]:
+def with_joined_sizes(words: list[str]) -> list[str]:
     """The words of a command, the lengths after --size as one: an option takes a fixed number of them."""
     joined: list[str] = []
     for word in words:

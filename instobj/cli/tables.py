@@ -18,7 +18,7 @@ from instobj.report.summary import AREAS_TITLE
 from instobj.report.surroundings import surroundings_lines
 from instobj.store import readers
 
-HEADLINES = (("verdict",), (AREAS_TITLE, "discretisation error"))
+HEADLINES = (("verdict", "not judged"), (AREAS_TITLE, "not judged", "discretisation error"))
 """Titles of a summary that a terminal shows in place of all its tables; the rest is in `--json`."""
 _MOST_COLUMNS = 12
 _NOTHING = 1e-10
@@ -57,7 +57,9 @@ def print_result(result: dict[str, Any]) -> None:
         _print_files(console, item["files"])
     if "comparison" in result:
         console.rule("comparison")
-        title = "medians over all contact locations, fresh baseline unless stated"
+        title = (
+            "medians over the contact locations that reach the force, fresh baseline unless stated"
+        )
         _print_rows(console, title, _turned(result["comparison"]["rows"]))
         _print_files(console, result["comparison"]["files"])
     for title, rows in result.get("tables", {}).items():

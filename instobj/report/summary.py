@@ -49,6 +49,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
         ("discretisation", "discretisation error", _discretisation),
         ("scores", AREAS_TITLE, _areas),
+        ("scores", "not judged", _unreached),
         ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
@@ -164,8 +165,7 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
     from estimator.information.scores import summarize_areas
 
     scores = SCORES.read(result.folder)
-    unreached = [{"area": scores.unreached}] if scores.unreached else []
-    rows = [
+    return [
         {
             "area": area.area,
             "places": area.places,
@@ -178,7 +178,12 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
         }
         for area in summarize_areas(scores)
     ]
-    return rows + unreached
+
+
+def _unreached(result: StoredResult) -> dict[str, str]:
+    """Nothing where every location reaches the force."""
+    told = SCORES.read(result.folder).unreached
+    return {"force": told} if told else {}
 
 
 def _cross_face(result: StoredResult) -> list[dict[str, Any]]:

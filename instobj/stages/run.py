@@ -230,11 +230,10 @@ class Run:
 
         from instobj.stages.named import Results
 
-        return Results(
-            xr.load_dataset(
-                self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
-            )
+        content = xr.load_dataset(
+            self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
         )
+        return Results(content.data_vars, coords=content.coords, attrs=content.attrs)
 
     @property
     def scores(self) -> xr.Dataset:

@@ -270,3 +270,25 @@ def test_changes_from_python_are_told_without_options_of_the_command_line(tmp_pa
         with pytest.raises(SpecError) as error:
             load_spec(path, [change])
         assert "--set" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ("mesh.edge_mm=1000", "mesh.edge_mm: .*less than or equal to 100"),
+        ("mesh.envelope_mm=1000", "mesh.envelope_mm: .*less than or equal to 5"),
+        (
+            "mesh.edge_mm=43",
+            r"mesh\.edge_mm = 43 is more than the shortest edge of the body, 42 mm",
+        ),
+        ("mesh.surface_edge_mm=22", r"mesh\.surface_edge_mm = 22 is more than half"),
+        ("mesh.envelope_mm=1.1", r"mesh\.envelope_mm = 1\.1 is more than an eighth"),
+    ],
+)
+def test_a_mesh_that_the_body_has_no_room_for_is_refused(change, words):
+    """The mesher worked on it without end, or until the memory was full."""
+    key = change.partition("=")[0]
+    with pytest.raises(SpecError, match=words):
+        parse_spec(with_overrides({"name": "x"}, [change]), "x")
+    fits = {"mesh.edge_mm": 42, "mesh.surface_edge_mm": 21, "mesh.envelope_mm": 1}[key]
+    parse_spec(with_overrides({"name": "x"}, [f"{key}={fits}"]), "x")

@@ -14,9 +14,11 @@ from design.fabrication.finding import Finding, worst
 from design.placement.objects import Request
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from instobj.cli.app import with_joined_sizes
 from instobj.commands import new
-from instobj.commands.new import new_specification, request_of
+from instobj.commands.new import new_specification, request_of, size_of
 from instobj.commands.run import check
+from tests.support.cli import run
 
 ROOT = Path(__file__).parents[3]
 TEMPLATE = ROOT / "instobj" / "templates" / "cube.toml"
@@ -379,3 +381,55 @@ def test_a_placed_box_is_written_in_sixty_lines(tmp_path):
     path = new_specification("mine", tmp_path, Request("box", (60.0, 40.0, 30.0)))
     assert len(path.read_text().splitlines()) <= 60
     assert check(load_spec(path)).sensors == 15
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "edges"),
+    [
+        ("60 60 85", "ellipsoid", (60, 60, 85)),
+        ("60x60x85", "ellipsoid", (60, 60, 85)),
+        ("70,50,35", "box", (70, 50, 35)),
+        ("70mm 50mm 35mm", None, (70, 50, 35)),
+        ("70", "sphere", (70, 70, 70)),
+    ],
+)
+def test_sizes_are_taken_as_people_write_them(text, kind, edges):
+    assert size_of(text, kind) == edges
+
+
+@pytest.mark.parametrize(("text", "kind"), [("70 50", "box"), ("70", "cylinder"), ("wide", "box")])
+def test_a_size_that_is_none_says_how_many_lengths_it_takes(text, kind):
+    with pytest.raises(InputError, match=rf"three lengths in mm.*{text}.*--size 70 50 35"):
+        size_of(text, kind)
+
+
+@pytest.mark.parametrize(
+    ("word", "kind"),
+    [("cube", "box"), ("ball", "sphere"), ("spher", "sphere"), ("can", "cylinder")],
+)
+def test_a_word_for_a_shape_proposes_its_kind(word, kind):
+    with pytest.raises(InputError, match=f"Did you mean {kind}\\?"):
+        request_of(kind=word, size_mm=(60.0, 60.0, 60.0))
+
+
+def test_a_word_for_no_shape_lists_the_kinds():
+    with pytest.raises(InputError, match=r"not known\. Choose one of box"):
+        request_of(kind="zzz", size_mm=(60.0, 60.0, 60.0))
+
+
+def test_sizes_of_the_command_line_are_joined():
+    words = ["new", "a", "--kind", "box", "--size", "60", "40", "30", "--sensors", "2"]
+    assert with_joined_sizes(words) == [*words[:5], "60 40 30", "--sensors", "2"]
+    assert with_joined_sizes(["new", "--size", "60", "40", "30", "a"]) == [
+        "new",
+        "--size",
+        "60 40 30",
+        "a",
+    ]
+    assert with_joined_sizes(["new", "a", "--size", "70"]) == ["new", "a", "--size", "70"]
+
+
+def test_a_size_of_one_length_is_one_error_with_an_example(tmp_path):
+    done = run("new", "a", "--kind", "cylinder", "--size", "70", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "three lengths in mm" in done.stderr

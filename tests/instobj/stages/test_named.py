@@ -1,4 +1,4 @@
-"""Names of a run and of its results: misspelt ones are told with those that there are; a library is silent."""
+"""Misspelt names of a run and its results are told with those that there are; a library is silent."""
 
 import subprocess
 import sys
