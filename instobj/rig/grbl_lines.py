@@ -142,7 +142,9 @@ class ReplyReader:
             }
         except ValueError:
             return None
-        if any(len(numbers) != _AXES or not np.isfinite(numbers).all() for numbers in given.values()):
+        if any(
+            len(numbers) != _AXES or not np.isfinite(numbers).all() for numbers in given.values()
+        ):
             return None
         self._offset_mm = given.get("WCO", self._offset_mm)
         position = given.get("MPos")

@@ -94,7 +94,13 @@ def test_lines_without_answer_are_told_after_a_second_of_listening(clock, board_
 
 def test_patience_is_of_listening_too(clock):
     met, link = iter([False] * 3 + [True]), silent_station(clock)[0].machine
-    until(link, lambda: clock.nap(setattr(clock, "now", clock.now + 50.0)), lambda: next(met), "it", 60.0)
+    until(
+        link,
+        lambda: clock.nap(setattr(clock, "now", clock.now + 50.0)),
+        lambda: next(met),
+        "it",
+        60.0,
+    )
     with pytest.raises(MachineFault, match="it did not come within 2 s"):
         until(link, lambda: clock.nap(0.0), lambda: False, "it", 2.0)
     assert clock.now == pytest.approx(1152.1, abs=0.6)

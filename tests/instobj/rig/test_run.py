@@ -190,7 +190,9 @@ def test_a_load_beyond_the_limit_stops_the_feed_within_one_frame(tmp_path):
     harder = lambda depth, xy: hertz(depth, xy) * (1 + 9 * (depth > 1.5))  # noqa: E731
     with bench(law=harder) as made:
         given = options(made, tmp_path, settings={"full_n": 10.0, "speed_mm_s": 1.0})
-        with pytest.raises(InputError, match=r"more than the limit of 13.3.*The tip is up; --resume"):
+        with pytest.raises(
+            InputError, match=r"more than the limit of 13.3.*The tip is up; --resume"
+        ):
             rig(given, yes)
         require_tip_up(made)
         beyond = next(k for k, force in enumerate(made.forces) if force > LIMIT_N)
