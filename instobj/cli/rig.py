@@ -142,7 +142,7 @@ def _mounting(middle: str | None, turn_deg: float) -> Mounting | None:
         x, y, z = (float(part) for part in middle.split(","))
     except ValueError:
         raise InputError(
-            f"--middle {middle!r} is not X,Y,Z in mm, such as --middle -150,-100,-42.5. Lower the tip until it just "
-            "holds a sheet of paper on the face's middle, and read MPos"
+            f"--middle {middle!r} is not X,Y,Z in mm, such as --middle -150,-100,-42.5. Lower the tip "
+            "until it just holds a sheet of paper on the face's middle, and read MPos"
         ) from None
     return Mounting((x, y, z), turn_deg)

@@ -190,13 +190,13 @@ def _rest(station: Station, frames: int, readings: int) -> int:
     """Let frames and readings pass; how many readings there were."""
     cell, last = station.cell, station.frames + frames
     first = cell.readings
-    station.chips.rest()
+    station.witnesses.chips.rest()
 
     def rested() -> bool:
         return station.frames >= last and cell.readings >= first + readings
 
     until(station.machine, station.tick, rested, "rest", _MOVE_S)
-    station.chips.rested(station.channels, station.heard_s)
+    station.witnesses.chips.rested(station.channels, station.heard_s)
     return cell.readings - first
 
 

@@ -17,7 +17,7 @@ _FEWEST = 15
 """Readings at rest, at least, from which its noise is learnt."""
 _CHANCE = 1e-9
 """That a sound load cell stands still for longer than is allowed, at any reading."""
-_SHORTEST_RUN = 5
+_SHORTEST_RUN, _MOST_REPEATS = 5, 0.95
 _STILL_MM, _STILL_READINGS = 0.2, 3
 """Against a travel under load a force that does not change is none: 0.2 mm are 0.3 N and more on the
 softest silicone with a 5 mm tip, a hundred times the last digit that a load cell may leave out."""
@@ -110,6 +110,8 @@ class LoadCell:
             )
         self.noise_n = float(last.std(ddof=1))
         chance = (repeats + 1) / (len(last) + 1)
+        # Few readings tell it within its binomial error: two of them upwards.
+        chance = min(chance + 2 * math.sqrt(chance * (1 - chance) / len(last)), _MOST_REPEATS)
         self.longest_run = max(math.ceil(math.log(_CHANCE) / math.log(chance)), _SHORTEST_RUN)
         if self.noise_n > _NOISE_SHARE * limit_n:
             raise NoReading(

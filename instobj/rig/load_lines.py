@@ -13,7 +13,7 @@ from estimator.recordings.boards.link import serial_chunks
 _NUMBER = re.compile(r"\s*([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)\s*(N|mN|g|kg)?\s*")
 _NEWTON_PER = {"N": 1.0, "mN": 1e-3, "g": 9.80665e-3, "kg": 9.80665}
 _ENDS = {float(end) for bits in (15, 16, 23, 24, 31, 32) for end in (2**bits - 1, -(2**bits))}
-"""Ends of signed and unsigned integers of 16, 24 and 32 bits; one sound number in 30 000 may be among them."""
+"""Ends of signed and unsigned integers of 16, 24 and 32 bits; one sound number in 30 000 may be one."""
 
 
 @dataclass

@@ -16,8 +16,6 @@ from instobj.rig.contact_law import contact_law
 
 STOPS = 4
 """Depths per press, if none are given: a press and its retraction must fit into Grbl's buffer."""
-TOUCH_N = 0.2
-"""Force that counts as touch, where the load cell's noise allows it."""
 _LIMIT_SHARE = 4 / 3
 """The limit over the force that ends a press: what a press gains within two frames at its speed."""
 _SHARE = 1 / STOPS

@@ -39,8 +39,8 @@ from instobj.rig.phases import Phase
 from instobj.rig.plan import PressSettings, face_places
 from instobj.rig.press_code import press_code
 from instobj.rig.station import Spot, Station
-from instobj.rig.stop import BY_HAND
 from instobj.rig.touch import BELOW_MM, touched
+from instobj.rig.witnesses import Witnesses
 
 Say = Callable[[str], None]
 _AFTER_S = 1.0
@@ -90,7 +90,8 @@ def new_station(
     """Three lines with what the specification lets expect of cell and chips."""
     cell = LoadCell(largest_reading_n(spec.load_cell) if loads is None else math.inf)
     chips = Chips(spec.sensors.noise_counts, spec.sensors.drift_counts)
-    return Station(machine, board, loads, limit_n, lost_s, contact_law(spec), cell, chips)
+    witnesses = Witnesses(cell, chips, contact_law(spec))
+    return Station(machine, board, loads, limit_n, lost_s, witnesses)
 
 
 def make_ready(station: Station) -> None:
@@ -145,8 +146,8 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
         f"face {plan.face} of {plan.object_name}: {left} of {len(plan)} presses to do, about "
         f"{plan.seconds * left / len(plan) / 60:.0f} minutes",
         f"machine's frame: X {low[0]:.1f} to {high[0]:.1f}, Y {low[1]:.1f} to {high[1]:.1f} mm, Z from "
-        f"{highest_mm(settings):g} mm down to the surface at {expected.min():.1f} to {expected.max():.1f} mm; "
-        f"{BELOW_MM:g} mm below it the way down ends, whatever the load cell says",
+        f"{highest_mm(settings):g} mm down to the surface at {expected.min():.1f} to {expected.max():.1f} "
+        f"mm; {BELOW_MM:g} mm below it the way down ends, whatever the load cell says",
         f"stops {', '.join(f'{depth:g}' for depth in one.depths_mm)} mm below the first touch, "
         f"{one.speed_mm_s:g} mm/s{again}; a press ends at {one.full_n:g} N, everything stops at "
         f"{one.limit_n:.3g} N",
@@ -155,11 +156,11 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
 
 
 def _require_bounded(law: ContactLaw, settings: PressSettings) -> None:
-    deepest_mm = settings.depths_mm[-1]
-    if deepest_mm > law.depth_mm(settings.limit_n):
+    deepest_mm, most_mm = settings.depths_mm[-1], law.depth_mm(settings.limit_n)
+    if deepest_mm > most_mm:
         raise InputError(
-            f"--depth {deepest_mm:g}: about {law.force_n(deepest_mm):.0f} N are expected there, and everything "
-            f"stops at {settings.limit_n:.3g} N. Give --depth below {law.depth_mm(settings.limit_n):.2f}, or "
+            f"--depth {deepest_mm:g}: about {law.force_n(deepest_mm):.0f} N are expected there, and "
+            f"everything stops at {settings.limit_n:.3g} N. Give --depth below {most_mm:.2f}, or "
             "raise --full"
         )
 
@@ -213,8 +214,8 @@ def raised(station: Station) -> str:
     """The machine stopped and its tip lifted, in words: `up` only where its own position says so."""
     if station.phase is Phase.OFF:
         return "Nothing was moved"
-    if station.phase is Phase.HOMING or station.phase is Phase.LOST:
-        return f"The tip was NOT raised. {BY_HAND}"
+    if station.phase in (Phase.HOMING, Phase.LOST):
+        return "The tip was NOT raised"
     try:
         station.raise_tip()
     except InstobjError as error:
@@ -228,7 +229,7 @@ def _presses(station: Station, spec: ObjectSpec, journal: Journal, say: Say) -> 
     learn_rest(station)
     surface, stiffness = _touched_surface(station, spec, journal)
     # As stiff as measured or as expected, whichever is more: the limit must hold where the cell lies.
-    deepest_mm = station.law.depth_mm(station.limit_n, max(stiffness, 1.0))
+    deepest_mm = station.witnesses.law.depth_mm(station.limit_n, max(stiffness, 1.0))
     settings = plan.settings.down_to(deepest_mm)
     journal.note("touched", plane=list(surface.plane), uneven_mm=surface.uneven_mm)
     say(

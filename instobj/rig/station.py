@@ -12,16 +12,14 @@ from design.errors import InputError
 from estimator.recordings.boards.growing import GrowingRecording
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Load
 from estimator.recordings.boards.link import BoardClock
-from instobj.rig.chips import Chips
 from instobj.rig.clock import Listening
-from instobj.rig.contact_law import LARGEST_RATIO, ContactLaw, likely_unit
 from instobj.rig.grbl import GrblLink, MachineFault
 from instobj.rig.grbl_lines import State
 from instobj.rig.load_cell import LoadCell
 from instobj.rig.phases import DOWNWARD, Phase, require_following
-from instobj.rig.plan import TOUCH_N
 from instobj.rig.rows import Rows
 from instobj.rig.stop import lift
+from instobj.rig.witnesses import Witnesses
 
 ASIDE_MM = 0.1
 BELOW_MM = 0.05
@@ -32,14 +30,6 @@ _MOST_CHUNKS = 1000
 """Thrown away after a stop: more than 30 s of a line at its fastest."""
 _DEAF_MM = 1.0
 """Of a way down without a reading: twice what the tip does in a frame at the fastest strokes."""
-_WITNESSED_N, _WITNESSED_FRAMES = 2.0, 5
-"""A force that some chip sees wherever an object measures at all, and frames for which none does."""
-_UNFELT_FRAMES = 3
-"""The mean of three frames sees a contact for two more once it has ended."""
-_DOUBTED, _TYPICAL_MM = 40, 0.5
-"""Readings that are looked at for a doubt, and the least travel that chips or a missing touch tell."""
-_TOUCHES = 5.0
-"""Times its noise, a force that is none by chance in a million readings."""
 
 
 class ForceBeyondLimit(InputError):
@@ -48,10 +38,6 @@ class ForceBeyondLimit(InputError):
 
 class Silence(InputError):
     """Board or load cell no longer speak."""
-
-
-class Disagreement(InputError):
-    """Load cell and chips do not witness the same contact."""
 
 
 @dataclass(frozen=True)
@@ -77,9 +63,7 @@ class Station:
     loads: Iterator[list[float]] | None
     limit_n: float
     lost_s: float
-    law: ContactLaw
-    cell: LoadCell
-    chips: Chips
+    witnesses: Witnesses
     phase: Phase = Phase.OFF
     safe_mm: float = 0.0
     surface_mm: float = float("nan")
@@ -98,9 +82,6 @@ class Station:
     _board_s: float = 0.0
     _state_s: float = 0.0
     _asked_s: float = 0.0
-    _unwitnessed: int = 0
-    _unfelt: int = 0
-    _seen_mm: float = math.nan
     _listening: Listening = field(init=False)
 
     def __post_init__(self) -> None:
@@ -112,9 +93,9 @@ class Station:
         return self.rows.growing
 
     @property
-    def touch_n(self) -> float:
-        """Force at which the object counts as touched: what is certainly none of the cell's noise."""
-        return max(TOUCH_N, _TOUCHES * self.cell.noise_n)
+    def cell(self) -> LoadCell:
+        """The first witness of contact."""
+        return self.witnesses.cell
 
     @property
     def heard_s(self) -> float:
@@ -135,7 +116,8 @@ class Station:
         """Go on with something else, down to a height at most (machine's Z); without one no move is sent."""
         require_following(self.phase, phase)
         self.phase, self.machine.floor_mm = phase, floor_mm
-        self._unwitnessed, self._unfelt, self._deaf_mm = 0, 0, {}
+        self._deaf_mm = {}
+        self.witnesses.begin()
 
     def raise_tip(self) -> float:
         """Stop the feed and lift the tip to the safe height; the height (mm) at which it was stopped.
@@ -166,7 +148,7 @@ class Station:
         for _ in range(_MOST_CHUNKS):
             if self.loads is None or not next(self.loads):
                 break
-        self.chips.forget()
+        self.witnesses.chips.forget()
         self.expect()
 
     def tick(self) -> None:
@@ -219,8 +201,8 @@ class Station:
         late_s = (self.frame_ms - load.board_ms) / 1000
         if self.phase in DOWNWARD and _LATE_S < late_s < self.lost_s + _LATE_S:
             raise Silence(
-                f"the load cell's readings are {late_s:.1f} s older than the frames beside them. A force that "
-                "comes late cannot stop a press; read the cell faster"
+                f"the load cell's readings are {late_s:.1f} s older than the frames beside them. A force "
+                "that comes late cannot stop a press; read the cell faster"
             )
         self._take_force(load.force_n, load.board_ms / 1000)
 
@@ -241,14 +223,12 @@ class Station:
         self.channels = header.channels
 
     def _take_frame(self, frame: Frame) -> None:
-        self.chips.take(frame.counts, frame.board_ms)
+        self.witnesses.chips.take(frame.counts, frame.board_ms)
         self.frames, self.frame_ms = self.frames + 1, frame.board_ms
         self._board_s, heard_s = self._listening.now_s, self.machine.clock.now_s()
         self._ask(heard_s)
         self._deaf_mm["board"] = self.height_mm
-        loaded = abs(self.cell.force_n) > _WITNESSED_N and self.chips.see_nothing(self._board_s)
-        self._unwitnessed = self._unwitnessed + 1 if loaded else 0
-        self._take_sight()
+        self.witnesses.take_frame(self.height_mm, self._board_s)
         if not self.recording or self.growing is None or self.spot is None:
             return
         time_s = self.clock.time_s(frame.board_ms, self.machine.clock.epoch_s())
@@ -257,17 +237,6 @@ class Station:
         at_s = frame.board_ms / 1000 if self.loads is None else heard_s
         self.rows.add(at_s, [*head, *frame.counts], [float(self.spot.face), *tips])
         self.rows.loaded(self.cell)
-
-    def _take_sight(self) -> None:
-        """Count frames in which the chips see a contact, and the load cell feels none although the tip has
-        gone on by so much that even the softest object would be felt."""
-        if not self.chips.see(self._board_s):
-            self._seen_mm, self._unfelt = math.nan, 0
-            return
-        self._seen_mm = float(np.fmax(self._seen_mm, self.height_mm))
-        below_mm = self.law.depth_mm(self.touch_n, 1 / LARGEST_RATIO)
-        unfelt = self.cell.force_n < self.touch_n and self._seen_mm - self.height_mm > below_mm
-        self._unfelt = self._unfelt + 1 if unfelt else 0
 
     def _take_machine(self) -> None:
         self.machine.poll()
@@ -302,10 +271,10 @@ class Station:
             if heard_s and self.heard_s - heard_s > self.lost_s:
                 raise Silence(f"the {who} has said nothing for {self.lost_s:g} s. Check its cable")
         if self.cell.tared:
-            self.cell.require_alive(self.height_mm, self.touch_n)
+            self.cell.require_alive(self.height_mm, self.witnesses.touch_n)
         if self.phase in DOWNWARD:
             self._require_heard_on_the_way()
-            self._require_witnesses()
+            self.witnesses.require_agreement(self.surface_mm - self.height_mm)
 
     def _require_heard_on_the_way(self) -> None:
         """Stop a tip that goes on below the surface while nobody tells what it meets."""
@@ -314,26 +283,3 @@ class Station:
                 raise Silence(
                     f"the {who} has said nothing for {_DEAF_MM:g} mm of the way down. Check its cable"
                 )
-
-    def _require_witnesses(self) -> None:
-        """A contact that only the chips or only the load cell sees."""
-        if self._unwitnessed >= _WITNESSED_FRAMES:
-            raise Disagreement(
-                f"the load cell says {self.cell.force_n:.2f} N and no chip sees a contact. Does something "
-                "else press on the cell, and is this the board of this object?"
-            )
-        if self._unfelt >= _UNFELT_FRAMES:
-            raise Disagreement(
-                f"the chips see a contact and the load cell says {self.cell.force_n:.2g} N{self.doubt()}"
-            )
-
-    def doubt(self) -> str:
-        """The end of a sentence on a load cell that feels too little: what its last readings say."""
-        change_n = self.cell.changed_n(_DOUBTED)
-        if change_n is None:
-            return ". Its readings did not change: is it connected, and the object where --middle has it?"
-        # Within a factor of three, since the surface is known within a millimetre only.
-        depth_mm = float(np.clip(self.surface_mm - self.height_mm, _TYPICAL_MM, None))
-        expected_n = self.law.force_n(depth_mm)
-        unit = likely_unit(change_n / expected_n)
-        return f". Its readings changed by {change_n:.2g} N where about {expected_n:.2g} N are expected{unit}."

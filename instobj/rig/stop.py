@@ -24,7 +24,7 @@ _TRIES, _TRYING_S = 20, 20.0
 _STILL = 4
 """Reports `Idle` at one place in a row after which nothing moves, where a hold leaves no state `Hold`."""
 _NAP_S = 0.001
-BY_HAND = (
+_BY_HAND = (
     "Where the tip is is not known. Press the emergency stop, turn the machine off, and turn its Z axis up "
     "by hand (or jog it up while you watch); then --resume homes it, upwards first"
 )
@@ -59,7 +59,7 @@ def lift(link: GrblLink, safe_mm: float) -> tuple[float, bool]:
         if link.lost or alarm not in (None, KEPT_POSITION) or link.clock.now_s() > give_up_s:
             break
     link.lost = True
-    raise MachineFault(f"{why}. {BY_HAND}")
+    raise MachineFault(f"{why}. {_BY_HAND}")
 
 
 def halt(link: GrblLink) -> State | None:

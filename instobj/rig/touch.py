@@ -68,7 +68,7 @@ def touched(
         settle(station)
         require_at(station, (*spot.machine_mm, station.safe_mm))
         station.enter(Phase.ABOVE, station.safe_mm)
-        first_mm = first_touch_mm(*steps, station.touch_n, spec.indenter.kind)
+        first_mm = first_touch_mm(*steps, station.witnesses.touch_n, spec.indenter.kind)
         if not heights_mm:
             off_mm, ratio = first_mm - wanted_mm, _stiffness(station, *steps, first_mm)
         _require_in_time(first_mm - coarse_mm)
@@ -114,13 +114,16 @@ def _coarse(station: Station) -> float:
 
     def near() -> bool:
         ahead_mm = _AHEAD_MM if target_mm > bottom_mm else _ARRIVED_MM
-        return station.cell.force_n >= station.touch_n or height_mm() <= target_mm + ahead_mm
+        return (
+            station.cell.force_n >= station.witnesses.touch_n or height_mm() <= target_mm + ahead_mm
+        )
 
-    while station.cell.force_n < station.touch_n:
+    while station.cell.force_n < station.witnesses.touch_n:
         if height_mm() <= bottom_mm + _ARRIVED_MM:
             raise InputError(
                 f"the tip went down to Z = {bottom_mm:.1f} mm, {BELOW_MM:g} mm below where --middle has the "
-                f"surface, and the load cell says {station.cell.force_n:.2g} N{station.doubt()}"
+                f"surface, and the load cell says {station.cell.force_n:.2g} N"
+                f"{station.witnesses.doubt(BELOW_MM)} Or is that Z too high?"
             )
         target_mm = max(target_mm - _AHEAD_MM, bottom_mm)
         link.send(f"G53G1Z{target_mm:.2f}F{60 * _COARSE_MM_S:g}")
@@ -139,24 +142,24 @@ def _steps(
 ) -> tuple[Float[np.ndarray, "step"], Float[np.ndarray, "step"]]:
     """Heights and mean forces of steps down, until enough was felt."""
     heights, forces = [], []
-    firm_n = _FIRM * station.touch_n
+    firm_n = _FIRM * station.witnesses.touch_n
     first_mm = min(coarse_mm + _BACK_MM, station.safe_mm)
-    softest_mm = station.law.depth_mm(firm_n, 1 / LARGEST_RATIO)
+    softest_mm = station.witnesses.law.depth_mm(firm_n, 1 / LARGEST_RATIO)
     lowest_mm = max(coarse_mm, station.surface_mm - BELOW_MM) - softest_mm
     station.enter(Phase.SEEKING, lowest_mm)
     station.machine.send(f"G53G0Z{first_mm:.3f}")
-    while not felt_enough(np.array(forces), station.touch_n):
+    while not felt_enough(np.array(forces), station.witnesses.touch_n):
         height_mm = first_mm - _STEP_MM * len(heights)
         if height_mm < lowest_mm:
             raise InputError(
                 f"{softest_mm:.1f} mm below its first touch the object gives less than {firm_n:.2g} N"
-                f"{station.doubt()} Or does the object move?"
+                f"{station.witnesses.doubt(BELOW_MM)} Or does the object move?"
             )
         station.machine.send(f"G53G1Z{height_mm:.3f}F{60 * _STEP_MM_S:g}")
         settle(station)
         heights.append(height_mm)
         forces.append(_still_force_n(station))
-        if forces[0] < -station.touch_n:
+        if forces[0] < -station.witnesses.touch_n:
             raise InputError(
                 f"above the object the load cell says {forces[0]:.2f} N: it drifts, or something pulls at it"
             )
@@ -182,12 +185,12 @@ def _stiffness(
     InputError
         So many times that it is not the object but the load cell's scale.
     """
-    ratio = station.law.ratio(first_mm - heights_mm, forces_n)
+    ratio = station.witnesses.law.ratio(first_mm - heights_mm, forces_n)
     if not 1 / LARGEST_RATIO <= ratio <= LARGEST_RATIO:
         depth_mm = first_mm - heights_mm[-1]
         raise InputError(
             f"{depth_mm:.2f} mm below its first touch the load cell says {forces_n[-1]:.2g} N, and about "
-            f"{station.law.force_n(depth_mm):.2g} N are expected{likely_unit(ratio)}. Correct "
+            f"{station.witnesses.law.force_n(depth_mm):.2g} N are expected{likely_unit(ratio)}. Correct "
             "--load-scale or the load cell's figures in the specification; or is silicone's modulus wrong?"
         )
     return ratio

@@ -55,11 +55,28 @@ class Silicone:
 
 
 class Grbl(GrblSimulator):
-    """As a line that never waits; `heard` and `said` change what passes."""
+    """As a line that never waits; `heard` and `said` change what passes. Where its tip is stays when it
+    loses its supply: only what it reports starts anew."""
 
     def __init__(self, **settings):
+        self.shift = np.zeros(3)
         super().__init__(**settings)
         self.heard = self.said = lambda data: data
+
+    @property
+    def real_mm(self):
+        return self.position + self.shift
+
+    def power_on(self):
+        real = getattr(self, "position", np.zeros(3)) + self.shift
+        super().power_on()
+        self.shift = real - self.position
+
+    def _home(self):
+        done = super()._home()
+        if done and self.state == "Idle":
+            self.shift = np.zeros(3)
+        return done
 
     def read(self, _size):
         return self.said(self.give())
@@ -82,7 +99,7 @@ class Bench(Clock):
         self.counts = lambda counts: counts
         self.board = lambda data: data
         self.act = lambda: None
-        self.header_due = True
+        self.header_due, self.stamps_late_ms = True, 0
         self.waiting, self.cell_waiting = bytearray(), bytearray()
         self.depths, self.forces = [], []
 
@@ -105,11 +122,11 @@ class Bench(Clock):
 
     @property
     def xy_mm(self):
-        return self.machine.position[:2] - MIDDLE_MM
+        return self.machine.real_mm[:2] - MIDDLE_MM
 
     @property
     def depth_mm(self):
-        return TOP_MM - float(self.machine.position[2])
+        return TOP_MM - float(self.machine.real_mm[2])
 
     @property
     def pressing(self):
@@ -125,7 +142,7 @@ class Bench(Clock):
         if reading is not None and self.numbers:
             self.cell_waiting += f"{reading:.5f}\n".encode()
         elif reading is not None:
-            load = encode_load(Load(ms, 1, reading, None, ()))
+            load = encode_load(Load(max(ms - self.stamps_late_ms, 0), 1, reading, None, ()))
         noise = self.rng.standard_normal((3, 3)) * np.array([22.0, 22.0, 11.0])
         counts = self.counts(np.round(COUNTS_PER_MT * self.silicone.field_mt(depth, xy) + noise))
         header = encode_header(CHANNELS) if self.header_due or self.frames % 50 == 0 else b""

@@ -155,7 +155,7 @@ def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
     if not options.resume:
         if options.mounting is None:
             raise InputError(
-                "give --middle X,Y,Z: where the tip just touches the face's middle, in the machine's frame, mm"
+                "give --middle X,Y,Z: where the tip just touches the face's middle in the machine's frame, mm"
             )
         return new_journal(recording, _plan(spec, face, options), options.mounting)
     journal = resumed_journal(journal_path(recording, face))
