@@ -19,12 +19,13 @@ from estimator.recordings.checks.cells import check_rate, repaired_forces, wrong
 from estimator.recordings.checks.faults import (
     Fault,
     axis_noise_counts,
-    channel_faults,
     correct_face_labels,
     dead_channels,
+    dead_faults,
     jump_faults,
     mirror_faults,
     noisy_channels,
+    noisy_faults,
     press_responses,
     rest_noise_counts,
     stamp_faults,
@@ -154,12 +155,7 @@ def read_recording(
         table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
     limits = limits or usual_limits(table)
     with naming(path):
-        raw = table.counts
-        counts, unreadable = without_faults(raw)
-        _require_readings(raw, counts, unreadable)
-        lost = np.isfinite(raw) & np.isnan(counts)
-        table, unreachable = within_range(replace(table, counts=counts), limits)
-        left_out, spoilt = spoilt_channels(table.counts, lost)
+        table, left_out, unreadable = _believed(table, limits)
         presses = _find_presses(table)
         zeros = rest_levels(
             table.counts,
@@ -182,11 +178,8 @@ def read_recording(
     faults = (
         *stamp_faults(table),
         *unreadable,
-        *unreachable,
-        *spoilt,
         *repeat_faults(presses.repeats, presses.rate_hz),
-        *channel_faults(raw, presses.noise_counts),
-        *unread_faces(raw, presses.face),
+        *noisy_faults(presses.noise_counts),
         *jumps,
         *turns,
         *presses.faults,
@@ -198,14 +191,23 @@ def read_recording(
     return Recording(frames, report, zero)
 
 
-def _require_readings(raw: np.ndarray, counts: np.ndarray, faults: list[Fault]) -> None:
+def _believed(
+    table: RawTable, limits: Limits
+) -> tuple[RawTable, Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+    """The table without readings that a check names, channels to leave out, and what was named."""
+    raw = table.counts
     if not np.isfinite(raw).any():
         raise RecordingError(
             f"no channel has a reading in any of its {len(raw)} frames. Check the sensors' wiring (`instobj "
             "bringup`) and record anew"
         )
+    counts, faults = without_faults(raw)
     if not np.isfinite(counts).any():
         raise RecordingError(f"no reading is left: {'; '.join(map(str, faults[:3]))}")
+    spoilt, left_out = spoilt_channels(counts, np.isfinite(raw) & np.isnan(counts))
+    table, unreachable = within_range(replace(table, counts=counts), limits)
+    told = [*faults, *unreachable, *left_out, *dead_faults(raw), *unread_faces(raw, table.face)]
+    return table, spoilt | dead_channels(raw), told
 
 
 def _report(
@@ -217,6 +219,7 @@ def _report(
     zeroed_after: int,
     faults: tuple[Fault, ...],
 ) -> RecordingReport:
+    read = np.isfinite(table.counts).any(axis=(1, 2, 3))  # copied presses were read before
     return RecordingReport(
         path=str(path),
         kind=table.kind,
@@ -226,7 +229,9 @@ def _report(
         unused_frames=int(np.sum(~frames.valid)),
         faces_pressed=tuple(int(f) for f in np.unique(presses.face) if f != NO_FACE),
         tips=table.tip_xy_mm.shape[2],
-        presses=len(np.unique(presses.press[(presses.force_n >= CONTACT_FORCE_N).any(axis=1)])),
+        presses=len(
+            np.unique(presses.press[(presses.force_n >= CONTACT_FORCE_N).any(axis=1) & read])
+        ),
         sessions=len(np.unique(frames.session_id)),
         places=places,
         frame_rate_hz=presses.rate_hz,
@@ -288,7 +293,7 @@ def _frames(
     table: RawTable,
     presses: _Presses,
     zeros: Zeros,
-    jumping: Bool[np.ndarray, "5 sensor 3"],
+    left_out: Bool[np.ndarray, "5 sensor 3"],
     session: Int[np.ndarray, "frame"],
     place: Int[np.ndarray, "frame"],
 ) -> FrameSet:
@@ -304,8 +309,9 @@ def _frames(
     else:
         zero, error = zeros.counts[presses.press], None
     signal = table.counts - zero
-    unusable = dead_channels(table.counts) | noisy_channels(presses.noise_counts) | jumping
+    unusable = noisy_channels(presses.noise_counts) | left_out
     gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table), axis=(1, 2, 3))
+    gap |= ~np.isfinite(table.counts).any(axis=(1, 2, 3))
     signal[:, unusable] = np.nan
     alone = table.kind == "generic"  # a gripper's jaws press together, other load cells may rest
     still = alone & (np.abs(presses.force_n) < REST_FORCE_N[table.kind])

@@ -1,4 +1,4 @@
-"""All checks of a recording, in the order in which they are made.
+"""Table of all checks of a recording, in their order.
 
 A check takes what is known so far and returns what it names (readings, or frames), with one sentence for
 each cause and span. What it names is left out of signals and of labels.

@@ -62,6 +62,7 @@ def test_what_is_named_is_neither_signal_nor_label(sheet, tmp_path, clean):
         planted, path = planted_in(sheet, kind, 3, tmp_path / "planted.csv")
         _, recording = named(path, planted)
         rows[kind.__name__] = planted.rows, usable(recording)[0]
+    assert recording.report.presses == read_recording(clean).report.presses  # of `file_twice`
     (first, last), valid = rows["all_constant"]
     assert not valid[first : last + 1].any()
     assert valid.sum() > 0.6 * before.sum()
