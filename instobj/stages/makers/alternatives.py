@@ -64,9 +64,8 @@ def alternatives(
     A softer silicone scales every force by its modulus; more sensors and stronger magnets move no
     silicone. What the specification's own checks refuse is left out.
     """
-    forces, motions = load_presses(presses)
-    margin = saturation(spec, signals, motions, deepest_alone=True).margin[-1]
-    known, rows = {_source(spec): (signals, margin)}, list[Alternative]()
+    known = {_source(spec): (signals, _objects_margin(spec, signals, presses))}
+    rows = list[Alternative]()
     for size in range(len(CHANGES) + 1):
         if size > 2 and any(map(partial(_keeps_limits, spec), rows)):
             break
@@ -78,9 +77,8 @@ def alternatives(
                 other = check(_changed(spec, changes))
                 source = _source(other)
                 if source not in known:
-                    read = press_signals(other, forces, motions)
-                    margin = saturation(other, read, motions, deepest_alone=True).margin[-1]
-                    known[source] = read, margin
+                    read = press_signals(other, *load_presses(presses))
+                    known[source] = read, _objects_margin(other, read, presses)
                 read, margin = known[source]
                 rows.append(_row(changes, other, _with_forces(spec, other, read), margin))
             except ValueError:
@@ -184,6 +182,12 @@ def _with_forces(spec: ObjectSpec, other: ObjectSpec, signals: Signals) -> Signa
     """Signals of `other`, whose mechanics differ from `spec`'s by the modulus at most."""
     ratio = other.silicone.youngs_modulus_mpa / spec.silicone.youngs_modulus_mpa
     return replace(signals, force_n=signals.force_n * ratio)
+
+
+def _objects_margin(spec: ObjectSpec, signals: Signals, presses: Path) -> float:
+    """Of the deepest press, over all virtual objects but the few that may leave the range."""
+    _, motions = load_presses(presses)
+    return saturation(spec, signals, motions, deepest_alone=True).margin[-1]
 
 
 def _row(
