@@ -14,6 +14,11 @@ from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.tracking import Tracker
+from estimator.signals.hall import full_scale_counts
+from estimator.signals.live import is_live
+
+_AT_THE_END = 0.5
+"""Counts: a clipped reading is the largest of whole ones."""
 
 
 @dataclass
@@ -49,7 +54,8 @@ class LiveContacts:
     def feed(
         self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float = math.nan
     ) -> ContactSets | None:
-        """Read one frame, faces in order from 1; None while there is no zero.
+        """Read one frame, faces in order from 1; None while there is no zero. A channel at the end of its
+        range, now or in the zero, says nothing.
 
         Raises
         ------
@@ -58,7 +64,11 @@ class LiveContacts:
         """
         now = self._told(raw_counts)
         zero = self._level.after(now, time_s)
-        return None if zero is None else self._tracker.feed(now - zero)
+        if zero is None:
+            return None
+        change, most = now - zero, full_scale_counts(self.inversion.model.spec.sensors)
+        live = is_live(zero, change, most - _AT_THE_END)
+        return self._tracker.feed(np.where(live, change, np.nan))
 
     def miss(self) -> None:
         """Pass over a frame that lacks a reading: contacts stay where they were."""
