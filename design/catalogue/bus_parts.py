@@ -103,6 +103,18 @@ def bus_chip(part: str) -> BusChip:
     )
 
 
+def conversion_ms(part: str, averaging: int) -> float:
+    """Time between two readings of a part; 0 of one without a bus in the catalogue, whose time is not
+    known."""
+    known = any(part.startswith(chip.family) for chip in (TMAG5273, MLX90393, TLE493D))
+    return bus_chip(part).conversion_ms(averaging) if known else 0.0
+
+
+def frame_ms(conversion_ms: float, busy_ms: float) -> float:
+    """Time of a frame: chips convert by themselves while the board is busy with the frame before."""
+    return max(conversion_ms, busy_ms)
+
+
 MUX_NAME = "TCA9548A"
 MUX_ADDRESSES = tuple(range(0x70, 0x78))
 MUX_CHANNELS = 8
