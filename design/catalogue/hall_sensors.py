@@ -90,20 +90,19 @@ def _tmag5273(letter: str, version: int) -> HallPart:
     return HallPart(name, ranges, noise_ut, measured)
 
 
+_MLX90393_RANGES = (
+    SensorRange(4.9, 1e3 / 0.150),
+    SensorRange(9.8, 1e3 / 0.300),
+    SensorRange(24.6, 1e3 / 0.751),
+    SensorRange(49.2, 1e3 / 1.502),
+)
 HALL_PARTS = {
     part.name: part
     for part in (
         _tmag5273("A", 1),
         _tmag5273("A", 2),
-        HallPart(
-            "MLX90393",
-            (
-                SensorRange(4.9, 1e3 / 0.150),
-                SensorRange(9.8, 1e3 / 0.300),
-                SensorRange(24.6, 1e3 / 0.751),
-                SensorRange(49.2, 1e3 / 1.502),
-            ),
-        ),
+        HallPart("MLX90393", _MLX90393_RANGES),
+        HallPart("MLX90393-0x18", _MLX90393_RANGES),
         *(_tmag5273(letter, version) for letter in "BCD" for version in (1, 2)),
         *(
             HallPart(f"TLE493DW2B6A{k}", (SensorRange(80.0, 15.4), SensorRange(160.0, 7.7)))

@@ -218,6 +218,9 @@ def _ended(session: _Session, failure: InstobjError | None) -> dict[str, Any]:
         "frames_added": rows,
         "frames_without_force": session.state.unlabelled,
         # As long as frames came: the page stays for a while after the last one.
-        "texts": [_counts_text(session, max(session.arrivals_s, default=0.0))],
+        "texts": [
+            _counts_text(session, max(session.arrivals_s, default=0.0)),
+            *filter(None, [found.wrapped_text]),
+        ],
         "files": file_rows(files),
     }

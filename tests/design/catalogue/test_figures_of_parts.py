@@ -174,7 +174,7 @@ def test_hall_sensors_have_the_ranges_of_their_data_sheets():
         assert ranges[f"TLE493DW2B6A{k}"] == [(80.0, 15.4), (160.0, 7.7)]
     assert set(HALL_PARTS) == {
         *(f"TMAG5273{letter}{v}" for letter in "ABCD" for v in (1, 2)),
-        *(f"TLE493DW2B6A{k}" for k in range(4)), "MLX90393", GENERIC_PART,
+        *(f"TLE493DW2B6A{k}" for k in range(4)), "MLX90393", "MLX90393-0x18", GENERIC_PART,
     }  # fmt: skip
 
 

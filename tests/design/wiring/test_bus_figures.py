@@ -204,3 +204,13 @@ def test_check_and_firmware_bound_a_slow_chip_alike():
     stated = fastest_frame_rate_hz(spec.sensors, 5)
     assert stated == pytest.approx(67.4, abs=0.1)
     assert 0.95 * stated < plan.time.fastest_hz <= stated
+
+
+def test_boards_of_the_mlx90393_at_0x18_can_be_named():
+    sensors = {"part": "MLX90393-0x18", "range_mt": 4.9, "noise_counts": [10, 10, 16]}
+    spec = ObjectSpec(name="cube", sensors=sensors)
+    plan, _ = choose_plan(spec, PICO)
+    assert {chip.address for chip in plan.chips} == {0x18, 0x19, 0x1A, 0x1B}
+    usual, _ = choose_plan(ObjectSpec(name="cube", sensors={**sensors, "part": "MLX90393"}), PICO)
+    assert {chip.address for chip in usual.chips} == {0x0C, 0x0D, 0x0E, 0x0F}
+    assert plan.time == usual.time

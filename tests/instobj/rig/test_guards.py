@@ -86,6 +86,20 @@ def test_a_cell_that_rounds_may_repeat_itself_and_no_longer(digits):
         cell.require_alive(-1.0, 0.2)
 
 
+def test_a_force_that_does_not_change_while_the_tip_goes_on_is_told_at_the_third_reading():
+    rng, cell = np.random.default_rng(5), LoadCell()
+    for k in range(60):
+        cell.take(0.4 + 0.01 * rng.standard_normal(), 0.1 * k)
+    cell.learn(60, 20.0)
+    for height_mm in (-1.0, -1.15):
+        cell.take(3.0, 0.0)
+        cell.require_alive(height_mm, 0.2)
+    cell.take(3.0, 0.0)
+    cell.require_alive(-1.15, 0.2)  # at a stop it may repeat itself
+    with pytest.raises(NoReading, match="3 readings"):
+        cell.require_alive(-1.3, 0.2)
+
+
 def test_chips_see_a_contact_and_not_their_noise():
     """Noise of 20 000 frames is never a contact, and 150 counts on one of 45 channels always are."""
     spec, rng = ObjectSpec(name="cube").sensors, np.random.default_rng(2)
