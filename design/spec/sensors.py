@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field, model_validator
 
+from design.catalogue.bus_parts import conversion_ms, frame_ms
 from design.catalogue.hall_sensors import hall_part
 from design.spec.base import (
     Angle,
@@ -144,14 +145,13 @@ _READ_BITS = 9 * 9 + 3
 
 
 def fastest_frame_rate_hz(sensors: SensorSpec, faces: int = FACES_OF_A_CUBE) -> float:
-    """Frames per second: all sensors convert simultaneously, then are read one by one over one I²C bus.
+    """Frames per second at most: sensors convert by themselves and are read one by one over one I²C bus.
 
-    A part without a conversion time in the catalogue is limited by the bus alone. Firmware and
+    A part without a conversion time in the catalogue is limited by the bus alone. Firmware, line and
     multiplexers come on top: the paper's object ran at 10.5 Hz.
     """
-    conversion_s = hall_part(sensors.part).conversion_s(sensors.averaging) or 0.0
-    read_s = faces * sensors.count_per_face * _READ_BITS / (1e3 * sensors.i2c_khz)
-    return 1 / (conversion_s + read_s)
+    read_ms = faces * sensors.count_per_face * _READ_BITS / sensors.i2c_khz
+    return 1e3 / frame_ms(conversion_ms(sensors.part, sensors.averaging), read_ms)
 
 
 def _explicit_places(given: dict[str, Any]) -> dict[str, Any]:

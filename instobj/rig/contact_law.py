@@ -67,7 +67,8 @@ class ContactLaw:
 def contact_law(spec: ObjectSpec) -> ContactLaw:
     """The law of a specification's tips on its shell."""
     shell_mm, silicone = body_of(spec).silicone_mm, spec.silicone
-    depths = np.linspace(0.0, _DEEPEST_SHARE * shell_mm, _DEPTHS)
+    # Closer together near the surface, where the contact's radius grows the fastest.
+    depths = _DEEPEST_SHARE * shell_mm * np.linspace(0.0, 1.0, _DEPTHS) ** 2
     radius = _contact_radius_mm(tip_shape(spec.indenter), depths)
     modulus = max(silicone.youngs_modulus_mpa, silicone.surface_modulus_mpa)
     slope = 2 * modulus / (1 - silicone.poisson_ratio**2) * radius * spec.indenter.tip_count

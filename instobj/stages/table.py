@@ -296,7 +296,7 @@ STAGES: dict[str, Stage] = {
         (),
         (*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
         make_surroundings,
-        version=2,
+        version=3,
     ),
     "press_curves": Stage(
         "signals: curves of presses",

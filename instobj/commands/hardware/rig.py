@@ -137,12 +137,11 @@ def _pressed(
         with progress.stage("rig"):
             carry_out(station, spec, journal, recording, progress.step)
     line = station.decoder.statistics
-    return _document(
-        journal,
-        recording,
-        f"{line.lost_frames} frames lost, {line.damaged_lines} damaged lines, {station.rows.without_force} "
-        "frames left out that had no force within a second",
+    losses = (
+        f"{line.lost_frames} frames lost, {line.damaged_lines} damaged lines, "
+        f"{station.rows.without_force} frames left out that had no force within a second"
     )
+    return _document(journal, recording, [losses, *filter(None, [line.wrapped_text])])
 
 
 def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
@@ -164,7 +163,7 @@ def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
     return journal
 
 
-def _document(journal: Journal, recording: Path, losses: str) -> dict[str, Any]:
+def _document(journal: Journal, recording: Path, losses: list[str]) -> dict[str, Any]:
     target = recording.with_suffix(".nc")
     frames = finish_recording(recording, target)
     plan = journal.plan
@@ -177,7 +176,7 @@ def _document(journal: Journal, recording: Path, losses: str) -> dict[str, Any]:
             f"reference place: {back[0]:.2f} N at first, {back[-1]:.2f} N at last, {min(back):.2f} to "
             f"{max(back):.2f} N over {len(back)} returns"
         )
-    texts.append(f"next: instobj recordings {target}")
+    texts += [*losses, f"next: instobj recordings {target}"]
     return {
         "command": "rig",
         "presses": len(journal.finished),

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from estimator.recordings.boards.lines import Load, encode_header, encode_load
+from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
 from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions
@@ -135,6 +135,53 @@ def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
         process.communicate("\n", timeout=30)
     table = read_table(tmp_path / "cube.nc")
     assert table.force_n[:, 0].tolist() == [0.0] * 15 + [9.81] * 25
+
+
+@pytest.mark.parametrize("ends", ["load lines", "frames"])
+def test_seconds_end_where_load_lines_or_frames_have_ended(tmp_path, collected, ends):
+    def silent(k):
+        if k < 60:
+            return board_lines(k)
+        return (
+            board_lines(k, loads=False)
+            if ends == "load lines"
+            else encode_load(Load(10 * k, 1, 0.0, None, ()))
+        )
+
+    with dummy_board(silent) as port:
+        began_s = time.monotonic()
+        found = collected(port=port, seconds=3.0, zero_frames=0)
+    assert time.monotonic() - began_s < 5.0
+    assert 40 <= found["frames_added"] <= 170
+    assert ends == "frames" or found["frames_without_force"] > 50
+
+
+@pytest.mark.parametrize(
+    ("clock_ms", "words"),
+    [
+        (lambda k: 10 * k, ""),
+        (lambda k: 10_000 * k, "does it send microseconds"),
+        (lambda k: 10 * k + 1_728_000_000 * (k > 50), "did its clock jump"),
+        (lambda k: k // 10, ""),
+    ],
+)
+def test_a_clock_that_is_wrong_is_told(tmp_path, collected, clock_ms, words):
+    """A right one; microseconds sent as milliseconds; 20 days ahead; one that crawls, too little to tell."""
+
+    def lines(k):
+        ms = clock_ms(k)
+        return encode_load(Load(ms, 1, 0.0, None, ())) + encode_frame(k, ms, counts_at(k))
+
+    with dummy_board(lines) as port:
+        began_s = time.monotonic()
+        try:
+            told = " ".join(collected(port=port, seconds=1.5, zero_frames=0)["texts"])
+        except InputError as error:  # times that no recording can have
+            told = str(error)
+    assert time.monotonic() - began_s < 4.0
+    assert rows_of(tmp_path) > 80
+    assert ("times of the recording are wrong" in told) == bool(words)
+    assert words in told
 
 
 def test_a_load_cell_on_a_port_of_its_own(tmp_path, collected):

@@ -540,6 +540,16 @@ def test_the_way_on_ends_where_nobody_speaks(tmp_path):
     assert max(bench.depths) < 2.9
 
 
+def test_an_object_that_gives_way_ends_the_steps(tmp_path):
+    """It is felt at first, and then slides away under the tip."""
+    bench = Bench()
+    force_n = bench.silicone.force_n
+    bench.silicone.force_n = lambda depth_mm, xy_mm: min(force_n(depth_mm, xy_mm), 0.35)
+    error, _ = ended(bench, tmp_path)
+    assert "Or does the object move?" in error
+    require_unharmed(bench)
+
+
 def test_numbers_of_a_cell_on_its_own_line_are_checked_too(tmp_path):
     bench = Bench(numbers=True)
     bench.cell = lambda force_n: 1e-3 * force_n
