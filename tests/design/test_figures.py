@@ -113,10 +113,10 @@ FIGURES = {
         "_RANGES_TO_STRETCH": (1.25, 1.5, 2.0, 3.0), "_LARGEST_CORRELATION": 0.95,
     },
     design.catalogue.tensile_files: {"FIT_TO_STRETCH": 2.0, "LEAST_POINTS": 6, "_LEAST_STRETCH": 1.1},
-    design.fabrication.assembly: {"TOUCHING_MM3": 1e-3},
+    design.fabrication.assembly: {"TOUCHING_MM3": 1e-3, "MATING_MM3": 1.0},
     design.fabrication.casting: {
         "CEILING_MM2": 100.0, "YIELD_SHARE": 0.02, "NEAR_MM": 0.15,
-        "OPEN_MM3": 1e-3, "MATING_MM3": 1.0,
+        "OPEN_MM3": 1e-3,
     },
     design.fabrication.check: {"SLIVER_MM3": 1.0},
     design.fabrication.printing: {"_TIGHT": 1.25, "SHARPEST_DEG": 40.0},
