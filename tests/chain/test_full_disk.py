@@ -4,6 +4,7 @@ The system's limit of a file's size stands in for the disk: writing beyond it fa
 """
 
 import json
+import shutil
 import subprocess
 import sys
 from contextlib import contextmanager
@@ -29,6 +30,7 @@ from instobj.figures.saving import save_figure
 from instobj.stages.run import Run
 from instobj.stages.table import STAGES
 from instobj.store.content import stored
+from instobj.store.record import RECORD
 from instobj.store.space import WHOLE, entries
 from instobj.store.stage import write_json
 
@@ -220,6 +222,36 @@ def test_a_stage_on_a_full_disk_is_one_error_and_goes_on_from_there(name, whole_
     )
     result.with_name("away").rename(result)
     assert said.returncode == 7, said.stderr[-2000:]
+
+
+_MAKE_ALL = """
+import json, sys
+from pathlib import Path
+import instobj
+from instobj.stages.run import Run
+source, store, *names = sys.argv[1:]
+run = Run(instobj.ObjectSpec.model_validate(json.loads(Path(source).read_text())), root=Path(store))
+for name in names:
+    run.require(name)
+"""
+
+
+@pytest.mark.slow
+def test_every_stage_made_again_elsewhere_is_the_same_byte_by_byte(whole_store, tmp_path):
+    """By another process, on the same meshes: the mesher gives others each time."""
+    source, store = whole_store
+    command = [sys.executable, "-c", _MAKE_ALL, str(source)]
+    subprocess.run([*command, str(store), *STAGES], capture_output=True, check=True)
+    for name in ("mesh", "plain_mesh", "coarse_response"):
+        shutil.copytree(store / name, tmp_path / name)
+    subprocess.run([*command, str(tmp_path), *STAGES], capture_output=True, check=True)
+    for name in STAGES:
+        (first,), (again,) = ((root / name).glob("*") for root in (store, tmp_path))
+        assert first.name == again.name, f"{name} depends on something that differs"
+        for path in _files(first):
+            other = again / path.relative_to(first)
+            if path.name != RECORD:  # tells how long it took
+                assert other.read_bytes() == path.read_bytes(), other
 
 
 def _files(folder):
