@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from design.spec.object import LARGEST_SEED
 from estimator.evaluation.contact_baselines import patches, pursued
 from instobj.stages.makers.inversion import UNCERTAINTIES
 from studies.layouts import changed
@@ -21,7 +22,7 @@ from studies.paper.object import SIMULATED, SimulatedObject, simulated_object
 from studies.registry import Study, StudyResult
 
 if TYPE_CHECKING:
-    from design.spec.object import LARGEST_SEED, ObjectSpec
+    from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.inversion import Inversion
     from estimator.inversion.readings import ContactSets

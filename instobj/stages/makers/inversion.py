@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from design.spec.object import LARGEST_SEED
 from instobj.stages.makers.collection import stored_shear
 from instobj.store.readers import (
     CONTACT_METRICS,
@@ -22,7 +23,7 @@ from instobj.store.readers import (
 from instobj.store.stage import StageContext, Step, write_json
 
 if TYPE_CHECKING:
-    from design.spec.object import LARGEST_SEED, ObjectSpec
+    from design.spec.object import ObjectSpec
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.inversion import Inversion
     from estimator.inversion.readings import ContactSets
