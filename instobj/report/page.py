@@ -288,12 +288,7 @@ def _files(inputs: Inputs) -> list[tuple[str, list[Link]]]:
 def _provenance(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
     records = {name: read_record(folder) for name, folder in inputs.items()}
     rows = [
-        [
-            name,
-            record["key"][:16],
-            f"{record['seconds']:.1f} s",
-            ", ".join(record["inputs"]["spec"]),
-        ]
+        [name, record["key"][:16], ", ".join(record["inputs"]["spec"])]
         for name, record in records.items()
     ]
     versions = next(iter(records.values()))["inputs"]["libraries"]

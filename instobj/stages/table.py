@@ -359,7 +359,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "search.prices", "silicone"),
         make_report,
-        version=17,
+        version=18,
     ),
 }
 """In the order in which a command works through those that it needs."""
