@@ -7,6 +7,7 @@ each of these is one error.
 from __future__ import annotations
 
 import errno
+import functools
 import os
 import shutil
 import signal
@@ -14,7 +15,11 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from pathlib import Path
+from typing import Any
+
+from threadpoolctl import ThreadpoolController
 
 from design.errors import FullDisk, InputError
 
@@ -23,6 +28,17 @@ ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THRE
 """Environment of processes that compute, before they load what reads it: threads of a solver wait for each
 other where cores are shared. More processes (`--workers`) take more cores."""
 _GIB = 2.0**30
+
+
+def one_blas_thread() -> AbstractContextManager[Any]:
+    """A context in which NumPy's and SciPy's linear algebra takes one thread."""
+    return _loaded_libraries().limit(limits=1, user_api="blas")
+
+
+@functools.cache
+def _loaded_libraries() -> ThreadpoolController:
+    """Once: to look for them takes 8 ms."""
+    return ThreadpoolController()
 
 
 class ChildFailed(Exception):

@@ -132,12 +132,12 @@ def _weld(surface: trimesh.Trimesh) -> list[str]:
     """Join corners within `_WELD_MM` of each other, in place; tells how many were moved."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
-    from scipy.spatial import cKDTree
+    from scipy.spatial import KDTree
 
     corners = np.asarray(surface.vertices)
     if not np.isfinite(corners).all():
         return []
-    pairs = cKDTree(corners).query_pairs(_WELD_MM, output_type="ndarray")
+    pairs = KDTree(corners).query_pairs(_WELD_MM, output_type="ndarray")
     if not len(pairs):
         return []
     near = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(corners),) * 2)

@@ -3,16 +3,12 @@
 # pyright: reportAttributeAccessIssue=false
 from __future__ import annotations
 
-import errno
 import io
-import os
 import re
 from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 from design.build.manifest import BuildManifest, PartManifest, remove_manifest
 from design.build.parts import Part, parts_of
@@ -21,6 +17,7 @@ from design.build.scene import ASSEMBLY_NAME, assembly_scene, write_glb
 from design.build.slicer_file import write_3mf
 from design.errors import InputError
 from design.files import atomic_path
+from design.solids.booleans import as_triangles, as_written
 from design.solids.kernel import cq
 from design.spec.fabrication import ExportSpec
 from design.spec.object import ObjectSpec
@@ -85,7 +82,7 @@ def write_part(
         return _write_triangles(part, solid, folder, spec)
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
-    mesh = _write_stl(solid, folder / f"{part.name}.stl", spec.export)
+    mesh = _write_stl(_triangles(solid, spec.export), folder / f"{part.name}.stl")
     printing = _write_3mf(part, mesh, folder, spec)
     _write_step(solid, folder / f"{part.name}.step")
     manifest = PartManifest(
@@ -108,9 +105,7 @@ def write_part(
 def _write_triangles(
     part: Part, surface: trimesh.Trimesh, folder: Path, spec: ObjectSpec
 ) -> tuple[PartManifest, trimesh.Trimesh]:
-    with atomic_path(folder / f"{part.name}.stl") as path:
-        surface.export(path)
-        written = _closed(path, part.name)
+    written = _write_stl(surface, folder / f"{part.name}.stl")
     printing = _write_3mf(part, surface, folder, spec)
     (x0, y0, z0), (x1, y1, z1) = surface.bounds.tolist()
     cx, cy, cz = surface.center_mass.tolist()
@@ -163,34 +158,24 @@ def _without_changing_marks(step: bytes) -> bytes:
     return _STEP_COUNT.sub(rb"\1 1'", step)
 
 
-def _write_stl(solid: cq.Solid, target: Path, export: ExportSpec) -> trimesh.Trimesh:
-    with atomic_path(target) as path:
-        fineness = (export.mesh_tolerance_mm, export.mesh_angle_rad)
-        told = solid.exportStl(str(path), *fineness, relative=False)
-        if not told or not _is_whole(path):  # the kernel does not say why
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        return _closed(path, target.stem)
+def _triangles(solid: cq.Solid, export: ExportSpec) -> trimesh.Trimesh:
+    return as_triangles(solid, (export.mesh_tolerance_mm, export.mesh_angle_rad), False)
 
 
-def _is_whole(stl: Path) -> bool:
-    """Whether a binary STL is as long as it says: 84 bytes, and 50 for each triangle."""
-    with stl.open("rb") as file:
-        head = file.read(84)
-    return stl.stat().st_size == 84 + 50 * int.from_bytes(head[80:84], "little")
+def _write_stl(surface: trimesh.Trimesh, target: Path) -> trimesh.Trimesh:
+    """Write a surface, and return it as the file holds it.
 
-
-def _closed(path: Path, name: str) -> trimesh.Trimesh:
-    """The STL as read back, without triangles that repeat a vertex: the kernel closes the poles of
-    spheres with such, and single precision makes them of slivers."""
-    import trimesh
-
-    mesh = trimesh.load_mesh(path)
-    corners = np.sort(mesh.faces, axis=1)
-    mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
-    if not mesh.is_watertight:
+    Raises
+    ------
+    InputError
+        It does not close in the precision of the file, or the folder cannot be written.
+    """
+    written = as_written(surface)
+    if written is None:
         raise InputError(
-            f"the surface of {name} is not closed: two of its recesses or pockets touch in a line. Move "
-            "them apart, or let them overlap, by 0.01 mm or more"
+            f"the surface of {target.stem} is not closed: two of its recesses or pockets touch in a line. "
+            "Move them apart, or let them overlap, by 0.01 mm or more"
         )
-    mesh.export(path)
-    return mesh
+    with atomic_path(target) as path:
+        written.export(path)
+    return written

@@ -120,7 +120,8 @@ class SearchLimitsSpec(SpecPart):
     all faces, in the unit of the prices, `build_minutes` their time by hand. `times_start` says how many
     times the starting specification's value a score may have at most (`sensitivity_ratio`: at least);
     `places_worse` is the share of (force, contact location) whose position bound may be larger than the
-    start's. At rest and in the deepest press `limits.saturation_margin` of the sensors' range stays free.
+    start's. At rest and in the deepest press `limits.saturation_margin` of the sensors' range stays free,
+    and 95 % of virtual objects keep every chip within it.
     """
 
     pocket_gap_mm: Offset = 1.0

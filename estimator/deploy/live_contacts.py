@@ -14,6 +14,11 @@ from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.tracking import Tracker
+from estimator.signals.hall import full_scale_counts
+from estimator.signals.live import is_live
+
+_AT_THE_END = 0.5
+"""Counts: a clipped reading is the largest of whole ones."""
 
 
 @dataclass
@@ -57,7 +62,8 @@ class LiveContacts:
         time_s: float = math.nan,
         left_out: Bool[np.ndarray, "face sensor 3"] | None = None,
     ) -> ContactSets | None:
-        """Read one frame, faces in order from 1; None while there is no zero.
+        """Read one frame, faces in order from 1; None while there is no zero. A channel at the end of its
+        range, now or in the zero, says nothing.
 
         Parameters
         ----------
@@ -73,7 +79,9 @@ class LiveContacts:
         self._zero = self._level.after(now, time_s)
         if self._zero is None:
             return None
-        return self._tracker.feed(np.where(self._out, np.nan, now - self._zero))
+        change, most = now - self._zero, full_scale_counts(self.inversion.model.spec.sensors)
+        live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
+        return self._tracker.feed(np.where(live, change, np.nan))
 
     def miss(self) -> None:
         """Pass over a frame that lacks a reading: contacts stay where they were."""

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from design.errors import InputError
+from design.processes import one_blas_thread
 
 if TYPE_CHECKING:
     import torch
@@ -52,7 +53,8 @@ def compute_device() -> torch.device:
 
 @contextmanager
 def one_thread() -> Iterator[None]:
-    """torch on one thread of the processor, whatever the environment says; then on as many as before.
+    """torch and linear algebra on one thread of the processor, whatever the environment says; then on as
+    many as before.
 
     Tensors here are small: a second thread gains nothing, and waits at every sum where cores are shared (a
     walk took ten times as long on two of two busy cores).
@@ -62,7 +64,8 @@ def one_thread() -> Iterator[None]:
     before = torch.get_num_threads()
     torch.set_num_threads(1)
     try:
-        yield
+        with one_blas_thread():
+            yield
     finally:
         torch.set_num_threads(before)
 

@@ -60,10 +60,11 @@ def optimize(
     spec, space = _prepared(path, out, overrides)
     folder = search_folder(out, spec)
     progress = ProgressLine()
-    kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
     limit = TimeLimit(spec.search.seconds)
-    progress.say(limit.plan)
-    progress.say(_mechanics_plan(spec, limit))
+    plans = limit.plan, _mechanics_plan(spec, limit)  # refuses before there is a study to resume
+    kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
+    for plan in plans:
+        progress.say(plan)
 
     def say(text: str) -> None:
         progress.step(f"{text}; {limit.left}")

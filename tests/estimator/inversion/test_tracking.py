@@ -13,6 +13,7 @@ from estimator.inversion.model.noise import BLIND, MESH_ERROR, SUM_ERROR, design
 from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
 from estimator.recordings.checks.stream import SoundReadings
+from estimator.signals.hall import full_scale_counts
 from tests.support.mechanics.inverted import SPEC, inverted, noisy_counts, presses
 
 
@@ -126,6 +127,24 @@ def test_the_zero_is_taken_from_rest(followed):
     last = [following.feed(frame.reshape(5, 3, 3), row / 10) for row, frame in enumerate(raw)]
     assert last[40].number[0] == 2
     assert last[-1].number[0] == 0
+
+
+def test_a_channel_at_the_end_of_its_range_says_nothing(followed):
+    """The channels of the chip that the press changes most begin 30 counts from the end of their range."""
+    _, _, counts, _, _ = followed
+    most = full_scale_counts(SPEC.sensors)
+    channel = 3 * (int(abs(counts[20]).argmax()) // 3) + np.arange(3)
+    raw = counts.copy()
+    raw[:, channel] += np.sign(counts[20, channel]) * (most - 30.0)
+    raw = np.clip(raw, -most, most)
+    assert np.any(abs(raw[20, channel]) == most)
+    reader = LiveContacts(inverted(), "first", 8)
+    read = [reader.feed(frame.reshape(5, 3, 3), row / 10) for row, frame in enumerate(raw)]
+    for row in (16, 18, 20, 22):
+        assert read[row].explained[0]
+        assert read[row].number[0] == 1
+        wanted = [-4 + 0.2 * (row - 8), 3.0]
+        assert np.linalg.norm(read[row].xy_mm[0, read[row].face[0] == 3][0] - wanted) < 2.0
 
 
 def test_a_still_level_and_its_opposite_are_read_each_by_itself():

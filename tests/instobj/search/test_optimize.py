@@ -215,6 +215,18 @@ def test_an_empty_table_is_refused_before_what_computes_is_loaded(tmp_path):
     assert_one_clear_error(done, "magnet_reach_mm = 15 and sensor_reach_mm = 9.7")
 
 
+def test_too_little_time_is_refused_and_leaves_nothing_to_resume(tmp_path, monkeypatch):
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
+    for _ in range(2):
+        with pytest.raises(
+            InputError, match=r"search\.seconds = 20 ends before .* give about \d+$"
+        ):
+            optimize(path, tmp_path, ["search.seconds=20"], False, None)
+    assert not list((tmp_path / "runs").glob("**/journal.log"))
+
+
 def test_an_impossible_search_ends_with_one_error(tmp_path):
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
