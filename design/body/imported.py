@@ -125,7 +125,8 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
 
 def _has_three_corners(surface: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
     """Of every triangle whether its corners are three; others close nothing."""
-    return (np.diff(np.sort(surface.faces, axis=1), axis=1) > 0).all(axis=1)
+    steps = np.diff(np.sort(surface.faces, axis=1), axis=1)
+    return np.logical_and(steps[:, 0] > 0, steps[:, 1] > 0)
 
 
 def _weld(surface: trimesh.Trimesh) -> list[str]:

@@ -1,4 +1,4 @@
-"""What a run on a press rig is doing, and what may follow."""
+"""Phases of a run on a press rig, and which may follow which."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ from estimator.recordings.boards.growing import growing_recording
 from estimator.recordings.boards.link import serial_chunks
 from instobj.rig.chips import Chips
 from instobj.rig.contact_law import ContactLaw, contact_law
-from instobj.rig.cycle import end_rows, greet, home, learn_rest, press, raise_and_listen
+from instobj.rig.cycle import end_rows, greet, home, learn_rest, press, raise_and_listen, take_tare
 from instobj.rig.grbl import GrblLink, MachineFault, grbl_link, until
 from instobj.rig.grbl_lines import TRAVEL_SETTINGS
 from instobj.rig.journal import Journal
@@ -247,6 +247,8 @@ def _presses(station: Station, spec: ObjectSpec, journal: Journal, say: Say) -> 
         largest_n = press(station, spot, height_mm, settings, rest_frames)
         journal.note("finished", press=number, row=_rows(station), largest_n=round(largest_n, 3))
         say(f"press {len(journal.finished)} of {len(plan)}: {largest_n:.2f} N")
+    station.resting = True  # the last press has an unloaded level behind it too
+    take_tare(station, rest_frames)
     end_rows(station)
 
 

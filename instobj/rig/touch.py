@@ -18,8 +18,6 @@ from instobj.rig.station import Spot, Station
 BELOW_MM, ABOVE_MM = 1.0, 3.0
 """How far from where the surface is expected it is looked for: a hand that sets a height by eye or by a
 sheet of paper is off by some tenths, and where it was pressed in already, by up to 2 mm upwards."""
-_LATE_MM = 1.2
-"""Of a stop at 2 mm/s below the touch: six tenths of a second, three times what is usual."""
 _COARSE_MM_S = 2.0
 _AHEAD_MM, _ARRIVED_MM = 0.5, 0.02
 _STEP_MM = 0.1
@@ -71,7 +69,6 @@ def touched(
         first_mm = first_touch_mm(*steps, station.witnesses.touch_n, spec.indenter.kind)
         if not heights_mm:
             off_mm, ratio = first_mm - wanted_mm, _stiffness(station, *steps, first_mm)
-        _require_in_time(first_mm - coarse_mm)
         heights_mm.append(first_mm)
     return np.array(heights_mm), ratio
 
@@ -194,11 +191,3 @@ def _stiffness(
             "--load-scale or the load cell's figures in the specification; or is silicone's modulus wrong?"
         )
     return ratio
-
-
-def _require_in_time(below_mm: float) -> None:
-    if below_mm > _LATE_MM:
-        raise InputError(
-            f"the load cell stopped the way down {below_mm:.1f} mm below the touch, which steps found: its "
-            "readings come late. Read it faster, and without a filter"
-        )

@@ -93,8 +93,9 @@ def _document(done) -> dict:
 def test_run_works_through_every_stage_and_says_so(first):
     worked = [name for name in STAGES if name not in ON_REQUEST]
     assert sorted(row["stage"] for row in _document(first)["stages"]) == sorted(worked)
-    for name in worked:
-        assert STAGES[name].title in first.stderr
+    for row in _document(first)["stages"]:
+        if row["seconds"] >= 1.0:  # a log has lines for those that take their time
+            assert STAGES[row["stage"]].title in first.stderr
 
 
 def test_run_writes_the_files_of_the_contract(folder, first):

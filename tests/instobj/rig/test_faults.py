@@ -331,6 +331,11 @@ def lifting_line_lost(bench):
     bench.machine.heard = from_then(when, lambda data: b"" if b"G53G0Z" in data else data)
 
 
+def deeper_by_a_digit(bench):
+    """The second stop of a press arrives as 6 mm deeper."""
+    bench.machine.heard = lambda data: data.replace(b"G53Z-20\n", b"G53Z-26\n")
+
+
 STILL, BOARD_STILL = "stands still", "board in a row are the same"
 UNCHANGED, UNSEEN = "Its readings did not change", "no chip sees a contact"
 SILENT, RESET = "load cell has said nothing", "was reset, or lost its supply.*could NOT be raised"
@@ -415,6 +420,7 @@ FAULTS = {
     "grblHAL reset in a press": (grblhal_reset, RESET),
     "a machine that starts anew at the stop": (starts_anew_at_the_stop, "without a move.*by hand"),
     "the lifting line lost": (lifting_line_lost, "was lost.*not known.*by hand"),
+    "a digit changed on its way to a press": (deeper_by_a_digit, f"where it was not sent.*{UP}"),
     "an axis stuck": (stuck_axis, "not known.*by hand"),
 }
 
@@ -538,6 +544,15 @@ def test_the_way_on_ends_where_nobody_speaks(tmp_path):
     error, _ = ended(bench, tmp_path, settings)
     assert "for 1 mm of the way down" in error
     assert max(bench.depths) < 2.9
+
+
+def test_a_late_cell_is_told_by_the_chips_where_the_surface_is_higher_than_stated(tmp_path):
+    """The end of the way down lies 3 mm in the object then."""
+    bench = Bench()
+    late(0.7)(bench)
+    error, _ = ended(bench, tmp_path, middle_z_mm=TOP_MM - 2.0)
+    assert UNFELT in error
+    require_unharmed(bench)
 
 
 def test_an_object_that_gives_way_ends_the_steps(tmp_path):
