@@ -42,7 +42,7 @@ def test_a_figure_that_fails_is_not_shown_as_its_limit(value, text):
 )
 def test_chips_of_virtual_objects_decide_beside_the_design(out, margin, go):
     """At most 5 % of the objects may have a chip out of range in the deepest press."""
-    limits = {"position_bound_mm": 500.0, "detectable_force_n": 500.0}
+    limits = {"position_bound_mm": 100.0, "detectable_force_n": 100.0}
     spec = coarse_spec(contact_grid={"count": (4, 4), "pitch_mm": 6.0}, limits=limits)
     scores = score_places(spec, press_signals(spec, *synthetic_presses(spec)))
     objects = Saturation(200, (0.0, 1.5, 2.0, 4.0), (0.0, 0.0, 0.01, out), (0.5, 0.4, 0.3, margin))
