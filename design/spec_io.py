@@ -182,11 +182,26 @@ def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:
     SpecError
         All that does not fit, a line each: what was given and how to fix it.
     """
+    _require_one_place_each(spec)
     try:
         require_fit(spec, table)
     except ValueError as error:
         raise SpecError(str(error)) from None
     return spec
+
+
+def _require_one_place_each(spec: ObjectSpec) -> None:
+    """Refuse magnets at one place, before thousands of their pairs are told to touch.
+
+    A search may hold such magnets for a moment, until a trial has given them their places.
+    """
+    for places in spec.magnets.lists:
+        if len(set(places)) < len(places):
+            x, y = next(place for place in places if places.count(place) > 1)
+            raise SpecError(
+                f"magnets.positions_mm names ({x:g}, {y:g}) twice on one face. Move one of the two, or "
+                "leave it out"
+            )
 
 
 def spec_hash(spec: ObjectSpec) -> str:

@@ -35,7 +35,7 @@ Component = Annotated[float, Field(ge=-1e4, le=1e4)]
 """Of a direction of any length."""
 Force = Annotated[float, Field(ge=0.001, le=500)]
 """N; 500 N is more than a hand presses with."""
-Remanence = Annotated[float, Field(ge=0.01, le=1.6)]
+Remanence = Annotated[float, Field(ge=0.01, le=2.0)]
 """T; the strongest magnets that are sold have 1.55."""
 FieldRange = Annotated[float, Field(ge=0.01, le=3000)]
 """mT; of a Hall sensor."""

@@ -41,7 +41,7 @@ class CollectionSpec(SpecPart):
 
     kind: CollectionKind = "paper"
     faces: Annotated[tuple[SensedFace, ...], Field(min_length=1)] = (1, 2, 3, 4, 5)
-    frames_per_case: Annotated[int, Field(ge=4, le=1_000_000)] = 1000
+    frames_per_case: Annotated[int, Field(ge=4, le=100_000_000)] = 1000
     non_contact_cases: Annotated[int, Field(ge=1, le=100_000)] = 3
     dual_poses: tuple[ProbePose, ...] = _ROWS + _COLUMNS
     triple_poses: tuple[ProbePose, ...] = _TRIANGLES + tuple(
@@ -50,7 +50,7 @@ class CollectionSpec(SpecPart):
     grasp_faces: tuple[SensedFace, SensedFace] = (3, 5)
     grasp_force_n: Force = 17.0
     random_grasps: Annotated[int, Field(ge=0, le=100_000)] = 0
-    presses: Annotated[int, Field(ge=1, le=10_000_000)] = 2000
+    presses: Annotated[int, Field(ge=1, le=1_000_000_000)] = 2000
     contacts: Annotated[int, Field(ge=1, le=5)] = 1
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0
     hysteresis: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
@@ -174,7 +174,7 @@ class TrainingSpec(SpecPart):
     heatmap_axes: Literal[1, 3] = 1
     history_frames: Annotated[int, Field(ge=0, le=100)] | None = None
     hidden_units: Annotated[
-        tuple[Annotated[int, Field(ge=1, le=65_536)], ...], Field(min_length=1, max_length=20)
+        tuple[Annotated[int, Field(ge=1, le=10_000_000)], ...], Field(min_length=1, max_length=20)
     ] = (256, 256, 256)
     epochs: Annotated[int, Field(ge=1, le=100_000)] = 40
     batch_size: Annotated[int, Field(ge=1, le=1_000_000)] = 512

@@ -287,13 +287,6 @@ class MagnetSpec(SpecPart):
                 f"magnets.positions_mm must hold as many places on every face; got {counts}. Add or take "
                 "out places"
             )
-        for places in self.lists:
-            if len(set(places)) < len(places):
-                x, y = next(place for place in places if places.count(place) > 1)
-                raise ValueError(
-                    f"magnets.positions_mm names ({x:g}, {y:g}) twice on one face. Move one of the two, or "
-                    "leave it out"
-                )
         sizes = ("part", "diameter_mm", "inner_diameter_mm", "size_mm", "height_mm")
         for key in ("depth_mm", "tilt_deg", "north", *sizes, "grade", "remanence_t"):
             values = getattr(self, key)

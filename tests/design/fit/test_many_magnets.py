@@ -8,7 +8,6 @@ import pytest
 
 from design.errors import SpecError
 from design.layout.pockets import distance_of_segments_mm, near_pairs
-from design.spec.magnets import MagnetSpec
 from design.spec_io import parse_spec
 
 BODIES = {
@@ -47,4 +46,4 @@ def test_six_hundred_magnets_are_checked_in_ten_seconds(body):
 
 def test_two_magnets_at_one_place_are_refused():
     with pytest.raises(SpecError, match=r"names \(3, 4\) twice on one face"):
-        MagnetSpec(positions_mm=((3.0, 4.0), (0.0, 0.0), (3.0, 4.0)))
+        parse_spec({"name": "x", "magnets": {"positions_mm": [[3, 4], [0, 0], [3, 4]]}}, "x")

@@ -45,7 +45,7 @@ magnets.diameter_mm: gt 0, le 1000, least 1
 magnets.inner_diameter_mm: ge 0, le 1000, least 1
 magnets.size_mm: gt 0, le 1000, least 1
 magnets.height_mm: gt 0, le 1000, least 1
-magnets.remanence_t: ge 0.01, le 1.6, least 1
+magnets.remanence_t: ge 0.01, le 2, least 1
 magnets.recoil_permeability: ge 1, le 2
 magnets.temperature_c: ge -40, le 150
 magnets.turns: ge 1, le 100000
@@ -101,7 +101,7 @@ environment.magnets.position_mm: ge -1000, le 1000
 environment.magnets.axis: ge -10000, le 10000
 environment.magnets.diameter_mm: gt 0, le 1000
 environment.magnets.height_mm: gt 0, le 1000
-environment.magnets.remanence_t: ge 0.01, le 1.6
+environment.magnets.remanence_t: ge 0.01, le 2
 environment.magnets.recoil_permeability: ge 1, le 2
 environment.steel_plates.position_mm: ge -1000, le 1000
 environment.steel_plates.normal: ge -10000, le 10000
@@ -135,19 +135,19 @@ protocol.peak_force_spread: ge 0, lt 0.9
 protocol.lateral_jitter_mm: ge 0, le 20
 protocol.force_noise_n: ge 0, le 20
 collection.faces: ge 1, le 6, least 1
-collection.frames_per_case: ge 4, le 1e+06
+collection.frames_per_case: ge 4, le 1e+08
 collection.non_contact_cases: ge 1, le 100000
 collection.dual_poses: ge -1000, ge -720, le 1000, le 720
 collection.triple_poses: ge -1000, ge -720, le 1000, le 720
 collection.grasp_faces: ge 1, le 6
 collection.grasp_force_n: ge 0.001, le 500
 collection.random_grasps: ge 0, le 100000
-collection.presses: ge 1, le 1e+07
+collection.presses: ge 1, le 1e+09
 collection.contacts: ge 1, le 5
 collection.tangential_share: ge 0, le 2
 collection.hysteresis: ge 0, lt 0.5
 training.history_frames: ge 0, le 100
-training.hidden_units: ge 1, le 65536, least 1, most 20
+training.hidden_units: ge 1, le 1e+07, least 1, most 20
 training.epochs: ge 1, le 100000
 training.batch_size: ge 1, le 1e+06
 training.learning_rate: ge 1e-07, le 1
@@ -182,7 +182,7 @@ as_built.magnets.face: ge 1, le 6
 as_built.magnets.magnet: ge 1, le 100000
 as_built.magnets.centre_mm: ge -1000, le 1000
 as_built.magnets.axis: ge -10000, le 10000
-as_built.magnets.remanence_t: ge 0.01, le 1.6
+as_built.magnets.remanence_t: ge 0.01, le 2
 as_built.magnets.dent_mm: ge 0, le 1000
 as_built.sensors.face: ge 1, le 6
 as_built.sensors.sensor: ge 1, le 100000
@@ -589,7 +589,7 @@ def test_no_key_takes_a_number_that_is_none():
         (Length, [1e-9, 1e3], [0, -1e-9, 1.0001e3, float("inf")]),
         (Offset, [0, 1e3], [-1e-9, 1.0001e3, float("inf")]),
         (Force, [0.001, 500], [0.0009, 501]),
-        (Remanence, [0.01, 1.6], [0.009, 1.61]),
+        (Remanence, [0.01, 2.0], [0.009, 2.01]),
         (RecoilPermeability, [1, 2], [0.999, 2.001]),
         (Count, [1, 10**5], [0, -1, 1.5, 10**5 + 1]),
     ],

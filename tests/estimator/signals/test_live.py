@@ -48,7 +48,7 @@ def stands_still(request, signals):
 def bounds_of(spec, signals):
     scores = score_places(spec, signals)
     return {
-        "position": scores.position_bound_fresh_mm,
+        "position": scores.position_bound_mm,
         "force": scores.force_bound_drifted_n,
         "ellipse": position_covariances_mm2(spec, signals, scores),
         **two_contact_bounds_mm(spec, signals),
@@ -70,7 +70,7 @@ def test_every_bound_is_that_without_the_channel(signals, stands_still):
 def test_what_is_detected_and_read_from_other_faces_is_that_without_it(signals):
     still = clipped(signals, "at rest")
     found, wanted = score_places(SPEC, still), score_places(WITHOUT, signals)
-    assert_allclose(found.detectable_force_fresh_n, wanted.detectable_force_fresh_n, rtol=1e-9)
+    assert_allclose(found.detectable_force_n, wanted.detectable_force_n, rtol=1e-9)
     cross, without = cross_face_disturbance(SPEC, still), cross_face_disturbance(WITHOUT, signals)
     assert_allclose(cross.false_force_n, without.false_force_n, rtol=1e-9)
 
