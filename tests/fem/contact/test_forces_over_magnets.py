@@ -27,7 +27,7 @@ sphere by active set, less the 0.2 % by which P3/P2 and P2 with 0.6 mm say that 
 @pytest.mark.xfail(
     reason="the half-space that is finer than the mesh knows no rigid magnet under it: over magnets "
     "forces are up to 9 % too small at 1 mm and 5 % at 2 mm (docs/presses.md)",
-    strict=False,
+    strict=True,
 )
 @pytest.mark.parametrize("case", FORCES_N, ids=lambda case: case[0])
 def test_forces_over_and_beside_magnets_are_within_two_percent(case):
