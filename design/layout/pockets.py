@@ -275,15 +275,6 @@ def tilted_frame(about_x_deg: float, about_y_deg: float) -> Float[np.ndarray, "3
     return np.eye(3) + along + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
 
 
-def distance_of_axes_mm(a: Pocket, b: Pocket) -> float:
-    """Smallest distance between the axes of two pockets, each from its floor to above its mouth.
-
-    Pockets that are further apart than their circumscribed radii together cannot touch; for round
-    pockets without tilt the reverse holds too.
-    """
-    return distance_of_segments_mm(a.axis_ends_mm, b.axis_ends_mm)
-
-
 def near_pairs(
     ends_mm: Sequence[Float[np.ndarray, "2 3"]], reach_mm: Sequence[float]
 ) -> Iterator[tuple[int, int, float]]:
