@@ -64,7 +64,7 @@ def too_long(repeated: Bool[np.ndarray, "reading"]) -> Bool[np.ndarray, "reading
     for _ in range(_ROUNDS):
         free = repeated[~found]
         share = float(np.mean(free)) if len(free) else 0.0
-        least = longest_by_chance(max(share, 1 / len(repeated)), len(repeated))
+        least = longest_by_chance(np.array(max(share, 1 / len(repeated))), len(repeated))
         now = np.zeros(len(repeated), bool)
         for first, last in stretches:
             # the reading before the first repeat has the same value: it stood still, too
@@ -75,12 +75,15 @@ def too_long(repeated: Bool[np.ndarray, "reading"]) -> Bool[np.ndarray, "reading
     return found
 
 
-def longest_by_chance(share: float, readings: int) -> float:
-    """Repeats on end that chance makes `_FALSE_ALARMS` times in so many readings, 3 at least; `share` of the
-    readings repeat, more than 0."""
-    if share >= 1:
-        return float("inf")
-    return max(_LEAST_REPEATS, float(np.log(_FALSE_ALARMS / max(readings, 1)) / np.log(share)))
+def longest_by_chance(share: Float[np.ndarray, "*channel"], readings: int) -> np.ndarray:
+    """Return the repeats on end that chance makes `_FALSE_ALARMS` times in n readings, 3 at least.
+
+    `share` of the readings repeat, more than 0; where all do, no run is too long.
+    """
+    # A run of k repeats has the chance share^k, and may begin at each of the readings.
+    with np.errstate(divide="ignore"):
+        longest = np.log(_FALSE_ALARMS / max(readings, 1)) / np.log(share)
+    return np.where(share >= 1, np.inf, np.maximum(longest, _LEAST_REPEATS))
 
 
 def blank_chips(counts: Counts) -> Found:

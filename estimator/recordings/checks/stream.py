@@ -107,7 +107,6 @@ class _Runs:
         self._on_end = np.where(repeated, self._on_end + 1, 0)
         share = np.maximum(self._earlier, np.median(self._earlier)) / self._frames
         share = np.maximum(share, 1 / (self._frames * share.size + 1))
-        limits = [longest_by_chance(one, self._frames) for one in share.ravel().tolist()]
-        self._limits = np.maximum(np.reshape(limits, share.shape), self._least)
+        self._limits = np.maximum(longest_by_chance(share, self._frames), self._least)
         self.standing = self._on_end >= self._limits
         return self.standing
