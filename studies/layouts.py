@@ -28,7 +28,7 @@ _MESH: Changes = {
     "press.depths_mm": [0.5, 1.0, 1.5, 2.0, 2.75, 3.5],
     "search.forces_n": [],
 }
-_QUICK: Changes = {
+QUICK_MESH: Changes = {
     "mesh.surface_edge_mm": 3.5,
     "mesh.rim_edge_ratio": 1.0,
     "mesh.magnet_sides": 8,
@@ -37,8 +37,9 @@ _QUICK: Changes = {
     "contact_grid.pitch_mm": 6.0,
     "press.depths_mm": [1.0, 2.0, 3.0],
     "score.force_n": 4.0,
-    "search.forces_n": [],
 }
+"""Mesh, contact locations and presses of a preview in about a minute."""
+_QUICK = QUICK_MESH | {"search.forces_n": []}
 
 
 def changed(spec: ObjectSpec, changes: Changes, source: str = "a variant") -> ObjectSpec:

@@ -19,7 +19,7 @@ from estimator.frames.press_protocol import PLACE_ID_STRIDE
 from instobj.store.content import store_root, stored
 from instobj.store.keys import content_key
 from instobj.store.readers import CORRECTION, EXPERIMENT_MODEL, PRESSES, RESPONSE
-from studies.layouts import changed
+from studies.layouts import QUICK_MESH, changed
 
 if TYPE_CHECKING:
     from estimator.frames.contact_traces import JointMechanics
@@ -37,16 +37,8 @@ SIMULATED = (
 _TWIN = 1_000
 """Added to the specification's seed for the twin's errors."""
 _FINER = 0.85
-_QUICK: dict[str, Any] = {
-    "mesh.surface_edge_mm": 3.5,
-    "mesh.rim_edge_ratio": 1.0,
-    "mesh.magnet_sides": 8,
-    "mesh.edge_mm": 8.0,
-    "contact_grid.count": [5, 5],
-    "contact_grid.pitch_mm": 6.0,
-    "press.depths_mm": [1.0, 2.0, 3.0],
+_QUICK = QUICK_MESH | {
     "protocol.peak_force_n": [6.0, 9.0],
-    "score.force_n": 4.0,
     "collection.faces": [1],
     "collection.frames_per_case": 60,
     "collection.non_contact_cases": 10,
