@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -21,11 +21,11 @@ CHAIN = {
     "robustness": "robustness",
     "pretrain": "pretraining",
     "report": "report",
-    "frames": "frames",
 }
 """Old command → its value of `run --to`."""
 
 GONE = {
+    "frames": "instobj run SPEC --to frames --set collection.kind=KIND",
     "grasp": "instobj press SPEC --jaw … --jaw … --force N",
     "slip": "instobj run SPEC --to slip --set mechanics.slip.shift_mm=[1,0,0]",
     "worker": "instobj optimize SPEC --storage URL --join NUMBER",
@@ -68,16 +68,12 @@ def _said(command: Callable[..., None], old: str, new: str) -> Callable[..., Non
 def _chain(target: str) -> Callable[..., None]:
     def command(
         specs: Specs,
-        kind: Annotated[
-            str | None, typer.Option(hidden=True, help="Now --set collection.kind=KIND.")
-        ] = None,
         workers: Workers = "1",
         out: Out = HERE,
         as_json: AsJson = False,
         overrides: Overrides = None,
     ) -> None:
-        chosen = [] if kind is None else [f"collection.kind={kind}"]
-        run_to(TARGETS[target], specs, out, as_json, [*(overrides or []), *chosen], workers)
+        run_to(TARGETS[target], specs, out, as_json, overrides, workers)
 
     return command
 
