@@ -39,7 +39,7 @@ QUICK_MESH: Changes = {
     "score.force_n": 4.0,
 }
 """Mesh, contact locations and presses of a preview in about a minute."""
-_QUICK = QUICK_MESH | {"search.forces_n": []}
+_QUICK: Changes = QUICK_MESH | {"search.forces_n": []}
 
 
 def changed(spec: ObjectSpec, changes: Changes, source: str = "a variant") -> ObjectSpec:
