@@ -20,7 +20,7 @@ _Array = TypeVar("_Array", bound=Any)
 
 
 def is_live(rest_counts: _Array, change_counts: _Array, range_counts: Any) -> Any:
-    """Whether channels are within their range at rest and in a press, arrays or tensors.
+    """Return whether channels are within their range at rest and in a press, arrays or tensors.
 
     A change is known against rest alone, so that one clipped at rest tells of no press either.
     """
@@ -33,7 +33,7 @@ def live_in_press(
     rest_counts: Float[np.ndarray, "sensor 3"],
     change_counts: Float[np.ndarray, "press channel"],
 ) -> Bool[np.ndarray, "press channel"]:
-    """Which flat channels are live in each press: measured, not dead, and within their range."""
+    """Return the flat channels that are live in each press: measured, not dead, within their range."""
     found = is_live(rest_counts.ravel(), change_counts, full_scale_counts(spec.sensors))
     return found & live_channels(spec).ravel()
 

@@ -28,7 +28,7 @@ OBJECTS = 200
 
 @dataclass(frozen=True)
 class Saturation:
-    """How many of the drawn objects leave the range, at rest (depth 0) and in presses to each depth.
+    """Share of the drawn objects that leave the range, at rest (depth 0) and in presses to each depth.
 
     `out_share` (depth,) has some chip beyond its range at rest or in a press as deep or less.
     `margin` (depth,) is the share of the range that stays free in `KEPT_BY` of the objects;
@@ -90,7 +90,7 @@ class _Presses:
 def _presses_of(
     signals: Signals, motions: MagnetMotions, face: int, body_face: Int[np.ndarray, "body"]
 ) -> _Presses:
-    """Of one face's own channels, at every depth each the press where the design's reads most."""
+    """Return the press in which each of a face's own channels reads most by design, at every depth."""
     count = len(signals.baseline_counts) // len(signals.faces)
     first = count * int(np.flatnonzero(signals.faces == face)[0])
     own = slice(first, first + count)

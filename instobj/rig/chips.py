@@ -45,7 +45,7 @@ class Chips:
     _since_s: float = 0.0
 
     def take(self, counts: tuple[float, ...], board_ms: int) -> None:
-        """One frame.
+        """Take one frame.
 
         Raises
         ------
@@ -90,20 +90,22 @@ class Chips:
         self._noise = stated
 
     def see(self, now_s: float) -> bool:
-        """Whether some chip certainly sees a contact."""
+        """Return whether some chip certainly sees a contact."""
         departures, noise = self._departures(now_s)
         return bool(np.any(departures > _SEEN * noise))
 
     def see_nothing(self, now_s: float) -> bool:
-        """Whether no chip sees one."""
+        """Return whether no chip sees a contact."""
         departures, noise = self._departures(now_s)
         return departures.size > 0 and not np.any(departures > _UNSEEN * noise)
 
     def _departures(
         self, now_s: float
     ) -> tuple[Float[np.ndarray, "channel"], Float[np.ndarray, "channel"]]:
-        """How far the last frames' mean is from the level at rest, and its noise; without channels while the
-        level is not known."""
+        """Return how far the last frames' mean is from the level at rest, and its noise.
+
+        Without channels while the level is not known.
+        """
         if not self._rest or self._resting or len(self._last) < _FRAMES:
             return np.zeros(0), np.zeros(0)
         level, now = (_means(np.stack(list(part))) for part in (self._rest, self._last))

@@ -74,7 +74,7 @@ class LoadCell:
         return self.recent_n[-1] - self.tare_n if self.recent_n else float("nan")
 
     def take(self, force_n: float, time_s: float) -> None:
-        """One reading, tare included.
+        """Take one reading, tare included.
 
         Raises
         ------

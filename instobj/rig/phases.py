@@ -6,7 +6,7 @@ from enum import Enum
 
 
 class Phase(Enum):
-    """What the machine may do at the moment."""
+    """Phase of a run: it decides what the machine may do."""
 
     OFF = "nothing has moved"
     HOMING = "looks for its limit switches, upwards first"

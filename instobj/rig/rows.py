@@ -31,7 +31,7 @@ class Rows:
 
     @property
     def waiting(self) -> bool:
-        """Whether rows wait for their travel or their force."""
+        """Return whether rows wait for their travel or their force."""
         return bool(self._waiting)
 
     def add(self, time_s: float, signals: list[float], label: list[float]) -> None:

@@ -104,7 +104,7 @@ def _lifted(link: GrblLink, safe_mm: float, alarm: int | None) -> float:
 
 
 def _wait_until_up(link: GrblLink, safe_mm: float) -> None:
-    """By its own reports alone: an `ok` may be lost, and says only that a line was read."""
+    """Wait for the machine's own reports: an `ok` may be lost, and says only that a line was read."""
     still = _Still(link)
 
     def up() -> bool:
@@ -118,7 +118,7 @@ def _wait_until_up(link: GrblLink, safe_mm: float) -> None:
 
 
 class _Still:
-    """Whether the machine stands still, by reports that are new since this was made."""
+    """Judge of a machine that stands still, by reports that are new since this was made."""
 
     def __init__(self, link: GrblLink) -> None:
         self.link, self._first = link, link.states + 2

@@ -77,7 +77,7 @@ def _usual_range(
 
 
 def _least_jump_n(kept_n: Float[np.ndarray, "frame"]) -> float:
-    """How far right readings lie beyond their neighbours' range by noise alone (N)."""
+    """Return the largest jump (N) beyond its neighbours' range that noise alone makes."""
     known = kept_n[np.isfinite(kept_n)]
     if len(known) < 2:
         return np.inf

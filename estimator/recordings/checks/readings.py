@@ -43,7 +43,7 @@ _NOTHING = "readings not used"
 
 
 def has_noise(counts: Counts) -> bool:
-    """Whether readings scatter as those of real sensors do: most channels turn back and forth."""
+    """Return whether readings scatter as those of real sensors: most channels turn back and forth."""
     turning = []
     for channel in counts.reshape(len(counts), -1).T:
         step = np.diff(channel[np.isfinite(channel)])
@@ -261,7 +261,7 @@ def without_faults(
 def _faults(
     kind: str, mask: Readings, counts: Counts, detail: str, few_spans: int = _FEW_SPANS
 ) -> list[Fault]:
-    """One sentence for channels that share their rows, for each span of rows where they are few."""
+    """Return a sentence for channels that share their rows, for each span of rows where they are few."""
     alike: dict[bytes, list[tuple[int, ...]]] = {}
     for index in np.argwhere(mask.any(axis=0)).tolist():
         # spans that chance repeats made a row or two longer are one and the same

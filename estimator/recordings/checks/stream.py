@@ -22,7 +22,7 @@ _LEAST_EQUAL_FRAMES = 20.0
 
 @dataclass
 class SoundReadings:
-    """Which readings of a stream can be believed, from the frames so far.
+    """Judge of a stream's readings: those that can be believed, from the frames so far.
 
     A chip that stands still is found with its fourth equal reading (a single channel after some seven),
     and believed again with its next new one. Streams without noise show nothing.
@@ -63,7 +63,7 @@ class SoundReadings:
 
     @property
     def text(self) -> str:
-        """Which channels are left out, for people; empty if none is."""
+        """Names of the channels left out, for people; empty if there are none."""
         if self.left_out is None or self._last is None or not self.left_out.any():
             return ""
         channels = [tuple(index) for index in np.argwhere(self.left_out).tolist()]
