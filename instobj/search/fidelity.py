@@ -91,8 +91,9 @@ def twin_ratios(start: ObjectSpec, old: list[Bounds], new: list[Bounds]) -> dict
     """Bounds of toleranced twins of the start over those of a layout, each of `bounds_of_twins`.
 
     Twins share their design's mechanics; `tolerances` of each specification sizes their errors.
-    Geometric means over the judged forces. Places that reach a force only near the deepest press are
-    judged at less force, of both alike (`estimator.tolerances.budget`).
+    Geometric means over the judged forces. Places that do not reach a force are left out;
+    those that reach it only near the deepest press are judged at less, of both alike
+    (`estimator.tolerances.budget`).
     """
     before, after = (_summaries(start, one) for one in (old, new))
     ratios = {

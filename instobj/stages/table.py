@@ -228,7 +228,7 @@ STAGES: dict[str, Stage] = {
             *("score.force_n", "score.channels", "tolerances", "seed"),
         ),
         make_robustness,
-        version=3,
+        version=4,
     ),
     "frames": Stage(
         "estimator: simulated presses",

@@ -8,6 +8,7 @@ import pytest
 import torch
 from numpy.testing import assert_allclose
 
+from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.contact_places import contact_places, pressed_nodes
 from design.spec.object import ScoreSpec
@@ -347,7 +348,7 @@ def test_bounds_are_those_of_a_drifted_baseline_where_the_search_asks_for_them()
 
 
 def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():
-    sizes = {"tolerances": {"modulus_relative": 0.6}, "score": {"force_n": 60.0}}
+    sizes = {"tolerances": {"modulus_relative": 0.6}, "score": {"force_n": 25.0}}
     spec = coarse_spec(contact_grid={"count": (2, 3), "pitch_mm": 4.0}, **sizes)
     presses = synthetic_presses(spec)
     found = twin_bounds(spec, *presses, 8)
@@ -411,3 +412,17 @@ def test_compliance_is_of_the_press_whose_force_is_nearest_to_the_score_s(
     assert made["compliance_deviation"] == pytest.approx(1 / (1.0, 2.5, 3.9)[nearest])
     assert made["worst_position_bound_mm"] == pytest.approx((0.7 * 2.5 * 3.9) ** (1 / 3))
     assert_allclose(made["position_bounds_mm"], [0.7, 1.0, 2.5, 2.1, 3.9, 3.0])
+
+
+def test_twins_are_judged_where_the_force_is_reached_and_refused_where_it_is_nowhere():
+    spec = coarse_spec(contact_grid={"count": (2, 3), "pitch_mm": 4.0}, score={"force_n": 25.0})
+    forces, motions = synthetic_presses(spec)
+    first_soft = np.where(np.arange(len(forces.force_n)) == 0, 0.5, 1.0)[:, None, None]
+    forces = replace(forces, force_n=forces.force_n * first_soft)
+    reached = score_places(spec, press_signals(spec, forces, motions)).reaches_score_force.ravel()
+    assert 0 < reached.sum() < reached.size
+    bounds = twin_bounds(spec, forces, motions, 1)
+    for name in ("position_mm", "force_n"):
+        np.testing.assert_array_equal(np.isfinite(bounds[name][0]), reached)
+    with pytest.raises(InputError, match="no press reaches 400 N"):
+        twin_bounds(spec.changed(score=spec.score.changed(force_n=400.0)), forces, motions, 1)
