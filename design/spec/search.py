@@ -26,7 +26,6 @@ from design.spec.base import (
 )
 from design.spec.renamed import under_names_now
 
-Engine = Literal["tpe", "cma-es", "nsga-ii", "nsga-iii", "random"]
 Objective = Literal[
     "worst_position_bound_mm",
     "percentile_99_position_bound_mm",
@@ -49,7 +48,6 @@ Objective = Literal[
     "build_minutes",
 ]
 OBJECTIVES_TO_MAXIMIZE = ("sensitivity_ratio",)
-PARETO_ENGINES = ("tpe", "nsga-ii", "nsga-iii", "random")
 
 WantedCompliance = dict[
     Literal["everywhere", "corner", "edge", "mid_edge", "centre"],
@@ -171,14 +169,14 @@ class TaskSpec(SpecPart):
 
 
 class SearchSpec(SpecPart):
-    """A layout search: what may change, limits, objectives, engine and budget.
+    """A layout search: what may change, limits, objectives and budget.
 
     With several objectives the result is a Pareto front; the first names the layouts that the next
-    levels get. Every trial's continuous variables are improved by `polish_steps` generations of
-    CMA-ES, about a hundred scorings each; `trials` that choices, `batch` and processes do not need are
-    joined to fewer, of up to 600 generations each. `seconds` are those of a whole call, mechanics and
-    all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first. A trial
-    beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets),
+    levels get. Every trial is a random start whose continuous variables are improved by `polish_steps`
+    generations of CMA-ES, about a hundred scorings each. `trials` that choices, `batch` and processes do
+    not need are joined to fewer, of up to 600 generations each. `seconds` are those of a whole call,
+    mechanics and all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first.
+    A trial beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets),
     `finalists` to the last.
     Bounds are of a `baseline` just taken, or of one that has drifted by `sensors.drift_counts` since.
     `compliance_mm_per_n` is indentation depth over force at `score.force_n` that
@@ -191,7 +189,6 @@ class SearchSpec(SpecPart):
     )
     forces_n: Annotated[tuple[Force, ...], Field(max_length=8)] = (1.0, 3.5, 12.0)
     baseline: Literal["fresh", "drifted"] = "fresh"
-    engine: Engine = "tpe"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
     trials: Annotated[int, Field(ge=1, le=10_000_000)] = 60
     seconds: Annotated[float, Field(gt=0, le=1e8)] = 2700.0
@@ -227,11 +224,6 @@ class SearchSpec(SpecPart):
         if len(set(self.objectives)) < len(self.objectives):
             raise ValueError(
                 f"search.objectives names one twice: {list(self.objectives)}. Leave one out"
-            )
-        if len(self.objectives) > 1 and self.engine not in PARETO_ENGINES:
-            raise ValueError(
-                f'search.engine = "{self.engine}" takes a single objective; got '
-                f"{len(self.objectives)}. Choose one of {', '.join(PARETO_ENGINES)}"
             )
         if self.finalists > self.leaders:
             raise ValueError(

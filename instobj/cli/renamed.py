@@ -28,7 +28,7 @@ GONE = {
     "frames": "instobj run SPEC --to frames --set collection.kind=KIND",
     "grasp": "instobj press SPEC --jaw … --jaw … --force N",
     "slip": "instobj run SPEC --to slip --set mechanics.slip.shift_mm=[1,0,0]",
-    "worker": "instobj optimize SPEC --storage URL --join NUMBER",
+    "worker": "instobj optimize SPEC --workers tcp://SCHEDULER:8786 (its Dask workers do the trials)",
     "experiment": "python -m studies NAME SPEC, in a checkout of the repository",
     "experiments": "python -m studies --help, in a checkout of the repository",
     "interfaces": "python -m studies interfaces, in a checkout of the repository",

@@ -10,6 +10,7 @@ import json
 import time
 import zlib
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -62,8 +63,8 @@ from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
-from instobj.search.apart import Scored
 from instobj.search.joined import in_time
+from instobj.search.trials import Scored
 from instobj.stages.run import Run
 
 _UNFIT_MM = 0.5
@@ -108,15 +109,17 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
 
     Of a specification as JSON, how many generations a trial has once trials are joined, and the seconds that
     are left to all trials: fewer generations where that is short (`in_time`). On the device that
-    `INSTOBJ_DEVICE` names, which all tensors of this process then lie on.
+    `INSTOBJ_DEVICE` names.
     """
     content, generations, left_s = question
     torch.set_num_threads(1)
     device = compute_device()
-    if device.type != "cpu":
-        torch.set_default_device(device)
     space = search_space(parse_spec(json.loads(content), "the specification"))
-    start = start_scores(space.spec)
+    there = (
+        nullcontext() if device.type == "cpu" else device
+    )  # a context that costs each call a little
+    with there:
+        start = start_scores(space.spec)
     by_structure: dict[Any, tuple[SearchSpace, LowestFidelity]] = {}
 
     def evaluate(trials: list[dict[str, Any]]) -> list[Scored]:
@@ -130,7 +133,11 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
             by_structure[structure] = timed, lowest
         return score_trials(*by_structure[structure], trials)
 
-    return evaluate
+    def evaluate_there(trials: list[dict[str, Any]]) -> list[Scored]:
+        with there:
+            return evaluate(trials)
+
+    return evaluate_there
 
 
 def seconds_per_generation(

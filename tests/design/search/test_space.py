@@ -267,10 +267,6 @@ WRONG = {
     },
     "magnet_count needs": {"vary": {"magnet_count": [4, 5]}},
     "must rise": {"vary": {"magnet_depth_mm": [4.0, 2.0]}},
-    "takes a single objective": {
-        "engine": "cma-es",
-        "objectives": ["worst_position_bound_mm", "worst_force_bound_n"],
-    },
     "names one twice": {"objectives": ["cost", "cost"]},
     "more leaders": {"leaders": 1, "finalists": 2},
     "arranges sensors anew": {"sensor_symmetry": "ring"},

@@ -433,7 +433,6 @@ as_built.sensors.dead: ()
 search.objectives: ('worst_position_bound_mm',)
 search.forces_n: (1.0, 3.5, 12.0)
 search.baseline: 'fresh'
-search.engine: 'tpe'
 search.polish_steps: 300
 search.trials: 60
 search.seconds: 2700.0
