@@ -37,6 +37,19 @@ GONE = {
 }
 """Old commands whose arguments changed → what to write instead."""
 
+OPTIONS = {
+    "--address": "--page ADDRESS:PORT",
+    "--baud": "--port PORT@BAUD",
+    "--fault": "--simulated FAULT",
+    "--join": "--workers tcp://SCHEDULER:8786",
+    "--page-port": "--page PORT",
+    "--seed": "--set seed=NUMBER",
+    "--speed": "--replay FILE@SPEED",
+    "--storage": "--out FOLDER",
+    "--zero-frames": "--zero MODE:FRAMES",
+}
+"""Options before 0.2.0 → what to write instead, or what holds now."""
+
 ANYTHING = {"allow_extra_args": True, "ignore_unknown_options": True}
 """Settings of a command that takes whatever stands behind it."""
 

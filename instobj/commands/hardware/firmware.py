@@ -73,7 +73,7 @@ def plan_texts(plan: BusPlan, asked_khz: float) -> list[str]:
             "capacitance rises too slowly for it"
         )
     if len(plan.board.bauds) > 1:
-        texts.append(f"read it with `instobj bench collect --baud {plan.baud}`")
+        texts.append(f"read it with `instobj bench collect OUT --port PORT@{plan.baud}`")
     return texts
 
 

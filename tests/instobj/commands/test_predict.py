@@ -407,7 +407,7 @@ def test_the_live_baud_rate_reaches_the_port(folder, monkeypatch):
         raise ValueError("no such rate")
 
     monkeypatch.setattr("serial.Serial", refused)
-    given = ["predict", str(folder / "robot" / "face_3.onnx"), "--port", "none", "--baud", "57600"]
+    given = ["predict", str(folder / "robot" / "face_3.onnx"), "--port", "none@57600"]
     result = CliRunner().invoke(app, given)
     assert "no such rate" in str(result.exception)
     assert asked == [("none", 57600)]
