@@ -25,7 +25,7 @@ from instobj.store.keys import content_key
 
 _BUDGET = ("trials", "seconds", "trial_seconds", "batch", "leaders", "finalists", "polish_steps")
 """Of `[search]`: may change while a study goes on."""
-_MATTERS_NOT = ("name", "as_built", "export", "collection")
+_MATTERS_NOT = ("name", "as_built", "collection")
 """The study is found by its name; the others change no score on any level."""
 _KEY = "specification"
 

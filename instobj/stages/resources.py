@@ -19,6 +19,7 @@ from design.layout.places.positions import shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.processes import MEMORY_SWITCH, machine_memory_gib
 from design.spec.object import ObjectSpec
+from estimator.networks.defaults import BATCH_FRAMES
 from fem.mesh.edge_lengths import FINE_LAYER_MM
 
 _GIB = 2.0**30
@@ -179,12 +180,12 @@ def _scores(spec: ObjectSpec) -> Need:
 def _networks(spec: ObjectSpec) -> Need:
     training = spec.training
     channels = 2 * 3 * spec.sensors.count_per_face * len(spec.body.sensed)
-    pixels = training.heatmap_axes * prod(grid_count(spec))
+    pixels = prod(grid_count(spec))
     widths = (channels, *training.hidden_units, pixels)
     weights = sum(a * b for a, b in pairwise(widths))
-    batch = training.batch_size * sum(widths)
+    batch = BATCH_FRAMES * sum(widths)
     gib = _BYTES / 2 * (_ADAM_COPIES * weights + 4 * batch) * (training.ensemble or 1) / _GIB
-    return Need(gib, "training.hidden_units, training.ensemble or training.batch_size")
+    return Need(gib, "training.hidden_units or training.ensemble")
 
 
 _MESH_KEYS = "mesh.surface_edge_mm and mesh.edge_mm (larger), or body.size_mm (smaller)"

@@ -144,7 +144,6 @@ def _stronger(spec: ObjectSpec) -> ObjectSpec:
     stronger = {
         "grade": None,
         "remanence_t": _times(1.2, spec.magnets.remanence_t),
-        "current_a": 1.2 * spec.magnets.current_a,
     }
     magnets = spec.magnets.changed(**stronger)
     return spec.changed(magnets=magnets)
@@ -170,7 +169,7 @@ CHANGES: dict[str, Change] = {
     "four times the averaging (half the white noise)": _quieter,
     "one more sensor on every face": partial(_more_sensors, 1),
     "two more sensors on every face": partial(_more_sensors, 2),
-    "magnets 20 % stronger (grade; coils: current)": _stronger,
+    "magnets 20 % stronger (grade)": _stronger,
     "silicone 30 % softer (deeper presses)": _softer,
 }
 """Told as users read them."""

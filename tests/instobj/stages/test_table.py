@@ -129,7 +129,6 @@ DOWNSTREAM = {
     "core.wall_mm=4": {"build"},
     "mould.style=split": {"build"},
     "printer.name=resin": {"build"},
-    "export.mesh_tolerance_mm=0.1": {"build"},
     "shell.seal_layer_mm=0.5": {"build"},
     "shell.dent_mm=0.5": {"build", "presses", "shapes", "shear", "discretisation"},
     "as_built.magnets=[{face=2, magnet=1, dent_mm=0.5}]": {
