@@ -74,31 +74,14 @@ class CollectionSpec(SpecPart):
         return self
 
 
-HullForm = Literal["covariance", "exact", "monte-carlo"]
-LARGEST_EXACT_HULL_FRAMES = 100
-
-
 class ScoreSpec(SpecPart):
-    """At which force places are judged, from whose channels, and how the convex hull is measured.
+    """At which force places are judged, and from whose channels.
 
     `channels` says whose sensors the bounds read: the pressed face's own, or those of all faces.
-    `hull_frames` is N of the convex-hull sensitivity δ, which is always that of the own channels.
     """
 
     force_n: Force = 8.0
     channels: Literal["own", "all"] = "own"
-    hull: HullForm = "covariance"
-    hull_frames: Annotated[int, Field(ge=12, le=1_000_000_000)] = 1000
-
-    @model_validator(mode="after")
-    def _hull_is_feasible(self) -> ScoreSpec:
-        if self.hull == "exact" and self.hull_frames > LARGEST_EXACT_HULL_FRAMES:
-            raise ValueError(
-                f"score.hull = 'exact' takes at most {LARGEST_EXACT_HULL_FRAMES} frames; got "
-                f"score.hull_frames = {self.hull_frames}. Lower it (seconds per place at 100), or use "
-                "'monte-carlo' or 'covariance'"
-            )
-        return self
 
 
 class ProtocolSpec(SpecPart):

@@ -27,6 +27,8 @@ REMOVED = {
     "mould.play_mm": "sliding parts have printer.clearance_mm between them",
     "mould.silicone_waste": "15 % more silicone is mixed than the parts hold",
     "mould.vent_mm": "vents are as wide as printer.hole_mm",
+    "score.hull": "δ is taken from the covariance of the signals",
+    "score.hull_frames": "δ is that of 1000 frames",
     "sensors.i2c_khz": "the bus runs at 400 kHz",
     "silicone.cure_h": "the time to demould is that of the preset silicone.name",
     "silicone.mix_ratio": "the mixing ratio is that of the preset silicone.name",

@@ -172,11 +172,6 @@ def _frames_gib(spec: ObjectSpec, frames: float) -> float:
     return _COPIES * _BYTES * frames * (channels + 12) / _GIB
 
 
-def _scores(spec: ObjectSpec) -> Need:
-    channels = 3 * spec.sensors.count_per_face
-    return Need(_COPIES * _BYTES * spec.score.hull_frames * channels / _GIB, "score.hull_frames")
-
-
 def _networks(spec: ObjectSpec) -> Need:
     training = spec.training
     channels = 2 * 3 * spec.sensors.count_per_face * len(spec.body.sensed)
@@ -195,6 +190,5 @@ _ESTIMATES: dict[str, Callable[[ObjectSpec], Need]] = {
     **dict.fromkeys(("presses", "signals"), _signals),
     **dict.fromkeys(("collection", "pulled_collection"), _collection),
     "frames": _frames,
-    "scores": _scores,
     **dict.fromkeys(("networks", "pretraining"), _networks),
 }

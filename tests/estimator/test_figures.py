@@ -244,7 +244,6 @@ FIGURES = {
     estimator.evaluation.bayes_optimum: {"_ROUNDING_COUNTS": 12**-0.5},
     estimator.evaluation.false_alarms: {"WANTED_RATE": 0.01},
     estimator.field.models: {"LOWEST_ORDER": 7, "HIGHEST_ORDER": 25, "HIGHEST_CHARGES": 8},
-    estimator.field.sources: {"_WINDING_SHEETS": 8},
     estimator.frames.collection_recipe: {"_PERIOD_SPREAD": 0.05},
     estimator.frames.contact_cases: {
         "GRASP_POSES": (((0.0, 0.0, 0.0), (-7.5, -7.5, 0.0), (7.5, -7.5, 0.0), (-7.5, 7.5, 0.0),

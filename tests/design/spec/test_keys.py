@@ -117,7 +117,6 @@ mesh.magnet_sides: ge 6, le 64
 mechanics.slip.shift_mm: ge -3, le 3
 mechanics.slip.rotation_deg: ge -10, le 10
 score.force_n: ge 0.001, le 500
-score.hull_frames: ge 12, le 1e+09
 protocol.presses_per_place: ge 3, le 1e+06
 protocol.frames_per_press: ge 4, le 1e+06
 protocol.rest_frames_per_press: ge 2, le 1e+06
@@ -343,8 +342,6 @@ mechanics.slip.rim: 'free'
 mechanics.correction: 'none'
 score.force_n: 8.0
 score.channels: 'own'
-score.hull: 'covariance'
-score.hull_frames: 1000
 protocol.presses_per_place: 6
 protocol.frames_per_press: 40
 protocol.rest_frames_per_press: 8

@@ -71,8 +71,6 @@ collection.grasp_faces=% | [3,5] | [3,3] | grasp_faces names a face twice
 collection.tangential_share=0.5 collection.kind=% | continuous | paper | tangential_share
 collection.tangential_share=0.5 collection.kind=continuous collection.contacts=% | 1 | 2 | tangential_share
 collection.kind=continuous collection.contacts=2 collection.tangential_share=% | 0 | 0.1 | tangential_share
-score.hull=exact score.hull_frames=% | 100 | 101 | hull_frames
-score.hull_frames=101 score.hull=% | monte-carlo | exact | hull_frames
 protocol.peak_force_n=% | [10,10] | [10.1,10] | peak_force_n
 search.vary.magnet_depth_mm=% | [2,3] | [3,3] | must rise from above 0
 search.vary.magnet_depth_mm=% | [0.1,3] | [0,3] | magnet_depth_mm
