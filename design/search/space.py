@@ -347,11 +347,6 @@ def _check_sizes(vary: VarySpec, magnets: MagnetSpec) -> None:
             "search.vary.magnet_part chooses one magnet for all places, search.vary.magnet_sizes one for "
             "each. Leave one of the two out"
         )
-    if magnets.kind == "coil":
-        raise InputError(
-            "search.vary.magnet_sizes chooses among permanent magnets; got magnets.kind = 'coil'. Leave "
-            "it out"
-        )
     parts = [magnet_part(name) for name in vary.magnet_sizes]
     if len({part.shape for part in parts}) > 1:
         raise InputError(
@@ -370,11 +365,6 @@ def _check_grades(spec: ObjectSpec) -> None:
     vary, magnets = spec.search.vary, spec.magnets
     if vary.magnet_grade is None:
         return
-    if magnets.kind == "coil":
-        raise InputError(
-            "search.vary.magnet_grade chooses among permanent magnets; got magnets.kind = 'coil'. Leave "
-            "it out"
-        )
     for name in vary.magnet_part or ():
         if magnet_part(name).grade is not None:
             raise InputError(

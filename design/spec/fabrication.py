@@ -28,24 +28,20 @@ class MouldSpec(SpecPart):
     are two halves, pulled apart across a plane through z, with loose pins as bosses, drawn first,
     along their own axes (bosses that point along the pull stay on their half). Left out, the style
     is one piece where a side is open. The plane's normal has `parting_azimuth_deg` from x; left
-    out, it is chosen for the body's kind (`design.layout.mould.frame.parting`). `play_mm` is left between
-    parts that slide; left out, it is the printer's clearance. A closed mould is poured through a
-    hole of `pour_mm`; vents of `vent_mm` (left out: the printer's narrowest hole) stand where air
-    would be caught. `draft_deg` widens pins and rods from where they leave the silicone, dowels
-    have `dowel_draft_deg`; walls that shape silicone have the draft of the object's own.
-    `magnet_templates` are printed of flat faces; with "all", sheets that hug curved ones too.
+    out, it is chosen for the body's kind (`design.layout.mould.frame.parting`).
+    `printer.clearance_mm` is left between parts that slide. A closed mould is poured through a
+    hole of `pour_mm`; vents of `printer.hole_mm` stand where air would be caught. `draft_deg`
+    widens pins and rods from where they leave the silicone; walls that shape silicone have the
+    draft of the object's own. `magnet_templates` are printed of flat faces; with "all", sheets
+    that hug curved ones too.
     """
 
     style: Literal["one-piece", "split"] | None = None
     wall_mm: Thickness = 1.5
-    play_mm: Gap | None = None
     parting_azimuth_deg: Angle | None = None
     flange_mm: Thickness = 8.0
-    dowel_draft_deg: Annotated[float, Field(ge=0, le=30)] = 10.0
     draft_deg: Annotated[float, Field(ge=0, le=10)] = 0.0
     pour_mm: Thickness = 6.0
-    vent_mm: Thickness | None = None
-    silicone_waste: Annotated[float, Field(ge=0, le=2)] = 0.15
     magnet_templates: Literal["flat", "all"] = "flat"
 
 
@@ -76,10 +72,3 @@ class PrinterSpec(SpecPart):
         own = set(cls.model_fields) - {"name"} <= set(given)
         preset = {} if own else asdict(printer_preset(given.get("name", "fdm-0.4")))
         return {**preset, **given}
-
-
-class ExportSpec(SpecPart):
-    """How far the triangles of STL, 3MF and GLB files may leave the solids, and turn at a step."""
-
-    mesh_tolerance_mm: Annotated[float, Field(ge=1e-3, le=5)] = 0.05
-    mesh_angle_rad: Annotated[float, Field(gt=0, le=1)] = 0.2

@@ -1,4 +1,4 @@
-"""Renamed keys of a specification: the older name still reads, with a warning."""
+"""Keys that a specification once had: a renamed one still reads, with a warning; a removed one is told."""
 
 from __future__ import annotations
 
@@ -14,6 +14,36 @@ RENAMED = {
     "search.limits.times_start": _OBJECTIVES,
 }
 """Table (or list) → older key → its name now; tables after those that hold them."""
+REMOVED = {
+    "core.hub_depth_mm": "the hub's recess is 0.5 mm deep",
+    "core.wire_diameter_mm": "wires measure 0.4 mm with their insulation",
+    "export": "triangles leave the solids by 0.05 mm at most and turn by 0.2 rad",
+    "inversion.least_force_n": "contacts of 0.2 N and more are read",
+    "magnets.current_a": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
+    "magnets.kind": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
+    "magnets.switching": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
+    "magnets.turns": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
+    "mould.dowel_draft_deg": "dowels have a draft of 10°",
+    "mould.play_mm": "sliding parts have printer.clearance_mm between them",
+    "mould.silicone_waste": "15 % more silicone is mixed than the parts hold",
+    "mould.vent_mm": "vents are as wide as printer.hole_mm",
+    "score.hull": "δ is taken from the covariance of the signals",
+    "score.hull_frames": "δ is that of 1000 frames",
+    "search.engine": "each trial is a random start that CMA-ES improves",
+    "sensors.i2c_khz": "the bus runs at 400 kHz",
+    "silicone.cure_h": "the time to demould is that of the preset silicone.name",
+    "silicone.mix_ratio": "the mixing ratio is that of the preset silicone.name",
+    "silicone.peel_share": "peeling may take a third of silicone.elongation_percent",
+    "silicone.pot_life_min": "the pot life is that of the preset silicone.name",
+    "training.batch_size": "512 frames a batch, fewer of small data sets",
+    "training.heatmap_axes": "estimators read the normal force (studies: FitSettings.axes)",
+    "training.learning_rate": "it begins at 0.003",
+    "training.model = linear": "ridge regression is a baseline of `instobj train`",
+    "training.model = paper": "the paper's network is studies/paper/network.py",
+    "training.output": "estimators draw heatmaps (studies: FitSettings.continuous)",
+    "training.patience_epochs": "training stops 15 epochs after its best",
+}
+"""Key, table or `key = value` that there is no more → what holds in its place."""
 
 
 def name_now(table: str, key: str) -> str:

@@ -29,6 +29,8 @@ Turns = Annotated[tuple[tuple[Angle, Angle, Angle], ...], Field(min_length=1, ma
 Axis = Literal["X", "Y", "Z"]
 Noise = Annotated[float, Field(gt=0, le=32_768)]
 """White noise of one axis (rms counts)."""
+BUS_KHZ = 400.0
+"""Clock of the one bus of all sensors: the I²C bus's fast mode (NXP UM10204)."""
 FACES_OF_A_CUBE = 5
 """Sensed faces of the default body, for which lists of places are filled up."""
 
@@ -81,7 +83,6 @@ class SensorSpec(SpecPart):
     zeroing_counts: Counts = 10.0
     drift_counts: Counts = 60.0
     frame_rate_hz: Annotated[float, Field(ge=0.01, le=1e5)] = 10.5
-    i2c_khz: Annotated[float, Field(ge=1, le=5000)] = 400.0
 
     @property
     def places(self) -> tuple[tuple[tuple[float, float, float], ...], ...]:
@@ -150,7 +151,7 @@ def fastest_frame_rate_hz(sensors: SensorSpec, faces: int = FACES_OF_A_CUBE) -> 
     A part without a conversion time in the catalogue is limited by the bus alone. Firmware, line and
     multiplexers come on top: the paper's object ran at 10.5 Hz.
     """
-    read_ms = faces * sensors.count_per_face * _READ_BITS / sensors.i2c_khz
+    read_ms = faces * sensors.count_per_face * _READ_BITS / BUS_KHZ
     return 1e3 / frame_ms(conversion_ms(sensors.part, sensors.averaging), read_ms)
 
 

@@ -55,7 +55,7 @@ from instobj.store.stage import Stage
 _WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
 _MAKING = (
     *(*_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
-    *("mould", "printer", "export", "mesh.envelope_mm"),
+    *("mould", "printer", "mesh.envelope_mm"),
 )
 _SHAPE = ("body", "shell.thickness_mm", "shell.slits", "core.keys")
 _WHAT_IS_MESHED = (*_SHAPE, "shell_bodies", "mesh")
@@ -190,7 +190,7 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=7
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=8
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
@@ -263,11 +263,11 @@ STAGES: dict[str, Stage] = {
         ("presses",),
         ("training", "seed"),
         make_pretraining,
-        version=5,
+        version=6,
         of_others=pretraining_twins,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=12
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=13
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5

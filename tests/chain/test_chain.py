@@ -319,7 +319,7 @@ def test_the_example_is_the_template_and_the_defaults():
     chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg", "north")]
     chosen += [("sensors", "positions_mm"), ("sensors", "rotations_deg"), ("core", "bay_mm")]
     chosen += [("body", "sensed_faces"), ("body", "file")]
-    chosen += [("mould", k) for k in ("style", "play_mm", "parting_azimuth_deg", "vent_mm")]
+    chosen += [("mould", k) for k in ("style", "parting_azimuth_deg")]
     chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
     chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
     chosen += [("training", key) for key in ("history_frames", "ensemble", "trees", "process")]

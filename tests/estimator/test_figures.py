@@ -244,7 +244,6 @@ FIGURES = {
     estimator.evaluation.bayes_optimum: {"_ROUNDING_COUNTS": 12**-0.5},
     estimator.evaluation.false_alarms: {"WANTED_RATE": 0.01},
     estimator.field.models: {"LOWEST_ORDER": 7, "HIGHEST_ORDER": 25, "HIGHEST_CHARGES": 8},
-    estimator.field.sources: {"_WINDING_SHEETS": 8},
     estimator.frames.collection_recipe: {"_PERIOD_SPREAD": 0.05},
     estimator.frames.contact_cases: {
         "GRASP_POSES": (((0.0, 0.0, 0.0), (-7.5, -7.5, 0.0), (7.5, -7.5, 0.0), (-7.5, 7.5, 0.0),
@@ -322,8 +321,7 @@ FIGURES = {
     estimator.networks.defaults: {
         "PLAIN": Choice(0, 1, 0, False), "SMALL": Choice(9, 4, 50, True), "SMALL_PRESSES": 60,
     },
-    estimator.networks.ensemble: {"PAPER_HIDDEN_UNITS": (600, 2000, 2000, 2000), "RIDGE": 0.001},
-    estimator.networks.face_model: {"MODEL_FORMAT": 5, "_LONGEST_HISTORY": 100},
+    estimator.networks.face_model: {"MODEL_FORMAT": 6, "_LONGEST_HISTORY": 100},
     estimator.networks.forest: {"LEAST_FRAMES_OF_LEAF": 2, "MOST_LEVELS": 14},
     estimator.networks.intervals.coverage: {
         "SIGMA_SPAN": 3.0, "KNOWN_SHARE": 0.95, "WHOLLY_NEW_FROM": 2.0,
@@ -343,8 +341,7 @@ FIGURES = {
             1.0, 0.0)},
     },
     estimator.networks.training.face: {
-        "FINE_TUNING_RATE": 0.3, "_WEIGHT_DECAY": 1e-3, "PAPER_BATCH_FRAMES": 2000,
-        "PAPER_LEARNING_RATE": 1e-3, "PAPER_WEIGHT_DECAY": 1e-4, "_OTHER_FACES": 0.5,
+        "FINE_TUNING_RATE": 0.3, "_WEIGHT_DECAY": 1e-3, "_OTHER_FACES": 0.5,
     },
     estimator.networks.training.fitting: {
         "_SAVE_EVERY_S": 5.0, "_WARM_UP_EPOCHS": 2.0, "_LEAST_BATCH_FRAMES": 16,

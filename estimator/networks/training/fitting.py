@@ -20,7 +20,7 @@ from torch import Tensor, nn
 from design.errors import InputError
 from estimator.networks.tensor_file import load_tensors, save_tensors
 from estimator.networks.training.data import Augmentation, Batch, Disturbances, disturbed
-from estimator.networks.training.losses import loss_of
+from estimator.networks.training.losses import heads_loss
 
 Progress = Callable[[int, int, float], None]
 """Called after each epoch with its number, the number of epochs and the validation loss."""
@@ -37,7 +37,6 @@ class Schedule:
     Attributes
     ----------
     patience_epochs : it stops after so many epochs without a better validation loss
-    constant_rate : no warm-up and no decay of the learning rate
     augmentation : None leaves frames as they are
     budget_s : it stops after so long, with the decay fitted to it; results then depend on the
         machine
@@ -50,7 +49,6 @@ class Schedule:
     patience_epochs: int
     augmentation: Augmentation | None
     seed: int
-    constant_rate: bool = False
     budget_s: float | None = None
 
 
@@ -83,8 +81,7 @@ def fit(
     InputError
         The checkpoint belongs to another training (its `fingerprint` differs).
     """
-    adam = torch.optim.Adam if schedule.constant_rate else torch.optim.AdamW
-    optimizer = adam(
+    optimizer = torch.optim.AdamW(
         network.parameters(), lr=schedule.learning_rate, weight_decay=schedule.weight_decay
     )
     state = _State(best=copy.deepcopy(network.state_dict()))
@@ -139,14 +136,14 @@ def _one_epoch(
         for group in optimizer.param_groups:
             group["lr"] = schedule.learning_rate * _rate_factor(done, schedule)
         optimizer.zero_grad(set_to_none=True)
-        loss_of(network, counts[batch], train.rows(batch)).backward()
+        heads_loss(network, counts[batch], train.rows(batch)).backward()
         optimizer.step()
 
 
 def _loss_on(network: nn.Module, validation: Batch) -> float:
     network.eval()
     with torch.no_grad():
-        return float(loss_of(network, validation.counts, validation))
+        return float(heads_loss(network, validation.counts, validation))
 
 
 def _batch_frames(frames: int, wanted: int) -> int:
@@ -156,8 +153,6 @@ def _batch_frames(frames: int, wanted: int) -> int:
 
 def _rate_factor(epoch: float, schedule: Schedule) -> float:
     """Linear warm-up, then half a cosine down to 1 %."""
-    if schedule.constant_rate:
-        return 1.0
     warm = min(_WARM_UP_EPOCHS, schedule.epochs / 2)
     if epoch < warm:
         return max(epoch / warm, 0.02)

@@ -114,7 +114,6 @@ WRONG = {
     "must be of one shape": {"vary": {"magnet_sizes": ["D6x1", "R6x2x2"]}},
     "sold in all grades; got": {"vary": {"magnet_sizes": ["MP 12x5x2 / N38"]}},
     "'D99x1' is not a known part": {"vary": {"magnet_sizes": ["D6x1", "D99x1"]}},
-    "among permanent magnets": {"magnets": {"kind": "coil"}},
     "or sizes hold for as many as there were": {
         "vary": {"magnet_count": [4], "magnet_reach_mm": 9.0},
         "magnets": {"height_mm": [1, 2, 1, 1, 1]},

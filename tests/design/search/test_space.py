@@ -285,7 +285,6 @@ def test_parts_that_the_start_lacks_begin_in_the_middle():
 
 
 REFUSED_GRADES = {
-    "chooses among permanent magnets": {"kind": "coil"},
     "magnet_grade: .*exceeds the 80 °C": {"temperature_c": 90.0},
 }
 

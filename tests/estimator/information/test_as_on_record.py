@@ -12,11 +12,6 @@ from estimator.information.contact_sets import contact_sets, spread_pairs, sprea
 from estimator.information.cross_face import cross_face_disturbance
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
-from estimator.information.hull import (
-    exact_hull_volume,
-    ln_hull_factor,
-    monte_carlo_hull_volume,
-)
 from estimator.information.identifiability import jacobians_of, set_information
 from estimator.information.scores import score_places, summarize_areas, weakest_place
 from estimator.information.slip_cost import slip_cost
@@ -111,13 +106,3 @@ def test_false_readings_are_as_on_record():
     for relation in ("adjacent", "opposite"):
         lines += told_whole(relation, crossed.summary(relation))
     on_record("false readings", lines)
-
-
-def test_volumes_are_as_on_record():
-    samples = np.random.default_rng(1).normal(size=(40, 4)) @ np.diag([1.0, 2, 0.5, 3])
-    lines = [
-        *told_whole("exact", exact_hull_volume(samples)),
-        *told_whole("drawn", monte_carlo_hull_volume(samples, np.random.default_rng(2))),
-        told("factors", [ln_hull_factor(40, 4), ln_hull_factor(17, 9)]),
-    ]
-    on_record("volumes", lines)
