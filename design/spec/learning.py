@@ -91,7 +91,6 @@ class ProtocolSpec(SpecPart):
     frames_per_press: Annotated[int, Field(ge=4, le=1_000_000)] = 40
     rest_frames_per_press: Annotated[int, Field(ge=2, le=1_000_000)] = 8
     peak_force_n: tuple[Force, Force] = (10.0, 20.0)
-    peak_force_spread: Annotated[float, Field(ge=0, lt=0.9)] = 0.1
     lateral_jitter_mm: Annotated[float, Field(ge=0, le=20)] = 0.3
     force_noise_n: Annotated[float, Field(ge=0, le=20)] = 0.12
 

@@ -69,15 +69,13 @@ class SlipSpec(SpecPart):
     """Slip of the core against the bonded shell after casting, seen from the shell.
 
     The core has turned about the object's origin by the rotation vector `rotation_deg`, then
-    shifted by `shift_mm`. "fem" keeps the core still and lets the shell follow its interface;
-    "sensors-only" moves the sensors instead and leaves presses as they were, an approximation.
+    shifted by `shift_mm`: the core is kept still, and the shell follows its interface.
     `rim` "held" clamps the silicone's flat ring round the open face to the mounting plate, in
     every press.
     """
 
     shift_mm: tuple[Shift, Shift, Shift] = (0.0, 0.0, 0.0)
     rotation_deg: tuple[Turn, Turn, Turn] = (0.0, 0.0, 0.0)
-    model: Literal["fem", "sensors-only"] = "fem"
     rim: Literal["free", "held"] = "free"
 
     @property

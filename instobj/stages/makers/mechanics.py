@@ -101,7 +101,7 @@ def make_presses(context: StageContext, folder: Path) -> None:
 
     response, rest = context.read(RESPONSE), None
     slip = context.spec.mechanics.slip
-    if slip.slipped and slip.model == "fem":
+    if slip.slipped:
         context.step("the shell at rest on its slipped core")
         rest = resting_shell(context.read(MESH), context.spec)
     forces, motions = simulate_lattice(context.spec, response, context.step, rest)

@@ -63,4 +63,4 @@ def test_tables_of_parts_that_are_left_out_are_each_specification_s_own():
     ball.search.limits.times_start["worst_position_bound_mm"] = 0.5
     assert CUBE.search.limits.times_start == {}
     assert ObjectSpec(name="egg").search.limits.times_start == {}
-    assert CUBE.search != CUBE.search.changed(compliance_mm_per_n={"edge": 0.2})
+    assert CUBE.search != CUBE.search.changed(forces_n=(1.0,))
