@@ -114,7 +114,7 @@ class Meter:
 
 def tool(space: SearchSpace, lowest: LowestFidelity, seed: int) -> dict[str, Any]:
     """One trial as the tool scores it, of a random layout."""
-    (trial,) = ask(sampling("random", space.variables, 1, seed, 1), 1)
+    (trial,) = ask(sampling(space.variables, 1, seed), 1)
     started = time.process_time()
     (result,) = score_trials(space, lowest, [dict(trial.params)])
     best = result.scores[space.spec.search.objectives[0]]  # peers' best have no penalties either

@@ -19,7 +19,6 @@ STRUCTURE = (
     "magnet_part",
     "sensor_count",
     "sensor_chip",
-    "sensor_range_mt",
     "shell_thickness_mm",
     "silicone",
 )
@@ -124,10 +123,6 @@ def _with_sensors(spec: ObjectSpec, chosen: dict[str, Any]) -> SensorSpec:
         if chosen["sensor_chip"] != sensors.chip:
             depth = spec.core.recess_depth_mm - sensors.depth_below_core_face_mm
             content["depth_below_core_face_mm"] = depth
-    if "sensor_range_mt" in chosen:
-        for key in ("counts_per_mt", "noise_counts"):
-            del content[key]
-        content["range_mt"] = chosen["sensor_range_mt"]
     return SensorSpec.model_validate(content)
 
 
@@ -193,7 +188,6 @@ def structure_choices(spec: ObjectSpec) -> dict[str, Any]:
         "magnet_part": parts.pop() if len(parts) == 1 else None,
         "sensor_count": sensors.count_per_face,
         "sensor_chip": sensors.chip,
-        "sensor_range_mt": sensors.range_mt,
         "shell_thickness_mm": spec.shell.thickness_mm,
         "silicone": spec.silicone.name,
     }

@@ -16,7 +16,6 @@ from design.spec.base import (
     Coordinate,
     Count,
     Distinct,
-    FieldRange,
     Force,
     Length,
     SpecPart,
@@ -24,7 +23,6 @@ from design.spec.base import (
 )
 from design.spec.renamed import under_names_now
 
-Engine = Literal["tpe", "cma-es", "nsga-ii", "nsga-iii", "random"]
 Objective = Literal[
     "worst_position_bound_mm",
     "percentile_99_position_bound_mm",
@@ -36,7 +34,6 @@ Objective = Literal[
     "sensitivity_ratio",
 ]
 OBJECTIVES_TO_MAXIMIZE = ("sensitivity_ratio",)
-PARETO_ENGINES = ("tpe", "nsga-ii", "nsga-iii", "random")
 
 Range = tuple[Coordinate, Coordinate]
 Some = Field(min_length=1, max_length=20)
@@ -49,8 +46,8 @@ class VarySpec(SpecPart):
     has them. `magnet_part` are catalogued magnets for all places, `magnet_sizes` for each by itself.
 
     A changed magnet keeps its pocket's clearance and the silicone above it; where thickness
-    changes, the core stays and the body grows or shrinks. A changed range takes the part's
-    gain and noise. `magnet_reach_mm` and `sensor_reach_mm` limit |x| and |y|.
+    changes, the core stays and the body grows or shrinks. `magnet_reach_mm` and `sensor_reach_mm`
+    limit |x| and |y|.
     """
 
     layouts: Literal["one", "per size", "per face"] = "per size"
@@ -67,7 +64,6 @@ class VarySpec(SpecPart):
     ) = None
     sensor_reach_mm: Length | None = None
     sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some, Distinct] | None = None
-    sensor_range_mt: Annotated[tuple[FieldRange, ...], Some, Distinct] | None = None
     shell_thickness_mm: Annotated[tuple[Wall, ...], Some, Distinct] | None = None
     silicone: Annotated[tuple[str, ...], Some, Distinct] | None = None
 
@@ -110,14 +106,14 @@ class SearchLimitsSpec(SpecPart):
 
 
 class SearchSpec(SpecPart):
-    """A layout search: what may change, limits, objectives, engine and budget.
+    """A layout search: what may change, limits, objectives and budget.
 
     With several objectives the result is a Pareto front; the first names the layouts that the next
     levels get. Every trial's continuous variables are improved by `polish_steps` generations of
-    CMA-ES, about a hundred scorings each; `trials` that choices, `batch` and processes do not need are
+    CMA-ES, about a hundred scorings each; `trials` that choices and processes do not need are
     joined to fewer, of up to 600 generations each. `seconds` are those of a whole call, mechanics and
     all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first. A trial
-    beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets),
+    beyond `trial_limit_s` is given up. `leaders` go to the second fidelity level (rigid magnets),
     `finalists` to the last.
     Bounds are of a `baseline` just taken, or of one that has drifted by `sensors.drift_counts` since.
     """
@@ -127,16 +123,19 @@ class SearchSpec(SpecPart):
     )
     forces_n: Annotated[tuple[Force, ...], Field(max_length=8)] = (1.0, 3.5, 12.0)
     baseline: Literal["fresh", "drifted"] = "fresh"
-    engine: Engine = "tpe"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
     trials: Annotated[int, Field(ge=1, le=10_000_000)] = 60
     seconds: Annotated[float, Field(gt=0, le=1e8)] = 2700.0
-    trial_seconds: Annotated[float, Field(gt=0, le=1e8)] = 900.0
-    batch: Annotated[int, Field(ge=1, le=1024)] = 1
     leaders: Annotated[int, Field(ge=1, le=100_000)] = 6
     finalists: Annotated[int, Field(ge=1, le=10_000)] = 2
     vary: VarySpec = VarySpec()
     limits: SearchLimitsSpec = SearchLimitsSpec()
+
+    @property
+    def trial_limit_s(self) -> float:
+        """Time of one trial: a quarter of an hour, or 3 s for each of its generations, ten times what they
+        take on one core."""
+        return max(900.0, 3.0 * self.polish_steps)
 
     @property
     def named(self) -> set[str]:
@@ -158,11 +157,6 @@ class SearchSpec(SpecPart):
         if len(set(self.objectives)) < len(self.objectives):
             raise ValueError(
                 f"search.objectives names one twice: {list(self.objectives)}. Leave one out"
-            )
-        if len(self.objectives) > 1 and self.engine not in PARETO_ENGINES:
-            raise ValueError(
-                f'search.engine = "{self.engine}" takes a single objective; got '
-                f"{len(self.objectives)}. Choose one of {', '.join(PARETO_ENGINES)}"
             )
         if self.finalists > self.leaders:
             raise ValueError(

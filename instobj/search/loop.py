@@ -1,4 +1,4 @@
-"""A search's main loop: ask an engine for a batch, have it scored, keep what came of it."""
+"""A search's main loop: draw a batch of layouts, have it scored, keep what came of it."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ from instobj.search.apart import GivenUp, Scored
 from instobj.search.engines import Sampling, ask, sampling, tell, tell_failed
 from instobj.search.study import KeptStudy
 
+PLAIN_BATCH = 16
+"""Layouts proposed and kept together where none is improved: scored at once they cost little more."""
 _FAILURES_IN_A_ROW = 3
 """Batches without a single result after which a search is given up."""
 
@@ -48,12 +50,11 @@ def run_search(
     search = space.spec.search
     past = kept.trials()
     seed = _seed(space.spec.seed, len(past), worker)
-    engine = sampling(
-        search.engine, space.variables, len(search.objectives), seed, search.batch, past, first
-    )
+    engine = sampling(space.variables, len(search.objectives), seed, past, first)
+    together = processes if search.polish_steps else max(processes, PLAIN_BATCH)
     seen, failed = len(past), 0
     while seen < search.trials:
-        asked = ask(engine, min(max(search.batch, processes), search.trials - seen))
+        asked = ask(engine, min(together, search.trials - seen))
         finished = _scored_batch(space, engine, asked, score, processes)
         kept.keep(finished)
         for reason in sorted(set(_failures(finished))):
@@ -82,7 +83,7 @@ def _scored_batch(
     ]
     answers = score(
         [[dict(trial.params) for trial in share] for share in shares],
-        space.spec.search.trial_seconds,
+        space.spec.search.trial_limit_s,
     )
     finished: list[FrozenTrial] = []
     for share, answer in zip(shares, answers, strict=True):
@@ -115,7 +116,7 @@ def _count_failed(finished: list[FrozenTrial], before: int) -> int:
     if failed >= _FAILURES_IN_A_ROW:
         raise InputError(
             f"the search gave up: {failed} batches in a row had no result. The last reason: "
-            f"{reasons[-1]}. Fix that, or raise search.trial_seconds, then go on with --resume"
+            f"{reasons[-1]}. Fix that, then go on with --resume"
         )
     return failed
 

@@ -153,7 +153,7 @@ def seconds_per_generation(
 
 
 def require_in_time(search: SearchSpec, generation_s: float, layouts: int) -> None:
-    """Layouts that are improved together fit into `search.trial_seconds`.
+    """Layouts that are improved together fit into `search.trial_limit_s`.
 
     Raises
     ------
@@ -161,13 +161,12 @@ def require_in_time(search: SearchSpec, generation_s: float, layouts: int) -> No
         They would take longer.
     """
     needed = generation_s * search.polish_steps * layouts
-    if needed > search.trial_seconds:
-        fits = int(search.trial_seconds / (generation_s * layouts))
+    if needed > search.trial_limit_s:
+        fits = int(search.trial_limit_s / (generation_s * layouts))
         raise InputError(
-            f"search.polish_steps = {search.polish_steps} generations for each of search.batch = "
-            f"{layouts} layouts would take {needed:.0f} s, longer than search.trial_seconds = "
-            f"{search.trial_seconds:g}. Set search.polish_steps to {fits} or less, or "
-            f"search.trial_seconds to {1.2 * needed:.0f}"
+            f"search.polish_steps = {search.polish_steps} generations of "
+            f"{layouts} layouts at once would take {needed:.0f} s, longer than "
+            f"{search.trial_limit_s:g} s. Set search.polish_steps to {fits} or less"
         )
 
 

@@ -395,7 +395,7 @@ def _score_of(kept: dict[str, Any], start: Promoted, level: str) -> FidelityScor
     return score if but == 1 else against_start(start.levels.get(level, score), score, but)
 
 
-_SCORER = ("sensor_chip", "sensor_range_mt")
+_SCORER = ("sensor_chip",)
 _SHELL = ("shell_thickness_mm", "silicone")
 
 

@@ -23,7 +23,7 @@ from design.spec.object import ObjectSpec
 from instobj.search.database import first_line, open_database, patiently, without_secrets
 from instobj.store.keys import content_key
 
-_BUDGET = ("trials", "seconds", "trial_seconds", "batch", "leaders", "finalists", "polish_steps")
+_BUDGET = ("trials", "seconds", "leaders", "finalists", "polish_steps")
 """Of `[search]`: may change while a study goes on."""
 _MATTERS_NOT = ("name", "as_built", "collection")
 """The study is found by its name; the others change no score on any level."""

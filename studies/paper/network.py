@@ -36,6 +36,11 @@ class PaperNetwork(nn.Module):
     its intervals are the same in every frame.
     """
 
+    offset_counts: Tensor
+    span_counts: Tensor
+    grid_mm: Tensor
+    force_scale_n: Tensor
+
     def __init__(self, data: FaceData, counts: Float[np.ndarray, "frame channel"]) -> None:
         super().__init__()
         frames, span = data.frames, np.ptp(counts, axis=0)

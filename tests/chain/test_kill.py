@@ -48,7 +48,7 @@ BEGIN = ("mesh", "large_strain")
 DISKS_KIB = (0, 32, 128, 256, 512)
 HEAD_RECORDS = 2
 """Of a journal, before its first trial."""
-SEARCH = {"engine": "random", "trials": 1_000_000, "batch": 8}
+SEARCH = {"trials": 1_000_000}
 
 CHILDREN = multiprocessing.get_context("forkserver")
 """Children begin with everything imported, in a few milliseconds."""

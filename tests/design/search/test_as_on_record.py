@@ -33,7 +33,6 @@ CASES = {
             "shell_thickness_mm": [8.0, 9.5],
             "silicone": ["Ecoflex 00-30", "Dragon Skin 20"],
             "sensor_chip": ["inward", "outward"],
-            "sensor_range_mt": [40.0, 80.0],
         }
     },
 }

@@ -34,7 +34,6 @@ EVERYTHING = {
     "sensor_count": [3, 4],
     "sensor_reach_mm": 9.0,
     "sensor_chip": ["inward", "outward"],
-    "sensor_range_mt": [40.0, 80.0],
     "shell_thickness_mm": [8.0, 9.0],
     "silicone": ["Platsil Gel-10", "Ecoflex 00-30"],
 }
@@ -70,8 +69,6 @@ def test_a_layout_is_a_specification_with_the_chosen_parts():
     assert found.magnets.part == params["magnet_part"]
     assert found.sensors.count_per_face == params["sensor_count"]
     assert found.silicone.name == params["silicone"]
-    assert found.sensors.range_mt == params["sensor_range_mt"]
-    assert found.sensors.counts_per_mt == pytest.approx(820.0 * 40 / params["sensor_range_mt"])
     assert found.shell.thickness_mm == params["shell_thickness_mm"]
     for k, (x, y, _) in enumerate(found.sensors.places[0], start=1):
         assert x == pytest.approx(params[f"sensor{k}_x_mm"], abs=0.0051)
@@ -213,10 +210,6 @@ WRONG = {
     },
     "magnet_count needs": {"vary": {"magnet_count": [4, 5]}},
     "must rise": {"vary": {"magnet_depth_mm": [4.0, 2.0]}},
-    "takes a single objective": {
-        "engine": "cma-es",
-        "objectives": ["worst_position_bound_mm", "worst_force_bound_n"],
-    },
     "names one twice": {"objectives": ["worst_force_bound_n", "worst_force_bound_n"]},
     "more leaders": {"leaders": 1, "finalists": 2},
 }

@@ -133,7 +133,6 @@ collection.random_grasps: ge 0, le 100000
 collection.presses: ge 1, le 1e+09
 collection.contacts: ge 1, le 5
 collection.tangential_share: ge 0, le 2
-collection.hysteresis: ge 0, lt 0.5
 training.history_frames: ge 0, le 100
 training.hidden_units: ge 1, le 1e+07, least 1, most 20
 training.epochs: ge 1, le 100000
@@ -177,8 +176,6 @@ search.forces_n: ge 0.001, le 500, most 8
 search.polish_steps: ge 0, le 1000
 search.trials: ge 1, le 1e+07
 search.seconds: gt 0, le 1e+08
-search.trial_seconds: gt 0, le 1e+08
-search.batch: ge 1, le 1024
 search.leaders: ge 1, le 100000
 search.finalists: ge 1, le 10000
 search.vary.magnet_count: ge 1, le 100000, least 1, most 20
@@ -191,7 +188,6 @@ search.vary.magnet_grade: least 1, most 20
 search.vary.sensor_count: ge 1, le 12, least 1, most 20
 search.vary.sensor_reach_mm: gt 0, le 1000
 search.vary.sensor_chip: least 1, most 20
-search.vary.sensor_range_mt: ge 0.01, le 3000, least 1, most 20
 search.vary.shell_thickness_mm: ge 0.3, le 200, least 1, most 20
 search.vary.silicone: least 1, most 20
 search.limits.places_worse: ge 0, le 1
@@ -335,7 +331,6 @@ collection.random_grasps: 0
 collection.presses: 2000
 collection.contacts: 1
 collection.tangential_share: 0.0
-collection.hysteresis: 0.0
 training.model: 'compact'
 training.hidden_units: (256, 256, 256)
 training.epochs: 40
@@ -370,12 +365,9 @@ as_built.sensors.dead: ()
 search.objectives: ('worst_position_bound_mm',)
 search.forces_n: (1.0, 3.5, 12.0)
 search.baseline: 'fresh'
-search.engine: 'tpe'
 search.polish_steps: 300
 search.trials: 60
 search.seconds: 2700.0
-search.trial_seconds: 900.0
-search.batch: 1
 search.leaders: 6
 search.finalists: 2
 search.vary.layouts: 'per size'

@@ -15,7 +15,6 @@ RULES = """
 mechanics.element=taylor-hood silicone.poisson_ratio=% | 0.01 | 0.009 | takes silicone.poisson_ratio from 0.01
 mechanics.element=p2 silicone.poisson_ratio=% | 0.45 | 0.46 | takes silicone.poisson_ratio up to 0.45
 mechanics.element=p2-p0 silicone.poisson_ratio=% | 0.4999 | 0.49995 | up to 0.4999; got 0.49995
-mechanics.element=p1 silicone.poisson_ratio=% | 0.4999 | 0.49995 | up to 0.4999; got 0.49995
 mechanics.element=% silicone.layers=[{thickness_mm=1,modulus_ratio=5}] | p2-p0 | taylor-hood | whose pressure
 silicone.layers=[{thickness_mm=%,modulus_ratio=5}] mechanics.element=p2-p0 | 7.9 | 8 | are 8 mm thick
 silicone.youngs_modulus_mpa=0.4 silicone.youngs_modulus_range_mpa=[%,0.5] | 0.4 | 0.41 | around youngs_modulus

@@ -94,7 +94,7 @@ from pathlib import Path
 from tests.support.objects.search_cases import answering, made_up_score, made_up_space
 from instobj.search.loop import run_search
 from instobj.search.study import open_study
-space = made_up_space(engine="random", trials=int(sys.argv[4]), batch=5)
+space = made_up_space(trials=int(sys.argv[4]))
 kept = open_study(space.spec, sys.argv[1], join=True)
 print("ready", flush=True)
 sys.stdin.readline()
@@ -112,7 +112,7 @@ def _worker(url, number):
 
 def test_workers_share_one_search(server):
     url = f"{server}/postgres"
-    space = made_up_space(engine="random", trials=TRIALS, batch=5)
+    space = made_up_space(trials=TRIALS)
     kept = open_study(space.spec, url)
     other = _worker(url, 1)
     assert other.stdout.readline() == "ready\n"
@@ -125,18 +125,16 @@ def test_workers_share_one_search(server):
     assert TRIALS <= len(trials) < TRIALS + 5 * 2
     places = {trial.params["magnet1_x_mm"] for trial in trials}
     assert len(places) == len(trials), "two workers tried the same layouts"
-    resumed = open_study(
-        made_up_space(engine="random", trials=TRIALS + 10, batch=5).spec, url, resume=True
-    )
+    resumed = open_study(made_up_space(trials=TRIALS + 10).spec, url, resume=True)
     run_search(
-        made_up_space(engine="random", trials=TRIALS + 10, batch=5),
+        made_up_space(trials=TRIALS + 10),
         resumed,
         answering(made_up_score),
         print,
     )
     assert len(resumed.trials()) >= TRIALS + 10
     with pytest.raises(InputError, match="another specification"):
-        open_study(made_up_space(engine="random", reach=12.0).spec, url, resume=True)
+        open_study(made_up_space(reach=12.0).spec, url, resume=True)
 
 
 def test_an_unreachable_database_is_one_clear_error_without_its_password():

@@ -1,15 +1,11 @@
-"""Every engine finds a known optimum, repeatably; what a search keeps and what it survives."""
+"""A search finds a known optimum, repeatably; what a search keeps and what it survives."""
 
-import json
 import os
-import pickle
 import signal
 import subprocess
 import sys
 import threading
 import time
-from contextlib import suppress
-from copy import copy
 from pathlib import Path
 
 import numpy as np
@@ -23,16 +19,13 @@ from instobj.search.engines import ask, sampling
 from instobj.search.loop import run_search
 from instobj.search.study import open_study, repair_journal
 from tests.support.objects.search_cases import (
-    OBJECTIVES,
     answering,
     journal_records,
     made_up_score,
-    made_up_scores,
     made_up_space,
     searched,
 )
 
-ENGINES = ("tpe", "cma-es", "nsga-ii", "nsga-iii", "random")
 OPTIMUM = {"magnet1_x_mm": 5.0, "magnet1_y_mm": -3.0}
 
 
@@ -40,85 +33,30 @@ def best_of(kept):
     return min(kept.finished(), key=lambda trial: trial.values[0])
 
 
-@pytest.mark.parametrize("engine", ENGINES)
-def test_every_engine_finds_a_known_optimum(engine, tmp_path):
-    best = best_of(searched(tmp_path / "journal.log", engine, trials=192))
+def test_a_search_comes_near_a_known_optimum(tmp_path):
+    best = best_of(searched(tmp_path / "journal.log", trials=192))
     assert best.params["magnet_count"] == 1
     assert best.params["shell_thickness_mm"] == 9.0
-    reach = 4.5 if engine == "random" else 2.0
     for name, value in OPTIMUM.items():
-        assert abs(best.params[name] - value) < reach
+        assert abs(best.params[name] - value) < 4.5
 
 
-class _Planted:
-    """What a writer of a shared study could leave there: unpickling it creates a file."""
-
-    def __init__(self, path):
-        self.path = str(path)
-
-    def __reduce__(self):
-        return open, (self.path, "w")
-
-
-@pytest.mark.parametrize("again", [False, True])
-def test_a_planted_state_of_a_sampler_is_not_read(tmp_path, again):
-    space = made_up_space(engine="cma-es")
-    kept = searched(tmp_path / "journal.log", "cma-es", trials=32)
-    planted = copy(kept.finished()[-1])
-    code = pickle.dumps(_Planted(tmp_path / "ran")).hex()
-    planted.system_attrs = {"cma:optimizer:0": code, "cma:generation": 1}
-    engine = sampling("cma-es", space.variables, 1, 1, 16, [*kept.finished(), planted])
-    if again:  # the fault: with the stored state, the sampler runs it
-        engine.study.add_trial(planted)
-        with suppress(Exception):
-            ask(engine, 16)
-    else:
-        assert len(ask(engine, 16)) == 16
-    assert (tmp_path / "ran").exists() == again
-
-
-def test_an_engine_that_learns_beats_random_search(tmp_path):
-    def mean_of_bests(engine):
-        runs = [
-            searched(tmp_path / f"{engine}{seed}", engine, trials=96, seed=seed) for seed in (1, 2)
-        ]
-        return np.mean([best_of(kept).values[0] for kept in runs])
-
-    assert mean_of_bests("cma-es") < 0.5 * mean_of_bests("random")
-
-
-@pytest.mark.parametrize("engine", ENGINES)
-def test_a_seed_makes_a_search_repeatable(engine, tmp_path):
+def test_a_seed_makes_a_search_repeatable(tmp_path):
     tried = [
-        [t.params for t in searched(tmp_path / str(k), engine, trials=48, seed=seed).trials()]
+        [t.params for t in searched(tmp_path / str(k), trials=48, seed=seed).trials()]
         for k, seed in enumerate((4, 4, 5))
     ]
     assert tried[0] == tried[1]
     assert tried[0] != tried[2]
 
 
-@pytest.mark.parametrize("engine", ["tpe", "nsga-ii", "nsga-iii"])
-def test_two_objectives_give_a_front_between_their_optima(engine, tmp_path):
-    kept = searched(
-        tmp_path / "journal.log", engine, made_up_scores, trials=160, objectives=OBJECTIVES
-    )
-    front = np.unique([trial.values for trial in kept.study.best_trials], axis=0)
-    assert len(front) >= 5
-    order = front[np.argsort(front[:, 0])]
-    assert (np.diff(order[:, 1]) < 0).all()
-    assert order[0, 0] < 0.4
-    assert order[-1, 1] < 0.4
-
-
-@pytest.mark.parametrize("engine", ENGINES)
-def test_a_resumed_search_goes_on_from_what_was_kept(engine, tmp_path):
+def test_a_resumed_search_goes_on_from_what_was_kept(tmp_path):
     path = tmp_path / "journal.log"
-    first = searched(path, engine, trials=40).trials()
-    whole = searched(path, engine, trials=100).trials()
+    first = searched(path, trials=40).trials()
+    whole = searched(path, trials=100).trials()
     assert [t.params for t in whole[:40]] == [t.params for t in first]
     assert len(whole) == 100
-    repeated = sum(t.params in [f.params for f in first] for t in whole[40:])
-    assert repeated <= (12 if "nsga" in engine else 0)  # a child may equal a parent
+    assert not any(t.params in [f.params for f in first] for t in whole[40:])
 
 
 def test_a_study_is_neither_overwritten_nor_mixed_up(tmp_path):
@@ -246,7 +184,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
     code = (
         "import sys; from pathlib import Path\n"
         "from tests.support.objects.search_cases import searched\n"
-        "searched(Path(sys.argv[1]), 'random', trials=100000, batch=8)\n"
+        "searched(Path(sys.argv[1]), trials=100000)\n"
     )
     here = Path(__file__).parent
     process = subprocess.Popen(
@@ -257,9 +195,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
         time.sleep(0.05)
     process.send_signal(signal.SIGKILL)
     process.wait()
-    trials = open_study(
-        made_up_space(engine="random", trials=100000, batch=8).spec, path, resume=True
-    ).trials()
+    trials = open_study(made_up_space(trials=100000).spec, path, resume=True).trials()
     assert len(trials) >= 50
     assert {t.state.name for t in trials} == {"COMPLETE"}
 
@@ -318,7 +254,7 @@ def test_structures_of_a_batch_are_scored_side_by_side_each_shared_out(
         asked.append(questions)
         return answering(made_up_score)(questions, seconds)
 
-    space = made_up_space(engine="random", trials=8, batch=8)
+    space = made_up_space(trials=8)
     kept = open_study(space.spec, tmp_path / "journal.log")
     run_search(space, kept, score, lambda line: None, processes=processes)
     (questions,) = asked
@@ -331,7 +267,7 @@ def test_structures_of_a_batch_are_scored_side_by_side_each_shared_out(
 
 
 def test_why_trials_have_no_result_is_said(tmp_path):
-    space, said = made_up_space(trials=8, batch=8), []
+    space, said = made_up_space(trials=8), []
     kept = open_study(space.spec, tmp_path / "journal.log")
     run_search(space, kept, answering(_slow_on_thin_shells), said.append)
     assert any(t.state.name == "FAIL" for t in kept.trials())
@@ -348,20 +284,12 @@ def test_a_search_without_any_result_is_given_up(tmp_path):
         searched(tmp_path / "journal.log", score=never, trials=1000)
 
 
-def test_kept_trials_hold_no_pickled_state(tmp_path):
-    path = tmp_path / "journal.log"
-    searched(path, "cma-es", trials=64)
-    for line in path.read_text().splitlines():
-        record = json.loads(line)
-        assert not any("cma" in key for key in record.get("system_attrs", {}))
-
-
 def test_choices_of_random_layouts_go_by_turns(tmp_path):
     """Each of two and each of three choices once before one comes again, after past trials too."""
-    space = made_up_space(engine="random", trials=100, batch=6)
+    space = made_up_space(trials=100)
     choices = {v.name: v.choices for v in space.variables if v.choices}
     assert len(choices) > 1
-    engine = sampling("random", space.variables, 1, 7, 6)
+    engine = sampling(space.variables, 1, 7)
     asked = ask(engine, 12)
     for name, values in choices.items():
         drawn = [trial.params[name] for trial in asked]
@@ -372,19 +300,19 @@ def test_choices_of_random_layouts_go_by_turns(tmp_path):
                 )
     places = np.array([[t.params[v.name] for v in space.variables if not v.choices] for t in asked])
     assert len(np.unique(places[:, 0])) == 12
-    done = list(searched(tmp_path / "journal.log", "random", trials=5).finished())
-    more = sampling("random", space.variables, 1, 7, 6, done)
+    done = list(searched(tmp_path / "journal.log", trials=5).finished())
+    more = sampling(space.variables, 1, 7, done)
     again = ask(more, 1)[0]
     late = {name: asked[len(done)].params[name] for name in choices}
     assert {name: again.params[name] for name in choices} == late
 
 
 def test_turns_begin_with_the_first_layout_s_choices():
-    space = made_up_space(engine="random", trials=100, batch=6)
+    space = made_up_space(trials=100)
     choices = {v.name: v.choices for v in space.variables if v.choices}
     for pick in (0, -1):
         first = {v.name: v.choices[pick] if v.choices else v.low for v in space.variables}
-        engine = sampling("random", space.variables, 1, 7, 6, first=first)
+        engine = sampling(space.variables, 1, 7, first=first)
         start, *others = ask(engine, max(map(len, choices.values())))
         assert start.params == first
         for name, values in choices.items():

@@ -242,7 +242,6 @@ depths_mm = [1.0, 2.0, 4.0]
 [search]
 trials = 24
 polish_steps = 20
-batch = 12
 leaders = 3
 finalists = 1
 [search.vary]

@@ -114,8 +114,8 @@ def test_shares_of_the_time(clock):
 
 
 def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
-    space = made_up_space(engine="random", trials=100, batch=10)
-    limit = TimeLimit(30)
+    space = made_up_space(trials=100)
+    limit = TimeLimit(50)
 
     def slow(trials, seconds):
         clock.now_s += 2 * len(trials)  # a call takes those of one structure
@@ -123,9 +123,9 @@ def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
 
     kept = open_study(space.spec, tmp_path / "journal.log", join=True)
     run_search(space, kept, answering(slow), lambda line: None, over=lambda: limit.left_s <= 0)
-    assert len(kept.trials()) == 20
+    assert len(kept.trials()) == 32
     run_search(space, kept, answering(slow), lambda line: None, over=lambda: limit.left_s <= 0)
-    assert len(kept.trials()) == 30, "a call does at least one batch"
+    assert len(kept.trials()) == 48, "a call does at least one batch"
 
 
 BROKEN_OFF_S = 400.0
@@ -135,8 +135,8 @@ BROKEN_OFF_S = 400.0
 @pytest.fixture
 def promoted(tmp_path, monkeypatch, clock):
     """Promotes a made-up search with so many seconds per layout at the second and highest level."""
-    kept = searched(tmp_path / "journal.log", "random", trials=60)
-    space = made_up_space(engine="random", trials=60, leaders=5, finalists=3)
+    kept = searched(tmp_path / "journal.log", trials=60)
+    space = made_up_space(trials=60, leaders=5, finalists=3)
 
     def level(seconds):
         @contextmanager
@@ -324,9 +324,7 @@ def test_leaders_that_walked_on_are_ranked_among_the_others(promoted):
 
 def test_what_was_scored_before_counts_whatever_the_new_budget(promoted):
     promoted(1000, 10, 10)
-    more = made_up_space(
-        engine="random", trials=60, leaders=5, finalists=3, seconds=99.0, batch=8, polish_steps=0
-    )
+    more = made_up_space(trials=60, leaders=5, finalists=3, seconds=99.0, polish_steps=0)
     _, said = promoted(1000, 10, 10, space=more)
     assert not [line for line in said if line.startswith("fidelity level")]
 

@@ -18,7 +18,7 @@ _KNOWN = {}
 
 def made_up_spec(name="cube", seed=1, reach=14.0, **search):
     vary = {"magnet_reach_mm": reach, "magnet_count": [1, 2], "shell_thickness_mm": [8.0, 9.0]}
-    content = {"trials": 300, "batch": 16, "polish_steps": 0, "vary": vary} | search
+    content = {"trials": 300, "polish_steps": 0, "vary": vary} | search
     key = f"{name} {seed} {content}"
     if key not in _KNOWN:
         _KNOWN[key] = parse_spec({"name": name, "seed": seed, "search": content}, "made up")
@@ -78,9 +78,9 @@ def journal_records(path):
     return path.read_bytes().count(b"\n") if path.is_file() else 0
 
 
-def searched(path, engine="tpe", score=made_up_score, worker=0, **search):
+def searched(path, score=made_up_score, worker=0, **search):
     """A search that was run to its end, kept in the journal `path`."""
-    space = made_up_space(engine=engine, **search)
+    space = made_up_space(**search)
     kept = open_study(space.spec, path, join=True)
     run_search(space, kept, answering(score), lambda line: None, worker=worker)
     return kept
