@@ -49,7 +49,7 @@ REMOVED = {
     "protocol.peak_force_spread": "peaks vary by 10 % from press to press",
     "score.hull": "δ is taken from the covariance of the signals",
     "score.hull_frames": "δ is that of 1000 frames",
-    "search.batch": "layouts are proposed one for each process, 16 at once without polish_steps",
+    "search.batch": "a batch has a layout for each process, 64 on a card, 16 without polish_steps",
     "search.compliance_mm_per_n": "layouts are not judged by softness",
     "search.engine": "layouts begin at random, choices by turns, and are improved by CMA-ES",
     "search.limits.board_gap_mm": "printer.wall_mm stays between two recesses",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections import defaultdict
 from collections.abc import Callable
 from typing import Any
@@ -12,12 +13,14 @@ from optuna.trial import FrozenTrial, Trial
 from design.errors import InputError
 from design.search.space import SearchSpace, structure_of
 from design.spec.search import SearchSpec
+from estimator.field.device import SWITCH
 from instobj.search.apart import GivenUp, Scored
 from instobj.search.engines import Sampling, ask, sampling, tell, tell_failed
 from instobj.search.study import KeptStudy
 
-PLAIN_BATCH = 16
-"""Layouts proposed and kept together where none is improved: scored at once they cost little more."""
+PLAIN_BATCH, CARD_BATCH = 16, 64
+"""Layouts proposed and kept together where none is improved: scored at once they cost little more. On a
+graphics card runs of CMA-ES go on side by side, and 32 or more of them fill it."""
 _FAILURES_IN_A_ROW = 3
 """Batches without a single result after which a search is given up."""
 
@@ -39,7 +42,7 @@ def run_search(
 ) -> None:
     """Work on the study until its trials are done, or the time is `over` after a batch.
 
-    A batch has a trial for each of the `processes` at least. Trials that others keep meanwhile are
+    A batch has `layouts_at_once`. Trials that others keep meanwhile are
     learned from. `first` is tried first in a new study.
 
     Raises
@@ -51,7 +54,7 @@ def run_search(
     past = kept.trials()
     seed = _seed(space.spec.seed, len(past), worker)
     engine = sampling(space.variables, len(search.objectives), seed, past, first)
-    together = processes if search.polish_steps else max(processes, PLAIN_BATCH)
+    together = layouts_at_once(search, processes)
     seen, failed = len(past), 0
     while seen < search.trials:
         asked = ask(engine, min(together, search.trials - seen))
@@ -64,6 +67,13 @@ def run_search(
         say(_standing(kept, search, seen))
         if over():
             return
+
+
+def layouts_at_once(search: SearchSpec, processes: int) -> int:
+    """How many layouts a batch has: one for each process, more where they go on side by side."""
+    if os.environ.get(SWITCH, "").startswith("cuda"):
+        return max(processes, CARD_BATCH)
+    return processes if search.polish_steps else max(processes, PLAIN_BATCH)
 
 
 def _scored_batch(

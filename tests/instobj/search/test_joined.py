@@ -5,6 +5,7 @@ import pytest
 from design.search.space import search_space
 from design.spec.search import SearchSpec
 from instobj.search.joined import in_time, joined, joining
+from instobj.search.loop import layouts_at_once
 from tests.support.objects.search_cases import OBJECTIVES, made_up_spec
 
 
@@ -79,3 +80,12 @@ def test_a_joined_run_is_shorter_where_time_is_short(generation_s, layouts, left
 def test_what_became_of_the_trials_is_said():
     said = joining(SearchSpec(trials=24, polish_steps=300), SearchSpec(trials=12, polish_steps=600))
     assert "24 trials of 300 generations are joined to 12 of 600" in said
+
+
+def test_a_batch_has_a_layout_for_each_process_and_more_where_they_go_on_side_by_side(monkeypatch):
+    improved, plain = SearchSpec(), SearchSpec(polish_steps=0)
+    monkeypatch.delenv("INSTOBJ_DEVICE", raising=False)
+    assert [layouts_at_once(improved, n) for n in (1, 3)] == [1, 3]
+    assert [layouts_at_once(plain, n) for n in (1, 40)] == [16, 40]
+    monkeypatch.setenv("INSTOBJ_DEVICE", "cuda:1")
+    assert layouts_at_once(improved, 2) == 64
