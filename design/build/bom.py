@@ -159,7 +159,7 @@ def _silicone(spec: ObjectSpec) -> Item:
 
 
 def _prints(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
-    density = spec.printer.density_g_per_cm3
+    density = spec.printer.process_figures.density_g_per_cm3
     return [
         Item(
             f"print {part.name}",

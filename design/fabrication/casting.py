@@ -159,7 +159,7 @@ def _draw(
     found = [_undercut(spec, draw, mesh, shell)]
     draft = least_draft_deg(mesh, draw.pull, against)
     if draft is not None:
-        limit = spec.printer.draft_deg
+        limit = spec.printer.process_figures.draft_deg
         found.append(
             Finding(
                 "draft",

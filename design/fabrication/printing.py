@@ -199,7 +199,7 @@ def _aspect(
     at_mm: Point,
     key: str = "",
 ) -> Finding:
-    limit, value = spec.printer.aspect, height / width
+    limit, value = spec.printer.process_figures.aspect, height / width
     status = "pass" if value <= limit else "warn"
     most = f" ({key} of {floor(100 * limit * width + 1e-6) / 100:g} or less)" if key else ""
     text = f"{what}: height over width. Beyond the limit it may break off: make it wider or lower{most}"

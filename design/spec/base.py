@@ -240,9 +240,9 @@ def _complaint(problem: Any, model: type[BaseModel]) -> str:
         return f"{where} is not a key. {_nearest_key(problem['loc'], model)}"
     if problem["type"] == "string_pattern_mismatch":
         message = "letters, digits, _ . - alone, a letter or digit first; no blanks, no umlauts"
-    removed = REMOVED.get(f"{where} = {problem.get('input')}")
-    if removed:
-        return f"{where} = {problem['input']!r} was removed: {removed}"
+    key = ".".join(part for part in where.split(".") if not part.isdigit())
+    if removed := REMOVED.get(f"{key} = {problem.get('input')}"):
+        return f"{key} = {problem['input']!r} was removed: {removed}"
     for word, plain in _WORDS.items():
         message = message.replace(word, plain)
     received = "" if isinstance(problem.get("input"), dict) else f"; got {_shown(problem)}"

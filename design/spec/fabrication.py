@@ -11,8 +11,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from design.catalogue.printers import Process, printer_preset
-from design.spec.base import Angle, Density, SpecPart
+from design.catalogue.printers import PRINTERS, Printer, Process, printer_preset
+from design.spec.base import Angle, SpecPart
 
 Gap = Annotated[float, Field(ge=0.005, le=2)]
 """Between printed parts (mm)."""
@@ -49,8 +49,8 @@ class PrinterSpec(SpecPart):
     """What the printer of core, mould and probes can make; figures left out are those of `name`.
 
     In a file, `printer = "profile.toml"` takes this table from another one beside it. Walls,
-    features (pins, ribs) and holes below the given sizes fail, bosses more slender than
-    `aspect` (height over width) and walls with less draft than `draft_deg` are warned of.
+    features (pins, ribs) and holes below the given sizes fail; bosses too slender
+    and walls of too little draft for the `process` are warned of.
     """
 
     name: str = "fdm-0.4"
@@ -60,9 +60,11 @@ class PrinterSpec(SpecPart):
     feature_mm: Thickness = 0.8
     hole_mm: Thickness = 1.0
     clearance_mm: Gap = 0.1
-    aspect: Annotated[float, Field(ge=0.5, le=100)] = 4.0
-    draft_deg: Annotated[float, Field(ge=0, lt=45)] = 1.0
-    density_g_per_cm3: Density = 1.27
+
+    @property
+    def process_figures(self) -> Printer:
+        """Aspect, draft and density of what the process makes, as of the first printer of its kind."""
+        return next(one for one in PRINTERS.values() if one.process == self.process)
 
     @model_validator(mode="before")
     @classmethod
@@ -71,4 +73,4 @@ class PrinterSpec(SpecPart):
             return given
         own = set(cls.model_fields) - {"name"} <= set(given)
         preset = {} if own else asdict(printer_preset(given.get("name", "fdm-0.4")))
-        return {**preset, **given}
+        return {key: value for key, value in preset.items() if key in cls.model_fields} | given

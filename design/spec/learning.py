@@ -36,7 +36,6 @@ class CollectionSpec(SpecPart):
     `random_grasps` poses drawn by `seed`. "continuous": `presses` short presses of `contacts`
     tips at once anywhere on `faces`, with peaks and rest frames as `protocol` has them; with
     `tangential_share` above 0 each is also pulled sideways, by up to that share of its force.
-    `hysteresis` is the loop's width at half force over the peak, without rate.
     """
 
     kind: CollectionKind = "paper"
@@ -53,7 +52,6 @@ class CollectionSpec(SpecPart):
     presses: Annotated[int, Field(ge=1, le=1_000_000_000)] = 2000
     contacts: Annotated[int, Field(ge=1, le=5)] = 1
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0
-    hysteresis: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
 
     @model_validator(mode="after")
     def _faces_differ(self) -> CollectionSpec:
@@ -91,7 +89,6 @@ class ProtocolSpec(SpecPart):
     frames_per_press: Annotated[int, Field(ge=4, le=1_000_000)] = 40
     rest_frames_per_press: Annotated[int, Field(ge=2, le=1_000_000)] = 8
     peak_force_n: tuple[Force, Force] = (10.0, 20.0)
-    peak_force_spread: Annotated[float, Field(ge=0, lt=0.9)] = 0.1
     lateral_jitter_mm: Annotated[float, Field(ge=0, le=20)] = 0.3
     force_noise_n: Annotated[float, Field(ge=0, le=20)] = 0.12
 

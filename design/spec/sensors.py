@@ -49,7 +49,7 @@ class SensorSpec(SpecPart):
     `noise_counts` are those of `part` where they are left out; the default part's noise, gain and
     drift were measured on the recordings (16× averaging, ±40 mT). `averaging` is the number of
     conversions in a reading. With tolerances (rms) above 0, simulated chips are drawn with the
-    specification's seed: the gain of each axis, the share of other axes in it, and its offset.
+    specification's seed: the gain of each axis and the share of other axes in it.
     Where sensors sit in the shell (`arrangement`), each is a rigid board of `package_mm`
     (tangential, radial, thick) on its pocket's floor, sensing at its centre. `chip_mm` is the chip
     with its leads on the board (as `package_mm`), for the checks alone.
@@ -79,7 +79,6 @@ class SensorSpec(SpecPart):
     noise_counts: tuple[Noise, Noise, Noise] = (22.0, 22.0, 11.0)
     gain_tolerance: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
     cross_axis_tolerance: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
-    offset_tolerance_mt: Annotated[float, Field(ge=0, le=100)] = 0.0
     zeroing_counts: Counts = 10.0
     drift_counts: Counts = 60.0
     frame_rate_hz: Annotated[float, Field(ge=0.01, le=1e5)] = 10.5

@@ -17,7 +17,6 @@ from design.layout.places.contact_grid import PlaceGrid, contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
-from design.spec.search import WantedCompliance
 from design.tables import write_table
 from estimator.information.fisher import (
     SUFFIXES,
@@ -295,11 +294,6 @@ def outermost_places(
     return area_places(grid, "corner", places) | area_places(grid, "edge", places)
 
 
-def outermost_of_faces(scores: PlaceScores) -> Bool[np.ndarray, "face place"]:
-    """The outermost ring of every face."""
-    return np.stack([outermost_places(scores.grid, own) for own in scores.places])
-
-
 def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:
     """Medians per area over all faces, or over one; areas without a contact location are left out."""
     rows = slice(None) if face is None else scores.faces == face
@@ -321,28 +315,6 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
         )
         for area, own in medians.items()
     )
-
-
-def compliance_deviation(
-    wanted_mm_per_n: WantedCompliance,
-    grid: PlaceGrid,
-    mm_per_n: Float[np.ndarray, "face place"],
-    places: Bool[np.ndarray, "face place"] | None = None,
-) -> float:
-    """Root mean square of compliance over the wanted one, less 1, over the places that have one.
-
-    Where nothing is wanted, even softness is: places are compared with their mean. Faces have all
-    places where `places` is left out.
-    """
-    there = np.ones(mm_per_n.shape, bool) if places is None else places
-    target = np.full(mm_per_n.shape, np.nan)
-    for area, value in wanted_mm_per_n.items():
-        for row, own in zip(target, there, strict=True):
-            row[own if area == "everywhere" else area_places(grid, area, own)] = value
-    if not wanted_mm_per_n:
-        target[there] = mm_per_n[there].mean()
-    counted = np.isfinite(target)
-    return float(np.sqrt(np.mean((mm_per_n[counted] / target[counted] - 1) ** 2)))
 
 
 _UNITS = {

@@ -72,8 +72,7 @@ class Assembly:
 
 def designed(spec: ObjectSpec) -> Assembly:
     """The object of the specification, with `as_built` and its own environment."""
-    slips = spec.mechanics.slip.model == "sensors-only"
-    return undisturbed(scene(spec, core_slipped=slips))
+    return undisturbed(scene(spec))
 
 
 def undisturbed(place: Scene) -> Assembly:

@@ -22,7 +22,7 @@ from estimator.field.device import compute_device
 from instobj.search.apart import answers
 from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.joined import joined, joining
-from instobj.search.loop import run_search
+from instobj.search.loop import layouts_at_once, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
 from instobj.search.outcome.write import write_outcome, write_specification
 from instobj.search.possible import require_possible
@@ -175,7 +175,7 @@ def _search(
     workers: Workers,
 ) -> None:
     asked, content = space.spec.search, space.spec.model_dump_json()
-    space = joined(space, workers.count)
+    space = joined(space, layouts_at_once(asked, workers.count))
     if len(kept.trials) >= space.spec.search.trials:
         return
     if space.spec.search.trials < asked.trials:

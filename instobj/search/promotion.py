@@ -392,8 +392,8 @@ def _score_of(kept: dict[str, Any], start: Promoted, level: str) -> FidelityScor
     return score if but == 1 else against_start(start.levels.get(level, score), score, but)
 
 
-_SCORER = ("sensor_chip", "sensor_turn_deg", "sensor_range_mt")
-_SHELL = ("shell_thickness_mm", "silicone", "core_size_mm")
+_SCORER = ("sensor_chip",)
+_SHELL = ("shell_thickness_mm", "silicone")
 
 
 def _alike(spec: ObjectSpec, names: tuple[str, ...]) -> tuple[Any, ...]:

@@ -29,7 +29,7 @@ _VERTICES_PER_RIM_EDGE = 8
 """About a magnet, for each edge along its outline; they dominate coarse meshes."""
 _MESHER_KB = 6.0
 """Within fTetWild, for a vertex; the response needs far more."""
-_NODES_PER_VERTEX = {"taylor-hood": 6.8, "p2-p0": 6.8, "p2": 6.8, "p1": 1.0}
+_NODES_PER_VERTEX = {"taylor-hood": 6.8, "p2-p0": 6.8, "p2": 6.8}
 _LOADS_PER_CELL = 1.25
 """Face pressures for an area of edge²; measured on the paper's cube."""
 _BYTES = 8

@@ -163,10 +163,10 @@ STAGES: dict[str, Stage] = {
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "silicone"),
             *(*_PRESSED, "mechanics", "score", "tolerances", "seed"),
-            *("search.forces_n", "search.baseline", "search.compliance_mm_per_n", "search.task"),
+            *("search.forces_n", "search.baseline"),
         ),
         make_second_fidelity,
-        version=4,
+        version=5,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
@@ -325,7 +325,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", "mechanics.slip", "score"),
         make_slip,
-        version=3,
+        version=4,
         of_others=objects_compared,
     ),
     "scene": Stage(
@@ -357,9 +357,9 @@ STAGES: dict[str, Stage] = {
             "slip",
             "scene",
         ),
-        ("name", "limits", "search.prices", "silicone"),
+        ("name", "limits", "silicone"),
         make_report,
-        version=18,
+        version=19,
     ),
 }
 """In the order in which a command works through those that it needs."""

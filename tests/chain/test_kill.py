@@ -47,7 +47,7 @@ BEGIN = ("mesh", "large_strain")
 DISKS_KIB = (0, 32, 128, 256, 512)
 HEAD_RECORDS = 1
 """Lines of a file of trials, before its first one."""
-SEARCH = {"trials": 1_000_000, "batch": 8}
+SEARCH = {"trials": 1_000_000}
 
 CHILDREN = multiprocessing.get_context("forkserver")
 """Children begin with everything imported, in a few milliseconds."""

@@ -59,7 +59,6 @@ import estimator.information.cross_face
 import estimator.information.fisher
 import estimator.information.identifiability
 import estimator.information.shear
-import estimator.information.two_contacts
 import estimator.information.weak_areas
 import estimator.inversion.blind_start
 import estimator.inversion.inversion
@@ -78,7 +77,6 @@ import estimator.layouts.near_field
 import estimator.layouts.polish
 import estimator.layouts.presses.basis
 import estimator.layouts.presses.compression
-import estimator.layouts.robustness
 import estimator.layouts.scoring
 import estimator.metrics.contacts
 import estimator.metrics.heatmaps
@@ -114,7 +112,6 @@ import estimator.signals.hall
 import estimator.signals.press_states
 import estimator.signals.surroundings
 import estimator.tolerances.budget
-import estimator.tolerances.localisation_bias
 import estimator.tolerances.result
 import estimator.tolerances.selftest
 import estimator.tolerances.virtual_object
@@ -270,7 +267,6 @@ FIGURES = {
         "_SENSOR_COUNTS": (1, 2, 3, 4, 5), "CONTACT_COUNTS": (1, 2, 3),
     },
     estimator.information.shear: {"_STEP_N": 0.2},
-    estimator.information.two_contacts: {"PERCENT": 95.0},
     estimator.information.weak_areas: {"_DIGITS": 5},
     estimator.inversion.blind_start: {"FRAMES": 100, "_LEAST_FORCE_N": 0.1},
     estimator.inversion.inversion: {"KNOWN_FORCE_SPREAD": 0.3},
@@ -312,7 +308,6 @@ FIGURES = {
         "OWN_RANK_PER_PLACE": 1.3, "LEAST_OWN_RANK": 60, "MORE_RANK": 1.2, "STRAIN_RANK": 96,
     },
     estimator.layouts.presses.compression: {"TURN_RANK": 64},
-    estimator.layouts.robustness: {"_RIDGE": 1e-6, "SLIP_MM": 1.0},
     estimator.layouts.scoring: {"_FORCE_VARIANCE": 1 / 8, "_CURVE_VARIANCE": 1 / 128},
     estimator.metrics.contacts: {
         "FAR_MM": 5.0, "FORCE_BANDS_N": ((0.0, 1.0), (1.0, 4.0), (4.0, float("inf"))),
@@ -404,7 +399,6 @@ FIGURES = {
     estimator.signals.press_states: {"ASIDE_MM": 0.1, "_FORCE_STEP": 0.01},
     estimator.signals.surroundings: {"TYPICAL_EARTH_UT": 50.0},
     estimator.tolerances.budget: {"_NEARER_MM": 1.0, "_STEP": 0.05},
-    estimator.tolerances.localisation_bias: {"OBJECTS": 8, "_SPREAD_MM": 0.5},
     estimator.tolerances.result: {"REACH_SHARE": 0.7},
     estimator.tolerances.selftest: {
         "_NEARER_MM": 1.0, "_STEP": 0.05, "PRIOR_PROBABILITY": 1e-3, "POOR_FIT": 1e-3,

@@ -13,6 +13,7 @@ import hashlib
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 import torch
@@ -140,7 +141,8 @@ def fit_estimator(
         if start is None:
             member = new_member(fitted, channels, settings.architecture, seed + _NEXT_SEED * number)
         else:
-            member = copy.deepcopy(start.network.members[number % len(start.network.members)])
+            before = start.network.members[number % len(start.network.members)]
+            member = cast(HeadsNetwork, copy.deepcopy(before))
         _fit_member(
             member, number, fitted, held_out, channels, settings, start is not None, counted
         )

@@ -15,9 +15,10 @@ from pathlib import Path
 from typing import Any
 
 import torch
-from torch import Tensor, nn
+from torch import Tensor
 
 from design.errors import InputError
+from estimator.networks.network import HeadsNetwork
 from estimator.networks.tensor_file import load_tensors, save_tensors
 from estimator.networks.training.data import Augmentation, Batch, Disturbances, disturbed
 from estimator.networks.training.losses import heads_loss
@@ -63,7 +64,7 @@ class _State:
 
 
 def fit(
-    network: nn.Module,
+    network: HeadsNetwork,
     train: Batch,
     validation: Batch,
     disturbances: Disturbances,
@@ -111,7 +112,7 @@ def _stopped(state: _State, schedule: Schedule, started: float) -> bool:
 
 
 def _one_epoch(
-    network: nn.Module,
+    network: HeadsNetwork,
     optimizer: torch.optim.Optimizer,
     train: Batch,
     disturbances: Disturbances,
@@ -140,7 +141,7 @@ def _one_epoch(
         optimizer.step()
 
 
-def _loss_on(network: nn.Module, validation: Batch) -> float:
+def _loss_on(network: HeadsNetwork, validation: Batch) -> float:
     network.eval()
     with torch.no_grad():
         return float(heads_loss(network, validation.counts, validation))
@@ -160,7 +161,7 @@ def _rate_factor(epoch: float, schedule: Schedule) -> float:
 
 
 def _save(
-    path: Path, network: nn.Module, optimizer: torch.optim.Optimizer, state: _State, mark: str
+    path: Path, network: HeadsNetwork, optimizer: torch.optim.Optimizer, state: _State, mark: str
 ) -> None:
     tensors = {f"now.{name}": value for name, value in network.state_dict().items()}
     tensors |= {f"best.{name}": value for name, value in state.best.items()}
@@ -175,7 +176,9 @@ def _save(
     save_tensors(tensors, info, path)
 
 
-def _resume(path: Path, network: nn.Module, optimizer: torch.optim.Optimizer, mark: str) -> _State:
+def _resume(
+    path: Path, network: HeadsNetwork, optimizer: torch.optim.Optimizer, mark: str
+) -> _State:
     info, tensors = load_tensors(path, "Delete it: it belongs to an interrupted training")
     if info.get("fingerprint") != mark:
         raise InputError(

@@ -15,7 +15,6 @@ RULES = """
 mechanics.element=taylor-hood silicone.poisson_ratio=% | 0.01 | 0.009 | takes silicone.poisson_ratio from 0.01
 mechanics.element=p2 silicone.poisson_ratio=% | 0.45 | 0.46 | takes silicone.poisson_ratio up to 0.45
 mechanics.element=p2-p0 silicone.poisson_ratio=% | 0.4999 | 0.49995 | up to 0.4999; got 0.49995
-mechanics.element=p1 silicone.poisson_ratio=% | 0.4999 | 0.49995 | up to 0.4999; got 0.49995
 mechanics.element=% silicone.layers=[{thickness_mm=1,modulus_ratio=5}] | p2-p0 | taylor-hood | whose pressure
 silicone.layers=[{thickness_mm=%,modulus_ratio=5}] mechanics.element=p2-p0 | 7.9 | 8 | are 8 mm thick
 silicone.youngs_modulus_mpa=0.4 silicone.youngs_modulus_range_mpa=[%,0.5] | 0.4 | 0.41 | around youngs_modulus
@@ -78,8 +77,6 @@ search.vary.magnet_count=[2,3] search.vary.%=9 | magnet_reach_mm | sensor_reach_
 search.vary.sensor_count=[2,3] search.vary.%=9 | sensor_reach_mm | magnet_reach_mm | needs search.vary.sensor
 search.forces_n=% | [2,5] | [5,5] | must increase strictly
 search.leaders=3 search.finalists=% | 3 | 4 | come from search.leaders = 3
-search.magnet_symmetry=% | free | mirrored | search
-search.sensor_symmetry=% | free | ring | search
 mechanics.correction=large-strain mechanics.element=% | taylor-hood | p2-p0 | correction
 mechanics.correction=large-strain mechanics.interface=% | bonded | frictionless | correction
 mechanics.correction=large-strain mechanics.slip.shift_mm=[0,0,%] | 0 | 0.1 | correction
@@ -173,7 +170,7 @@ UNLIKELY = {
     "sensors.positions_mm=[[true,1.0],[5,5]]": "sensors.positions_mm: true and false",
     "sensors.averaging=true": "sensors.averaging: true and false",
     "seed=true": "seed: true and false",
-    "search.limits.times_start={task_loss=true}": "times_start: true and false",
+    "search.limits.times_start={worst_force_bound_n=true}": "times_start: true and false",
     "inversion.jaws=1": "inversion.jaws: write true or false; got 1",
     "training.process='yes'": "training.process: write true or false",
     "body.scale=2": "body.scale = 2.0 has no effect on body.kind = 'box'. Leave it out",

@@ -174,7 +174,6 @@ def test_chips_within_their_tolerances_have_the_stated_spread():
             "sensors": {
                 "gain_tolerance": 0.03,
                 "cross_axis_tolerance": 0.01,
-                "offset_tolerance_mt": 0.2,
             },
         }
     ).sensors
@@ -182,18 +181,17 @@ def test_chips_within_their_tolerances_have_the_stated_spread():
     diagonal = np.eye(3, dtype=bool)
     assert_allclose((chips.matrix - np.eye(3))[:, diagonal].std(), 0.03, rtol=0.03)
     assert_allclose(chips.matrix[:, ~diagonal].std(), 0.01, rtol=0.03)
-    assert_allclose(chips.offset_mt.std(), 0.2, rtol=0.03)
     nominal = chip_errors(ObjectSpec(name="c").sensors, 15, seed=3)
     assert_allclose(nominal.matrix, np.tile(np.eye(3), (15, 1, 1)), rtol=0)
     assert_allclose(nominal.offset_mt, 0, rtol=0)
 
 
 def test_real_chips_change_counts_as_their_matrix_says():
-    off = {"gain_tolerance": 0.05, "cross_axis_tolerance": 0.02, "offset_tolerance_mt": 0.3}
+    off = {"gain_tolerance": 0.05, "cross_axis_tolerance": 0.02}
     real, ideal = coarse_spec(sensors=off), coarse_spec()
     chips = chip_errors(real.sensors, 15, real.seed)
     nominal = rest_counts(ideal)
-    expected = np.einsum("sab,sb->sa", chips.matrix, nominal) + 820 * chips.offset_mt
+    expected = np.einsum("sab,sb->sa", chips.matrix, nominal)
     assert_allclose(rest_counts(real), expected, atol=1e-8)
     presses = synthetic_presses(ideal)
     delta = press_signals(ideal, *presses).delta_counts[3, 10, 4]

@@ -97,9 +97,7 @@ def test_states_of_a_press_are_as_on_record():
 
 
 def test_chips_and_surroundings_are_as_on_record():
-    sensors = SPEC.sensors.changed(
-        gain_tolerance=0.05, cross_axis_tolerance=0.02, offset_tolerance_mt=0.3
-    )
+    sensors = SPEC.sensors.changed(gain_tolerance=0.05, cross_axis_tolerance=0.02)
     around = changed(environment={"earth_field_ut": 48.0})
     lines = [
         *told_whole("errors", chip_errors(sensors, 15, 7)),

@@ -164,7 +164,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
     code = (
         "import sys; from pathlib import Path\n"
         "from tests.support.objects.search_cases import searched\n"
-        "searched(Path(sys.argv[1]), trials=100000, batch=8)\n"
+        "searched(Path(sys.argv[1]), trials=100000)\n"
     )
     process = subprocess.Popen(
         [sys.executable, "-c", code, str(path), str(HERE)], cwd=HERE.parents[2]
@@ -174,7 +174,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
         time.sleep(0.05)
     process.send_signal(signal.SIGKILL)
     process.wait()
-    trials = open_trials(made_up_space(trials=100000, batch=8).spec, path, resume=True).trials
+    trials = open_trials(made_up_space(trials=100000).spec, path, resume=True).trials
     assert len(trials) >= 50
     assert all(trial.feasible for trial in trials)
 
@@ -203,7 +203,7 @@ def test_structures_of_a_batch_are_scored_side_by_side_each_shared_out(at_once, 
         asked.append(questions)
         return answering(made_up_score)(questions, seconds)
 
-    space = made_up_space(trials=8, batch=8)
+    space = made_up_space(trials=8)
     kept = open_trials(space.spec, tmp_path / "trials.jsonl")
     run_search(space, kept, score, lambda line: None, at_once=at_once)
     (questions,) = asked
@@ -217,7 +217,7 @@ def test_structures_of_a_batch_are_scored_side_by_side_each_shared_out(at_once, 
 
 
 def test_why_trials_have_no_result_is_said(tmp_path):
-    space, said = made_up_space(trials=8, batch=8), []
+    space, said = made_up_space(trials=8), []
     kept = open_trials(space.spec, tmp_path / "trials.jsonl")
     run_search(space, kept, answering(_slow_on_thin_shells), said.append)
     reason, standing = said
@@ -235,7 +235,7 @@ def test_a_search_without_any_result_is_given_up(tmp_path):
 
 def test_choices_go_by_turns():
     """Each of two and each of three choices once before one comes again."""
-    space = made_up_space(trials=100, batch=6)
+    space = made_up_space(trials=100)
     choices = {v.name: v.choices for v in space.variables if v.choices}
     assert len(choices) > 1
     drawn = [drawn_start(space, number) for number in range(12)]
@@ -250,7 +250,7 @@ def test_choices_go_by_turns():
 
 
 def test_turns_begin_with_the_first_layout_s_choices():
-    space = made_up_space(trials=100, batch=6)
+    space = made_up_space(trials=100)
     choices = {v.name: v.choices for v in space.variables if v.choices}
     for pick in (0, -1):
         first = {v.name: v.choices[pick] if v.choices else v.low for v in space.variables}
@@ -273,7 +273,7 @@ def _scored_slowly(argument):
 def test_a_search_on_several_machines_loses_nothing_and_does_nothing_twice(tmp_path):
     """Workers of a Dask scheduler, each killed and replaced while it has a trial at work."""
     path, wanted = tmp_path / "trials.jsonl", 24
-    space = made_up_space(trials=wanted, batch=4)
+    space = made_up_space(trials=wanted)
     kept = open_trials(space.spec, path)
     killed = set()
     with open_workers(2) as workers:

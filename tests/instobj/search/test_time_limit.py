@@ -113,8 +113,8 @@ def test_shares_of_the_time(clock):
 
 
 def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
-    space = made_up_space(trials=100, batch=10)
-    limit = TimeLimit(30)
+    space = made_up_space(trials=100)
+    limit = TimeLimit(50)
 
     def slow(trials, seconds):
         clock.now_s += 2 * len(trials)  # a call takes those of one structure
@@ -122,9 +122,9 @@ def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
 
     kept = open_trials(space.spec, tmp_path / "trials.jsonl")
     run_search(space, kept, answering(slow), lambda line: None, over=lambda: limit.left_s <= 0)
-    assert len(kept.trials) == 20
+    assert len(kept.trials) == 32
     run_search(space, kept, answering(slow), lambda line: None, over=lambda: limit.left_s <= 0)
-    assert len(kept.trials) == 30, "a call does at least one batch"
+    assert len(kept.trials) == 48, "a call does at least one batch"
 
 
 BROKEN_OFF_S = 400.0
@@ -323,7 +323,7 @@ def test_leaders_that_walked_on_are_ranked_among_the_others(promoted):
 
 def test_what_was_scored_before_counts_whatever_the_new_budget(promoted):
     promoted(1000, 10, 10)
-    more = made_up_space(trials=60, leaders=5, finalists=3, seconds=99.0, batch=8, polish_steps=0)
+    more = made_up_space(trials=60, leaders=5, finalists=3, seconds=99.0, polish_steps=0)
     _, said = promoted(1000, 10, 10, space=more)
     assert not [line for line in said if line.startswith("fidelity level")]
 

@@ -18,7 +18,7 @@ _KNOWN = {}
 
 def made_up_spec(name="cube", seed=1, reach=14.0, **search):
     vary = {"magnet_reach_mm": reach, "magnet_count": [1, 2], "shell_thickness_mm": [8.0, 9.0]}
-    content = {"trials": 300, "batch": 16, "polish_steps": 0, "vary": vary} | search
+    content = {"trials": 300, "polish_steps": 0, "vary": vary} | search
     key = f"{name} {seed} {content}"
     if key not in _KNOWN:
         _KNOWN[key] = parse_spec({"name": name, "seed": seed, "search": content}, "made up")
