@@ -287,13 +287,6 @@ def _ends(there: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx n
     return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)
 
 
-def outermost_places(
-    grid: PlaceGrid, places: Bool[np.ndarray, "place"] | None = None
-) -> Bool[np.ndarray, "place"]:
-    """The outermost ring of a face, corners included."""
-    return area_places(grid, "corner", places) | area_places(grid, "edge", places)
-
-
 def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:
     """Medians per area over all faces, or over one; areas without a contact location are left out."""
     rows = slice(None) if face is None else scores.faces == face

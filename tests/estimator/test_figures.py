@@ -7,6 +7,7 @@ beside the docstrings and the pages that explain them; who changes one changes t
 import numpy as np
 import pytest
 
+import benchmarks.rig.least_possible
 import estimator.bringup.asking.asked
 import estimator.bringup.asking.held_magnet
 import estimator.bringup.asking.hold_places
@@ -28,12 +29,10 @@ import estimator.calibration.known_travel.places
 import estimator.calibration.known_travel.suspects
 import estimator.calibration.pose_fit
 import estimator.calibration.recorded_presses
-import estimator.calibration.slip_recovery
 import estimator.calibration.twin.digital_twin
 import estimator.calibration.twin.discrepancy
 import estimator.calibration.twin.grasp_twin
 import estimator.calibration.twin.least_known
-import estimator.calibration.twin.least_possible
 import estimator.calibration.twin.like_forces
 import estimator.calibration.twin.pressed_cases
 import estimator.calibration.twin.pressed_places
@@ -43,8 +42,6 @@ import estimator.calibration.validation
 import estimator.deploy.export
 import estimator.deploy.zeroing
 import estimator.evaluation.baselines
-import estimator.evaluation.bayes_optimum
-import estimator.evaluation.false_alarms
 import estimator.field.models
 import estimator.field.sources
 import estimator.frames.collection_recipe
@@ -115,6 +112,9 @@ import estimator.tolerances.budget
 import estimator.tolerances.result
 import estimator.tolerances.selftest
 import estimator.tolerances.virtual_object
+import studies.paper.bayes_optimum
+import studies.paper.false_alarms
+import studies.paper.slip_recovery
 import studies.recorded.cycle_laws
 import studies.recorded.interface_fits
 import studies.recorded.resting_conventions
@@ -201,7 +201,7 @@ FIGURES = {
         "BOUNDS": [1.5, 3.0, 3.0, 3.0, 3.0, 10.0, 10.0, 10.0], "MOST_CANDIDATES": 500_000,
         "_SPREAD_COUNTS": 300.0,
     },
-    estimator.calibration.slip_recovery: {"_MODEL_ERROR": 0.1},
+    studies.paper.slip_recovery: {"_MODEL_ERROR": 0.1},
     estimator.calibration.twin.digital_twin: {
         "SIZES": (0.02, 0.05, 0.1, 0.2), "LENGTHS_MM": (6.0, 10.0, 16.0),
     },
@@ -210,7 +210,7 @@ FIGURES = {
         "SIZES": (0.02, 0.05, 0.1, 0.2, 0.5, 1.0), "_CLEAR": 25.0,
     },
     estimator.calibration.twin.least_known: {"SHARES": (0.5, 1.0)},
-    estimator.calibration.twin.least_possible: {"_POWER": 0.6},
+    benchmarks.rig.least_possible: {"_POWER": 0.6},
     estimator.calibration.twin.like_forces: {"STEADY_NOISES": 3.0},
     estimator.calibration.twin.pressed_cases: {"LEAST_CASES": 3},
     estimator.calibration.twin.pressed_places: {
@@ -238,8 +238,8 @@ FIGURES = {
         "MOST_FRAMES": 6000,
         "_NEIGHBOURS": 5, "_INTERVAL_PERCENT": (5.0, 95.0),
     },
-    estimator.evaluation.bayes_optimum: {"_ROUNDING_COUNTS": 12**-0.5},
-    estimator.evaluation.false_alarms: {"WANTED_RATE": 0.01},
+    studies.paper.bayes_optimum: {"_ROUNDING_COUNTS": 12**-0.5},
+    studies.paper.false_alarms: {"WANTED_RATE": 0.01},
     estimator.field.models: {"LOWEST_ORDER": 7, "HIGHEST_ORDER": 25, "HIGHEST_CHARGES": 8},
     estimator.frames.collection_recipe: {"_PERIOD_SPREAD": 0.05},
     estimator.frames.contact_cases: {
