@@ -150,7 +150,7 @@ def sharpest_edge(mesh: trimesh.Trimesh) -> tuple[float, Float[np.ndarray, "3"]]
     """Smallest angle (degrees) of material at a convex edge of the mesh, and the edge's middle."""
     convex = np.asarray(mesh.face_adjacency_convex)
     long = np.ptp(mesh.vertices[mesh.face_adjacency_edges], axis=1).max(axis=1) > EDGE_MM
-    wide = _height_mm(mesh)[mesh.face_adjacency].min(axis=1) > SLIVER_MM
+    wide = height_mm(mesh)[mesh.face_adjacency].min(axis=1) > SLIVER_MM
     chosen = np.flatnonzero(convex & long & wide)
     if not len(chosen):
         return None
@@ -166,7 +166,7 @@ def undercut(
     from trimesh.graph import connected_components
 
     rise = np.asarray(mesh.face_normals) @ pull
-    against = where & (rise > np.sin(np.deg2rad(0.5))) & (_height_mm(mesh) > SLIVER_MM)
+    against = where & (rise > np.sin(np.deg2rad(0.5))) & (height_mm(mesh) > SLIVER_MM)
     if not against.any():
         return Undercut(0.0, 0.0, None)
     deepest, place = 0.0, None
@@ -343,15 +343,15 @@ def _through_mm(
 def _tells_how_it_faces(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
     """Of every triangle whether its normal is the surface's: not of films, nor of slivers none of whose
     neighbours faces as they do, as those that are left where a surface is drawn by fewer triangles."""
-    height = _height_mm(mesh)
+    height = height_mm(mesh)
     alike = np.cos(np.asarray(mesh.face_adjacency_angles)) >= -_FACING
     known = height > SLIVER_MM - _EQUAL_MM
     known[np.asarray(mesh.face_adjacency)[alike]] = True
     return known & (height > _FILM_MM)
 
 
-def _height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
-    """Of every triangle over its longest edge."""
+def height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
+    """Return the height of every triangle over its longest edge."""
     corners = mesh.triangles
     edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
     return 2 * mesh.area_faces / np.maximum(edges, 1e-12)

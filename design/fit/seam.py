@@ -46,9 +46,7 @@ def seam_in_words(spec: ObjectSpec) -> list[str]:
     """Thin walls between the seam and holes of pins, or beside holes to pour through, and halves or fins of
     slits that hook, with places and the nearest `mould.parting_azimuth_deg` that has none of them; of a
     specification that fits."""
-    if mould_style(spec) != "split" or spec.silicone.cure == "none" or why_no_mould(spec):
-        return []
-    wrong, hooking = [*_thin(spec), *_thin_pouring(spec), *_hooked(spec)], [*_hooking_fins(spec)]
+    wrong, hooking = _faults(spec)
     if not (wrong or hooking):
         return []
     better = _nearest_azimuth(spec)
@@ -58,6 +56,19 @@ def seam_in_words(spec: ObjectSpec) -> list[str]:
         return told + [f"{one}; {_FAILS}. {_without_fins(spec)}" for one in hooking]
     way = f"A seam with mould.parting_azimuth_deg = {better:g} does without"
     return [f"{one}; {_FAILS}. {way}" for one in (*wrong, *hooking)]
+
+
+def better_azimuth(spec: ObjectSpec) -> float | None:
+    """Return the nearest `mould.parting_azimuth_deg` without the faults of this seam; None where it has
+    none, or no seam is without."""
+    return _nearest_azimuth(spec) if any(_faults(spec)) else None
+
+
+def _faults(spec: ObjectSpec) -> tuple[list[str], list[str]]:
+    """Return what is wrong with the seam, and which fins hook; nothing of a mould without a seam."""
+    if mould_style(spec) != "split" or spec.silicone.cure == "none" or why_no_mould(spec):
+        return [], []
+    return [*_thin(spec), *_thin_pouring(spec), *_hooked(spec)], [*_hooking_fins(spec)]
 
 
 def _thin(spec: ObjectSpec) -> Iterator[str]:

@@ -11,6 +11,7 @@ from design.errors import InputError, InstobjError
 from design.spec.object import ObjectSpec
 from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
+from instobj.commands.buildable import require_makeable
 from instobj.commands.compare import compare_scores
 from instobj.stages.run import Run, with_needs
 from instobj.stages.tasks import tasks_of
@@ -156,6 +157,8 @@ def run_chain(
                 f"{spec.name} has no slip of its core. Give one, such as "
                 "--set mechanics.slip.shift_mm=[1,0,0]"
             )
+        if "sheet" in stages:
+            require_makeable(spec)
     _make_by_workers(loaded, stages, workers, scheduler)
     result: dict[str, Any] = {
         "command": "chain",

@@ -4,7 +4,10 @@ import re
 
 import numpy as np
 import pytest
+import trimesh
 
+from design.build.parts import Part
+from design.fabrication.printing import check_walls
 from design.fit import seam
 from design.fit.seam import seam_in_words
 from design.layout.mould.frame import hooked_depth_mm, mould_frame, play_mm, up
@@ -58,6 +61,18 @@ def test_a_thin_wall_beside_a_pin_is_told_with_its_place(away_mm, thin):
         assert place[2] >= 23
         better = float(re.search(r"parting_azimuth_deg = (\d+)", text)[1])
         assert seam_in_words(cylinder([away_mm, 9.0], parting_azimuth_deg=better)) == []
+
+
+def test_a_thin_wall_of_a_half_names_the_seam_that_has_none():
+    """`check --fabrication` named the key alone."""
+    wall = trimesh.creation.box((20.0, 20.0, 0.4))
+    (thin,) = check_walls(Part("mould_half_a", lambda: None), wall, cylinder([3.7, 9.0]))
+    assert thin.status == "fail"
+    better = float(re.search(r"mould\.parting_azimuth_deg = (\d+)\)", thin.what)[1])
+    turned = cylinder([3.7, 9.0], parting_azimuth_deg=better)
+    assert seam_in_words(turned) == []
+    (alike,) = check_walls(Part("mould_half_a", lambda: None), wall, turned)
+    assert "(mould.parting_azimuth_deg)" in alike.what, "this seam is not why it is thin"
 
 
 def test_a_pouring_hole_that_leaves_a_thin_wall_wherever_it_goes_is_told_with_a_seam_that_does_not(
