@@ -10,16 +10,19 @@ import numpy as np
 from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
 from design.errors import SpecError
+from design.fit.roughness import rough_patches
 from design.placement.hooking import trims_of, with_thinnest
 from design.placement.objects import (
     COARSE,
     SHARES,
     Request,
     Tables,
+    bare_tables,
     every_fit,
     fits_roughly,
     fitting,
     roomy_faces,
+    spec_of,
 )
 from design.spec.body import LONGEST_EDGE_MM
 from design.spec.object import ObjectSpec
@@ -73,7 +76,8 @@ def _too_small(request: Request) -> str:
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
-    ways = [*_larger(request), *_on_base(request), *_fewer(request)]
+    rough = rough_patches(spec_of(bare_tables(request, request.thinnest)))
+    ways = [*rough, *_larger(request), *_on_base(request), *_fewer(request)]
     if not ways:
         sizes = f"no size up to {_LARGEST_GROWTH:g} times was found that works"
         return f"{message}, and {sizes}. Choose another shape"

@@ -85,6 +85,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
 def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
     """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
     from design.fit.boards import boards_across_edges
+    from design.fit.roughness import roughness_in_words
     from design.fit.seam import seam_in_words
     from design.layout.places.contact_places import contact_places
     from design.layout.places.coverage import cell_areas_mm2, covered_share
@@ -98,7 +99,7 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
         across = boards_across_edges(spec)
         if across is not None:
             warnings.warn(across, stacklevel=2)
-        for told in seam_in_words(spec):
+        for told in (*seam_in_words(spec), *roughness_in_words(spec)):
             warnings.warn(told, stacklevel=2)
         rows.append(
             {
