@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from design.body.imported import body_of_file
 from design.build.parts import Part
 from design.fabrication.printing import check_walls
 from design.fit import seam
@@ -143,3 +144,28 @@ def test_fins_that_no_seam_frees_are_told_with_a_mould_that_does():
 def test_where_nothing_is_moulded_in_halves_nothing_is_told():
     assert seam_in_words(cylinder([3.7, 9.0], style="one-piece")) == []
     assert seam_in_words(cylinder([3.7, 9.0]).changed(silicone={"cure": "none"})) == []
+
+
+def tilted_block(folder, tilt_deg):
+    """A block of 50 × 40 × 60 mm from a file, turned in it about x and y, so that no level way frees it."""
+    block = trimesh.creation.box((50.0, 40.0, 60.0)).subdivide().subdivide()
+    for axis in ([1, 0, 0], [0, 1, 0]):
+        turn = trimesh.transformations.rotation_matrix(np.deg2rad(tilt_deg), axis)
+        block.apply_transform(turn)
+    block.export(folder / f"block_{tilt_deg:g}.stl")
+    body = {"kind": "imported", "sensed_faces": [3]}
+    body |= body_of_file(folder / f"block_{tilt_deg:g}.stl")
+    content = {"name": "block", "body": body, "magnets": {"positions_mm": [[0.0, 0.0]]}}
+    return ObjectSpec.model_validate(content)
+
+
+def test_a_file_s_body_that_every_seam_hooks_is_told_by_check(tmp_path):
+    """`check` called the foam brick valid; `check --fabrication` failed, and named a seam that it has not."""
+    spec = tilted_block(tmp_path, 20.0)
+    assert hooked_depth_mm(spec) > 1
+    (text,) = [one for one in seam_in_words(spec) if "hook the body" in one]
+    assert "check --fabrication fails on it" in text
+    assert "turn the body in its file" in text
+    assert "parting_azimuth_deg" not in text
+    straight = tilted_block(tmp_path, 0.0)
+    assert not [one for one in seam_in_words(straight) if "hook" in one]
