@@ -152,7 +152,8 @@ def test_a_rule_takes_up_to_its_border(row):
         ),
         (
             "contact_grid.count=[1,5]",
-            "contact_grid.count.0: Input should be greater than or equal to 2 and less than or equal to 100; got 1",
+            "contact_grid.count.0: Input should be greater than or equal to 2 and less than or equal to "
+            "100; got 1",
         ),
         (
             "magnets.positions_mm=3",
