@@ -17,7 +17,6 @@ from design.fabrication.assembly import (
     check_clearances,
     check_electronics,
     check_pockets,
-    check_tools,
 )
 from design.fabrication.casting import check_casting
 from design.fabrication.finding import Finding, Place, at_least, place_of
@@ -28,6 +27,7 @@ from design.fabrication.printing import (
     check_inhibition,
     check_walls,
 )
+from design.fabrication.tools import check_tools
 from design.solids.booleans import as_triangles, as_written
 from design.solids.kernel import cq
 from design.spec.object import ObjectSpec
