@@ -77,7 +77,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=16,
+        version=17,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
@@ -91,7 +91,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=13,
+        version=14,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=3),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),

@@ -204,7 +204,7 @@ FIGURES = {
         "_FACING_DEG": 18.0, "_ROUND": 24, "_ALONG_MM": 0.25, "_EXACT_MM": 1e-6,
     },
     design.search.faces: {"_ALIKE": 0.1},
-    design.solids.booleans: {"_FINENESS": (5e-3, 0.1)},
+    design.solids.booleans: {"FINENESS": (5e-3, 0.1), "_FOLD_DEG": 175.0},
     design.solids.curved_template: {"RIM_MM": 6.0, "NOTCH_MM": 2.0, "_OVER_MM": 1.0, "_ALIKE_MM": 0.05},
     design.solids.foreign: {"_TOLERANCE_MM": 0.03, "_ANGLE_RAD": 0.2, "_LARGEST_MM": 2000.0},
     design.solids.jig: {

@@ -9,11 +9,11 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from design.body.meshes import (
-    _height_mm,
     _least_width_mm,
     _peaks_and_saddles,
     _tells_how_it_faces,
     distance_mm,
+    height_mm,
     high_points,
     largest_ceiling,
     least_draft_deg,
@@ -165,7 +165,7 @@ def test_edges_shorter_than_a_fifth_of_a_millimetre_and_slivers_say_nothing():
 
 def test_a_triangle_s_height_stands_on_its_longest_edge():
     mesh = trimesh.Trimesh([[0, 0, 0], [3, 0, 0], [0, 4, 0], [0, 0, 1]], [[0, 1, 2], [0, 1, 3]])
-    assert_allclose(_height_mm(mesh), [2.4, 3 / np.sqrt(10)])
+    assert_allclose(height_mm(mesh), [2.4, 3 / np.sqrt(10)])
 
 
 def test_a_wall_that_leans_hooks_by_its_height_times_the_tangent():

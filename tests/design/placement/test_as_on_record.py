@@ -1,5 +1,6 @@
 """Parts of a placement by hand, and what is proposed where a body is too small, by made-up rules."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -74,6 +75,7 @@ def test_sizes_grow_in_half_millimetres_and_files_as_their_scale():
 def ruled(monkeypatch, rule):
     monkeypatch.setattr(asked, "fits_roughly", rule)
     monkeypatch.setattr(asked, "roomy_faces", lambda request: ())
+    monkeypatch.setattr(asked, "fitting", lambda request, *_: iter([{}] if rule(request) else []))
 
 
 @pytest.mark.parametrize(
@@ -87,6 +89,27 @@ def test_the_smallest_size_that_works_is_found_to_a_few_percent(monkeypatch, lea
         assert smallest is None
     else:
         assert least <= smallest.size_mm[0] <= 1.035 * least + 0.5
+
+
+def test_a_size_that_fits_roughly_grows_until_it_is_placed(monkeypatch):
+    """A scale of 1.612 was named and refused when asked for: it was tried roughly alone."""
+    ruled(monkeypatch, lambda request: request.size_mm[0] >= 30)
+    firm = lambda request, *_: iter([{}] if request.size_mm[0] >= 34 else [])  # noqa: E731
+    monkeypatch.setattr(asked, "fitting", firm)
+    (whole,) = _larger(Request("box", (20.0, 20.0, 20.0)))
+    (size,) = re.findall(r"about ([\d.]+) ×", whole)
+    assert 34 <= float(size) <= 36
+    monkeypatch.setattr(asked, "fitting", lambda *_: iter([]))
+    assert not [*_larger(Request("box", (20.0, 20.0, 20.0)))], "nothing is named that is refused"
+
+
+def test_a_long_body_is_told_how_far_it_was_grown(monkeypatch):
+    """A banana of 196 mm: no edge may be longer than a metre, so eight times were never tried."""
+    tried = []
+    ruled(monkeypatch, lambda request: tried.append(max(request.size_mm)))
+    said = _too_small(Request("box", (195.8, 195.8, 195.8), 1, 1))
+    assert "no size up to 5.1 times (1000 mm) was found that works" in said
+    assert max(tried) == 1000.0
 
 
 def test_nothing_grows_beyond_a_metre(monkeypatch):
@@ -106,6 +129,7 @@ def test_larger_sizes_are_told_of_the_shape_and_with_short_edges_alone(monkeypat
     (whole,) = _larger(Request("box", (24.0, 160.0, 160.0), file=(("scale", 1.0),)))
     assert whole.endswith("30 × 200 × 200 mm (scale = 1.25)"), "nothing else helps"
     monkeypatch.setattr(asked, "with_thinnest", lambda request: request)
+    monkeypatch.setattr(asked, "trims_of", lambda request: ())
     (scaled,) = _larger(Request("imported", (24.0, 60.0, 60.0), file=(("scale", 2.0),)))
     assert scaled.endswith("30 × 75 × 75 mm (scale = 2.5)")
 
@@ -152,7 +176,7 @@ def test_what_is_too_small_is_told_with_all_that_helps(monkeypatch):
     said = _too_small(Request("imported", (24.0, 24.0, 24.0), 1, 3, (("file", "x"),)))
     assert said == (
         "an imported body of 24 × 24 × 24 mm is too small for 1 sensor and 3 magnets per face, and no "
-        "size up to 8 times was found that works. Choose another shape"
+        "size up to 8 times (192 mm) was found that works. Choose another shape"
     )
     assert (
         _told(Request("box", (1.0, 2.0, 3.0), faces=(2, 4)))

@@ -232,18 +232,18 @@ def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
 
 def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
     """An ellipsoid of 90 × 20 × 30 mm: 48 mm thick for all faces was named, of face 1 alone 21 mm do."""
-    monkeypatch.setattr(objects, "every_fit", lambda *_: iter(()))
+
+    def works(request):
+        return request.faces == (1,) and request.sensors > 2 and request.size_mm[1] >= 24
+
+    monkeypatch.setattr(
+        objects, "every_fit", lambda request, *_: iter([{}] if works(request) else [])
+    )
     for module in (objects, asked):
         monkeypatch.setattr(
             module, "roomy_faces", lambda request: (1,) if request.size_mm[1] else ()
         )
-        monkeypatch.setattr(
-            module,
-            "fits_roughly",
-            lambda request: (
-                request.faces == (1,) and request.sensors > 2 and request.size_mm[1] >= 24
-            ),
-        )
+        monkeypatch.setattr(module, "fits_roughly", works)
     with pytest.raises(SpecError) as told:
         placed(Request("ellipsoid", (90.0, 20.0, 30.0)))
     assert str(told.value).endswith(
