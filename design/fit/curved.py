@@ -139,7 +139,8 @@ def _check_core(spec: ObjectSpec) -> Iterator[str]:
         )
     if body.opening == "bore" and body.bore_mm >= 2 * room:
         yield (
-            f"body.bore_mm must be below the core's width, {2 * room:.4g} mm; got {body.bore_mm:g}"
+            f"body.bore_mm must be below the core's width, {2 * room:.4g} mm; got {body.bore_mm:g}. "
+            "Make the bore narrower or the core wider (body.size_mm, shell.thickness_mm)"
         )
 
 

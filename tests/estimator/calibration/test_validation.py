@@ -45,7 +45,7 @@ from estimator.recordings.reading import read_recording
 from estimator.signals.press_states import rest_motion
 from estimator.tolerances.assembly import designed
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
-from tests.support.recorded_facts import assert_on_record, told, told_whole
+from tests.support.physics_pages import assert_page, chosen
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 from tests.support.recordings.public_recordings import FOLDER, NAMES
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -394,11 +394,15 @@ def test_what_is_wrong_leaves_least_where_it_is_freed(problem, true, first):
     assert right["the design"].left == pytest.approx(0, abs=1e-12)
 
 
-@pytest.mark.parametrize("face", [3, 5, None], ids=str)
-def test_figures_of_merit_are_as_on_record(problem, face):
-    result = found(problem, designed(SPEC), face)
-    lines = [*told_whole("agreement", result), told("said", verdict(SPEC, result))]
-    assert_on_record("calibration", f"agreement on {face or 'all faces'}", lines, "estimator")
+def test_figures_of_merit_are_as_on_the_page(problem):
+    result = found(problem, designed(SPEC), None)
+    lines = [
+        (f"{name}: value, null, p", [one.value, one.null, one.p])
+        for name in ("cosine", "signs", "size_spread", "modulus_spread")
+        for one in [getattr(result, name)]
+    ]
+    lines += chosen(result, "size_ratio", "modulus_mpa")
+    assert_page("estimator/calibration", [*lines, ("said", verdict(SPEC, result))], "agreement, ")
 
 
 @pytest.mark.parametrize("modulus", [0.5, 1.0, 1.7])

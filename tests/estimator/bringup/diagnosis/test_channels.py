@@ -16,7 +16,7 @@ from estimator.bringup.diagnosis.channels import find_chips, held_readings, sign
 from estimator.bringup.diagnosis.chip_fit import _orthogonal, chips_found
 from estimator.field.sources import magnet_source
 from tests.support.new_objects import SMALL
-from tests.support.recorded_facts import assert_on_record, told, told_whole
+from tests.support.physics_pages import assert_page
 
 CHIPS = 10
 
@@ -283,15 +283,15 @@ def test_matrices_of_chips_are_those_of_least_squares_and_weak_axes_are_dead():
     assert not chip_fit.linear_chips(replace(readings, counts=three), found)[1][2].any()
 
 
-def test_what_is_found_of_chips_is_as_on_record(shuffled):
+def test_what_is_found_of_chips_is_as_on_the_page(shuffled):
     _, _, readings, found = shuffled
-    lines = [
-        told("sites", found.site),
-        told("poses", found.pose),
-        told("cost", found.cost),
-        *told_whole("chips", chips_found(readings, found)[::4]),
-    ]
-    assert_on_record("bringup", "chips", lines, "estimator")
+    lines = [("sites", found.site), ("poses", found.pose), ("cost", found.cost)]
+    for chip in chips_found(readings, found)[::4]:
+        lines += [
+            (f"chip at {chip.site}, turn", chip.turn),
+            (f"chip at {chip.site}, gains ±", [*chip.gain, *chip.gain_interval]),
+        ]
+    assert_page("estimator/bringup", lines, "chips, ")
 
 
 def test_what_turns_a_hold_over_is_weighed_by_the_errors_of_its_readings():

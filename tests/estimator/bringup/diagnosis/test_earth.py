@@ -9,7 +9,7 @@ from estimator.bringup.asking.asked import POSES
 from estimator.bringup.diagnosis.earth import _first_field, _results, from_earth, in_object
 from estimator.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
-from tests.support.recorded_facts import assert_on_record, told_whole
+from tests.support.physics_pages import assert_page, chosen
 
 FRAMES = 210
 CHIPS = tuple(ChipFound(site, np.eye(3)) for site in range(10))
@@ -84,8 +84,9 @@ def test_all_gains_together_are_told_as_a_stronger_field(means, found):
     assert np.allclose(again.gain, found.gain, atol=0.02)
 
 
-def test_what_is_found_in_earth_s_field_is_as_on_record(found):
-    assert_on_record("bringup", "earth", told_whole("found", found), "estimator")
+def test_what_is_found_in_earth_s_field_is_as_on_the_page(found):
+    lines = chosen(found, "field_ut", "field_interval_ut", "offset", "gain", "gain_interval")
+    assert_page("estimator/bringup", [*lines, ("misfit", found.misfit)], "earth, ")
 
 
 def test_the_first_field_is_that_of_least_squares_about_the_mean_pose():

@@ -12,7 +12,7 @@ from estimator.bringup.diagnosis import poles
 from estimator.bringup.diagnosis.findings import ChipFound
 from estimator.field.sources import magnet_source
 from tests.support.new_objects import SMALL
-from tests.support.recorded_facts import assert_on_record, told_whole
+from tests.support.physics_pages import assert_page, chosen
 
 SPEC = SMALL.changed(
     tolerances=SMALL.tolerances.changed(
@@ -106,9 +106,9 @@ def test_without_any_step_the_pocket_stays_as_asked(fields):
     assert nothing.strength == pytest.approx(0.0, abs=1e-9)
 
 
-def test_fields_of_pockets_and_a_magnet_found_are_as_on_record(fields):
+def test_fields_of_pockets_and_a_magnet_found_are_as_on_the_page(fields):
     change = 0.8 * fields.step[3] + 25 * np.sin(np.arange(30.0)).reshape(10, 3)
     found = poles.find_magnet(SPEC, fields, 3, change)
-    lines = [*told_whole("fields", fields), *told_whole("found", found)]
-    lines += [f"{one.what}" for one in poles.magnet_findings(SPEC, found)]
-    assert_on_record("bringup", "poles", lines, "estimator")
+    lines = chosen(fields, "step", "error", "uniform")
+    lines += chosen(found, "asked", "pocket", "strength")
+    assert_page("estimator/bringup", lines, "poles, ")

@@ -20,7 +20,7 @@ from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.frames.windows import all_counts
 from estimator.metrics.contacts import contact_rows, matched_contacts
 from tests.support.mechanics.inverted import SPEC, presses
-from tests.support.recorded_facts import assert_on_record, told, told_whole
+from tests.support.physics_pages import assert_page, chosen
 from tests.support.recordings.made_grasps import both, built_object, grasps
 
 
@@ -173,16 +173,13 @@ def test_the_share_left_is_of_signals_without_their_noise():
     assert_allclose(found, [np.sqrt(25 / 125), np.sqrt(32 / 8), 0.0])
 
 
-def test_the_twin_is_as_on_record(twin, seen, estimator):
+def test_the_twin_is_as_on_the_page(twin, seen, estimator):
     lines = [
-        *told_whole("cases", seen),
-        told("numbers", twin.numbers),
-        told("modulus", twin.modulus_error),
-        told("shares", np.stack([twin.left_share, twin.design_share])),
-        told("left", twin.left),
-        *told_whole("disturbances", estimator.disturbances),
+        *chosen(seen, "force_n", "counts", "noise_counts2"),
+        *chosen(twin, "numbers", "modulus_error", "left_share", "left"),
+        *chosen(estimator.disturbances, "model_error"),
     ]
-    assert_on_record("calibration", "twin of grasps", lines, "estimator")
+    assert_page("estimator/calibration", lines, "twin of grasps, ")
 
 
 @pytest.mark.parametrize("force", [[1.0, 1.0], [0.0, 2.0], [2.0, 1.5]], ids=str)
