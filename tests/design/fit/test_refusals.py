@@ -156,7 +156,8 @@ pad: magnets.positions_mm=[[3,-6],[-7,2],[17.4,14.5]]
 
 KEY = re.compile(r"\b[a-z_]+[._][a-z_*]+\b|body|indenter|sensor")
 FIX = re.compile(
-    r"\b(Make|Move|Lower|Raise|Use|Choose|Change|Take|Seat|Leave|Deepen|Space|would fit)\b"
+    r"\b(Make|Move|Lower|Raise|Use|Choose|Change|Take|Seat|Leave|Set|Give|Press|Turn|Deepen|Space|"
+    r"would fit)\b"
 )
 PROPOSED = re.compile(r"([\w.]+) would fit with (\w+) = (.*)")
 
