@@ -10,10 +10,8 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.body.meshes import Trap
 from design.build.parts import Part
 from design.errors import InputError, NotOneSolid
-from design.fabrication import casting
 from design.fabrication.assembly import (
     _wires,
     check_clearances,
@@ -225,16 +223,6 @@ def test_every_part_of_the_mould_is_drawn_once_and_the_halves_apart():
     ]
     assert_allclose(drawn[1].pull, parting(spec).normal)
     assert_allclose(drawn[2].pull, -parting(spec).normal)
-
-
-def test_air_is_told_where_it_stays_caught(monkeypatch):
-    shell = trimesh.creation.box((10.0, 10.0, 10.0))
-    for name in ("mould_holes", "_blocked"):
-        monkeypatch.setattr(casting, name, lambda *given: [])
-    trap = Trap(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.0, 1.0]), 0.5)
-    monkeypatch.setattr(casting, "air_traps", lambda *given: [trap])
-    caught = found(casting._air(PAPER, {"shell": shell}), "air traps")
-    assert (caught.status, caught.value, caught.place_mm) == ("fail", 1.0, (1.0, 2.0, 3.0))
 
 
 def test_printers_limits():

@@ -8,13 +8,9 @@ import pytest
 from design.layout.places.positions import sensor_layout
 from design.placement import asked
 from design.placement.asked import (
-    _fewer,
     _grown,
-    _larger,
     _smallest,
     _thickened,
-    _told,
-    _too_small,
 )
 from design.placement.objects import Request, Trim, _pitches_mm, _rounded, bare_tables
 from design.placement.paths import long_path_mm
@@ -84,78 +80,6 @@ def test_the_smallest_size_that_works_is_found_to_a_few_percent(monkeypatch, lea
         assert smallest is None
     else:
         assert least <= smallest.size_mm[0] <= 1.035 * least + 0.5
-
-
-def test_nothing_grows_beyond_a_metre(monkeypatch):
-    ruled(monkeypatch, lambda request: request.size_mm[0] >= 1100.0)
-    assert _smallest(Request("box", (700.0, 700.0, 700.0)), 700.0, _grown) is None
-
-
-def test_larger_sizes_are_told_of_the_shape_and_with_short_edges_alone(monkeypatch):
-    ruled(monkeypatch, lambda request: min(request.size_mm) >= 30.0)
-    whole, short = _larger(Request("box", (24.0, 60.0, 60.0)))
-    assert whole == "The smallest of that shape that works is about 30 × 75 × 75 mm"
-    assert short == "with its short edges longer about 30 × 60 × 60 mm works"
-    (alone,) = _larger(Request("box", (24.0, 24.0, 24.0)))
-    assert alone.endswith("about 30 × 30 × 30 mm")
-    (short,) = _larger(Request("box", (24.0, 160.0, 160.0)))  # the whole: beyond the printer's bed
-    assert short == "With its short edges longer about 30 × 160 × 160 mm works"
-    (whole,) = _larger(Request("box", (24.0, 160.0, 160.0), file=(("scale", 1.0),)))
-    assert whole.endswith("30 × 200 × 200 mm (scale = 1.25)"), "nothing else helps"
-    monkeypatch.setattr(asked, "with_thinnest", lambda request: request)
-    (scaled,) = _larger(Request("imported", (24.0, 60.0, 60.0), file=(("scale", 2.0),)))
-    assert scaled.endswith("30 × 75 × 75 mm (scale = 2.5)")
-
-
-@pytest.mark.parametrize(
-    ("sensors", "most", "said"),
-    [
-        (4, 3, "3 sensors"),
-        (5, 2, "2 sensors"),
-        (4, 1, "1 sensor"),
-        (2, 1, "1 sensor"),
-        (1, 1, None),
-    ],
-)
-def test_fewer_sensors_are_told_that_would_fit(monkeypatch, sensors, most, said):
-    ruled(monkeypatch, lambda request: request.sensors <= most)
-    assert list(_fewer(Request("box", (30.0, 30.0, 30.0), sensors))) == (
-        [f"{said} per face would fit"] if said else []
-    )
-
-
-@pytest.mark.parametrize(
-    ("wanted", "fit", "said"),
-    [(5, 2, "2 magnets"), (3, 1, "1 magnet"), (1, 1, None), (None, 2, None), (4, 0, None)],
-)
-def test_fewer_magnets_are_told_that_would_fit(monkeypatch, wanted, fit, said):
-    found = {"magnets": {"positions_mm": [[0.0, 0.0]] * fit}} if fit else None
-    monkeypatch.setattr(asked, "every_fit", lambda *given: iter([found] if found else []))
-    monkeypatch.setattr(asked, "fits_roughly", lambda request: False)
-    told_ = list(_fewer(Request("box", (30.0, 30.0, 30.0), 3, wanted)))
-    assert told_ == ([f"{said} per face would fit"] if said else [])
-
-
-def test_what_is_too_small_is_told_with_all_that_helps(monkeypatch):
-    ruled(monkeypatch, lambda request: min(request.size_mm) >= 30 or request.sensors == 1)
-    said = _too_small(Request("box", (24.0, 24.0, 24.0), 2))
-    assert said == (
-        "a body of kind box of 24 × 24 × 24 mm is too small for 2 sensors and a magnet per face. The "
-        "smallest of that shape that works is about 30 × 30 × 30 mm; or 1 sensor per face would fit"
-    )
-    monkeypatch.setattr(asked, "with_thinnest", lambda request: request)
-    monkeypatch.setattr(asked, "fits_roughly", lambda request: False)
-    monkeypatch.setattr(asked, "every_fit", lambda *given: iter([]))
-    said = _too_small(Request("imported", (24.0, 24.0, 24.0), 1, 3, (("file", "x"),)))
-    assert said == (
-        "an imported body of 24 × 24 × 24 mm is too small for 1 sensor and 3 magnets per face, and no "
-        "size up to 8 times was found that works. Choose another shape"
-    )
-    assert (
-        _told(Request("box", (1.0, 2.0, 3.0), faces=(2, 4)))
-        == "1 × 2 × 3 mm with sensors on faces 2, 4 alone"
-    )
-    assert _told(Request("box", (1.0, 2.0, 3.0), faces=(2,))).endswith("on face 2 alone")
 
 
 def of_gaps(name):

@@ -26,7 +26,7 @@ from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
 from design.placement import asked, objects
 from design.placement.asked import _on_base, placed
-from design.placement.objects import COARSE, Request, Trim, first_fit, relaid, spec_of
+from design.placement.objects import Request, Trim, first_fit, relaid, spec_of
 from design.placement.room import (
     low_rim,
     narrow_heads,
@@ -196,19 +196,6 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
             placed(replace(request_, **{f"{what}s": int(count)}))
 
 
-def test_a_size_is_placed_as_it_was_tried_where_finer_ways_find_nothing(monkeypatch):
-    """Finer shares put sensors elsewhere, where magnets may not fit: the size that is named works anyway."""
-    tried = []
-
-    def of_shells(request, trims, shares, counts):
-        tried.append((len(trims), shares, counts))
-        yield from [{"found": {"at": len(tried)}}] if shares == COARSE else []
-
-    monkeypatch.setattr(objects, "_of_shells", of_shells)
-    assert placed(Request("box", (50.0, 50.0, 50.0))) == {"found": {"at": 2}}
-    assert tried[1] == (1, COARSE, objects._FEWEST)
-
-
 def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
     plate = Request("box", (40.0, 30.0, 12.0), 1, 1)
     (told,) = _on_base(plate)
@@ -216,45 +203,6 @@ def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
     assert problems_of(spec_of(placed(replace(plate, kind="pad")))) == []
     assert not [*_on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
     assert not [*_on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
-
-
-def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
-    """An ellipsoid of 90 × 20 × 30 mm: 48 mm thick for all faces was named, of face 1 alone 21 mm do."""
-    monkeypatch.setattr(objects, "every_fit", lambda *_: iter(()))
-    for module in (objects, asked):
-        monkeypatch.setattr(
-            module, "roomy_faces", lambda request: (1,) if request.size_mm[1] else ()
-        )
-        monkeypatch.setattr(
-            module,
-            "fits_roughly",
-            lambda request: (
-                request.faces == (1,) and request.sensors > 2 and request.size_mm[1] >= 24
-            ),
-        )
-    with pytest.raises(SpecError) as told:
-        placed(Request("ellipsoid", (90.0, 20.0, 30.0)))
-    assert str(told.value).endswith(
-        "works is about 107 × 24 × 36 mm with sensors on face 1 alone; or with its short edges "
-        "longer about 90 × 24 × 30 mm with sensors on face 1 alone works"
-    )
-
-
-def test_faces_alike_after_half_a_turn_are_judged_once_but_for_a_file_s(monkeypatch):
-    asked_for = []
-
-    def fits(request):
-        asked_for.append(*request.faces)
-        return request.faces[0] in (1, 2)
-
-    monkeypatch.setattr(objects, "fits_roughly", fits)
-    ellipsoid = Request("ellipsoid", (60.0, 50.0, 40.0))
-    assert objects.roomy_faces(ellipsoid) == (1, 2, 4)
-    assert asked_for == [1, 2, 3]
-    asked_for.clear()
-    request = Request("imported", (60.0, 60.0, 60.0), file=(("file", str(PEAR)),))
-    assert objects.roomy_faces(request) == (1, 2)
-    assert asked_for == [1, 2, 3, 4, 5]
 
 
 def test_a_core_of_no_size_has_faces_of_no_size():
@@ -431,18 +379,6 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
         QUICK["pad"], {}, [np.ones(2)], [(0.5, np.array(square)), (0.4, np.array(square))]
     )
     assert found == {"core": {"number": 2, "wall_mm": 4.0}}
-
-
-def test_faces_are_asked_for_under_the_thinnest_shell(monkeypatch):
-    asked, body = [], objects.bare_tables
-    monkeypatch.setattr(
-        objects, "bare_tables", lambda request, trim: (asked.append(trim), body(request, trim))[1]
-    )
-    monkeypatch.setattr(objects, "fits_roughly", lambda request: False)
-    assert objects._largest_together(QUICK["brick"]) == ()
-    assert objects._frame_where_there_is(QUICK["brick"], 3)[0].number == 3
-    assert set(asked) == {objects.TRIMS[-1]}
-    assert len(asked) == 1 + 5 + 1
 
 
 def closed_cylinder(places):

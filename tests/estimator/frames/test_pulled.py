@@ -119,45 +119,6 @@ def test_a_squeeze_travels_by_both_jaws_and_a_probe_by_its_deepest_tip():
     assert (force.shape, motion.shape) == ((2, 3), (2, 1, 6))
 
 
-def test_periods_differ_by_a_twentieth_and_presses_anywhere_begin_with_rest(monkeypatch):
-    made = traces()
-    case = SimpleNamespace(squeezed=False, face=np.array([3]), xy_mm=np.zeros((1, 2)))
-    monkeypatch.setattr(collection_recipe, "contact_traces", lambda *given: made)
-    monkeypatch.setattr(
-        collection_recipe,
-        "Recipe",
-        lambda cases, traces, pull, peak, turns, moving: SimpleNamespace(
-            peak_mm=peak, turns=turns, moving=moving
-        ),
-    )
-    monkeypatch.setattr(collection_recipe, "peak_travel_mm", lambda *given: np.array([2.0, 2.0]))
-    asked = spec(non_contact_cases=1, frames_per_case=60)
-    rng = np.random.default_rng(0)
-    found = collection_recipe.periodic_recipe.__wrapped__(
-        asked, None, [case, case], None, rng, None
-    )
-    assert found.turns.shape == (3, 60)
-    period = 1 / np.diff(found.turns, axis=1)
-    assert_allclose(period, period[:, :1] * np.ones((1, 59)))
-    frames = asked.protocol.frames_per_press
-    assert (abs(period[:, 0] / frames - 1) <= 0.05).all()
-    assert np.ptp(period[:, 0]) > 0
-    assert ((found.turns[:, 0] >= 0) & (found.turns[:, 0] < 1)).all()
-    assert found.moving.all()
-    monkeypatch.setattr(collection_recipe, "random_case", lambda *given: case)
-    anywhere = collection_recipe.anywhere_recipe.__wrapped__(
-        spec(kind="continuous", presses=2, contacts=1), None, None, rng, None, None
-    )
-    rest = asked.protocol.rest_frames_per_press
-    assert anywhere.turns.shape == (2, rest + frames)
-    assert not anywhere.turns[:, :rest].any()
-    assert_allclose(np.diff(anywhere.turns[:, rest:], axis=1), 1 / frames)
-    assert anywhere.moving.tolist() == [False] * rest + [True] * frames
-    least, most = asked.protocol.peak_force_n
-    reached = np.minimum(2 * anywhere.peak_mm**1.5, 99)
-    assert ((reached >= min(least, 16.0) - 1e-6) & (reached <= most + 1e-6)).all()
-
-
 def test_pulls_point_anywhere_up_to_the_largest_share(monkeypatch):
     monkeypatch.setattr(collection_recipe, "slope_traces", lambda *given: "slopes")
     monkeypatch.setattr(collection_recipe, "Pull", lambda share, slopes: share)

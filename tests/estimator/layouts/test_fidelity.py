@@ -1,7 +1,6 @@
 """Fidelity levels of a layout search: cross-face disturbance in batches, one score, toleranced twins."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,7 +16,6 @@ from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_dis
 from estimator.information.fisher import disturbance_counts
 from estimator.information.scores import score_places
 from estimator.information.two_contacts import two_contact_bounds_mm
-from estimator.layouts import fidelity
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n, neighbour_changes
 from estimator.layouts.fidelity import (
@@ -98,26 +96,6 @@ def worst_median_error(spec, motions, scorer):
 
 def test_disturbance_of_neighbours_is_that_of_all_magnets_exactly(spec, motions, scorer):
     assert worst_median_error(spec, motions, scorer) < DISTURBANCE_TOLERANCE
-
-
-FAULTS = {
-    "pressed face's magnets left out": lambda p: replace(
-        p, own=replace(p.own, rows=torch.zeros_like(p.own.rows))
-    ),
-    "neighbour's own magnets left out": lambda p: replace(
-        p, other=replace(p.other, rows=torch.zeros_like(p.other.rows))
-    ),
-    "turned the wrong way": lambda p: replace(p, turn=p.turn.transpose(1, 2)),
-    "neighbours mixed up": lambda p: replace(
-        p, turn=p.turn.roll(1, 0), shift_mm=p.shift_mm.roll(1, 0)
-    ),
-}
-
-
-@pytest.mark.parametrize("fault", FAULTS)
-def test_a_wrong_disturbance_is_caught(spec, motions, scorer, fault):
-    broken = replace(scorer, presses_of=(FAULTS[fault](scorer.presses),))
-    assert worst_median_error(spec, motions, broken) > 5 * DISTURBANCE_TOLERANCE
 
 
 def nearest_forces_n(spec, changes, own):
@@ -377,37 +355,3 @@ def test_locations_that_a_face_has_not_are_in_no_score():
     assert found.worst_position_bound_mm == pytest.approx(np.nanmax(scores.position_bound_mm[own]))
     travel = (scores.depth_at_score_mm / scores.force_at_score_n)[own]
     assert found.compliance_deviation == pytest.approx(travel.std() / travel.mean())
-
-
-@pytest.mark.parametrize(("wanted_n", "nearest"), [(3.0, 1), (3.3, 2), (0.5, 0), (9.0, 2)])
-def test_compliance_is_of_the_press_whose_force_is_nearest_to_the_score_s(
-    monkeypatch, wanted_n, nearest
-):
-    """Of presses that reach 1, 2.5 and 3.9 N; other scores are geometric means."""
-    reached = iter([(0.7, 1.0), (2.5, 2.1), (3.9, 3.0)])
-    spec = coarse_spec(search={"forces_n": (1.0, 2.5, 6.0)}, score={"force_n": wanted_n})
-
-    def at_force(spec, signals, forces, motions):
-        force = np.array(next(reached))
-        place = SimpleNamespace(
-            force_at_score_n=force,
-            stiffness_n_per_mm=force,
-            position_bound_mm=force,
-            places=np.ones(2, bool),
-            grid=None,
-        )
-        loss = torch.tensor(0.5)
-        return {"worst_position_bound_mm": float(force[0]), "task_loss": loss, "places": place}
-
-    made = {}
-    monkeypatch.setattr(fidelity, "_at_force", at_force)
-    monkeypatch.setattr(fidelity, "_false_forces", lambda *given: {})
-    monkeypatch.setattr(fidelity, "saturation_margin", lambda *given: 0.5)
-    drawn = SimpleNamespace(margin=(0.3, 0.2))
-    monkeypatch.setattr(fidelity, "saturation", lambda *given, **also: drawn)
-    monkeypatch.setattr(fidelity, "compliance_deviation", lambda *given: float(given[2].min()))
-    monkeypatch.setattr(fidelity, "FidelityScore", lambda **given: made.update(given))
-    fidelity.score_signals.__wrapped__(spec, None, None, None)
-    assert made["compliance_deviation"] == pytest.approx(1 / (1.0, 2.5, 3.9)[nearest])
-    assert made["worst_position_bound_mm"] == pytest.approx((0.7 * 2.5 * 3.9) ** (1 / 3))
-    assert_allclose(made["position_bounds_mm"], [0.7, 1.0, 2.5, 2.1, 3.9, 3.0])

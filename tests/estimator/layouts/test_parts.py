@@ -195,30 +195,3 @@ def test_a_recess_lies_under_its_board_as_deep_as_it_sinks():
     assert_allclose(centre, [[[1.0, 2.5, 10.0 - deep]]])
     assert_allclose(half, [[[2.0, 1.5, deep]]])
     assert_allclose(axes[0, 0], np.eye(3)[[1, 0, 2]])
-
-
-@pytest.mark.parametrize("corner", [(1, 1), (1, -1), (-1, 1), (-1, -1)])
-def test_every_lower_corner_of_a_recess_keeps_a_wall_to_the_core_s_side(monkeypatch, corner):
-    """The core ends on the side of one corner, 0.4 mm from it: less than the printer's wall; upper
-    corners are in the open."""
-    half, centre = np.array([2.0, 1.5, 1.0]), np.array([0.5, -0.5, 5.0])
-    across = np.array([corner[0], corner[1], -1.0])
-    border = across @ (centre + half * across) + 0.4
-
-    def beyond_core_mm(spec, points):
-        return points @ across - border
-
-    monkeypatch.setattr(curved, "beyond_core_mm", beyond_core_mm)
-    layouts = SimpleNamespace(sensor_mm=tensor([[[3.0, 4.0]]]))
-    recess = tensor(centre)[None, None], torch.eye(3, dtype=torch.float64)[None, None]
-    found = curved._boards_past_edges.__wrapped__(
-        Board(), layouts, (*recess, tensor(half)[None, None])
-    )
-    wall = Board.spec.printer.wall_mm
-    assert wall > 0.4
-    assert_allclose(found, [wall - 0.4 + curved.SLACK_MM], rtol=1e-6)
-    further = SimpleNamespace(sensor_mm=tensor([[[6.0, 8.0]]]))
-    found = curved._boards_past_edges.__wrapped__(
-        Board(), further, (*recess, tensor(half)[None, None])
-    )
-    assert_allclose(found, [wall - 0.4 + 1.0 + 2 * curved.SLACK_MM], rtol=1e-6)

@@ -93,21 +93,6 @@ def test_place_errors_are_those_of_exact_fields(spec, motions, scorer, case):
     assert worst_median_error(case, spec, motions, scorer, scorer) < TOLERANCE
 
 
-def _boards_turn(scorer, layouts, shift=None):
-    """The fault of moving a sensor's place, by which its board finds its azimuth."""
-    if shift is not None:
-        layouts = replace(layouts, sensor_mm=layouts.sensor_mm + shift[..., :2])
-    return press_changes(scorer, layouts, None)
-
-
-@pytest.mark.parametrize("case", CASES)
-def test_boards_that_turn_with_a_shift_are_caught(spec, motions, scorer, case, monkeypatch):
-    calm = spec.tolerances.model_copy(update={"earth_field_ut": 0.0})
-    scorer = within(scorer, calm)  # its errors would hide the others
-    monkeypatch.setattr(layout_robustness, "press_changes", _boards_turn)
-    assert worst_median_error(case, spec, motions, scorer, scorer) > 2 * TOLERANCE
-
-
 SIZES = [
     "magnet_seat_mm",
     "magnet_seat_depth_mm",

@@ -58,31 +58,6 @@ def test_bounds_are_those_of_the_ordinary_chain(scorer, layouts, ordinary):
     assert worst_error(scorer, layouts, ordinary) < BOUND_TOLERANCE
 
 
-def _without_turning(table):
-    rank = len(table.basis)
-    rows = table.rows.reshape(len(table.rows), -1, 6, rank).clone()
-    rows[:, :, 3:] = 0
-    return replace(table, rows=rows.reshape(len(rows), -1))
-
-
-FAULTS = {
-    "other faces left out": lambda p: replace(
-        p, other=replace(p.other, rows=torch.zeros_like(p.other.rows))
-    ),
-    "rotations left out": lambda p: replace(p, own=_without_turning(p.own)),
-    "faces turned the wrong way": lambda p: replace(p, turn=p.turn.transpose(1, 2).contiguous()),
-    "candidates off by half a node": lambda p: replace(
-        p, first_mm=p.first_mm - torch.tensor([1.0, 0.0, 0.0])
-    ),
-}
-
-
-@pytest.mark.parametrize("fault", FAULTS)
-def test_a_planted_fault_would_show(scorer, presses, layouts, ordinary, fault):
-    wrong = replace(scorer, presses_of=(FAULTS[fault](presses),))
-    assert worst_error(wrong, layouts, ordinary) > 3 * BOUND_TOLERANCE
-
-
 def test_polarity_counts(scorer, layouts, ordinary):
     north = replace(layouts, polarity=torch.ones_like(layouts.polarity))
     assert worst_error(scorer, north, ordinary) > 3 * BOUND_TOLERANCE

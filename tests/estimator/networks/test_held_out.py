@@ -1,6 +1,5 @@
 """Widths of intervals, sharpness and slopes of novelty from held-out presses whose answers are made up."""
 
-import inspect
 from types import SimpleNamespace
 
 import numpy as np
@@ -105,31 +104,6 @@ def test_widths_cover_the_wanted_share_of_held_out_presses(monkeypatch, data, pr
         size = np.concatenate([getattr(one, spread) for one in given])
         score = np.maximum(error - slope * grown, 0) / np.maximum(left * size, 1e-9)
         assert_allclose(float(getattr(made, name)), quantile(score, press, share), rtol=1e-5)
-
-
-def test_the_median_radius_is_a_tenth_of_a_pitch_at_least(monkeypatch, data):
-    given = answered(np.arange(40) // 4, np.random.default_rng(1), scale=1e-7)
-    made = SimpleNamespace(
-        forest=None, force_share=torch.tensor(0.0), place_shares=torch.zeros(3),
-        force_quantile=torch.tensor(1.0), position_quantile=torch.tensor(1.0),
-    )  # fmt: skip
-    known = SimpleNamespace(
-        scale=torch.tensor(1.0), force_slope_n=torch.tensor(1.0), place_slope_mm=torch.tensor(1.0)
-    )
-    monkeypatch.setattr(held_out, "_answers", lambda *args: given)
-    monkeypatch.setattr(held_out, "reference_of", lambda *args: known)
-    monkeypatch.setattr(held_out, "slopes_at_places_left_out", lambda *args: Slopes(0.0, 0.0))
-    monkeypatch.setattr(held_out, "ContactEstimator", lambda *args: made)
-    monkeypatch.setattr(
-        held_out,
-        "_blended_errors",
-        lambda network, found, new: (0 * found.true_n, 0 * found.true_n),
-    )
-    held_out.assembled.__wrapped__(
-        [SimpleNamespace(member=None)], data, None, None, CHANNELS, COVER, 0
-    )
-    assert_allclose(float(made.position_quantile) * np.median(given.spread_mm), 0.3, rtol=1e-6)
-    assert float(made.force_quantile) == 0.0
 
 
 def test_the_share_of_the_process_is_blended_with_what_the_network_says():
@@ -306,30 +280,3 @@ def test_channels_are_those_that_are_alive_in_both_parts(data):
     silent = without(*((sensor, axis) for _, sensor, axis in every if (sensor, axis) != (0, 1)))
     with pytest.raises(InputError, match=f"no channel of face {FACE}"):
         training.common_channels([parts[0], silent], TrainingSpec())
-
-
-@pytest.mark.parametrize("started", [False, True])
-def test_a_member_that_goes_on_from_another_is_fitted_as_one(monkeypatch, data, started):
-    """What is learned from, by whom, and at which rate."""
-    fitted = []
-
-    def stop(*given):
-        fitted.append(given)
-        raise StopIteration
-
-    frames = data.frames
-    start = SimpleNamespace(channels=CHANNELS, network=SimpleNamespace(members=["one", "two"]))
-    monkeypatch.setattr(training, "_fit_member", stop)
-    monkeypatch.setattr(training, "prepared", lambda frames, name, settings: data)
-    monkeypatch.setattr(training, "_folds", lambda parts, settings: [(parts[0], parts[1])])
-    monkeypatch.setattr(training, "new_member", lambda *_: "new")
-    monkeypatch.setattr(training, "common_channels", lambda *_: CHANNELS)
-    monkeypatch.setattr(training, "_require_same_kind", lambda *_: None)
-    for name in ("filled_for", "_as_started"):
-        monkeypatch.setattr(training, name, lambda given, *_: given)
-    settings = FitSettings(FACE, TrainingSpec(ensemble=1))
-    with pytest.raises(StopIteration):
-        inspect.unwrap(training.fit_estimator)(frames, frames, settings, start if started else None)
-    member, number, one, other, channels, _, goes_on, counted = fitted[0]
-    assert (member, goes_on) == (("one", True) if started else ("new", False))
-    assert (number, one, other, channels, counted) == (0, data, data, CHANNELS, None)

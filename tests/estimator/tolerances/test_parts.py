@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from design.layout.body import face_frames
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.tolerances import assembly, budget, localisation_bias, selftest, virtual_object
+from estimator.tolerances import assembly, budget, selftest, virtual_object
 from estimator.tolerances.budget import Spread
 
 SPEC = ObjectSpec(name="cube")
@@ -94,41 +94,6 @@ def test_bounds_range_from_the_fifth_to_the_95th_percentile_of_objects():
     assert figures[1] == (5.0, 6.0, 60.0)
     assert figures[2] == (4.0, 2.0, 9.0)
     assert figures[3] == (8.0, 9.0, 20.0)
-
-
-def test_steps_that_no_channel_shares_are_made_at_once():
-    setting = SimpleNamespace(
-        spec=SPEC, faces=(1, 2, 3, 4, 5),
-        design=SimpleNamespace(),
-    )  # fmt: skip
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(
-            budget, "contribution_sizes", lambda design: {"sensor_seat": 45, "magnet_seat": 50}
-        )
-        own = budget._independent_steps.__wrapped__(setting, "sensor_seat")
-        assert own.shape == (9, 45)
-        assert own.sum(axis=0).tolist() == [1.0] * 45
-        assert np.flatnonzero(own[2]).tolist() == [2, 11, 20, 29, 38]
-        assert_allclose(budget._independent_steps.__wrapped__(setting, "magnet_seat"), np.eye(50))
-
-
-def test_false_places_are_root_mean_squares_of_what_the_calibrated_estimator_reads(monkeypatch):
-    """Two faces of one press each; estimators that read x and y from their own two channels."""
-
-    def out(*deltas):
-        return SimpleNamespace(
-            delta=tuple(np.array([one]) for one in deltas), jacobian=("a", "b"),
-        )  # fmt: skip
-
-    said = {0: out([0.0, 0], [1.0, 1]), 1: out([3.0, 4], [1.0, 1]), 2: out([0.0, 0], [2.0, 3])}
-    reads = {"a": np.eye(3)[None, :, :2], "b": 2 * np.eye(3)[None, :, :2]}
-    monkeypatch.setattr(localisation_bias, "outcome_of", lambda setting, one: said[one])
-    monkeypatch.setattr(
-        localisation_bias, "calibrated_estimator", lambda spec, jacobian, live: reads[jacobian]
-    )
-    setting = SimpleNamespace(design=0, spec=None, live=(None, None))
-    found = localisation_bias._false_places.__wrapped__(setting, [(0.5, 1), (0.5, 2)])
-    assert_allclose(found, [np.sqrt(25 / 2), np.sqrt((4 + 16) / 2)])
 
 
 def test_slopes_along_an_axis_are_those_of_cubics():

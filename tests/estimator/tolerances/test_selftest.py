@@ -130,50 +130,6 @@ def test_every_magnet_pair_of_sensors_pair_of_channels_sensor_and_channel_may_be
     assert len({str(one) for one in model.faults}) == len(model.faults)
 
 
-def test_every_tolerance_but_the_modulus_is_stepped_both_ways_number_by_number(monkeypatch):
-    monkeypatch.setattr(
-        selftest,
-        "contribution_sizes",
-        lambda design: {"magnet_seat": 2, "remanence": 3, "modulus": 1, "core_yaw": 1},
-    )
-    monkeypatch.setattr(selftest, "assembled", lambda spec, design, draws: draws)
-    spec = SPEC.changed(tolerances=SPEC.tolerances.changed(remanence_relative=0.0))
-    assert SPEC.tolerances.modulus_relative > 0
-    steps = [
-        [(name, *step) for one in pair for name, step in one.items()]
-        for pair in selftest._steps.__wrapped__(spec, None)
-    ]
-    k = selftest._STEP
-    assert steps == [
-        [("magnet_seat", k, 0), ("magnet_seat", -k, 0)],
-        [("magnet_seat", 0, k), ("magnet_seat", 0, -k)],
-        [("core_yaw", k), ("core_yaw", -k)],
-    ]
-
-
-def test_mean_and_covariance_at_rest_follow_from_slopes_and_bends(monkeypatch):
-    """Of counts a + b x + c x² and d y², x and y standard normal: the mean is a + c + d, covariances are
-    b bᵀ + 2 c cᵀ + 2 d dᵀ, with the noise of each channel."""
-    a, b, c, d = np.random.default_rng(1).normal(size=(4, 3))
-    step = selftest._STEP
-    pairs = (((step, 0), (-step, 0)), ((0, step), (0, -step)))
-    monkeypatch.setattr(selftest, "_design", lambda spec: ((0, 0), None))
-    monkeypatch.setattr(selftest, "_steps", lambda spec, design: pairs)
-    monkeypatch.setattr(selftest, "_faults", lambda spec, design, model: ())
-    monkeypatch.setattr(
-        selftest,
-        "_rest",
-        lambda spec, at, model: a + b * at[0] + c * at[0] ** 2 + d * at[1] ** 2,
-    )
-    found = rest_model.__wrapped__(SPEC, 7.0)
-    zeroing = SPEC.sensors.zeroing_counts
-    noise = (49 + zeroing**2) * np.eye(3)
-    wanted = np.outer(b, b) + 2 * np.outer(c, c) + 2 * np.outer(d, d) + noise
-    np.testing.assert_allclose(found.mean, a + c + d)
-    np.testing.assert_allclose(found.covariance, wanted)
-    assert found.full_scale_counts == 2**15 - 1
-
-
 def test_a_flip_shifts_the_rest_by_twice_its_own_field(model):
     """Without plates the field is the sum over magnets; a flip turns one of them round."""
     flips = [one.shift for one in model.faults if one.kind == "flipped magnet"]

@@ -167,20 +167,6 @@ def test_a_magnet_at_the_only_candidate_moves_as_its_row_says(
         assert norm(coarse[part] - exact[part]) < 0.05 * norm(exact[part])
 
 
-@pytest.mark.parametrize("fault", ["sign", "turned", "depth"])
-def test_a_fault_at_the_only_candidate_would_show(cube, factor, pressed, fault):
-    _, fields = pressed
-    centre = face_frame(cube.spec, FACE).to_object(np.array([[4.0, -7.0, -2.7]]))
-    axes = face_frame(cube.spec, FACE).axes
-    lattice = FaceCandidates(FACE, np.array([4.0]), np.array([-7.0]), np.array([2.7]))
-    body = tied_magnets(cube.spec, cube.system, factor, [lattice])[0]
-    right = candidate_rows(cube.space, centre, axes, body) @ fields
-    other = {"sign": axes * [1, -1, -1], "turned": axes[:, [1, 0, 2]] * [1, -1, 1]}.get(fault, axes)
-    at = centre - 0.5 * axes[:, 2] if fault == "depth" else centre
-    wrong = candidate_rows(cube.space, at, other, body) @ fields
-    assert norm(wrong - right) > 0.02 * norm(right)
-
-
 def mid_plane_fit(space, centre_mm, axes, outline, fields):
     """Rigid motion that fits a mid-plane best in the least-squares sense: what a magnet does not do."""
     local, weights = outline_quadrature(outline, 2, 8)

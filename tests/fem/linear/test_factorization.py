@@ -233,27 +233,6 @@ def bar(layers, across, rng):
     return sp.csr_matrix(sp.csr_matrix(matrix)[order][:, order])
 
 
-@pytest.mark.parametrize("fault", ["turned pressures", "lost child"])
-def test_a_fault_of_the_fronts_shows(monkeypatch, fault):
-    monkeypatch.setattr(factorization, "pardiso_available", lambda: False)
-    monkeypatch.setattr(dissection, "_LEAF_UNKNOWNS", 60)
-    matrix, _ = small_system(bonded=True)
-    loads = sparse_loads(shape_of(matrix)[0])
-    right = compliance_of_loads(matrix, loads).matrix
-    if fault == "lost child":
-        monkeypatch.setattr(multifrontal, "_add", lambda *given: None)
-    else:
-        updated = multifrontal._updated
-        monkeypatch.setattr(
-            multifrontal, "_updated", lambda rest, side, sign: updated(rest, side, -abs(sign))
-        )
-    try:
-        wrong = compliance_of_loads(matrix, loads).matrix
-    except SingularSystemError:
-        return
-    assert abs(wrong - right).max() > 1e-3 * abs(right).max()
-
-
 def test_a_matrix_of_other_signs_is_solved_but_not_condensed(monkeypatch):
     monkeypatch.setattr(factorization, "pardiso_available", lambda: False)
     matrix = sp.csr_matrix(np.array([[1.0, 2.0], [2.0, 1.0]]))

@@ -1,7 +1,5 @@
 """Depths at which groups of indenters bear a force, of presses in closed form."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -55,22 +53,3 @@ def test_what_does_not_settle_is_an_error(monkeypatch):
     monkeypatch.setattr(to_force, "_MAX_STEPS", 1)
     with pytest.raises(SolverError, match="the press to 4 N did not converge: off by"):
         to_force._press_to.__wrapped__(SPEC, press, GROUPS, 4.0)
-
-
-def test_a_path_of_squeezes_starts_each_where_the_last_one_tells(monkeypatch):
-    """Forces of both jaws together grow as the depth to the power of 1.5."""
-    starts = []
-
-    def pressed(spec, press, jaws, force, near=None):
-        starts.append(near)
-        return SimpleNamespace(
-            force_n=np.array([force / 2, force / 2, force]),
-            depth_mm=np.array([1.0, 1.0, 2.0]) * force,
-        )
-
-    monkeypatch.setattr(to_force, "presser", lambda *given: press)
-    monkeypatch.setattr(to_force, "_press_to", pressed)
-    path = to_force.squeeze_path.__wrapped__(SPEC, None, tuple(GROUPS), [1.0, 8.0])
-    assert len(path) == 2
-    assert starts[0] is None
-    assert_allclose(starts[1], np.array([1.0, 2.0]) * 8 ** (2 / 3))

@@ -1,7 +1,6 @@
 """Order, orientation and handedness of chips, against fields by magpylib."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import magpylib
 import numpy as np
@@ -315,48 +314,3 @@ def test_what_turns_a_hold_over_is_weighed_by_the_errors_of_its_readings():
         counts[hold] *= share
         found = channels._with_polarities(replace(readings, counts=counts), model, pose, site, turn)
         assert found.polarity.tolist() == [1.0, 1.0, way]
-
-
-def test_every_axis_of_every_chip_is_dead_or_not_by_itself(monkeypatch):
-    """Ten chips of all eight kinds but of three dead axes; sites as found."""
-    kinds = [[a, b, c] for a in (True, False) for b in (True, False) for c in (False, True)]
-    dead = np.array([kinds[k % 8] for k in range(CHIPS)])
-    whole = np.tile(np.eye(3), (CHIPS, 1, 1))
-    known = np.ones((CHIPS, 3), bool)
-    problem = SimpleNamespace(
-        found=SimpleNamespace(turn=whole),
-        matrices=lambda unknown: whole,
-        gains=slice(0, 0),
-        known=known,
-    )
-    fit = SimpleNamespace(
-        problem=problem,
-        unknown=None,
-        covariance=np.zeros((0, 0)),
-        dead=dead & ~dead.all(1)[:, None],
-    )
-    told = np.ones((CHIPS, 4)), np.zeros((CHIPS, 4))
-    monkeypatch.setattr(chip_fit, "fitted", lambda readings, found: fit)
-    monkeypatch.setattr(chip_fit, "_relative_gains", lambda *given: told)
-    found = SimpleNamespace(site=np.arange(CHIPS)[::-1], turn=whole)
-    chips = chip_fit.chips_found.__wrapped__(None, found)
-    assert [chip.dead for chip in chips] == [tuple(row) for row in fit.dead.tolist()]
-    assert [chip.site for chip in chips] == [*range(CHIPS)][::-1]
-    assert len({chip.dead for chip in chips}) == 7
-
-
-@pytest.mark.parametrize(("turned", "best"), [(False, 0), (True, 1)])
-def test_chips_that_seem_turned_are_tried_by_their_responses_too(monkeypatch, turned, best):
-    """The first arrangement costs 2, the second 1; it is asked for where the first is not as named."""
-    turn = np.tile(np.eye(3), (CHIPS, 1, 1))
-    if turned:
-        turn[7] = signed_permutations()[5]
-    costs = iter([2.0, 1.0])
-    settled = lambda readings, model, site: SimpleNamespace(  # noqa: E731
-        site=np.arange(CHIPS), turn=turn, cost=next(costs)
-    )
-    monkeypatch.setattr(channels, "_settled", settled)
-    monkeypatch.setattr(channels, "_by_response", lambda readings, holds: np.arange(CHIPS))
-    readings = SimpleNamespace(counts=np.zeros((CHIPS, CHIPS, 3)))
-    found = channels.find_chips.__wrapped__(SMALL, readings, range(CHIPS))
-    assert found.cost == (2.0, 1.0)[best]

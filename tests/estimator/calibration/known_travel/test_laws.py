@@ -1,7 +1,6 @@
 """Bases of the laws of force and field, and figures of presses, by hand."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -138,26 +137,3 @@ def test_the_true_order_of_chips_is_best_where_no_other_reaches_its_cosine():
     assert nulls["places exchanged"]["cosine"] == [0.2, 0.3]
     assert nulls["chips permuted"]["cosine"] == [0.65, 0.8]
     assert found.summary()["order of chips"] == 3
-
-
-def test_figures_are_told_millimetre_by_millimetre_of_travel_each_press_once(monkeypatch):
-    """A press exactly at a millimetre belongs to the one that begins there; one alone is not told."""
-    travel = np.array([0.0, 0.5, 1.0, 1.0, 1.5, 2.0, 3.0, 3.2])
-    fitted = SimpleNamespace(
-        twin=SimpleNamespace(
-            pose=SimpleNamespace(in_object=lambda tip: (np.zeros((8, 2)), travel))
-        ),
-        resting_mt=np.zeros((2, 3)),
-    )
-    model = SimpleNamespace(
-        motion=lambda xy, travel: travel, change=lambda twin, motion: np.ones((8, 2, 3))
-    )
-    recording = SimpleNamespace(tip_mm=None, field_mt=np.zeros((8, 2, 3)))
-    monkeypatch.setattr(agreement, "figures", lambda predicted, recorded: len(predicted))
-    monkeypatch.setattr(agreement, "_rivals", lambda *given: None)
-    monkeypatch.setattr(agreement, "TravelAgreement", lambda *given: given)
-    judge = agreement.travel_agreement.__wrapped__
-    every, beyond, deep, steps, exchanged, orders, _ = judge(model, fitted, recording, recording, 3)
-    assert (every, beyond, deep) == (8, 1.0, 4)
-    assert steps == {"0 to 1 mm": 2, "1 to 2 mm": 3, "3 to 4 mm": 2}
-    assert (exchanged, orders) == ([8] * 3, [8])

@@ -17,7 +17,7 @@ from estimator.calibration.twin import (
     pressed_cases,
     pressed_places,
 )
-from estimator.calibration.twin.digital_twin import _left_share, _log_evidence, _of_face
+from estimator.calibration.twin.digital_twin import _left_share, _of_face
 from estimator.calibration.twin.pressed_places import PressedPlaces
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -58,39 +58,6 @@ def test_a_case_counts_the_frames_in_which_all_its_contacts_press_by_growing_for
     usable = np.array([True, True, False, True, True, True, True])
     found = pressed_cases._whole_case.__wrapped__(frames, usable, 4)
     assert found.tolist() == [6, 4, 1, 0]
-
-
-class Dense:
-    """A process whose covariance is dense: what `Discrepancy` tells of itself."""
-
-    def __init__(self, covariance):
-        self.inverse = np.linalg.inv(covariance)
-        self.log_determinant = np.linalg.slogdet(covariance)[1]
-
-    def weighed(self, right):
-        return self.inverse @ right
-
-
-def test_the_evidence_is_that_of_the_sum_of_process_and_linear_numbers(monkeypatch):
-    """Numbers have a normal prior of 1: the covariance of the data is that of both."""
-    rng = np.random.default_rng(2)
-    root = rng.normal(size=(5, 5))
-    covariance, jacobian = root @ root.T + np.eye(5), rng.normal(size=(5, 2))
-    right = rng.normal(size=(5, 1))
-
-    def normal_equations(process, jacobian, right):
-        weighed = process.weighed(jacobian)
-        return np.eye(2) + jacobian.T @ weighed, (weighed.T @ right)[:, 0]
-
-    monkeypatch.setattr(
-        "estimator.calibration.twin.digital_twin.normal_equations", normal_equations
-    )
-    found = _log_evidence.__wrapped__(Dense(covariance), jacobian, right)
-    whole = covariance + jacobian @ jacobian.T
-    wanted = -0.5 * (
-        right[:, 0] @ np.linalg.solve(whole, right[:, 0]) + np.linalg.slogdet(whole)[1]
-    )
-    assert found == pytest.approx(wanted)
 
 
 def test_presses_made_so_many_times_tell_so_much_more():
@@ -205,48 +172,6 @@ def test_what_a_prediction_leaves_of_a_place_is_about_the_means_of_its_levels():
     assert found[3] > 1
     exact = _left_share(spec, seen, seen.counts)
     assert_allclose(exact, 0)
-
-
-def test_places_left_out_are_predicted_by_numbers_and_process_of_all_others(monkeypatch):
-    """Two folds of seven places: numbers tell how many places a twin was calibrated on, its process adds
-    the mean of their counts."""
-    seen, asked = pressed(), []
-
-    def calibrate(spec, forces, motions, kept):
-        asked.append(kept.xy_mm)
-        mean = kept.counts.mean()
-        process = SimpleNamespace(
-            mean=lambda left, xy, force: mean * xy[:, :1, None] * np.ones((1, 3, 2))
-        )
-        return SimpleNamespace(
-            unknowns=None, numbers=np.array([float(len(kept))]), left=None, discrepancy=process
-        )
-
-    class Places:
-        def __init__(self, unknowns, forces, motions, rest):
-            self.size = rest.counts.shape
-
-        def expected(self, numbers):
-            return (10.0 + numbers[0]) * np.ones((self.size[0] * self.size[1], self.size[2]))
-
-    told = []
-    monkeypatch.setattr(digital_twin, "_FOLDS", 2)
-    monkeypatch.setattr(digital_twin, "calibrate", calibrate)
-    monkeypatch.setattr(digital_twin, "PlaceMechanics", Places)
-    monkeypatch.setattr(
-        digital_twin, "_left_share", lambda spec, rest, wrong: wrong.sum(axis=(1, 2))
-    )
-    found, planned = digital_twin.places_left_out.__wrapped__(None, None, None, seen, told.append)
-    assert told == ["places left out, 1 of 2", "places left out, 2 of 2"]
-    assert_allclose(planned, 6 * 10.0)
-    kept = [[(xy == row).all(axis=1).any() for row in seen.xy_mm] for xy in asked]
-    out = ~np.array(kept)
-    assert sorted(out.sum(axis=1)) == [3, 4]
-    assert_allclose(out.sum(axis=0), 1)
-    for rows in out:
-        mean = seen.counts[~rows].mean()
-        wanted = 6 * (10 + np.sum(~rows) + mean * seen.xy_mm[rows, 0])
-        assert_allclose(found[rows], wanted)
 
 
 @pytest.mark.parametrize(("impossible", "drawn"), [(0, True), (19, True), (20, False)])
