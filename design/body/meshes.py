@@ -132,7 +132,7 @@ def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     from trimesh.remesh import subdivide_to_size
 
     edge = max(1.0, float(np.sqrt(mesh.area / (0.3 * RAYS))))
-    known = np.asarray(mesh.faces)[_tells_how_it_faces(mesh)]
+    known = np.asarray(mesh.faces)[tells_how_it_faces(mesh)]
     vertices, faces = subdivide_to_size(mesh.vertices, known, edge, max_iter=30)[:2]
     corner = vertices[faces]
     doubled = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
@@ -150,7 +150,7 @@ def sharpest_edge(mesh: trimesh.Trimesh) -> tuple[float, Float[np.ndarray, "3"]]
     """Smallest angle (degrees) of material at a convex edge of the mesh, and the edge's middle."""
     convex = np.asarray(mesh.face_adjacency_convex)
     long = np.ptp(mesh.vertices[mesh.face_adjacency_edges], axis=1).max(axis=1) > EDGE_MM
-    wide = _height_mm(mesh)[mesh.face_adjacency].min(axis=1) > SLIVER_MM
+    wide = height_mm(mesh)[mesh.face_adjacency].min(axis=1) > SLIVER_MM
     chosen = np.flatnonzero(convex & long & wide)
     if not len(chosen):
         return None
@@ -166,7 +166,7 @@ def undercut(
     from trimesh.graph import connected_components
 
     rise = np.asarray(mesh.face_normals) @ pull
-    against = where & (rise > np.sin(np.deg2rad(0.5))) & (_height_mm(mesh) > SLIVER_MM)
+    against = where & (rise > np.sin(np.deg2rad(0.5))) & (height_mm(mesh) > SLIVER_MM)
     if not against.any():
         return Undercut(0.0, 0.0, None)
     deepest, place = 0.0, None
@@ -176,7 +176,7 @@ def undercut(
         points = mesh.triangles[patch].reshape(-1, 3)
         tangent = np.tan(np.arcsin(np.clip(rise[patch], 0, 1 - 1e-9)))
         lean = float(np.average(tangent, weights=mesh.area_faces[patch]))
-        depth = _least_width_mm(points, pull)
+        depth = least_width_mm(points, pull)
         if lean <= 1:  # a curved wall that leans a little is wider than it hooks; a ledge is not
             whole = float(np.ptp(points @ pull)) * lean
             depth = min(depth, whole, _deepest_strip_mm(mesh, np.array(patch), pull))
@@ -210,7 +210,7 @@ def high_points(
     """
     height = np.round(np.asarray(mesh.vertices) @ up / _LEVEL_MM) * _LEVEL_MM
     peaks: list[tuple[int, float]] = []
-    for peak, saddle in _peaks_and_saddles(height, np.asarray(mesh.edges_unique)):
+    for peak, saddle in peaks_and_saddles(height, np.asarray(mesh.edges_unique)):
         drained = height[peak] >= rim_mm - _LEVEL_MM or height[peak] - saddle < least_mm
         if not drained and float(mesh.vertex_normals[peak] @ up) > 0:
             peaks.append((peak, float(height[peak] - saddle)))
@@ -220,7 +220,7 @@ def high_points(
     ]
 
 
-def _peaks_and_saddles(height: np.ndarray, edges: np.ndarray) -> list[tuple[int, float]]:
+def peaks_and_saddles(height: np.ndarray, edges: np.ndarray) -> list[tuple[int, float]]:
     """Vertices of local maxima, each with the height at which it joins a higher one (−inf: none)."""
     order = np.lexsort((np.arange(len(height)), -height))
     rank = np.empty(len(order), int)
@@ -340,17 +340,17 @@ def _through_mm(
     return np.where(apart, np.linalg.norm(found - points_mm, axis=1), np.nan)
 
 
-def _tells_how_it_faces(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+def tells_how_it_faces(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
     """Of every triangle whether its normal is the surface's: not of films, nor of slivers none of whose
     neighbours faces as they do, as those that are left where a surface is drawn by fewer triangles."""
-    height = _height_mm(mesh)
+    height = height_mm(mesh)
     alike = np.cos(np.asarray(mesh.face_adjacency_angles)) >= -_FACING
     known = height > SLIVER_MM - _EQUAL_MM
     known[np.asarray(mesh.face_adjacency)[alike]] = True
     return known & (height > _FILM_MM)
 
 
-def _height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
+def height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
     """Of every triangle over its longest edge."""
     corners = mesh.triangles
     edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
@@ -379,7 +379,7 @@ def _deepest_strip_mm(mesh: trimesh.Trimesh, patch: np.ndarray, pull: np.ndarray
     )
 
 
-def _least_width_mm(points: np.ndarray, pull: np.ndarray) -> float:
+def least_width_mm(points: np.ndarray, pull: np.ndarray) -> float:
     """Smallest extent of points over all directions across the pull, in steps of 2.5°."""
     across = np.linalg.svd(np.asarray(pull, float)[None])[2][1:]
     angle = np.deg2rad(np.arange(0, 180, 2.5))

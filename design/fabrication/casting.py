@@ -82,8 +82,8 @@ def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[
         return found
     for draw in draws(spec):
         if draw.part in meshes:
-            found += _draw(spec, draw, meshes[draw.part], meshes["shell"])
-    found += [*_closing(spec, meshes), *_air(spec, meshes)]
+            found += check_draw(spec, draw, meshes[draw.part], meshes["shell"])
+    found += [*check_closing(spec, meshes), *check_air(spec, meshes)]
     return [*found, *(check_seal_mould(spec, meshes) if spec.shell.seal_layer_mm else [])]
 
 
@@ -95,29 +95,34 @@ def check_seal_mould(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> li
         if box is None or body_of(spec).cuboid:
             return []
         silicone = sealed_body_surface(spec)
-        return [_undercut(spec, _one_piece(spec, "mould_seal_box"), box, silicone)]
+        return [check_undercut(spec, _one_piece(spec, "mould_seal_box"), box, silicone)]
     names = ("mould_seal_half_a", "mould_seal_half_b")
     for name, sign in zip(names, (1, -1), strict=True):
         if name in meshes:
             draw = Draw(name, sign * parting(spec).normal, 0.0)
-            found.append(_undercut(spec, draw, meshes[name], finished))
+            found.append(check_undercut(spec, draw, meshes[name], finished))
     held = tuple(pin for pin in loose_pins(spec) if pin.locator is not None)
     shut = {name: meshes[name] for name in (*names, "mould_holder", "core") if name in meshes}
     holes = seal_holes(spec)
-    traps = _traps(spec, sealed_round(spec), holes, names[0])
-    return [*found, _shared(spec, shut, held, names[0]), traps, *_blocked(holes, shut, "core")]
+    traps = check_traps(spec, sealed_round(spec), holes, names[0])
+    return [
+        *found,
+        check_shared(spec, shut, held, names[0]),
+        traps,
+        *check_blocked(holes, shut, "core"),
+    ]
 
 
-def _closing(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+def check_closing(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """Largest common volume of two parts of the closed mould, or of one and the core in it."""
     closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
     if mould_frame(spec).opening in ("closed", "bore") and "core" in meshes:
         closing["core"] = meshes["core"]
     pins = loose_pins(spec) if mould_style(spec) == "split" else ()
-    return [_shared(spec, closing, pins, "mould")]
+    return [check_shared(spec, closing, pins, "mould")]
 
 
-def _shared(
+def check_shared(
     spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh], pins: tuple[Pin, ...], part: str
 ) -> Finding:
     placed = list(meshes.items())
@@ -150,11 +155,11 @@ def _one_piece(spec: ObjectSpec, part: str) -> Draw:
     return Draw(part, -frame.out, float(np.ptp(frame.plug_mm, axis=0).min()) / 2)
 
 
-def _draw(
+def check_draw(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, shell: trimesh.Trimesh
 ) -> list[Finding]:
-    against = _wetted(mesh, shell)
-    found = [_undercut(spec, draw, mesh, shell)]
+    against = wetted_faces(mesh, shell)
+    found = [check_undercut(spec, draw, mesh, shell)]
     draft = least_draft_deg(mesh, draw.pull, against)
     if draft is not None:
         limit = spec.printer.draft_deg
@@ -175,12 +180,12 @@ def _draw(
     return found
 
 
-def _wetted(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+def wetted_faces(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
     """Faces whose middle lies on the silicone's surface."""
     return distance_mm(shell, mesh.triangles_center) < NEAR_MM
 
 
-def _way_out(spec: ObjectSpec) -> str:
+def way_out(spec: ObjectSpec) -> str:
     if mould_style(spec) != "split":
         return "Use mould.style = 'split'"
     if body_of(spec).from_file and spec.mould.parting_azimuth_deg is None:
@@ -188,17 +193,17 @@ def _way_out(spec: ObjectSpec) -> str:
     return "Turn the seam (mould.parting_azimuth_deg)"
 
 
-def _thicker(spec: ObjectSpec, depth_mm: float) -> str:
+def thicker_shell(spec: ObjectSpec, depth_mm: float) -> str:
     """The shell that gives way by so much on the spot, where one twice as thick at most does."""
     thickness = ceil(10 * depth_mm / YIELD_SHARE) / 10
     told = f"make shell.thickness_mm {thickness:g} or more, which gives way by that, "
     return told if thickness <= 2 * spec.shell.thickness_mm else ""
 
 
-def _undercut(
+def check_undercut(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, silicone: trimesh.Trimesh
 ) -> Finding:
-    found = undercut(mesh, draw.pull, _wetted(mesh, silicone))
+    found = undercut(mesh, draw.pull, wetted_faces(mesh, silicone))
     strain = found.depth_mm / spec.shell.thickness_mm
     room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
     allowed = spec.silicone.peel_share * spec.silicone.elongation_percent / 100
@@ -208,8 +213,8 @@ def _undercut(
         status = "fail"
         text = (
             f"{found.area_mm2:.0f} mm² of undercut; the silicone must give way by {found.depth_mm:.2g} mm "
-            f"and has {room:.2g} mm of room. {_way_out(spec)}, {_thicker(spec, found.depth_mm)}or leave out "
-            "what hooks"
+            f"and has {room:.2g} mm of room. {way_out(spec)}, {thicker_shell(spec, found.depth_mm)}"
+            "or leave out what hooks"
         )
     else:
         status = "pass" if strain <= allowed else "fail"
@@ -283,11 +288,11 @@ def _flanges(spec: ObjectSpec) -> list[Finding]:
     return [walls, Finding("bolts of a flange", part, float(count), 2.0, "", status, text)]
 
 
-def _air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+def check_air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """Air rises to the open side or to vents; it must not be caught on its way."""
     holes, shell = tuple(mould_holes(spec)), meshes["shell"]
     closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
-    found = [_traps(spec, shell, holes, "shell"), *_blocked(holes, closing)]
+    found = [check_traps(spec, shell, holes, "shell"), *check_blocked(holes, closing)]
     ceiling = largest_ceiling(shell, up(spec), mould_frame(spec).rim_mm)
     if ceiling is not None:
         found.append(
@@ -306,7 +311,7 @@ def _air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     return found
 
 
-def _traps(
+def check_traps(
     spec: ObjectSpec, silicone: trimesh.Trimesh, holes: tuple[Hole, ...], part: str
 ) -> Finding:
     traps = air_traps(spec, silicone, holes)
@@ -324,7 +329,7 @@ def _traps(
     )
 
 
-def _blocked(
+def check_blocked(
     holes: tuple[Hole, ...], meshes: dict[str, trimesh.Trimesh], beside: str = ""
 ) -> list[Finding]:
     """Pouring holes and vents against the parts that they go through, but for one."""

@@ -170,7 +170,7 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
                 found |= {f"{label}{part}{k}_x_mm": x, f"{label}{part}{k}_y_mm": y}
     symmetries = {spec.search.magnet_symmetry, spec.search.sensor_symmetry}
     for variable in space.variables:
-        found.setdefault(variable.name, _middle(variable))  # of parts that the start lacks
+        found.setdefault(variable.name, middle_value(variable))  # of parts that the start lacks
     if symmetries != {"free"} or not all(_holds(v, found[v.name]) for v in space.variables):
         return None
     return {v.name: found[v.name] for v in space.variables}
@@ -180,7 +180,7 @@ def _depths(spec: ObjectSpec) -> list[float]:
     return [-float(body.centre_mm[2]) for body in magnet_bodies(spec)[0]]
 
 
-def _middle(variable: Variable) -> Any:
+def middle_value(variable: Variable) -> Any:
     return variable.choices[0] if variable.choices else (variable.low + variable.high) / 2
 
 

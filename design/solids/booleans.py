@@ -24,7 +24,7 @@ Shape: TypeAlias = cq.Shape | trimesh.Trimesh
 Solid: TypeAlias = cq.Solid | trimesh.Trimesh
 
 _NOTHING_MM3 = 1e-9
-_FINENESS = (0.005, 0.1)
+FINENESS = (0.005, 0.1)
 """Tools leave their solids by 5 µm where they become triangles."""
 _TRIANGLES_ALONE = ContextVar("triangles alone", default=False)
 """Whether exact solids are made triangles in every operation."""
@@ -140,7 +140,7 @@ def without_offcuts(shape: Shape, share: float) -> Shape:
 
 
 def as_triangles(
-    shape: Shape, fineness: tuple[float, float] = _FINENESS, relative: bool = True
+    shape: Shape, fineness: tuple[float, float] = FINENESS, relative: bool = True
 ) -> trimesh.Trimesh:
     """Triangles of an exact solid within a tolerance (mm, of edges' lengths where `relative`) and an angle
     (rad); what consists of triangles is returned."""

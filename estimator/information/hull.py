@@ -46,7 +46,7 @@ def exact_hull_volume(samples: Float[np.ndarray, "frame channel"]) -> HullVolume
             f"the exact hull is limited to {LARGEST_EXACT_HULL_FRAMES} frames; got {frames}. Use the "
             "monte-carlo or the covariance form, or fewer frames (score.hull, score.hull_frames)"
         )
-    about, sizes = _about_the_mean(samples)
+    about, sizes = about_the_mean(samples)
     # equal scales keep Qhull's round-off tests fair; the volume scales back by their product
     return HullVolume(float(ConvexHull(about / sizes).volume * np.prod(sizes)), 0.0)
 
@@ -67,7 +67,7 @@ def monte_carlo_hull_volume(
     InputError
         Too few frames, or frames that lie in a subspace.
     """
-    about, sizes = _about_the_mean(samples)
+    about, sizes = about_the_mean(samples)
     channels = about.shape[1]
     lower = np.linalg.cholesky(np.cov((about / sizes).T, bias=True).reshape(channels, channels))
     white = np.linalg.solve(lower, (about / sizes).T).T
@@ -103,14 +103,14 @@ def hull_extents(
         open_rows, corners, entering = open_rows[~done], corners[~done], entering[~done]
         if not open_rows.size:
             return extent
-        leaving = _leaving_corner(corners, directions[open_rows], cloud[entering])
+        leaving = leaving_corner(corners, directions[open_rows], cloud[entering])
         basis[open_rows, leaving] = entering
     raise SolverError(
         f"the hull's surface was not found along {len(open_rows)} directions in {_MAX_PIVOTS} pivots"
     )
 
 
-def _leaving_corner(
+def leaving_corner(
     corners: Float[np.ndarray, "direction d d"],
     directions: Float[np.ndarray, "direction d"],
     entering: Float[np.ndarray, "direction d"],
@@ -168,7 +168,7 @@ def no_volume_message(rank: int, channels: int) -> str:
     )
 
 
-def _about_the_mean(
+def about_the_mean(
     samples: Float[np.ndarray, "frame channel"],
 ) -> tuple[Float[np.ndarray, "frame channel"], Float[np.ndarray, "channel"]]:
     """Frames about their mean and the length of every channel; InputError without a volume."""

@@ -39,7 +39,7 @@ from estimator.signals.presses import Signals, require_finite
 
 Area = Literal["corner", "edge", "mid_edge", "centre"]
 AREAS: tuple[Area, ...] = ("corner", "edge", "mid_edge", "centre")
-_COVARIANCE_SAMPLES = 64
+COVARIANCE_SAMPLES = 64
 _AT_FORCE = ("delta", "position", "force_bound", "weakest")
 """Beginnings of the names of scores that hold at `score.force_n` alone."""
 
@@ -210,7 +210,7 @@ def _score_face(
     rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
     press = _periodic_press(spec, every.of_channels(own), force)
     press = read_change(rest[own], press, most)
-    row: dict[str, Any] = _sensitivities(spec, press, force, face, noise)
+    row: dict[str, Any] = sensitivities(spec, press, force, face, noise)
     for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, live.size)[used]
         bounds = cramer_rao_bounds(jacobian, sigma)
@@ -233,10 +233,10 @@ def _periodic_press(
     spec: ObjectSpec, own: Traces, force_n: Float[np.ndarray, "place"]
 ) -> Float[np.ndarray, "place frame channel"]:
     form, frames = spec.score.hull, spec.score.hull_frames
-    return periodic_press(own, force_n, _COVARIANCE_SAMPLES if form == "covariance" else frames)
+    return periodic_press(own, force_n, COVARIANCE_SAMPLES if form == "covariance" else frames)
 
 
-def _sensitivities(
+def sensitivities(
     spec: ObjectSpec,
     press: Float[np.ndarray, "place frame channel"],
     force_n: Float[np.ndarray, "place"],
@@ -287,7 +287,7 @@ def area_places(
     columns, rows = (np.flatnonzero(there.any(axis=other)) for other in (1, 0))
     x, y = np.meshgrid(*map(np.arange, grid.shape), indexing="ij")
     from_x, from_y = (abs(at - (used[0] + used[-1]) / 2) for at, used in ((x, columns), (y, rows)))
-    on_x, on_y = (_ends(there, axis) for axis in (0, 1))
+    on_x, on_y = (end_frames(there, axis) for axis in (0, 1))
     corner = on_x & on_y
     if there.sum() < len(columns) * len(rows):
         corner = np.zeros_like(there)
@@ -300,7 +300,7 @@ def area_places(
     return (masks[area] & there).ravel()
 
 
-def _ends(there: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx ny"]:
+def end_frames(there: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx ny"]:
     """Places that have no neighbour on one side or the other along an axis."""
     padded = np.pad(np.moveaxis(there, axis, 0), ((1, 1), (0, 0)))
     return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)

@@ -27,7 +27,7 @@ _OfFaces = Callable[[Sequence[LayoutScorer], Sequence[Layouts]], Tensor]
 
 
 @dataclass(frozen=True)
-class _Pooled:
+class PooledScores:
     """Percentile of something over the places (or pairs of places) of all pressed faces."""
 
     values: _OfFaces
@@ -45,12 +45,12 @@ class _Pooled:
 def _each_face(values: Callable[[LayoutScorer, Layouts], Tensor]) -> _OfFaces:
     def pooled(scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts]) -> Tensor:
         pairs = zip(scorers, layouts, strict=True)
-        return _all_faces(scorers, [values(*pair).flatten(1) for pair in pairs])
+        return all_faces(scorers, [values(*pair).flatten(1) for pair in pairs])
 
     return pooled
 
 
-def _all_faces(
+def all_faces(
     scorers: Sequence[LayoutScorer], values: Sequence[Float[Tensor, "layout _"]]
 ) -> Float[Tensor, "layout press"]:
     """Values of the pressed faces, as often as there are faces that they stand for."""
@@ -64,13 +64,13 @@ def _false_forces_n(scorer: LayoutScorer, layouts: Layouts) -> Tensor:
 
 
 _DEARER = {
-    "median_false_force_n": _Pooled(_each_face(_false_forces_n), 50.0),
-    "percentile_95_false_force_n": _Pooled(_each_face(_false_forces_n), 95.0),
-    "pair_own_position_bound_mm": _Pooled(_each_face(pairs_own_mm), PERCENT),
-    "pair_all_position_bound_mm": _Pooled(_each_face(pairs_all_mm), PERCENT),
-    "grasp_position_bound_mm": _Pooled(grasps_mm, PERCENT),
-    "slip_place_mm": _Pooled(_each_face(slip_places_mm), 50.0),
-    "tolerance_place_mm": _Pooled(_each_face(tolerance_places_mm), 50.0),
+    "median_false_force_n": PooledScores(_each_face(_false_forces_n), 50.0),
+    "percentile_95_false_force_n": PooledScores(_each_face(_false_forces_n), 95.0),
+    "pair_own_position_bound_mm": PooledScores(_each_face(pairs_own_mm), PERCENT),
+    "pair_all_position_bound_mm": PooledScores(_each_face(pairs_all_mm), PERCENT),
+    "grasp_position_bound_mm": PooledScores(grasps_mm, PERCENT),
+    "slip_place_mm": PooledScores(_each_face(slip_places_mm), 50.0),
+    "tolerance_place_mm": PooledScores(_each_face(tolerance_places_mm), 50.0),
 }
 _CROSS_FACE = ("median_false_force_n", "percentile_95_false_force_n")
 OVER_START = "position_bound_over_start"
@@ -115,7 +115,7 @@ def batch_scores(
         here = [k for k, scorer in enumerate(scorers) if scorer.presses.force_n == force]
         asked = {name for name in named if name not in _CROSS_FACE or force == of_cross_face}
         each.append(
-            _scores_at_one_force(
+            scores_at_one_force(
                 [scorers[k] for k in here],
                 [layouts[k] for k in here],
                 [places[k] for k in here],
@@ -130,7 +130,7 @@ def batch_scores(
     for name in ("largest_counts", "kept_counts"):
         found[name] = torch.stack([getattr(face, name) for face in places]).amax(dim=0)
     if start is not None:
-        found[OVER_START] = _over_start([face.position_bound_mm for face in places], start)
+        found[OVER_START] = bounds_over_start([face.position_bound_mm for face in places], start)
     return found
 
 
@@ -141,7 +141,7 @@ def position_bounds(
     return [places.position_bound_mm for places in places_information(scorers, layouts)]
 
 
-def _over_start(
+def bounds_over_start(
     bounds_mm: Sequence[Float[Tensor, "layout _"]], start: PlaceBounds
 ) -> Float[Tensor, "layout"]:
     pairs = zip(bounds_mm, start.position_mm, strict=True)
@@ -159,14 +159,14 @@ def worst_ratio(over_start: Float[Tensor, "layout press"], but: float) -> Float[
     return over_start.log().topk(min(count, over_start.shape[1]), dim=1).values.mean(dim=1).exp()
 
 
-def _scores_at_one_force(
+def scores_at_one_force(
     scorers: Sequence[LayoutScorer],
     layouts: Sequence[Layouts],
     places: Sequence[PlaceInformation],
     named: Collection[str],
 ) -> dict[str, Float[Tensor, "layout"]]:
     position, force, sensitivity = (
-        _all_faces(scorers, [getattr(face, name) for face in places])
+        all_faces(scorers, [getattr(face, name) for face in places])
         for name in ("position_bound_mm", "force_bound_n", "sensitivity")
     )
     force_n = scorers[0].presses.force_n
@@ -192,7 +192,7 @@ def _edge_mean(
     found = [
         bound[:, scorer.presses.outermost] for scorer, bound in zip(scorers, bounds_mm, strict=True)
     ]
-    return _all_faces(scorers, found).mean(dim=1)
+    return all_faces(scorers, found).mean(dim=1)
 
 
 def unevenness(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> float:

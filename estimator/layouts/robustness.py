@@ -52,7 +52,7 @@ def slip_places_mm(scorer: LayoutScorer, layouts: Layouts) -> Float[Tensor, "lay
 
     Presses stay as they were: the shell is taken to follow none of the slip.
     """
-    return _false_places(scorer, layouts, _slipped(layouts))
+    return _false_places(scorer, layouts, slipped_scores(layouts))
 
 
 def tolerance_places_mm(scorer: LayoutScorer, layouts: Layouts) -> Float[Tensor, "layout place"]:
@@ -60,10 +60,10 @@ def tolerance_places_mm(scorer: LayoutScorer, layouts: Layouts) -> Float[Tensor,
 
     The same draws for every layout. Left out are the core's turn and temperature.
     """
-    return _false_places(scorer, layouts, _toleranced(scorer, layouts))
+    return _false_places(scorer, layouts, toleranced_scores(scorer, layouts))
 
 
-def _slipped(layouts: Layouts) -> Iterator[_Object]:
+def slipped_scores(layouts: Layouts) -> Iterator[_Object]:
     design, ways = _designed(layouts), torch.eye(3, dtype=layouts.sensor_mm.dtype)
     for way in torch.cat([ways, -ways]):
         shift = (SLIP_MM * way).expand_as(design.sensor_shift_mm)
@@ -77,7 +77,7 @@ def _designed(layouts: Layouts) -> _Object:
     return _Object(layouts, none, chips, 1.0, none.new_zeros(3), 1.0)
 
 
-def _toleranced(scorer: LayoutScorer, layouts: Layouts) -> Iterator[_Object]:
+def toleranced_scores(scorer: LayoutScorer, layouts: Layouts) -> Iterator[_Object]:
     rng, sizes, dtype = (
         np.random.default_rng(_SEED),
         scorer.spec.tolerances,
@@ -105,7 +105,7 @@ def _toleranced(scorer: LayoutScorer, layouts: Layouts) -> Iterator[_Object]:
         yield _Object(
             within_candidates(scorer, moved),
             shift.expand(len(layouts), sensors, 3),
-            gain[..., None] * (torch.eye(3, dtype=dtype) + _cross(turn)),
+            gain[..., None] * (torch.eye(3, dtype=dtype) + cross_products(turn)),
             float(np.exp(sizes.modulus_relative * rng.standard_normal())),
             torch.zeros(3, dtype=dtype),
             1 / _OBJECTS,
@@ -135,12 +135,12 @@ def _false_places(
     nominal = press_changes(scorer, layouts).by_parameter
     square = torch.zeros_like(nominal[0, :, 0])
     for one in objects:
-        off = _signals(scorer, one) - nominal[:, :, 3]
-        square = square + one.weight * _read(nominal[:, :, :3], off)[..., :2].square().sum(-1)
+        off = signals_of_object(scorer, one) - nominal[:, :, 3]
+        square = square + one.weight * read_places(nominal[:, :, :3], off)[..., :2].square().sum(-1)
     return (square + 1e-12).sqrt()
 
 
-def _signals(scorer: LayoutScorer, one: _Object) -> Float[Tensor, "channel layout place"]:
+def signals_of_object(scorer: LayoutScorer, one: _Object) -> Float[Tensor, "channel layout place"]:
     """Whitened change in presses of the same force."""
     changes = press_changes(scorer, one.layouts, one.sensor_shift_mm).by_parameter
     force = scorer.presses.force_n
@@ -155,7 +155,7 @@ def _signals(scorer: LayoutScorer, one: _Object) -> Float[Tensor, "channel layou
     return torch.einsum("sij,sjlp->silp", turned, by_sensor).flatten(0, 1)
 
 
-def _read(
+def read_places(
     jacobian: Float[Tensor, "channel layout 3 place"],
     change: Float[Tensor, "channel layout place"],
 ) -> Float[Tensor, "layout place 3"]:
@@ -168,7 +168,7 @@ def _read(
     return torch.linalg.solve(information, projected)[..., 0] / size[:, :, 0]
 
 
-def _cross(turn: Float[Tensor, "sensor 3"]) -> Float[Tensor, "sensor 3 3"]:
+def cross_products(turn: Float[Tensor, "sensor 3"]) -> Float[Tensor, "sensor 3 3"]:
     """Matrices of the small rotations that turn chips: fields turn the other way."""
     x, y, z = turn.unbind(1)
     zero = torch.zeros_like(x)

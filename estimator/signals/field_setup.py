@@ -221,7 +221,7 @@ def _at_sensors(
     centres, axes, sides = (_chosen(given, on) for given in magnets)
     size = scene.magnets.size[on]
     if model.exact:
-        _check_sensor_clear(point, (centres, axes, sides), model, size)
+        check_sensor_clear(point, (centres, axes, sides), model, size)
     strength, plates = scene.magnets.strength[on, None, None], scene.environment.plates
     field = with_images(point, centres, axes, model, plates, sides, strength, size)
     around = scene.environment.field_at(point)
@@ -237,7 +237,7 @@ def _chosen(vector: Vector, on: slice) -> Vector:
     return x[on, None], y[on, None], z[on, None]
 
 
-def _check_sensor_clear(
+def check_sensor_clear(
     point: Vector, magnets: _Magnets, model: MagnetsModel, size: Int[np.ndarray, "magnet"]
 ) -> None:
     for number, one in enumerate(model.of_sizes):

@@ -11,7 +11,7 @@ from optuna.storages import RDBStorage
 
 from design.errors import InputError
 
-_PAUSES_S = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 60.0)
+PAUSES_S = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 60.0)
 """Two minutes in all: a server's restart takes less."""
 _OPENING_PAUSES_S = (0.2, 0.4, 0.8, 1.6)
 _MADE_MEANWHILE = ("already exists", "duplicate key", "UNIQUE constraint")
@@ -69,7 +69,7 @@ def patiently(
         sleep(pause_s)
 
     lost = (optuna.exceptions.StorageInternalError, SQLAlchemyError)
-    return again_after(_PAUSES_S, action, lambda error: isinstance(error, lost), told)
+    return again_after(PAUSES_S, action, lambda error: isinstance(error, lost), told)
 
 
 def again_after(

@@ -56,7 +56,7 @@ def made(content):
     spec = parse_spec(content, "test")
     wanted = {p.name: p for p in parts_of(spec) if p.name.startswith(("core", "shell", "mould"))}
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(booleans, "_FINENESS", COARSE)
+        patch.setattr(booleans, "FINENESS", COARSE)
         parts = {name: as_triangles(part.make()) for name, part in wanted.items()}
     solids = {name: manifold_of(mesh) for name, mesh in parts.items()}
     return spec, solids, placed_pins(spec, parts)

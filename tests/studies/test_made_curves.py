@@ -30,7 +30,7 @@ def test_cosines_are_over_the_live_channels_of_the_pressed_faces():
     given.face_force_n[:] /= 8  # a face counts as pressed from any force on
     given.signal_counts[1, own_channels(SPEC, 4)[2]] = np.nan
     predicted = np.random.default_rng(1).normal(size=(4, 3, 45))
-    found = interfaces._own_cosine.__wrapped__(SPEC, given, SimpleNamespace(counts=predicted))
+    found = interfaces.own_cosine.__wrapped__(SPEC, given, SimpleNamespace(counts=predicted))
     for row, faces in ((0, (2, 4)), (1, (2, 4)), (2, (3,)), (3, (3,))):
         own = np.concatenate([own_channels(SPEC, face) for face in faces])
         own = own[np.isfinite(given.signal_counts[row, own])]

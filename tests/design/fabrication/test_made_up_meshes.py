@@ -11,8 +11,16 @@ from design.body.meshes import ThinnestWall, Trap, Undercut
 from design.body.triangles import Block
 from design.build.parts import Part
 from design.fabrication import casting, printing
-from design.fabrication.assembly import _collisions, _fits, _interference, _wires
-from design.fabrication.casting import Draw, _air, _blocked, _draw, _shared, _traps, _undercut
+from design.fabrication.assembly import check_fits, check_wires, collisions, interference
+from design.fabrication.casting import (
+    Draw,
+    check_air,
+    check_blocked,
+    check_draw,
+    check_shared,
+    check_traps,
+    check_undercut,
+)
 from design.fabrication.check import check_solid
 from design.fabrication.finding import Finding, at_least, worst
 from design.fabrication.printing import check_bed, check_edges, check_walls
@@ -37,7 +45,7 @@ def test_parts_that_share_more_than_a_cubic_millimetre_do_not_close(deep, status
         "mould_half_b": box([0, 0, 10 - deep], [10, 10, 20]),
         "mould_plug": box([9, 9, 9.996], [30, 30, 9.998]),
     }
-    found = _shared(CUBE, meshes, (), "mould")
+    found = check_shared(CUBE, meshes, (), "mould")
     assert (found.status, found.limit, found.part) == (status, 1.0, "mould")
     assert found.value == pytest.approx(100 * deep if deep else 0.002, rel=0.02)
     if deep:
@@ -54,7 +62,7 @@ def test_a_hole_must_be_open_but_for_a_hundredth_of_its_section():
     }
     hole = Hole("vent", diameter_mm=4.0, **way)
     wall = box([10, -9, -9], [13, 9, 9])
-    (found,) = _blocked(
+    (found,) = check_blocked(
         (hole,), {"mould_half_a": wall, "core": box([0, -9, -9], [18, 9, 9])}, "core"
     )
     section = np.pi * 4.0
@@ -63,11 +71,11 @@ def test_a_hole_must_be_open_but_for_a_hundredth_of_its_section():
     assert (found.status, found.part) == ("fail", "mould_half_a")
     for deep, status in ((0.009, "pass"), (0.012, "fail")):
         thin = {"mould_half_b": box([10, -9, -9], [10 + deep, 9, 9])}
-        assert _blocked((hole,), thin)[0].status == status
+        assert check_blocked((hole,), thin)[0].status == status
     holder = {"mould_holder": box([0, -9, -9], [4.9, 9, 9])}
-    assert _blocked((hole,), holder)[0].status == "pass", "within the silicone it may stand"
-    assert not _blocked((), holder)
-    assert not _blocked((hole,), {"core": wall}, "core")
+    assert check_blocked((hole,), holder)[0].status == "pass", "within the silicone it may stand"
+    assert not check_blocked((), holder)
+    assert not check_blocked((hole,), {"core": wall}, "core")
     both = {
         "mould_half_a": thin["mould_half_b"],
         "mould_half_b": wall,
@@ -75,7 +83,7 @@ def test_a_hole_must_be_open_but_for_a_hundredth_of_its_section():
     }
     other = replace(hole, start_mm=np.array([0.0, 30, 0]), top_mm=np.array([5.0, 30, 0]))
     for holes in ((hole, other), (other, hole)):
-        (found,) = _blocked(holes, both)
+        (found,) = check_blocked(holes, both)
         assert (found.part, found.place_mm) == ("mould_half_b", (0.0, 0.0, 0.0))
         assert found.value == pytest.approx(3 * section, rel=0.01)
 
@@ -101,8 +109,8 @@ def test_undercuts_are_peeled_where_there_is_room_and_strain_left(
     monkeypatch.setattr(
         casting, "undercut", lambda *given: Undercut(7.0 * (depth > 0), depth, place)
     )
-    monkeypatch.setattr(casting, "_wetted", lambda *given: None)
-    found = _undercut(
+    monkeypatch.setattr(casting, "wetted_faces", lambda *given: None)
+    found = check_undercut(
         spec, Draw("mould_box", DOWN, room), box([0] * 3, [1] * 3), box([0] * 3, [1] * 3)
     )
     assert (found.status, found.value) == (status, depth)
@@ -113,27 +121,27 @@ def test_undercuts_are_peeled_where_there_is_room_and_strain_left(
 def test_the_way_out_of_an_undercut_is_one_that_is_left(monkeypatch):
     """A file's seam is already where least hooks, unless it is given."""
     whole = CUBE.changed(mould=CUBE.mould.changed(style="one-piece"))
-    assert "mould.style" in casting._way_out(whole)
+    assert "mould.style" in casting.way_out(whole)
     split = CUBE.changed(mould=CUBE.mould.changed(style="split"))
-    assert "mould.parting_azimuth_deg" in casting._way_out(split)
+    assert "mould.parting_azimuth_deg" in casting.way_out(split)
     monkeypatch.setattr(casting, "body_of", lambda spec: SimpleNamespace(from_file=True))
-    assert "Turn the body in its file" in casting._way_out(split)
+    assert "Turn the body in its file" in casting.way_out(split)
     given = split.changed(mould=split.mould.changed(parting_azimuth_deg=3.0))
-    assert "mould.parting_azimuth_deg" in casting._way_out(given)
+    assert "mould.parting_azimuth_deg" in casting.way_out(given)
 
 
 @pytest.mark.parametrize(("draft", "status"), [(0.99, "warn"), (1.0, "pass")])
 def test_a_wall_without_draft_is_a_warning(monkeypatch, draft, status):
     monkeypatch.setattr(casting, "least_draft_deg", lambda *given: (draft, np.zeros(3)))
     monkeypatch.setattr(casting, "undercut", lambda *given: Undercut(0.0, 0.0, None))
-    monkeypatch.setattr(casting, "_wetted", lambda *given: None)
+    monkeypatch.setattr(casting, "wetted_faces", lambda *given: None)
     one = box([0] * 3, [1] * 3)
-    assert [f.status for f in _draw(CUBE, Draw("mould_box", DOWN, 0.0), one, one)] == [
+    assert [f.status for f in check_draw(CUBE, Draw("mould_box", DOWN, 0.0), one, one)] == [
         "pass",
         status,
     ]
     monkeypatch.setattr(casting, "least_draft_deg", lambda *given: None)
-    assert len(_draw(CUBE, Draw("mould_box", DOWN, 0.0), one, one)) == 1
+    assert len(check_draw(CUBE, Draw("mould_box", DOWN, 0.0), one, one)) == 1
 
 
 @pytest.mark.parametrize(("area", "status"), [(100.0, "pass"), (100.1, "warn")])
@@ -143,13 +151,13 @@ def test_air_rests_under_wide_ceilings_and_is_caught_in_traps(monkeypatch, area,
     monkeypatch.setattr(casting, "air_traps", lambda *given: [trap])
     monkeypatch.setattr(casting, "mould_holes", lambda spec: (vent, vent))
     monkeypatch.setattr(casting, "largest_ceiling", lambda *given: (area, np.zeros(3)))
-    traps, ceiling = _air(CUBE, {"shell": box([0] * 3, [1] * 3)})
+    traps, ceiling = check_air(CUBE, {"shell": box([0] * 3, [1] * 3)})
     assert (traps.status, traps.value, traps.place_mm) == ("fail", 1.0, (1.0, 2.0, 3.0))
     assert (traps.limit, traps.part) == (0.0, "shell")
     assert "2 vents" in traps.what
     assert (ceiling.status, ceiling.limit) == (status, 100.0)
     monkeypatch.setattr(casting, "air_traps", lambda *given: [])
-    assert _traps(CUBE, box([0] * 3, [1] * 3), (vent,), "shell").status == "pass"
+    assert check_traps(CUBE, box([0] * 3, [1] * 3), (vent,), "shell").status == "pass"
 
 
 @pytest.mark.parametrize(
@@ -206,13 +214,13 @@ def mounted(number, x, chip_z=-2.0):
 
 def test_boards_and_chips_share_what_they_share():
     core = box([-9, -9, -9], [9, 9, -1.999])
-    (found,) = _interference([mounted(1, 0.0)], core)
+    (found,) = interference([mounted(1, 0.0)], core)
     assert found.value == pytest.approx(4 * 0.501)
     assert (found.status, found.limit, found.place_mm) == ("fail", 1e-3, (0.0, 0.0, -2.0))
-    (clear,) = _interference([mounted(1, 0.0)], box([-9, -9, -9], [9, 9, -2.5]))
+    (clear,) = interference([mounted(1, 0.0)], box([-9, -9, -9], [9, 9, -2.5]))
     assert clear.status == "pass"
     for apart, common in ((3.0, 4.0), (3.9995, 0.002), (3.9999, 0.0004), (4.1, 0.0)):
-        (found,) = _collisions([mounted(1, 0.0), mounted(2, apart)])
+        (found,) = collisions([mounted(1, 0.0), mounted(2, apart)])
         assert found.value == pytest.approx(common, abs=1e-5)
         assert found.status == ("fail" if common > 1e-3 else "pass")
         assert ("sensor 1 of face 1 and sensor 2" in found.what) == (common > 0)
@@ -220,26 +228,26 @@ def test_boards_and_chips_share_what_they_share():
 
 def test_boards_go_into_their_recesses_with_a_little_room():
     """Recess of 4 × 4 × 2.6 mm; board of 3.8 × 3.6 × 1.2 and chip of 0.9 mm."""
-    rooms = {f.check.split(", ")[1]: (f.value, f.status) for f in _fits(CUBE)}
-    assert {f.limit for f in _fits(CUBE)} == {0.0}
-    assert _fits(CUBE)[0].place_mm == pytest.approx((4.2, 1.5, 18.35))
+    rooms = {f.check.split(", ")[1]: (f.value, f.status) for f in check_fits(CUBE)}
+    assert {f.limit for f in check_fits(CUBE)} == {0.0}
+    assert check_fits(CUBE)[0].place_mm == pytest.approx((4.2, 1.5, 18.35))
     assert rooms["across"] == (pytest.approx(0.1), "pass")
     assert rooms["along"] == (pytest.approx(0.2), "pass")
     assert rooms["deep"] == (pytest.approx(0.5), "pass")
     tight = CUBE.changed(sensors=CUBE.sensors.changed(package_mm=(3.97, 4.0, 1.75)))
-    rooms = {f.check.split(", ")[1]: f.status for f in _fits(tight)}
+    rooms = {f.check.split(", ")[1]: f.status for f in check_fits(tight)}
     assert rooms == {"across": "warn", "along": "warn", "deep": "fail"}
 
 
 def test_wires_go_through_the_narrowest_hole():
     """Eight wires of 0.4 mm fill 70 % of their bundle: Ø1.352."""
-    found = _wires(CUBE)
+    found = check_wires(CUBE)
     assert found.value == pytest.approx(2.2 - 0.4 * np.sqrt(8 / 0.7))
     assert "diameter_mm to 1.36" in found.what
     assert found.limit == 0.0
     assert found.status == "pass"
     narrow = CUBE.changed(core=CUBE.core.changed(wire_hole_side_diameter_mm=1.3))
-    assert _wires(narrow).status == "fail"
+    assert check_wires(narrow).status == "fail"
 
 
 def test_the_worst_of_findings_and_their_limits():
@@ -301,9 +309,9 @@ def test_what_closes_is_the_mould_its_pins_and_a_core_that_is_cast_in(
         asked.append((list(meshes), bool(pins), part))
         return Finding("mould closes", part, 0.0, 1.0, "mm³", "pass", "")
 
-    monkeypatch.setattr(casting, "_shared", shared)
+    monkeypatch.setattr(casting, "check_shared", shared)
     given = dict.fromkeys(("mould_half_a", "mould_plug", "core", "shell", "jig"))
-    assert len(casting._closing(spec, given)) == 1
+    assert len(casting.check_closing(spec, given)) == 1
     assert asked == [(["mould_half_a", "mould_plug", *(["core"] if core else [])], pins, "mould")]
 
 
@@ -328,10 +336,14 @@ def test_a_mould_of_the_layer_is_drawn_off_the_silicone_without_its_plug(monkeyp
     one = box([0] * 3, [1] * 3)
     for part in ("finished_surface", "sealed_body_surface", "sealed_round"):
         monkeypatch.setattr(casting, part, lambda spec: one)
-    monkeypatch.setattr(casting, "_undercut", found)
-    monkeypatch.setattr(casting, "_shared", lambda *given: found(spec, Draw("shared", DOWN, 0.0)))
-    monkeypatch.setattr(casting, "_traps", lambda *given: found(spec, Draw("traps", DOWN, 0.0)))
-    monkeypatch.setattr(casting, "_blocked", lambda *given: [])
+    monkeypatch.setattr(casting, "check_undercut", found)
+    monkeypatch.setattr(
+        casting, "check_shared", lambda *given: found(spec, Draw("shared", DOWN, 0.0))
+    )
+    monkeypatch.setattr(
+        casting, "check_traps", lambda *given: found(spec, Draw("traps", DOWN, 0.0))
+    )
+    monkeypatch.setattr(casting, "check_blocked", lambda *given: [])
     monkeypatch.setattr(casting, "seal_holes", lambda spec: ())
     meshes = dict.fromkeys(("mould_seal_box", "mould_seal_half_a", "mould_seal_half_b"), one)
     casting.check_seal_mould(spec, meshes)
@@ -345,7 +357,7 @@ def test_a_mould_of_the_layer_is_drawn_off_the_silicone_without_its_plug(monkeyp
 def test_a_shell_is_made_thicker_up_to_twice(depth, told):
     """Of 8 mm: it gives way by 2 % on the spot."""
     assert CUBE.shell.thickness_mm == 8.0
-    text = casting._thicker(CUBE, depth)
+    text = casting.thicker_shell(CUBE, depth)
     assert text == (
         f"make shell.thickness_mm {told} or more, which gives way by that, " if told else ""
     )

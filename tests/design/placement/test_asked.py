@@ -8,11 +8,11 @@ import pytest
 from design.layout.places.positions import sensor_layout
 from design.placement import asked
 from design.placement.asked import (
-    _grown,
-    _smallest,
-    _thickened,
+    grown_request,
+    smallest_working,
+    thickened_request,
 )
-from design.placement.objects import Request, Trim, _pitches_mm, _rounded, bare_tables
+from design.placement.objects import Request, Trim, bare_tables, pitches_mm, rounded_places
 from design.placement.paths import long_path_mm
 from design.placement.room import (
     low_rim,
@@ -46,22 +46,24 @@ def test_a_bore_is_half_of_the_room_from_4_to_10_mm(kind, size, bore):
 
 
 def test_pitches_are_coarser_on_faces_that_would_take_more_than_100_locations():
-    assert _pitches_mm(worked("box")) == (3.0, 2.5, 2.0, 1.5, 1.0)
+    assert pitches_mm(worked("box")) == (3.0, 2.5, 2.0, 1.5, 1.0)
     for long, pitches in ((350.0, (4.0,)), (301.0, (4.0,)), (290.0, (3.0, 2.5, 2.0, 1.5, 1.0))):
         body = worked("box").body.changed(size_mm=(46.0, 50.0, long))
-        assert _pitches_mm(worked("box").changed(body=body)) == pitches
+        assert pitches_mm(worked("box").changed(body=body)) == pitches
 
 
 def test_sizes_grow_in_half_millimetres_and_files_as_their_scale():
     request = Request("imported", (20.0, 30.1, 40.0), file=(("file", "a.stl"), ("scale", 2.0)))
-    grown = _grown(request, 1.25)
+    grown = grown_request(request, 1.25)
     assert grown.size_mm == pytest.approx((25.0, 30.1 * 1.25, 50.0))
     assert dict(grown.file) == {"file": "a.stl", "scale": 2.5}
-    assert dict(_grown(replace(request, file=(("file", "a.stl"),)), 1.25).file)["scale"] == 1.25
-    plain = _grown(Request("box", (20.0, 30.1, 40.0)), 1.25)
+    assert (
+        dict(grown_request(replace(request, file=(("file", "a.stl"),)), 1.25).file)["scale"] == 1.25
+    )
+    plain = grown_request(Request("box", (20.0, 30.1, 40.0)), 1.25)
     assert (plain.size_mm, plain.file) == ((25.0, 38.0, 50.0), ())
-    assert _thickened(request, 1.3).size_mm == (26.0, 30.1, 40.0)
-    assert _rounded(np.array([[1.234, -0.001]])) == [[1.23, 0.0]]
+    assert thickened_request(request, 1.3).size_mm == (26.0, 30.1, 40.0)
+    assert rounded_places(np.array([[1.234, -0.001]])) == [[1.23, 0.0]]
 
 
 def ruled(monkeypatch, rule):
@@ -75,7 +77,7 @@ def ruled(monkeypatch, rule):
 def test_the_smallest_size_that_works_is_found_to_a_few_percent(monkeypatch, least, found):
     """Steps of 1.25, the last halved thrice, up to eight times the size."""
     ruled(monkeypatch, lambda request: request.size_mm[0] >= least)
-    smallest = _smallest(Request("box", (20.0, 20.0, 20.0)), 20.0, _grown)
+    smallest = smallest_working(Request("box", (20.0, 20.0, 20.0)), 20.0, grown_request)
     if found is None:
         assert smallest is None
     else:

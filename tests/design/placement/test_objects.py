@@ -25,7 +25,7 @@ from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
 from design.placement import asked, objects
-from design.placement.asked import _on_base, placed
+from design.placement.asked import on_base, placed
 from design.placement.objects import Request, Trim, first_fit, relaid, spec_of
 from design.placement.room import (
     low_rim,
@@ -198,11 +198,11 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
 
 def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
     plate = Request("box", (40.0, 30.0, 12.0), 1, 1)
-    (told,) = _on_base(plate)
+    (told,) = on_base(plate)
     assert "--kind pad" in told
     assert problems_of(spec_of(placed(replace(plate, kind="pad")))) == []
-    assert not [*_on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
-    assert not [*_on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
+    assert not [*on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
+    assert not [*on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
 
 
 def test_a_core_of_no_size_has_faces_of_no_size():
@@ -258,9 +258,9 @@ def test_a_face_too_long_for_its_lattice_gets_a_coarser_pitch_in_whole_millimetr
     """At most 100 locations along an axis."""
     for length, pitches in ((42.0, (3.0, 2.5, 2.0, 1.5, 1.0)), (290.0, None), (955.0, (10.0,))):
         spec = spec_of({"body": {"size_mm": [length, 42.0, 42.0]}})
-        found = objects._pitches_mm(spec)
-        assert found == (pitches or objects._PITCHES_MM)
-    assert objects._pitches_mm(spec_of({"body": {"size_mm": [301.0, 42.0, 42.0]}})) == (4.0,)
+        found = objects.pitches_mm(spec)
+        assert found == (pitches or objects.PITCHES_MM)
+    assert objects.pitches_mm(spec_of({"body": {"size_mm": [301.0, 42.0, 42.0]}})) == (4.0,)
 
 
 def test_the_widest_tip_and_the_coarsest_pitch_leave_every_face_sixteen_places(monkeypatch):
@@ -278,7 +278,7 @@ def test_the_widest_tip_and_the_coarsest_pitch_leave_every_face_sixteen_places(m
     monkeypatch.setattr(objects, "contact_places", counted)
     monkeypatch.setattr(objects, "fits", fits)
     tables = {"shell": {"thickness_mm": 9.0}, "name": "made-up"}
-    found = objects._with_contacts.__wrapped__(tables)
+    found = objects.with_contacts.__wrapped__(tables)
     assert found["indenter"] == {"radius_mm": 4.0}
     assert found["contact_grid"] == {"count": "fill", "pitch_mm": 2.5}
     assert found["press"]["depths_mm"] == [0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5]
@@ -288,16 +288,16 @@ def test_the_widest_tip_and_the_coarsest_pitch_leave_every_face_sixteen_places(m
 def test_electronics_of_a_face_by_hand():
     """Recesses reach 3.25 mm to both sides of the boards' middles; holes take the wires of all."""
     request = Request("box", (60.0, 60.0, 60.0), 2)
-    tables = objects._electronics(request, [np.array([[6.0, 8.0], [-9.004, 0.0]])] * 5)
+    tables = objects.electronics_tables(request, [np.array([[6.0, 8.0], [-9.004, 0.0]])] * 5)
     assert tables["sensors"] == {
         "count_per_face": 2, "radius_mm": 9.0, "positions_mm": [[6.0, 8.0], [-9.0, 0.0]],
     }  # fmt: skip
     core = tables["core"]
     assert (core["recess_inner_radius_mm"], core["recess_outer_radius_mm"]) == (5.75, 12.25)
-    assert core["wire_hole_top_diameter_mm"] == objects._hole_mm(2) >= 2.0
-    assert core["wire_hole_side_diameter_mm"] == max(3.0, objects._hole_mm(2))
+    assert core["wire_hole_top_diameter_mm"] == objects.hole_mm(2) >= 2.0
+    assert core["wire_hole_side_diameter_mm"] == max(3.0, objects.hole_mm(2))
     assert core["hub_radius_mm"] == core["wire_hole_side_diameter_mm"] / 2
-    near = objects._electronics(request, [np.zeros((1, 2))] * 4 + [np.ones((1, 2))])
+    near = objects.electronics_tables(request, [np.zeros((1, 2))] * 4 + [np.ones((1, 2))])
     assert near["sensors"]["radius_mm"] == 3.5
     assert near["sensors"]["positions_mm"] == [[[0.0, 0.0]]] * 4 + [[[1.0, 1.0]]]
 
@@ -305,32 +305,34 @@ def test_electronics_of_a_face_by_hand():
 def test_a_hole_is_a_tenth_wider_than_the_wires_through_it_in_half_millimetres():
     for sensors in range(1, 13):
         bundle = wire_bundle_mm(spec_of({"sensors": {"count_per_face": sensors}}))
-        hole = objects._hole_mm(sensors)
+        hole = objects.hole_mm(sensors)
         assert hole == 2.0 or 1.1 * bundle <= hole < 1.1 * bundle + 0.5
         assert 2 * hole == round(2 * hole)
-    assert objects._hole_mm(12) > 3 > objects._hole_mm(1)
+    assert objects.hole_mm(12) > 3 > objects.hole_mm(1)
 
 
 def test_a_core_s_wall_leaves_a_millimetre_behind_the_deepest_recess():
     for depth, wall in ((2.5, 4.0), (3.0, 4.0), (3.1, 4.5), (3.6, 5.0)):
-        assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": depth}})) == wall
+        assert objects.wall_mm(spec_of({"core": {"recess_depth_mm": depth}})) == wall
     room = 13.0
-    assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": room}})) is None
-    assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": room - 0.1}})) == 14.0
+    assert objects.wall_mm(spec_of({"core": {"recess_depth_mm": room}})) is None
+    assert objects.wall_mm(spec_of({"core": {"recess_depth_mm": room - 0.1}})) == 14.0
 
 
 def test_a_request_grows_to_half_millimetres_or_in_its_short_edges_alone():
     request = Request("box", (30.0, 20.1, 10.0), 1, 1, (("scale", 2.0), ("file", "a.stl")))
-    grown = asked._grown(request, 1.1)
+    grown = asked.grown_request(request, 1.1)
     assert grown.size_mm == pytest.approx((33.0, 22.11, 11.0)), "as the file is, at that scale"
     assert dict(grown.file) == {"scale": pytest.approx(2.2), "file": "a.stl"}
-    odd = asked._grown(replace(request, file=(("scale", 0.03), ("file", "a.stl"))), 1.0936717)
+    odd = asked.grown_request(
+        replace(request, file=(("scale", 0.03), ("file", "a.stl"))), 1.0936717
+    )
     assert dict(odd.file)["scale"] == pytest.approx(0.03282), "0.032810 rounded up, as it is named"
     assert odd.size_mm == pytest.approx((32.82, 20.1 * 1.094, 10.94))
-    plain = asked._grown(Request("box", (30.0, 20.1, 10.0)), 1.1)
+    plain = asked.grown_request(Request("box", (30.0, 20.1, 10.0)), 1.1)
     assert (plain.size_mm, plain.file) == ((33.0, 22.5, 11.0), ())
-    assert asked._thickened(request, 1.26).size_mm == (30.0, 20.1, 13.0)
-    assert asked._thickened(request, 2.5).size_mm == (30.0, 25.0, 25.0)
+    assert asked.thickened_request(request, 1.26).size_mm == (30.0, 20.1, 13.0)
+    assert asked.thickened_request(request, 2.5).size_mm == (30.0, 25.0, 25.0)
 
 
 def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
@@ -351,7 +353,7 @@ def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
         "tight_core",
         "tight_core, as sunk",
         "tight_rim",
-        "_wall_mm",
+        "wall_mm",
         "thin_over_outlet",
         "thin_beside_wire_hole",
     ],
@@ -361,7 +363,9 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
     spec_of_tables = lambda tables: tables["core"]["number"]  # noqa: E731
     monkeypatch.setattr(objects, "spec_of", spec_of_tables)
     numbers = iter((1, 2))
-    monkeypatch.setattr(objects, "_electronics", lambda *_: {"core": {"number": next(numbers)}})
+    monkeypatch.setattr(
+        objects, "electronics_tables", lambda *_: {"core": {"number": next(numbers)}}
+    )
     ways = ("tight_middle", "tight_rim", "low_rim", "thin_over_outlet", "thin_beside_wire_hole")
     for name in ways:
         monkeypatch.setattr(objects, name, lambda spec, name=name: (spec, wrong) == (1, name))
@@ -370,12 +374,12 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
         objects, "tight_core", lambda spec, sunk=True: spec == 1 and unsunk(spec, sunk)
     )
     monkeypatch.setattr(
-        objects, "_wall_mm", lambda spec: None if (spec, wrong) == (1, "_wall_mm") else 2.0 + spec
+        objects, "wall_mm", lambda spec: None if (spec, wrong) == (1, "wall_mm") else 2.0 + spec
     )
     monkeypatch.setattr(objects, "body_of", lambda spec: SimpleNamespace(opening="plane"))
     monkeypatch.setattr(objects, "fits", lambda spec: True)
     square = ((1.0, 0.0), (0.0, 1.0))
-    found = objects._with_patterns.__wrapped__(
+    found = objects.with_patterns.__wrapped__(
         QUICK["pad"], {}, [np.ones(2)], [(0.5, np.array(square)), (0.4, np.array(square))]
     )
     assert found == {"core": {"number": 2, "wall_mm": 4.0}}
@@ -411,7 +415,7 @@ def test_patterns_that_cannot_be_made_come_last(monkeypatch):
     request = Request("pad", (60.0, 42.0, 11.0), 1, 4)
 
     def places(*hard):
-        monkeypatch.setattr(objects, "_HARD_TO_MAKE", hard)
+        monkeypatch.setattr(objects, "HARD_TO_MAKE", hard)
         tables = first_fit(request, objects.TRIMS[2:3], shares=(0.5, 0.4))
         return tables["magnets"]["positions_mm"]
 

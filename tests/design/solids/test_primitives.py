@@ -13,7 +13,7 @@ from design.errors import NotOneSolid
 from design.layout.body import body_of, face_frames
 from design.layout.pockets import Body, Outline, Pocket, shell_pockets, tilted_frame
 from design.solids import primitives
-from design.solids.body import _cylinder_room, _sphere_room
+from design.solids.body import cylinder_room, sphere_room
 from design.solids.booleans import as_triangles
 from design.solids.primitives import (
     OVERSHOOT_MM,
@@ -27,7 +27,7 @@ from design.solids.primitives import (
     single_solid,
     tapered_rod,
 )
-from design.solids.probes import _cylinder
+from design.solids.probes import cylinder_tip
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 from tests.support.objects.worked_objects import worked
@@ -165,21 +165,21 @@ def test_merging_that_moves_an_edge_is_not_taken():
 
 
 def test_a_lying_cylinder_s_middle_is_pressed_and_a_core_without_room_is_solid():
-    box = _cylinder(IndenterSpec(kind="cylinder", radius_mm=2.0, length_mm=7.0)).BoundingBox()
+    box = cylinder_tip(IndenterSpec(kind="cylinder", radius_mm=2.0, length_mm=7.0)).BoundingBox()
     assert (box.xmin, box.xmax) == pytest.approx((-3.5, 3.5), abs=1e-6)
     assert (box.zmin, box.zmax) == pytest.approx((-2.0, 2.0), abs=1e-6)
     ball = body_of(worked("closed sphere"))
-    assert _sphere_room(ball, ball.core_radius_mm) is None
-    assert _sphere_room(ball, ball.core_radius_mm - 1).Volume() == pytest.approx(4 / 3 * np.pi)
+    assert sphere_room(ball, ball.core_radius_mm) is None
+    assert sphere_room(ball, ball.core_radius_mm - 1).Volume() == pytest.approx(4 / 3 * np.pi)
     tube = body_of(worked("closed cylinder"))
-    assert _cylinder_room(tube, float(min(tube.core_half_mm))) is None
+    assert cylinder_room(tube, float(min(tube.core_half_mm))) is None
 
 
 def test_a_merging_that_spoils_a_solid_is_not_taken(monkeypatch):
     box = box_between(np.zeros(3), np.ones(3))
     spoiled = cq.Solid.makeSolid(cq.Shell.makeShell(box.Faces()[:5]))
     assert not spoiled.isValid()
-    monkeypatch.setattr(primitives, "_merged", lambda shape: spoiled)
+    monkeypatch.setattr(primitives, "merged_faces", lambda shape: spoiled)
     assert single_solid(box, "part").isValid()
     with pytest.raises(NotOneSolid, match=r"give 1 \(invalid\)"):
         single_solid(spoiled, "part")

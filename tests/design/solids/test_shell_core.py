@@ -12,7 +12,7 @@ from design.errors import InputError
 from design.layout.body import core_frames, face_frames
 from design.layout.places.positions import sensor_layout
 from design.layout.volumes import sealed_volume_mm3
-from design.solids.core import _wire_passage, make_core
+from design.solids.core import make_core, wire_passage
 from design.solids.primitives import OVERSHOOT_MM, single_solid
 from design.solids.shell import make_shell
 from design.spec.object import BodySpec, CoreSpec, MagnetSpec, ObjectSpec, SensorSpec, ShellSpec
@@ -254,7 +254,7 @@ def test_a_wire_hole_goes_on_to_the_middle_where_the_cavity_is_narrower_than_it(
     }
     spec = ObjectSpec.model_validate(content)
     (face,) = core_frames(spec)
-    (hole,) = _wire_passage(spec, face)
+    (hole,) = wire_passage(spec, face)
     box = hole.BoundingBox()
     assert box.zmin == pytest.approx(6.65 - deep_mm - OVERSHOOT_MM)
     assert hole.Volume() == pytest.approx(np.pi * (deep_mm + 2 * OVERSHOOT_MM))

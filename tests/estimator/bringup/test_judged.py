@@ -30,7 +30,7 @@ def test_levels_are_turned_back_to_the_axes_drawn_at_the_chip_s_place(turn):
 
 def test_flips_that_are_known_are_built_into_the_model_magnet_by_magnet():
     count = SPEC.magnets.count
-    found = levels._with_flips(SPEC, [count, 1, 2 * count + 1]).as_built.magnets
+    found = levels.with_flips(SPEC, [count, 1, 2 * count + 1]).as_built.magnets
     sensed = SPEC.body.sensed
     assert [(one.face, one.magnet, one.flipped) for one in found] == [
         (sensed[0], 2, True), (sensed[1], 1, True), (sensed[2], 2, True),

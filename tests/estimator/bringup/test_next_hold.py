@@ -8,7 +8,7 @@ from estimator.bringup.asking.asked import MOST_FURTHER, STILL_AGAIN, asked_of, 
 from estimator.bringup.asking.hold_places import BETWEEN_MM, hold_places
 from estimator.bringup.diagnosis.chip_findings import wide_gains, widest_gain_sd
 from estimator.bringup.diagnosis.chip_fit import fitted
-from estimator.bringup.next_hold import _information, next_hold
+from estimator.bringup.next_hold import information_of, next_hold
 from estimator.bringup.simulated import simulated_object
 from estimator.bringup.verdict import held_so_far, which_is_which
 from tests.support.new_objects import BOX
@@ -80,7 +80,7 @@ def test_candidates_judged_together_tell_what_each_tells_alone(held):
     _, recordings = held
     problem = fitted(*held_so_far(BOX, recordings, drift_followed=True)).problem
     holds = further_holds(BOX)[2:5]
-    together = _information(BOX, problem, holds)
+    together = information_of(BOX, problem, holds)
     for hold, told in zip(holds, together, strict=True):
-        np.testing.assert_allclose(_information(BOX, problem, [hold])[0], told, atol=1e-9)
+        np.testing.assert_allclose(information_of(BOX, problem, [hold])[0], told, atol=1e-9)
     assert abs(together[0] - together[1]).max() > 0.1 * abs(together[0]).max()

@@ -21,11 +21,11 @@ from estimator.calibration.pose_fit import (
 from estimator.calibration.recorded_presses import (
     MODULUS_RATIOS,
     RecordedPresses,
-    _presses,
     on_sensed_faces,
     own_channels,
     predicted_motions,
     pressed_faces,
+    presses_in_frames,
     recorded_presses,
     require_presses_of,
     sensors_not_recorded,
@@ -177,8 +177,10 @@ def test_dead_channels_do_not_matter(problem):
 
 def test_one_press_has_no_correlation():
     """NaN, which is no JSON, after three warnings of NumPy."""
-    assert validation._correlation(np.array([2.0]), np.array([3.0])) is None
-    assert validation._correlation(np.array([1.0, 2.0]), np.array([5.0, 3.0])) == pytest.approx(-1)
+    assert validation.rank_correlation(np.array([2.0]), np.array([3.0])) is None
+    assert validation.rank_correlation(np.array([1.0, 2.0]), np.array([5.0, 3.0])) == pytest.approx(
+        -1
+    )
 
 
 def test_calibration_finds_pose_and_modulus(problem):
@@ -246,7 +248,9 @@ def test_a_press_counts_from_five_frames_of_half_its_force_on():
     for rows, hard in zip(loaded, (4, 5, 6), strict=True):
         force[rows] = np.where(np.arange(len(rows)) < hard, 10.0, 4.9)
         force[rows[0]] = 5.0
-    found = _presses(replace(made, force_n=np.stack([0 * force, 0 * force, force], 1)[:, None]))
+    found = presses_in_frames(
+        replace(made, force_n=np.stack([0 * force, 0 * force, force], 1)[:, None])
+    )
     assert [frames for *_, frames in found] == [5, 6]
 
 

@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 from estimator.field.exact import cylinder_field
 from estimator.field.models import (
     FieldModel,
-    _candidates,
+    candidate_models,
     dipole_field,
     field_model,
     model_error,
@@ -116,9 +116,9 @@ def test_model_is_chosen_by_the_nearest_distance():
 def test_models_are_tried_from_the_cheapest_on():
     """Series of odd orders from 7 to 25; of a block two of them, then 2 to 8 charges along an edge."""
     series = [("multipole", order, 0) for order in range(7, 26, 2)]
-    disk = [(one.name, one.order, one.charges) for one in _candidates(DISKS[0])]
+    disk = [(one.name, one.order, one.charges) for one in candidate_models(DISKS[0])]
     assert disk == series
-    block = [(one.name, one.charges) for one in _candidates(BlockMagnet((4.0, 3.0), 2.0, 1.2))]
+    block = [(one.name, one.charges) for one in candidate_models(BlockMagnet((4.0, 3.0), 2.0, 1.2))]
     assert block == [("multipole", 0)] * 2 + [("charges", count) for count in range(2, 9)]
 
 

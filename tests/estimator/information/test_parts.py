@@ -60,7 +60,7 @@ def test_the_nearest_force_is_that_of_the_foot_on_the_nearest_curve():
     curve = np.array([[[0.0, 0], [4, 0], [8, 0]], [[0, 0], [0, 2], [3, 2]]])
     force = np.array([[0.0, 1.0, 5.0], [0.0, 2.0, 8.0]])
     points = np.array([[3.0, -1.0], [6.0, 0.5], [-1.0, -1.0], [99.0, 0.0], [0.1, 1.0], [1.0, 2.5]])
-    found = cross_face._nearest_force(points, curve, force)
+    found = cross_face.nearest_force(points, curve, force)
     assert_allclose(found, [0.75, 3.0, 0.0, 5.0, 1.0, 4.0])
 
 
@@ -69,12 +69,12 @@ def test_a_corner_is_replaced_so_that_the_cone_still_holds_its_direction():
     corners = np.tile(np.eye(2), (3, 1, 1))
     directions = np.tile([2.0, 1.0], (3, 1))
     entering = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, -1.0]])
-    assert hull._leaving_corner(corners, directions, entering).tolist() == [1, 0, 0]
+    assert hull.leaving_corner(corners, directions, entering).tolist() == [1, 0, 0]
 
 
 def test_frames_are_taken_about_their_mean_and_scaled_by_their_length():
     samples = np.array([[0.0, 2], [4, 2], [2, 8], [2, -4]])
-    about, sizes = hull._about_the_mean(samples)
+    about, sizes = hull.about_the_mean(samples)
     assert_allclose(about, samples - [2, 2])
     assert_allclose(sizes, [np.sqrt(8), np.sqrt(72)])
     assert hull.exact_hull_volume(samples).volume == pytest.approx(24.0)
@@ -100,7 +100,7 @@ def judged(channels, spec, whitened, sets):
         identifiability.FaceJacobians(number, part, np.arange(3) + 3 * row)
         for row, (number, part) in enumerate(zip((3, 5), whitened, strict=True))
     )
-    return identifiability._judge.__wrapped__(spec, faces, np.arange(2), sets, 1, channels)
+    return identifiability.judge_sets.__wrapped__(spec, faces, np.arange(2), sets, 1, channels)
 
 
 def test_a_judgement_tells_ranks_of_sets_that_exist(monkeypatch):
@@ -108,7 +108,7 @@ def test_a_judgement_tells_ranks_of_sets_that_exist(monkeypatch):
     monkeypatch.setattr(
         identifiability, "contact_grid", lambda spec: SimpleNamespace(xy_mm=np.eye(2))
     )
-    monkeypatch.setattr(identifiability, "_worst", lambda *given: "worst")
+    monkeypatch.setattr(identifiability, "worst_set", lambda *given: "worst")
     monkeypatch.setattr(identifiability, "Identifiability", lambda *given: given)
     spec = SimpleNamespace(limits=SimpleNamespace(position_bound_mm=0.8))
     gains = np.array([[1.0, 2.0], [4.0, 0.0]])
@@ -166,8 +166,10 @@ def test_a_face_that_is_no_rectangle_has_edges_and_no_corners():
 
 def test_ends_along_an_axis_have_no_neighbour_on_one_side():
     there = np.array([[1, 0], [1, 1], [1, 0], [0, 1]], bool)
-    assert_array_equal(scores._ends(there, 0), np.array([[1, 0], [0, 1], [1, 0], [0, 1]], bool))
-    assert_array_equal(scores._ends(there, 1), there)
+    assert_array_equal(
+        scores.end_frames(there, 0), np.array([[1, 0], [0, 1], [1, 0], [0, 1]], bool)
+    )
+    assert_array_equal(scores.end_frames(there, 1), there)
 
 
 def test_values_stand_at_the_places_that_a_face_has():
@@ -192,7 +194,7 @@ def test_values_stand_at_the_places_that_a_face_has():
     ],
 )
 def test_thirds_keep_equal_values_together(values, groups):
-    found = weak_areas._thirds(np.array(values, float))
+    found = weak_areas.thirds_of(np.array(values, float))
     assert [np.flatnonzero(some).tolist() for some in found] == groups
 
 

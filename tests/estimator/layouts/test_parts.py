@@ -23,7 +23,7 @@ def test_another_object_is_read_by_weighted_least_squares():
     rng = np.random.default_rng(0)
     jacobian = rng.normal(size=(9, 2, 3, 4)) * np.array([1.0, 50.0, 0.02])[:, None]
     change = rng.normal(size=(9, 2, 4))
-    found = robustness._read(tensor(jacobian), tensor(change)).numpy()
+    found = robustness.read_places(tensor(jacobian), tensor(change)).numpy()
     for layout in range(2):
         for place in range(4):
             wanted, *_ = np.linalg.lstsq(
@@ -34,7 +34,7 @@ def test_another_object_is_read_by_weighted_least_squares():
 
 def test_a_chip_that_turns_sees_the_field_turn_the_other_way():
     turn = np.array([[1e-4, -2e-4, 3e-4], [0, 0, 5e-4]])
-    found = np.eye(3) + robustness._cross(tensor(turn)).numpy()
+    found = np.eye(3) + robustness.cross_products(tensor(turn)).numpy()
     assert_allclose(found, Rotation.from_rotvec(-turn).as_matrix(), atol=2e-7)
 
 
@@ -64,7 +64,7 @@ def test_signals_of_another_object_are_of_its_modulus_and_its_chips(monkeypatch)
         modulus_ratio=ratio,
         uniform_t=tensor(uniform_t),
     )
-    found = robustness._signals.__wrapped__(scorer, other).numpy()
+    found = robustness.signals_of_object.__wrapped__(scorer, other).numpy()
     signal = changes[:, :, 3] + changes[:, :, 2] * (force / ratio - force)
     for sensor in range(2):
         counts = signal[3 * sensor : 3 * sensor + 3] * sigma[:, None, None]
@@ -114,7 +114,7 @@ def test_bounds_are_held_against_the_start_at_every_place_of_every_face():
     bounds = [rng.uniform(1, 2, (3, 4)), rng.uniform(1, 2, (3, 6))]
     before = [rng.uniform(1, 2, (5, 4)), rng.uniform(1, 2, (5, 6))]
     start = PlaceBounds(tuple(tensor(one) for one in before), 0.1)
-    found = batch_scores._over_start([tensor(one) for one in bounds], start)
+    found = batch_scores.bounds_over_start([tensor(one) for one in bounds], start)
     every = [
         np.concatenate(
             [(bound[layout] / old).ravel() for bound, old in zip(bounds, before, strict=True)]
@@ -140,7 +140,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
             scores[name] = tensor([force, force + 1])
         return scores
 
-    monkeypatch.setattr(batch_scores, "_scores_at_one_force", at_one_force)
+    monkeypatch.setattr(batch_scores, "scores_at_one_force", at_one_force)
     counts = [
         SimpleNamespace(largest_counts=tensor([n, 24.0]), kept_counts=tensor([9 - n, n]))
         for n in (3.0, 1.0, 12.0, 4.0)
@@ -164,7 +164,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
 
 def test_a_face_counts_as_often_as_the_faces_that_it_stands_for():
     one, other = SimpleNamespace(faces=3), SimpleNamespace(faces=1)
-    found = batch_scores._all_faces.__wrapped__(
+    found = batch_scores.all_faces.__wrapped__(
         [one, other], [tensor([[1.0, 2.0]]), tensor([[5.0]])]
     )
     assert found.tolist() == [[1, 2, 1, 2, 1, 2, 5]]
@@ -190,7 +190,7 @@ def test_a_recess_lies_under_its_board_as_deep_as_it_sinks():
     boards = SimpleNamespace(
         centre=tensor([[[3.3, 4.4]]]), radial=tensor([[[0.6, 0.8]]]), half_mm=(2.0, 1.5)
     )
-    centre, axes, half = curved._recesses.__wrapped__(Board(), layouts, boards)
+    centre, axes, half = curved.recess_boxes.__wrapped__(Board(), layouts, boards)
     deep = (Board.spec.core.recess_depth_mm + 0.3) / 2
     assert_allclose(centre, [[[1.0, 2.5, 10.0 - deep]]])
     assert_allclose(half, [[[2.0, 1.5, deep]]])

@@ -56,7 +56,7 @@ def exact_change(spec, motions, one, row):
 
 def exact_places(spec, motions, scorer, layouts, objects):
     """Place errors (layout, place), read by a pseudo-inverse in double precision."""
-    nominal = next(iter(layout_robustness._slipped(layouts)))
+    nominal = next(iter(layout_robustness.slipped_scores(layouts)))
     nominal = replace(nominal, sensor_shift_mm=0 * nominal.sensor_shift_mm)
     jacobian = press_changes(scorer, layouts).by_parameter[:, :, :3].double().numpy()
     sigma = disturbance_counts(spec.sensors, "fresh", len(jacobian))
@@ -74,8 +74,8 @@ def exact_places(spec, motions, scorer, layouts, objects):
 
 
 CASES = {
-    "slip": (slip_places_mm, lambda scorer, layouts: layout_robustness._slipped(layouts)),
-    "tolerance": (tolerance_places_mm, layout_robustness._toleranced),
+    "slip": (slip_places_mm, lambda scorer, layouts: layout_robustness.slipped_scores(layouts)),
+    "tolerance": (tolerance_places_mm, layout_robustness.toleranced_scores),
 }
 
 
@@ -124,7 +124,7 @@ def test_each_tolerance_alone_is_that_of_exact_fields_and_its_lack_would_show(
 
 def test_slipped_objects_are_moved_by_a_millimetre_each_way_and_else_as_designed():
     layouts = random_layouts(2, seed=1)
-    found = list(layout_robustness._slipped(layouts))
+    found = list(layout_robustness.slipped_scores(layouts))
     shifts = torch.stack([one.sensor_shift_mm[1, 0] for one in found])
     assert_allclose(shifts, np.concatenate([np.eye(3), -np.eye(3)]))
     for one in found:

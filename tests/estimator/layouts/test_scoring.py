@@ -12,7 +12,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.layouts import scoring
 from estimator.layouts.batch import Layouts, layouts_of
-from estimator.layouts.presses.basis import _compliance, press_basis
+from estimator.layouts.presses.basis import press_basis, surface_compliance
 from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.presses.mixed_rows import mixed_rows
 from estimator.layouts.scorer import layout_scorer
@@ -84,7 +84,7 @@ def test_sensitivity_is_the_determinant_of_a_press_whose_signals_bend_with_force
     given = torch.as_tensor(
         np.stack([0 * peak, 0 * peak, slope / force_n, peak], axis=2), dtype=torch.float32
     )
-    found = scoring._sensitivity(scorer, given).numpy()
+    found = scoring.press_sensitivity(scorer, given).numpy()
     share = 0.5 - 0.5 * np.cos(2 * np.pi * (np.arange(400) + 0.5) / 400)
     parabola = np.multiply.outer(peak, share) + np.multiply.outer(slope - peak, share**2 - share)
     frames = (parabola * white[:, None, None, None]).transpose(1, 2, 0, 3)
@@ -240,7 +240,7 @@ def test_magnets_beyond_the_candidates_are_refused(scorer, layouts, place, what)
 def test_compliance_is_the_depth_over_the_force_on_the_straight_line_between_stored_forces(motions):
     straight = replace(motions, depth_mm=0.2 + 0.3 * motions.force_n)
     for force_n in (5.0, 9.0):
-        found = _compliance(straight, FACE, force_n)
+        found = surface_compliance(straight, FACE, force_n)
         np.testing.assert_allclose(found, (0.2 + 0.3 * force_n) / force_n, rtol=1e-5)
 
 

@@ -99,7 +99,7 @@ def test_chunks_change_nothing(monkeypatch):
     rng = np.random.default_rng(0)
     predicted, true = rng.random((11, 5, 4)), rng.random((11, 5, 4))
     whole = align(predicted, true)
-    monkeypatch.setattr(alignment, "_CHUNK_FRAMES", 4)
+    monkeypatch.setattr(alignment, "CHUNK_FRAMES", 4)
     parts = align(predicted, true)
     assert_allclose(parts.similarity, whole.similarity, rtol=1e-12)
     assert_allclose(parts.displacement_px, whole.displacement_px, atol=0)

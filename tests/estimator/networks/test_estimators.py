@@ -181,7 +181,7 @@ class _Interruption(Exception):
 
 
 def test_an_interrupted_training_ends_as_if_it_had_not_been(frames, tmp_path, monkeypatch):
-    monkeypatch.setattr("estimator.networks.training.fitting._SAVE_EVERY_S", 0.0)
+    monkeypatch.setattr("estimator.networks.training.fitting.SAVE_EVERY_S", 0.0)
     training = QUICK.model_copy(update={"epochs": 6, "ensemble": 2})
     whole, test = fitted(frames, training)
     calls = []

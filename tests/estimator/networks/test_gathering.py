@@ -23,7 +23,7 @@ def gathered(sharpness, near=None, faint=1e-6):
     for pixel, value in SHARES.items():
         share[pixel] = value
     share = (share / share.sum()).reshape(1, -1)
-    return network._gathered(share, torch.log(share)).reshape(10, 10).numpy()
+    return network.gathered(share, torch.log(share)).reshape(10, 10).numpy()
 
 
 @pytest.mark.parametrize("sharpness", [1.0, 4.0, 16.0])

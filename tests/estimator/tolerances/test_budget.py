@@ -148,7 +148,7 @@ def test_a_magnet_aside_moves_as_in_a_press_aside_the_other_way():
     states = press_states(forces, motions, face, xy, force)
     lateral = np.tile([0.6, -0.4], 25)
     aside = assembled(spec, designed(spec), {"magnet_seat": lateral})
-    moved = tolerances._moved_aside(aside, states, states.of_design, 2)
+    moved = tolerances.moved_aside(aside, states, states.of_design, 2)
     there = press_states(forces, motions, face, xy - 0.1 * np.array([0.6, -0.4]), force).of_design
     own = slice(5, 10)
     size = abs(there[0, :, own] - states.of_design[0, :, own]).max()

@@ -10,11 +10,11 @@ from estimator.signals.presses import rest_counts
 from estimator.tolerances import selftest
 from estimator.tolerances.assembly import draw
 from estimator.tolerances.selftest import (
-    _design,
-    _rest,
+    design_at_rest,
     false_alarm_rate,
     rank,
     rest_model,
+    resting_counts,
     self_test,
 )
 
@@ -29,9 +29,9 @@ def model():
 
 
 def healthy(seed):
-    design, field = _design(SPEC)
+    design, field = design_at_rest(SPEC)
     rng = np.random.default_rng(seed)
-    return _rest(SPEC, draw(SPEC, design, rng), field) + 10 * rng.standard_normal(45)
+    return resting_counts(SPEC, draw(SPEC, design, rng), field) + 10 * rng.standard_normal(45)
 
 
 def planted(counts, fault, rng):
@@ -133,7 +133,7 @@ def test_every_magnet_pair_of_sensors_pair_of_channels_sensor_and_channel_may_be
 def test_a_flip_shifts_the_rest_by_twice_its_own_field(model):
     """Without plates the field is the sum over magnets; a flip turns one of them round."""
     flips = [one.shift for one in model.faults if one.kind == "flipped magnet"]
-    _, field = _design(SPEC)
+    _, field = design_at_rest(SPEC)
     whole = rest_counts(SPEC, field).ravel()
     offset = whole + 0.5 * np.sum(flips, axis=0)
     assert abs(offset).max() < 1e-6 * abs(whole).max()
@@ -148,7 +148,7 @@ def test_silent_channels_are_marginalised_as_if_they_were_not_there():
     residual = rng.normal(size=(3, 6))
     silent = np.zeros((3, 6), bool)
     silent[1, [0, 4]] = silent[2, 3] = True
-    distance, log_volume = selftest._quadratic_forms(made, residual, silent)
+    distance, log_volume = selftest.quadratic_forms(made, residual, silent)
     whole = np.linalg.slogdet(covariance)[1]
     for row in range(3):
         here = ~silent[row]
@@ -161,7 +161,7 @@ def test_silent_channels_are_marginalised_as_if_they_were_not_there():
 def test_pairs_of_faults_count_in_one_order_alone(model):
     a, b, c = model.faults[:3]
     pairs = [selftest.Hypothesis(pair, 0.0, 1.0) for pair in ((a, b), (b, a), (a, c), (a,), (b, a))]
-    kept = selftest._distinct(pairs)
+    kept = selftest.distinct_faults(pairs)
     assert [one.faults for one in kept] == [(a, b), (a, c), (a,)]
     assert kept[0].name == f"{a} and {b}"
     assert selftest.Hypothesis((), 0.0, 1.0).name == "as specified"

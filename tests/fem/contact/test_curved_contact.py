@@ -15,7 +15,7 @@ from fem.contact.complementarity import contact_pressures
 from fem.contact.indenter import moved, tip_cells
 from fem.contact.refined import (
     RefinedFace,
-    _barycentric,
+    barycentric,
     cells_compliance,
     hat_narrowing,
     hat_patches,
@@ -103,7 +103,7 @@ def test_cells_press_on_the_hats_around_them_narrowed(place):
     spread = spread_cells(face, patches, at)
     shared = np.zeros((len(face.hats.area_mm2), len(patches.area_mm2)))
     for cell, (xy, area) in enumerate(zip(patches.centre_mm, patches.area_mm2, strict=True)):
-        vertices, share = _barycentric(face.triangulation, xy[None, :2])
+        vertices, share = barycentric(face.triangulation, xy[None, :2])
         for vertex, part in zip(vertices[0], share[0], strict=True):
             shared[vertex, cell] += part * area / face.hats.area_mm2[vertex]
     found = np.zeros_like(shared)

@@ -168,7 +168,7 @@ def test_a_sharp_punch_converges_with_its_cells(monkeypatch):
     )
     errors = []
     for cells in (40, 150, 600):
-        monkeypatch.setattr("fem.contact.indenter._CELLS", cells)
+        monkeypatch.setattr("fem.contact.indenter.CELLS", cells)
         errors.append(half_space_forces_n(spec, [0.2])[0] / exact - 1)
     assert abs(errors[0]) > abs(errors[1]) > abs(errors[2])
     assert abs(errors[1]) < 0.006

@@ -12,10 +12,10 @@ from design.spec.object import ObjectSpec
 from fem.large_strain import single_press
 from fem.large_strain.hyperelastic import yeoh
 from fem.large_strain.single_press import (
-    _lame,
-    _with_modulus_of,
+    lame_of,
     require_press,
     sphere_centre_mm,
+    with_modulus_of,
 )
 
 SPEC = ObjectSpec(name="cube")
@@ -27,8 +27,8 @@ def test_a_material_s_modulus_at_small_strain_is_three_times_that_of_shear_and_a
     nu = SPEC.silicone.poisson_ratio
     modulus = 2 * (1 + nu) * 0.12
     assert_allclose(MATERIAL.shear_modulus_mpa, 0.12)
-    assert_allclose(_with_modulus_of(SPEC, MATERIAL).silicone.youngs_modulus_mpa, modulus)
-    lame = _lame(SPEC, MATERIAL)
+    assert_allclose(with_modulus_of(SPEC, MATERIAL).silicone.youngs_modulus_mpa, modulus)
+    lame = lame_of(SPEC, MATERIAL)
     assert_allclose(lame.shear_modulus_mpa, 0.12)
     assert_allclose(lame.inverse_lambda_per_mpa, (1 + nu) * (1 - 2 * nu) / (modulus * nu))
 

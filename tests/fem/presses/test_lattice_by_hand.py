@@ -93,12 +93,12 @@ def settle(monkeypatch, breaks, depths):
     monkeypatch.setattr(large, "equilibrium", equilibrium)
     monkeypatch.setattr(large, "sphere_centre_mm", lambda setting, depth: depth)
     setting, told = SimpleNamespace(problem=None), []
-    states = large._converged_states.__wrapped__(setting, depths, told.append)
+    states = large.converged_states.__wrapped__(setting, depths, told.append)
     return tried, [depth for depth, _ in states], told
 
 
 def test_load_steps_are_halved_where_they_diverge_and_grow_again(monkeypatch):
-    longest = large._LARGEST_STEP_MM
+    longest = large.LARGEST_STEP_MM
     tried, given, told = settle(monkeypatch, lambda at, state: False, (longest / 2, 2 * longest))
     assert_allclose(tried, np.array([0.5, 1.5, 2.0]) * longest, atol=1e-4)
     assert_allclose(given, [longest / 2, 2 * longest])
@@ -112,7 +112,7 @@ def test_load_steps_are_halved_where_they_diverge_and_grow_again(monkeypatch):
 
 
 def test_a_press_ends_at_its_last_equilibrium_which_is_told_once(monkeypatch):
-    longest = large._LARGEST_STEP_MM
+    longest = large.LARGEST_STEP_MM
     _, given, _ = settle(monkeypatch, lambda at, state: at > longest, (longest, 2 * longest))
     assert given == [longest]
     tried, given, _ = settle(
@@ -121,7 +121,7 @@ def test_a_press_ends_at_its_last_equilibrium_which_is_told_once(monkeypatch):
     assert given[0] == longest
     assert 1.4 * longest < given[-1] <= 1.5 * longest
     smallest = min(abs(np.diff(sorted(set(tried)))))
-    assert large._SMALLEST_STEP_MM <= smallest + 1e-9 < 2 * large._SMALLEST_STEP_MM
+    assert large.SMALLEST_STEP_MM <= smallest + 1e-9 < 2 * large.SMALLEST_STEP_MM
 
 
 def test_the_converged_depth_is_the_last_one():
@@ -228,5 +228,5 @@ def test_a_material_has_the_specification_s_modulus_to_a_hundredth(off, sound):
     wanted = (1 + off) * silicone.youngs_modulus_mpa
     with pytest.raises(InputError, match=f"Set it to {wanted:.4g}"):
         check(PLAIN, material)
-    stiff = single._with_modulus_of.__wrapped__(PLAIN, material)
+    stiff = single.with_modulus_of.__wrapped__(PLAIN, material)
     assert_allclose(stiff.silicone.youngs_modulus_mpa, wanted)

@@ -142,7 +142,7 @@ def test_face_6_joins_face_4_point_for_point():
         on_side = side.from_object(in_object)
         assert_allclose(on_side[2], 0, atol=1e-9)
         apart = pose.apply(on_edge) - side_pose.apply(on_side[:2])
-        assert_allclose(apart, [0, overview._GAP_MM], atol=1e-9)
+        assert_allclose(apart, [0, overview.GAP_MM], atol=1e-9)
 
 
 def test_a_map_of_one_face_keeps_its_numbers_in_their_cells(tmp_path, monkeypatch):

@@ -208,7 +208,7 @@ def test_a_database_that_goes_away_is_asked_again_for_two_minutes():
 
 
 def test_a_database_lost_for_good_ends_a_search_with_one_clear_error(tmp_path, monkeypatch):
-    monkeypatch.setattr("instobj.search.database._PAUSES_S", (0.01,))
+    monkeypatch.setattr("instobj.search.database.PAUSES_S", (0.01,))
     kept = open_study(made_up_space().spec, f"sqlite:///{tmp_path}/search.db")
 
     def gone(*given, **options):

@@ -163,7 +163,7 @@ def test_silicone_lies_under_all_of_a_pouring_hole_s_rim_by_hand():
     for width, finds_room in ((17.8, True), (18.4, False), (25.0, False)):
         ball = usual.changed(mould=usual.mould.changed(pour_mm=width))
         assert (rod + width < 22) is finds_room
-        places = [*pouring._pour_places(ball, True)]
+        places = [*pouring.pour_places(ball, True)]
         assert bool(places) is finds_room, width
         for top in places[0] if places else ():
             assert np.hypot(*top[:2]) + width / 2 <= 22

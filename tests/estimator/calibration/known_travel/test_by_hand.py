@@ -75,8 +75,8 @@ def test_bound_and_scatter_are_of_the_noise_of_the_repeats_without_their_drift(m
         asked.append((slopes, precision, count))
         return 0.75
 
-    monkeypatch.setattr(bound, "_attainable", attainable)
-    monkeypatch.setattr(bound, "_NULLS", 300)
+    monkeypatch.setattr(bound, "attainable_correlation", attainable)
+    monkeypatch.setattr(bound, "NULLS", 300)
     repeats = TravelRecording(repeats.time_s, repeats.tip_mm, repeats.field_mt + drift, place)
     found = bound.bound_test.__wrapped__(Made(), Fitted(TWIN, RESTING_MT, 0.0), repeats)
 
@@ -161,7 +161,9 @@ def test_rivals_are_fitted_to_the_registered_presses_alone():
     model, place = Made(), np.arange(12)
     judged = recording(XY, TRAVEL, place, 0.5)
     registered = recording(XY[::-1] / 4, TRAVEL + 1, place, 0.5)
-    found = agreement._rivals.__wrapped__(model, Fitted(TWIN, RESTING_MT, 0.0), registered, judged)
+    found = agreement.rival_figures.__wrapped__(
+        model, Fitted(TWIN, RESTING_MT, 0.0), registered, judged
+    )
     assert list(found) == ["all magnets sink alike", "mean of the registered presses"]
     recorded, known = judged.field_mt - RESTING_MT, registered.field_mt - RESTING_MT
     shown = TRAVEL + 1
@@ -179,9 +181,9 @@ def test_rivals_are_fitted_to_the_registered_presses_alone():
     slope = np.linalg.lstsq(shown[:, None], known.reshape(-1, 9))[0]
     mean = figures((TRAVEL[:, None] * slope).reshape(-1, 3, 3), recorded)
     assert_allclose(astuple(found["mean of the registered presses"]), astuple(mean))
-    assert list(agreement._orders(3)) == [(0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)]
-    assert len(agreement._orders(5)) == 119
-    assert len(agreement._orders(6)) == agreement._ORDERS_OF_CHIPS
+    assert list(agreement.chip_orders(3)) == [(0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)]
+    assert len(agreement.chip_orders(5)) == 119
+    assert len(agreement.chip_orders(6)) == agreement.ORDERS_OF_CHIPS
 
 
 @pytest.mark.parametrize(
@@ -210,7 +212,7 @@ def test_between_nodes_the_twin_reads_their_mean_by_likelihood(monkeypatch):
     fitted = SimpleNamespace(twin=None, resting_mt=np.arange(6.0).reshape(2, 3))
     field = fitted.resting_mt + model.pressed(None, tip) + 0.3
     asked = TravelRecording(np.arange(3.0), tip, field, np.arange(3))
-    found = places._by_twin.__wrapped__(model, fitted, range(12), asked)
+    found = places.places_by_twin.__wrapped__(model, fitted, range(12), asked)
     axes = np.arange(0.3, 3.31, 1.0), np.arange(0.2, 4.21, 1.0), np.arange(0.1, 2.11, 0.5)
     nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     variance = sizes**2 + 0.05 * np.mean(sizes**2)
@@ -225,12 +227,12 @@ def test_a_process_reads_targets_of_any_size_and_middle_and_uses_all_presses_in_
     monkeypatch,
 ):
     """Learnt on 12 of 40 presses, conditioned on all of them: between these the curve is known."""
-    monkeypatch.setattr(places, "_MOST_PRESSES", 12)
+    monkeypatch.setattr(places, "MOST_PRESSES", 12)
     x = np.linspace(0, 9, 40)[:, None]
     asked = np.linspace(0.4, 8.7, 30)[:, None]
     y, wanted = (
         np.hstack([np.sin(at / 2), 50 + 3 * np.cos(at / 2), -7 + 0.1 * at]) for at in (x, asked)
     )
     inputs, query = np.hstack([1e3 + x, -2 * x]), np.hstack([1e3 + asked, -2 * asked])
-    found = places._process(inputs, y, query, 1)
+    found = places.gaussian_process(inputs, y, query, 1)
     assert (abs(found - wanted) < [0.02, 0.06, 0.01]).all()

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from estimator.calibration.known_travel.model import SYMMETRIES, Pose
-from estimator.calibration.known_travel.places import PlaceErrors, _errors
+from estimator.calibration.known_travel.places import PlaceErrors, place_errors
 
 
 @pytest.mark.parametrize("symmetry", range(8))
@@ -37,4 +37,4 @@ def test_errors_of_places_are_distances_in_the_plane_and_of_the_travel():
     rms = np.sqrt((25 + 1 + 1) / 3), np.sqrt((0.04 + 0.16 + 0.81) / 3)
     wanted = PlaceErrors(1.0, rms[0], 0.4, rms[1])
     for name, value in vars(wanted).items():
-        assert getattr(_errors(read, true), name) == pytest.approx(value), name
+        assert getattr(place_errors(read, true), name) == pytest.approx(value), name

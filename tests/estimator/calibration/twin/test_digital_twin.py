@@ -119,13 +119,13 @@ def test_a_prediction_of_no_object_leaves_everything(seen):
     """NaN counted as nothing left: such a twin was said to help."""
     predicted = np.zeros_like(seen.counts)
     predicted[1] = np.nan
-    share = calibrated_twin._left_share(SPEC, seen, predicted)
+    share = calibrated_twin.left_share(SPEC, seen, predicted)
     assert share[1] == 1.0
     assert np.isfinite(share).all()
 
 
 def test_places_left_out_tell_the_error_beforehand(monkeypatch, presses, seen):
-    monkeypatch.setattr(calibrated_twin, "_FOLDS", 2)
+    monkeypatch.setattr(calibrated_twin, "FOLDS", 2)
     calibrated, planned = places_left_out(SPEC, *presses, seen)
     assert calibrated.shape == planned.shape == (len(seen),)
     assert np.median(calibrated) < 0.5 * np.median(planned)
@@ -157,11 +157,11 @@ def joint_doubt(twin):
     over all channels, for linear numbers with the process."""
     process, (rows, channels, _) = twin.discrepancy, twin.jacobian.shape
     seen, flat = process.seen, twin.jacobian.transpose(1, 0, 2).reshape(rows * channels, -1)
-    kernel = process._kernel(seen.xy_mm, seen.force_n)
+    kernel = process.kernel_of(seen.xy_mm, seen.force_n)
     scales = (process.prior.size * process.scale) ** 2
     signal = flat @ flat.T + block_diag(*[scale * kernel for scale in scales])
     zeros = block_diag(*seen.zero_counts2)
-    noise = block_diag(*[zeros + np.diag(white) for white in process._white.T])
+    noise = block_diag(*[zeros + np.diag(white) for white in process.white_of.T])
     variance = signal.diagonal() - np.einsum(
         "ij,ji->i", signal, np.linalg.solve(signal + noise, signal)
     )

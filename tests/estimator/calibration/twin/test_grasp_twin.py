@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from estimator.calibration.twin import unknowns
 from estimator.calibration.twin.grasp_twin import (
-    _Mechanics,
+    GraspMechanics,
     calibrate_on_cases,
     left_share,
     sensor_errors,
@@ -43,7 +43,7 @@ def seen(trained):
 @pytest.fixture(scope="module")
 def twin(seen):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(unknowns, "_ITERATIONS", 1)
+        patch.setattr(unknowns, "ITERATIONS", 1)
         return calibrate_on_cases(SPEC, *presses()[:2], seen)
 
 
@@ -134,7 +134,7 @@ def test_an_object_that_is_not_the_drawing_is_told(built, trained, twin):
 
 def predicted(seen, twin):
     """Of the design."""
-    mechanics = _Mechanics(twin.unknowns, *presses()[:2], seen)
+    mechanics = GraspMechanics(twin.unknowns, *presses()[:2], seen)
     return mechanics.expected(np.zeros(len(twin.unknowns))).reshape(seen.counts.shape)
 
 
@@ -190,6 +190,6 @@ def test_presses_whose_forces_do_not_grow_are_of_no_object(force):
     one = SimpleNamespace(
         unknowns=guess, seen=seen, rest=np.zeros((1, 6)), parts=[([0], [0], places)]
     )
-    found = _Mechanics.expected.__wrapped__(one, np.zeros(2))
+    found = GraspMechanics.expected.__wrapped__(one, np.zeros(2))
     assert found.shape == (6, 4)
     assert np.isnan(found).all()
