@@ -8,6 +8,7 @@ drawn first, a closed mould leaves none.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from math import ceil
@@ -17,6 +18,8 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.body.meshes import (
+    Trap,
+    Undercut,
     distance_mm,
     largest_ceiling,
     least_draft_deg,
@@ -158,26 +161,25 @@ def _one_piece(spec: ObjectSpec, part: str) -> Draw:
 def check_draw(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, shell: trimesh.Trimesh
 ) -> list[Finding]:
-    against = wetted_faces(mesh, shell)
-    found = [check_undercut(spec, draw, mesh, shell)]
-    draft = least_draft_deg(mesh, draw.pull, against)
-    if draft is not None:
-        limit = spec.printer.draft_deg
-        found.append(
-            Finding(
-                "draft",
-                draw.part,
-                draft[0],
-                limit,
-                "°",
-                at_least(draft[0], limit) if draft[0] >= limit else "warn",
-                "least draft of a wall towards the silicone, which is that of the object's own walls. "
-                "Below the limit: use release agent, draw slowly; silicone lets go, printed layers "
-                "scratch it",
-                place_of(draft[1]),
-            )
-        )
-    return found
+    draft = least_draft_deg(mesh, draw.pull, wetted_faces(mesh, shell))
+    drafts = [] if draft is None else [draft_finding(spec, draw.part, *draft)]
+    return [check_undercut(spec, draw, mesh, shell), *drafts]
+
+
+def draft_finding(spec: ObjectSpec, part: str, draft_deg: float, place: np.ndarray) -> Finding:
+    """Of the least draft of a part's walls, at a place: too little of it is a warning."""
+    limit = spec.printer.draft_deg
+    return Finding(
+        "draft",
+        part,
+        draft_deg,
+        limit,
+        "°",
+        at_least(draft_deg, limit) if draft_deg >= limit else "warn",
+        "least draft of a wall towards the silicone, which is that of the object's own walls. Below the "
+        "limit: use release agent, draw slowly; silicone lets go, printed layers scratch it",
+        place_of(place),
+    )
 
 
 def wetted_faces(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
@@ -203,7 +205,11 @@ def thicker_shell(spec: ObjectSpec, depth_mm: float) -> str:
 def check_undercut(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, silicone: trimesh.Trimesh
 ) -> Finding:
-    found = undercut(mesh, draw.pull, wetted_faces(mesh, silicone))
+    return undercut_finding(spec, draw, undercut(mesh, draw.pull, wetted_faces(mesh, silicone)))
+
+
+def undercut_finding(spec: ObjectSpec, draw: Draw, found: Undercut) -> Finding:
+    """Whether silicone gives way to an undercut: it needs room, and strain that it bears."""
     strain = found.depth_mm / spec.shell.thickness_mm
     room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
     allowed = spec.silicone.peel_share * spec.silicone.elongation_percent / 100
@@ -294,27 +300,32 @@ def check_air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Find
     closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
     found = [check_traps(spec, shell, holes, "shell"), *check_blocked(holes, closing)]
     ceiling = largest_ceiling(shell, up(spec), mould_frame(spec).rim_mm)
-    if ceiling is not None:
-        found.append(
-            Finding(
-                "flat ceilings",
-                "shell",
-                ceiling[0],
-                CEILING_MM2,
-                "mm²",
-                "pass" if ceiling[0] <= CEILING_MM2 else "warn",
-                "largest flat surface under which bubbles rest. Above the limit: fill the mould first "
-                "and press the plug in tilted, or pour under vacuum",
-                place_of(ceiling[1]),
-            )
-        )
-    return found
+    return found if ceiling is None else [*found, ceiling_finding(*ceiling)]
+
+
+def ceiling_finding(area_mm2: float, place: np.ndarray) -> Finding:
+    """Of the largest flat surface on which air rests, at a place."""
+    return Finding(
+        "flat ceilings",
+        "shell",
+        area_mm2,
+        CEILING_MM2,
+        "mm²",
+        "pass" if area_mm2 <= CEILING_MM2 else "warn",
+        "largest flat surface under which bubbles rest. Above the limit: fill the mould first and press "
+        "the plug in tilted, or pour under vacuum",
+        place_of(place),
+    )
 
 
 def check_traps(
     spec: ObjectSpec, silicone: trimesh.Trimesh, holes: tuple[Hole, ...], part: str
 ) -> Finding:
-    traps = air_traps(spec, silicone, holes)
+    return traps_finding(air_traps(spec, silicone, holes), holes, part)
+
+
+def traps_finding(traps: Sequence[Trap], holes: tuple[Hole, ...], part: str) -> Finding:
+    """Of high points that neither the open side nor a vent drains."""
     vents = sum(hole.use == "vent" for hole in holes)
     return Finding(
         "air traps",
