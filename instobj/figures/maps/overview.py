@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 from textwrap import wrap
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -33,6 +33,9 @@ from instobj.figures.maps.heatmaps import (
 )
 from instobj.figures.maps.scale import BOUND_COLOURS, MapScale, map_scale, set_plain_ticks
 from instobj.figures.saving import save_figure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _NET = {1: (0, 0, 0), 2: (-90, 0, -1), 3: (0, 1, 0), 4: (90, 0, 1), 5: (180, -1, 0), 6: (0, 0, 2)}
 """Face → turn of its map (degrees) and direction of its place in the net about face 1."""
@@ -90,7 +93,7 @@ def draw_overview(
     note: str = "",
     direction_deg: Float[np.ndarray, "face place"] | None = None,
     marked: Bool[np.ndarray, "face place"] | None = None,
-) -> None:
+) -> Figure:
     """All faces in one picture and on one scale (PNG).
 
     `note` is the caption, wrapped to its column; `direction_deg` from each face's x is drawn as a
@@ -120,6 +123,7 @@ def draw_overview(
         _draw_axes_arrows(page, spec, number, pose)
     _fill_column(page, meshes[0], scale, caption)
     save_figure(page.figure, path)
+    return page.figure
 
 
 def net_pose(spec: ObjectSpec, face: int, gap_mm: float = GAP_MM) -> Pose:

@@ -5,7 +5,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import design.layout.places.positions
 from design.errors import InputError
 from design.layout.boards import mounted_sensors
 from design.layout.body import body_of, face_frames
@@ -30,12 +29,9 @@ def highest_mm(spec):
 
 
 @pytest.mark.parametrize("name", CURVED)
-def test_the_highest_corner_is_flush_with_the_core(name, monkeypatch):
+def test_the_highest_corner_is_flush_with_the_core(name):
     spec = load_spec(EXAMPLES / f"{name}.toml")
     assert abs(highest_mm(spec)) < 1e-3
-    flat = tuple(tuple(0.0 for _ in face) for face in board_sinks_mm(spec))
-    monkeypatch.setattr(design.layout.places.positions, "board_sinks_mm", lambda spec: flat)
-    assert highest_mm(spec) > 0.4, "the fault: boards as on a flat core"
 
 
 def test_boards_on_flat_faces_stay_where_they_are():

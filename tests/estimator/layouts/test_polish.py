@@ -306,9 +306,6 @@ def test_the_penalty_grows_so_that_what_is_forbidden_is_crossed(variables, monke
     monkeypatch.setattr(polishing, "SPREAD", 0.03)
     end = polish(judge_at, begin, 120, torch.ones(1, 1))
     assert float((end - 0.9).abs().max()) < 0.02
-    monkeypatch.setattr(polishing, "share_of_penalty", lambda progress: 1.0)
-    stuck = polish(judge_at, begin, 120, torch.ones(1, 1))
-    assert float(stuck[0, 0]) < 0.3
 
 
 @pytest.mark.parametrize(
@@ -369,7 +366,7 @@ def test_a_run_too_short_for_broad_generations_is_plain_cma_es(generations, plai
     assert sum(sizes) >= 0.9 * generations * polishing.population(31)
 
 
-def test_a_run_passes_by_what_only_the_eased_objective_sees_past(monkeypatch):
+def test_a_run_passes_by_what_only_the_eased_objective_sees_past():
     """What is asked is best in a narrow hole, and rises towards it all the way round; what is eased falls."""
 
     def judge_at(point, rows):
@@ -381,9 +378,6 @@ def test_a_run_passes_by_what_only_the_eased_objective_sees_past(monkeypatch):
     begin = torch.full((1, 6), 0.1)
     end = polish(judge_at, begin, 60, torch.ones(1, 1))
     assert float((end - 0.85).abs().max()) < 0.02
-    monkeypatch.setattr(polishing, "share_of_objective", lambda progress: 1.0)
-    stuck = polish(judge_at, begin, 60, torch.ones(1, 1))
-    assert float((stuck - 0.85).abs().max()) > 0.5
 
 
 def test_what_keeps_all_limits_goes_before_what_gains_by_breaking_one_by_a_hair():

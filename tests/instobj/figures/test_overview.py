@@ -42,17 +42,17 @@ def spec_of(name):
 )
 def drawn(request, tmp_path_factory):
     """The specification, and its overview as a figure that was drawn."""
-    kept = []
     spec = spec_of(request.param)
     faces = np.array(spec.body.sensed)
     places = len(contact_grid(spec))
     values = np.linspace(0.012, 1234.0, len(faces) * places).reshape(len(faces), places)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(overview, "save_figure", lambda figure, path: kept.append(figure))
-        title = "How well a contact of 8 N can be located at best"
-        overview.draw_overview(values, faces, spec, title, "mm", 0.012, 1234.0, "", note=CAPTION)
-    FigureCanvasAgg(kept[0]).draw()
-    return spec, kept[0]
+    path = tmp_path_factory.mktemp("overview") / "a.png"
+    title = "How well a contact of 8 N can be located at best"
+    figure = overview.draw_overview(
+        values, faces, spec, title, "mm", 0.012, 1234.0, path, note=CAPTION
+    )
+    FigureCanvasAgg(figure).draw()
+    return spec, figure
 
 
 def test_numbers_of_the_scale_keep_apart(drawn):
