@@ -74,7 +74,7 @@ def run_child(
             [sys.executable, *arguments], cwd=folder, stdout=subprocess.DEVNULL, stderr=said
         )
         try:
-            _limit_memory(child.pid, memory_gib)
+            limit_memory(child.pid, memory_gib)
             child.wait(seconds)
         except subprocess.TimeoutExpired:
             raise ChildTooSlow(f"it did not end within {seconds:g} s") from None
@@ -85,7 +85,7 @@ def run_child(
         if child.returncode != 0:
             text = said.read()
             _require_room(text, folder)
-            raise ChildFailed(_reason(child.returncode, text, memory_gib))
+            raise ChildFailed(reason_of(child.returncode, text, memory_gib))
 
 
 def machine_memory_gib() -> float | None:
@@ -117,7 +117,7 @@ def machine_memory_gib() -> float | None:
     return min(found, int(text) / _GIB) if text.isdigit() else found
 
 
-def _limit_memory(pid: int, gib: float | None) -> None:
+def limit_memory(pid: int, gib: float | None) -> None:
     if gib is None or sys.platform != "linux":
         return
     import resource
@@ -143,7 +143,7 @@ def _require_room(said: str, folder: Path) -> None:
             )
 
 
-def _reason(code: int, said: str, memory_gib: float | None) -> str:
+def reason_of(code: int, said: str, memory_gib: float | None) -> str:
     if memory_gib is not None and ("MemoryError" in said or "bad_alloc" in said):
         return f"it needs more than {memory_gib:.3g} GiB of memory"
     if code < 0:

@@ -22,7 +22,7 @@ from studies.variant_figure import draw_variants
 Changes = dict[str, Any]
 Variants = Callable[[ObjectSpec], dict[str, Changes]]
 
-_MESH: Changes = {
+MESH: Changes = {
     "mesh.surface_edge_mm": 2.2,
     "mesh.edge_mm": 6.0,
     "press.depths_mm": [0.5, 1.0, 1.5, 2.0, 2.75, 3.5],
@@ -39,7 +39,7 @@ QUICK_MESH: Changes = {
     "score.force_n": 4.0,
 }
 """Mesh, contact locations and presses of a preview in about a minute."""
-_QUICK: Changes = QUICK_MESH | {"search.forces_n": []}
+QUICK: Changes = QUICK_MESH | {"search.forces_n": []}
 
 
 def changed(spec: ObjectSpec, changes: Changes, source: str = "a variant") -> ObjectSpec:
@@ -67,13 +67,13 @@ def compare_variants(
 
     All are pressed at the locations of `spec`, also where a larger body would be filled with more.
     """
-    base = _same_places(spec) | (_QUICK if quick else _MESH)
+    base = _same_places(spec) | (QUICK if quick else MESH)
     rows = []
     for label, changes in variants(spec).items():
         variant = changed(spec, base | changes, f"{spec.name} with {label}")
         rows.append({"variant": label} | score_row(chain_score(variant)))
     draw_variants(
-        rows, spec.score.force_n if not quick else _QUICK["score.force_n"], folder / "scores.png"
+        rows, spec.score.force_n if not quick else QUICK["score.force_n"], folder / "scores.png"
     )
     return StudyResult(rows)
 

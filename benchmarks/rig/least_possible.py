@@ -48,12 +48,12 @@ class PressChoices:
         `pressed` are done anyway and count."""
         times = np.bincount(pressed, minlength=len(self.told)).astype(float)
         for _ in range(presses - len(pressed)):
-            times[self._gains(times).argmax()] += 1
+            times[self.gains_at(times).argmax()] += 1
         return times
 
-    def _gains(self, times: Float[np.ndarray, "press"]) -> Float[np.ndarray, "press"]:
+    def gains_at(self, times: Float[np.ndarray, "press"]) -> Float[np.ndarray, "press"]:
         """By how much one more time of each lowers the sum of variances."""
-        factor = self._factor(times)
+        factor = self.factor_of(times)
         spread = cho_solve(factor, self.judged.T)
         gains = np.empty(len(self.told))
         for press, rows in enumerate(self.told):
@@ -62,7 +62,7 @@ class PressChoices:
             gains[press] = np.sum(solve_triangular(root, rows @ spread, lower=True) ** 2)
         return gains
 
-    def _factor(self, times: Float[np.ndarray, "press"]) -> tuple[np.ndarray, bool]:
+    def factor_of(self, times: Float[np.ndarray, "press"]) -> tuple[np.ndarray, bool]:
         done = times > 0
         rows = (np.sqrt(times[done])[:, None, None] * self.told[done]).reshape(
             -1, self.told.shape[2]
@@ -71,7 +71,7 @@ class PressChoices:
 
     def _spread(self, times: Float[np.ndarray, "press"]) -> tuple[float, np.ndarray]:
         """Mean variance, and covariance of unknowns and judged signals."""
-        spread = cho_solve(self._factor(times), self.judged.T)
+        spread = cho_solve(self.factor_of(times), self.judged.T)
         return float(np.sum(self.judged.T * spread)) / len(self.judged), spread
 
 

@@ -20,7 +20,7 @@ STEP = (".step", ".stp")
 FORMATS = (".stl", ".obj", ".ply", ".off", *STEP)
 SECONDS = 180.0
 MEMORY_GIB = 8.0
-_READER = "design.solids.foreign"
+READER = "design.solids.foreign"
 
 
 class ForeignSurface(NamedTuple):
@@ -53,7 +53,7 @@ def read_foreign_surface(path: Path, missing: str, seconds: float = SECONDS) -> 
         )
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder) / "surface.npz"
-        command = ("-P", "-m", _READER, str(path.resolve()), str(target))
+        command = ("-P", "-m", READER, str(path.resolve()), str(target))
         try:
             run_child(command, Path(folder), seconds, MEMORY_GIB)
         except ChildTooSlow:

@@ -117,7 +117,7 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
         flat = surface.body_count - count
         done += [f"left out {flat} flat pieces, which enclose nothing"] if flat else []
         done += [f"united {count} pieces that overlap"] if count > 1 else []
-        surface = _united(surface, path)
+        surface = united_surface(surface, path)
     if done:
         warnings.warn(f"{path}: {' and '.join(done)}", stacklevel=2)
     return surface
@@ -187,7 +187,7 @@ def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:
     )
 
 
-def _united(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
+def united_surface(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
     """The union of pieces that overlap; flat ones, which enclose nothing, are left out.
 
     Raises

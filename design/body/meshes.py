@@ -132,7 +132,7 @@ def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     from trimesh.remesh import subdivide_to_size
 
     edge = max(1.0, float(np.sqrt(mesh.area / (0.3 * RAYS))))
-    known = np.asarray(mesh.faces)[_tells_how_it_faces(mesh)]
+    known = np.asarray(mesh.faces)[tells_how_it_faces(mesh)]
     vertices, faces = subdivide_to_size(mesh.vertices, known, edge, max_iter=30)[:2]
     corner = vertices[faces]
     doubled = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
@@ -176,7 +176,7 @@ def undercut(
         points = mesh.triangles[patch].reshape(-1, 3)
         tangent = np.tan(np.arcsin(np.clip(rise[patch], 0, 1 - 1e-9)))
         lean = float(np.average(tangent, weights=mesh.area_faces[patch]))
-        depth = _least_width_mm(points, pull)
+        depth = least_width_mm(points, pull)
         if lean <= 1:  # a curved wall that leans a little is wider than it hooks; a ledge is not
             whole = float(np.ptp(points @ pull)) * lean
             depth = min(depth, whole, _deepest_strip_mm(mesh, np.array(patch), pull))
@@ -210,7 +210,7 @@ def high_points(
     """
     height = np.round(np.asarray(mesh.vertices) @ up / _LEVEL_MM) * _LEVEL_MM
     peaks: list[tuple[int, float]] = []
-    for peak, saddle in _peaks_and_saddles(height, np.asarray(mesh.edges_unique)):
+    for peak, saddle in peaks_and_saddles(height, np.asarray(mesh.edges_unique)):
         drained = height[peak] >= rim_mm - _LEVEL_MM or height[peak] - saddle < least_mm
         if not drained and float(mesh.vertex_normals[peak] @ up) > 0:
             peaks.append((peak, float(height[peak] - saddle)))
@@ -220,7 +220,7 @@ def high_points(
     ]
 
 
-def _peaks_and_saddles(height: np.ndarray, edges: np.ndarray) -> list[tuple[int, float]]:
+def peaks_and_saddles(height: np.ndarray, edges: np.ndarray) -> list[tuple[int, float]]:
     """Vertices of local maxima, each with the height at which it joins a higher one (−inf: none)."""
     order = np.lexsort((np.arange(len(height)), -height))
     rank = np.empty(len(order), int)
@@ -348,7 +348,7 @@ def first_hits_mm(
     return hits, met
 
 
-def _tells_how_it_faces(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+def tells_how_it_faces(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
     """Of every triangle whether its normal is the surface's: not of films, nor of slivers none of whose
     neighbours faces as they do, as those that are left where a surface is drawn by fewer triangles."""
     height = height_mm(mesh)
@@ -387,7 +387,7 @@ def _deepest_strip_mm(mesh: trimesh.Trimesh, patch: np.ndarray, pull: np.ndarray
     )
 
 
-def _least_width_mm(points: np.ndarray, pull: np.ndarray) -> float:
+def least_width_mm(points: np.ndarray, pull: np.ndarray) -> float:
     """Smallest extent of points over all directions across the pull, in steps of 2.5°."""
     across = np.linalg.svd(np.asarray(pull, float)[None])[2][1:]
     angle = np.deg2rad(np.arange(0, 180, 2.5))

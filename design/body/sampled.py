@@ -75,7 +75,7 @@ def outer_distance_mm(
 
     Beyond a few millimetres outside the body it is only known to be positive.
     """
-    return _field(body.outside).at(points_mm)
+    return distance_field(body.outside).at(points_mm)
 
 
 def measured_distance_mm(
@@ -108,11 +108,11 @@ def sampled_frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     InputError
         The surface is too small or too steep there for a patch.
     """
-    return _frame(body.outside, number, inward_mm)
+    return patch_frame(body.outside, number, inward_mm)
 
 
 @dataclass(frozen=True)
-class _Field:
+class DistanceField:
     """Cubic splines of the signed distance on a regular grid."""
 
     origin_mm: Float[np.ndarray, "3"]
@@ -127,13 +127,13 @@ class _Field:
 
 
 @lru_cache(maxsize=16)
-def _field(body: BodyKind) -> _Field:
+def distance_field(body: BodyKind) -> DistanceField:
     from scipy.ndimage import spline_filter
 
     step = (float(np.prod(body.size_mm)) / _GRID_POINTS) ** (1 / 3)
-    points, count = _grid(np.asarray(body.size_mm) / 2, step)
+    points, count = grid_points(np.asarray(body.size_mm) / 2, step)
     distance = _measured_where_near(body.outer_surface(), points, count, step, body.mirrored)
-    return _Field(points[0], step, spline_filter(distance, order=3, mode="nearest"))
+    return DistanceField(points[0], step, spline_filter(distance, order=3, mode="nearest"))
 
 
 def _measured_where_near(
@@ -151,7 +151,7 @@ def _measured_where_near(
     """
     from scipy.ndimage import map_coordinates
 
-    part = _octant(surface) if mirrored else surface
+    part = octant_of(surface) if mirrored else surface
 
     def measured_mm(points_mm: np.ndarray) -> np.ndarray:
         return measured_distance_mm(part, abs(points_mm) if mirrored else points_mm)
@@ -171,7 +171,7 @@ def _measured_where_near(
     return distance
 
 
-def _octant(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+def octant_of(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     """Triangles in which the nearest to a point of x, y, z ≥ 0 is, and enough beyond that none of them
     ends at a cut."""
     import trimesh
@@ -184,7 +184,7 @@ def _octant(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     return octant
 
 
-def _grid(half_mm: np.ndarray, step_mm: float) -> tuple[np.ndarray, tuple[int, ...]]:
+def grid_points(half_mm: np.ndarray, step_mm: float) -> tuple[np.ndarray, tuple[int, ...]]:
     """Regular points round a centred box and a few steps beyond it, x slowest."""
     count = 2 * (np.ceil(half_mm / step_mm).astype(int) + _MARGIN_STEPS) + 1
     axes = [step_mm * (np.arange(n) - (n - 1) / 2) for n in count]
@@ -201,9 +201,9 @@ def _core(body: BodyKind, thickness_mm: float) -> trimesh.Trimesh:
     if half.min() <= 0:
         raise InputError(_no_core(body, thickness_mm))
     step = max(min(_FINE_STEP_MM, float(half.min()) / 8), float(half.max()) / _MOST_STEPS)
-    points, count = _grid(half, step)
+    points, count = grid_points(half, step)
     grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
-    distance = _field(body).at(points).reshape(count)
+    distance = distance_field(body).at(points).reshape(count)
     grid["distance"] = distance.ravel(order="F")
     found: Any = grid.contour([-thickness_mm], scalars="distance", method="flying_edges")
     if not found.n_points:
@@ -241,10 +241,10 @@ def _no_core(body: BodyKind, thickness_mm: float) -> str:
 
 
 @lru_cache(maxsize=96)
-def _frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
+def patch_frame(body: BodyKind, number: int, inward_mm: float) -> FaceFrame:
     from scipy.interpolate import RectBivariateSpline
 
-    field = _field(body)
+    field = distance_field(body)
 
     normal, x, y = face_axes(number)
     half = np.asarray(body.size_mm) / 2
@@ -282,7 +282,7 @@ def _steps(reach_mm: float) -> int:
 
 
 def _traced(
-    field: _Field, inward_mm: float, start_mm: np.ndarray, normal: np.ndarray
+    field: DistanceField, inward_mm: float, start_mm: np.ndarray, normal: np.ndarray
 ) -> np.ndarray:
     """How far lines from above go (downwards negative) until they meet the surface; NaN if never."""
     travel = np.zeros(len(start_mm))

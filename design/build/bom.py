@@ -68,7 +68,7 @@ def bill_of_materials(
         *_magnets(spec),
         *_electronics(spec, plan),
         _silicone(spec),
-        *_prints(spec, manifest),
+        *printed_items(spec, manifest),
         *_screws(spec, manifest),
     ]
 
@@ -158,7 +158,7 @@ def _silicone(spec: ObjectSpec) -> Item:
     return Item(spec.silicone.name, 1, amount.volume_cm3, amount.mass_g, mixed)
 
 
-def _prints(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
+def printed_items(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
     density = spec.printer.process_figures.density_g_per_cm3
     return [
         Item(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Literal
 
@@ -15,7 +15,7 @@ from design.mould.one_piece import make_mould_box, make_seal_mould
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder, make_mould_plug
 from design.mould.whole import has_mould
-from design.solids.booleans import FINENESS, exact_or_triangles
+from design.solids.booleans import TRIANGLES, exact_or_triangles
 from design.solids.core import make_core
 from design.solids.curved_template import curved_template_faces, make_curved_template
 from design.solids.jig import make_jig
@@ -37,14 +37,13 @@ class Part:
     """A part by its name; `make` builds it, in the object's frame unless it is a tool.
 
     A body that is known by its triangles gives triangles wherever its surface is; all else is exact, but
-    for what the exact kernel fails on, or whose triangles (`fineness`, mm and rad) it folds.
+    for what the exact kernel fails on, or whose triangles (`TRIANGLES`) it folds.
     """
 
     name: str
     builder: Callable[[], cq.Solid | trimesh.Trimesh]
     material: Material = "printed"
     count: int = 1
-    fineness: tuple[float, float] = FINENESS
 
     def make(self) -> cq.Solid | trimesh.Trimesh:
         """The part's solid, or its triangles.
@@ -54,7 +53,7 @@ class Part:
         NotOneSolid
             An InputError: the dimensions do not give one closed body.
         """
-        return exact_or_triangles(self.builder, self.fineness)
+        return exact_or_triangles(self.builder, TRIANGLES)
 
 
 def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
@@ -63,7 +62,7 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
     core, shell = (
         (sampled_core_part, sampled_shell) if body_of(spec).sampled else (make_core, make_shell)
     )
-    parts = (
+    return (
         Part("core", partial(core, spec)),
         Part("shell", partial(shell, spec), "silicone"),
         *_mould(spec),
@@ -71,8 +70,6 @@ def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
         *_jig(spec),
         *_templates(spec),
     )
-    fineness = (spec.export.mesh_tolerance_mm, spec.export.mesh_angle_rad)
-    return tuple(replace(part, fineness=fineness) for part in parts)
 
 
 def _jig(spec: ObjectSpec) -> list[Part]:

@@ -76,7 +76,7 @@ def print_settings(
     start = next(start for start in _USES if name.startswith(start))
     walls, infill, copied = _USES[start]
     down = lying_side(mesh)
-    bed, overhang, height = _standing(mesh, np.asarray(down))
+    bed, overhang, height = standing_on(mesh, np.asarray(down))
     brim = _BRIM_MM if bed < _BED_MM2 or height > _SLENDER * bed**0.5 else 0.0
     layer = layer_mm(spec.printer, copied)
     return PrintSettings(layer, walls, infill, overhang > _LEAST_OVERHANG_MM2, brim, down)
@@ -99,12 +99,12 @@ def lying_side(mesh: trimesh.Trimesh) -> tuple[float, float, float]:
     _, first, which = np.unique(normals.round(3), axis=0, return_index=True, return_inverse=True)
     largest = np.argsort(-np.bincount(which.ravel(), area))[:_SIDES]
     tried = np.vstack([-np.eye(3)[::-1], np.eye(3), normals[first[largest]]])
-    costs = [round(over - 0.2 * bed, 3) for bed, over, _ in (_standing(mesh, d) for d in tried)]
+    costs = [round(over - 0.2 * bed, 3) for bed, over, _ in (standing_on(mesh, d) for d in tried)]
     x, y, z = (tried[int(np.argmin(costs))] + 0.0).tolist()
     return (x, y, z)
 
 
-def _standing(mesh: trimesh.Trimesh, down: np.ndarray) -> tuple[float, float, float]:
+def standing_on(mesh: trimesh.Trimesh, down: np.ndarray) -> tuple[float, float, float]:
     """Area on the bed, area that hangs over (mm², as seen from below) and height (mm)."""
     area, facing = np.asarray(mesh.area_faces), np.asarray(mesh.face_normals) @ down
     levels = np.asarray(mesh.triangles) @ -down

@@ -23,7 +23,7 @@ _SHELL = (0.93, 0.84, 0.68, 0.45)
 _NORTH = (0.80, 0.16, 0.14, 1.0)
 _SOUTH = (0.16, 0.32, 0.72, 1.0)
 _BOARD = (0.10, 0.45, 0.22, 1.0)
-_GLTF_FRAME = np.array([[1e-3, 0, 0, 0], [0, 0, 1e-3, 0], [0, -1e-3, 0, 0], [0, 0, 0, 1.0]])
+GLTF_FRAME = np.array([[1e-3, 0, 0, 0], [0, 0, 1e-3, 0], [0, -1e-3, 0, 0], [0, 0, 0, 1.0]])
 """Millimetres with z up to glTF's metres with y up."""
 
 
@@ -54,7 +54,7 @@ def write_glb(scene: trimesh.Scene, target: Path) -> None:
         The folder cannot be written.
     """
     turned = scene.copy()
-    turned.apply_transform(_GLTF_FRAME)
+    turned.apply_transform(GLTF_FRAME)
     with atomic_path(target) as path:
         turned.export(path, file_type="glb")
 

@@ -150,11 +150,11 @@ def wider_range(
 
     Ranges of the same part come before those of others.
     """
-    fine = (p for p in HALL_PARTS.values() if p.name == part_name or _is_fine(p))
+    fine = (p for p in HALL_PARTS.values() if p.name == part_name or is_fine(p))
     listed = [(part, r) for part in fine for r in part.ranges]
     enough = [pair for pair in listed if pair[1].range_mt > max(range_mt, needed_mt)]
     return min(enough, key=lambda pair: (pair[0].name != part_name, pair[1].range_mt), default=None)
 
 
-def _is_fine(part: HallPart) -> bool:
+def is_fine(part: HallPart) -> bool:
     return all(r.counts_per_mt >= _COARSE_COUNTS_PER_MT for r in part.ranges)

@@ -117,13 +117,13 @@ def _silicone(check: str, value: float, limit: float, text: str, place) -> Findi
 def check_electronics(spec: ObjectSpec, core: trimesh.Trimesh) -> list[Finding]:
     """Boards and chips against the core and each other, and wires against their holes."""
     mounted = mounted_sensors(spec)
-    found = [_wires(spec), *_way_out(spec)]
+    found = [check_wires(spec), *_way_out(spec)]
     if not mounted:
         return found
-    return [*found, *_fits(spec), *_interference(mounted, core), *_collisions(mounted)]
+    return [*found, *check_fits(spec), *interference(mounted, core), *collisions(mounted)]
 
 
-def _wires(spec: ObjectSpec) -> Finding:
+def check_wires(spec: ObjectSpec) -> Finding:
     bundle, holes = wire_bundle_mm(spec), wire_holes(spec)
     key = min(holes, key=lambda name: holes[name].diameter_mm)
     room = holes[key].diameter_mm - bundle
@@ -173,7 +173,7 @@ def _up(value: float) -> float:
     return ceil(100 * value - 1e-6) / 100
 
 
-def _fits(spec: ObjectSpec) -> list[Finding]:
+def check_fits(spec: ObjectSpec) -> list[Finding]:
     """Room of the board in its recess: across, along, and for chip and board in its depth."""
     core, sensors = spec.core, spec.sensors
     width, length, thick = sensors.package_mm
@@ -201,7 +201,7 @@ def _fits(spec: ObjectSpec) -> list[Finding]:
     ]
 
 
-def _interference(mounted: list[Mounted], core: trimesh.Trimesh) -> list[Finding]:
+def interference(mounted: list[Mounted], core: trimesh.Trimesh) -> list[Finding]:
     """The board or chip that shares most volume with the core."""
     solid = manifold_of(core)
     shares = [
@@ -225,7 +225,7 @@ def _interference(mounted: list[Mounted], core: trimesh.Trimesh) -> list[Finding
     ]
 
 
-def _collisions(mounted: list[Mounted]) -> list[Finding]:
+def collisions(mounted: list[Mounted]) -> list[Finding]:
     """Largest common volume of the boards and chips of two sensors."""
     worst, place, names = 0.0, None, ""
     for a, b in combinations(mounted, 2):

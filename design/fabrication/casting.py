@@ -8,6 +8,7 @@ drawn first, a closed mould leaves none.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from math import ceil
@@ -17,6 +18,8 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.body.meshes import (
+    Trap,
+    Undercut,
     distance_mm,
     largest_ceiling,
     least_draft_deg,
@@ -84,8 +87,8 @@ def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[
         return found
     for draw in draws(spec):
         if draw.part in meshes:
-            found += _draw(spec, draw, meshes[draw.part], meshes["shell"])
-    found += [*_closing(spec, meshes), *_air(spec, meshes)]
+            found += check_draw(spec, draw, meshes[draw.part], meshes["shell"])
+    found += [*check_closing(spec, meshes), *check_air(spec, meshes)]
     return [*found, *(check_seal_mould(spec, meshes) if spec.shell.seal_layer_mm else [])]
 
 
@@ -97,29 +100,34 @@ def check_seal_mould(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> li
         if box is None or body_of(spec).cuboid:
             return []
         silicone = sealed_body_surface(spec)
-        return [_undercut(spec, _one_piece(spec, "mould_seal_box"), box, silicone)]
+        return [check_undercut(spec, _one_piece(spec, "mould_seal_box"), box, silicone)]
     names = ("mould_seal_half_a", "mould_seal_half_b")
     for name, sign in zip(names, (1, -1), strict=True):
         if name in meshes:
             draw = Draw(name, sign * parting(spec).normal, 0.0)
-            found.append(_undercut(spec, draw, meshes[name], finished))
+            found.append(check_undercut(spec, draw, meshes[name], finished))
     held = tuple(pin for pin in loose_pins(spec) if pin.locator is not None)
     shut = {name: meshes[name] for name in (*names, "mould_holder", "core") if name in meshes}
     holes = seal_holes(spec)
-    traps = _traps(spec, sealed_round(spec), holes, names[0])
-    return [*found, _shared(spec, shut, held, names[0]), traps, *_blocked(holes, shut, "core")]
+    traps = check_traps(spec, sealed_round(spec), holes, names[0])
+    return [
+        *found,
+        check_shared(spec, shut, held, names[0]),
+        traps,
+        *check_blocked(holes, shut, "core"),
+    ]
 
 
-def _closing(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+def check_closing(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """Largest common volume of two parts of the closed mould, or of one and the core in it."""
     closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
     if mould_frame(spec).opening in ("closed", "bore") and "core" in meshes:
         closing["core"] = meshes["core"]
     pins = loose_pins(spec) if mould_style(spec) == "split" else ()
-    return [_shared(spec, closing, pins, "mould")]
+    return [check_shared(spec, closing, pins, "mould")]
 
 
-def _shared(
+def check_shared(
     spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh], pins: tuple[Pin, ...], part: str
 ) -> Finding:
     placed = list(meshes.items())
@@ -152,37 +160,36 @@ def _one_piece(spec: ObjectSpec, part: str) -> Draw:
     return Draw(part, -frame.out, float(np.ptp(frame.plug_mm, axis=0).min()) / 2)
 
 
-def _draw(
+def check_draw(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, shell: trimesh.Trimesh
 ) -> list[Finding]:
-    against = _wetted(mesh, shell)
-    found = [_undercut(spec, draw, mesh, shell)]
-    draft = least_draft_deg(mesh, draw.pull, against)
-    if draft is not None:
-        limit = spec.printer.process_figures.draft_deg
-        found.append(
-            Finding(
-                "draft",
-                draw.part,
-                draft[0],
-                limit,
-                "°",
-                at_least(draft[0], limit) if draft[0] >= limit else "warn",
-                "least draft of a wall towards the silicone, which is that of the object's own walls. "
-                "Below the limit: use release agent, draw slowly; silicone lets go, printed layers "
-                "scratch it",
-                place_of(draft[1]),
-            )
-        )
-    return found
+    draft = least_draft_deg(mesh, draw.pull, wetted_faces(mesh, shell))
+    drafts = [] if draft is None else [draft_finding(spec, draw.part, *draft)]
+    return [check_undercut(spec, draw, mesh, shell), *drafts]
 
 
-def _wetted(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+def draft_finding(spec: ObjectSpec, part: str, draft_deg: float, place: np.ndarray) -> Finding:
+    """Of the least draft of a part's walls, at a place: too little of it is a warning."""
+    limit = spec.printer.process_figures.draft_deg
+    return Finding(
+        "draft",
+        part,
+        draft_deg,
+        limit,
+        "°",
+        at_least(draft_deg, limit) if draft_deg >= limit else "warn",
+        "least draft of a wall towards the silicone, which is that of the object's own walls. Below the "
+        "limit: use release agent, draw slowly; silicone lets go, printed layers scratch it",
+        place_of(place),
+    )
+
+
+def wetted_faces(mesh: trimesh.Trimesh, shell: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
     """Faces whose middle lies on the silicone's surface."""
     return distance_mm(shell, mesh.triangles_center) < NEAR_MM
 
 
-def _way_out(spec: ObjectSpec) -> str:
+def way_out(spec: ObjectSpec) -> str:
     if mould_style(spec) != "split":
         return "Use mould.style = 'split'"
     if body_of(spec).from_file and spec.mould.parting_azimuth_deg is None:
@@ -190,17 +197,21 @@ def _way_out(spec: ObjectSpec) -> str:
     return "Turn the seam (mould.parting_azimuth_deg)"
 
 
-def _thicker(spec: ObjectSpec, depth_mm: float) -> str:
+def thicker_shell(spec: ObjectSpec, depth_mm: float) -> str:
     """The shell that gives way by so much on the spot, where one twice as thick at most does."""
     thickness = ceil(10 * depth_mm / YIELD_SHARE) / 10
     told = f"make shell.thickness_mm {thickness:g} or more, which gives way by that, "
     return told if thickness <= 2 * spec.shell.thickness_mm else ""
 
 
-def _undercut(
+def check_undercut(
     spec: ObjectSpec, draw: Draw, mesh: trimesh.Trimesh, silicone: trimesh.Trimesh
 ) -> Finding:
-    found = undercut(mesh, draw.pull, _wetted(mesh, silicone))
+    return undercut_finding(spec, draw, undercut(mesh, draw.pull, wetted_faces(mesh, silicone)))
+
+
+def undercut_finding(spec: ObjectSpec, draw: Draw, found: Undercut) -> Finding:
+    """Whether silicone gives way to an undercut: it needs room, and strain that it bears."""
     strain = found.depth_mm / spec.shell.thickness_mm
     room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
     allowed = PEEL_SHARE * spec.silicone.elongation_percent / 100
@@ -210,8 +221,8 @@ def _undercut(
         status = "fail"
         text = (
             f"{found.area_mm2:.0f} mm² of undercut; the silicone must give way by {found.depth_mm:.2g} mm "
-            f"and has {room:.2g} mm of room. {_way_out(spec)}, {_thicker(spec, found.depth_mm)}or leave out "
-            "what hooks"
+            f"and has {room:.2g} mm of room. {way_out(spec)}, {thicker_shell(spec, found.depth_mm)}"
+            "or leave out what hooks"
         )
     else:
         status = "pass" if strain <= allowed else "fail"
@@ -285,33 +296,38 @@ def _flanges(spec: ObjectSpec) -> list[Finding]:
     return [walls, Finding("bolts of a flange", part, float(count), 2.0, "", status, text)]
 
 
-def _air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+def check_air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """Air rises to the open side or to vents; it must not be caught on its way."""
     holes, shell = tuple(mould_holes(spec)), meshes["shell"]
     closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
-    found = [_traps(spec, shell, holes, "shell"), *_blocked(holes, closing)]
+    found = [check_traps(spec, shell, holes, "shell"), *check_blocked(holes, closing)]
     ceiling = largest_ceiling(shell, up(spec), mould_frame(spec).rim_mm)
-    if ceiling is not None:
-        found.append(
-            Finding(
-                "flat ceilings",
-                "shell",
-                ceiling[0],
-                CEILING_MM2,
-                "mm²",
-                "pass" if ceiling[0] <= CEILING_MM2 else "warn",
-                "largest flat surface under which bubbles rest. Above the limit: fill the mould first "
-                "and press the plug in tilted, or pour under vacuum",
-                place_of(ceiling[1]),
-            )
-        )
-    return found
+    return found if ceiling is None else [*found, ceiling_finding(*ceiling)]
 
 
-def _traps(
+def ceiling_finding(area_mm2: float, place: np.ndarray) -> Finding:
+    """Of the largest flat surface on which air rests, at a place."""
+    return Finding(
+        "flat ceilings",
+        "shell",
+        area_mm2,
+        CEILING_MM2,
+        "mm²",
+        "pass" if area_mm2 <= CEILING_MM2 else "warn",
+        "largest flat surface under which bubbles rest. Above the limit: fill the mould first and press "
+        "the plug in tilted, or pour under vacuum",
+        place_of(place),
+    )
+
+
+def check_traps(
     spec: ObjectSpec, silicone: trimesh.Trimesh, holes: tuple[Hole, ...], part: str
 ) -> Finding:
-    traps = air_traps(spec, silicone, holes)
+    return traps_finding(air_traps(spec, silicone, holes), holes, part)
+
+
+def traps_finding(traps: Sequence[Trap], holes: tuple[Hole, ...], part: str) -> Finding:
+    """Of high points that neither the open side nor a vent drains."""
     vents = sum(hole.use == "vent" for hole in holes)
     return Finding(
         "air traps",
@@ -326,7 +342,7 @@ def _traps(
     )
 
 
-def _blocked(
+def check_blocked(
     holes: tuple[Hole, ...], meshes: dict[str, trimesh.Trimesh], beside: str = ""
 ) -> list[Finding]:
     """Pouring holes and vents against the parts that they go through, but for one."""

@@ -45,9 +45,9 @@ _STEP_MM = 0.2
 def check_body(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
     """What does not fit in a body that has room for its core; unless `ways` without places that are looked
     for."""
-    yield from _check_recesses(spec)
+    yield from check_recesses(spec)
     yield from _check_pockets(spec, ways)
-    yield from _check_sensors(spec)
+    yield from check_sensors(spec)
 
 
 def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
@@ -139,11 +139,12 @@ def _check_core(spec: ObjectSpec) -> Iterator[str]:
         )
     if body.opening == "bore" and body.bore_mm >= 2 * room:
         yield (
-            f"body.bore_mm must be below the core's width, {2 * room:.4g} mm; got {body.bore_mm:g}"
+            f"body.bore_mm must be below the core's width, {2 * room:.4g} mm; got {body.bore_mm:g}. "
+            "Make the bore narrower or the core wider (body.size_mm, shell.thickness_mm)"
         )
 
 
-def _check_recesses(spec: ObjectSpec) -> Iterator[str]:
+def check_recesses(spec: ObjectSpec) -> Iterator[str]:
     core = spec.core
     widest = min(float(np.hypot(*frame.half_extents_mm)) for frame in core_frames(spec))
     if not core.recess_inner_radius_mm < core.recess_outer_radius_mm < widest:
@@ -207,7 +208,7 @@ def _too_near(one: Placed, other: Placed, distance_mm: float) -> str:
     )
 
 
-def _check_sensors(spec: ObjectSpec) -> Iterator[str]:
+def check_sensors(spec: ObjectSpec) -> Iterator[str]:
     sensors, core = spec.sensors, spec.core
     if sensors.depth_below_core_face_mm > core.recess_depth_mm:
         yield (

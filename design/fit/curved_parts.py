@@ -68,11 +68,11 @@ def _check_blocks(spec: ObjectSpec) -> Iterator[str]:
                 f"{where} stands over a sensor's recess or a wire channel. Move it, or make "
                 "core.keys.size_mm smaller"
             )
-        yield from _check_passages(spec, where, key)
+        yield from check_passages(spec, where, key)
         yield from _check_pockets(spec, where, key)
 
 
-def _check_passages(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
+def check_passages(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
     """Wire holes, through which pins may stand, and the bore."""
     body, radius = body_of(spec), passage_radius_mm(spec)
     for core, face in zip(core_frames(spec), face_frames(spec), strict=True):

@@ -46,9 +46,9 @@ def check_mould(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
         if beside_patches(spec):
             return  # told with the patches: where such pins stand is not known
         yield from _check_closure(spec, ways)
-        yield from _check_pins_apart(spec)
+        yield from check_pins_apart(spec)
         if why_no_mould(spec) is None:
-            yield from _check_pouring(spec, ways)
+            yield from check_pouring(spec, ways)
 
 
 def _check_closure(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
@@ -75,7 +75,7 @@ def _where(placed: Sequence[Placed], works: Callable[[FaceFrame, Pocket], bool])
     return f"Move the magnet inwards, as to ({place[0]:.4g}, {place[1]:.4g})"
 
 
-def _check_pins_apart(spec: ObjectSpec) -> Iterator[str]:
+def check_pins_apart(spec: ObjectSpec) -> Iterator[str]:
     """Beyond the silicone, where pins of a hollow lean towards each other."""
     pins = loose_pins(spec)
     near = near_pairs([pin.axis_mm for pin in pins], [pin.radius_mm + pin.rim_mm for pin in pins])
@@ -91,7 +91,7 @@ def _check_pins_apart(spec: ObjectSpec) -> Iterator[str]:
             )
 
 
-def _check_pouring(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
+def check_pouring(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
     """Holes to pour through, of the mould and of the seal layer's."""
     for first in (True, False) if spec.shell.seal_layer_mm else (True,):
         try:

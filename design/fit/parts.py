@@ -40,7 +40,7 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
         yield from _check_seal_layer(spec)
     yield from _check_pocket_width(spec)
     yield from _check_dents(spec)
-    yield from _check_channels(spec)
+    yield from check_channels(spec)
     if spec.core.bay_mm is not None:
         yield from with_nearest(spec, _check_bay if cuboid else check_curved_bay, nearest_bay)
 
@@ -79,7 +79,7 @@ def _check_keys(spec: ObjectSpec) -> Iterator[str]:
                 f"{where} reaches past the core's face (±{half[0]:g}, ±{half[1]:g} mm). Move it "
                 "inwards or make core.keys.size_mm smaller"
             )
-        key = _rectangle((x, y), (width / 2, length / 2), 0.0)
+        key = rectangle((x, y), (width / 2, length / 2), 0.0)
         yield from _check_key_clear_of_core(spec, where, key)
         yield from _check_key_below_pockets(spec, where, key)
 
@@ -128,25 +128,23 @@ def _check_dents(spec: ObjectSpec) -> Iterator[str]:
 
 
 def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> Iterator[str]:
-    for face, openings in zip(spec.body.sensed, _core_openings(spec), strict=True):
+    for face, openings in zip(spec.body.sensed, core_openings(spec), strict=True):
         for name, corners in openings:
             if overlap(key, corners):
                 yield (
                     f"{where} stands over {name} of face {face}. Move it, or make "
                     "core.keys.size_mm smaller"
                 )
-    others = [
-        _rectangle(p, _half(spec.core.keys.size_mm), 0.0) for p in spec.core.keys.positions_mm
-    ]
+    others = [rectangle(p, _half(spec.core.keys.size_mm), 0.0) for p in spec.core.keys.positions_mm]
     if sum(overlap(key, other) for other in others) > 1:
         yield f"{where} meets another key. Move one of them"
 
 
-def _core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
+def core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
     """Outlines of recesses, channels and wire hole on every face of the core."""
     core = spec.core
     middle = passage_radius_mm(spec)
-    hub = ("the wire hole", _rectangle((0.0, 0.0), (middle, middle), 0.0))
+    hub = ("the wire hole", rectangle((0.0, 0.0), (middle, middle), 0.0))
     faces = []
     for places in sensor_places(spec):
         found: list[tuple[str, Corners]] = [hub]
@@ -226,7 +224,7 @@ def _check_seal_layer(spec: ObjectSpec) -> Iterator[str]:
         )
 
 
-def _check_channels(spec: ObjectSpec) -> Iterator[str]:
+def check_channels(spec: ObjectSpec) -> Iterator[str]:
     core = spec.core
     if not core.wire_channel_width_mm:
         return
@@ -277,7 +275,7 @@ def _half(size: tuple[float, float]) -> tuple[float, float]:
     return size[0] / 2, size[1] / 2
 
 
-def _rectangle(centre: tuple[float, float], half: tuple[float, float], azimuth: float) -> Corners:
+def rectangle(centre: tuple[float, float], half: tuple[float, float], azimuth: float) -> Corners:
     turn = np.array([[cos(azimuth), -sin(azimuth)], [sin(azimuth), cos(azimuth)]])
     corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * np.asarray(half)
     return corners @ turn.T + np.asarray(centre)
@@ -287,7 +285,7 @@ def _radial(azimuth: float, radii: tuple[float, float], width: float) -> Corners
     """Rectangle between two radii along an azimuth."""
     middle = (radii[0] + radii[1]) / 2
     centre = (middle * cos(azimuth), middle * sin(azimuth))
-    return _rectangle(centre, ((radii[1] - radii[0]) / 2, width / 2), azimuth)
+    return rectangle(centre, ((radii[1] - radii[0]) / 2, width / 2), azimuth)
 
 
 def overlap(a: Corners, b: Corners) -> bool:

@@ -71,7 +71,7 @@ class Locator:
     def volume_mm3(self) -> float:
         """Of silicone that is missing besides the pockets; exact on flat faces."""
         met = sum(
-            _common_area_mm2(self.radius_mm, pocket) * -float(pocket.axis_ends_mm[0, 2])
+            common_area_mm2(self.radius_mm, pocket) * -float(pocket.axis_ends_mm[0, 2])
             for pocket in self.pockets
         )
         return float(np.pi * self.radius_mm**2 * self.depth_mm - met)
@@ -130,7 +130,7 @@ def locators(spec: ObjectSpec) -> tuple[Locator, ...]:
     fit = [
         locator
         for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)
-        if (locator := _locator(spec, frame, cores[frame.number], pockets)) is not None
+        if (locator := locator_in(spec, frame, cores[frame.number], pockets)) is not None
         and not (locator.pockets and spec.shell.seal_layer_mm)
     ]
     fit.sort(key=lambda locator: (-locator.radius_mm, locator.frame.number))
@@ -163,7 +163,7 @@ def why_no_mould(spec: ObjectSpec) -> str | None:
     return None
 
 
-def _locator(
+def locator_in(
     spec: ObjectSpec, frame: FaceFrame, core: FaceFrame, pockets: tuple[Pocket, ...]
 ) -> Locator | None:
     radius = wire_hole_diameter_mm(spec, frame.number) / 2
@@ -178,7 +178,7 @@ def _locator(
         within = away + radius <= min(pocket.outline.half_mm)
         if not parallel or not (pocket.outline.round or within):
             return None
-        if _common_area_mm2(radius, pocket) > (1 - LEAST_FLOOR) * pocket.outline.area_mm2:
+        if common_area_mm2(radius, pocket) > (1 - LEAST_FLOOR) * pocket.outline.area_mm2:
             return None
         met.append(pocket)
     hole = float(frame.centre_mm @ frame.normal) - depth
@@ -189,7 +189,7 @@ def _away_mm(pocket: Pocket) -> float:
     return float(np.hypot(*pocket.body.centre_mm[:2]))
 
 
-def _common_area_mm2(radius_mm: float, pocket: Pocket) -> float:
+def common_area_mm2(radius_mm: float, pocket: Pocket) -> float:
     """Of the pin's section and a pocket's: the lens of two circles, or all of the pin."""
     r, away, other = radius_mm, _away_mm(pocket), pocket.outline.half_mm[0]
     if away + r <= min(pocket.outline.half_mm):

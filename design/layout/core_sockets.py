@@ -39,7 +39,7 @@ _ASIDE_COS = 0.6
 """Of the angle between two pins, at most: they hold the core from turning."""
 _EVEN_MM, _BENT_MM, _RIM = 1e-6, 0.5, 16
 """How much deeper than a plane the core may be at a pin's rim, flat and curved; points of the rim."""
-_FINEST, _STEPS, _SEAM_MM, _OUT_MM = 9, 13, 8.0, 5.0
+_FINEST, _STEPS, _SEAM_MM, OUT_MM = 9, 13, 8.0, 5.0
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Socket:
 
 
 @dataclass(frozen=True)
-class _Ways:
+class Ways:
     """Pins that may be, one a row: face, its place, point of the surface, direction, hole's end, lean."""
 
     face: np.ndarray
@@ -75,8 +75,8 @@ class _Ways:
     end_mm: np.ndarray
     lean: np.ndarray
 
-    def of(self, rows: np.ndarray) -> _Ways:
-        return _Ways(*(values[rows] for values in vars(self).values()))
+    def of(self, rows: np.ndarray) -> Ways:
+        return Ways(*(values[rows] for values in vars(self).values()))
 
     def at(self, heights_mm: np.ndarray) -> Float[np.ndarray, "way step 3"]:
         """Points on the axes at heights (way, step) above the surface."""
@@ -101,20 +101,20 @@ def socket_beside(spec: ObjectSpec, way: Float[np.ndarray, "3"]) -> tuple[Socket
 
 def _sockets(spec: ObjectSpec, others: tuple[np.ndarray, ...]) -> tuple[Socket, ...]:
     radius = spec.core.wire_hole_side_diameter_mm / 2
-    ways = _ways(spec)
+    ways = ways_to_wires(spec)
     for other in others:
         ways = ways.of(abs(ways.way @ other) < _ASIDE_COS)
     if not len(ways.face):
         return ()
-    depth = _core_depth_mm(spec, ways)
-    room = _room_mm(spec, ways, depth, radius)
+    depth = core_depth_mm(spec, ways)
+    room = room_mm(spec, ways, depth, radius)
     length = np.linalg.norm(ways.start_mm - ways.end_mm, axis=1) - depth
-    fits = (depth > 0) & (length > radius) & _foot_on_a_face(spec, ways, depth, radius)
+    fits = (depth > 0) & (length > radius) & foot_on_a_face(spec, ways, depth, radius)
     room[~fits] = -np.inf
     best = int(np.argmax(room.round(3)))
     if not room[best] > 0:
         return ()
-    frame = _flat_frame(int(ways.face[best]), ways.start_mm[best], ways.way[best])
+    frame = flat_frame(int(ways.face[best]), ways.start_mm[best], ways.way[best])
     xy = ways.xy_mm[best]
     place = (float(xy[0]), float(xy[1]))
     return (
@@ -124,16 +124,16 @@ def _sockets(spec: ObjectSpec, others: tuple[np.ndarray, ...]) -> tuple[Socket, 
     )
 
 
-def _ways(spec: ObjectSpec) -> _Ways:
+def ways_to_wires(spec: ObjectSpec) -> Ways:
     """From places of all faces to where wire holes meet or pass, as square to the surface as can be."""
-    targets, axes = _targets(spec)
-    kept: list[_Ways] = []
+    targets, axes = wire_targets(spec)
+    kept: list[Ways] = []
     for number in body_of(spec).faces:
         try:
             frame = body_of(spec).frame(number)
         except InputError:
             continue
-        xy = _places(frame)
+        xy = places_on(frame)
         start, normal = frame.to_object(np.column_stack([xy, 0 * xy[:, 0]])), frame.axes_at(xy)
         way = start[:, None] - targets
         way = way / np.linalg.norm(way, axis=2, keepdims=True)
@@ -145,16 +145,16 @@ def _ways(spec: ObjectSpec) -> _Ways:
         best = np.argmax(rise.round(9), axis=1)
         row = np.arange(len(xy))
         lean = np.arccos(np.clip(rise[row, best], -1, 1))
-        ways = _Ways(np.full(len(xy), number), xy, start, way[row, best], targets[best], lean)
+        ways = Ways(np.full(len(xy), number), xy, start, way[row, best], targets[best], lean)
         kept.append(ways.of(lean < np.deg2rad(_STEEPEST_DEG)))
     if not kept:
         empty = np.zeros((0, 3))
-        return _Ways(np.zeros(0, int), empty[:, :2], empty, empty, empty, empty[:, 0])
+        return Ways(np.zeros(0, int), empty[:, :2], empty, empty, empty, empty[:, 0])
     columns = zip(*(vars(ways).values() for ways in kept), strict=True)
-    return _Ways(*(np.concatenate(column) for column in columns))
+    return Ways(*(np.concatenate(column) for column in columns))
 
 
-def _places(frame: FaceFrame) -> Float[np.ndarray, "place 2"]:
+def places_on(frame: FaceFrame) -> Float[np.ndarray, "place 2"]:
     """A lattice over the face, its middle included, less its border."""
     share = np.linspace(-0.95, 0.95, 2 * _FINEST + 1)
     x, y = np.meshgrid(share, share, indexing="ij")
@@ -164,7 +164,7 @@ def _places(frame: FaceFrame) -> Float[np.ndarray, "place 2"]:
     return places[nearest_first]
 
 
-def _targets(spec: ObjectSpec) -> tuple[np.ndarray, np.ndarray]:
+def wire_targets(spec: ObjectSpec) -> tuple[np.ndarray, np.ndarray]:
     """Points on the axes of the wire holes, the body's middle first, and axes that pass each, as unit
     vectors (zeros where fewer pass)."""
     frames = core_frames(spec)
@@ -179,8 +179,8 @@ def _targets(spec: ObjectSpec) -> tuple[np.ndarray, np.ndarray]:
     return np.array(points), passing
 
 
-def _foot_on_a_face(
-    spec: ObjectSpec, ways: _Ways, depth_mm: np.ndarray, radius_mm: float
+def foot_on_a_face(
+    spec: ObjectSpec, ways: Ways, depth_mm: np.ndarray, radius_mm: float
 ) -> Bool[np.ndarray, "way"]:
     """Where the core's surface is nowhere deeper along a pin's rim than the lean makes it, nor than solids
     cut: a pin that meets an edge of the core goes on beside it."""
@@ -193,11 +193,11 @@ def _foot_on_a_face(
         aside = np.cos(angle) * side + np.sin(angle) * np.cross(ways.way, side)
         shift = radius_mm * aside
         rim = replace(ways, start_mm=ways.start_mm + shift, end_mm=ways.end_mm + shift)
-        fits &= _core_depth_mm(spec, rim) <= most
+        fits &= core_depth_mm(spec, rim) <= most
     return fits
 
 
-def _core_depth_mm(spec: ObjectSpec, ways: _Ways) -> Float[np.ndarray, "way"]:
+def core_depth_mm(spec: ObjectSpec, ways: Ways) -> Float[np.ndarray, "way"]:
     """From the body's surface to the core's along each way, by halving."""
     body = body_of(spec)
     low = np.zeros(len(ways.way))
@@ -209,12 +209,12 @@ def _core_depth_mm(spec: ObjectSpec, ways: _Ways) -> Float[np.ndarray, "way"]:
     return (low + high) / 2
 
 
-def _room_mm(
-    spec: ObjectSpec, ways: _Ways, depth_mm: np.ndarray, radius_mm: float
+def room_mm(
+    spec: ObjectSpec, ways: Ways, depth_mm: np.ndarray, radius_mm: float
 ) -> Float[np.ndarray, "way"]:
     """Silicone left beside each pin beyond the least, less what speaks against the place; −∞: no room."""
     share = np.linspace(0, 1, _STEPS)
-    reach = spec.mould.wall_mm + _OUT_MM
+    reach = spec.mould.wall_mm + OUT_MM
     outer = ways.at(-depth_mm[:, None] + share * (depth_mm + reach)[:, None])
     length = np.linalg.norm(ways.start_mm - ways.end_mm, axis=1) - depth_mm
     within = ways.at(-depth_mm[:, None] - share * length[:, None])
@@ -223,7 +223,7 @@ def _room_mm(
         for pocket in pockets:
             ends = axis_in_object_mm(frame, pocket)
             along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
-            away = _from_segment_mm(outer, np.stack([ends[0], ends[1] + reach * along]))
+            away = from_segment_mm(outer, np.stack([ends[0], ends[1] + reach * along]))
             room = np.minimum(room, away - pocket.outline.radius_mm - radius_mm - CLEAR_MM)
     for block in (*relief_slits(spec), *core_keys(spec)):
         room = np.minimum(room, block.distance_mm(outer).min(axis=1) - radius_mm - CLEAR_MM)
@@ -233,21 +233,21 @@ def _room_mm(
     for frame, pockets in zip(core_frames(spec), core_pockets(spec), strict=True):
         for pocket in pockets:
             ends = axis_in_object_mm(frame, pocket)
-            clear = _from_segment_mm(within, ends) - pocket.outline.radius_mm > radius_mm + wall
+            clear = from_segment_mm(within, ends) - pocket.outline.radius_mm > radius_mm + wall
             room = np.where(clear, room, -np.inf)
     core = ways.at(-depth_mm[:, None])[:, 0]
     for frame in core_frames(spec):
         hole = passage_radius_mm(spec)
         away = np.linalg.norm(core - frame.centre_mm, axis=1)
         room = np.where(away > radius_mm + hole + wall, room, -np.inf)
-    room = np.where(_off_pour(spec, ways, radius_mm), room, -np.inf)
+    room = np.where(off_pour(spec, ways, radius_mm), room, -np.inf)
     plane = parting(spec)
     aside = abs(ways.start_mm @ plane.normal - plane.offset_mm) - radius_mm
     seam = np.clip(1 - aside / _SEAM_MM, 0, None)
     return room - 0.3 * seam - 0.5 * ways.lean
 
 
-def _off_pour(spec: ObjectSpec, ways: _Ways, radius_mm: float) -> np.ndarray:
+def off_pour(spec: ObjectSpec, ways: Ways, radius_mm: float) -> np.ndarray:
     """Clear of the pouring hole, which is where a closed mould's corner is highest."""
     needed = radius_mm + spec.mould.pour_mm / 2 + 2 * spec.mould.wall_mm
     high = ways.start_mm @ up(spec)
@@ -257,14 +257,14 @@ def _off_pour(spec: ObjectSpec, ways: _Ways, radius_mm: float) -> np.ndarray:
     return (np.linalg.norm(across - top, axis=1) > needed) | (high < corner / 2)
 
 
-def _from_segment_mm(points_mm: np.ndarray, ends_mm: np.ndarray) -> Float[np.ndarray, "way"]:
+def from_segment_mm(points_mm: np.ndarray, ends_mm: np.ndarray) -> Float[np.ndarray, "way"]:
     """Least distance of each way's points (way, step, 3) from a straight piece."""
     along = ends_mm[1] - ends_mm[0]
     share = np.clip((points_mm - ends_mm[0]) @ along / (along @ along), 0, 1)
     return np.linalg.norm(points_mm - ends_mm[0] - share[..., None] * along, axis=2).min(axis=1)
 
 
-def _flat_frame(face: int, centre_mm: np.ndarray, way: np.ndarray) -> FaceFrame:
+def flat_frame(face: int, centre_mm: np.ndarray, way: np.ndarray) -> FaceFrame:
     side = np.eye(3)[int(abs(way).argmin())]
     x = np.cross(side, way)
     x = x / np.linalg.norm(x)

@@ -24,7 +24,7 @@ def stl_tip_vertices_mm(path: Path) -> tuple[tuple[float, float, float], ...]:
         The file cannot be read, is no closed surface, is not convex to 0.1 % of its volume, or has
         more than 5000 corners.
     """
-    body = _read(path)
+    body = read_stl_tip(path)
     if not body.is_watertight or body.volume <= 0:
         raise InputError(
             f"indenter.file {path}: the surface is not closed with its normals outward. Fix the STL"
@@ -43,7 +43,7 @@ def stl_tip_vertices_mm(path: Path) -> tuple[tuple[float, float, float], ...]:
     return tuple((x, y, z) for x, y, z in hull.vertices.round(6).tolist())
 
 
-def _read(path: Path) -> Trimesh:
+def read_stl_tip(path: Path) -> Trimesh:
     from trimesh import Trimesh
 
     missing = f"no indenter.file at {path}. Give the path from the specification's folder"

@@ -87,7 +87,7 @@ def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
     for longer in (*LONGER_MM, 0.0):
         low = bottom - longer
         found = [
-            Flange(*end, low, top, _notches(spec, pins, *end, low, top), level)
+            Flange(*end, low, top, notches_of(spec, pins, *end, low, top), level)
             for end, level in zip(ends, pierced, strict=True)
         ]
         if all(len(flange.places_mm) == len(PLACES) for flange in found):
@@ -103,7 +103,7 @@ def roots_mm(spec: ObjectSpec) -> tuple[float, float]:
     return max(left), min(right)
 
 
-def _notches(
+def notches_of(
     spec: ObjectSpec, pins: tuple[Pin, ...], low: float, high: float, bottom: float, top: float
 ) -> tuple[tuple[float, float], ...]:
     """Stretches through which pins are drawn, joined where too little is between or beyond them.
@@ -111,7 +111,7 @@ def _notches(
     What is below a notch hangs on the block: with too little of it beside the block it is cut away too.
     """
     block = float(mould_frame(spec).low_mm[2])
-    found = [_levels(spec, pin, low, high) for pin in pins]
+    found = [pierced_levels(spec, pin, low, high) for pin in pins]
     through = [levels for levels in found if levels is not None]
     merged: list[tuple[float, float]] = []
     for start, end in sorted(pair for pair in through if pair[1] > bottom and pair[0] < top):
@@ -135,7 +135,9 @@ def _pierced_mm(spec: ObjectSpec, low: float, high: float) -> float:
     return min((levels[0] for levels in found if levels is not None), default=np.inf)
 
 
-def _levels(spec: ObjectSpec, pin: Pin, low: float, high: float) -> tuple[float, float] | None:
+def pierced_levels(
+    spec: ObjectSpec, pin: Pin, low: float, high: float
+) -> tuple[float, float] | None:
     """Between which levels a pin's head is drawn through a flange; None where it passes by."""
     radius = pin.radius_mm + pin.rim_mm + spec.printer.clearance_mm
     return _levels_of_path(spec, pin.head_axis_mm[0], pin.way, radius, low, high)

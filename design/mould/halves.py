@@ -85,9 +85,9 @@ def make_seal_half(spec: ObjectSpec, side: int) -> Solid:
 def _half(spec: ObjectSpec, side: int, room: Shape, walled: Shape, holes: list[cq.Solid]) -> Shape:
     """Walls and flanges on one side of the parting plane, less holes, with the fins of slits."""
     ends = flanges(spec)
-    outer = join(walled, cut(_flange(spec, *ends), room))
+    outer = join(walled, cut(flange_solid(spec, *ends), room))
     half_space, fins = _half_space(spec, side), fins_to_walls(spec)
-    half = cut(common(outer, half_space), *holes, *_bolt_holes(spec, *ends))
+    half = cut(common(outer, half_space), *holes, *bolt_holes(spec, *ends))
     half = pieces_that_meet(half, block(spec))  # holes may cut off an end of a flange
     half = without_offcuts(half, _OFFCUT)  # or a sliver between them
     return join(half, *(common(fin, half_space) for fin in fins))  # whole: vents may meet them
@@ -95,7 +95,7 @@ def _half(spec: ObjectSpec, side: int, room: Shape, walled: Shape, holes: list[c
 
 def _with_dowels(spec: ObjectSpec, side: int, half: Shape) -> Shape:
     grown, ends = 0.0 if side > 0 else spec.printer.clearance_mm, flanges(spec)
-    dowels = [_dowel(spec, *place, grown) for end in ends for place in end.places_mm[::2]]
+    dowels = [dowel_solid(spec, *place, grown) for end in ends for place in end.places_mm[::2]]
     return join(half, *dowels) if side > 0 else cut(half, *dowels)
 
 
@@ -119,7 +119,7 @@ def _in_plane(spec: ObjectSpec, low: list[float], high: list[float]) -> cq.Solid
     return box_between(low, high).moved(cq.Location(_parting_plane(spec)))
 
 
-def _flange(spec: ObjectSpec, first: Flange, second: Flange) -> Shape:
+def flange_solid(spec: ObjectSpec, first: Flange, second: Flange) -> Shape:
     """Both halves' flanges along the seam, notched for pins; below the block there are two strips."""
     thick, block = FLANGE_THICKNESS_MM, float(mould_frame(spec).low_mm[2])
     slab = _in_plane(spec, [first.low_mm, block, -thick], [second.high_mm, first.top_mm, thick])
@@ -146,7 +146,7 @@ def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
     return _in_plane(spec, [-reach, -reach, low], [reach, reach, high])
 
 
-def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Shape:
+def dowel_solid(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Shape:
     """Cone from half A into half B, tapered by the draft."""
     root, height = DOWEL_DIAMETER_MM / 2 + grow_mm, DOWEL_HEIGHT_MM + grow_mm
     tip = root - height * float(np.tan(np.deg2rad(DOWEL_DRAFT_DEG)))
@@ -155,7 +155,7 @@ def _dowel(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Sha
     return stem.fuse(cone).moved(cq.Location(_parting_plane(spec)))
 
 
-def _bolt_holes(spec: ObjectSpec, *ends: Flange) -> list[cq.Solid]:
+def bolt_holes(spec: ObjectSpec, *ends: Flange) -> list[cq.Solid]:
     long, along = 2 * FLANGE_THICKNESS_MM + 2 * OVERSHOOT_MM, cq.Vector(0, 0, 1)
     return [
         cq.Solid.makeCylinder(

@@ -110,12 +110,12 @@ def _vents_of(
     """One for every high point, each beside pouring holes and the vents before it."""
     found = list[Hole]()
     for trap in air_traps(spec, silicone, pour):
-        vent = _vent(spec, silicone, pins, trap, [*pour, *found])
+        vent = vent_for(spec, silicone, pins, trap, [*pour, *found])
         found += [] if vent is None else [vent]
     return found
 
 
-def _vent(
+def vent_for(
     spec: ObjectSpec,
     shell: trimesh.Trimesh,
     pins: tuple[Pin, ...],

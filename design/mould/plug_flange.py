@@ -37,12 +37,12 @@ def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
     frame, play = mould_frame(spec), spec.printer.clearance_mm
     left, right = flange_span_mm(spec)
     wall = float(frame.high_mm[1])
-    (start, end), inner = clip_mm(spec), _inner_mm(frame)
+    (start, end), inner = clip_mm(spec), grip_half_mm(frame)
     bridge = wall - spec.mould.wall_mm - play
     rim, seat, top = frame.rim_mm + np.array([0.0, SEAT_MM, FLANGE_HEIGHT_MM])
     solids: list[cq.Shape] = [
         _box(frame, (left, right), (-bridge, bridge), (rim, seat)),
-        _grip(frame, (left, right), inner, (seat, top)),
+        grip_solid(frame, (left, right), inner, (seat, top)),
     ]
     for side in (1, -1):
         clip = sorted((side * start, side * end))
@@ -75,13 +75,13 @@ def tabs(spec: ObjectSpec) -> list[cq.Solid]:
     return solids
 
 
-def _inner_mm(frame: MouldFrame) -> float:
+def grip_half_mm(frame: MouldFrame) -> float:
     """Half the length of the grip between the blocks; 0 where the blocks meet."""
     inner = float(frame.high_mm[1]) + CLIP_MM - BLOCK_MM
     return inner if inner > CHAMFER_MM + OVERSHOOT_MM else 0.0
 
 
-def _grip(
+def grip_solid(
     frame: MouldFrame,
     across_mm: tuple[float, float],
     inner_mm: float,
@@ -101,11 +101,11 @@ def _grip(
         foot, ridge = (
             frame.axes @ np.array(p) for p in ((edge, 0.0, seat), (middle, 0.0, seat + rise))
         )
-        cutters.append(common(_over_slope(frame, foot, ridge, inner_mm), room))
+        cutters.append(common(over_slope(frame, foot, ridge, inner_mm), room))
     return whole.cut(*cutters)
 
 
-def _over_slope(
+def over_slope(
     frame: MouldFrame, foot_mm: np.ndarray, ridge_mm: np.ndarray, inner_mm: float
 ) -> cq.Solid:
     """All above the plane through foot and ridge, between the blocks, but for the chamfers."""

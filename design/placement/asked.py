@@ -79,7 +79,7 @@ def _too_small(request: Request) -> str:
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
     rough = rough_patches(spec_of(bare_tables(request, request.thinnest)))
-    ways = [*rough, *_larger(request), *_on_base(request), *_fewer(request)]
+    ways = [*rough, *_larger(request), *on_base(request), *_fewer(request)]
     if not ways:
         longest = max(request.size_mm)
         growth = _most_growth(longest)
@@ -92,9 +92,9 @@ def _larger(request: Request) -> Iterator[str]:
     """Sizes that work: of that shape, unless its mould is larger than the bed and another helps, and where
     that helps with the short edges longer alone."""
     flat = min(request.size_mm) < max(request.size_mm) and not request.file
-    thicker = _smallest(request, min(request.size_mm), _thickened) if flat else None
+    thicker = smallest_working(request, min(request.size_mm), thickened_request) if flat else None
     most = _LARGEST_GROWTH if thicker is None else _LARGEST_BESIDE
-    whole = _smallest(request, max(request.size_mm), _grown, most)
+    whole = smallest_working(request, max(request.size_mm), grown_request, most)
     if whole is not None and (thicker is None or max(whole.size_mm) <= most_printed_mm()):
         scale = f" (scale = {dict(whole.file)['scale']:.4g})" if whole.file else ""
         yield f"The smallest of that shape that works is about {_told(whole)}{scale}"
@@ -116,7 +116,7 @@ def _told(request: Request) -> str:
     return f"{size} mm{sensed * bool(faces)}"
 
 
-def _smallest(
+def smallest_working(
     request: Request,
     edge_mm: float,
     grown: Callable[[Request, float], Request],
@@ -158,7 +158,7 @@ def _is_placed(request: Request) -> bool:
     return next(fitting(request, trims_of(request), SHARES), None) is not None
 
 
-def _on_base(request: Request) -> Iterator[str]:
+def on_base(request: Request) -> Iterator[str]:
     """A plate whose core has no room for its walls, as a slab on a rigid base."""
     x, y, z = request.size_mm
     plate = KINDS[request.kind].cuboid and z <= _PLATE * min(x, y)
@@ -190,7 +190,7 @@ def _fitting_roughly(request: Request) -> Request | None:
     return fewer if faces and fits_roughly(fewer) else None
 
 
-def _grown(request: Request, growth: float) -> Request:
+def grown_request(request: Request, growth: float) -> Request:
     """By half millimetres; a file's body by a scale of four digits, of which its size follows."""
     if not request.file:
         x, y, z = (float(np.ceil(2 * growth * edge)) / 2 for edge in request.size_mm)
@@ -203,7 +203,7 @@ def _grown(request: Request, growth: float) -> Request:
     return replace(request, size_mm=(x, y, z), file=tuple((file | {"scale": scale}).items()))
 
 
-def _thickened(request: Request, growth: float) -> Request:
+def thickened_request(request: Request, growth: float) -> Request:
     floor = float(np.ceil(2 * growth * min(request.size_mm))) / 2
     x, y, z = (max(edge, floor) for edge in request.size_mm)
     return replace(request, size_mm=(x, y, z))

@@ -119,10 +119,10 @@ def _needed_mm(request: Request) -> float:
     alike = Request(
         request.kind, (x, y, z), file=tuple((file | {"scale": round(scale, 9)}).items())
     )
-    return _SPARE * _least_hooked_mm(alike) * longest / _LOOKED_AT_MM / YIELD_SHARE
+    return _SPARE * least_hooked_mm(alike) * longest / _LOOKED_AT_MM / YIELD_SHARE
 
 
 @lru_cache(maxsize=16)
-def _least_hooked_mm(request: Request) -> float:
+def least_hooked_mm(request: Request) -> float:
     """How deep halves hook the body at the best azimuth."""
     return min(hooked_by_azimuth_mm(bare_tables(request, TRIMS[-1])).values())

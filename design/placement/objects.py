@@ -84,7 +84,7 @@ TRIMS = (
     Trim(5.0, 4.0, 2.5),
 )
 _TIP_RADII_MM = (5.0, 4.0, 3.0, 2.0)
-_PITCHES_MM = (3.0, 2.5, 2.0, 1.5, 1.0)
+PITCHES_MM = (3.0, 2.5, 2.0, 1.5, 1.0)
 _LEAST_PLACES = 16
 """Contact locations of every face."""
 
@@ -167,7 +167,7 @@ def _of_shells(
     for trim in trims:
         tables = _with_sensors(request, trim, shares)
         tables = tables and next(_with_magnets(request, tables, shares, counts), None)
-        tables = tables and _with_contacts(tables)
+        tables = tables and with_contacts(tables)
         if tables:
             yield tables
 
@@ -261,13 +261,13 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
     if min(min(half) for half in halves) <= 0:
         return None
     for patterns in sensor_patterns(request.sensors):
-        found = _with_patterns(request, body, halves, [*product(shares, patterns)])
+        found = with_patterns(request, body, halves, [*product(shares, patterns)])
         if found is not None:
             return found
     return None
 
 
-def _with_patterns(
+def with_patterns(
     request: Request,
     body: Tables,
     halves: list[np.ndarray],
@@ -276,13 +276,13 @@ def _with_patterns(
     """The first share and pattern that fit; if need be one whose recesses end in the core's slope."""
     on_slopes = []
     for share, pattern in tried:
-        tables = body | _electronics(
+        tables = body | electronics_tables(
             request, [share * half * along_longer_side(pattern, half) for half in halves]
         )
         spec = spec_of(tables)
         if tight_middle(spec) or tight_core(spec, sunk=False):
             continue
-        wall = _wall_mm(spec)
+        wall = wall_mm(spec)
         if wall is None or tight_core(spec) or tight_rim(spec) or thin_beside_wire_hole(spec):
             continue
         tables["core"]["wall_mm"] = wall
@@ -310,11 +310,11 @@ def _bore_mm(spec: ObjectSpec) -> float | None:
     return None
 
 
-def _electronics(request: Request, faces: list[Shares]) -> Tables:
+def electronics_tables(request: Request, faces: list[Shares]) -> Tables:
     """Recesses about the boards' middles, sensors in them, and holes for their wires (mm)."""
-    places = [_rounded(face) for face in faces]
+    places = [rounded_places(face) for face in faces]
     radius = round(max(3.5, min(hypot(*xy) for face in places for xy in face)), 2)
-    hole = _hole_mm(request.sensors)
+    hole = hole_mm(request.sensors)
     core = {
         "recess_inner_radius_mm": round(radius - _HALF_RECESS_MM, 2),
         "recess_outer_radius_mm": round(radius + _HALF_RECESS_MM, 2),
@@ -330,12 +330,12 @@ def _electronics(request: Request, faces: list[Shares]) -> Tables:
     return {"core": core, "sensors": sensors}
 
 
-def _hole_mm(sensors: int) -> float:
+def hole_mm(sensors: int) -> float:
     bundle = wire_bundle_mm(spec_of({"sensors": {"count_per_face": sensors}}))
     return max(2.0, float(np.ceil(2.2 * bundle)) / 2)
 
 
-def _wall_mm(spec: ObjectSpec) -> float | None:
+def wall_mm(spec: ObjectSpec) -> float | None:
     """Core wall that leaves a floor behind the deepest recess; None where a board finds no room."""
     room, _ = body_of(spec).room_for_recesses
     deepest = spec.core.recess_depth_mm + float(np.max(board_sinks_mm(spec)))
@@ -344,7 +344,7 @@ def _wall_mm(spec: ObjectSpec) -> float | None:
     return max(4.0, float(np.ceil(2 * (deepest + _FLOOR_MM))) / 2)
 
 
-_HARD_TO_MAKE = (tight_marks, narrow_heads)
+HARD_TO_MAKE = (tight_marks, narrow_heads)
 """What other patterns of magnets are tried against."""
 
 
@@ -369,7 +369,7 @@ def _with_magnets(
         spare = []
         for _, magnets, spec in sorted(tried, key=lambda one: one[0]):
             if fits(spec, mould=False) and not tight_shell(spec) and can_be_moulded(spec):
-                if any(hard(spec) for hard in _HARD_TO_MAKE):
+                if any(hard(spec) for hard in HARD_TO_MAKE):
                     spare.append(tables | {"magnets": magnets})
                 else:
                     yield tables | {"magnets": magnets}
@@ -384,7 +384,7 @@ def relaid(
     trim = Trim(**tables["shell"])
     bare = bare_tables(request, trim) | {key: tables[key] for key in ("body", "core", "sensors")}
     for other in _with_magnets(request, bare, shares, (count,)):
-        found = None if other["magnets"] == tables["magnets"] else _with_contacts(other)
+        found = None if other["magnets"] == tables["magnets"] else with_contacts(other)
         if found is not None:
             yield found
 
@@ -395,16 +395,16 @@ def _different_places(
     """Of every pattern, share and spread; once those that come out alike, as one in the middle does."""
     found = list[list[Any]]()
     for pattern, share, spread in product(magnet_patterns(count), shares, spreads):
-        places = _per_face([_rounded(share * half * pattern) for half in spread])
+        places = _per_face([rounded_places(share * half * pattern) for half in spread])
         if places not in found:
             found.append(places)
     return found
 
 
-def _with_contacts(tables: Tables) -> Tables | None:
+def with_contacts(tables: Tables) -> Tables | None:
     """The widest tip, and the coarsest pitch that leaves every face a few contact locations."""
     deepest = tables["shell"]["thickness_mm"] / 2
-    for radius, pitch in product(_TIP_RADII_MM, _pitches_mm(spec_of(tables))):
+    for radius, pitch in product(_TIP_RADII_MM, pitches_mm(spec_of(tables))):
         more = {
             "indenter": {"radius_mm": radius},
             "contact_grid": {"count": "fill", "pitch_mm": pitch},
@@ -416,11 +416,11 @@ def _with_contacts(tables: Tables) -> Tables | None:
     return None
 
 
-def _pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
+def pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
     """Coarser ones where a lattice may not have as many locations as the largest face would take."""
     widest = 2 * float(np.max([abs(frame.lengths_mm) for frame in face_frames(spec)]))
     least = widest / MOST_COUNT
-    return _PITCHES_MM if least < _PITCHES_MM[0] else (float(np.ceil(least)),)
+    return PITCHES_MM if least < PITCHES_MM[0] else (float(np.ceil(least)),)
 
 
 def _per_face(places: list[list[list[float]]]) -> list[Any]:
@@ -428,5 +428,5 @@ def _per_face(places: list[list[list[float]]]) -> list[Any]:
     return places[0] if all(face == places[0] for face in places) else places
 
 
-def _rounded(places_mm: Shares) -> list[list[float]]:
+def rounded_places(places_mm: Shares) -> list[list[float]]:
     return [[round(float(x), 2) + 0.0 for x in xy] for xy in places_mm]

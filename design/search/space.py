@@ -169,7 +169,7 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
             for k, (x, y) in enumerate(of_part, start=1):
                 found |= {f"{label}{part}{k}_x_mm": x, f"{label}{part}{k}_y_mm": y}
     for variable in space.variables:
-        found.setdefault(variable.name, _middle(variable))  # of parts that the start lacks
+        found.setdefault(variable.name, middle_value(variable))  # of parts that the start lacks
     if not all(_holds(v, found[v.name]) for v in space.variables):
         return None
     return {v.name: found[v.name] for v in space.variables}
@@ -179,7 +179,7 @@ def _depths(spec: ObjectSpec) -> list[float]:
     return [-float(body.centre_mm[2]) for body in magnet_bodies(spec)[0]]
 
 
-def _middle(variable: Variable) -> Any:
+def middle_value(variable: Variable) -> Any:
     return variable.choices[0] if variable.choices else (variable.low + variable.high) / 2
 
 

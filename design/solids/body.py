@@ -165,7 +165,7 @@ def _cylinder_core(body: Cylinder) -> cq.Solid:
     return rod_about_z(float(radius), float(-half), float(half))
 
 
-def _cylinder_room(body: Cylinder, wall_mm: float) -> cq.Solid | None:
+def cylinder_room(body: Cylinder, wall_mm: float) -> cq.Solid | None:
     half = body.core_half_mm - wall_mm
     if half.min() <= 0:
         return None
@@ -187,7 +187,7 @@ def _disk_added(body: Cylinder, room: Shape, frame: MouldFrame, layer_mm: float)
     return join(room, cq.Solid.makeCylinder(radius, 2 * OVERSHOOT_MM, cq.Vector(*start), out))
 
 
-def _sphere_room(body: Sphere, wall_mm: float) -> cq.Solid | None:
+def sphere_room(body: Sphere, wall_mm: float) -> cq.Solid | None:
     radius = body.core_radius_mm - wall_mm
     return _ball(radius) if radius > 0 else None
 
@@ -256,7 +256,7 @@ SOLIDS: dict[str, ExactSolids] = {
         outer=_cylinder,
         core=_cylinder_core,
         cavity=_cylinder_cavity,
-        room=_cylinder_room,
+        room=cylinder_room,
         drawn_out=_disk_added,
         cast=_cast_cylinder,
     ),
@@ -268,7 +268,7 @@ SOLIDS: dict[str, ExactSolids] = {
     "sphere": ExactSolids(
         outer=lambda body: _ball(body.radius_mm),
         core=lambda body: _ball(body.core_radius_mm),
-        room=_sphere_room,
+        room=sphere_room,
     ),
     "dome": ExactSolids(
         outer=_dome,

@@ -41,7 +41,7 @@ def make_core(spec: ObjectSpec) -> Solid:
             cutters += [_sensor_recess(spec, frame, place, sink) for place, sink in places]
             channels = wire_channels(spec, frame, [place for place, _ in places], OVERSHOOT_MM)
             cutters += [block_solid(channel) for channel in channels]
-        cutters += _wire_passage(spec, frame)
+        cutters += wire_passage(spec, frame)
     for frame, pockets in zip(frames, core_pockets(spec), strict=True):
         cutters += [pocket_solid(frame, pocket) for pocket in pockets]
     body = core_solid(spec)
@@ -96,7 +96,7 @@ def _sensor_recess(
     )
 
 
-def _wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
+def wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
     """Wire hole through the wall at the face centre, and the hub recess where it is wider."""
     core = spec.core
     radius = wire_hole_diameter_mm(spec, frame.number) / 2

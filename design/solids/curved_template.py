@@ -37,7 +37,7 @@ def curved_template_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
     """First face → the faces of its surface and pockets, which one template serves."""
     groups: list[tuple[np.ndarray, list[int]]] = []
     for frame, pockets in pockets_by_face(spec):
-        sheet = _lattice(frame, _FEW).share * _half_mm(frame, pockets)
+        sheet = _lattice(frame, _FEW).share * sheet_half_mm(frame, pockets)
         shape = np.concatenate([sheet, _centres(pockets)])
         alike = np.column_stack([shape, frame.relief.at(shape)[0]])
         for known, numbers in groups:
@@ -60,7 +60,7 @@ def make_curved_template(spec: ObjectSpec, face: int) -> trimesh.Trimesh:
     import trimesh
 
     frame, pockets = next(pair for pair in pockets_by_face(spec) if pair[0].number == face)
-    play, half = spec.printer.clearance_mm, _half_mm(frame, pockets)
+    play, half = spec.printer.clearance_mm, sheet_half_mm(frame, pockets)
     sheet = _sheet(frame, half, (play, play + PLATE_MM))
     tools = [_hole(frame, pocket, play) for pocket in pockets]
     places = mark_places(spec, pockets, half)
@@ -74,7 +74,7 @@ def make_curved_template(spec: ObjectSpec, face: int) -> trimesh.Trimesh:
     return one_closed_surface(part.apply_transform(turned), "magnet_template")
 
 
-def _half_mm(frame: FaceFrame, pockets: tuple[Pocket, ...]) -> tuple[float, float]:
+def sheet_half_mm(frame: FaceFrame, pockets: tuple[Pocket, ...]) -> tuple[float, float]:
     """Half extents of the sheet: the pockets and a rim, within the face."""
     far = np.max([pocket.reach_mm for pocket in pockets], axis=0)
     most = _WITHIN * np.asarray(frame.half_extents_mm)
@@ -92,10 +92,10 @@ class _Lattice:
 
 
 def _lattice(frame: FaceFrame, lines: int) -> _Lattice:
-    return _rings(lines) if frame.round else _rows(lines)
+    return ring_lattice(lines) if frame.round else row_lattice(lines)
 
 
-def _rows(lines: int) -> _Lattice:
+def row_lattice(lines: int) -> _Lattice:
     """A square lattice of an odd number of lines."""
     across, side = np.linspace(-1, 1, lines), np.arange(lines - 1)
     share = np.column_stack([part.ravel() for part in np.meshgrid(across, across)])
@@ -107,7 +107,7 @@ def _rows(lines: int) -> _Lattice:
     return _Lattice(share, np.vstack([first, second]), np.concatenate(ends))
 
 
-def _rings(lines: int) -> _Lattice:
+def ring_lattice(lines: int) -> _Lattice:
     """A place in the middle and rings about it."""
     rings, spokes = lines // 2, 2 * lines
     radius, angle = np.arange(1, rings + 1) / rings, 2 * np.pi * np.arange(spokes) / spokes

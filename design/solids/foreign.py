@@ -25,7 +25,7 @@ _NOTHING = np.empty((0, 3)), np.empty((0, 3), np.int64)
 """Vertices and triangles of what has no surface."""
 
 
-def _of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
+def solid_of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
     import trimesh
 
     surface = trimesh.load_mesh(path)
@@ -34,7 +34,7 @@ def _of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
     return np.asarray(surface.vertices), np.asarray(surface.faces)
 
 
-def _of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
+def solid_of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """By the kernel itself: CadQuery's import took 2.4 s more."""
     from OCP.BRepMesh import BRepMesh_IncrementalMesh
     from OCP.IFSelect import IFSelect_RetDone
@@ -99,7 +99,9 @@ def main(source: str, target: str) -> int:
     """Exit code: 0, or 1 with the reason on standard error."""
     path = Path(source)
     try:
-        vertices, triangles = (_of_step if path.suffix.lower() in STEP else _of_mesh)(path)
+        vertices, triangles = (solid_of_step if path.suffix.lower() in STEP else solid_of_mesh)(
+            path
+        )
     except Exception as error:  # readers raise whatever their parsers meet
         print(f"{type(error).__name__}: {error}".splitlines()[0][:200], file=sys.stderr)
         return 1

@@ -58,15 +58,15 @@ def make_jig(spec: ObjectSpec) -> Solid:
     top, half, body = _seat_mm(spec), _half_plate_mm(spec), body_of(spec)
     bottom = top - PLATE_MM - (_cup_mm(spec) if _in_cup(spec) else 0.0)
     plate = box_between((-half, -half, bottom), (half, half, top))
-    cutters: list[Shape] = [*_bolt_holes(half, top, top - bottom), *_marks(half, top)]
+    cutters: list[Shape] = [*bolt_holes(half, top, top - bottom), *axis_marks(half, top)]
     if body.opening == "bore":
         post, slot = _post_in_bore(spec, top)
-        plate, cutters = plate.fuse(post), [*cutters, slot, _channel(half, top)]
+        plate, cutters = plate.fuse(post), [*cutters, slot, channel_solid(half, top)]
     elif _on_post(spec):
-        post, passage = _post(spec, top)
-        plate, cutters = plate.fuse(post), [*cutters, passage, _channel(half, top)]
+        post, passage = core_post(spec, top)
+        plate, cutters = plate.fuse(post), [*cutters, passage, channel_solid(half, top)]
     else:
-        cutters.append(_cup(spec, top) if _in_cup(spec) else _recess(spec, top))
+        cutters.append(cup_solid(spec, top) if _in_cup(spec) else recess_solid(spec, top))
     return one_body(cut(plate, *cutters), "jig")
 
 
@@ -98,7 +98,7 @@ def _half_plate_mm(spec: ObjectSpec) -> float:
     return max(spec.body.size_mm[:2]) / 2 + MARGIN_MM
 
 
-def _post(spec: ObjectSpec, top: float) -> tuple[cq.Solid, cq.Solid]:
+def core_post(spec: ObjectSpec, top: float) -> tuple[cq.Solid, cq.Solid]:
     """Post that fills the core's cavity, and the passage through it (both mm)."""
     core = np.asarray(spec.core_size_mm)
     across = core[:2] / 2 - spec.core.wall_mm - spec.printer.clearance_mm
@@ -114,7 +114,7 @@ def _post(spec: ObjectSpec, top: float) -> tuple[cq.Solid, cq.Solid]:
 def _post_in_bore(spec: ObjectSpec, top: float) -> tuple[cq.Shape, cq.Solid]:
     """Post that carries the core on its outlet's flat, and the slot through it (both mm)."""
     outlet, play = core_outlet(spec), spec.printer.clearance_mm
-    seat = _flat_seat_mm(spec)
+    seat = flat_seat_mm(spec)
     rod = rod_about_z(spec.body.bore_mm / 2 - play, top - 1.0, seat)
     radius, past = outlet.radius_mm - play, 2 * spec.body.bore_mm
     nose = rod_about_z(radius, seat - 1.0, outlet.nose_mm)
@@ -125,7 +125,7 @@ def _post_in_bore(spec: ObjectSpec, top: float) -> tuple[cq.Shape, cq.Solid]:
     return rod.fuse(nose).cut(box_between(*beyond)), slot
 
 
-def _flat_seat_mm(spec: ObjectSpec) -> float:
+def flat_seat_mm(spec: ObjectSpec) -> float:
     """Level below all of the core that stands over the post, beside its outlet: on a body that leans or is
     lopsided the core is lowest anywhere there, not at the flat's middle."""
     outlet, body = core_outlet(spec), body_of(spec)
@@ -148,7 +148,7 @@ def _flat_seat_mm(spec: ObjectSpec) -> float:
     return float(levels[max(int(np.argmax(inside)) - 1, 0)])
 
 
-def _recess(spec: ObjectSpec, top: float) -> cq.Solid:
+def recess_solid(spec: ObjectSpec, top: float) -> cq.Solid:
     """Room for the lowest few millimetres of a body without a cavity for a post."""
     play, body = spec.printer.clearance_mm, body_of(spec)
     if body.round_below:
@@ -158,7 +158,7 @@ def _recess(spec: ObjectSpec, top: float) -> cq.Solid:
     return box_between(low, (box.xmax + play, box.ymax + play, top + OVERSHOOT_MM))
 
 
-def _cup(spec: ObjectSpec, top: float) -> trimesh.Trimesh:
+def cup_solid(spec: ObjectSpec, top: float) -> trimesh.Trimesh:
     """Room for the lower end of a round body, with play, open upwards whatever its shape."""
     import trimesh
 
@@ -170,7 +170,7 @@ def _cup(spec: ObjectSpec, top: float) -> trimesh.Trimesh:
     return trimesh.convex.convex_hull(np.vstack([below, below + 2 * _cup_mm(spec) * _UP]))
 
 
-def _channel(half: float, top: float) -> cq.Solid:
+def channel_solid(half: float, top: float) -> cq.Solid:
     """Under the plate, from its middle to the edge at −y."""
     width, depth = WIRE_CHANNEL_MM
     bottom = top - PLATE_MM
@@ -178,7 +178,7 @@ def _channel(half: float, top: float) -> cq.Solid:
     return box_between(low, (width / 2, 0.0, bottom + depth))
 
 
-def _bolt_holes(half: float, top: float, thick: float) -> list[cq.Solid]:
+def bolt_holes(half: float, top: float, thick: float) -> list[cq.Solid]:
     at, length = half - BOLT_INSET_MM, thick + 2 * OVERSHOOT_MM
     return [
         cq.Solid.makeCylinder(
@@ -189,7 +189,7 @@ def _bolt_holes(half: float, top: float, thick: float) -> list[cq.Solid]:
     ]
 
 
-def _marks(half: float, top: float) -> list[cq.Solid]:
+def axis_marks(half: float, top: float) -> list[cq.Solid]:
     """Grooves in the plate's top along x and y, from its edges to near the body."""
     width, depth = MARK_MM
     inner, outer = half - MARGIN_MM + 2.0, half + OVERSHOOT_MM

@@ -51,21 +51,21 @@ def make_magnet_template(spec: ObjectSpec, face: int) -> cq.Solid:
         box_between((-half[0] - play - lip, -half[1] - play - lip, -drop), (-half[0] - play, *_end(half))),
         box_between((-half[0] - play - lip, -half[1] - play - lip, -drop), (half[0], -half[1] - play, 1.0)),
     ]  # fmt: skip
-    holes = [_hole(pocket, play) for pocket in pockets]
+    holes = [hole_solid(pocket, play) for pocket in pockets]
     places = mark_places(spec, pockets, half)
     marks = [
         bar
         for place, polarity in zip(places, spec.magnets.polarities, strict=True)
         for bar in _mark(place, polarity)
     ]
-    return single_solid(body.fuse(*lips).cut(*holes, *marks, _corner(half)), "magnet_template")
+    return single_solid(body.fuse(*lips).cut(*holes, *marks, corner_cut(half)), "magnet_template")
 
 
 def _end(half: tuple[float, float]) -> tuple[float, float]:
     return half[1], 1.0
 
 
-def _hole(pocket: Pocket, play: float) -> cq.Solid:
+def hole_solid(pocket: Pocket, play: float) -> cq.Solid:
     x, y = hole_centre_mm(pocket)
     half = [edge + play for edge in pocket.outline.half_mm]
     height = PLATE_MM + 2 * OVERSHOOT_MM
@@ -83,7 +83,7 @@ def _mark(place: np.ndarray, polarity: int) -> list[cq.Solid]:
     return [box_between((x - a, y - b, low), (x + a, y + b, high)) for a, b in bars(polarity)]
 
 
-def _corner(half: tuple[float, float]) -> cq.Solid:
+def corner_cut(half: tuple[float, float]) -> cq.Solid:
     """Triangle at +x, +y."""
     x, y = half[0] + OVERSHOOT_MM, half[1] + OVERSHOOT_MM
     reach = CORNER_MM + 2 * OVERSHOOT_MM

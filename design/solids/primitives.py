@@ -163,7 +163,7 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
     NotOneSolid
         An InputError: the dimensions leave several pieces, or a body that is not valid.
     """
-    merged = _merged(shape)
+    merged = merged_faces(shape)
     valid = merged.isValid()  # takes as long as an operation
     if not (valid and _loose_mm(merged) <= _tight_mm(shape)) and shape.isValid():
         merged, valid = shape, True
@@ -191,7 +191,7 @@ def _tight_mm(shape: cq.Shape) -> float:
     return max(_LOOSE_MM, _loose_mm(shape))
 
 
-def _merged(shape: cq.Shape) -> cq.Shape:
+def merged_faces(shape: cq.Shape) -> cq.Shape:
     """With split faces merged, where the kernel can; of a copy, as it changes what it is given."""
     try:
         return shape.copy().clean()

@@ -88,7 +88,7 @@ def _cuboid(indenter: IndenterSpec) -> cq.Solid:
     return box.fillet(indenter.fillet_mm, sides)
 
 
-def _cylinder(indenter: IndenterSpec) -> cq.Solid:
+def cylinder_tip(indenter: IndenterSpec) -> cq.Solid:
     start = cq.Vector(-indenter.length_mm / 2, 0, 0)
     return cq.Solid.makeCylinder(indenter.radius_mm, indenter.length_mm, start, cq.Vector(1, 0, 0))
 
@@ -105,4 +105,4 @@ def _polyhedron(indenter: IndenterSpec) -> cq.Solid:
     return cq.Solid.makeSolid(cq.Shell.makeShell(faces)).fix()
 
 
-_SOLIDS = {"flat": _flat, "cuboid": _cuboid, "cylinder": _cylinder, "stl": _polyhedron}
+_SOLIDS = {"flat": _flat, "cuboid": _cuboid, "cylinder": cylinder_tip, "stl": _polyhedron}

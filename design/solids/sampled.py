@@ -83,7 +83,7 @@ def sampled_core_part(spec: ObjectSpec) -> trimesh.Trimesh:
         removed.append(_wire_hole(spec, frame))
     removed += [_socket(locator.socket) for locator in locators(spec) if locator.socket]
     if 6 in spec.body.opened:
-        removed.append(_hollow(spec))
+        removed.append(hollow_mesh(spec))
     return _one(keyed_core(spec), removed, "core")
 
 
@@ -103,7 +103,7 @@ def _socket(socket: Socket) -> trimesh.Trimesh:
     return trimesh.creation.cylinder(socket.radius_mm, segment=ends, sections=_SECTIONS)
 
 
-def _hollow(spec: ObjectSpec) -> trimesh.Trimesh:
+def hollow_mesh(spec: ObjectSpec) -> trimesh.Trimesh:
     """The core's cavity where there is room for one, and its outlet with a flat on one side."""
     import trimesh
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 Found = TypeVar("Found")
-_KEPT: dict[int, dict[str, Any]] = {}
+KEPT_RESULTS: dict[int, dict[str, Any]] = {}
 """By the identity of a living specification, then by function; hashing its content costs more than
 most of what is kept here."""
 _PLAIN = frozenset((float, np.float64, int, bool, str, type(None)))
@@ -43,10 +43,10 @@ def once(work_out: Callable[[ObjectSpec], Found]) -> Callable[[ObjectSpec], Foun
 
 def _results_of(spec: ObjectSpec) -> dict[str, Any]:
     key = id(spec)
-    if key not in _KEPT:
-        _KEPT[key] = {}
-        weakref.finalize(spec, _KEPT.pop, key, None)
-    return _KEPT[key]
+    if key not in KEPT_RESULTS:
+        KEPT_RESULTS[key] = {}
+        weakref.finalize(spec, KEPT_RESULTS.pop, key, None)
+    return KEPT_RESULTS[key]
 
 
 def read_only(found: Any) -> Any:

@@ -175,7 +175,7 @@ def _plan(spec: ObjectSpec, board: Board, lead_mm: float, way: str, buses: int) 
     load = load_cell_plan(spec.load_cell, board)
     free = replace(board, outputs=_without(board.outputs, load))
     chips = dealt(way, bare_chips(spec, lead_mm), free, buses)
-    _require_current(chips, chip, board, load)
+    require_current(chips, chip, board, load)
     reset = free.outputs[0] if chips[0].multiplexer is not None else None
     khz, capacitance, pullup = _clock(spec, board, chips)
     time, baud = _rate(spec, board, chip, chips, khz, load)
@@ -189,7 +189,7 @@ def _without(outputs: tuple[str, ...], load: LoadCellPlan | None) -> tuple[str, 
     return tuple(pin for pin in outputs if pin not in taken)
 
 
-def _require_current(
+def require_current(
     chips: Sequence[ChipOnBus], family: BusChip, board: Board, load: LoadCellPlan | None
 ) -> None:
     needed_ma = len(chips) * family.supply_ma

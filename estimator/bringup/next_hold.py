@@ -49,7 +49,7 @@ def next_hold(
     near = _nearest(spec, [h for h in every if h.name not in over], fit, int(np.nanargmax(wide)))
     if not near:
         return None
-    left = [_left_wide(fit, known + told) for told in _information(spec, problem, near)]
+    left = [_left_wide(fit, known + told) for told in information_of(spec, problem, near)]
     return near[int(np.argmin(left))]
 
 
@@ -74,7 +74,7 @@ def _left_wide(fit: Fitted, information: Float[np.ndarray, "own own"]) -> float:
     return float(np.nansum(intervals**4))
 
 
-def _information(
+def information_of(
     spec: ObjectSpec, problem: JointFit, holds: Sequence[Asked]
 ) -> Float[np.ndarray, "hold own own"]:
     """Of each hold by itself about the chips' matrices and seats, its own pose left unknown."""

@@ -104,16 +104,16 @@ def held_so_far(
     if STILL not in recordings or len(held) < LEAST_HOLDS:
         return None
     given = [recordings[asked.name] for asked in held]
-    still, drift_counts, share = _levels_without_magnet(spec, recordings, given)
+    still, drift_counts, share = levels_without_magnet(spec, recordings, given)
     if drift_followed:
         drift_counts = _BEYOND_LINEAR * spec.sensors.zeroing_counts
-    known = np.where(_silent(recordings), np.nan, 1.0)
+    known = np.where(silent_findings(recordings), np.nan, 1.0)
     counts = known * np.stack([recording.unsaturated(spec) for recording in given]) - still
     readings = held_readings(spec, counts, share, drift_counts)
     return readings, find_chips(spec, readings, [asked.part for asked in held])
 
 
-def _levels_without_magnet(
+def levels_without_magnet(
     spec: ObjectSpec, recordings: Recordings, given: list[Recording]
 ) -> tuple[Float[np.ndarray, "hold chip 3"], float, Float[np.ndarray, "hold"]]:
     """Levels without a magnet at the times of the holds, and their error by drift (counts).
@@ -133,7 +133,7 @@ def _levels_without_magnet(
     return levels, _BEYOND_LINEAR * spec.sensors.zeroing_counts, noise
 
 
-def _silent(recordings: Recordings) -> Bool[np.ndarray, "chip 3"]:
+def silent_findings(recordings: Recordings) -> Bool[np.ndarray, "chip 3"]:
     """Channels that never answer or stick at one value."""
     counts = recordings[STILL].counts
     return np.isnan(recordings[STILL].mean) | (np.ptp(counts, axis=0) == 0)

@@ -126,7 +126,7 @@ def fit(
     """
     from scipy.optimize import least_squares
 
-    first, recorded, sigma = _means_of_cases(problem, rows)
+    first, recorded, sigma = means_of_cases(problem, rows)
     known, chosen = np.isfinite(recorded), list(free)
 
     def all_of(scaled: Float[np.ndarray, "number"]) -> Float[np.ndarray, "8"]:
@@ -135,7 +135,7 @@ def fit(
         return every
 
     def residual(scaled: Float[np.ndarray, "number"]) -> Float[np.ndarray, "residual"]:
-        assembly = _calibration(all_of(scaled)).applied(problem.design)
+        assembly = pose_calibration(all_of(scaled)).applied(problem.design)
         wrong = (recorded - problem.predicted(assembly, first, case)) / sigma
         return np.concatenate([wrong[known], scaled])
 
@@ -147,25 +147,25 @@ def fit(
         max_nfev=_EVALUATIONS,
         diff_step=1e-4,
     )
-    return _calibration(all_of(found.x))
+    return pose_calibration(all_of(found.x))
 
 
 def groups_freed(problem: Problem) -> dict[str, Judged]:
     """Each group of numbers fitted by itself to all sets of places but one and judged on that one, in
     turn; that which leaves least first, beside the design."""
     presses = problem.presses
-    found = {"the design": _judged(problem, folds_by_case(presses), presses.case, ())}
+    found = {"the design": judged_pose(problem, folds_by_case(presses), presses.case, ())}
     for name, free in GROUPS.items():
-        found[name] = _judged(problem, folds_by_case(presses), presses.case, free)
+        found[name] = judged_pose(problem, folds_by_case(presses), presses.case, free)
     return dict(sorted(found.items(), key=lambda item: item[1].left))
 
 
-def _calibration(scaled: Float[np.ndarray, "8"]) -> Calibration:
+def pose_calibration(scaled: Float[np.ndarray, "8"]) -> Calibration:
     x, y, z, a, b, c, strength, modulus = (scaled * np.array(PRIOR)).tolist()
     return Calibration((x, y, z), (a, b, c), float(np.exp(strength)), float(np.exp(modulus)))
 
 
-def _means_of_cases(
+def means_of_cases(
     problem: Problem, rows: Int[np.ndarray, "some"]
 ) -> tuple[Int[np.ndarray, "case"], Float[np.ndarray, "case channel"], Float[np.ndarray, "case 1"]]:
     """One typical press (that of the median force) for each case, and the mean recorded change."""
@@ -203,17 +203,17 @@ def calibration_test(
     progress: Callable[[str], None] = lambda _: None,
 ) -> CalibrationTest:
     """Fit on all folds but one, judge on that one, in turn; and so with every exchange of places."""
-    after = _judged(problem, folds, problem.presses.case, _EVERY)
+    after = judged_pose(problem, folds, problem.presses.case, _EVERY)
     null = []
     for number, order in enumerate(exchanged):
         progress(f"{unseen}: places exchanged, {number + 1} of {len(exchanged)}")
-        null.append(_judged(problem, folds, order[problem.presses.case], _EVERY))
+        null.append(judged_pose(problem, folds, order[problem.presses.case], _EVERY))
     medians = [float(np.median([getattr(n, f) for n in null])) for f in Judged.__annotations__]
     cosine = [after.own_cosine, *(n.own_cosine for n in null)]
     left = [after.left, *(n.left for n in null)]
     return CalibrationTest(
         unseen,
-        _judged(problem, folds, problem.presses.case, ()),
+        judged_pose(problem, folds, problem.presses.case, ()),
         after,
         Judged(*medians),
         float(np.mean(np.array(cosine) >= after.own_cosine)),
@@ -222,7 +222,7 @@ def calibration_test(
     )
 
 
-def _judged(
+def judged_pose(
     problem: Problem,
     folds: Sequence[Int[np.ndarray, "_"]],
     case: Int[np.ndarray, "press"],
@@ -241,13 +241,13 @@ def _judged(
     recorded = np.nan_to_num(recorded)
     left = np.sum((recorded - predicted) ** 2) / np.sum(recorded**2)
     return Judged(
-        _own_cosine(problem, recorded, predicted),
-        float(np.mean(_cosines(recorded, predicted))),
+        mean_own_cosine(problem, recorded, predicted),
+        float(np.mean(case_cosines(recorded, predicted))),
         float(np.sqrt(left)),
     )
 
 
-def _own_cosine(
+def mean_own_cosine(
     problem: Problem,
     recorded: Float[np.ndarray, "press channel"],
     predicted: Float[np.ndarray, "press channel"],
@@ -257,11 +257,11 @@ def _own_cosine(
     for face in pressed_faces(problem.presses):
         rows = problem.presses.face_of_case(face)[problem.presses.case]
         own = own_channels(problem.spec, face)
-        values.append(_cosines(recorded[rows][:, own], predicted[rows][:, own]))
+        values.append(case_cosines(recorded[rows][:, own], predicted[rows][:, own]))
     return float(np.mean(np.concatenate(values)))
 
 
-def _cosines(
+def case_cosines(
     recorded: Float[np.ndarray, "some c"], predicted: Float[np.ndarray, "some c"]
 ) -> Float[np.ndarray, "some"]:
     size = np.linalg.norm(recorded, axis=1) * np.linalg.norm(predicted, axis=1)

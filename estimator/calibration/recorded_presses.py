@@ -169,7 +169,7 @@ def recorded_presses(recordings: Sequence[Recording]) -> RecordedPresses:
     rows = [
         (number, *row)
         for number, recording in enumerate(recordings)
-        for row in _presses(recording.frames)
+        for row in presses_in_frames(recording.frames)
     ]
     if not rows:
         raise InputError(
@@ -190,7 +190,9 @@ def recorded_presses(recordings: Sequence[Recording]) -> RecordedPresses:
     )
 
 
-def _presses(frames: FrameSet) -> list[tuple[np.ndarray, np.ndarray, tuple[Contact, ...], int]]:
+def presses_in_frames(
+    frames: FrameSet,
+) -> list[tuple[np.ndarray, np.ndarray, tuple[Contact, ...], int]]:
     touching = np.any(frames.contact_face != NO_FACE, axis=1) & frames.valid
     found = []
     for press in np.unique(frames.press_id):

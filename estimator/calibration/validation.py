@@ -142,24 +142,24 @@ def agreement(
     predicted = np.where(known[:, None], predictions.counts[rows][:, :, channels], 0.0)
     by_ratio = np.where(known[:, None], predictions.by_ratio[:, rows][..., channels], 0.0)
     sizes = np.linalg.norm(by_ratio, axis=-1)
-    clear = _clear(spec, presses, rows, channels) & known
-    moduli, bounded = _effective_ratios(np.linalg.norm(recorded, axis=1), sizes)
+    clear = clear_changes(spec, presses, rows, channels) & known
+    moduli, bounded = effective_ratios(np.linalg.norm(recorded, axis=1), sizes)
     case = presses.case[rows]
     used, number = np.unique(case, return_inverse=True)
     order = case_permutations(predicted[:, used], number, seed)
-    cosine, signs, log_size = _per_press(recorded, predicted[:, used], clear)
+    cosine, signs, log_size = per_press(recorded, predicted[:, used], clear)
     log_modulus = np.log(moduli[:, used] * spec.silicone.youngs_modulus_mpa)
     own = np.arange(len(case)), number
     return Agreement(
         "all channels" if face is None else f"face {face}",
         len(case),
         len(used),
-        _mean_figure(cosine, number, order),
-        _mean_figure(signs, number, order),
+        mean_figure(cosine, number, order),
+        mean_figure(signs, number, order),
         float(np.exp(log_size[own].mean())),
-        _spread_figure(log_size, number, order),
+        spread_figure(log_size, number, order),
         float(np.exp(log_modulus[own].mean())),
-        _spread_figure(log_modulus, number, order),
+        spread_figure(log_modulus, number, order),
         float(bounded[:, used][own].mean()),
     )
 
@@ -172,7 +172,7 @@ def _chosen(
     return np.flatnonzero(presses.face_of_case(face)[presses.case]), own_channels(spec, face)
 
 
-def _clear(
+def clear_changes(
     spec: ObjectSpec, presses: RecordedPresses, rows: np.ndarray, channels: np.ndarray
 ) -> Bool[np.ndarray, "press channel"]:
     """Recorded changes that stand out of noise and of the error of a fresh zero."""
@@ -182,7 +182,7 @@ def _clear(
         return abs(presses.signal_counts[rows][:, channels]) > _SIGN_SIGMAS * sigma
 
 
-def _per_press(
+def per_press(
     recorded: Float[np.ndarray, "press channel"],
     predicted: Float[np.ndarray, "press case channel"],
     clear: Bool[np.ndarray, "press channel"],
@@ -196,7 +196,7 @@ def _per_press(
     return cosine, signs, np.log(size / other)
 
 
-def _effective_ratios(
+def effective_ratios(
     recorded_size: Float[np.ndarray, "press"], sizes: Float[np.ndarray, "ratio press case"]
 ) -> tuple[Float[np.ndarray, "press case"], Bool[np.ndarray, "press case"]]:
     """Modulus over the specification's at which sizes agree (they fall with it), clamped."""
@@ -219,11 +219,13 @@ def case_permutations(
     if factorial(count) <= factorial(_LARGEST_ENUMERATED):
         every = np.array(list(permutations(range(count))))
     else:
-        every = _sampled(np.unique(allowed, axis=0, return_inverse=True)[1].ravel(), seed)
+        every = sampled_exchanges(np.unique(allowed, axis=0, return_inverse=True)[1].ravel(), seed)
     return every[allowed[np.arange(count), every].all(axis=1)]
 
 
-def _sampled(group: Int[np.ndarray, "case"], seed: int) -> Int[np.ndarray, "permutation case"]:
+def sampled_exchanges(
+    group: Int[np.ndarray, "case"], seed: int
+) -> Int[np.ndarray, "permutation case"]:
     """The true order, then random exchanges within groups of cases that the same presses predict."""
     rng = np.random.default_rng((seed, 8))
     every = np.tile(np.arange(len(group)), (1 + _SAMPLED_PERMUTATIONS, 1))
@@ -233,7 +235,7 @@ def _sampled(group: Int[np.ndarray, "case"], seed: int) -> Int[np.ndarray, "perm
     return every
 
 
-def _mean_figure(
+def mean_figure(
     values: Float[np.ndarray, "press case"], case: np.ndarray, order: np.ndarray
 ) -> Figure:
     """Mean over presses; larger is better."""
@@ -242,7 +244,7 @@ def _mean_figure(
     return Figure(float(means[0]), float(np.median(means)), p, len(order))
 
 
-def _spread_figure(
+def spread_figure(
     logarithms: Float[np.ndarray, "press case"], case: np.ndarray, order: np.ndarray
 ) -> Figure:
     """Factor of one standard deviation over presses; smaller is better."""
@@ -279,7 +281,7 @@ def channel_rows(
         rows.append(
             {
                 "channel": name,
-                "correlation": _correlation(recorded, model),
+                "correlation": rank_correlation(recorded, model),
                 "signs": float(np.mean(recorded * model > 0)),
                 "gain": float(recorded @ model / (model @ model)),
             }
@@ -287,7 +289,7 @@ def channel_rows(
     return rows
 
 
-def _correlation(recorded: np.ndarray, model: np.ndarray) -> float | None:
+def rank_correlation(recorded: np.ndarray, model: np.ndarray) -> float | None:
     """None where one of them is the same in all presses."""
     if np.ptp(recorded) == 0 or np.ptp(model) == 0:
         return None

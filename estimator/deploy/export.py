@@ -53,20 +53,20 @@ def export_onnx(model: FaceModel, path: Path | str) -> None:
     onnx.checker.check_model(graph)
     with atomic_path(path) as temporary:
         temporary.write_bytes(sealed(graph.SerializeToString(deterministic=True)))
-        _require_parity(model, temporary, path)
+        require_parity(model, temporary, path)
 
 
-def _require_parity(model: FaceModel, written: Path, path: Path | str) -> None:
+def require_parity(model: FaceModel, written: Path, path: Path | str) -> None:
     """The written file against the trained model, on changes far beyond those of training too."""
     import torch
 
-    counts = _probe_counts(len(model.channels))
+    counts = probe_counts(len(model.channels))
     found = open_session(written).run(None, {"counts": counts})
     with torch.no_grad():
         expected = model.network.cpu().eval()(torch.from_numpy(counts))
     for name, got, tensor in zip(UNITS, found, expected, strict=True):
         true = tensor.numpy()
-        wrong = ~np.isclose(got, true, rtol=0, atol=_PARITY * _sizes(true), equal_nan=True)
+        wrong = ~np.isclose(got, true, rtol=0, atol=_PARITY * output_sizes(true), equal_nan=True)
         if wrong.any():
             frames = wrong.reshape(len(wrong), -1).any(axis=1).mean()
             raise InputError(
@@ -76,14 +76,14 @@ def _require_parity(model: FaceModel, written: Path, path: Path | str) -> None:
             )
 
 
-def _sizes(output: np.ndarray) -> np.ndarray:
+def output_sizes(output: np.ndarray) -> np.ndarray:
     """Largest value of an output among the frames of each frame's scale, as a column of frames."""
     finite = np.nan_to_num(np.abs(output), posinf=0.0).reshape(len(_PROBE_SCALES_COUNTS), -1)
     sizes = np.repeat(finite.max(axis=1), _PROBE_FRAMES_PER_SCALE)
     return sizes.reshape(-1, *[1] * (output.ndim - 1))
 
 
-def _probe_counts(channels: int) -> np.ndarray:
+def probe_counts(channels: int) -> np.ndarray:
     """Random changes of counts, from a channel's noise to a 16-bit chip's range; (frame, channel)."""
     rng = np.random.default_rng(1)
     scale = np.repeat(_PROBE_SCALES_COUNTS, _PROBE_FRAMES_PER_SCALE)

@@ -37,7 +37,7 @@ class LiveContacts:
     leaves_out: bool = True
 
     def __post_init__(self) -> None:
-        self._one = _of_one(self.inversion)
+        self._one = contacts_of_one(self.inversion)
         self._warm_up()
         self.rezero()
 
@@ -51,7 +51,7 @@ class LiveContacts:
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow, with nothing pressed."""
         self._tracker = Tracker(self.inversion)
-        self._level = StreamZero(self.zero, self.zero_frames, self._read_still)
+        self._level = StreamZero(self.zero, self.zero_frames, self.read_still)
         self._zero: np.ndarray | None = None
         self._unzeroed = np.zeros(self.inversion.model.channels, bool)
         self._out = self._unzeroed
@@ -123,7 +123,7 @@ class LiveContacts:
                 "that is read"
             )
 
-    def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
+    def read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
         # a tracker of its own: it is asked for opposite changes in turn
         found = Tracker(self._one).feed(np.where(self._out, np.nan, change))
         pressed = found.number[0] > 0
@@ -131,6 +131,6 @@ class LiveContacts:
         return float(share), float(np.nansum(found.force_n[0]))
 
 
-def _of_one(inversion: Inversion) -> Inversion:
+def contacts_of_one(inversion: Inversion) -> Inversion:
     """That knows at most one contact: quick, and enough to tell a press from rest."""
     return replace(inversion, priors=replace(inversion.priors, number=(0.5, 0.5)))

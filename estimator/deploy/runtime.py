@@ -181,8 +181,8 @@ class LiveReader:
     zero: ZeroMode = "rest"
     zero_frames: int = ZERO_FRAMES
     leaves_out: bool = False
-    _recent: deque[np.ndarray] = field(default_factory=deque)
-    _last_s: float = math.nan
+    recent: deque[np.ndarray] = field(default_factory=deque)
+    last_s: float = math.nan
 
     def __post_init__(self) -> None:
         self.rezero()
@@ -204,37 +204,37 @@ class LiveReader:
         if left_out is not None:
             raw_counts = np.where(left_out, np.nan, raw_counts)
         now = channel_readings(raw_counts, self.model.channels)
-        if is_pause(time_s - self._last_s):
-            self._recent.clear()
-        self._last_s = time_s
+        if is_pause(time_s - self.last_s):
+            self.recent.clear()
+        self.last_s = time_s
         self._remember(now)
         zero = self._level.after(now, time_s)
         if zero is None:
             return None
-        counts = np.where(self._past, now - self._recent[0], now - zero)
+        counts = np.where(self._past, now - self.recent[0], now - zero)
         return run_model(self.model, counts[None])
 
     def miss(self) -> None:
         """Pass over a frame that lacks a reading: the one before stands in for it, so that changes over
         `history_frames` keep their span."""
-        if self._recent:
-            self._remember(self._recent[-1])
+        if self.recent:
+            self._remember(self.recent[-1])
 
     def _remember(self, counts: Float[np.ndarray, "channel"]) -> None:
-        self._recent.append(counts)
-        if len(self._recent) > self.model.history_frames + 1:
-            self._recent.popleft()
+        self.recent.append(counts)
+        if len(self.recent) > self.model.history_frames + 1:
+            self.recent.popleft()
 
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow, with nothing pressed."""
-        self._level = StreamZero(self.zero, self.zero_frames, self._read_still)
-        self._recent.clear()
+        self._level = StreamZero(self.zero, self.zero_frames, self.read_still)
+        self.recent.clear()
 
     @cached_property
     def _past(self) -> Bool[np.ndarray, "channel"]:
         return np.array([face >= HISTORY for face, _, _ in self.model.channels])
 
-    def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
+    def read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
         found = run_model(self.model, np.where(self._past, 0.0, change)[None])
         return float(found.contact[0]), float(found.force_n[0])
 

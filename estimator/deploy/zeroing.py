@@ -41,7 +41,7 @@ SETTLE_S = 5.0
 DRIFT_COUNTS_PER_S = 1.0
 LEAST_FORCE_N = 0.3
 PRESS_FORCE_N = 1.0
-_LEAST_FRAMES = 5
+LEAST_FRAMES = 5
 _FRAME_S = 0.1
 """Between frames without time stamps."""
 _WINDOW_S = 0.6
@@ -78,60 +78,60 @@ class RestZero:
     frames: int
     read: ReadStill
     level: Float[np.ndarray, "channel"] | None = None
-    _window: deque[tuple[float, np.ndarray]] = field(default_factory=deque)
-    _now_s: float = 0.0
+    window: deque[tuple[float, np.ndarray]] = field(default_factory=deque)
+    now_s: float = 0.0
     _judged_s: float = -math.inf
-    _loaded_s: float = -math.inf
-    _largest_n: float = 0.0
+    loaded_s: float = -math.inf
+    largest_n: float = 0.0
 
     def __post_init__(self) -> None:
-        if self.frames < _LEAST_FRAMES:
+        if self.frames < LEAST_FRAMES:
             raise InputError(
-                f"a zero that follows rest needs {_LEAST_FRAMES} frames or more; got {self.frames}. "
+                f"a zero that follows rest needs {LEAST_FRAMES} frames or more; got {self.frames}. "
                 "Raise --zero-frames, or take --zero first"
             )
 
     def update(self, raw: Float[np.ndarray, "channel"], time_s: float = math.nan) -> None:
         """Take one frame and its time (s), if known."""
         elapsed_s = self.pass_by(raw, time_s)
-        since_s = self._now_s - self._judged_s
+        since_s = self.now_s - self._judged_s
         if since_s >= _JUDGED_EVERY_S:
             self._judge(elapsed_s if math.isinf(since_s) else since_s)
-            self._judged_s = self._now_s
+            self._judged_s = self.now_s
 
     def pass_by(self, raw: Float[np.ndarray, "channel"], time_s: float = math.nan) -> float:
         """Take a frame into the window alone, for readers that leave frames out; s since the last one."""
-        now_s = self._now_s + _FRAME_S if math.isnan(time_s) else time_s
-        elapsed_s, self._now_s = now_s - self._now_s, now_s
+        now_s = self.now_s + _FRAME_S if math.isnan(time_s) else time_s
+        elapsed_s, self.now_s = now_s - self.now_s, now_s
         if is_pause(elapsed_s):
-            self._window.clear()
-            self._loaded_s = min(self._loaded_s, now_s)
+            self.window.clear()
+            self.loaded_s = min(self.loaded_s, now_s)
             self._judged_s = -math.inf
-        self._window.append((now_s, raw))
-        while len(self._window) > self.frames and self._spans(1):
-            self._window.popleft()
+        self.window.append((now_s, raw))
+        while len(self.window) > self.frames and self._spans(1):
+            self.window.popleft()
         return elapsed_s
 
     def _spans(self, first: int) -> bool:
         """Whether the window lasts long enough from that frame on."""
-        return self._now_s - self._window[first][0] >= _WINDOW_S
+        return self.now_s - self.window[first][0] >= _WINDOW_S
 
     def _judge(self, elapsed_s: float) -> None:
         if self.level is not None:
-            self._note_force(self.read(self._window[-1][1] - self.level)[1])
-        if len(self._window) >= self.frames and self._spans(0):
-            window = np.array([raw for _, raw in self._window])
+            self.note_force(self.read(self.window[-1][1] - self.level)[1])
+        if len(self.window) >= self.frames and self._spans(0):
+            window = np.array([raw for _, raw in self.window])
             if is_still(window):
-                self._consider(window.mean(axis=0), max(0.0, elapsed_s))
+                self.consider(window.mean(axis=0), max(0.0, elapsed_s))
 
-    def _note_force(self, force_n: float) -> None:
-        if self._now_s - self._loaded_s > SETTLE_S:
-            self._largest_n = 0.0
-        if force_n > max(LEAST_FORCE_N, RETURN_SHARE * self._largest_n):
-            self._loaded_s = self._now_s
-            self._largest_n = max(self._largest_n, force_n)
+    def note_force(self, force_n: float) -> None:
+        if self.now_s - self.loaded_s > SETTLE_S:
+            self.largest_n = 0.0
+        if force_n > max(LEAST_FORCE_N, RETURN_SHARE * self.largest_n):
+            self.loaded_s = self.now_s
+            self.largest_n = max(self.largest_n, force_n)
 
-    def _consider(self, level: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
+    def consider(self, level: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
         """Move the zero to, or towards, a still level that is rest."""
         if self.level is None:
             self.level = level
@@ -139,8 +139,8 @@ class RestZero:
         change = level - self.level
         contact, force_n = self.read(change)
         if self.read(-change)[1] > max(PRESS_FORCE_N, 2 * force_n):
-            self.level, self._largest_n = level, 0.0
-        elif force_n <= RETURN_SHARE * self._largest_n:
+            self.level, self.largest_n = level, 0.0
+        elif force_n <= RETURN_SHARE * self.largest_n:
             self.level = level
         elif contact < 0.5 or force_n < LEAST_FORCE_N:
             step = DRIFT_COUNTS_PER_S * min(elapsed_s, SETTLE_S)

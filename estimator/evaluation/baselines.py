@@ -28,8 +28,8 @@ MOST_FRAMES = 6000
 """Training frames that a baseline is fitted to at most, drawn from all training presses."""
 MOST_FRAMES_OF_PROCESS = 2000
 """The same for the Gaussian process, whose time grows with their cube."""
-_FRAMES_OF_KERNEL = 400
-_NEIGHBOURS, _TREES, _BOOSTS = 5, 200, 300
+FRAMES_OF_KERNEL = 400
+_NEIGHBOURS, TREES, BOOSTS = 5, 200, 300
 _DRAWS = 2000
 _INTERVAL_PERCENT = (5.0, 95.0)
 
@@ -89,7 +89,7 @@ def held_out_answers(
     fitted_frames = {}
     for name, make in REGRESSORS.items():
         most = MOST_FRAMES_OF_PROCESS if name == "gaussian process" else MOST_FRAMES
-        shown = _drawn(thinned(known, seed), most, seed)
+        shown = drawn_frames(thinned(known, seed), most, seed)
         fitted_frames[name] = len(shown)
         answers.append(_answers(name, make, shown, tested, model))
     return HeldOutAnswers(
@@ -170,7 +170,7 @@ def _answers(
     return ContactAnswers(name, force_n, xy_mm)
 
 
-def _drawn(data: FaceData, most: int, seed: int) -> FaceData:
+def drawn_frames(data: FaceData, most: int, seed: int) -> FaceData:
     if len(data) <= most:
         return data
     chosen = np.random.default_rng(seed).permutation(len(data))[:most]
@@ -201,14 +201,14 @@ def _boosting(counts: np.ndarray, target: np.ndarray) -> Any:
     from sklearn.ensemble import HistGradientBoostingRegressor
 
     return HistGradientBoostingRegressor(
-        max_iter=_BOOSTS, learning_rate=0.05, max_leaf_nodes=15, random_state=0
+        max_iter=BOOSTS, learning_rate=0.05, max_leaf_nodes=15, random_state=0
     ).fit(counts, target)
 
 
 def _extra_trees(counts: np.ndarray, target: np.ndarray) -> Any:
     from sklearn.ensemble import ExtraTreesRegressor
 
-    return ExtraTreesRegressor(_TREES, random_state=0).fit(counts, target)
+    return ExtraTreesRegressor(TREES, random_state=0).fit(counts, target)
 
 
 def _gaussian_process(counts: np.ndarray, target: np.ndarray) -> Any:
@@ -220,7 +220,7 @@ def _gaussian_process(counts: np.ndarray, target: np.ndarray) -> Any:
     kernel = ConstantKernel(1.0, (1e-2, 1e4)) * RBF(
         np.sqrt(counts.shape[1]), (1e-1, 1e3)
     ) + WhiteKernel(1e-2, (1e-6, 1e1))
-    part = np.random.default_rng(0).permutation(len(counts))[:_FRAMES_OF_KERNEL]
+    part = np.random.default_rng(0).permutation(len(counts))[:FRAMES_OF_KERNEL]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)  # noise at its bound is an answer
         rough = GaussianProcessRegressor(kernel, normalize_y=True).fit(counts[part], target[part])

@@ -48,7 +48,7 @@ def pursued(inversion: Inversion, frames: FrameSet) -> ContactSets:
                 if factor > 0
             ]
         )
-    return _sets(every)
+    return contact_sets_of(every)
 
 
 def patches(
@@ -74,7 +74,7 @@ def patches(
                     for at, grid in ((i, model.grid_x_mm), (j, model.grid_y_mm))
                 )
                 found.append((model.face, x, y, float(heatmap[patch == number].sum())))
-    return _sets(every)
+    return contact_sets_of(every)
 
 
 def training_mean(trained: FrameSet, frames: int) -> ContactSets:
@@ -86,10 +86,10 @@ def training_mean(trained: FrameSet, frames: int) -> ContactSets:
         x, y = trained.contact_xy_mm[here].mean(axis=0)
         force = np.where(here, trained.force_n[..., 2], 0.0).sum(axis=1)
         mean.append((int(face), float(x), float(y), float(force[here.any(axis=1)].mean())))
-    return _sets([mean] * frames)
+    return contact_sets_of([mean] * frames)
 
 
-def _sets(every: list[Found]) -> ContactSets:
+def contact_sets_of(every: list[Found]) -> ContactSets:
     """Without any uncertainty."""
     from estimator.inversion.readings import ContactSets
 

@@ -118,13 +118,13 @@ def field_model(magnet: Magnet, nearest_distance_mm: float, tolerance: float = 1
     exact body nearer still. The error is the largest over all directions, relative to the local
     |B|; it falls with distance.
     """
-    for model in _candidates(magnet):
+    for model in candidate_models(magnet):
         if _holds(model, nearest_distance_mm, tolerance):
             return model
     return FieldModel(magnet, "exact")
 
 
-def _candidates(magnet: Magnet) -> list[FieldModel]:
+def candidate_models(magnet: Magnet) -> list[FieldModel]:
     orders = range(LOWEST_ORDER, HIGHEST_ORDER + 1, 2)
     series = [FieldModel(magnet, "multipole", order) for order in orders]
     if isinstance(magnet, DiskMagnet):

@@ -30,7 +30,7 @@ from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Progress, Signals
 from fem.presses.viscoelastic import relaxed_force_n
 
-_BLOCK_FRAMES = 20_000
+BLOCK_FRAMES = 20_000
 
 
 def simulate_collection(
@@ -126,18 +126,18 @@ def _recorded(
     contacts, frames = len(recipe.cases), recipe.turns.shape[1]
     counts = np.zeros((len(recipe.turns), frames, signals.baseline_counts.size))
     forces = []
-    block = max(1, _BLOCK_FRAMES // frames)
+    block = max(1, BLOCK_FRAMES // frames)
     for start in range(0, len(recipe.turns), block):
         part = slice(start, min(start + block, contacts))
         if start < contacts:
-            felt, counts[part] = _pressed(spec, recipe, part)
+            felt, counts[part] = pressed_tips(spec, recipe, part)
             forces.append(felt)
         rows = slice(start, start + block)
         counts[rows] = disturbed(spec, signals, counts[rows], rng)
     return _labelled(spec, recipe, np.concatenate(forces), counts, rng, spec_hash)
 
 
-def _pressed(
+def pressed_tips(
     spec: ObjectSpec, recipe: Recipe, part: slice
 ) -> tuple[Float[np.ndarray, "case frame tip"], Float[np.ndarray, "case frame channel"]]:
     """Forces felt at all tips (N) and undisturbed changes of counts of some cases."""
@@ -172,8 +172,8 @@ def _labelled(
     spec_hash: str,
 ) -> FrameSet:
     cases, frames = recipe.turns.shape
-    contact = _tip_values(recipe, "face", NO_FACE, int)
-    places = _tip_values(recipe, "xy_mm", np.nan, float)
+    contact = tip_values(recipe, "face", NO_FACE, int)
+    places = tip_values(recipe, "xy_mm", np.nan, float)
     pressed = (contact != NO_FACE)[:, None] & recipe.moving[:, None]
     true, label, sure = _forces(spec, recipe, felt_n, rng)
     identity = np.full(cases, REST_PLACE_ID)
@@ -192,14 +192,14 @@ def _labelled(
         contact_xy_mm=in_contact(places[:, None] + np.zeros((1, frames, 1, 1)), np.nan),
         force_n=in_contact(label, np.nan),
         valid=np.broadcast_to(sure | ~recipe.moving, (cases, frames)).ravel(),
-        press_id=_press_ids(recipe),
+        press_id=press_ids(recipe),
         place_id=np.where(recipe.moving, identity[:, None], REST_PLACE_ID).ravel(),
         session_id=np.repeat(np.arange(cases), frames),
         true_force_n=in_contact(true, np.nan).reshape(count, slots, 3),
     )
 
 
-def _tip_values(recipe: Recipe, name: str, empty: float | int, kind: type) -> np.ndarray:
+def tip_values(recipe: Recipe, name: str, empty: float | int, kind: type) -> np.ndarray:
     """An attribute of every tip of every case, padded; cases without contact are empty."""
     tips = recipe.traces.tip_force_n.shape[2]
     first = np.asarray(getattr(recipe.cases[0], name))
@@ -237,7 +237,7 @@ def _forces(
     return true, label, sure
 
 
-def _press_ids(recipe: Recipe) -> Int[np.ndarray, "frame"]:
+def press_ids(recipe: Recipe) -> Int[np.ndarray, "frame"]:
     """A new press with every period of every case."""
     turn = np.floor(recipe.turns).astype(int)
     first = np.concatenate([[0], np.cumsum(turn.max(axis=1) + 1)[:-1]])

@@ -110,11 +110,11 @@ def anywhere_recipe(
     rest, frames = protocol.rest_frames_per_press, protocol.frames_per_press
     turns = (rng.uniform(0, 1, (len(cases), 1)) + np.arange(frames)) / frames
     turns = np.concatenate([np.zeros((len(cases), rest)), turns], axis=1)
-    pull = _pull(spec, signals, cases, shear, rng) if asked.tangential_share else None
+    pull = pull_of(spec, signals, cases, shear, rng) if asked.tangential_share else None
     return Recipe(cases, traces, pull, peak, turns, np.arange(rest + frames) >= rest)
 
 
-def _pull(
+def pull_of(
     spec: ObjectSpec,
     signals: Signals,
     cases: Sequence[ContactCase],

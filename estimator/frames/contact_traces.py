@@ -140,7 +140,7 @@ def _joint_presses(
             path = press_path(
                 spec, mechanics.response, tips, signals.depth_mm[:, None] * case.share, faces
             )
-        travel, force, motion = _corrected(spec, case, path, mechanics.correction)
+        travel, force, motion = corrected_traces(spec, case, path, mechanics.correction)
         pressed.append((travel, force * assembly.modulus_ratio, motion))
         if progress is not None and number % 10 == 0:
             progress(f"several simultaneous tips: {number} of {len(cases)} cases")
@@ -149,7 +149,7 @@ def _joint_presses(
     return [(t, f, seen) for (t, f, _), seen in zip(pressed, parts, strict=True)]
 
 
-def _corrected(
+def corrected_traces(
     spec: ObjectSpec,
     case: ContactCase,
     path: Sequence[JointPress],

@@ -42,22 +42,22 @@ def split_presses(
         Fewer than three presses, or shares that do not add up to 1.
     """
     _check_shares(shares)
-    presses, places = _press_places(frames)
+    presses, places = press_places(frames)
     _check_enough(len(presses), "presses")
     names, counts = np.unique(places, return_counts=True)
     rng = np.random.default_rng(seed)
     part = np.zeros(len(presses), dtype=int)
     for case in names[counts >= 3]:
         members = np.flatnonzero(places == case)
-        part[rng.permutation(members)] = _parts(len(members), shares)
+        part[rng.permutation(members)] = split_parts(len(members), shares)
     pairs = [np.flatnonzero(places == case) for case in names[counts == 2]]
     spare = rng.permutation([int(rng.choice(pair)) for pair in pairs]).astype(int)
     validating = round(len(spare) * shares[1] / (shares[1] + shares[2]))
     part[spare] = np.where(np.arange(len(spare)) < validating, 1, 2)
     single = np.isin(places, names[counts == 1])
     pooled = rng.permutation(np.flatnonzero(single))
-    part[pooled] = _parts(len(pooled), shares)
-    return _as_split(frames.press_id, presses, _fill_empty(part, single))
+    part[pooled] = split_parts(len(pooled), shares)
+    return _as_split(frames.press_id, presses, fill_empty(part, single))
 
 
 def split_places(
@@ -71,12 +71,12 @@ def split_places(
         Fewer than three contact cases, or shares that do not add up to 1.
     """
     _check_shares(shares)
-    presses, places = _press_places(frames)
+    presses, places = press_places(frames)
     cases = np.unique(places[places >= 0])
     _check_enough(len(cases), "contact cases")
     rng = np.random.default_rng(seed)
     part_of_case = dict(
-        zip(rng.permutation(cases).tolist(), _parts(len(cases), shares).tolist(), strict=True)
+        zip(rng.permutation(cases).tolist(), split_parts(len(cases), shares).tolist(), strict=True)
     )
     part = np.array([part_of_case.get(int(place), 0) for place in places])
     return _as_split(frames.press_id, presses, part)
@@ -95,11 +95,11 @@ def split_paper_random_frames(
     _check_shares(shares)
     _check_enough(len(frames), "frames")
     part = np.empty(len(frames), dtype=int)
-    part[np.random.default_rng(seed).permutation(len(frames))] = _parts(len(frames), shares)
+    part[np.random.default_rng(seed).permutation(len(frames))] = split_parts(len(frames), shares)
     return Split(part == 0, part == 1, part == 2)
 
 
-def _press_places(frames: FrameSet) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"]]:
+def press_places(frames: FrameSet) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"]]:
     """Press ids, and the contact case that each press shows most (-1 if it is only rest)."""
     presses, index = np.unique(frames.press_id, return_inverse=True)
     places = np.full(len(presses), -1)
@@ -112,7 +112,7 @@ def _press_places(frames: FrameSet) -> tuple[Int[np.ndarray, "press"], Int[np.nd
     return presses, np.where(counts.any(axis=1), cases[counts.argmax(axis=1)], -1)
 
 
-def _parts(count: int, shares: tuple[float, float, float]) -> Int[np.ndarray, "n"]:
+def split_parts(count: int, shares: tuple[float, float, float]) -> Int[np.ndarray, "n"]:
     """Part (0 train, 1 validation, 2 test) of each of `count` members; none empty from three on."""
     sizes = np.floor(np.asarray(shares) * count + 1e-9).astype(int)
     remainder = np.asarray(shares) * count - sizes
@@ -125,7 +125,7 @@ def _parts(count: int, shares: tuple[float, float, float]) -> Int[np.ndarray, "n
     return np.repeat(np.arange(3), sizes)
 
 
-def _fill_empty(
+def fill_empty(
     part: Int[np.ndarray, "press"], single: Bool[np.ndarray, "press"]
 ) -> Int[np.ndarray, "press"]:
     """Move one press into each part that is empty, the only one of its case where there is one."""

@@ -93,7 +93,7 @@ def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 
         sigma = disturbance_counts(spec.sensors, "fresh", live.size)[own]
         change = pressed[pressed_face][:, own] / sigma
         sizes.append(np.linalg.norm(change, axis=1))
-        forces.append(_nearest_force(change, *_own_presses(spec, signals, read_face, own, sigma)))
+        forces.append(nearest_force(change, *_own_presses(spec, signals, read_face, own, sigma)))
     there = places[[a for a, _ in pairs]] if pairs else places[:0]
     return CrossFace(
         force_n,
@@ -139,7 +139,7 @@ def _own_presses(
     return curve, np.concatenate([rest, signals.force_n[face_index, places]], axis=1)
 
 
-def _nearest_force(
+def nearest_force(
     change: Float[np.ndarray, "n channel"],
     curve: Float[np.ndarray, "place knot channel"],
     force_n: Float[np.ndarray, "place knot"],

@@ -110,7 +110,7 @@ def identifiability(
         jacobians = whitened_jacobians(spec, forces, motions, places, count)
         for channels in ("own", "all"):
             for k in contact_counts:
-                rows.append(_judge(spec, jacobians, places, sets[k], count, channels))
+                rows.append(judge_sets(spec, jacobians, places, sets[k], count, channels))
     return tuple(rows)
 
 
@@ -217,7 +217,7 @@ def set_information(whitened: Float[np.ndarray, "set channel parameter"]) -> Set
     )
 
 
-def _judge(
+def judge_sets(
     spec: ObjectSpec,
     jacobians: tuple[FaceJacobians, ...],
     places: Int[np.ndarray, "place"],
@@ -247,7 +247,7 @@ def _judge(
         float(high),
         float(np.mean(position <= spec.limits.position_bound_mm)),
         _middle(force),
-        _worst(spec, jacobians, places, sets, found),
+        worst_set(spec, jacobians, places, sets, found),
     )
 
 
@@ -260,7 +260,7 @@ def _stacked(
         yield np.concatenate([used[sets[:, k]] for k in range(sets.shape[1])], axis=2)
 
 
-def _worst(
+def worst_set(
     spec: ObjectSpec,
     jacobians: tuple[FaceJacobians, ...],
     places: Int[np.ndarray, "place"],

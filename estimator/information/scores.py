@@ -37,7 +37,7 @@ from estimator.signals.presses import Signals, require_finite
 
 Area = Literal["corner", "edge", "mid_edge", "centre"]
 AREAS: tuple[Area, ...] = ("corner", "edge", "mid_edge", "centre")
-_COVARIANCE_SAMPLES = 64
+COVARIANCE_SAMPLES = 64
 _AT_FORCE = ("delta", "position", "force_bound", "weakest")
 """Beginnings of the names of scores that hold at `score.force_n` alone."""
 
@@ -206,7 +206,7 @@ def _score_face(
     rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
     press = periodic_press(every.of_channels(own), force, _COVARIANCE_SAMPLES)
     press = read_change(rest[own], press, most)
-    row: dict[str, Any] = _sensitivities(press, force, noise)
+    row: dict[str, Any] = sensitivities(press, force, noise)
     for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, live.size)[used]
         bounds = cramer_rao_bounds(jacobian, sigma)
@@ -225,7 +225,7 @@ def _score_face(
     }
 
 
-def _sensitivities(
+def sensitivities(
     press: Float[np.ndarray, "place frame channel"],
     force_n: Float[np.ndarray, "place"],
     noise: Float[np.ndarray, "channel"],
@@ -268,7 +268,7 @@ def area_places(
     columns, rows = (np.flatnonzero(there.any(axis=other)) for other in (1, 0))
     x, y = np.meshgrid(*map(np.arange, grid.shape), indexing="ij")
     from_x, from_y = (abs(at - (used[0] + used[-1]) / 2) for at, used in ((x, columns), (y, rows)))
-    on_x, on_y = (_ends(there, axis) for axis in (0, 1))
+    on_x, on_y = (end_frames(there, axis) for axis in (0, 1))
     corner = on_x & on_y
     if there.sum() < len(columns) * len(rows):
         corner = np.zeros_like(there)
@@ -281,7 +281,7 @@ def area_places(
     return (masks[area] & there).ravel()
 
 
-def _ends(there: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx ny"]:
+def end_frames(there: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx ny"]:
     """Places that have no neighbour on one side or the other along an axis."""
     padded = np.pad(np.moveaxis(there, axis, 0), ((1, 1), (0, 0)))
     return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)

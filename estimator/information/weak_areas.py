@@ -102,7 +102,7 @@ def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
         ranks = np.corrcoef(rankdata(bound), rankdata(value.round(_DIGITS)))
         correlation[name] = float(ranks[0, 1]) if np.ptp(bound) > 0 else 0.0
         tenth[name] = float(np.median(value[weakest]))
-        for some in _thirds(value):
+        for some in thirds_of(value):
             median = float(np.median(bound[some]))
             limits = float(value[some].min()), float(value[some].max())
             over_all = median / float(np.median(bound))
@@ -110,7 +110,7 @@ def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
     return WeakAreas(measures, correlation, tuple(thirds), tenth)
 
 
-def _thirds(value: Float[np.ndarray, "n"]) -> list[Bool[np.ndarray, "n"]]:
+def thirds_of(value: Float[np.ndarray, "n"]) -> list[Bool[np.ndarray, "n"]]:
     """Which locations have its smallest, middle and largest values; equal ones stay together."""
     levels, counts = np.unique(value.round(_DIGITS), return_counts=True)
     cuts = levels[1:]

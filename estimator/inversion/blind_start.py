@@ -109,7 +109,7 @@ def blind_starts(
                 if progress:
                     progress(f"blind start: {count} sensors per face, {channels} channels, k = {k}")
                 distance = _worst_distances_mm(built, places, k, channels, frames)
-                rows.append(_summary(spec, distance, k, count, channels))
+                rows.append(summary_of(spec, distance, k, count, channels))
     return tuple(rows)
 
 
@@ -165,9 +165,9 @@ def _of_face(
     read = _read_channels(built, index, channels)
     told = np.broadcast_to(np.where(read, sigma, BLIND), counts.shape)
     seen = Observed(counts, told, told, told)
-    found = Search(model, _known_number(built.spec, model, contacts)).of_number(seen, contacts)
+    found = Search(model, known_number(built.spec, model, contacts)).of_number(seen, contacts)
     distance = np.full(frames, np.inf)
-    distance[found.frame] = _worst_mm(found.contact[..., :2], true[found.frame, :, :2])
+    distance[found.frame] = worst_mm(found.contact[..., :2], true[found.frame, :, :2])
     return distance
 
 
@@ -180,7 +180,7 @@ def _read_channels(built: _Object, index: int, channels: Channels) -> np.ndarray
     return read
 
 
-def _known_number(spec: ObjectSpec, model: ContactModel, contacts: int) -> Priors:
+def known_number(spec: ObjectSpec, model: ContactModel, contacts: int) -> Priors:
     """So many contacts anywhere on one face, tips apart; forces from 0.1 N to the table's largest."""
     _, high = model.bounds
     return Priors(
@@ -192,7 +192,7 @@ def _known_number(spec: ObjectSpec, model: ContactModel, contacts: int) -> Prior
     )
 
 
-def _worst_mm(
+def worst_mm(
     found_mm: Float[np.ndarray, "frame contact 2"], true_mm: Float[np.ndarray, "frame contact 2"]
 ) -> Float[np.ndarray, "frame"]:
     """Largest distance of the pairs whose distances add up to the least."""
@@ -202,7 +202,7 @@ def _worst_mm(
     return away[best, np.arange(len(true_mm))].max(axis=1)
 
 
-def _summary(
+def summary_of(
     spec: ObjectSpec,
     distance_mm: Float[np.ndarray, "frame"],
     contacts: int,

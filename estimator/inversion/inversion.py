@@ -25,10 +25,10 @@ from estimator.inversion.search import Search
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
 
-_FRAMES_AT_ONCE, _ON_A_CARD = 100, 1000
+_FRAMES_AT_ONCE, FRAMES_ON_A_CARD = 100, 1000
 LEAST_FORCE_N = 0.2
 """Of a contact that is read: about what the paper's cube just detects."""
-_MANY = 100
+MANY_FRAMES = 100
 """Frames from which on a graphics card is worth its calls."""
 KNOWN_FORCE_SPREAD = 0.3
 
@@ -73,7 +73,7 @@ class Inversion:
 
     def search_for(self, frames: int) -> Search:
         """The same; for many frames on the graphics card that `INSTOBJ_DEVICE` names, if it does."""
-        there = card_tensor() if frames >= _MANY else None
+        there = card_tensor() if frames >= MANY_FRAMES else None
         if there is None:
             return self.search
         card = str(there.device)
@@ -108,18 +108,18 @@ class Inversion:
         if not len(counts):
             raise InputError("there is no frame to read contacts in. Give a file that holds frames")
         search = self.search_for(len(counts))
-        at_once = _FRAMES_AT_ONCE if search is self.search else _ON_A_CARD
+        at_once = _FRAMES_AT_ONCE if search is self.search else FRAMES_ON_A_CARD
         parts = []
         for start in range(0, len(counts), at_once):
             part = slice(start, start + at_once)
             means_of = None if averaged is None else averaged[part]
-            parts.append(self._read(search, self.disturbances.observed(counts[part], means_of)))
+            parts.append(self.read_part(search, self.disturbances.observed(counts[part], means_of)))
             if progress is not None:
                 progress(min(start + at_once, len(counts)))
         best, second = zip(*parts, strict=True)
         return ContactSets.joined(best), ContactSets.joined(second)
 
-    def _read(self, search: Search, seen: Observed) -> tuple[ContactSets, ContactSets]:
+    def read_part(self, search: Search, seen: Observed) -> tuple[ContactSets, ContactSets]:
         found = search.contacts(seen)
         best = found.best()
         second = found.second(best)

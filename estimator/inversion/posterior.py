@@ -56,13 +56,13 @@ def most_probable(
     `extra` is a first guess of the interaction, which each of the rounds works out anew. What is
     seen decides on which device the work is done; `extra` and `curvature` stay there.
     """
-    slots, used = face.shape[1], _used_slots(face)
+    slots, used = face.shape[1], used_slots(face)
     fit = _Fit(model, priors, seen, steps)
     frame_at, face_at = like(seen.sigma, frame), like(seen.sigma, face[:, :used])
     at_contact = fit.hold(face_at, like(seen.sigma, contact[:, :used]))
     extra = model.interaction(face_at, at_contact) if extra is None else extra
     start = _Start(frame_at, face_at, at_contact, extra)
-    return _widened(fit.problems(start, rounds), slots)
+    return widened_covariance(fit.problems(start, rounds), slots)
 
 
 def refitted(
@@ -74,7 +74,7 @@ def refitted(
     steps: int = _STEPS,
 ) -> Problems:
     """`most_probable` from where one round left problems: misfit and slope are known there."""
-    slots, used = problems.face.shape[1], _used_slots(problems.face)
+    slots, used = problems.face.shape[1], used_slots(problems.face)
     parameters = slice(3 * used)
     at = Quadratic(
         like(seen.sigma, problems.misfit),
@@ -84,7 +84,7 @@ def refitted(
     )
     given = problems.frame, problems.face[:, :used], problems.contact[:, :used], problems.extra
     start = _Start(*(like(seen.sigma, part) for part in given), at=at)
-    return _widened(_Fit(model, priors, seen, steps).problems(start, rounds), slots)
+    return widened_covariance(_Fit(model, priors, seen, steps).problems(start, rounds), slots)
 
 
 @dataclass(frozen=True)
@@ -108,8 +108,8 @@ class _Fit:
     steps: int
 
     @cached_property
-    def hold(self) -> _Hold:
-        return _Hold(self.model, self.priors, self.seen.sigma)
+    def hold(self) -> HeldBounds:
+        return HeldBounds(self.model, self.priors, self.seen.sigma)
 
     def problems(self, start: _Start, rounds: int) -> Problems:
         """The most probable contacts, in the slots of the start."""
@@ -149,12 +149,12 @@ class _Fit:
         return contact, extra, at
 
 
-def _used_slots(face: np.ndarray) -> int:
+def used_slots(face: np.ndarray) -> int:
     (used,) = np.nonzero(np.any(face != NONE, axis=0))
     return int(used[-1]) + 1 if len(used) else 1
 
 
-def _widened(problems: Problems, slots: int) -> Problems:
+def widened_covariance(problems: Problems, slots: int) -> Problems:
     """Empty contact slots added."""
     some, used = problems.face.shape
     if used == slots:
@@ -168,7 +168,7 @@ def _widened(problems: Problems, slots: int) -> Problems:
     return replace(problems, face=face, contact=contact, slope=slope, curvature=curvature)
 
 
-class _Hold:
+class HeldBounds:
     """Keeps contacts where model and priors know them."""
 
     def __init__(self, model: ContactModel, priors: Priors, reference: Array) -> None:
@@ -184,7 +184,7 @@ class _Hold:
 
 
 def _descend(
-    posterior: _Posterior, hold: _Hold, contact: Array, at: Quadratic, steps: int
+    posterior: _Posterior, hold: HeldBounds, contact: Array, at: Quadratic, steps: int
 ) -> tuple[Array, Quadratic]:
     """Steps with the interaction held; rows that have settled are left alone."""
     xp = library(contact)
@@ -192,7 +192,7 @@ def _descend(
     damping = zeros(contact, (len(contact),)) + 1e-3
     every, rows = (contact, at), None
     for _ in range(steps):
-        step = _step(at.slope, at.curvature, damping)
+        step = damped_step(at.slope, at.curvature, damping)
         step = xp.minimum(xp.maximum(step, -longest), longest).reshape(contact.shape)
         trial = hold(posterior.face, contact + step)
         there = posterior.at(trial)
@@ -240,7 +240,7 @@ def _put(every: _State, rows: Array | None, some: _State) -> _State:
     return every
 
 
-def _step(slope: Array, curvature: Array, damping: Array) -> Array:
+def damped_step(slope: Array, curvature: Array, damping: Array) -> Array:
     damped = curvature + 0.0
     diagonal = diagonals(damped)
     diagonal *= 1 + damping[:, None]

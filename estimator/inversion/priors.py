@@ -99,7 +99,7 @@ class Pairs:
         self._both = (of_first == chosen(face, self._second)) & (of_first != NONE)
         self._some = bool(self._both.any())
         self._alike = chosen((face[:, :, None] == face[:, None, :]).sum(axis=2), self._first)
-        self._jaw = _jaws(face) if priors.paired else zeros(face, face.shape)
+        self._jaw = jaw_pairs(face) if priors.paired else zeros(face, face.shape)
 
     def select(self, rows: Array) -> Pairs:
         """Those of some problems."""
@@ -201,7 +201,7 @@ def _add_squares(
     found.curvature[rows] += turned @ by
 
 
-def _jaws(face: Int[Array, "problem contact"]) -> Float[Array, "problem contact"]:
+def jaw_pairs(face: Int[Array, "problem contact"]) -> Float[Array, "problem contact"]:
     """1 and −1 for the contacts of two faces where just two are pressed, else 0."""
     xp, some = library(face), face != NONE
     one = some & (face == face[:, :1])
@@ -273,7 +273,7 @@ def _on_each_face(
             gained += 0.5 * np.log(np.maximum(number, 1))
         gained += more * np.log(np.ptp(priors.force_n) / width)
         if priors.spacing_mm:
-            gained += _standing(priors)[np.minimum(number, len(priors.spacing_mm) + 2)]
+            gained += standing_probes(priors)[np.minimum(number, len(priors.spacing_mm) + 2)]
             gained += orders[number]
             pressed += number > 0
     return gained + orders[pressed]
@@ -285,7 +285,7 @@ def _log_factorials(most: int) -> Float[np.ndarray, "number"]:
 
 
 @cache
-def _standing(priors: Priors) -> Float[np.ndarray, "number"]:
+def standing_probes(priors: Priors) -> Float[np.ndarray, "number"]:
     """Log density of the places of n tips of a known probe, all on the face, over that of n contacts
     anywhere."""
     ring = 2 * np.pi * np.asarray(priors.spacing_mm) * _ROOT * SPACING_SIGMA_MM
@@ -293,7 +293,7 @@ def _standing(priors: Priors) -> Float[np.ndarray, "number"]:
     extra = np.arange(len(priors.spacing_mm))
     gained = np.log(priors.area_mm2 / ring) + extra * np.log(priors.area_mm2 / point)
     side = np.sqrt(priors.area_mm2 / priors.faces)
-    gained -= np.log([_fitting(n, mm, side) for n, mm in enumerate(priors.spacing_mm, 2)])
+    gained -= np.log([fitting_sets(n, mm, side) for n, mm in enumerate(priors.spacing_mm, 2)])
     return np.concatenate([[0.0, 0.0], gained, [-np.inf]])
 
 
@@ -304,7 +304,7 @@ def _squeezed(
     logarithm of their ratio is normal."""
     if not priors.paired:
         return 0.0
-    jaw = _jaws(face)
+    jaw = jaw_pairs(face)
     one, other = (np.where(jaw == side, contact[..., 2], 0.0).sum(axis=1) for side in (1, -1))
     two = jaw.any(axis=1)
     product, mean = np.where(two, one * other, 1.0), np.where(two, (one + other) / 2, 1.0)
@@ -312,7 +312,7 @@ def _squeezed(
     return np.where(two, np.log(np.ptp(priors.force_n) / width), 0.0)
 
 
-def _fitting(tips: int, spacing_mm: float, side_mm: float) -> float:
+def fitting_sets(tips: int, spacing_mm: float, side_mm: float) -> float:
     """Share of the places and turns of a probe, one tip of it anywhere on a square face, at which all are on
     it; not below `_TIGHTEST`, as a face that is no square may hold a probe that a square does not."""
     turns = np.linspace(0, 2 * np.pi, _TURNS, endpoint=False)

@@ -85,13 +85,13 @@ class Hypotheses:
 
     def best(self) -> Int[np.ndarray, "frame"]:
         """Row of each frame's most probable set of its most probable numbers of contacts."""
-        return _first_of_frame(self.problems.frame, -self.odds, -self.log_evidence)
+        return first_of_frame(self.problems.frame, -self.odds, -self.log_evidence)
 
     def second(self, best: Int[np.ndarray, "frame"]) -> Int[np.ndarray, "frame"]:
         """Row of each frame's next answer, of other numbers; that of the best where none was found."""
         (left,) = np.nonzero(self._answer != self._answer[best][self.problems.frame])
         costs = -self.odds[left], -self.log_evidence[left]
-        rows = left[_first_of_frame(self.problems.frame[left], *costs)]
+        rows = left[first_of_frame(self.problems.frame[left], *costs)]
         found = best.copy()
         found[self.problems.frame[rows]] = rows
         return found
@@ -134,8 +134,8 @@ class Search:
             judged = self.judged(self._grown(seen, level, effort))
             found.append(judged)
             np.maximum.at(best, judged.problems.frame, judged.log_evidence)
-            level = judged.problems.select(self._hopeful(judged, best))
-        near = self._revisited(seen, together(found)).distinct()
+            level = judged.problems.select(self.hopeful(judged, best))
+        near = self.revisited(seen, together(found)).distinct()
         return self._settled(seen, self._believed(near))
 
     def of_number(self, seen: Observed, number: int) -> Problems:
@@ -144,9 +144,9 @@ class Search:
         for _ in range(number):
             sets = self._grown(seen, sets)
         if number > 1:
-            fewer = self.fewer(seen, sets.select(_best_of_frame(sets, 1))).problems
+            fewer = self.fewer(seen, sets.select(best_of_frame(sets, 1))).problems
             sets = Problems.joined([sets, self._grown(seen, fewer)])
-        return sets.select(_first_of_frame(sets.frame, sets.misfit))
+        return sets.select(first_of_frame(sets.frame, sets.misfit))
 
     def grown(self, seen: Observed, sets: Problems, effort: tuple[int, ...] = ()) -> Hypotheses:
         """The best sets of one contact more; `effort` is rounds and steps."""
@@ -163,7 +163,7 @@ class Search:
             else:
                 gone[:, group] = sets.face[:, group] != NONE
             (rows,) = np.nonzero(gone.any(axis=1))
-            face, contact = _packed(np.where(gone, NONE, sets.face)[rows], sets.contact[rows])
+            face, contact = packed_slots(np.where(gone, NONE, sets.face)[rows], sets.contact[rows])
             parts.append((sets.frame[rows], face, contact))
         frame, face, contact = (np.concatenate(column) for column in zip(*parts, strict=True))
         given = frame, face, contact, None
@@ -179,7 +179,7 @@ class Search:
         paired = log_paired(self.priors, found.problems.face)
         return Hypotheses(found.problems, found.log_evidence + paired)
 
-    def _revisited(self, seen: Observed, found: Hypotheses) -> Hypotheses:
+    def revisited(self, seen: Observed, found: Hypotheses) -> Hypotheses:
         """All sets, with those of one contact more than the best and those with a contact of the best looked
         for anew; again where these are better."""
         reached = np.full(len(seen.counts), -np.inf)
@@ -191,7 +191,7 @@ class Search:
                 break
             reached, sets = evidence, found.problems.select(best[better])
             fewer = self.fewer(seen, sets, self._on_the_way)
-            starts = Problems.joined([fewer.problems, sets.select(self._bears_more(sets))])
+            starts = Problems.joined([fewer.problems, sets.select(self.bears_more(sets))])
             found = together([found, fewer, self.grown(seen, starts, self._on_the_way)])
         return found
 
@@ -214,7 +214,7 @@ class Search:
         rows, face, contact = self.dictionary.added(self.model, seen, level, self.probes)
         frame, extra = level.frame[rows], rows_of(level.extra, rows)
         if not self.probes:
-            halved = _halves(level.select(_best_of_frame(level, 1)))
+            halved = half_contacts(level.select(best_of_frame(level, 1)))
             frame, face, contact, extra = (
                 concatenated(pair)
                 for pair in zip((frame, face, contact, extra), halved, strict=True)
@@ -225,17 +225,17 @@ class Search:
             self.model, self.priors, seen, frame, face, contact, extra, 1, _ROUGH_STEPS
         )
         going_on = _KEPT if level.number.max() < _MANY else _KEPT_OF_MANY
-        kept = rough.select(_best_of_frame(rough, 2 * going_on))
+        kept = rough.select(best_of_frame(rough, 2 * going_on))
         found = refitted(self.model, self.priors, seen, kept, *effort)
-        return found.select(_best_of_frame(found, going_on))
+        return found.select(best_of_frame(found, going_on))
 
-    def _hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
+    def hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
         """Sets that a further contact may still bring beyond the best so far."""
         problems = judged.problems
         better = judged.log_evidence + self._possible(problems) > best[problems.frame]
-        return better & self._bears_more(problems)
+        return better & self.bears_more(problems)
 
-    def _bears_more(self, problems: Problems) -> Bool[np.ndarray, "problem"]:
+    def bears_more(self, problems: Problems) -> Bool[np.ndarray, "problem"]:
         """Whether misfit, slots and jaws leave room for a further contact (or probe)."""
         room = (self._possible(problems) > _HOPELESS) & (problems.number < self.priors.most)
         if self.probes and self.priors.paired:
@@ -255,7 +255,7 @@ def together(parts: list[Hypotheses]) -> Hypotheses:
     return Hypotheses(Problems.joined([part.problems for part in parts]), evidence)
 
 
-def _halves(level: Problems) -> tuple[np.ndarray, np.ndarray, np.ndarray, Array]:
+def half_contacts(level: Problems) -> tuple[np.ndarray, np.ndarray, np.ndarray, Array]:
     """Every contact split in two, four ways: frame, face, contact, extra."""
     slots = level.face.shape[1]
     some = (level.face != NONE) & (level.number < slots)[:, None]
@@ -271,12 +271,12 @@ def _halves(level: Problems) -> tuple[np.ndarray, np.ndarray, np.ndarray, Array]
     return level.frame[rows], face, contact, rows_of(level.extra, rows)
 
 
-def _first_of_frame(frame: np.ndarray, *costs: np.ndarray) -> Int[np.ndarray, "n"]:
+def first_of_frame(frame: np.ndarray, *costs: np.ndarray) -> Int[np.ndarray, "n"]:
     order = np.lexsort((*costs[::-1], frame))
     return order[np.unique(frame[order], return_index=True)[1]]
 
 
-def _best_of_frame(problems: Problems, kept: int) -> Int[np.ndarray, "n"]:
+def best_of_frame(problems: Problems, kept: int) -> Int[np.ndarray, "n"]:
     """Rows of the sets of least misfit of each frame, of one number of contacts each, equal ones once."""
     number = problems.number
     order = np.lexsort((problems.misfit, number, problems.frame))
@@ -292,7 +292,7 @@ def _best_of_frame(problems: Problems, kept: int) -> Int[np.ndarray, "n"]:
     return np.array(chosen, int)
 
 
-def _packed(face: np.ndarray, contact: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def packed_slots(face: np.ndarray, contact: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Filled slots first."""
     order = np.argsort(face == NONE, axis=1, kind="stable")
     return np.take_along_axis(face, order, 1), np.take_along_axis(contact, order[..., None], 1)

@@ -53,13 +53,13 @@ class Tracker:
         )
         found = self._same(seen)
         p_value = float(p_values(seen, found)[0])
-        if p_value >= _STRAINED and not self._faint(found):
+        if p_value >= _STRAINED and not self.faint_contacts(found):
             self._wait, self._pause, self._odds = 0, 1, np.ones(1)
         elif self._wait and p_value > _WORSE * self._tried_p:
             self._wait -= 1
         else:
             before, self._tried_p = found.number[0], p_value
-            found, self._odds = self._changed(seen, found)
+            found, self._odds = self.has_changed(seen, found)
             if found.number[0] == before:
                 self._pause = min(2 * self._pause, _LONGEST_PAUSE)
                 self._wait = self._pause - 1
@@ -75,7 +75,9 @@ class Tracker:
         start = last.frame, last.face, last.contact
         return most_probable(search.model, search.priors, seen, *start, extra, 1, _STEPS)
 
-    def _changed(self, seen: Observed, same: Problems) -> tuple[Problems, Float[np.ndarray, "1"]]:
+    def has_changed(
+        self, seen: Observed, same: Problems
+    ) -> tuple[Problems, Float[np.ndarray, "1"]]:
         """One contact more or less, or all anew, where the evidence is for it."""
         search = self.inversion.search
         if search.priors.paired:  # of two jaws none changes alone
@@ -83,7 +85,7 @@ class Tracker:
         every = [search.judged(same)]
         if p_values(seen, same)[0] < _STRAINED:
             every.append(_at_a_price(search.grown(seen, same)))
-        if self._faint(same):
+        if self.faint_contacts(same):
             every.append(_at_a_price(search.fewer(seen, same)))
         judged = together(every)
         best = judged.best()
@@ -98,7 +100,7 @@ class Tracker:
         best = judged.best()
         return judged.problems.select(best), judged.odds[best]
 
-    def _faint(self, same: Problems) -> bool:
+    def faint_contacts(self, same: Problems) -> bool:
         number = int(same.number[0])
         if not number:
             return False

@@ -17,7 +17,7 @@ from estimator.layouts.scorer import LayoutScorer
 from estimator.layouts.scoring import PlaceInformation, places_information
 
 
-def _all_faces(
+def all_faces(
     scorers: Sequence[LayoutScorer], values: Sequence[Float[Tensor, "layout _"]]
 ) -> Float[Tensor, "layout press"]:
     """Values of the pressed faces, as often as there are faces that they stand for."""
@@ -66,7 +66,7 @@ def batch_scores(
         here = [k for k, scorer in enumerate(scorers) if scorer.presses.force_n == force]
         asked = named if force == of_cross_face else ()
         each.append(
-            _scores_at_one_force(
+            scores_at_one_force(
                 [scorers[k] for k in here],
                 [layouts[k] for k in here],
                 [places[k] for k in here],
@@ -80,7 +80,7 @@ def batch_scores(
     for name in ("largest_counts", "kept_counts"):
         found[name] = torch.stack([getattr(face, name) for face in places]).amax(dim=0)
     if start is not None:
-        found[OVER_START] = _over_start([face.position_bound_mm for face in places], start)
+        found[OVER_START] = bounds_over_start([face.position_bound_mm for face in places], start)
     return found
 
 
@@ -91,7 +91,7 @@ def position_bounds(
     return [places.position_bound_mm for places in places_information(scorers, layouts)]
 
 
-def _over_start(
+def bounds_over_start(
     bounds_mm: Sequence[Float[Tensor, "layout _"]], start: PlaceBounds
 ) -> Float[Tensor, "layout"]:
     pairs = zip(bounds_mm, start.position_mm, strict=True)
@@ -109,14 +109,14 @@ def worst_ratio(over_start: Float[Tensor, "layout press"], but: float) -> Float[
     return over_start.log().topk(min(count, over_start.shape[1]), dim=1).values.mean(dim=1).exp()
 
 
-def _scores_at_one_force(
+def scores_at_one_force(
     scorers: Sequence[LayoutScorer],
     layouts: Sequence[Layouts],
     places: Sequence[PlaceInformation],
     named: Collection[str],
 ) -> dict[str, Float[Tensor, "layout"]]:
     position, force, sensitivity = (
-        _all_faces(scorers, [getattr(face, name) for face in places])
+        all_faces(scorers, [getattr(face, name) for face in places])
         for name in ("position_bound_mm", "force_bound_n", "sensitivity")
     )
     ordered, sorted_mm = sensitivity.sort(dim=1).values, position.sort(dim=1).values
@@ -131,7 +131,7 @@ def _scores_at_one_force(
     if {*DEARER} & {*named}:
         pairs = zip(scorers, layouts, strict=True)
         by_face = [false_forces_n(*pair).flatten(1) for pair in pairs]
-        false_n = _all_faces(scorers, by_face).clamp(min=LEAST_FALSE_FORCE_N).sort(dim=1).values
+        false_n = all_faces(scorers, by_face).clamp(min=LEAST_FALSE_FORCE_N).sort(dim=1).values
         found |= {
             name: percentile(false_n, percent)
             for name, percent in zip(DEARER, (50.0, 95.0), strict=True)

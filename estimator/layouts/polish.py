@@ -25,7 +25,7 @@ from estimator.layouts.vectors import LayoutSpace, layouts_at
 
 PENALTY_PER_MM = 10.0
 """A limit broken by 0.1 mm doubles every objective, more than any layout gains by it."""
-_MM_PER_EXCESS = 10.0
+MM_PER_EXCESS = 10.0
 """A score or channel beyond its limit by a tenth counts as a length broken by 1 mm."""
 _AFTER_ALL = 100.0
 """More than logarithms of bounds differ by; it has no slope."""
@@ -37,7 +37,7 @@ scores and prices exceed their limits by 0.02 % at most."""
 _LEARNING_RATE = 0.03
 """Of the unit cube: 1 mm in a range of 30."""
 
-_SPREAD = 0.3
+SPREAD = 0.3
 """Standard deviation of a run's first generation, of the unit cube."""
 _MEAN, _NARROW = 8, 4
 """Layouts of a generation in the mean of a run, and at most in its second half, over CMA-ES's default
@@ -135,13 +135,13 @@ def judge(
     of_places = torch.stack([broken_limits_mm(lowest.space, one, face) for face, one in checked])
     nothing = torch.zeros_like(of_places[0, :, 0])
     of_scores = [
-        _MM_PER_EXCESS * torch.relu(_to_minimize(name, scores) / most - 1)
+        MM_PER_EXCESS * torch.relu(_to_minimize(name, scores) / most - 1)
         for name, most in lowest.at_most.items()
     ]
     broken = torch.cat([of_places.amax(dim=0), *(one[:, None] for one in of_scores)], dim=1)
     worse = nothing
     if lowest.start is not None:
-        worse = _MM_PER_EXCESS * torch.relu(scores[OVER_START] / lowest.start.most - 1)
+        worse = MM_PER_EXCESS * torch.relu(scores[OVER_START] / lowest.start.most - 1)
     worth, eased = (
         torch.stack([_to_minimize(name, scores) for name in names], dim=1).clamp(min=1e-9)
         for names in (objectives, [_EASED.get(name, name) for name in objectives])
@@ -171,7 +171,7 @@ def polish(
     taken. Repeatable: a run's seed comes from its point.
     """
     sizes = populations(unit.shape[1], generations)
-    runs = [_Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
+    runs = [Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
     together = runs_together(unit.device, max(sizes, default=1))
     for first in range(0, len(runs), together):
         _evolve(judge_at, runs[first : first + together], sizes)
@@ -241,7 +241,7 @@ class Generations(CMA):
         return other
 
 
-class _Evolution:
+class Evolution:
     """A run of CMA-ES round one layout of a batch."""
 
     def __init__(
@@ -255,7 +255,7 @@ class _Evolution:
         mean[: len(begin)] = begin.cpu().numpy()
         self.search = Generations(
             mean,
-            _SPREAD,
+            SPREAD,
             bounds=np.repeat([[0.0, 1.0]], count, axis=0),
             seed=zlib.crc32(begin.cpu().numpy().tobytes()),
             population_size=population(count),
@@ -268,16 +268,16 @@ class _Evolution:
         points = self._asked[:, : len(self.begin)]
         return torch.as_tensor(points, dtype=self.begin.dtype, device=self.begin.device)
 
-    def tell(self, worth: _Worth, progress: float) -> None:
+    def tell(self, worth: Worth, progress: float) -> None:
         """What the generation is worth, eased and with a share of the penalties."""
-        own, share = _share_of_objective(progress), _share_of_penalty(progress)
+        own, share = share_of_objective(progress), share_of_penalty(progress)
         with np.errstate(invalid="ignore"):  # no share of what is infinite
             value = own * worth.value + (1 - own) * worth.eased
         value = np.where(np.isfinite(worth.value) & np.isfinite(worth.eased), value, np.inf)
         now = value + self.whole * np.log1p(share * worth.penalties).sum(axis=1)
         self.search.tell(list(zip(self._asked, now.tolist(), strict=True)))
 
-    def keep_best(self, worth: _Worth) -> None:
+    def keep_best(self, worth: Worth) -> None:
         """The best so far of those that keep all limits, before others, with all of the penalties; none
         that breaks a limit more than the run's own point, which is the first that is told."""
         self.begun = worth.broken if self.begun is None else self.begun
@@ -290,7 +290,7 @@ class _Evolution:
 
 
 @dataclass(frozen=True)
-class _Worth:
+class Worth:
     """Of points of one run: weighted logarithms of the objectives, as they are and eased, penalties, and
     broken limits."""
 
@@ -301,7 +301,7 @@ class _Worth:
     broken: Float[Tensor, "layout limit"]
 
 
-def _evolve(judge_at: Judge, runs: Sequence[_Evolution], sizes: Sequence[int]) -> None:
+def _evolve(judge_at: Judge, runs: Sequence[Evolution], sizes: Sequence[int]) -> None:
     """Runs side by side, each as if alone, in generations of these sizes."""
     for run, worth in _judged(judge_at, runs, [run.begin[None] for run in runs]):
         run.keep_best(worth)
@@ -317,8 +317,8 @@ def _evolve(judge_at: Judge, runs: Sequence[_Evolution], sizes: Sequence[int]) -
 
 
 def _judged(
-    judge_at: Judge, runs: Sequence[_Evolution], points: Sequence[Float[Tensor, "_ variable"]]
-) -> Iterator[tuple[_Evolution, _Worth]]:
+    judge_at: Judge, runs: Sequence[Evolution], points: Sequence[Float[Tensor, "_ variable"]]
+) -> Iterator[tuple[Evolution, Worth]]:
     """Points of every run, judged in one batch."""
     counts = [len(of_run) for of_run in points]
     rows = torch.tensor(np.repeat([run.row for run in runs], counts), device=points[0].device)
@@ -328,15 +328,15 @@ def _judged(
     of_runs = (part.cpu().split(counts) for part in parts)
     for run, at, *logs, penalty, broken in zip(runs, points, *of_runs, strict=True):
         value, eased = ((log @ run.weights).double().nan_to_num(torch.inf).numpy() for log in logs)
-        yield run, _Worth(at, value, eased, penalty.numpy(), broken)
+        yield run, Worth(at, value, eased, penalty.numpy(), broken)
 
 
-def _share_of_penalty(progress: float) -> float:
+def share_of_penalty(progress: float) -> float:
     """A thousandth at first, all for the second half."""
     return 10 ** (-3 * max(0.0, 1 - 2 * progress))
 
 
-def _share_of_objective(progress: float) -> float:
+def share_of_objective(progress: float) -> float:
     """None at first, all for the second half."""
     return min(1.0, 2 * progress)
 

@@ -108,12 +108,12 @@ def places_information(
             kept = counts_kept(pressed.counts, pressed.sigma, len(scorer.spec.body.sensed))
         by_parameter = changes.by_parameter
         position, force = bounds(by_parameter[:, :, :3])
-        sensitivity = _sensitivity(scorer, by_parameter)
+        sensitivity = press_sensitivity(scorer, by_parameter)
         found.append(PlaceInformation(position, force, sensitivity, counts, kept))
     return found
 
 
-def _sensitivity(
+def press_sensitivity(
     scorer: LayoutScorer, by_parameter: Float[Tensor, "channel layout 4 place"]
 ) -> Float[Tensor, "layout place"]:
     """√det of the channels' covariance in a press, in units of white noise, signals taken as parabolas over

@@ -13,7 +13,7 @@ from jaxtyping import Float
 
 _TIE = 1e-9
 """Correlations this close are equal: the shortest displacement among them is taken."""
-_CHUNK_FRAMES = 4096
+CHUNK_FRAMES = 4096
 
 
 @dataclass(frozen=True)
@@ -34,9 +34,9 @@ def align(
     """A_sim and the displacement of the best match, frame by frame (zero-padded, by FFT)."""
     chunks = [
         _align_chunk(
-            predicted_n[start : start + _CHUNK_FRAMES], true_n[start : start + _CHUNK_FRAMES]
+            predicted_n[start : start + CHUNK_FRAMES], true_n[start : start + CHUNK_FRAMES]
         )
-        for start in range(0, max(1, len(true_n)), _CHUNK_FRAMES)
+        for start in range(0, max(1, len(true_n)), CHUNK_FRAMES)
     ]
     return Alignment(
         np.concatenate([chunk.similarity for chunk in chunks]),

@@ -138,7 +138,7 @@ class HeadsNetwork(nn.Module):
         away = (self.grid_mm - xy_mm[:, None]) / self.pitch_mm
         return (away**2).sum(dim=2)
 
-    def _gathered(self, share: Tensor, logits: Tensor) -> Tensor:
+    def gathered(self, share: Tensor, logits: Tensor) -> Tensor:
         """Every pixel's share dealt out among the pixels near it, by their softmax at `sharpness`.
 
         Training leaves the mean of what may be there. This goes from a mean over neighbouring
@@ -156,7 +156,7 @@ class HeadsNetwork(nn.Module):
         heads = self.heads_of(counts)
         share = torch.softmax(heads.share_logits, dim=1)
         if not self.continuous:
-            share = self._gathered(share, heads.share_logits)
+            share = self.gathered(share, heads.share_logits)
         contact = torch.sigmoid(heads.contact_logit)
         force_n = self.force_scale_n * heads.force * (contact**DOUBT_POWER)[:, None]
         heatmap = (force_n[:, :, None] * share[:, None]).unflatten(2, self.shape)
@@ -204,7 +204,7 @@ class ContactEstimator(nn.Module):
         if self.forest is not None:
             force_n, xy_mm = self.forest(counts)
             trusted_n = force_n * mean.contact**DOUBT_POWER
-            mean = _with_force(mean, torch.lerp(mean.force_n, trusted_n, self.force_share))
+            mean = with_force(mean, torch.lerp(mean.force_n, trusted_n, self.force_share))
             places.append(xy_mm)
         xy = sum(
             (share * place for share, place in zip(self.place_shares, places, strict=False)),
@@ -216,7 +216,7 @@ class ContactEstimator(nn.Module):
         else:
             new = grown = newness(novelty)
             force_n, xy_mm = self.process(counts)
-            mean = _with_force(mean, torch.lerp(mean.force_n, force_n, new))
+            mean = with_force(mean, torch.lerp(mean.force_n, force_n, new))
             xy = torch.lerp(xy, xy_mm, new[:, None])
         radius = (1 - new) * mean.position_radius_mm * self.position_quantile
         return mean._replace(
@@ -224,12 +224,12 @@ class ContactEstimator(nn.Module):
             force_halfwidth_n=(1 - new) * mean.force_halfwidth_n * self.force_quantile
             + self.coverage.force_slope_n * grown,
             position_radius_mm=torch.minimum(
-                radius + self.coverage.place_slope_mm * grown, self._furthest_mm(xy)
+                radius + self.coverage.place_slope_mm * grown, self.furthest_mm(xy)
             ),
             novelty=novelty,
         )
 
-    def _furthest_mm(self, xy_mm: Float[Tensor, "frame 2"]) -> Float[Tensor, "frame"]:
+    def furthest_mm(self, xy_mm: Float[Tensor, "frame 2"]) -> Float[Tensor, "frame"]:
         """Distance to the corner of the contact grid that is furthest away."""
         grid_mm = self.members[0].get_buffer("grid_mm")
         away = torch.maximum(xy_mm - grid_mm.amin(dim=0), grid_mm.amax(dim=0) - xy_mm)
@@ -239,7 +239,7 @@ class ContactEstimator(nn.Module):
         return heatmap_centre_mm(heatmap_n, self.members[0].get_buffer("grid_mm"))
 
 
-def _with_force(mean: Reading, force_n: Tensor) -> Reading:
+def with_force(mean: Reading, force_n: Tensor) -> Reading:
     """Heatmaps keep the networks' shares."""
     ratio = (force_n / mean.force_n.clamp(min=_LEAST_FORCE_N))[:, None, None, None]
     heatmap = torch.cat([mean.heatmap_n[:, :-1], mean.heatmap_n[:, -1:] * ratio], dim=1)

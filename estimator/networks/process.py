@@ -33,7 +33,7 @@ class ProcessShape(NamedTuple):
     place_frames: int
 
 
-class _Regression(nn.Module):
+class ProcessRegression(nn.Module):
     """Exact regression to targets that share one kernel; double precision, as squares cancel."""
 
     mean_counts: Tensor
@@ -71,7 +71,7 @@ class _Regression(nn.Module):
         seen, middle = (counts - mean) / scale, target.mean(axis=0)
         spread = float(np.sqrt(target.var(axis=0).mean())) or 1.0
         aim = (target - middle) / spread
-        variance, length, noise = _chosen_kernel(seen, aim)
+        variance, length, noise = chosen_kernel(seen, aim)
         square = (seen**2).sum(axis=1)
         apart = np.maximum(square[:, None] + square - 2 * seen @ seen.T, 0.0)
         matrix = variance * np.exp(-apart / (2 * length**2)) + noise * np.eye(len(seen))
@@ -96,8 +96,8 @@ class Process(nn.Module):
     def __init__(self, shape: ProcessShape, channels: int) -> None:
         super().__init__()
         self.shape = shape
-        self.force = _Regression(shape.force_frames, channels, 1)
-        self.place = _Regression(shape.place_frames, channels, 2)
+        self.force = ProcessRegression(shape.force_frames, channels, 1)
+        self.place = ProcessRegression(shape.place_frames, channels, 2)
         for name in ("low_mm", "high_mm"):
             self.register_buffer(name, torch.zeros(2))
 
@@ -126,7 +126,7 @@ def fit_process(data: FaceData, channels: tuple[Channel, ...], seed: int) -> Pro
     return process
 
 
-def _chosen_kernel(
+def chosen_kernel(
     seen: Float[np.ndarray, "frame channel"], aim: Float[np.ndarray, "frame target"]
 ) -> tuple[float, float, float]:
     """Variance and length of the kernel, variance of the noise.

@@ -50,7 +50,7 @@ class RestLevels:
 
 
 @dataclass(frozen=True)
-class _Rests:
+class RestFrames:
     """Means of stretches at rest between presses: when, of how many frames, lasting how long, and the
     first frame after the contact before each."""
 
@@ -71,29 +71,31 @@ def levels_under_presses(
 ) -> RestLevels:
     """From frames at rest, but for those beside a contact. Sessions do not tell of each other, nor do the
     two sides of a jump of a channel."""
-    flat, loaded = counts.reshape(len(counts), -1), _contacts(loaded)
+    flat, loaded = counts.reshape(len(counts), -1), contact_ranges(loaded)
     known = np.any(np.isfinite(flat), axis=0)
     noise = np.maximum(np.nan_to_num(noise_counts.ravel()), _LEAST_NOISE_COUNTS)
-    used = rest & ~_beside(loaded)
+    used = rest & ~rests_beside(loaded)
     if used.sum() < LEAST_FRAMES:
         used = rest
     flat, noise = flat[:, known], noise[known]
-    rests = _rests(flat, time_s, loaded, used)
+    rests = rests_of(flat, time_s, loaded, used)
     new = np.diff(session, prepend=session[:1]) != 0
-    jumps = _jumps(rests, session, noise)
-    rate = _drift_rate(rests, session, jumps, noise, float(np.median(np.diff(time_s))))
+    jumps = channel_jumps(rests, session, noise)
+    rate = drift_rate(rests, session, jumps, noise, float(np.median(np.diff(time_s))))
     grows = np.tile(rate * np.diff(time_s, prepend=time_s[:1])[:, None], len(noise))
     grows[new] += _UNKNOWN_COUNTS2
     after, channel = np.nonzero(jumps)
     grows[rests.first[after + 1], channel] += _UNKNOWN_COUNTS2
-    level, variance, memory = _smoothed(np.where(used[:, None], flat, np.nan), noise**2, grows)
+    level, variance, memory = smoothed_levels(
+        np.where(used[:, None], flat, np.nan), noise**2, grows
+    )
     whole = np.zeros((len(counts), known.size))
     whole[:, known] = level
     error = np.stack([variance.mean(axis=1), memory.mean(axis=1)], axis=1)
     return RestLevels(whole.reshape(counts.shape), error, rate)
 
 
-def _contacts(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
+def contact_ranges(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
     """Without single frames that noise of a load cell lifts over the force of a contact."""
     held = loaded.copy()
     for first, last in runs(loaded.astype(int)):
@@ -101,7 +103,7 @@ def _contacts(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
     return held
 
 
-def _beside(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
+def rests_beside(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
     near = loaded.copy()
     for step in range(1, _TOUCH_FRAMES + 1):
         near[step:] |= loaded[:-step]
@@ -109,40 +111,40 @@ def _beside(loaded: Bool[np.ndarray, "frame"]) -> Bool[np.ndarray, "frame"]:
     return near
 
 
-def _rests(
+def rests_of(
     flat: Float[np.ndarray, "frame channel"],
     time_s: Float[np.ndarray, "frame"],
     loaded: Bool[np.ndarray, "frame"],
     used: Bool[np.ndarray, "frame"],
-) -> _Rests:
+) -> RestFrames:
     ended = np.diff(loaded.astype(int), prepend=0) < 0
     frames = np.flatnonzero(used)
     parts = np.split(frames, np.flatnonzero(np.diff(np.cumsum(ended)[frames])) + 1)
     parts = [part for part in parts if len(part) >= LEAST_FRAMES]
-    return _Rests(
+    return RestFrames(
         np.array([known_mean(flat[part]) for part in parts]).reshape(-1, flat.shape[1]),
         np.array([time_s[part].mean() for part in parts]),
         np.array([len(part) for part in parts], int),
         np.array([np.ptp(time_s[part]) for part in parts]),
-        np.array([_last(loaded, int(part[0])) + 1 for part in parts], int),
+        np.array([last_contact_before(loaded, int(part[0])) + 1 for part in parts], int),
     )
 
 
-def _last(loaded: Bool[np.ndarray, "frame"], before: int) -> int:
+def last_contact_before(loaded: Bool[np.ndarray, "frame"], before: int) -> int:
     """The last frame of a contact before a frame, or -1."""
     return before - 1 - int(np.argmax(loaded[:before][::-1])) if loaded[:before].any() else -1
 
 
-def _jumps(
-    rests: _Rests, session: Int[np.ndarray, "frame"], noise: Float[np.ndarray, "channel"]
+def channel_jumps(
+    rests: RestFrames, session: Int[np.ndarray, "frame"], noise: Float[np.ndarray, "channel"]
 ) -> Bool[np.ndarray, "gap channel"]:
     """Which channels jumped between a rest and the next one of the session."""
     same = np.diff(session[rests.first]) == 0
     return same[:, None] & (abs(np.diff(rests.counts, axis=0)) > LARGEST_DRIFT_NOISES * noise)
 
 
-def _drift_rate(
-    rests: _Rests,
+def drift_rate(
+    rests: RestFrames,
     session: Int[np.ndarray, "frame"],
     jumps: Bool[np.ndarray, "gap channel"],
     noise: Float[np.ndarray, "channel"],
@@ -171,7 +173,7 @@ def _drift_rate(
     return rate
 
 
-def _smoothed(
+def smoothed_levels(
     seen: Float[np.ndarray, "frame channel"],
     noise2: Float[np.ndarray, "channel"],
     grows: Float[np.ndarray, "frame channel"],

@@ -150,7 +150,7 @@ def number_presses(
     starts = [0]
     for first, last in runs(stretch):
         starts.append(first)
-        excursions = _excursions(force_n[first:last].max(axis=1), rest_force_n)
+        excursions = force_excursions(force_n[first:last].max(axis=1), rest_force_n)
         for (_, end), (begin, _) in pairwise(excursions):
             starts.append(first + (end + begin + 1) // 2)
     marks = np.zeros(len(stretch), dtype=int)
@@ -165,7 +165,9 @@ def runs(labels: Int[np.ndarray, "frame"]) -> list[tuple[int, int]]:
     return list(pairwise(bounds))
 
 
-def _excursions(force_n: Float[np.ndarray, "frame"], rest_force_n: float) -> list[tuple[int, int]]:
+def force_excursions(
+    force_n: Float[np.ndarray, "frame"], rest_force_n: float
+) -> list[tuple[int, int]]:
     """Frame ranges above `CONTACT_FORCE_N`, joined where the force never came back to rest."""
     pressed = [
         (first, last)
@@ -196,10 +198,10 @@ def estimate_lag(
     """
     curves = np.array(
         [
-            _residual_by_lag(
+            residual_by_lag(
                 _live(counts[first:last, face[first, cell] - 1]), force_n[first:last, cell]
             )
-            for first, last in _long_presses(press, stretch)
+            for first, last in long_presses(press, stretch)
             for cell in range(force_n.shape[1])
             if face[first, cell] != NO_FACE
             and np.ptp(force_n[first:last, cell]) > 3 * CONTACT_FORCE_N
@@ -220,7 +222,7 @@ def estimate_lag(
     )
 
 
-def _long_presses(
+def long_presses(
     press: Int[np.ndarray, "frame"], stretch: Int[np.ndarray, "frame"]
 ) -> list[tuple[int, int]]:
     """Frame ranges of presses, short ones joined with the next of their stretch until they are long."""
@@ -240,7 +242,7 @@ def _live(counts: Float[np.ndarray, "frame sensor 3"]) -> Float[np.ndarray, "fra
     return flat[:, np.isfinite(flat).all(axis=0)]
 
 
-def _residual_by_lag(
+def residual_by_lag(
     counts: Float[np.ndarray, "frame channel"], force_n: Float[np.ndarray, "frame"]
 ) -> Float[np.ndarray, "lag"]:
     """Share of variance that a cubic in force leaves; every lag judges the same frames."""

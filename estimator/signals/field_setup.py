@@ -208,7 +208,7 @@ def _at_sensors(
     centres, axes, sides = (_among_sensors(given) for given in magnets)
     size = scene.magnets.size
     if model.exact:
-        _check_sensor_clear(point, (centres, axes, sides), model, size)
+        check_sensor_clear(point, (centres, axes, sides), model, size)
     strength, plates = scene.magnets.strength[:, None, None], scene.environment.plates
     field = with_images(point, centres, axes, model, plates, sides, strength, size)
     around = scene.environment.field_at(point)
@@ -224,7 +224,7 @@ def _among_sensors(vector: Vector) -> Vector:
     return x[:, None], y[:, None], z[:, None]
 
 
-def _check_sensor_clear(
+def check_sensor_clear(
     point: Vector, magnets: _Magnets, model: MagnetsModel, size: Int[np.ndarray, "magnet"]
 ) -> None:
     for number, one in enumerate(model.of_sizes):

@@ -226,7 +226,7 @@ def _traces(
         delta = whole.delta_counts[index].reshape(len(signals.lattice), -1)
         counts[here, 1:] = (weights[here] @ delta).reshape(len(here), nodes - 1, channels)
     depth = np.concatenate([[0.0], signals.depth_mm])
-    return _corrected(Traces(depth, force, counts, np.zeros(force.shape, bool)), face)
+    return corrected_traces(Traces(depth, force, counts, np.zeros(force.shape, bool)), face)
 
 
 def _require_pressed(
@@ -275,18 +275,18 @@ def among_pressed(
 
 def unresolved_presses(signals: Signals) -> Bool[np.ndarray, "face place step"]:
     """Presses of the lattice whose force does not exceed that of all shallower ones."""
-    return ~_grows(signals.force_n) & signals.pressed[..., None]
+    return ~grows_by_step(signals.force_n) & signals.pressed[..., None]
 
 
-def _grows(force_n: Float[np.ndarray, "*any step"]) -> Bool[np.ndarray, "*any step"]:
+def grows_by_step(force_n: Float[np.ndarray, "*any step"]) -> Bool[np.ndarray, "*any step"]:
     before = np.maximum.accumulate(force_n, axis=-1)[..., :-1]
     before = np.concatenate([np.zeros_like(force_n[..., :1]), np.maximum(before, 0)], axis=-1)
     return np.greater(force_n, before + _LEAST_RISE_N)
 
 
-def _corrected(traces: Traces, face: Int[np.ndarray, "press"]) -> Traces:
+def corrected_traces(traces: Traces, face: Int[np.ndarray, "press"]) -> Traces:
     """Put points whose force does not grow on the chord between their neighbours."""
-    grows = _grows(np.real(traces.force_n[:, 1:]))
+    grows = grows_by_step(np.real(traces.force_n[:, 1:]))
     grows = np.concatenate([np.ones_like(grows[:, :1]), grows], axis=1)
     for press in np.flatnonzero(~grows.all(axis=1)):
         good = np.flatnonzero(grows[press])

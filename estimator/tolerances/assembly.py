@@ -141,7 +141,7 @@ def assembled(spec: ObjectSpec, design: Assembly, draws: Draws) -> Assembly:
         numbers[name] = numbers[name] + values
     tolerances, place = spec.tolerances, design.scene
     magnets = _moved_magnets(spec, place.magnets, tolerances, numbers)
-    sensors = _moved_sensors(spec, place.sensors, tolerances, numbers)
+    sensors = moved_sensors(spec, place.sensors, tolerances, numbers)
     slip = SlipSpec(
         shift_mm=(tolerances.core_shift_mm * numbers["core_shift"]).tolist(),
         rotation_deg=(0.0, 0.0, tolerances.core_yaw_deg * float(numbers["core_yaw"][0])),
@@ -161,11 +161,11 @@ def assembled(spec: ObjectSpec, design: Assembly, draws: Draws) -> Assembly:
         replace(place, magnets=magnets, sensors=sensors, chips=chips, environment=around),
         design.modulus_ratio * float(np.exp(tolerances.modulus_relative * numbers["modulus"][0])),
         design.earth_change_t + pressed_t - zeroed_t,
-        design.aside_mm + _aside_mm(tolerances, place.sensors_move, numbers),
+        design.aside_mm + shift_aside_mm(tolerances, place.sensors_move, numbers),
     )
 
 
-def _aside_mm(
+def shift_aside_mm(
     tolerances: TolerancesSpec, sensors_move: bool, numbers: _Numbers
 ) -> Float[np.ndarray, "body 2"]:
     if sensors_move:
@@ -191,7 +191,7 @@ def _moved_magnets(
     shift = np.einsum("mij,mj->mi", axes, np.column_stack([lateral, depth]))
     turn = np.einsum("mij,mj->mi", axes[:, :, :2], tilt)
     stronger = 1 + tolerances.remanence_relative * numbers["remanence"]
-    warmer = _temperature_ratio(spec, tolerances.temperature_k * float(numbers["temperature"][0]))
+    warmer = temperature_ratio(spec, tolerances.temperature_k * float(numbers["temperature"][0]))
     return replace(
         magnets,
         centre_mm=magnets.centre_mm + shift,
@@ -201,7 +201,7 @@ def _moved_magnets(
     )
 
 
-def _moved_sensors(
+def moved_sensors(
     spec: ObjectSpec, sensors: SensorLayout, tolerances: TolerancesSpec, numbers: _Numbers
 ) -> SensorLayout:
     axes = face_axes(spec, sensors.face)
@@ -220,7 +220,7 @@ def face_axes(spec: ObjectSpec, face: Int[np.ndarray, "part"]) -> Float[np.ndarr
     return np.stack([frames[number] for number in face.tolist()])
 
 
-def _temperature_ratio(spec: ObjectSpec, rise_k: float) -> float:
+def temperature_ratio(spec: ObjectSpec, rise_k: float) -> float:
     """Remanence at a temperature above the design's, over that at the design's."""
     at_design = remanence_at_temperature_t(1.0, spec.magnets.temperature_c)
     return 1 + NDFEB_REMANENCE_PER_KELVIN * rise_k / at_design

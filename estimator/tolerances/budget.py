@@ -137,8 +137,8 @@ def robustness(
     rng = np.random.default_rng((spec.seed, 6))
     objects = [outcome_of(setting, draw(spec, setting.design, rng)) for _ in range(draws)]
     scale = draws**-0.5
-    deviations = (_deviation(one, nominal, scale) for one in objects)
-    together = _together(rows)
+    deviations = (deviation_of(one, nominal, scale) for one in objects)
+    together = summed_spread(rows)
     return Robustness(
         tuple(sorted(rows, key=lambda row: -_share(row, together))),
         together,
@@ -146,7 +146,7 @@ def robustness(
         draws,
         spec.score.force_n,
         setting.at_less,
-        *_bound_ranges(nominal, objects),
+        *bound_ranges(nominal, objects),
         saturation=saturation(spec, press_signals(spec, forces, motions), motions, draws),
     )
 
@@ -208,7 +208,7 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
         setting.faces, setting.states, setting.live, setting.of_design, strict=True
     ):
         motion = states.of_design if ratio == 1 else states.motion(ratio)
-        motion = _moved_aside(assembly, states, motion, face)
+        motion = moved_aside(assembly, states, motion, face)
         own = setting.read_by(face)
         place, moved = read_by(pressed, _in_a_row(motion), own)
         if motion is states.of_design:
@@ -233,7 +233,7 @@ def _in_a_row(motion: Float[np.ndarray, "7 press body 6"]) -> Float[np.ndarray, 
     return motion.reshape(-1, *motion.shape[2:])
 
 
-def _moved_aside(
+def moved_aside(
     assembly: Assembly,
     states: PressStates,
     motion: Float[np.ndarray, "7 press body 6"],
@@ -263,7 +263,7 @@ def _linear(setting: Setting, name: str) -> Iterator[_Deviation]:
             outcome_of(setting, assembled(setting.spec, design, {name: way * step}))
             for way in (1.0, -1.0)
         )
-        yield _deviation(plus, minus, 1 / (2 * _STEP))
+        yield deviation_of(plus, minus, 1 / (2 * _STEP))
 
 
 def _independent_steps(setting: Setting, name: str) -> Float[np.ndarray, "step number"]:
@@ -278,7 +278,7 @@ def _independent_steps(setting: Setting, name: str) -> Float[np.ndarray, "step n
     return np.eye(size)
 
 
-def _deviation(one: Outcome, other: Outcome, scale: float) -> _Deviation:
+def deviation_of(one: Outcome, other: Outcome, scale: float) -> _Deviation:
     """Differences, of bounds in their logarithms; 0 where a bound is infinite."""
 
     def log_ratio(a: Any, b: Any) -> Float[np.ndarray, "press"]:
@@ -332,7 +332,7 @@ def calibrated_estimator(
     return np.linalg.pinv(jacobian / sigma[:, None]) / sigma
 
 
-def _together(rows: list[Spread]) -> Spread:
+def summed_spread(rows: list[Spread]) -> Spread:
     """Root sum of squares, figure by figure (of medians: as the figures stand)."""
     names = [field.name for field in fields(Spread)][1:]
     return Spread(
@@ -345,7 +345,7 @@ def _share(row: Spread, together: Spread) -> float:
     return sum((own / (whole or 1.0)) ** 2 for own, whole in zip(*pairs, strict=True))
 
 
-def _bound_ranges(nominal: Outcome, objects: list[Outcome]) -> list[BoundRange]:
+def bound_ranges(nominal: Outcome, objects: list[Outcome]) -> list[BoundRange]:
     ranges = []
     for name in ("position_mm", "force_n"):
         for pick in (np.median, np.max):

@@ -116,10 +116,10 @@ def rest_model(spec: ObjectSpec, noise_counts: float = 0.0) -> RestModel:
     `noise_counts` is the standard deviation of a mean resting level beside that of the tolerances
     (readings averaged, drift); `sensors.zeroing_counts` is always included.
     """
-    design, model = _design(spec)
-    mean = _rest(spec, design, model)
+    design, model = design_at_rest(spec)
+    mean = resting_counts(spec, design, model)
     moved = np.array(
-        [[_rest(spec, one, model) for one in pair] for pair in _steps(spec, design)]
+        [[resting_counts(spec, one, model) for one in pair] for pair in _steps(spec, design)]
     ).reshape(-1, 2, len(mean))
     spread = (moved[:, 0] - moved[:, 1]) / (2 * _STEP)
     bend = (moved.sum(axis=1) - 2 * mean) / (2 * _STEP**2)  # counts x + b x², x normal
@@ -130,7 +130,7 @@ def rest_model(spec: ObjectSpec, noise_counts: float = 0.0) -> RestModel:
     return RestModel(mean, covariance, faults, full_scale_counts(spec.sensors))
 
 
-def _design(spec: ObjectSpec) -> tuple[Assembly, MagnetsModel]:
+def design_at_rest(spec: ObjectSpec) -> tuple[Assembly, MagnetsModel]:
     """The specification's object at rest, and a field model good for tolerances about it."""
     design = undisturbed(scene(spec, core_slipped=True))
     nearest = min_distance_mm(design.scene, at_rest(design.scene))
@@ -145,7 +145,7 @@ def _steps(spec: ObjectSpec, design: Assembly) -> Iterator[tuple[Assembly, Assem
             yield assembled(spec, design, {name: step}), assembled(spec, design, {name: -step})
 
 
-def _rest(
+def resting_counts(
     spec: ObjectSpec, assembly: Assembly, model: MagnetsModel
 ) -> Float[np.ndarray, "channel"]:
     place = assembly.scene
@@ -153,11 +153,11 @@ def _rest(
 
 
 def _faults(spec: ObjectSpec, design: Assembly, model: MagnetsModel) -> Iterator[Fault]:
-    place, mean = design.scene, _rest(spec, design, model)
+    place, mean = design.scene, resting_counts(spec, design, model)
     number = _numbers_within_face(place.magnets.face)
     for magnet, flipped in enumerate(_flipped(design)):
         where = f"magnet {number[magnet]} of face {place.magnets.face[magnet]}"
-        yield Fault("flipped magnet", where, shift=_rest(spec, flipped, model) - mean)
+        yield Fault("flipped magnet", where, shift=resting_counts(spec, flipped, model) - mean)
     names = sensor_names(place.sensors.face)
     channels = np.arange(len(mean))
     for a, b in combinations(range(len(names)), 2):
@@ -200,7 +200,7 @@ def self_test(
     pairs = [(a, b) for a in leaders for b in model.faults if a is not b]
     found = sorted(single + rank(model, counts, pairs), key=lambda h: -h.log_odds)
     return SelfTest(
-        tuple(_distinct(found)[:shown]),
+        tuple(distinct_faults(found)[:shown]),
         false_alarm_rate(spec, model, healthy_objects),
         healthy_objects,
     )
@@ -209,11 +209,11 @@ def self_test(
 def false_alarm_rate(spec: ObjectSpec, model: RestModel, objects: int) -> float:
     """Share of objects drawn within tolerance for which some single fault is preferred."""
     rng = np.random.default_rng((spec.seed, 7))
-    design, field = _design(spec)
+    design, field = design_at_rest(spec)
     hypotheses = Claims.of([(), *((fault,) for fault in model.faults)], len(model.mean))
     alarms = 0
     for _ in range(objects):
-        counts = _rest(spec, draw(spec, design, rng), field)
+        counts = resting_counts(spec, draw(spec, design, rng), field)
         counts += spec.sensors.zeroing_counts * rng.standard_normal(len(counts))
         alarms += bool(rank(model, counts, hypotheses)[0].faults)
     return alarms / objects
@@ -228,7 +228,7 @@ def rank(
     given = hypotheses if isinstance(hypotheses, Claims) else Claims.of(hypotheses, len(counts))
     residual = counts[given.order] - model.mean - given.shift
     silent = given.silent | np.isnan(residual)
-    distance, log_volume = _quadratic_forms(model, np.where(silent, 0.0, residual), silent)
+    distance, log_volume = quadratic_forms(model, np.where(silent, 0.0, residual), silent)
     freedom = len(counts) - silent.sum(axis=1)
     value = -0.5 * (distance + log_volume + freedom * np.log(2 * np.pi))
     value -= given.silent.sum(axis=1) * np.log(2 * model.full_scale_counts)
@@ -272,7 +272,7 @@ class Claims:
         return Claims(every, order, shift, silent, np.array([len(faults) for faults in every]))
 
 
-def _quadratic_forms(
+def quadratic_forms(
     model: RestModel,
     residual: Float[np.ndarray, "hypothesis channel"],
     silent: Bool[np.ndarray, "hypothesis channel"],
@@ -308,7 +308,7 @@ def _numbers_within_face(face: Int[np.ndarray, "part"]) -> list[int]:
     return [int(np.sum(face[:index] == own)) + 1 for index, own in enumerate(face)]
 
 
-def _distinct(hypotheses: list[Hypothesis]) -> list[Hypothesis]:
+def distinct_faults(hypotheses: list[Hypothesis]) -> list[Hypothesis]:
     """Without pairs that occur in either order."""
     seen: set[frozenset[str]] = set()
     kept = []

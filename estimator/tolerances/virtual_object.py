@@ -98,7 +98,7 @@ def aside_slopes(
     lattice, motion = motions.lattice, _whole(motions, index)[:, :, own]
     shape = (*lattice.shape, *motion.shape[1:])
     slopes = [
-        _slope(motion.reshape(shape), nodes, axis).reshape(motion.shape)
+        slope_along(motion.reshape(shape), nodes, axis).reshape(motion.shape)
         for axis, nodes in enumerate((lattice.x_mm, lattice.y_mm))
     ]
     return np.stack(slopes)
@@ -110,7 +110,7 @@ def _whole(motions: MagnetMotions, index: int) -> Float[np.ndarray, "place step 
     return motion if pressed.all() else continued(motion, pressed, motions.lattice.shape)
 
 
-def _slope(values: np.ndarray, nodes_mm: np.ndarray, axis: int) -> np.ndarray:
+def slope_along(values: np.ndarray, nodes_mm: np.ndarray, axis: int) -> np.ndarray:
     from scipy.interpolate import make_interp_spline
 
     spline = make_interp_spline(nodes_mm, values, k=3, axis=axis)

@@ -189,7 +189,7 @@ def candidate_lattices(
         ends = frame.from_plane(np.stack([-reach, reach]))
         x, y = (_regular(float(ends[0, k]), float(ends[1, k]), pitch_mm) for k in (0, 1))
         lattice = FaceCandidates(frame.number, x, y, _regular(margin_mm, deepest, depth_step_mm))
-        _require_below_the_surface(spec, lattice)
+        require_below_the_surface(spec, lattice)
         lattices.append(lattice)
     return tuple(lattices)
 
@@ -229,7 +229,7 @@ def stands_out_mm(spec: ObjectSpec, lattice: FaceCandidates) -> float:
     return float(np.nanmax(frame.from_object(points)[..., 2]))
 
 
-def _require_below_the_surface(spec: ObjectSpec, lattice: FaceCandidates) -> None:
+def require_below_the_surface(spec: ObjectSpec, lattice: FaceCandidates) -> None:
     out = stands_out_mm(spec, lattice)
     if out > 0:
         raise InputError(

@@ -99,7 +99,10 @@ def simulate_candidates(
     there = pressed_nodes(spec)
     force, depth, deepest = (
         np.stack(
-            [_on_grid(own, getattr(press, name)) for own, press in zip(there, presses, strict=True)]
+            [
+                values_on_grid(own, getattr(press, name))
+                for own, press in zip(there, presses, strict=True)
+            ]
         )
         for name in ("force_n", "depth_mm", "deepest_n")
     )
@@ -136,7 +139,7 @@ def simulate_candidates(
         strain,
         between,
     )
-    table = _with_error(table, tests, [one.at_tests for one in recorded])
+    table = with_error(table, tests, [one.at_tests for one in recorded])
     save_candidates(table, folder)
     return table
 
@@ -197,7 +200,7 @@ def _record(
     tractions = face_pressure_loads(system.space, spec)[1]
     known = [np.repeat(known_places(spec, one), len(one.depth_mm)) for one in lattices]
     points = [*(one.xyd_mm[here] for one, here in zip(lattices, known, strict=True)), *tests]
-    filled, count, recorded = _filled(lattices, known), sum(map(len, tests)), []
+    filled, count, recorded = filled_candidates(lattices, known), sum(map(len, tests)), []
     with Factorization(system.matrix) as factor:
         body, tied = tied_magnets(spec, system, factor, lattices)
         between = influence(spec, system.space, body, tied, lattices)
@@ -224,7 +227,9 @@ def _record(
             recorded.append(
                 _Recorded(
                     slice(begin, begin + len(lattices[under])),
-                    _filled((lattices[under],), [known[under]])(strain.transpose(0, 2, 1)),
+                    filled_candidates((lattices[under],), [known[under]])(
+                        strain.transpose(0, 2, 1)
+                    ),
                     filled(motion[: len(motion) - count]),
                     motion[len(motion) - count :],
                     (share @ of_patterns).astype(np.float32),
@@ -285,7 +290,7 @@ def _test_points(spec: ObjectSpec, lattices: tuple[FaceCandidates, ...]) -> list
     return found
 
 
-def _on_grid(
+def values_on_grid(
     there: Bool[np.ndarray, "place"], values: Float[np.ndarray, "own *step"]
 ) -> Float[np.ndarray, "place *step"]:
     """Of the places that a face has; NaN elsewhere."""
@@ -294,7 +299,7 @@ def _on_grid(
     return found
 
 
-def _filled(
+def filled_candidates(
     lattices: tuple[FaceCandidates, ...], known: list[np.ndarray]
 ) -> Callable[[np.ndarray], np.ndarray]:
     """What goes on from the known candidates of every face to all of them."""
@@ -317,7 +322,7 @@ def _filled(
     return filled
 
 
-def _with_error(
+def with_error(
     table: CandidateMotions,
     tests: list[np.ndarray],
     direct: Sequence[Float32[np.ndarray, "test mode 6"]],

@@ -40,7 +40,7 @@ from fem.linear.elements import DisplacementSpace
 from fem.linear.factorization import Factorization
 from fem.linear.response import ElasticSystem, displacements
 
-_CIRCLES, _AROUND = 2, 8
+CIRCLES, AROUND = 2, 8
 _OF_THE_COVER = 0.8
 """Share of the silicone over the uppermost candidates that their upper half may take."""
 _TOLD_APART = 1e-4
@@ -113,7 +113,7 @@ def tied_magnets(
     around = np.concatenate([centre + whole @ axes.T for *_, centre, axes in places])
     inset = min(INSET * edge_mm(system.space, around), MOST_INSET * height)
     outline, between = body.outline.inset(inset), height - 2 * inset
-    points, weights = skin_quadrature(outline, between, _CIRCLES, _AROUND)
+    points, weights = skin_quadrature(outline, between, CIRCLES, AROUND)
     psi = polynomials(points, weights, DEGREE) * weights[:, None]
     rigid = np.concatenate([psi.T @ part for part in rigid_motions(points)])
     strained = np.stack([(psi.T @ (points @ one.T)).T.ravel() for one in STRAINS], axis=1)

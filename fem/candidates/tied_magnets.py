@@ -80,9 +80,9 @@ def rigid_magnet_response(
             "the magnets instead"
         )
     functionals, rigid = tie_functionals(spec, system.space, degree)
-    flexibility, crossed = _flexibilities(spec, system, factor, functionals)
+    flexibility, crossed = flexibilities(spec, system, factor, functionals)
     return replace(
-        plain, compliance=_tied(np.asarray(plain.compliance), flexibility, crossed, rigid)
+        plain, compliance=tied_compliance(np.asarray(plain.compliance), flexibility, crossed, rigid)
     )
 
 
@@ -108,7 +108,7 @@ def tie_functionals(
     return rows_of(rows), np.asarray(scipy.linalg.block_diag(*rigid))
 
 
-def _flexibilities(
+def flexibilities(
     spec: ObjectSpec, system: ElasticSystem, factor: Factorization, functionals: sp.csr_matrix
 ) -> tuple[np.ndarray, np.ndarray]:
     """Φᵀ A⁻¹ Φ, and Φᵀ A⁻¹ L of the faces' pressures L."""
@@ -127,7 +127,7 @@ def _flexibilities(
     return (flexibility + flexibility.T) / 2, crossed
 
 
-def _tied(
+def tied_compliance(
     plain: np.ndarray, flexibility: np.ndarray, crossed: np.ndarray, rigid: np.ndarray
 ) -> np.ndarray:
     """Compliance of pressures and magnet loads under the ties: a Schur complement of both.

@@ -19,7 +19,7 @@ from scipy.optimize import nnls
 
 from design.errors import SolverError
 
-_MAX_SWITCHES = 25
+MAX_SWITCHES = 25
 _TOLERANCE = 1e-10
 _TOUCHES_BELOW = 0.6
 """First guess: in contact to this part of the depth (a half of it in Hertz's, more on a layer)."""
@@ -109,11 +109,11 @@ def _solve_complementarity(
     """
     least = -_TOLERANCE * float(np.abs(gap).max())
     active = guess
-    for _ in range(_MAX_SWITCHES):
+    for _ in range(MAX_SWITCHES):
         pressure = np.zeros(len(gap))
         (index,) = np.nonzero(active)
         if len(index):
-            pressure[index] = _solve_positive(_block(compliance, index), -gap[index])
+            pressure[index] = solve_positive(_block(compliance, index), -gap[index])
         after = compliance @ pressure + gap
         switched = after < least
         switched[index] = pressure[index] > 0
@@ -129,7 +129,7 @@ def _block(matrix: np.ndarray, index: Int[np.ndarray, "chosen"]) -> np.ndarray:
     return matrix.take(index, axis=0).take(index, axis=1)
 
 
-def _solve_positive(matrix: np.ndarray, right_side: np.ndarray) -> np.ndarray:
+def solve_positive(matrix: np.ndarray, right_side: np.ndarray) -> np.ndarray:
     """A⁻¹ b by LAPACK's Cholesky factorization, which overwrites A.
 
     The checks around `scipy.linalg.solve` cost two to ten times as much as the solution itself.
@@ -157,7 +157,7 @@ def complementary_pressures(
     left to the next Newton iteration.
     """
     pressure = np.zeros(len(gap))
-    for _ in range(_MAX_SWITCHES):
+    for _ in range(MAX_SWITCHES):
         pressure[:] = 0
         if active.any():
             block = _block(compliance, np.flatnonzero(active))

@@ -11,7 +11,7 @@ from design.layout.tips import TipShape, tip_heights_mm, tip_places_mm, tip_shap
 from design.spec.mechanics import IndenterSpec
 from fem.contact.half_space import Patches
 
-_CELLS = 150
+CELLS = 150
 _LARGEST_CELL_MM = 1.2
 _FINE_BELOW_MM = 0.4
 _SAMPLES = 4
@@ -71,7 +71,7 @@ def hemisphere_profile_mm(
 
 def _cells(shape: TipShape) -> tuple[Patches, np.ndarray]:
     low, high = shape.corners_mm.min(axis=0), shape.corners_mm.max(axis=0)
-    edge = min(np.sqrt(np.prod(high - low) / _CELLS), _LARGEST_CELL_MM)
+    edge = min(np.sqrt(np.prod(high - low) / CELLS), _LARGEST_CELL_MM)
     count = np.ceil((high - low) / edge).astype(int)
     size = (high - low) / count
     index = np.stack(np.meshgrid(*map(np.arange, count), indexing="ij"), axis=-1).reshape(-1, 2)
@@ -83,8 +83,8 @@ def _cells(shape: TipShape) -> tuple[Patches, np.ndarray]:
     quarter = np.array([[0, 0], [0, 1], [1, 0], [1, 1]]) * size / 2
     fine = _sampled(shape, (lower[halved, None] + quarter).reshape(-1, 2), size / 2)
     parts = [
-        _moments(points[~halved], height[~halved], size),
-        _moments(*fine, size / 2),
+        cell_moments(points[~halved], height[~halved], size),
+        cell_moments(*fine, size / 2),
     ]
     area, centre, variance, mean = (np.concatenate(column) for column in zip(*parts, strict=True))
     return Patches(area, centre, variance), mean
@@ -100,7 +100,7 @@ def _sampled(
     return points, tip_heights_mm(shape, points)
 
 
-def _moments(
+def cell_moments(
     points: np.ndarray, height: np.ndarray, size_mm: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Area, centroid, variance and mean height of what lies below the tip; empty cells left out."""

@@ -29,8 +29,8 @@ from fem.linear.response import ResponseOperator
 
 Pressed = TypeVar("Pressed")
 HOLD = 1e-3
-_MAX_STEPS = 50
-_NOTHING = 1e-9
+MAX_STEPS = 50
+NOTHING = 1e-9
 
 
 def lift_off(
@@ -58,16 +58,16 @@ def lift_off(
         raise ValueError("a shell bonded to its core does not lift off")
     hold = HOLD * spec.silicone.youngs_modulus_mpa / spec.shell.thickness_mm * core.weights_mm2
     open_ = np.zeros(len(core.normal), bool)
-    for _ in range(_MAX_STEPS):
+    for _ in range(MAX_STEPS):
         pressed = press(with_open_core(response, open_, hold))
         state = core_state(core, closed_force(pressed), open_, hold)
-        least = _NOTHING * abs(state.force_n).max()
+        least = NOTHING * abs(state.force_n).max()
         now = np.where(open_, state.opening_mm > 0, state.force_n < -least)
         if (now == open_).all():
             return pressed, state
         open_ = now
     raise SolverError(
-        f"where the shell lifts off its core did not settle in {_MAX_STEPS} steps "
+        f"where the shell lifts off its core did not settle in {MAX_STEPS} steps "
         f"({open_.sum()} of {len(open_)} vertices open)"
     )
 

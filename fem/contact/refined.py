@@ -104,7 +104,7 @@ def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray
     """
     on_face, height, cosine = _onto_face(face.frame, patches.centre_mm, place_mm)
     missed = ~np.isfinite(height)
-    vertices, share = _barycentric(face.triangulation, np.where(missed[:, None], 0, on_face)[:, :2])
+    vertices, share = barycentric(face.triangulation, np.where(missed[:, None], 0, on_face)[:, :2])
     area = patches.area_mm2 / np.where(missed, 1, cosine)
     force = share * (area * ~missed)[:, None] / face.hats.area_mm2[vertices]
     rows, matrix = _narrowed(face, vertices, force)
@@ -228,7 +228,7 @@ def triangle_areas_mm2(surface: FaceSurface) -> Float[np.ndarray, "triangle"]:
     return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
 
-def _barycentric(triangulation: Delaunay, xy_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def barycentric(triangulation: Delaunay, xy_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Three vertices around every point and their weights; beyond the border the nearest vertex."""
     simplex = triangulation.find_simplex(xy_mm)
     transform = triangulation.transform[simplex]

@@ -57,8 +57,8 @@ def traction_response(
     system = elastic_system(mesh, spec)
     frames = {frame.number: frame for frame in face_frames(spec)}
     for number in set(faces):
-        _require_flat(frames[number])
-    surfaces = {number: _surface(system, spec, frames[number]) for number in set(faces)}
+        require_flat(frames[number])
+    surfaces = {number: refined_surface(system, spec, frames[number]) for number in set(faces)}
     centre = np.zeros(2)
     spreads = [
         spread_cells(surfaces[n][0], group, centre) for n, group in zip(faces, groups, strict=True)
@@ -66,19 +66,19 @@ def traction_response(
     tractions = [
         columns_of(
             [
-                _traction(frames[n], direction, surfaces[n][1][:, spread.rows])
+                traction_loads(frames[n], direction, surfaces[n][1][:, spread.rows])
                 for n, spread in zip(faces, spreads, strict=True)
             ]
         )
         for direction in range(3)
     ]
-    condensed = _condensed(system, spec, mesh, columns_of(tractions))
-    hats = [_rows_of_hats(spread) for spread in spreads]
+    condensed = condensed_compliance(system, spec, mesh, columns_of(tractions))
+    hats = [rows_of_hats(spread) for spread in spreads]
     count = 3 * sum(len(group.area_mm2) for group in hats)
     one = np.asarray(scipy.linalg.block_diag(*(spread.matrix for spread in spreads)))
     share = np.kron(np.eye(3), one)
-    wide = condensed[:count, :count] - _half_space(spec, faces, hats)
-    compliance = share.T @ wide @ share + _half_space(spec, faces, groups)
+    wide = condensed[:count, :count] - half_space_compliance(spec, faces, hats)
+    compliance = share.T @ wide @ share + half_space_compliance(spec, faces, groups)
     cells = share.shape[1] // 3
     return TractionResponse(
         ((compliance + compliance.T) / 2).reshape(3, cells, 3, cells),
@@ -86,7 +86,7 @@ def traction_response(
     )
 
 
-def _surface(
+def refined_surface(
     system: ElasticSystem, spec: ObjectSpec, frame: FaceFrame
 ) -> tuple[RefinedFace, sp.csc_matrix]:
     surface, moments = face_surface(system.space, face_facets(system.mesh, spec, frame), frame)
@@ -97,7 +97,7 @@ def _surface(
     return RefinedFace(frame, surface, frame.number, hats, unused, narrowing, around), moments
 
 
-def _require_flat(frame: FaceFrame) -> None:
+def require_flat(frame: FaceFrame) -> None:
     if not frame.flat:
         raise InputError(
             f"face {frame.number} is curved, and friction is known on flat faces only. Set "
@@ -105,13 +105,13 @@ def _require_flat(frame: FaceFrame) -> None:
         )
 
 
-def _traction(frame: FaceFrame, direction: int, moments: sp.csc_matrix) -> sp.csr_matrix:
+def traction_loads(frame: FaceFrame, direction: int, moments: sp.csc_matrix) -> sp.csr_matrix:
     """Nodal forces of unit hats inwards (0), along the face's x (1) or y (2)."""
     along = (-frame.normal, frame.x, frame.y)[direction]
     return rows_of([part * moments for part in along])
 
 
-def _condensed(
+def condensed_compliance(
     system: ElasticSystem, spec: ObjectSpec, mesh: TetMesh, tractions: sp.csr_matrix
 ) -> np.ndarray:
     """Mutual compliance of nodal loads and all magnets' motions."""
@@ -126,12 +126,14 @@ def _condensed(
     return compliance_of_loads(system.matrix, rows_of([loads, padding])).matrix
 
 
-def _rows_of_hats(spread: Spread) -> Patches:
+def rows_of_hats(spread: Spread) -> Patches:
     hats, rows = spread.face.hats, spread.rows
     return Patches(hats.area_mm2[rows], hats.centre_mm[rows], hats.variance_mm2[rows], hats.own)
 
 
-def _half_space(spec: ObjectSpec, faces: Sequence[int], groups: Sequence[Patches]) -> np.ndarray:
+def half_space_compliance(
+    spec: ObjectSpec, faces: Sequence[int], groups: Sequence[Patches]
+) -> np.ndarray:
     """Compliance of patches on half-spaces, one for every face."""
     face = np.repeat(faces, [len(group.area_mm2) for group in groups])
     together, silicone = joined(groups), spec.silicone

@@ -172,7 +172,7 @@ def _chunk_tangent(
     cofactor = inverse_transpose(deformation)
     cofactor *= np.linalg.det(deformation)[..., None, None]
     modulus = tangent_modulus(material, deformation)
-    modulus -= _pressure_modulus(deformation, pressure)
+    modulus -= pressure_modulus(deformation, pressure)
     modulus *= weights[..., None, None, None, None]
     count, points = weights.shape
     rows = np.swapaxes(gradients.reshape(count, points, 10, 3), 2, 3)  # (tet, q, j, a)
@@ -187,7 +187,7 @@ def _chunk_tangent(
     return blocks, divergence.reshape(3, count, 40)
 
 
-def _pressure_modulus(deformation: np.ndarray, pressure: np.ndarray) -> np.ndarray:
+def pressure_modulus(deformation: np.ndarray, pressure: np.ndarray) -> np.ndarray:
     """p ∂²J/∂F² = p J (F⁻ᵀ_ij F⁻ᵀ_kl − F⁻ᵀ_il F⁻ᵀ_kj): linear in F, entries ± p F or 0."""
     table = np.zeros((*deformation.shape, 3, 3))
     scaled = pressure[..., None, None] * deformation

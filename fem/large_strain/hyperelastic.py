@@ -187,7 +187,7 @@ def _ogden_modulus(material: Hyperelastic, deformation: np.ndarray) -> np.ndarra
     slopes = np.zeros_like(deformation)
     for mu, alpha in material.ogden_terms:
         stress += mu * values ** (alpha / 2 - 1)
-        slopes += mu * _divided_differences(values, alpha / 2 - 1)
+        slopes += mu * divided_differences(values, alpha / 2 - 1)
     # dP = dF S + F dS. Second part: with f_a = F n_a, dC_ab = n_aᵀ dFᵀ f_b + f_aᵀ dF n_b, so that
     # F dS = Σ_ab s[c_a, c_b] dC_ab f_a n_bᵀ is a sum of dyads `left` ⊗ `right`.
     principal = deformation @ vectors
@@ -202,7 +202,7 @@ def _ogden_modulus(material: Hyperelastic, deformation: np.ndarray) -> np.ndarra
     return modulus + np.einsum("ik,...jl->...ijkl", np.eye(3), second)
 
 
-def _divided_differences(values: np.ndarray, power: float) -> np.ndarray:
+def divided_differences(values: np.ndarray, power: float) -> np.ndarray:
     """(a^β − b^β)/(a − b) of all pairs of `values` (..., 3), exact where they coincide."""
     table = np.zeros((*values.shape, 3))
     for a in range(3):

@@ -37,7 +37,7 @@ from fem.linear.factorization import SingularSystemError, solve_symmetric
 from fem.linear.magnets import rigid_motion_basis
 from fem.linear.sparse import shape_of
 
-_MAX_ITERATIONS = 12
+MAX_ITERATIONS = 12
 _MAX_HALVINGS = 5
 _TOLERANCE = 1e-6
 
@@ -115,15 +115,15 @@ def equilibrium(
         None was found within the allowed iterations, or the tangent is singular.
     """
     state = start
-    for _ in range(_MAX_ITERATIONS):
-        forces = _forces(problem, state, sphere_centre_mm)
-        if _misfit(problem, state, forces) < 1:
+    for _ in range(MAX_ITERATIONS):
+        forces = forces_of(problem, state, sphere_centre_mm)
+        if newton_misfit(problem, state, forces) < 1:
             return state
         try:
             state = _newton_step(problem, state, forces)
         except (SingularSystemError, np.linalg.LinAlgError) as error:
             raise StepDivergedError(f"the tangent is singular ({error})") from error
-    raise StepDivergedError(f"no equilibrium after {_MAX_ITERATIONS} iterations")
+    raise StepDivergedError(f"no equilibrium after {MAX_ITERATIONS} iterations")
 
 
 def motion_basis(problem: PressProblem, rotation: Float[np.ndarray, "magnet 3 3"]) -> sp.csr_matrix:
@@ -140,7 +140,7 @@ def residual(
     problem: PressProblem, state: PressState, sphere_centre_mm: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "unknown"]:
     """Forces and moments that are not balanced (N, N·mm), then volumes not kept (mm³)."""
-    forces = _forces(problem, state, sphere_centre_mm)
+    forces = forces_of(problem, state, sphere_centre_mm)
     unbalanced = forces.basis.T @ forces.internal.nodal_n - forces.gradient.T @ state.contact_mpa
     return np.concatenate([unbalanced, forces.internal.volume_mm3])
 
@@ -174,7 +174,7 @@ def _turned(problem: PressProblem, rotation: np.ndarray) -> np.ndarray:
     return np.einsum("nij,nj->ni", rotation[owner], problem.arms_mm)
 
 
-def _forces(problem: PressProblem, state: PressState, sphere_centre_mm: np.ndarray) -> _Forces:
+def forces_of(problem: PressProblem, state: PressState, sphere_centre_mm: np.ndarray) -> _Forces:
     basis = motion_basis(problem, state.rotation)
     internal = internal_forces(
         problem.elements,
@@ -189,7 +189,7 @@ def _forces(problem: PressProblem, state: PressState, sphere_centre_mm: np.ndarr
     return _Forces(basis, internal, contact, sp.csr_matrix(contact.gradient @ basis))
 
 
-def _misfit(problem: PressProblem, state: PressState, forces: _Forces) -> float:
+def newton_misfit(problem: PressProblem, state: PressState, forces: _Forces) -> float:
     """Largest violation of equilibrium, volume and contact, in units of what is allowed."""
     applied = forces.gradient.T @ state.contact_mpa
     unbalanced = abs(forces.basis.T @ forces.internal.nodal_n - applied).max()
@@ -209,7 +209,7 @@ def _newton_step(problem: PressProblem, state: PressState, forces: _Forces) -> P
     # One factorization answers the forces out of balance (column 0) and a unit pressure at every
     # candidate of contact (the others). Gaps are then linear in the pressures p: C p + gap, with C
     # the surface compliance of the tangent, and the complementary p belongs to this very step.
-    matrix = _tangent(problem, state, forces)
+    matrix = tangent_matrix(problem, state, forces)
     motions = shape_of(forces.basis)[1]
     loads = np.zeros((shape_of(matrix)[0], 1 + len(state.contact_mpa)))
     loads[:motions, 0] = -(forces.basis.T @ forces.internal.nodal_n)
@@ -246,7 +246,7 @@ def _damped(
     raise StepDivergedError("elements turn inside out")
 
 
-def _tangent(problem: PressProblem, state: PressState, forces: _Forces) -> sp.csr_matrix:
+def tangent_matrix(problem: PressProblem, state: PressState, forces: _Forces) -> sp.csr_matrix:
     blocks = tangent_blocks(
         problem.elements, problem.material, state.displacement_mm, state.pressure_mpa
     )

@@ -27,8 +27,8 @@ from fem.presses.shape import FacePressure, deformed_shape, face_vertices, shape
 
 Progress = Callable[[str], None]
 
-_LARGEST_STEP_MM = 0.5
-_SMALLEST_STEP_MM = 0.02
+LARGEST_STEP_MM = 0.5
+SMALLEST_STEP_MM = 0.02
 
 
 def press_large_strain(
@@ -58,16 +58,16 @@ def press_large_strain(
     setting = press_setting(spec, mesh, face, np.array([x_mm, y_mm], float), material)
     rows: list[PressRow] = []
     state = undeformed(setting.problem)
-    for depth, state in _converged_states(setting, depths_mm, progress or (lambda _: None)):
+    for depth, state in converged_states(setting, depths_mm, progress or (lambda _: None)):
         rows.append(_row(setting, depth, state))
     return _collected(setting, material, rows, state, depths_mm[-1])
 
 
-def _converged_states(
+def converged_states(
     setting: PressSetting, depths_mm: Sequence[float], progress: Progress
 ) -> Iterator[tuple[float, PressState]]:
     """Equilibrium at each depth; where a load step cannot be halved further, the last one found."""
-    state, reached, step = undeformed(setting.problem), 0.0, _LARGEST_STEP_MM
+    state, reached, step = undeformed(setting.problem), 0.0, LARGEST_STEP_MM
     answered: list[float] = []
     for depth in depths_mm:
         while reached < depth:
@@ -77,12 +77,12 @@ def _converged_states(
             except StepDivergedError as error:
                 step = (target - reached) / 2
                 progress(f"{target:.3g} mm: {error}; the load step is halved")
-                if step >= _SMALLEST_STEP_MM:
+                if step >= SMALLEST_STEP_MM:
                     continue
                 if reached not in answered:
                     yield reached, state
                 return
-            reached, step = target, min(2 * step, _LARGEST_STEP_MM)
+            reached, step = target, min(2 * step, LARGEST_STEP_MM)
             progress(f"{reached:.3g} of {depths_mm[-1]:.3g} mm")
         answered.append(depth)
         yield depth, state

@@ -74,7 +74,7 @@ def linearity_limits(press: LargeStrainPress) -> LinearityLimits:
     touched = (press.force_n > 0) & (press.linear_force_n > 0)
     depth = np.append(0, press.depth_mm[touched])
     off = np.append(0, abs(1 - press.linear_force_n[touched] / press.force_n[touched]))
-    return LinearityLimits(_first_crossing(depth, off, 0.05), _first_crossing(depth, off, 0.20))
+    return LinearityLimits(first_crossing(depth, off, 0.05), first_crossing(depth, off, 0.20))
 
 
 def save_large_strain_press(press: LargeStrainPress, path: Path | str) -> None:
@@ -92,7 +92,7 @@ def save_large_strain_press(press: LargeStrainPress, path: Path | str) -> None:
     write_netcdf(_PRESS, path, {name: getattr(press, name) for name in _PRESS.arrays}, attributes)
 
 
-def _first_crossing(depth: np.ndarray, off: np.ndarray, share: float) -> float | None:
+def first_crossing(depth: np.ndarray, off: np.ndarray, share: float) -> float | None:
     above = np.flatnonzero(off >= share)
     if not len(above):
         return None

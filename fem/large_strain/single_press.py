@@ -92,7 +92,7 @@ def press_setting(
     The specification has passed `require_press`.
     """
     frame = next(frame for frame in face_frames(spec) if frame.number == face)
-    system = elastic_system(mesh, _with_modulus_of(spec, material))
+    system = elastic_system(mesh, with_modulus_of(spec, material))
     facets = face_facets(system.mesh, spec, frame)
     surface, moments = face_surface(system.space, facets, frame)
     radius = spec.indenter.radius_mm
@@ -235,7 +235,7 @@ def _problem(
     return PressProblem(
         finite_strain_elements(cast(TaylorHood, space)),
         material,
-        _lame(spec, material).inverse_lambda_per_mpa,
+        lame_of(spec, material).inverse_lambda_per_mpa,
         system.operators.compressibility[pressure_nodes][:, pressure_nodes],
         space.nodes_mm,
         moved & (owner < 0),
@@ -246,12 +246,12 @@ def _problem(
     )
 
 
-def _lame(spec: ObjectSpec, material: Hyperelastic) -> LameConstants:
+def lame_of(spec: ObjectSpec, material: Hyperelastic) -> LameConstants:
     nu = spec.silicone.poisson_ratio
     return lame_constants(2 * (1 + nu) * material.shear_modulus_mpa, nu)
 
 
-def _with_modulus_of(spec: ObjectSpec, material: Hyperelastic) -> ObjectSpec:
+def with_modulus_of(spec: ObjectSpec, material: Hyperelastic) -> ObjectSpec:
     modulus = 2 * (1 + spec.silicone.poisson_ratio) * material.shear_modulus_mpa
     silicone = spec.silicone.changed(youngs_modulus_mpa=modulus, youngs_modulus_range_mpa=None)
     return spec.changed(silicone=silicone)

@@ -100,7 +100,7 @@ def contact_state(
     local = displacement_mm.reshape(3, -1)[:, face.nodes]
     deformed = face.frame_mm + np.einsum("fqma,ifa->fqmi", face.shapes, local)
     deformed[:, :, 0] -= sphere_centre_mm
-    gap, slope, curvature = _gap_per_area(deformed, radius_mm)
+    gap, slope, curvature = gap_per_area(deformed, radius_mm)
     tested = face.hats * face.area_mm2[..., None]
     per_node = np.einsum("fqh,fqmi,fqma->ifha", tested, slope, face.shapes, optimize=True)
     return ContactState(
@@ -155,7 +155,7 @@ def _shapes_and_slopes(basis: FacetBasis, frame: FaceFrame) -> np.ndarray:
     return np.stack(functions, axis=-1)
 
 
-def _gap_per_area(
+def gap_per_area(
     deformed: np.ndarray, radius_mm: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """−h(|d|) det[d, a, b], with its first (3, 3) and second (9, 9) derivatives by (d, a, b)."""
@@ -172,13 +172,13 @@ def _gap_per_area(
     flat = (*distance.shape, 9)
     mixed = np.einsum("fqm,fqn->fqmn", height_slope.reshape(flat), volume_slope.reshape(flat))
     curvature = mixed + np.swapaxes(mixed, 2, 3)
-    curvature += height[..., None, None] * _determinant_curvature(d, a, b)
+    curvature += height[..., None, None] * determinant_curvature(d, a, b)
     bend = np.eye(3) - 5 * np.einsum("fqi,fqj->fqij", normal, normal)
     curvature[:, :, :3, :3] += (volume * cubed / distance**2)[..., None, None] * bend
     return -height * volume, -slope, -curvature
 
 
-def _determinant_curvature(d: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def determinant_curvature(d: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Second derivative of det[d, a, b] by (d, a, b): ε_ijk of the third where two differ."""
     table = np.zeros((*d.shape[:2], 9, 9))
     for first, second, third in ((0, 1, b), (1, 2, d), (2, 0, a)):

@@ -17,8 +17,8 @@ from scipy.sparse import csgraph
 
 from fem.linear.sparse import shape_of
 
-_LEAF_UNKNOWNS = 700
-_LARGE = 6000
+LEAF_UNKNOWNS = 700
+LARGE_GRAPH = 6000
 """Unknowns from which more splits are tried: there a good one is worth most."""
 
 
@@ -52,7 +52,7 @@ def dissect(
     owner[early] = of_group[group]
     parent = np.array(parents)
     own, waiting = owner.copy(), np.flatnonzero(late & ~kept)
-    rows, first = matrix[waiting], _first_descendants(parent)
+    rows, first = matrix[waiting], first_descendants(parent)
     for number, begin, end in zip(waiting, rows.indptr[:-1], rows.indptr[1:], strict=True):
         beside = own[rows.indices[begin:end]]
         beside = beside[beside >= 0]
@@ -65,7 +65,7 @@ def dissect(
     return Dissection(ordered, np.searchsorted(owner[ordered], np.arange(len(parent) + 1)), parent)
 
 
-def _first_descendants(parent: Int[np.ndarray, "node"]) -> Int[np.ndarray, "node"]:
+def first_descendants(parent: Int[np.ndarray, "node"]) -> Int[np.ndarray, "node"]:
     """Lowest number in the subtree of each node; children come before their parent."""
     first = np.arange(len(parent))
     for node, above in enumerate(parent):
@@ -107,7 +107,7 @@ def _tree(
 
     def split(vertices: np.ndarray, inside: sp.csr_matrix) -> int:
         halves = None
-        if weight[vertices].sum() > _LEAF_UNKNOWNS:
+        if weight[vertices].sum() > LEAF_UNKNOWNS:
             halves = _halves(inside, weight[vertices])
         if halves is None:
             return add(vertices, ())
@@ -130,7 +130,7 @@ def _halves(
         upto = np.cumsum(np.bincount(piece, weight))
         half = upto < max(0.5 * total, upto[0] + 0.5)
         return np.zeros(len(weight), bool), half[piece]
-    large = total > _LARGE
+    large = total > LARGE_GRAPH
     rows = np.repeat(np.arange(len(weight)), np.diff(graph.indptr))
     for level in _levels(graph, 3 if large else 1):
         order = np.argsort(level, kind="stable")
@@ -138,7 +138,7 @@ def _halves(
         shares = np.linspace(0.4, 0.6, 5 if large else 3) * total
         for limit in np.unique(level[order[np.searchsorted(upto, shares)]]):
             left = level <= limit
-            separator = _cover(rows, graph.indices, left)
+            separator = vertex_cover(rows, graph.indices, left)
             width = weight[separator].sum()
             smaller = min(weight[left & ~separator].sum(), weight[~left & ~separator].sum())
             cost = width * (1 + 0.5 * (total - width - 2 * smaller) / total)
@@ -163,7 +163,7 @@ def _levels(graph: sp.csr_matrix, pairs: int) -> list[Float[np.ndarray, "vertex"
     return [level for forms in zip(*levels, strict=True) for level in forms]
 
 
-def _cover(
+def vertex_cover(
     rows: Int[np.ndarray, "edge"],
     columns: Int[np.ndarray, "edge"],
     left: Bool[np.ndarray, "vertex"],

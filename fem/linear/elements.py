@@ -143,7 +143,7 @@ def assemble(
     if isinstance(space, TaylorHood):
         stiffness = _stiffness(space, elements, mu, 0.0)
         return MixedOperators(
-            stiffness, _divergence(space, elements), kappa * _mass(space, elements)
+            stiffness, _divergence(space, elements), kappa * mass_matrix(space, elements)
         )
     if kappa == 0:
         raise ValueError(
@@ -217,7 +217,7 @@ def _divergence(space: TaylorHood, elements: AffineElements) -> sp.csr_matrix:
     return columns_of([sp.csr_matrix((b.ravel(), (rows, columns)), shape=shape) for b in blocks])
 
 
-def _mass(space: TaylorHood, elements: AffineElements) -> sp.csr_matrix:
+def mass_matrix(space: TaylorHood, elements: AffineElements) -> sp.csr_matrix:
     """∫ p q of P1 functions: |e| (1 + δ)/20."""
     nodes = space.pressure.element_dofs.T
     local = (np.ones((4, 4)) + np.eye(4)).ravel() / 20

@@ -30,13 +30,13 @@ from fem.linear.sparse import block_matrix, columns_of, rows_of, shape_of, upper
 
 _SYMMETRIC_INDEFINITE = -2
 _LARGEST_RESIDUAL = 1e-6
-_ANALYSE, _FACTOR, _SOLVE, _BACKWARD, _RELEASE = 11, 22, 33, 333, -1
+ANALYSE_PHASE, _FACTOR, _SOLVE, _BACKWARD, _RELEASE = 11, 22, 33, 333, -1
 (_POTRF,) = get_lapack_funcs(("potrf",), dtype="float64")
 _SCHUR_ALONE, _SCHUR_AND_FACTOR = 1, 2
 _SINGLE_PIVOTS = 0
 _GIVEN_ORDER, _TELL_ORDER = 1, 2
-_MOST_ORDERS = 8
-_ORDERS: dict[str, Int32[np.ndarray, "n"]] = {}
+MOST_ORDERS = 8
+KEPT_ORDERS: dict[str, Int32[np.ndarray, "n"]] = {}
 """In which unknowns are eliminated, by the pattern of the matrix, of the last patterns. Newton's steps
 and materials share one: METIS takes 45 % of a factorization of 65 000 unknowns, more of smaller ones."""
 
@@ -60,7 +60,7 @@ def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Complian
     if not pardiso_available():
         left = eliminate(*_bordered(matrix, loads), solves=False)
         return Compliance(-left.schur, left.negative_pivots)
-    solver = _Pardiso(_bordered_triangle(matrix, loads))
+    solver = Pardiso(_bordered_triangle(matrix, loads))
     try:
         schur = solver.condense(shape_of(loads)[1], _SCHUR_ALONE)
     finally:
@@ -89,7 +89,7 @@ class LoadedFactor:
             self._solver = eliminate(*_bordered(matrix, loads))
             self.compliance = Compliance(-self._solver.schur, self._solver.negative_pivots)
             return
-        self._solver = _Pardiso(_bordered_triangle(matrix, loads))
+        self._solver = Pardiso(_bordered_triangle(matrix, loads))
         try:
             schur = -self._solver.condense(self._loads, _SCHUR_AND_FACTOR)
             # PARDISO counts the complement's eigenvalues too: all of them are negative then
@@ -110,7 +110,7 @@ class LoadedFactor:
 
     def release(self) -> None:
         """Give the memory of the factor back; nothing can be solved afterwards."""
-        if isinstance(self._solver, _Pardiso):
+        if isinstance(self._solver, Pardiso):
             self._solver.release()
         self._solver = None
 
@@ -166,7 +166,7 @@ class Factorization:
     """
 
     def __init__(self, matrix: sp.csr_matrix) -> None:
-        self._solver: Any = _solver(matrix)
+        self._solver: Any = solver_of(matrix)
         self.negative_pivots: int = getattr(self._solver, "negative_pivots", -1)
 
     def solve(self, right_sides: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
@@ -177,7 +177,7 @@ class Factorization:
 
     def release(self) -> None:
         """Give the memory of the factor back; nothing can be solved afterwards."""
-        if isinstance(self._solver, _Pardiso):
+        if isinstance(self._solver, Pardiso):
             self._solver.release()
         self._solver = None
 
@@ -188,14 +188,14 @@ class Factorization:
         self.release()
 
 
-def _solver(matrix: sp.csr_matrix) -> Any:
+def solver_of(matrix: sp.csr_matrix) -> Any:
     """A factored matrix that solves."""
     if not pardiso_available():
         try:
             return eliminate(matrix)
         except SingularSystemError:
             return _superlu(matrix)
-    solver = _Pardiso(upper_triangle(matrix))
+    solver = Pardiso(upper_triangle(matrix))
     try:
         solver.factor()
     except BaseException:
@@ -206,10 +206,10 @@ def _solver(matrix: sp.csr_matrix) -> Any:
 
 def pardiso_available() -> bool:
     """Whether MKL's PARDISO can be called on this machine; `INSTOBJ_MKL=0` says no."""
-    return os.environ.get("INSTOBJ_MKL") != "0" and _mkl() is not None
+    return os.environ.get("INSTOBJ_MKL") != "0" and mkl_library() is not None
 
 
-def _mkl() -> Any | None:
+def mkl_library() -> Any | None:
     if importlib.util.find_spec("pypardiso") is None:
         return None
     try:
@@ -240,7 +240,7 @@ def _files_of(distribution: str) -> list[Any]:
         return []
 
 
-class _Pardiso:
+class Pardiso:
     """One symmetric indefinite matrix in PARDISO, by its upper triangle; indices are one-based there."""
 
     def __init__(self, upper: sp.csr_matrix) -> None:
@@ -255,7 +255,7 @@ class _Pardiso:
         # which takes 7 % less time on one core too; report the inertia
         for index, value in ((0, 1), (1, 2), (9, 8), (20, 1), (23, 1)):
             self.parameters[index] = value
-        self._function = _mkl().pardiso  # type: ignore[union-attr]
+        self._function = mkl_library().pardiso  # type: ignore[union-attr]
 
     def call(self, phase: int, right_sides: np.ndarray, solution: np.ndarray) -> None:
         error = ctypes.c_int32(0)
@@ -287,14 +287,14 @@ class _Pardiso:
         unused = np.zeros(len(self.marked))
         pattern = hashlib.blake2b(self.row_start.tobytes())
         pattern.update(self.columns.tobytes())
-        order = _ORDERS.pop(pattern.hexdigest(), None)
+        order = KEPT_ORDERS.pop(pattern.hexdigest(), None)
         self.parameters[4] = _TELL_ORDER if order is None else _GIVEN_ORDER
         if order is not None:
             self.marked[:] = order
-        self.call(_ANALYSE, unused, unused)
-        _ORDERS[pattern.hexdigest()] = self.marked.copy() if order is None else order
-        if len(_ORDERS) > _MOST_ORDERS:
-            _ORDERS.pop(next(iter(_ORDERS)))
+        self.call(ANALYSE_PHASE, unused, unused)
+        KEPT_ORDERS[pattern.hexdigest()] = self.marked.copy() if order is None else order
+        if len(KEPT_ORDERS) > MOST_ORDERS:
+            KEPT_ORDERS.pop(next(iter(KEPT_ORDERS)))
         self.call(_FACTOR, unused, unused)
 
     def condense(self, count: int, how: int) -> Float[np.ndarray, "last last"]:
@@ -303,7 +303,7 @@ class _Pardiso:
         self.parameters[20], self.parameters[35] = _SINGLE_PIVOTS, how
         self.marked[len(self.marked) - count :] = 1
         schur, unused = np.zeros((count, count)), np.zeros(len(self.marked))
-        self.call(_ANALYSE, unused, schur)
+        self.call(ANALYSE_PHASE, unused, schur)
         self.call(_FACTOR, unused, schur)
         return schur
 

@@ -27,14 +27,14 @@ def layer_stiffness(
     ends = body.thickness_mm - np.cumsum([layer.thickness_mm for layer in layers])
     ratios = np.array([*(layer.modulus_ratio for layer in layers), 1.0])
     total = np.zeros(len(corners_mm))
-    points = _inner_points()
+    points = inner_points()
     for weights in points:
         distance = body.core_distance_mm(np.einsum("k,tkd->td", weights, corners_mm))
         total += ratios[np.sum(distance[:, None] < ends, axis=1)]
     return total / len(points)
 
 
-def _inner_points() -> Float[np.ndarray, "point 4"]:
+def inner_points() -> Float[np.ndarray, "point 4"]:
     """Barycentric coordinates spread evenly over a tetrahedron, none on its surface."""
     n = _DIVISIONS
     grid = np.stack(np.meshgrid(*[np.arange(n)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)

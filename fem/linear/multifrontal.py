@@ -25,7 +25,7 @@ from fem.linear.sparse import shape_of
 _TRSM, _SYRK = get_blas_funcs(("trsm", "syrk"), dtype="float64")
 _LEAST_PIVOT = 1e-13
 """Of an unknown's own stiffness; rounding leaves some 1e-16 where a matrix is singular."""
-_MOST_RUNS = 150
+MOST_RUNS = 150
 """Of neighbouring rows that are added block by block; more of them are added one by one."""
 
 
@@ -126,7 +126,7 @@ def _schur(upper: sp.csr_matrix, first: int, lefts: list[_Left]) -> Float[np.nda
     """The last front, both triangles."""
     schur = np.asfortranarray(upper[first:, first:].toarray().T)
     for left in lefts:
-        _add(schur, left.later - first, left.matrix)
+        add_front(schur, left.later - first, left.matrix)
     lower = np.tril(schur)
     return lower + np.tril(lower, -1).T
 
@@ -158,11 +158,11 @@ def _front(
         here, there = local[left.later[:split]], local[left.later[split:]]
         inner[np.ix_(here, here)] += left.matrix[:split, :split]
         below[np.ix_(there, here)] += left.matrix[split:, :split]
-        _add(rest, there, left.matrix[split:, split:])
+        add_front(rest, there, left.matrix[split:, split:])
     return _eliminated(own, later, count - negatives, (inner, below, rest), stiffness)
 
 
-def _add(
+def add_front(
     front: Float[np.ndarray, "row row"],
     at: Int[np.ndarray, "part"],
     part: Float[np.ndarray, "part part"],
@@ -171,7 +171,7 @@ def _add(
     if not len(at):
         return
     starts = np.flatnonzero(np.diff(at, prepend=-2) != 1)
-    if len(starts) > _MOST_RUNS:
+    if len(starts) > MOST_RUNS:
         front[np.ix_(at, at)] += part
         return
     runs = [

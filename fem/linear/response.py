@@ -120,7 +120,7 @@ def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
     constants = lame_constants(silicone.youngs_modulus_mpa, silicone.poisson_ratio)
     chosen = slice(None) if elements is None else elements
     operators = assemble(space, constants, layer_stiffness(mesh.points_mm[mesh.tets[chosen]], spec))
-    motion = _motion_basis(mesh, space, spec)
+    motion = motion_basis_of(mesh, space, spec)
     matrix = saddle_point_matrix(operators, motion, space.pressure_nodes)
     return ElasticSystem(skfem_mesh, space, operators, motion, matrix)
 
@@ -213,7 +213,7 @@ def system_loads(
     surfaces, tractions = face_pressure_loads(system.space, spec)
     unknowns, motions = shape_of(system.matrix)[0], shape_of(system.motion_basis)[1]
     if spec.mechanics.magnets == "rigid":
-        magnets = _last_columns(motions, 6 * len(shell_body_layout(spec).face))
+        magnets = last_columns(motions, 6 * len(shell_body_layout(spec).face))
     else:
         magnets = system.motion_basis.T @ mean_motion_functionals(mesh, system.space).T
     loads = columns_of([system.motion_basis.T @ tractions, magnets])
@@ -343,13 +343,13 @@ def load_response(folder: Path | str) -> ResponseOperator:
     return ResponseOperator(surfaces, compliance, unknowns, negative, core)
 
 
-def _last_columns(size: int, count: int) -> sp.csr_matrix:
+def last_columns(size: int, count: int) -> sp.csr_matrix:
     """The last `count` unit vectors of `size` unknowns, as columns."""
     rows = np.arange(size - count, size)
     return sp.csr_matrix((np.ones(count), (rows, np.arange(count))), shape=(size, count))
 
 
-def _motion_basis(mesh: TetMesh, space: DisplacementSpace, spec: ObjectSpec) -> sp.csr_matrix:
+def motion_basis_of(mesh: TetMesh, space: DisplacementSpace, spec: ObjectSpec) -> sp.csr_matrix:
     """What nothing holds is free, rigid magnets are six motions each."""
     free = space.elastic_nodes & ~held_components(space.nodes_mm, spec)
     if spec.mechanics.magnets == "points":

@@ -42,10 +42,10 @@ def edge_length_field(
     step = np.clip((np.prod(2 * half + 2) / _GRID_POINTS) ** (1 / 3), finest, _STEP_MM)
     axes = [np.linspace(-h - 1, h + 1, int(np.ceil(2 * (h + 1) / step)) + 1) for h in half]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
-    tets = _split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32)
+    tets = split_bricks(tuple(len(axis) for axis in axes)).astype(np.int32)
     if edge_length is None:
         rims = magnets and spec.mesh.rim_edge_ratio < 1
-        edge_length = partial(_fine_at_rims if rims else _fine_under_all_faces, spec)
+        edge_length = partial(_fine_at_rims if rims else fine_under_all_faces, spec)
     return EdgeLengths(points, tets, edge_length(points))
 
 
@@ -56,11 +56,11 @@ def _fine_at_rims(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
     right angle of something rigid in incompressible silicone has displacements like r^0.6.
     """
     rim = spec.mesh.finest_edge_mm
-    from_wall = _wall_distance_mm(shell_body_layout(spec), points_mm)
-    return np.minimum(_fine_under_all_faces(spec, points_mm), rim + _RIM_GROWTH * from_wall)
+    from_wall = wall_distance_mm(shell_body_layout(spec), points_mm)
+    return np.minimum(fine_under_all_faces(spec, points_mm), rim + _RIM_GROWTH * from_wall)
 
 
-def _wall_distance_mm(layout: ShellBodies, points_mm: np.ndarray) -> np.ndarray:
+def wall_distance_mm(layout: ShellBodies, points_mm: np.ndarray) -> np.ndarray:
     """Distance of points to the nearest side wall of a rigid body."""
     distance = np.full(len(points_mm), np.inf)
     for centre, frame, body in zip(layout.centre_mm, layout.frame, layout.bodies, strict=True):
@@ -77,7 +77,7 @@ def _wall_distance_mm(layout: ShellBodies, points_mm: np.ndarray) -> np.ndarray:
     return distance
 
 
-def _fine_under_all_faces(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
+def fine_under_all_faces(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
     """Fine under the sensed faces, coarse in the bulk."""
     below = np.full(len(points_mm), np.inf)
     for frame in face_frames(spec):
@@ -89,7 +89,7 @@ def _fine_under_all_faces(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray
     return fine + (coarse - fine) * np.clip(below, 0, 1)
 
 
-def _split_bricks(shape: tuple[int, ...]) -> np.ndarray:
+def split_bricks(shape: tuple[int, ...]) -> np.ndarray:
     """Six tetrahedra (Kuhn) in every brick of a structured grid of `shape` points."""
     index = np.arange(int(np.prod(shape))).reshape(shape)
     cells = tuple(n - 1 for n in shape)

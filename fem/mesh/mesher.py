@@ -29,7 +29,7 @@ _VERTICES_PER_CELL = 2.2
 _TRIES = 2
 """The mesher hangs now and then on a body that it finishes when it is asked again (pytetwild#47)."""
 
-_CHILD = ("-P", "-m", "fem.mesh.mesher")
+CHILD_COMMAND = ("-P", "-m", "fem.mesh.mesher")
 _ADVICE = "Try a larger mesh.envelope_mm, or a larger mesh.edge_mm and mesh.surface_edge_mm"
 
 
@@ -54,7 +54,7 @@ def run_mesher(
         given, made = folder / "in.npz", folder / "out.npz"
         with full_disk_told(given, folder):
             np.savez(given, **content)  # pyright: ignore[reportArgumentType]
-        command = (*_CHILD, str(given), str(made))
+        command = (*CHILD_COMMAND, str(given), str(made))
         try:
             _run_again_if_it_hangs(command, folder, seconds, gib)
         except ChildTooSlow:

@@ -45,7 +45,7 @@ def body_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
     layout = shell_body_layout(spec)
     surfaces = []
     for centre, frame, body in zip(layout.centre_mm, layout.frame, layout.bodies, strict=True):
-        surface = _prism(body.outline.corners_mm(spec.mesh.magnet_sides), body.height_mm)
+        surface = prism_surface(body.outline.corners_mm(spec.mesh.magnet_sides), body.height_mm)
         surface.apply_transform(_placed(frame, centre))
         surfaces.append(surface)
     return surfaces
@@ -63,7 +63,7 @@ def in_body(
     return (left > 0).all(axis=0) & (abs(z) < body.height_mm / 2)
 
 
-def _prism(corners_mm: np.ndarray, height_mm: float) -> trimesh.Trimesh:
+def prism_surface(corners_mm: np.ndarray, height_mm: float) -> trimesh.Trimesh:
     import trimesh
 
     sides = len(corners_mm)

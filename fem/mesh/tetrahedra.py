@@ -69,7 +69,7 @@ def tetrahedralize(
         "bg_values": background.length_mm,
     }
     points, tets = run_mesher(content)
-    tets = _positively_oriented(points, tets.astype(np.int64))
+    tets = positively_oriented(points, tets.astype(np.int64))
     points, tets = with_support_lines(points, tets, spec)
     if not magnets:
         return TetMesh(points, tets, np.full(len(tets), SILICONE))
@@ -149,7 +149,7 @@ def load_mesh(path: Path | str) -> TetMesh:
         return TetMesh(data["points_mm"], data["tets"], data["magnet"])
 
 
-def _positively_oriented(points: np.ndarray, tets: np.ndarray) -> np.ndarray:
+def positively_oriented(points: np.ndarray, tets: np.ndarray) -> np.ndarray:
     corner = points[tets]
     negative = np.linalg.det(corner[:, 1:] - corner[:, :1]) < 0
     tets[negative] = tets[negative][:, [0, 2, 1, 3]]

@@ -28,7 +28,7 @@ ORDER = 2.0
 """Of the error: as observed on the paper's cube on three meshes, see `discretisation_error`."""
 
 _PLACES_PER_AXIS = 5
-_ROTATION_ARM_MM = 3.0
+ROTATION_ARM_MM = 3.0
 _PATCH_RADIUS_MM = 5.0
 _PATCH_ORDER = 8
 
@@ -101,7 +101,7 @@ def discretisation_error(
     patches = [_patch_compliances(operator) for operator in (coarse, response)]
     return DiscretisationError(
         tuple(
-            _depth_error(depth, share, difference.force[:, step], difference.motion[:, step])
+            depth_error(depth, share, difference.force[:, step], difference.motion[:, step])
             for step, depth in enumerate(spec.press.depths_mm)
         ),
         share * float(abs(patches[0] / patches[1] - 1).max()),
@@ -130,10 +130,10 @@ def sample_presses(spec: ObjectSpec, response: ResponseOperator) -> PressSample:
     """Press up to 25 places of each face to the depths of the specification."""
     grid, depths = contact_grid(spec), np.asarray(spec.press.depths_mm)
     count = len(response.compliance) - response.magnet_loads.start
-    arm = np.tile(np.repeat([1.0, _ROTATION_ARM_MM], 3), count // 6)
+    arm = np.tile(np.repeat([1.0, ROTATION_ARM_MM], 3), count // 6)
     forces, motions = [], []
     for face, there in enumerate(contact_places(spec)):
-        xy = grid.xy_mm[there & _spread(there.reshape(grid.shape))]
+        xy = grid.xy_mm[there & spread_places(there.reshape(grid.shape))]
         presses = press_face(spec, response, face, xy, depths)
         rows = response.compliance[response.magnet_loads, response.face_loads(face)]
         forces.append(presses.force_n)
@@ -173,9 +173,7 @@ def _patch(v, w):
     return v * np.clip(1 - (w.x[0] ** 2 + w.x[1] ** 2) / _PATCH_RADIUS_MM**2, 0, None) ** 2
 
 
-def _depth_error(
-    depth_mm: float, share: float, force: np.ndarray, motion: np.ndarray
-) -> DepthError:
+def depth_error(depth_mm: float, share: float, force: np.ndarray, motion: np.ndarray) -> DepthError:
     if not np.isfinite(force).all():
         return DepthError(depth_mm, None, None, None, None)
     figures = [f(d) * share for d in (force, motion) for f in (_root_mean_square, _largest)]
@@ -198,7 +196,7 @@ def _largest(values: np.ndarray) -> float:
     return float(abs(values).max())
 
 
-def _spread(there: Bool[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "place"]:
+def spread_places(there: Bool[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "place"]:
     """Up to five rows and columns of the locations that a face has, the first and last among them."""
     chosen = []
     for other in (1, 0):

@@ -16,7 +16,7 @@ from design.netcdf import FileKind, read_netcdf, write_netcdf
 
 _PER_PRESS = "face place step"
 _MOTION = "mm mm mm rad rad rad"
-_PRESSES = FileKind(
+PRESSES_KIND = FileKind(
     "presses",
     {
         "force_n": (_PER_PRESS, "N"),
@@ -88,7 +88,7 @@ def save_presses(forces: PressForces, motions: MagnetMotions, path: Path | str) 
         "face": forces.faces,
         "depth_mm": forces.depth_mm,
     }
-    write_netcdf(_PRESSES, path, values)
+    write_netcdf(PRESSES_KIND, path, values)
 
 
 def load_presses(path: Path | str) -> tuple[PressForces, MagnetMotions]:
@@ -101,7 +101,7 @@ def load_presses(path: Path | str) -> tuple[PressForces, MagnetMotions]:
     StoreError
         Damaged, or of another schema.
     """
-    values, _ = read_netcdf(_PRESSES, path)
+    values, _ = read_netcdf(PRESSES_KIND, path)
     lattice = PlaceGrid(values["lattice_x_mm"], values["lattice_y_mm"])
     shared = (values["face"], lattice, values["depth_mm"])
     forces = PressForces(*shared, values["force_n"], values["contact_area_mm2"])

@@ -78,14 +78,16 @@ def deformed_shape(
     pressed[contact.vertices] = contact.pressure_mpa
     silicone = np.unique(space.displacement.element_dofs)
     pressure = np.zeros(space.node_count)
-    pressure[silicone] = _on_nodes(mesh, tets, vertex, np.ones(len(vertex), bool))[silicone]
+    pressure[silicone] = pressures_on_nodes(mesh, tets, vertex, np.ones(len(vertex), bool))[
+        silicone
+    ]
     return DeformedShape(
         space.nodes_mm,
         tets,
         np.asarray(mesh.magnet),
         displacement_mm.reshape(3, -1).T,
         pressure if len(space.pressure_nodes) else None,
-        _on_nodes(mesh, tets, pressed, on_face),
+        pressures_on_nodes(mesh, tets, pressed, on_face),
     )
 
 
@@ -127,7 +129,7 @@ def table_shapes(
             "shapes of presses need a shell bonded to its core; mechanics.interface is "
             "'frictionless'. Set it to 'bonded'"
         )
-    pressures = _pressures(spec, response, face_index, xy_mm, depth_mm)
+    pressures = hat_pressures(spec, response, face_index, xy_mm, depth_mm)
     weights = np.zeros((len(response.compliance), len(pressures)))
     weights[response.face_loads(face_index)] = pressures.T
     if factored is not None:
@@ -144,7 +146,7 @@ def table_shapes(
     ]
 
 
-def _pressures(
+def hat_pressures(
     spec: ObjectSpec,
     response: ResponseOperator,
     face_index: int,
@@ -226,7 +228,7 @@ def vtk_grid(shape: DeformedShape) -> pyvista.UnstructuredGrid:
     return grid
 
 
-def _on_nodes(
+def pressures_on_nodes(
     mesh: TetMesh, tets: np.ndarray, vertex: np.ndarray, carries: np.ndarray
 ) -> np.ndarray:
     """A P1 field at all nodes; edges that leave the vertices that carry it get 0."""

@@ -26,7 +26,7 @@ from fem.presses.joint import JointPress, Tip, require_apart
 _LARGEST_STEP_MM = 0.1
 _FEWEST_STEPS = 10
 _MAX_SWITCHES = 60
-_LARGEST_SHARE = 0.8
+LARGEST_SHARE = 0.8
 _TOLERANCE = 1e-9
 
 
@@ -104,8 +104,8 @@ def press_sticking(
     presses = []
     for step in range(1, count + 1):
         depth = np.asarray(depths_mm, float) * step / count
-        state = _next(setting, state, depth)
-        presses.append(_joint_press(setting, state, depth))
+        state = next_state(setting, state, depth)
+        presses.append(joint_press_of(setting, state, depth))
     return presses
 
 
@@ -123,7 +123,7 @@ def press_sticking_to_force(setting: StickingSetting, force_n: float) -> list[Jo
             f"with sticking friction one press at a time goes to a force; got {len(setting.tips)}. "
             "Press them one by one, or to depths"
         )
-    deepest = _LARGEST_SHARE * min(setting.shape.height_mm, setting.spec.shell.thickness_mm)
+    deepest = LARGEST_SHARE * min(setting.shape.height_mm, setting.spec.shell.thickness_mm)
 
     def missing(depth_mm: float) -> float:
         return float(press_sticking(setting, np.array([depth_mm]))[-1].force_n[0]) - force_n
@@ -138,19 +138,21 @@ def press_sticking_to_force(setting: StickingSetting, force_n: float) -> list[Jo
     return press_sticking(setting, np.array([depth]))
 
 
-def _next(setting: StickingSetting, state: StickingState, depth_mm: np.ndarray) -> StickingState:
+def next_state(
+    setting: StickingSetting, state: StickingState, depth_mm: np.ndarray
+) -> StickingState:
     """Equilibrium at the next depth: cells in contact are switched until all signs are right."""
     area = setting.cells.patches.area_mm2
-    before = _displacement_mm(setting, state)[1:]
+    before = displacement_mm(setting, state)[1:]
     path = path_mm(setting.spec.indenter, depth_mm).T[:, setting.indenter]
     anchor = np.where(state.touching, state.anchor_mm, before - state.path_mm)
-    slid_over = _heights_mm(setting, path - before)
+    slid_over = heights_mm(setting, path - before)
     height = np.where(state.touching, state.height_mm, slid_over)
     reach = depth_mm[setting.indenter] - height
     touching = state.touching | (reach > 0.4 * depth_mm[setting.indenter])
     for _ in range(_MAX_SWITCHES):
         wanted = np.vstack([reach, path + anchor])
-        traction = _tractions(setting, wanted, touching)
+        traction = tractions_of(setting, wanted, touching)
         gap = np.einsum("ibj,bj->i", setting.response.compliance[0], traction) / area - reach
         lifting = touching & (traction[0] <= 0)
         sinking = ~touching & (gap < -_TOLERANCE * depth_mm.max())
@@ -163,7 +165,9 @@ def _next(setting: StickingSetting, state: StickingState, depth_mm: np.ndarray) 
     )
 
 
-def _tractions(setting: StickingSetting, wanted_mm: np.ndarray, touching: np.ndarray) -> np.ndarray:
+def tractions_of(
+    setting: StickingSetting, wanted_mm: np.ndarray, touching: np.ndarray
+) -> np.ndarray:
     """Tractions on the touching cells that give the target displacements (3, cell)."""
     traction = np.zeros_like(wanted_mm)
     if touching.any():
@@ -177,13 +181,13 @@ def _tractions(setting: StickingSetting, wanted_mm: np.ndarray, touching: np.nda
     return traction
 
 
-def _displacement_mm(setting: StickingSetting, state: StickingState) -> np.ndarray:
+def displacement_mm(setting: StickingSetting, state: StickingState) -> np.ndarray:
     """Mean displacement of every cell (3, cell): inwards, x, y."""
     moved_by = np.tensordot(setting.response.compliance, state.traction_mpa, axes=2)
     return moved_by / setting.cells.patches.area_mm2
 
 
-def _heights_mm(
+def heights_mm(
     setting: StickingSetting, slip_mm: Float[np.ndarray, "2 cell"]
 ) -> Float[np.ndarray, "cell"]:
     """Height of the indenter over cells that it has slid over by `slip_mm`; ∞ beside it."""
@@ -194,7 +198,7 @@ def _heights_mm(
     return tip_heights_mm(setting.shape, local - slip_mm.T) + np.where(beside, 0, mean_less_middle)
 
 
-def _joint_press(
+def joint_press_of(
     setting: StickingSetting, state: StickingState, depth_mm: np.ndarray
 ) -> JointPress:
     area, tips = setting.cells.patches.area_mm2, setting.tips

@@ -15,7 +15,7 @@ from fem.linear.response import ResponseOperator
 from fem.presses.joint import JointPress, Tip, on_core, presser
 
 _FORCE_TOLERANCE = 1e-6
-_MAX_STEPS = 60
+MAX_STEPS = 60
 
 
 def press_to_force(
@@ -37,7 +37,7 @@ def press_to_force(
     tips = [tip for group in groups for tip in group]
 
     def press(given: ResponseOperator) -> JointPress:
-        return _press_to(spec, presser(spec, given, tips), groups, force_n)
+        return press_to_depths(spec, presser(spec, given, tips), groups, force_n)
 
     return on_core(spec, response, press)
 
@@ -75,11 +75,11 @@ def squeeze_path(
             last, first_tips = path[-1], [0, len(jaws[0])]
             rise = (2 * force / last.force_n.sum()) ** (2 / 3)
             near = last.depth_mm[first_tips] * rise
-        path.append(_press_to(spec, press, jaws, force, near))
+        path.append(press_to_depths(spec, press, jaws, force, near))
     return tuple(path)
 
 
-def _press_to(
+def press_to_depths(
     spec: ObjectSpec,
     press: Callable[[np.ndarray], JointPress],
     groups: Sequence[Sequence[Tip]],
@@ -112,7 +112,7 @@ def _solve_depths(
     depth = np.minimum(deepest_mm / 4 if near_mm is None else near_mm, deepest_mm)
     residual, press = missing(depth)
     stiffness = np.diag(np.maximum(residual + force_n, 1e-3 * force_n) / depth * 1.5)
-    for _ in range(_MAX_STEPS):
+    for _ in range(MAX_STEPS):
         if abs(residual).max() <= _FORCE_TOLERANCE * force_n:
             return press
         step = -np.linalg.solve(stiffness, residual)

@@ -67,7 +67,7 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
     if request is not None:
         tables, failed = made(request)
         if any(finding.check != _BED for finding in failed):
-            warnings.warn(_not_made(failed, tables), stacklevel=2)
+            warnings.warn(told_unmade(failed, tables), stacklevel=2)
         for text in roughness_in_words(spec_of(tables)):
             warnings.warn(text, stacklevel=2)
         if "sensed_faces" in tables["body"]:
@@ -90,7 +90,7 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     before, tried = set[str](), list[Tables]()
     for placement in placements(request):
         tried.append(placement)
-        found = _checked(islice(filter(_leaves_walls, _seams(placement)), 1 + _MOST_TURNS))
+        found = _checked(islice(filter(leaves_walls, seams_of(placement)), 1 + _MOST_TURNS))
         if found is None:
             continue
         best = found if best is None or len(found[1]) < len(best[1]) else best
@@ -102,16 +102,16 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
         before = checks
     if best is None or all(map(_thin_mould, best[1])):
         best = _made_with_magnets_elsewhere(request, tried) or best
-    return best or _checked(islice(_seams(tried[0]), 1)) or (tried[0], [])
+    return best or _checked(islice(seams_of(tried[0]), 1)) or (tried[0], [])
 
 
 def _made_with_magnets_elsewhere(
     request: Request, tried: list[Tables]
 ) -> tuple[Tables, list[Finding]] | None:
     """The first of some that can be made; None of none."""
-    parted = [one for one in tried if _parts_somewhere(one)]
+    parted = [one for one in tried if parts_somewhere(one)]
     others = chain.from_iterable(islice(relaid(request, one), _MOST_RELAID) for one in parted)
-    seams = (next(filter(_leaves_walls, _seams(other)), None) for other in others)
+    seams = (next(filter(leaves_walls, seams_of(other)), None) for other in others)
     for tables in islice(filter(None, seams), _MOST_CHECKED):
         found = _checked([tables])
         if found is not None and not found[1]:
@@ -137,7 +137,7 @@ def _checked(seams: Iterable[Tables]) -> tuple[Tables, list[Finding]] | None:
     return best
 
 
-def _seams(tables: Tables) -> Iterator[Tables]:
+def seams_of(tables: Tables) -> Iterator[Tables]:
     """As placed, and with the seam of the mould turned, by either way; first by those turns that hook no
     more of the body (a fluted vase's by a whole flute)."""
     spec = spec_of(tables)
@@ -167,7 +167,7 @@ def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
         yield tables
 
 
-def _parts_somewhere(tables: Tables) -> bool:
+def parts_somewhere(tables: Tables) -> bool:
     """Whether any seam of a file's body hooks it no deeper than it gives way."""
     spec = spec_of(tables)
     if not body_of(spec).from_file or mould_style(spec) != "split":
@@ -176,7 +176,7 @@ def _parts_somewhere(tables: Tables) -> bool:
     return any(depth <= room for depth in hooked_by_azimuth_mm(tables).values())
 
 
-def _leaves_walls(tables: Tables) -> bool:
+def leaves_walls(tables: Tables) -> bool:
     """Whether no pin, pouring hole or vent leaves a thin wall, to the seam or to each other, and pins rest on
     heads that can be printed."""
     from design.layout.mould.pins import pins_thin_the_seam
@@ -190,7 +190,7 @@ def _thin_mould(finding: Finding) -> bool:
     return finding.check == "thinnest wall" and finding.part.startswith("mould")
 
 
-def _not_made(failed: list[Finding], tables: Tables) -> str:
+def told_unmade(failed: list[Finding], tables: Tables) -> str:
     lines = "".join(f"\n  - {finding.told}. {finding.what}" for finding in failed)
     text = "check --fabrication fails on this body, in whatever of the ways of placing that help:"
     if all(map(_thin_mould, failed)):
@@ -225,7 +225,7 @@ def _why_seams_do_not_help(tables: Tables) -> str:
     if mould_style(spec_of(tables)) != "split":
         return ""
     most = f"turned by up to {max(_TURNS_DEG):g}°"
-    if "mould" not in tables and not any(map(_leaves_walls, _seams(tables))):
+    if "mould" not in tables and not any(map(leaves_walls, seams_of(tables))):
         return (
             f"\nThe mould's seam, {most}, meets a pin, a pouring hole or a vent wherever it goes, and leaves "
             "a thin wall beside it"

@@ -163,7 +163,7 @@ def run_chain(
     _make_by_workers(loaded, stages, workers, scheduler)
     result: dict[str, Any] = {
         "command": "chain",
-        "objects": [_run_one(spec, stages, out) for spec in loaded],
+        "objects": [run_one_object(spec, stages, out) for spec in loaded],
     }
     if "scores" in stages and len(loaded) > 1:
         result["comparison"] = compare_scores(loaded, out)
@@ -191,7 +191,7 @@ def simulate_recordings(
         pulled = spec.collection.tangential_share > 0
         stages = ("pulled_collection" if pulled else "collection",)
         _make_by_workers([spec], stages, workers, scheduler)
-        objects.append(_run_one(spec, stages, out))
+        objects.append(run_one_object(spec, stages, out))
     return {"command": "frames", "objects": objects}
 
 
@@ -217,7 +217,7 @@ def _make_by_workers(
                 raise InputError(f"{spec.name}: {done[key]['error']}")
 
 
-def _run_one(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:
+def run_one_object(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:
     from instobj.report.summary import summarize
 
     run = Run(spec)
@@ -271,7 +271,7 @@ def run_estimator(
             chosen = tuple(_INVERTING.get(stage, stage) for stage in stages)
             chosen = chosen if inverting else stages
             _require_no_recording(spec, chosen, out)
-            objects.append(_run_one(spec, chosen, out))
+            objects.append(run_one_object(spec, chosen, out))
     return {"command": "estimator", "objects": objects}
 
 

@@ -56,7 +56,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
             found.append(read_recording(path, grid_mm, limits))
     frames = found[0].frames if len(found) == 1 else combine(found)
     frames, absent = (
-        (frames, []) if recorded_object is None else _of_object(frames, recorded_object)
+        (frames, []) if recorded_object is None else models_of_object(frames, recorded_object)
     )
     between = faults_between(found)
     target = run_folder(out, "+".join(path.stem for path in files)) / FRAMES.name
@@ -124,11 +124,11 @@ def run_on_data_set(
     asked = [stage for stage in every if stage.name in (*stages, "networks")]
     folder = own_folder(start is not None, twin is not None)
     document = work_through(path, out, inputs, asked, progress, folder)
-    document["summary"] |= {"presses of the data set": _parts(frames, split)}
+    document["summary"] |= {"presses of the data set": data_parts(frames, split)}
     return document
 
 
-def _parts(frames: FrameSet, split: Split) -> list[dict[str, Any]]:
+def data_parts(frames: FrameSet, split: Split) -> list[dict[str, Any]]:
     """What each part of the split holds; frames that are not used are left out."""
     rows = []
     for use, part in (
@@ -215,7 +215,7 @@ def simulated_twin(
     return TwinOfData(spec, presses, run.results[PRESSES.stage].origin, draws, shear)
 
 
-def _of_object(frames: FrameSet, spec: ObjectSpec) -> tuple[FrameSet, list[str]]:
+def models_of_object(frames: FrameSet, spec: ObjectSpec) -> tuple[FrameSet, list[str]]:
     """Frames with the faces and sensors of an object, and what is said of sensors that they lack.
 
     Raises

@@ -11,6 +11,8 @@ import numpy as np
 from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from estimator.networks.prediction import ContactAnswers, ContactReadings, HeldOutAnswers
 
 _BLUE, _RED, _GREY, _BLACK = "#1b6ca8", "#c8553d", "#777777", "#222222"
@@ -21,7 +23,7 @@ _MOST_PRESSES = 12
 
 def draw_predictions(
     readings: Sequence[ContactReadings], source: Literal["simulated", "recorded"], path: Path
-) -> None:
+) -> Figure:
     """A panel per face, predicted against true force, and below it the share of localisation errors
     (PNG); three faces beside each other, so that words stay readable."""
     from matplotlib.figure import Figure
@@ -44,6 +46,7 @@ def draw_predictions(
         places[first].set_ylabel("contact frames with error ≤ x (%)")
     figure.suptitle(f"{source.capitalize()} held-out presses: every frame with contact")
     save_figure(figure, path)
+    return figure
 
 
 def _draw_forces(axes: Any, one: ContactReadings, end_n: float) -> None:
@@ -68,7 +71,7 @@ def _draw_place_errors(axes: Any, one: ContactReadings) -> None:
     axes.legend(frameon=False, fontsize=8, loc="lower right")
 
 
-def draw_over_time(held_out: Sequence[HeldOutAnswers], path: Path) -> None:
+def draw_over_time(held_out: Sequence[HeldOutAnswers], path: Path) -> Figure:
     """Labelled and read force over time, and labelled and read places on the face, of held-out
     presses (PNG): one row per face, the model and the baseline of the least force error."""
     from matplotlib.figure import Figure
@@ -84,6 +87,7 @@ def draw_over_time(held_out: Sequence[HeldOutAnswers], path: Path) -> None:
         _draw_places(face_axes, one, model, best)
     figure.suptitle("Held-out presses, contact frames: model and best baseline")
     save_figure(figure, path)
+    return figure
 
 
 def _draw_force_over_time(

@@ -32,7 +32,7 @@ def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
     panels = figure.subplots(1, len(_PANELS), sharey=True)
     for axes, (median, worst, scale, label) in zip(panels, _PANELS, strict=True):
         values, largest = ([scale * getattr(row, name) for row in rows] for name in (median, worst))
-        _draw_panel(axes, values, largest)
+        draw_panel(axes, values, largest)
         axes.set_xlabel(label)
     panels[0].set_yticks(range(len(rows)), [tolerance_text(spec, row.name) for row in rows])
     panels[0].invert_yaxis()
@@ -46,7 +46,7 @@ def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
     save_figure(figure, path)
 
 
-def _draw_panel(axes: Any, values: list[float], largest: list[float]) -> None:
+def draw_panel(axes: Any, values: list[float], largest: list[float]) -> None:
     """Linear, but where the worst locations would leave bars of no length."""
     rows = len(values)
     colours = [_ALONE] * (rows - 1) + [_ALL]

@@ -11,6 +11,8 @@ from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from estimator.calibration.known_travel.fit import Fitted
     from estimator.calibration.known_travel.model import TravelModel
     from estimator.calibration.known_travel.suspects import Suspect
@@ -73,7 +75,7 @@ def draw_residuals(
     judged: TravelRecording,
     suspects: list[Suspect],
     path: Path,
-) -> None:
+) -> Figure:
     """Where the residuals of the judged presses lie, chip by chip, and what they point to (PNG)."""
     from matplotlib.figure import Figure
 
@@ -117,3 +119,4 @@ def draw_residuals(
         f"{spec.name}: what is left of {len(judged)} presses, and what it points to", fontsize=11
     )
     save_figure(figure, path)
+    return figure

@@ -35,7 +35,7 @@ def draw_validation(
     figure = Figure(figsize=(4.4 * (len(faces) + 1), 5.6), layout="constrained")
     *panels, last = figure.subplots(1, len(faces) + 1)
     for face, axes in zip(faces, panels, strict=True):
-        _draw_scatter(axes, spec, presses, predictions, face)
+        draw_scatter(axes, spec, presses, predictions, face)
     _draw_nulls(last, document)
     figure.suptitle(
         f"{spec.name}: predicted against {len(presses)} recorded presses of "
@@ -44,7 +44,7 @@ def draw_validation(
     save_figure(figure, path)
 
 
-def _draw_scatter(
+def draw_scatter(
     axes: Any,
     spec: ObjectSpec,
     presses: RecordedPresses,

@@ -165,7 +165,7 @@ async def _serve(connection: Connection, settings: PageSettings, watch: Watch) -
             connection.send_bytes(text.encode())
 
     page = Page(watch, settings.scene, settings.address, settings.token, command)
-    watch.on_reading = lambda: _call(loop, page.wake)
+    watch.on_reading = lambda: call_within(loop, page.wake)
     runner = web.AppRunner(application(page), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
     try:
@@ -178,7 +178,7 @@ async def _serve(connection: Connection, settings: PageSettings, watch: Watch) -
     connection.send_bytes(_READY + str(runner.addresses[0][1]).encode())
     receiving = threading.Thread(target=_receive, args=(connection, watch), daemon=True)
     receiving.start()
-    threading.Thread(target=_read, args=(watch,), daemon=True).start()
+    threading.Thread(target=read_frames, args=(watch,), daemon=True).start()
     threading.Thread(
         target=lambda: (receiving.join(), loop.call_soon_threadsafe(ended.set)), daemon=True
     ).start()
@@ -186,7 +186,7 @@ async def _serve(connection: Connection, settings: PageSettings, watch: Watch) -
     await runner.cleanup()
 
 
-def _call(loop: asyncio.AbstractEventLoop, act: Callable[[], None]) -> None:
+def call_within(loop: asyncio.AbstractEventLoop, act: Callable[[], None]) -> None:
     """From another thread; not once the loop has closed."""
     with suppress(RuntimeError):
         loop.call_soon_threadsafe(act)
@@ -198,7 +198,7 @@ def _receive(connection: Connection, watch: Watch) -> None:
             watch.take(connection.recv_bytes())
 
 
-def _read(watch: Watch) -> None:
+def read_frames(watch: Watch) -> None:
     while True:
         begun_s = time.monotonic()
         watch.read_next()

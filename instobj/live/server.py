@@ -23,7 +23,7 @@ _LEAST_S, _IDLE_S = 0.01, 1 / 60
 _STATE_S = 0.25
 _UNANSWERED = 2
 """Messages of frames that a viewer may not yet have drawn; until it has, its rows wait."""
-_MOST_ROWS = 400
+MOST_ROWS = 400
 """Rows that wait for a viewer; older ones are dropped for it, and counted."""
 _LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
 COMMANDS = ("zero", "record on", "record off")
@@ -192,7 +192,7 @@ class _Viewer:
 
     async def _send_frames(self) -> None:
         watch = self.page.watch
-        reading, (rows, missed) = watch.reading, watch.after(self._next, _MOST_ROWS)
+        reading, (rows, missed) = watch.reading, watch.after(self._next, MOST_ROWS)
         self._newest = rows[-1] if rows else self._newest
         if self._newest is None or (not rows and reading is self._told):
             return

@@ -36,7 +36,7 @@ _MOST_BEHIND = 40
 _AT_REST_S = 1.0
 _UNSEEN_S = 0.5
 """Between two readings something may have pressed for so long without being seen."""
-_AGAIN_S = 0.5
+AGAIN_S = 0.5
 
 
 def row_message(arrived_s: float, time_s: float, counts: tuple[float, ...]) -> bytes:
@@ -225,7 +225,7 @@ class Watch:
             found = estimator.feed(self._counts(row), row.time_s, row.left_out)
         except InputError as error:
             self._trouble, self.reading = str(error), NOTHING
-            time.sleep(_AGAIN_S)
+            time.sleep(AGAIN_S)
             return
         self._trouble = ""
         if found is not None:

@@ -55,7 +55,7 @@ def draw_demoulding(spec: ObjectSpec, folder: Path, pins: tuple[Pin, ...], targe
         for name in _SHOWN
         if (path := folder / f"{name}.stl").is_file()
     }
-    shown = _split_steps(spec, parts, pins) if split else _one_piece_steps(spec, parts)
+    shown = split_steps(spec, parts, pins) if split else one_piece_steps(spec, parts)
     shown += _seal_steps(spec, parts, pins)
     placed, places = _in_columns(shown, camera)
     picture = picture_of(placed, *view)
@@ -69,7 +69,7 @@ def draw_demoulding(spec: ObjectSpec, folder: Path, pins: tuple[Pin, ...], targe
     return save_figure(figure, target)
 
 
-def _split_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...]) -> list[Step]:
+def split_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...]) -> list[Step]:
     """Pins outwards (and the rod), halves along the pull, then what is left."""
     frame, normal = mould_frame(spec), parting(spec).normal
     apart = _APART * max(spec.body.size_mm)
@@ -97,7 +97,7 @@ def _split_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...
     return [*steps, last]
 
 
-def _one_piece_steps(spec: ObjectSpec, parts: dict[str, Piece]) -> list[Step]:
+def one_piece_steps(spec: ObjectSpec, parts: dict[str, Piece]) -> list[Step]:
     """The plug first, where there is one; then the walls fold inwards off the bosses."""
     box, shell, out = parts["mould_box"], parts["shell"], mould_frame(spec).out
     plug = tuple(parts[name] for name in ("mould_plug",) if name in parts)

@@ -71,7 +71,7 @@ def marked_parts(
 def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding]) -> None:
     from matplotlib.patches import Circle
 
-    towards = _towards(mesh, np.array(found[0].place_mm))
+    towards = viewing_direction(mesh, np.array(found[0].place_mm))
     up = (0.0, 0.0, 1.0) if abs(towards[2]) < 0.95 else (0.0, 1.0, 0.0)
     camera = camera_axes(tuple(towards), up)
     view = PartView(part, part, tuple(towards), up, _GREY)
@@ -111,7 +111,7 @@ def _hidden(image: DepthImage, seen_mm: np.ndarray) -> bool:
     return bool(image.depth_mm[row, column] > seen_mm[2] + BEHIND_MM)
 
 
-def _towards(mesh: trimesh.Trimesh, place: np.ndarray) -> np.ndarray:
+def viewing_direction(mesh: trimesh.Trimesh, place: np.ndarray) -> np.ndarray:
     """Direction to the viewer: obliquely over the side of the part on which the place lies, and across
     the part where it is flat."""
     axes, shares = _axes_of(mesh)

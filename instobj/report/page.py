@@ -83,7 +83,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         still=readers.STILL.path(inputs["scene"]),
         scene=readers.SCENE.path(inputs["scene"]),
         verdict=verdict,
-        locations=_locations(spec),
+        locations=locations_line(spec),
         covered_by_face=_covered_by_face(spec),
         checks=[
             [check.what, check.value, check.limit, "pass" if check.passed else "FAIL", check.where]
@@ -101,7 +101,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         parts=_parts(inputs),
         parts_picture=readers.PARTS_PICTURE.path(inputs["build"]),
         parts_folder=f"../../cad_out/{quote(spec.name)}/",
-        files=_files(inputs),
+        files=files_beside(inputs),
         **_maps(spec, inputs),
         **_areas(scores),
         **weak_areas_section(inputs["weak_areas"]),
@@ -114,7 +114,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         temporary.write_text(page, encoding="utf-8")
 
 
-def _locations(spec: ObjectSpec) -> str:
+def locations_line(spec: ObjectSpec) -> str:
     """Counts along x and y, or how many each face has where faces differ; in words."""
     places = contact_places(spec)
     least, most = places.sum(axis=1).min(), places.sum(axis=1).max()
@@ -273,7 +273,7 @@ def _parts(inputs: Inputs) -> list[list[str]]:
     ]
 
 
-def _files(inputs: Inputs) -> list[tuple[str, list[Link]]]:
+def files_beside(inputs: Inputs) -> list[tuple[str, list[Link]]]:
     """Files that lie beside the page once all are published, by stage."""
     files = []
     for stage, folder in inputs.items():

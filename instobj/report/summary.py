@@ -54,7 +54,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
         ("slip", "cost of the core's slip", _slip),
-        ("identify", _identify_title(spec), _identify),
+        ("identify", identify_title(spec), _identify),
         ("frames", "simulated presses", _read(PROTOCOL)),
         ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
         ("pulled_collection", "simulated recordings", _read(PULLED_SUMMARY)),
@@ -90,7 +90,7 @@ def _slip(result: StoredResult) -> list[dict[str, Any]]:
     return slip_rows(SLIP.read(result.folder)["figures"])
 
 
-def _identify_title(spec: ObjectSpec | None) -> str:
+def identify_title(spec: ObjectSpec | None) -> str:
     """What its numbers are medians of, with the force and the limit that they hold for."""
     force, limit = ("score.force_n", "limits.position_bound_mm")
     if spec is not None:
@@ -281,15 +281,15 @@ def _baselines(result: StoredResult) -> list[dict[str, Any]]:
             "estimator": row["name"],
             "force %": row["total_force_percent"],
             "force N": row["total_force_n"],
-            **_difference(row, "force_n_less_model", "N"),
+            **difference_row(row, "force_n_less_model", "N"),
             "place mm": row["place_mm"],
-            **_difference(row, "place_mm_less_model", "mm"),
+            **difference_row(row, "place_mm_less_model", "mm"),
         }
         for row in METRICS.read(result.folder)["baselines"]
     ]
 
 
-def _difference(row: dict[str, Any], name: str, unit: str) -> dict[str, str]:
+def difference_row(row: dict[str, Any], name: str, unit: str) -> dict[str, str]:
     """Mean difference over presses and half of its 90 % range, which one press does not have."""
     found, is_model, alone = row[name], row["name"] == "model", row["presses"] < 2
     half = (found["high"] - found["low"]) / 2

@@ -83,7 +83,7 @@ def judge(
     tightest = max(checks, key=lambda check: check.ratio)
     reason = f"{tightest.what}: {tightest.value} ({tightest.where}), limit {tightest.limit}"
     if tightest is checks[0]:
-        reason += f". {_edge_weakness(scores)}"
+        reason += f". {edge_weakness(scores)}"
     return Verdict(checks, reason, covered_share(spec))
 
 
@@ -153,7 +153,7 @@ def objects_text(objects: Saturation) -> str:
     return f"of {objects.objects} virtual objects out of range: {', '.join([at_rest, *pressed])}"
 
 
-def _edge_weakness(scores: PlaceScores) -> str:
+def edge_weakness(scores: PlaceScores) -> str:
     times = {
         area.area: f"{area.ratio_to_centre['position_bound_mm']:.1f} times"
         for area in summarize_areas(scores)

@@ -42,7 +42,7 @@ _FEWEST_OF_A_FACE = 10
 _UNKNOWNS = 6
 """Of two contacts: place and force of each."""
 _STARTS = 24
-_STEPS, _WALKS = 30, 5
+_STEPS, WALKS = 30, 5
 _STRUCTURES = 24
 """Drawn at random; a search of more kinds of shells and counts than that has some that fit."""
 
@@ -196,7 +196,7 @@ def _nearest(
 
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     rules = broken(point)
-    for _ in range(_WALKS if flags.any() else 0):
+    for _ in range(WALKS if flags.any() else 0):
         if (rules.sum(dim=1) == 0).any():
             break
         point = descend(lambda u: broken(u).sum(dim=1), point, _STEPS)

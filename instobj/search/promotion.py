@@ -163,7 +163,7 @@ def promote(
     ]
     ahead = _Ahead(workers or Here(), say)
     ahead.make([start], (*_CHAIN, *_RIGID))
-    _score([start], LAST, _highest, memo, say)
+    _score([start], LAST, highest_scoring, memo, say)
     say("twins of the start within tolerance")
     began = time.monotonic()
     twins = bounds_of_twins(start.spec)
@@ -172,10 +172,10 @@ def promote(
     def short() -> bool:
         return limit.left_s <= needed_s
 
-    everyone = _score([start, *named], FIRST, _lowest, memo, say)
+    everyone = _score([start, *named], FIRST, lowest_scoring, memo, say)
     ahead.make(everyone[1:2], _RIGID)
     ahead.make(everyone[2:], _RIGID, short)
-    everyone = _score(everyone, SECOND, _second, memo, say, short)
+    everyone = _score(everyone, SECOND, second_scoring, memo, say, short)
     needed_s += second_seconds(start.spec)  # who walks on is scored there again
     everyone += _corrected(space, chosen, everyone, memo, say, short, ahead)
     ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
@@ -264,9 +264,9 @@ def _corrected(
             continue
         spec = with_layout(space.spec, walked)
         new.append(Promoted(f"{one.label}, walked on", one.trial, spec, {}, corrected=True))
-    lower = _score([start, *new], FIRST, _lowest, memo, say)
+    lower = _score([start, *new], FIRST, lowest_scoring, memo, say)
     ahead.make(lower[1:], _RIGID, short)
-    return _score(lower, SECOND, _second, memo, say, short)[1:]
+    return _score(lower, SECOND, second_scoring, memo, say, short)[1:]
 
 
 def _finalists(
@@ -299,7 +299,7 @@ def _finalists(
                     f"{one.label} falls out, the next takes its place: it cannot be fabricated: {why}"
                 )
                 continue
-            finalists += _score([start, one], LAST, _highest, memo, say)[1:]
+            finalists += _score([start, one], LAST, highest_scoring, memo, say)[1:]
         except TimeSpent:
             say(f"fidelity level {LAST} of {one.label} is left out: the time is over")
             return finalists, None if finalists else one
@@ -403,7 +403,7 @@ def _alike(spec: ObjectSpec, names: tuple[str, ...]) -> tuple[Any, ...]:
 
 
 @contextmanager
-def _lowest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
+def lowest_scoring() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     found: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
 
     def score(spec: ObjectSpec) -> FidelityScore:
@@ -416,7 +416,7 @@ def _lowest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
 
 
 @contextmanager
-def _second() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
+def second_scoring() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     """One factorization for all layouts of a shell that follow each other."""
     try:
         yield second_score
@@ -425,5 +425,5 @@ def _second() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
 
 
 @contextmanager
-def _highest() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
+def highest_scoring() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
     yield chain_score

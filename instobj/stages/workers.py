@@ -26,7 +26,7 @@ MEMORY = "instobj_gib"
 """What workers offer and stages ask for, as one of Dask's resources."""
 _RETRIES = 3
 _BETWEEN_LOOKS_S = 0.05
-_ANSWER_S = 10.0
+ANSWER_S = 10.0
 _LEAN = {
     "distributed.nanny.pre-spawn-environ": ONE_THREAD
     | {"MALLOC_ARENA_MAX": "1", "MALLOC_MMAP_MAX_": "0", "MALLOC_TRIM_THRESHOLD_": str(2**33)},
@@ -99,7 +99,7 @@ class Here:
         """As `Workers.make`."""
         done: Done = {}
         found: dict[str, StoredResult] = {}
-        counted = _Progress(len(tasks), say)
+        counted = WorkersProgress(len(tasks), say)
         for key, task in tasks.items():
             if enough():
                 break
@@ -141,7 +141,7 @@ class OnDask:
         """
         if not tasks:
             return {}
-        progress = _Progress(len(tasks), say)
+        progress = WorkersProgress(len(tasks), say)
         counted = _require_memory(self.client, tasks)
         futures: dict[str, Any] = {}
         for place, (key, task) in enumerate(tasks.items()):
@@ -202,7 +202,7 @@ def _client(workers: int, scheduler: str | None) -> Iterator[Client]:
 
     if scheduler is not None:
         try:
-            client = Client(scheduler, timeout=_ANSWER_S)
+            client = Client(scheduler, timeout=ANSWER_S)
         except (OSError, ValueError) as error:
             raise InputError(
                 f"no Dask scheduler answers at {scheduler} ({error}). Start one with `dask scheduler`"
@@ -244,7 +244,7 @@ def _require_memory(client: Client, tasks: Mapping[str, StageTask]) -> bool:
     return True
 
 
-class _Progress:
+class WorkersProgress:
     """Says how many stages are made, at most every few seconds, and each failure."""
 
     def __init__(self, count: int, say: Say) -> None:

@@ -14,9 +14,9 @@ from rich.status import Status
 
 NEWS_EVERY_S = 4.0
 """For code that has news all the time."""
-_MOST_SILENT_S = 5.0
+MOST_SILENT_S = 5.0
 """Longest time without a change of the live line, s."""
-_LOG_EVERY_S = 60.0
+LOG_EVERY_S = 60.0
 """Least time between two steps that a log shows, s: a log is read afterwards, not watched."""
 _shown = Event()
 
@@ -37,7 +37,7 @@ class ProgressLine:
     console: Console = field(
         default_factory=lambda: Console(stderr=True, highlight=False, quiet=not _shown.is_set())
     )
-    _status: Status | None = None
+    status_shown: Status | None = None
     _title: str = ""
     _step: str = ""
     _started: float = 0.0
@@ -65,9 +65,9 @@ class ProgressLine:
         title = ": ".join(filter(None, (self._title, message)))
         elapsed = self._told - self._started
         line = f"{title} [dim]({elapsed:.0f} s)[/dim]" if self._title else message
-        if self._status is not None:
-            self._status.update(line)
-        elif self._told - self._logged >= _LOG_EVERY_S:
+        if self.status_shown is not None:
+            self.status_shown.update(line)
+        elif self._told - self._logged >= LOG_EVERY_S:
             self._log(f"  … {line}")
 
     def say(self, message: str) -> None:
@@ -89,11 +89,11 @@ class ProgressLine:
         if not self.console.is_terminal:
             yield
             return
-        with self.console.status(title) as self._status:
+        with self.console.status(title) as self.status_shown:
             try:
                 yield
             finally:
-                self._status = None
+                self.status_shown = None
 
     @contextmanager
     def _reminder(self) -> Iterator[None]:
@@ -101,8 +101,8 @@ class ProgressLine:
         ended = Event()
 
         def remind() -> None:
-            while not ended.wait(max(0.0, self._told + _MOST_SILENT_S - time.perf_counter())):
-                if time.perf_counter() - self._told >= _MOST_SILENT_S:
+            while not ended.wait(max(0.0, self._told + MOST_SILENT_S - time.perf_counter())):
+                if time.perf_counter() - self._told >= MOST_SILENT_S:
                     self.step(self._step)
 
         thread = Thread(target=remind, name="reminder", daemon=True)

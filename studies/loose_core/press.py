@@ -87,7 +87,7 @@ def press_loose(
             "presses on a loose core go straight down. Leave indenter.direction_deg out"
         )
     rest = rest or at_rest(spec, shell, core)
-    path = _Path(spec, shell, core, tips, rest)
+    path = PressPath(spec, shell, core, tips, rest)
     state, pressure, found = rest, None, []
     for depths in np.asarray(depths_mm, float):
         pressure, state = path.body.advance(state, path.core_mm, path.gap(depths), pressure)
@@ -95,7 +95,7 @@ def press_loose(
     return tuple(found)
 
 
-class _Path:
+class PressPath:
     """What does not change along a path."""
 
     def __init__(

@@ -34,7 +34,7 @@ from estimator.frames.heatmap import mm_to_pixel
 from estimator.signals.monotone import monotone_cubic
 
 PHASES = 300
-_CHUNK_BYTES = 1.5e8
+CHUNK_BYTES = 1.5e8
 _ROUNDING_COUNTS = 12**-0.5
 
 
@@ -130,7 +130,7 @@ def chunked_posterior(
     """Posteriors of frames, in batches that fit into memory; rest is the last column."""
     channels = hypotheses.counts.shape[-1]
     white = (hypotheses.counts / sigma_counts).reshape(-1, channels)
-    chunk = max(1, int(_CHUNK_BYTES / 8 / len(white)))
+    chunk = max(1, int(CHUNK_BYTES / 8 / len(white)))
     for seen in np.array_split(seen_counts, int(np.ceil(len(seen_counts) / chunk))):
         yield _posterior(hypotheses, white, seen / sigma_counts)
 

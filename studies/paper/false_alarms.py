@@ -66,11 +66,11 @@ def false_alarms(
         threshold_n,
         _mean(alarm[rest & ~contact]),
         _mean(~alarm[contact]),
-        _noticed_from(true_n.sum(axis=(1, 2))[contact], alarm[contact]),
+        noticed_from(true_n.sum(axis=(1, 2))[contact], alarm[contact]),
     )
 
 
-def _noticed_from(force_n: np.ndarray, alarm: np.ndarray, share: float = 0.95) -> float:
+def noticed_from(force_n: np.ndarray, alarm: np.ndarray, share: float = 0.95) -> float:
     """Smallest force such that of all frames at least as strong `share` raise the alarm."""
     order = np.argsort(-force_n)
     running = np.cumsum(alarm[order]) / np.arange(1, len(order) + 1)

@@ -39,7 +39,7 @@ def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     wanted: dict[str, Any] = {"kind": "continuous", "faces": [face], "tangential_share": SHARE}
     asked = changed(recorded.spec, {f"collection.{name}": value for name, value in wanted.items()})
     frames = simulate_collection(
-        asked, recorded.signals, recorded.key, recorded.mechanics, shear=_shear(recorded)
+        asked, recorded.signals, recorded.key, recorded.mechanics, shear=shear_of(recorded)
     )
     model, _, test = fitted_to_split(recorded, frames, split_presses, face, wanted, axes=3)
     data = face_data(test, face)
@@ -59,7 +59,7 @@ def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     return StudyResult(rows, texts)
 
 
-def _shear(recorded: SimulatedObject) -> ShearSignals:
+def shear_of(recorded: SimulatedObject) -> ShearSignals:
     from estimator.information.shear import shear_signals
     from instobj.stages.run import Run
 

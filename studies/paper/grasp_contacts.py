@@ -93,7 +93,7 @@ def _readers(recorded: SimulatedObject) -> dict[str, Inversion]:
     design, presses = recorded.design, recorded.design_presses
     signals = press_signals(design, *presses)
     error, modulus = design_error(design, *presses, signals), design.tolerances.modulus_relative
-    calibrated = _calibrated(recorded)
+    calibrated = calibrated_inversion(recorded)
     known = replace(
         calibrated.priors,
         force_spread=KNOWN_FORCE_SPREAD,
@@ -107,7 +107,7 @@ def _readers(recorded: SimulatedObject) -> dict[str, Inversion]:
     }
 
 
-def _calibrated(recorded: SimulatedObject) -> Inversion:
+def calibrated_inversion(recorded: SimulatedObject) -> Inversion:
     """The twin that labelled single presses of both faces show."""
     from estimator.frames.press_protocol import simulate_presses
     from instobj.stages.makers.twin import TwinOfData

@@ -54,12 +54,12 @@ def best_intervals(
         cumulative = contact[:, order].cumsum(axis=1)
         case_share = contact.reshape(-1, cases, phases).sum(axis=2)
         median = force_n[order][np.argmax(cumulative >= 0.5, axis=1)]
-        width = _halfwidths(force_n[order], cumulative, median, cover, label_noise_n)
-        parts.append((median, width, _radii(centre_mm, case_share, cover)))
+        width = covering_halfwidths(force_n[order], cumulative, median, cover, label_noise_n)
+        parts.append((median, width, covering_radii(centre_mm, case_share, cover)))
     return BestIntervals(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def _halfwidths(
+def covering_halfwidths(
     force_n: Float[np.ndarray, "hypothesis"],
     cumulative: Float[np.ndarray, "frame hypothesis"],
     median_n: Float[np.ndarray, "frame"],
@@ -87,7 +87,7 @@ def _halfwidths(
     return high
 
 
-def _radii(
+def covering_radii(
     centre_mm: Float[np.ndarray, "case 2"],
     case_share: Float[np.ndarray, "frame case"],
     cover: float,

@@ -37,7 +37,7 @@ SIMULATED = (
 _TWIN = 1_000
 """Added to the specification's seed for the twin's errors."""
 _FINER = 0.85
-_QUICK = QUICK_MESH | {
+QUICK = QUICK_MESH | {
     "protocol.peak_force_n": [6.0, 9.0],
     "collection.faces": [1],
     "collection.frames_per_case": 60,
@@ -87,7 +87,7 @@ def simulated_object(spec: ObjectSpec, quick: bool) -> SimulatedObject:
     from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
     from instobj.stages.run import Run
 
-    design = changed(spec, _QUICK) if quick else spec
+    design = changed(spec, QUICK) if quick else spec
     spec = design
     if not quick:
         finer = {name: _FINER * getattr(spec.mesh, name) for name in ("surface_edge_mm", "edge_mm")}

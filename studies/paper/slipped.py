@@ -42,7 +42,7 @@ _AIM_PERCENT = 15.0
 def run_core_slip(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Estimators calibrated before the slip, with and without slip in pre-training, judged after."""
     recorded = simulated_object(spec, quick)
-    presses = _presses(recorded)
+    presses = design_presses_of(recorded)
     face = recorded.spec.collection.faces[0]
     frames = _calibration(recorded.spec, recorded.signals)
     slipped = slipped_signals(recorded, presses, SLIP_MM)
@@ -95,7 +95,7 @@ def slipped_signals(
     return twin_signals(recorded.spec, moved, *presses)
 
 
-def _presses(recorded: SimulatedObject) -> tuple[PressForces, MagnetMotions]:
+def design_presses_of(recorded: SimulatedObject) -> tuple[PressForces, MagnetMotions]:
     from instobj.stages.run import Run
 
     return Run(recorded.spec).read(PRESSES)

@@ -160,8 +160,8 @@ def search(
         return float(chosen[best]), float(left[best]), best
 
     on, off, best = judged(case)
-    null = [judged(_exchanged(case, recording, rng))[1] for _ in range(exchanges)]
-    documented = every[0, 0, _unturned()]
+    null = [judged(exchanged_places(case, recording, rng))[1] for _ in range(exchanges)]
+    documented = every[0, 0, unturned_labels()]
     return Found(
         float(documented[first, case[first]].mean()),
         float(documented[other, case[other]].mean()),
@@ -178,11 +178,11 @@ def share_as_high(null: Sequence[float], value: float) -> float:
     return float((1 + np.sum(np.array(null) >= value - 1e-12)) / (1 + len(null)))
 
 
-def _unturned() -> int:
+def unturned_labels() -> int:
     return next(k for k, turn in enumerate(TURNS) if np.array_equal(turn, np.eye(3)))
 
 
-def _exchanged(
+def exchanged_places(
     case: Int[np.ndarray, "press"], recording: Int[np.ndarray, "press"], rng: np.random.Generator
 ) -> Int[np.ndarray, "press"]:
     """The cases of every recording exchanged among themselves."""

@@ -103,7 +103,9 @@ def cycles_of(recording: TravelRecording) -> Cycles:
 def force_laws(cycles: Cycles) -> list[LawScore]:
     """The laws for the load."""
     values = cycles.load[:, None]
-    small = _judged(cycles, [_sphere(cycles.travel_mm, at) for at in _contacts(cycles)], values)
+    small = judged_share(
+        cycles, [sphere_basis(cycles.travel_mm, at) for at in contact_basis(cycles)], values
+    )
     return [LawScore("small strain", small), *_laws(cycles, values)]
 
 
@@ -112,16 +114,16 @@ def field_laws(cycles: Cycles) -> list[LawScore]:
     values = cycles.change_mt
     lines = [
         np.column_stack([np.ones(len(cycles.time_s)), np.maximum(cycles.travel_mm - at, 0)])
-        for at in _contacts(cycles)
+        for at in contact_basis(cycles)
     ]
-    scores = [LawScore("small strain", _judged(cycles, lines, values)), *_laws(cycles, values)]
-    by_load = _powers(cycles.load / max(cycles.load.max(), 1e-12))
-    return [*scores, LawScore("any law of the load", _judged(cycles, [by_load], values))]
+    scores = [LawScore("small strain", judged_share(cycles, lines, values)), *_laws(cycles, values)]
+    by_load = power_basis(cycles.load / max(cycles.load.max(), 1e-12))
+    return [*scores, LawScore("any law of the load", judged_share(cycles, [by_load], values))]
 
 
 def loop_shares(cycles: Cycles, lag_s: float) -> Float[np.ndarray, "cycle"]:
     """Work lost over work done in every whole cycle, at a lag of the travel."""
-    travel = _late(cycles, lag_s)
+    travel = late_travel(cycles, lag_s)
     found = []
     for number in range(cycles.count):
         rows = np.flatnonzero(cycles.cycle == number)
@@ -132,75 +134,78 @@ def loop_shares(cycles: Cycles, lag_s: float) -> Float[np.ndarray, "cycle"]:
 
 
 def _laws(cycles: Cycles, values: np.ndarray) -> list[LawScore]:
-    still = _powers(cycles.travel_mm / cycles.travel_mm.max())
-    elastic = _judged(cycles, [still], values)
-    late = [(lag, _powers(_late(cycles, lag) / cycles.travel_mm.max())) for lag in LAGS_S.tolist()]
-    lag, basis = min(late, key=lambda one: _left(cycles, one[1], values))
-    mirrored = _mirrored(cycles)
+    still = power_basis(cycles.travel_mm / cycles.travel_mm.max())
+    elastic = judged_share(cycles, [still], values)
+    late = [
+        (lag, power_basis(late_travel(cycles, lag) / cycles.travel_mm.max()))
+        for lag in LAGS_S.tolist()
+    ]
+    lag, basis = min(late, key=lambda one: squares_left(cycles, one[1], values))
+    mirrored = mirrored_ways(cycles)
     scores = [
         LawScore("any elastic law", elastic),
         LawScore(
             "elastic, lag",
-            _judged(cycles, [basis], values),
-            _judged(cycles, [basis], values, mirrored),
+            judged_share(cycles, [basis], values),
+            judged_share(cycles, [basis], values, mirrored),
             lag,
         ),
     ]
     relaxed = [
-        (lag, time, share, base - share * (base - _relaxing(base, time)))
+        (lag, time, share, base - share * (base - relaxing_travel(base, time)))
         for lag, base in late
         for time in TIMES_S
         for share in SHARES
     ]
-    lag, time, share, basis = min(relaxed, key=lambda one: _left(cycles, one[3], values))
-    explained = _judged(cycles, [basis], values)
-    exchanged = _judged(cycles, [basis], values, mirrored)
+    lag, time, share, basis = min(relaxed, key=lambda one: squares_left(cycles, one[3], values))
+    explained = judged_share(cycles, [basis], values)
+    exchanged = judged_share(cycles, [basis], values, mirrored)
     return [*scores, LawScore("elastic, lag, relaxation", explained, exchanged, lag, time, share)]
 
 
-def _contacts(cycles: Cycles) -> np.ndarray:
+def contact_basis(cycles: Cycles) -> np.ndarray:
     return np.linspace(0, 0.5, 26) * cycles.travel_mm.max()
 
 
-def _sphere(travel_mm: np.ndarray, contact_mm: float) -> np.ndarray:
+def sphere_basis(travel_mm: np.ndarray, contact_mm: float) -> np.ndarray:
     return np.maximum(travel_mm - contact_mm, 0)[:, None] ** 1.5
 
 
-def _powers(share: Float[np.ndarray, "frame"]) -> Float[np.ndarray, "frame power"]:
+def power_basis(share: Float[np.ndarray, "frame"]) -> Float[np.ndarray, "frame power"]:
     return np.polynomial.chebyshev.chebvander(2 * share - 1, DEGREE)
 
 
-def _late(cycles: Cycles, lag_s: float) -> np.ndarray:
+def late_travel(cycles: Cycles, lag_s: float) -> np.ndarray:
     """The travel of some time ago."""
     return np.interp(cycles.time_s - lag_s, cycles.time_s, cycles.travel_mm)
 
 
-def _relaxing(basis: np.ndarray, time_s: float) -> np.ndarray:
+def relaxing_travel(basis: np.ndarray, time_s: float) -> np.ndarray:
     """∫ exp(−(t − s)/θ) de(s)."""
     kept = np.exp(-STEP_S / time_s)
     return np.asarray(lfilter([1.0, -1.0], [1.0, -kept], basis - basis[:1], axis=0))
 
 
-def _halves(cycles: Cycles) -> tuple[np.ndarray, np.ndarray]:
+def cycle_halves(cycles: Cycles) -> tuple[np.ndarray, np.ndarray]:
     middle = cycles.count // 2
     fitted = (cycles.cycle >= 0) & (cycles.cycle < middle)
     return fitted, cycles.cycle >= middle
 
 
-def _left(cycles: Cycles, basis: np.ndarray, values: np.ndarray) -> float:
+def squares_left(cycles: Cycles, basis: np.ndarray, values: np.ndarray) -> float:
     """Squares left of the cycles that are fitted."""
-    fitted, _ = _halves(cycles)
+    fitted, _ = cycle_halves(cycles)
     law, *_ = np.linalg.lstsq(basis[fitted], values[fitted], rcond=None)
     return float(np.sum((values[fitted] - basis[fitted] @ law) ** 2))
 
 
-def _judged(
+def judged_share(
     cycles: Cycles, bases: list[np.ndarray], values: np.ndarray, rows: np.ndarray | None = None
 ) -> float:
     """Share explained of the judged cycles by the basis that fits the others best; `rows` puts other
     frames in the judged ones' place."""
-    fitted, judged = _halves(cycles)
-    basis = min(bases, key=lambda one: _left(cycles, one, values))
+    fitted, judged = cycle_halves(cycles)
+    basis = min(bases, key=lambda one: squares_left(cycles, one, values))
     law, *_ = np.linalg.lstsq(basis[fitted], values[fitted], rcond=None)
     predicted = basis @ law
     shown = values if rows is None else values[rows]
@@ -209,7 +214,7 @@ def _judged(
     return float(1 - np.sum(left**2) / np.sum(about**2))
 
 
-def _mirrored(cycles: Cycles) -> np.ndarray:
+def mirrored_ways(cycles: Cycles) -> np.ndarray:
     """Frames with the ways of every cycle exchanged: those of nearest travel on the other way."""
     rows = np.arange(len(cycles.time_s))
     for number in range(cycles.count):

@@ -113,12 +113,12 @@ def interface_agreement(
     at_2 = [np.interp(2.0, [0.0, *DEPTHS_MM], [0.0, *_forces(curve)]) for curve in curves]
     travel = [
         np.interp(force, [0.0, *_forces(curves[case])], [0.0, *DEPTHS_MM])
-        for force, case in zip(_mean_force_n(presses), presses.case, strict=True)
+        for force, case in zip(mean_force_n(presses), presses.case, strict=True)
     ]
     return InterfaceAgreement(
         name,
         found,
-        _own_cosine(spec, presses, predictions),
+        own_cosine(spec, presses, predictions),
         float(np.median(at_2)),
         float(np.median(travel)),
     )
@@ -164,7 +164,7 @@ def _forces(curve: Sequence[JointPress]) -> list[float]:
     return [float(press.force_n.sum() / faces) for press in curve]
 
 
-def _mean_force_n(presses: RecordedPresses) -> Float[np.ndarray, "press"]:
+def mean_force_n(presses: RecordedPresses) -> Float[np.ndarray, "press"]:
     pressed = presses.face_force_n > 0
     return presses.face_force_n.sum(axis=1) / np.maximum(pressed.sum(axis=1), 1)
 
@@ -176,7 +176,7 @@ def motions_on_curves(
     body = curves[0][0].motion.shape
     shape = (len(presses), len(curves), len(MODULUS_RATIOS))
     motion, beyond = np.full((*shape, *body), np.nan), np.zeros(shape, bool)
-    newton = _mean_force_n(presses)[:, None] / MODULUS_RATIOS
+    newton = mean_force_n(presses)[:, None] / MODULUS_RATIOS
     for number, curve in enumerate(curves):
         force = np.array([0.0, *_forces(curve)])
         states = np.stack([np.zeros(body), *(press.motion for press in curve)])
@@ -203,7 +203,7 @@ def _linear(
     return at
 
 
-def _own_cosine(
+def own_cosine(
     spec: ObjectSpec, presses: RecordedPresses, predictions: Predictions
 ) -> Float[np.ndarray, "press case"]:
     """Of every press as every case, over the live channels of the faces that it presses."""

@@ -73,7 +73,7 @@ def interfaces_on(
         "command": "interfaces",
         "texts": [
             *not_recorded_texts(absent, presses.signal_counts.shape[1] // 3),
-            *(_text(one, len(preferred)) for one in preferred),
+            *(preference_text(one, len(preferred)) for one in preferred),
         ],
         "interfaces": document,
         "objects": [
@@ -84,7 +84,7 @@ def interfaces_on(
                 "summary": {
                     "interfaces (null: places exchanged)": _rows(spec, found),
                     "against the bonded core (null: places exchanged)": [
-                        _preference_row(one, len(preferred)) for one in preferred
+                        preference_row(one, len(preferred)) for one in preferred
                     ],
                 },
                 "files": file_rows([target / "interfaces.json"]),
@@ -117,7 +117,7 @@ def _rows(spec: ObjectSpec, found: list[InterfaceAgreement]) -> list[dict[str, A
     return rows
 
 
-def _preference_row(one: Preference, tried: int) -> dict[str, Any]:
+def preference_row(one: Preference, tried: int) -> dict[str, Any]:
     return {
         "interface": one.name,
         "cosine gained": round(one.difference, 4),
@@ -129,7 +129,7 @@ def _preference_row(one: Preference, tried: int) -> dict[str, Any]:
     }
 
 
-def _text(one: Preference, tried: int) -> str:
+def preference_text(one: Preference, tried: int) -> str:
     """Told on p corrected for the interfaces that were tried."""
     from estimator.calibration.validation import SIGNIFICANCE
 

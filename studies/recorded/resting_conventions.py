@@ -99,14 +99,14 @@ def search_resting(
             "searched. Give an object with fewer chips on a face"
         )
     rng = np.random.default_rng((seed, 12))
-    every = _cosines(predicted, levels, faces, boards)
+    every = resting_cosines(predicted, levels, faces, boards)
     best = np.unravel_index(int(np.argmax(every)), every.shape)
     known = np.flatnonzero(np.isfinite(levels))
     null, alone = [], []
     for _ in range(exchanges):
         exchanged = levels.copy()
         exchanged[known] = levels[rng.permutation(known)]
-        found = _cosines(predicted, exchanged, faces, boards)
+        found = resting_cosines(predicted, exchanged, faces, boards)
         null.append(float(found.max()))
         alone.append(float(found[0, 0, 0]))
     return RestingSearch(
@@ -120,7 +120,7 @@ def search_resting(
     )
 
 
-def _cosines(
+def resting_cosines(
     predicted: Float[np.ndarray, "channel"],
     levels: Float[np.ndarray, "channel"],
     faces: int,
@@ -149,7 +149,7 @@ class RestingObject:
         self._spec, self._design = spec, designed(spec)
         place = self._design.scene
         self._outwards = face_axes(spec, place.magnets.face)[:, :, 2]
-        self._model = _near_model(spec, place)
+        self._model = near_model(spec, place)
 
     @property
     def designed_counts(self) -> Float[np.ndarray, "channel"]:
@@ -166,7 +166,7 @@ class RestingObject:
         return counts_of(self._spec, moved, at_rest(moved), self._model)[0].ravel()
 
 
-def _near_model(spec: ObjectSpec, place: Scene) -> MagnetsModel:
+def near_model(spec: ObjectSpec, place: Scene) -> MagnetsModel:
     """A field that is right where bounds bring a chip and a magnet together, if ever."""
     nearest = min_distance_mm(place, at_rest(place)) - BOUNDS[1] - np.linalg.norm(BOUNDS[2:5])
     return magnets_model(spec.magnets, max(float(nearest), 1.0))

@@ -62,7 +62,7 @@ def test_slopes_are_those_of_the_variance_and_greedy_takes_the_best_next_press()
         variance_by_hand(choices, chosen) - variance_by_hand(choices, (*chosen, press))
         for press in range(PRESSES)
     ]
-    assert_allclose(choices._gains(whole) / len(choices.judged), gains)
+    assert_allclose(choices.gains_at(whole) / len(choices.judged), gains)
     done = choices.greedy(3, (4,))
     first = min(range(PRESSES), key=lambda press: variance_by_hand(choices, (4, press)))
     second = min(range(PRESSES), key=lambda press: variance_by_hand(choices, (4, first, press)))

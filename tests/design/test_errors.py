@@ -6,7 +6,7 @@ import scipy.sparse as sp
 
 from design.errors import InputError, RecordingError, SolverError, SpecError, StoreError
 from design.files import atomic_path
-from design.processes import _reason
+from design.processes import reason_of
 from design.spec_io import load_spec
 from estimator.frames.dataset import load_frames
 from estimator.recordings.formats.files import read_table
@@ -95,4 +95,4 @@ def test_the_path_of_a_recording_stands_once_before_what_is_wrong_in_it(tmp_path
     ],
 )
 def test_why_a_process_ended_is_its_last_line(code, said, memory_gib, reason):
-    assert _reason(code, said, memory_gib) == reason
+    assert reason_of(code, said, memory_gib) == reason

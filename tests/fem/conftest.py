@@ -14,7 +14,7 @@ from tests.support.shared import shared_mesh, shared_response
 def factors_kept():
     """One factor of a matrix for all tests of mechanics that solve with it."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(factorization, "_solver", kept_solver)
+        patch.setattr(factorization, "solver_of", kept_solver)
         yield
 
 

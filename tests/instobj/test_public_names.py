@@ -47,8 +47,8 @@ def test_type_checkers_and_the_interpreter_find_a_name_in_the_same_module():
     tree = ast.parse(INIT.read_text(encoding="utf-8"))
     block = next(node for node in tree.body if isinstance(node, ast.If))
     seen = {(one.module, alias.name) for one in block.body for alias in one.names}
-    assert seen == {(module, name) for name, module in instobj._HOME_OF.items()}
-    assert sorted(instobj._HOME_OF) == sorted(instobj.__all__)
+    assert seen == {(module, name) for name, module in instobj.HOME_OF.items()}
+    assert sorted(instobj.HOME_OF) == sorted(instobj.__all__)
 
 
 def test_a_name_that_is_not_there_is_an_attribute_error():

@@ -44,7 +44,6 @@ LONG_S = 5.0
 """Of a test that then goes after the others."""
 READ = {
     "truth": re.compile(r"tests/chain/test_guards\.py"),
-    "number": re.compile(r"tests/\w+/test_figures\.py"),
 }
 """Tests of what stands in the code, which call none of it, by the kind of faults that they notice."""
 LEARNT_S = 6.0

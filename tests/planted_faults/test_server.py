@@ -151,15 +151,15 @@ def test_tests_of_the_room_that_call_the_function_go_first_the_quickest_before_l
         "tests/fem/linear/test_a.py::calls_no_such": (0.1, {other}),
         "tests/fem/linear/test_a.py::slow": (3.0, {function, other}),
         "tests/fem/linear/test_a.py::quick": (0.2, {function}),
-        "tests/fem/test_figures.py::test_1": (0.1, set()),
+        "tests/chain/test_guards.py::test_1": (0.1, set()),
     }
     unknown = "tests/instobj/test_c.py::test_1"
     seconds = {test: took for test, (took, _) in known.items()}
     calls = {test: called for test, (_, called) in known.items()}
-    room, read = Path("tests/fem/linear"), READ["number"]
+    room, read = Path("tests/fem/linear"), READ["truth"]
     order = in_order([*known, unknown], function, room, seconds, calls, read)
     assert order == [
-        "tests/fem/test_figures.py::test_1",
+        "tests/chain/test_guards.py::test_1",
         "tests/fem/linear/test_a.py::quick",
         "tests/fem/linear/test_a.py::slow",
         "tests/fem/mesh/test_b.py::quick",

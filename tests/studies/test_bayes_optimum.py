@@ -267,7 +267,7 @@ def test_medians_are_those_of_every_pixel_and_of_the_total_force():
 def test_batches_of_frames_change_no_answer(monkeypatch):
     made, seen = made_hypotheses(), np.random.default_rng(2).normal(size=(7, 2))
     whole = best_answers(made, seen, np.ones(2))
-    monkeypatch.setattr("studies.paper.bayes_optimum._CHUNK_BYTES", 8.0 * 12 * 2)
+    monkeypatch.setattr("studies.paper.bayes_optimum.CHUNK_BYTES", 8.0 * 12 * 2)
     parts = best_answers(made, seen, np.ones(2))
     for name in ("median_map_n", "case_map_n", "mean_map_n", "total_n", "rest_probability"):
         assert_allclose(getattr(parts, name), getattr(whole, name), rtol=1e-12)

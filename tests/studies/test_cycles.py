@@ -129,6 +129,6 @@ def test_cycles_are_half_a_millimetre_long_at_least_and_stray_a_tenth_at_most(
 def test_the_later_half_of_the_cycles_judges_what_the_earlier_one_fits(count, fitted):
     """Frames before the first and after the last whole cycle serve neither."""
     cycle = np.repeat([-1, *range(count), -1], 3)
-    found = cycles._halves.__wrapped__(SimpleNamespace(count=count, cycle=cycle))
+    found = cycles.cycle_halves.__wrapped__(SimpleNamespace(count=count, cycle=cycle))
     assert sorted(set(cycle[found[0]])) == fitted
     assert sorted(set(cycle[found[1]])) == list(range(len(fitted), count))

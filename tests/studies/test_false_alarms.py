@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from studies.paper.false_alarms import _noticed_from, false_alarms, fixed_threshold_n
+from studies.paper.false_alarms import false_alarms, fixed_threshold_n, noticed_from
 
 
 def maps(*largest):
@@ -39,16 +39,16 @@ def test_rates_by_hand():
     assert false_alarms(predicted, true, rest, 10.0).summary()["noticed_from_n"] is None
 
 
-def test_a_force_is_noticed_from_where_nineteen_of_twenty_raise_the_alarm():
+def test_a_force_isnoticed_from_where_nineteen_of_twenty_raise_the_alarm():
     force = np.arange(40.0, 0, -1)
     alarm = np.ones(40, bool)
     alarm[19] = False  # of 21 N: nineteen of the twenty at least as strong are noticed
-    assert _noticed_from(force, alarm) == 1.0
+    assert noticed_from(force, alarm) == 1.0
     alarm[38] = False
-    assert _noticed_from(force, alarm) == 1.0
+    assert noticed_from(force, alarm) == 1.0
     alarm[39] = False
-    assert _noticed_from(force, alarm) == 3.0
+    assert noticed_from(force, alarm) == 3.0
     early = np.ones(40, bool)
     early[18] = False
-    assert _noticed_from(force[:19], early[:19]) == 23.0
-    assert np.isnan(_noticed_from(force[:3], ~early[:3]))
+    assert noticed_from(force[:19], early[:19]) == 23.0
+    assert np.isnan(noticed_from(force[:3], ~early[:3]))

@@ -60,7 +60,7 @@ def of_the_object_itself(recorded):
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
     """Function name → (what the study returned, its folder)."""
-    spec = changed(ObjectSpec(name="synthetic"), paper_object._QUICK | SHORTER)
+    spec = changed(ObjectSpec(name="synthetic"), paper_object.QUICK | SHORTER)
     folder = tmp_path_factory.mktemp("experiments")
 
     def run(name):
@@ -75,9 +75,9 @@ def run(tmp_path_factory):
             patch.setattr(
                 module, "simulated_object", lambda spec, quick: made(spec.model_dump_json())
             )
-        patch.setattr(grasp_contacts, "_calibrated", of_the_object_itself)
-        patch.setattr(slipped, "_presses", lambda recorded: recorded.design_presses)
-        patch.setattr(force_vectors, "_shear", lambda recorded: made_shear(spec))
+        patch.setattr(grasp_contacts, "calibrated_inversion", of_the_object_itself)
+        patch.setattr(slipped, "design_presses_of", lambda recorded: recorded.design_presses)
+        patch.setattr(force_vectors, "shear_of", lambda recorded: made_shear(spec))
         yield run
 
 

@@ -11,7 +11,7 @@ from instobj.stages.run import Run
 from studies.loose_core import response
 from studies.recorded import interface_fits as compared
 from studies.recorded.interface_fits import Preference
-from studies.recorded.interfaces import _preference_row, _text, interfaces_on
+from studies.recorded.interfaces import interfaces_on, preference_row, preference_text
 from tests.support.recordings.generic_csv import write_generic_csv
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
@@ -27,8 +27,8 @@ from tests.support.recordings.made_recordings import gripper_arrays, write_gripp
 )
 def test_an_interface_is_preferred_by_p_corrected_for_those_tried(p_places, p_cases, tried, said):
     one = Preference("friction", "bonded", 0.06, 0.02, p_places, p_cases, 7, 8)
-    assert said in _text(one, tried)
-    row = _preference_row(one, tried)
+    assert said in preference_text(one, tried)
+    row = preference_row(one, tried)
     assert row["p, corrected"] == pytest.approx(min(1, tried * max(p_places, p_cases)))
 
 

@@ -31,7 +31,7 @@ def test_every_study_has_its_variants():
     assert [study.run.args[0] for study in STUDIES] == list(VARIANTS)
 
 
-@pytest.mark.parametrize("mesh", [layouts._MESH, layouts._QUICK])
+@pytest.mark.parametrize("mesh", [layouts.MESH, layouts.QUICK])
 @pytest.mark.parametrize("variants", VARIANTS)
 def test_variants_fit_and_differ(variants, mesh):
     specs = list(all_of(variants, mesh).values())
@@ -43,7 +43,7 @@ def test_variants_fit_and_differ(variants, mesh):
 
 
 def test_variants_change_what_they_say():
-    found = all_of(layouts.thicknesses, layouts._MESH)
+    found = all_of(layouts.thicknesses, layouts.MESH)
     assert {spec.core_size_mm for spec in found.values()} == {(26.0, 26.0, 26.0)}
     assert found["10 mm, pockets 5 mm"].shell.pocket_depth_mm == 5
     assert [spec.sensors.count_per_face for spec in all_of(layouts.sensor_counts, {}).values()] == [

@@ -32,7 +32,7 @@ NAMES = (
 
 @pytest.fixture(scope="module")
 def synthetic_object():
-    spec = changed(ObjectSpec(name="synthetic"), paper_object._QUICK)
+    spec = changed(ObjectSpec(name="synthetic"), paper_object.QUICK)
     assembly = drawn_assembly(spec, 7)
     presses = synthetic_presses(spec)
     signals = twin_signals(spec, assembly, *presses)

@@ -131,4 +131,4 @@ def test_the_field_is_right_as_near_as_the_bounds_may_bring_a_magnet(monkeypatch
     monkeypatch.setattr(
         resting_conventions, "magnets_model", lambda magnets, nearest_mm: nearest_mm
     )
-    assert resting_conventions._near_model.__wrapped__(CUBE, None) == pytest.approx(asked)
+    assert resting_conventions.near_model.__wrapped__(CUBE, None) == pytest.approx(asked)

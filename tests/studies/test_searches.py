@@ -41,7 +41,7 @@ def test_a_candidate_is_chosen_on_one_recording_and_judged_on_the_others():
 
 
 def unturned():
-    return conventions._unturned()
+    return conventions.unturned_labels()
 
 
 def test_cases_are_exchanged_within_their_recording():
@@ -49,7 +49,7 @@ def test_cases_are_exchanged_within_their_recording():
     recording = np.array([0, 0, 0, 1, 1, 1, 1])
     seen = set()
     for seed in range(30):
-        found = conventions._exchanged(case, recording, np.random.default_rng(seed))
+        found = conventions.exchanged_places(case, recording, np.random.default_rng(seed))
         assert set(found[:3]) == {0, 1}
         assert set(found[3:]) == {2, 3, 4}
         assert found[0] == found[1]
@@ -82,7 +82,7 @@ def test_resting_cosines_count_chips_that_answer_on_all_axes():
     predicted, levels = rng.normal(size=(2, 12))
     levels[4] = np.nan
     boards = np.array([[0, 1], [1, 0]])
-    found = resting_conventions._cosines(predicted, levels, 2, boards)
+    found = resting_conventions.resting_cosines(predicted, levels, 2, boards)
     assert found.shape == (2, 2, 24)
     seen, model = levels.reshape(2, 2, 3), predicted.reshape(2, 2, 3)
     live = np.array([[True, False], [True, True]])
@@ -106,7 +106,7 @@ def test_resting_cosines_count_chips_that_answer_on_all_axes():
 
 
 def test_nuisances_are_scaled_by_their_priors_and_strengths_are_logarithms():
-    found = pose_fit._calibration(np.array([0.5, -1, 2, 1, 0, -1, 1, -2.0]))
+    found = pose_fit.pose_calibration(np.array([0.5, -1, 2, 1, 0, -1, 1, -2.0]))
     assert found.shift_mm == (0.5, -1.0, 2.0)
     assert found.rotation_deg == (3.0, 0.0, -3.0)
     assert found.remanence_scale == pytest.approx(np.exp(0.02))
@@ -132,7 +132,7 @@ def test_folds_are_cases_or_every_other_press_of_each():
 
 def test_cosines_of_rows_and_of_nothing():
     one, other = np.array([[3.0, 4.0], [0, 0]]), np.array([[4.0, 3.0], [1, 1]])
-    assert_allclose(pose_fit._cosines(one, other), [24 / 25, 0])
+    assert_allclose(pose_fit.case_cosines(one, other), [24 / 25, 0])
 
 
 def test_what_a_model_leaves_is_a_root_share_of_all_recorded_squares(monkeypatch):
@@ -143,8 +143,10 @@ def test_what_a_model_leaves_is_a_root_share_of_all_recorded_squares(monkeypatch
     problem = SimpleNamespace(
         presses=given, design="design", predicted=lambda assembly, test, case: predicted[test]
     )
-    monkeypatch.setattr(pose_fit, "_own_cosine", lambda problem, recorded, predicted: 0.25)
-    found = pose_fit._judged.__wrapped__(problem, [np.array([1]), np.array([0])], given.case, ())
+    monkeypatch.setattr(pose_fit, "mean_own_cosine", lambda problem, recorded, predicted: 0.25)
+    found = pose_fit.judged_pose.__wrapped__(
+        problem, [np.array([1]), np.array([0])], given.case, ()
+    )
     assert found.own_cosine == 0.25
     assert found.left == pytest.approx(np.sqrt((1 + 1) / 25))
     assert found.all_cosine == pytest.approx((1 + 4 / np.sqrt(17)) / 2)
@@ -154,10 +156,10 @@ def test_effective_moduli_are_read_off_falling_sizes_and_bounded_by_the_table():
     ratios = validation.MODULUS_RATIOS
     sizes = (10 / ratios)[:, None, None] * np.ones((1, 4, 1))
     wanted = np.array([10.0, 10 / ratios[3], 10 / ratios[0] * 1.01, 10 / ratios[-1] * 0.99])
-    found, bounded = validation._effective_ratios(wanted, sizes)
+    found, bounded = validation.effective_ratios(wanted, sizes)
     assert_allclose(found[:, 0], [1.0, ratios[3], ratios[0], ratios[-1]])
     assert bounded[:, 0].tolist() == [True, True, False, False]
     rising = sizes.copy()
     rising[5] = 99.0  # noise: a size that does not fall counts as the least before it
-    again, _ = validation._effective_ratios(wanted[:1], rising[:, :1])
+    again, _ = validation.effective_ratios(wanted[:1], rising[:, :1])
     assert again[0, 0] == pytest.approx(1.0, rel=0.2)

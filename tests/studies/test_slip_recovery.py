@@ -11,7 +11,7 @@ from estimator.tolerances.assembly import designed
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from studies.paper.slip_recovery import FoundSlip, carried_over, slip_from_rest
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
-from tests.support.recorded_facts import assert_on_record, told_whole
+from tests.support.physics_pages import assert_page, chosen
 
 SLIP = FoundSlip((0.7, -0.5, 0.6), (0.5, -1.0, 1.5), 0.0)
 
@@ -90,9 +90,10 @@ def test_contacts_add_up(made):
     assert_allclose(changes[1][0], changes[0].sum(axis=0), atol=1e-6)
 
 
-def test_a_slip_found_is_as_on_record(made):
+def test_a_slip_found_is_as_on_the_page(made):
     spec, _, before, after = made
     change = after.baseline_counts - before.baseline_counts + np.arange(45).reshape(15, 3)
     change[4, 1] = np.nan
     found = slip_from_rest(spec, change, 14.0)
-    assert_on_record("calibration", "slip", told_whole("slip", found), "estimator")
+    lines = chosen(found, "shift_mm", "rotation_deg", "left")
+    assert_page("estimator/calibration", lines, "slip, ")

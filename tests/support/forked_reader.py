@@ -38,7 +38,7 @@ def forking(sound):
             raise processes.ChildTooSlow(f"it did not end within {seconds:g} s")
         if code:
             text = said.read_text(errors="replace")
-            raise processes.ChildFailed(processes._reason(code, text, memory_gib))
+            raise processes.ChildFailed(processes.reason_of(code, text, memory_gib))
 
     try:
         yield run_child
@@ -74,7 +74,7 @@ def serve(sound):
         child = os.fork()
         if not child:
             _read(source, target, said)
-        processes._limit_memory(child, memory_gib)
+        processes.limit_memory(child, memory_gib)
         print(json.dumps(_code(child, seconds)), flush=True)
 
 

@@ -7,13 +7,13 @@ from estimator.evaluation import baselines
 from estimator.networks.intervals import coverage
 
 SMALLER = {
-    (coverage, "_PLACE_TREES"): 8,
-    (coverage, "_PLACE_GROUPS"): 3,
-    (baselines, "_TREES"): 20,
-    (baselines, "_BOOSTS"): 30,
-    (baselines, "_FRAMES_OF_KERNEL"): 100,
+    (coverage, "PLACE_TREES"): 8,
+    (coverage, "PLACE_GROUPS"): 3,
+    (baselines, "TREES"): 20,
+    (baselines, "BOOSTS"): 30,
+    (baselines, "FRAMES_OF_KERNEL"): 100,
     (baselines, "MOST_FRAMES_OF_PROCESS"): 400,
-    (digital_twin, "_FOLDS"): 2,
+    (digital_twin, "FOLDS"): 2,
 }
 """Trees at places left out took more of a small network's training than the network."""
 FULL = {(module, name): getattr(module, name) for module, name in SMALLER}

@@ -161,7 +161,7 @@ def parting(spec: ObjectSpec) -> Parting:
     size = abs(frame.axes.T) @ np.asarray(spec.body.size_mm)
     azimuth = body_of(spec).parting_azimuth(size) if given is None else float(np.deg2rad(given))
     if azimuth is None:
-        return _at_silhouette(body_of(spec).outside)
+        return at_silhouette(body_of(spec).outside)
     normal = np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along
     if not body_of(spec).from_file:
         return Parting(normal, 0.0)
@@ -251,7 +251,7 @@ def _open_ends(spec: ObjectSpec, axis: np.ndarray) -> int:
 
 
 @lru_cache(maxsize=8)
-def _at_silhouette(body: BodyKind) -> Parting:
+def at_silhouette(body: BodyKind) -> Parting:
     """Of planes about z in steps of 15°, and all their offsets, the one with the least undercut."""
     surface = _outside_in_small_triangles(body)
     best: tuple[float, Parting] | None = None

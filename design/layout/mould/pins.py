@@ -139,7 +139,7 @@ def loose_pins(spec: ObjectSpec) -> tuple[Pin, ...]:
         if key_of_pocket(frame, pocket) not in met and not along_pull(spec, frame, pocket)
     ]
     pins += [_locating_pin(spec, locator) for locator in locators(spec)]
-    rim = min(_rim_mm(spec, pins), rim_below_clips_mm(spec, pins))
+    rim = min(common_rim_mm(spec, pins), rim_below_clips_mm(spec, pins))
     return tuple(replace(pin, rim_mm=rim) for pin in pins)
 
 
@@ -246,7 +246,7 @@ def along_pull(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> bool:
 
 
 def pin_of(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket, rise: float = 0.0) -> Pin:
-    """Its rim is left to `_rim_mm`; by `rise` the surface rises beside it, per mm."""
+    """Its rim is left to `common_rim_mm`; by `rise` the surface rises beside it, per mm."""
     radius = pocket.outline.radius_mm + PIN_HEAD_RIM_MM
     seat = spec.mould.wall_mm + rise * radius
     rim = radius * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
@@ -275,7 +275,7 @@ def exit_mm(spec: ObjectSpec, start_mm: np.ndarray, way: np.ndarray) -> float:
     return float(np.min((ends - start_mm)[steep] / way[steep]))
 
 
-def _rim_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
+def common_rim_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
     """Width of all heads' rims, narrower where pins stand close, and never below 0.
 
     A wall is left between the rooms of two heads; where that would take the rims away the rooms

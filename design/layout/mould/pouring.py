@@ -107,7 +107,7 @@ def pour_holes(
         return ()
     pins = pins_of(spec, first) if pins is None else pins
     thin: tuple[Hole, ...] | None = None
-    for tops in _pour_places(spec, first):
+    for tops in pour_places(spec, first):
         holes = tuple(hole_from(spec, "pour", top, up(spec), spec.mould.pour_mm) for top in tops)
         if all(is_clear(hole, pins) for hole in holes):
             if not any(
@@ -126,7 +126,7 @@ def pour_holes(
     )
 
 
-def _pour_places(spec: ObjectSpec, first: bool) -> Iterator[list[np.ndarray]]:
+def pour_places(spec: ObjectSpec, first: bool) -> Iterator[list[np.ndarray]]:
     """Tops of the pouring holes on the silicone's surface, which lies below all of their rims; the best
     first."""
     frame, radius = mould_frame(spec), spec.mould.pour_mm / 2

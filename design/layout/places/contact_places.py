@@ -97,7 +97,7 @@ def place_problems(spec: ObjectSpec) -> Iterator[str]:
         if min(along := (places.any(axis=1).sum(), places.any(axis=0).sum())) < LEAST_COUNT
     ]
     if too_few:
-        pitch = _nearest_pitch_mm(spec)
+        pitch = nearest_pitch_mm(spec)
         smaller = f"contact_grid.pitch_mm of {pitch:g}, " if pitch else ""
         for frame, along in too_few:
             half = frame.half_lengths_mm
@@ -109,12 +109,12 @@ def place_problems(spec: ObjectSpec) -> Iterator[str]:
             )
 
 
-def _nearest_pitch_mm(spec: ObjectSpec) -> float | None:
+def nearest_pitch_mm(spec: ObjectSpec) -> float | None:
     """The largest pitch found with which every face has two by two locations; None: the tip is too wide."""
 
     def works(pitch: float) -> bool:
         try:
-            places = _filled(spec, pitch).places
+            places = filled_places(spec, pitch).places
         except SpecError:
             return False
         along = [places.any(axis=axis).sum(axis=1).min() for axis in (2, 1)]
@@ -136,11 +136,11 @@ def _nearest_pitch_mm(spec: ObjectSpec) -> float | None:
 def _lattice(spec: ObjectSpec) -> _Lattice:
     given = spec.contact_grid.count
     if given == "fill":
-        return _filled(spec, spec.contact_grid.pitch_mm)
+        return filled_places(spec, spec.contact_grid.pitch_mm)
     return _Lattice(given, np.ones((len(face_frames(spec)), *given), bool))
 
 
-def _filled(spec: ObjectSpec, pitch_mm: float) -> _Lattice:
+def filled_places(spec: ObjectSpec, pitch_mm: float) -> _Lattice:
     """Even or odd counts along each axis, whichever gives more locations on all faces together."""
     step = pitch_mm / 2
     half = np.max([abs(frame.lengths_mm).max(axis=0) for frame in face_frames(spec)], axis=0)
@@ -153,13 +153,13 @@ def _filled(spec: ObjectSpec, pitch_mm: float) -> _Lattice:
         )
     x, y = (np.arange(-n, n + 1) * step for n in most)
     nodes = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
-    free = np.stack([_tip_stays(spec, frame, nodes) for frame in face_frames(spec)])
-    free = _all_around(free.reshape(len(free), len(x), len(y)))
-    choices = [_of_parity(free, (a, b)) for a, b in product((False, True), repeat=2)]
+    free = np.stack([tip_stays(spec, frame, nodes) for frame in face_frames(spec)])
+    free = all_around(free.reshape(len(free), len(x), len(y)))
+    choices = [nodes_of_parity(free, (a, b)) for a, b in product((False, True), repeat=2)]
     return max(choices, key=lambda lattice: lattice.places.sum())
 
 
-def _all_around(free: Bool[np.ndarray, "face i j"]) -> Bool[np.ndarray, "face i j"]:
+def all_around(free: Bool[np.ndarray, "face i j"]) -> Bool[np.ndarray, "face i j"]:
     """Nodes that are free with their eight neighbours."""
     padded = np.pad(free, ((0, 0), (1, 1), (1, 1)))
     _, rows, columns = free.shape
@@ -167,7 +167,7 @@ def _all_around(free: Bool[np.ndarray, "face i j"]) -> Bool[np.ndarray, "face i 
     return np.logical_and.reduce(around)
 
 
-def _of_parity(free: Bool[np.ndarray, "face i j"], odd: tuple[bool, bool]) -> _Lattice:
+def nodes_of_parity(free: Bool[np.ndarray, "face i j"], odd: tuple[bool, bool]) -> _Lattice:
     """Every second node of the half-pitch lattice, cut to what any face uses."""
     middle = np.array(free.shape[1:]) // 2
     slices = [slice((m + (not is_odd)) % 2, None, 2) for m, is_odd in zip(middle, odd, strict=True)]
@@ -183,7 +183,7 @@ def _of_parity(free: Bool[np.ndarray, "face i j"], odd: tuple[bool, bool]) -> _L
     return _Lattice(places.shape[1:], places)  # pyright: ignore[reportArgumentType]
 
 
-def _tip_stays(
+def tip_stays(
     spec: ObjectSpec, frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"]
 ) -> Bool[np.ndarray, "node"]:
     """Whether the tip, pressed at places down to the deepest step, stays on the face."""

@@ -52,7 +52,7 @@ def _in_mm(spec: ObjectSpec, name: str, table: dict[str, Any]) -> dict[str, Any]
         )
     in_shell = (name == "magnets") == (spec.arrangement == "sensors-in-core")
     frames = face_frames(spec) if in_shell else core_frames(spec)
-    lists = _lists(name, table[KEY], len(frames))
+    lists = lists_by_face(name, table[KEY], len(frames))
     places = [
         (np.array(one, float) * frame.half_extents_mm).round(4).tolist()
         for one, frame in zip(lists, frames, strict=True)
@@ -60,7 +60,7 @@ def _in_mm(spec: ObjectSpec, name: str, table: dict[str, Any]) -> dict[str, Any]
     return _without(table) | {"positions_mm": places}
 
 
-def _lists(name: str, given: Any, faces: int) -> list[Any]:
+def lists_by_face(name: str, given: Any, faces: int) -> list[Any]:
     """One list of pairs for each face."""
     try:
         lists = given if isinstance(given[0][0], list | tuple) else [given] * faces

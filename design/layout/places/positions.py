@@ -252,7 +252,7 @@ def sinks_of_boards_mm(
     """
     if frame.flat:
         return np.zeros(len(places))
-    corners, tops = _rims_of_stack(spec, places)
+    corners, tops = rims_of_stack(spec, places)
     xy = places[:, :2]
     axes = frame.axes_at(xy)
     touching = frame.to_object(np.column_stack([xy, np.zeros(len(xy))]))
@@ -265,7 +265,7 @@ def sinks_of_boards_mm(
     return np.maximum(0.0, (fall.reshape(len(xy), -1) + tops).max(axis=1))
 
 
-def _rims_of_stack(
+def rims_of_stack(
     spec: ObjectSpec, places: Float[np.ndarray, "board 3"]
 ) -> tuple[Float[np.ndarray, "board point 2"], Float[np.ndarray, "point"]]:
     """Points round the upper sides of board and chip about the place (mm, the face's x and y), and their

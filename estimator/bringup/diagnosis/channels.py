@@ -109,11 +109,11 @@ def find_chips(spec: ObjectSpec, readings: HeldReadings, holds: Sequence[int]) -
     first = _settled(readings, model, named)
     if np.array_equal(first.site, named) and np.all(first.turn == np.eye(3)):
         return first
-    second = _settled(readings, model, _by_response(readings, holds))
+    second = _settled(readings, model, sites_by_response(readings, holds))
     return min((first, second), key=lambda arrangement: arrangement.cost)
 
 
-def _by_response(readings: HeldReadings, holds: Sequence[int]) -> Int[np.ndarray, "chip"]:
+def sites_by_response(readings: HeldReadings, holds: Sequence[int]) -> Int[np.ndarray, "chip"]:
     """Each chip at the place over which the magnet moves it most; unheld places keep theirs."""
     size = np.sqrt(np.nansum(readings.counts**2, axis=2)) + 1.0
     gain = np.zeros((size.shape[1], size.shape[1])) - 1e-3
@@ -127,12 +127,12 @@ def _settled(
     readings: HeldReadings, model: HeldMagnet, site: Int[np.ndarray, "chip"]
 ) -> Arrangement:
     pose, turn = _poses_by_size(readings, model, site), np.tile(np.eye(3), (len(site), 1, 1))
-    site, turn, cost = _assigned(readings, model, pose)
+    site, turn, cost = assigned_sites(readings, model, pose)
     for _ in range(_ROUNDS):
-        model = _with_polarities(readings, model, pose, site, turn)
+        model = with_polarities(readings, model, pose, site, turn)
         pose = _poses_by_vectors(readings, model, pose, site, turn)
         before = site, turn
-        site, turn, cost = _assigned(readings, model, pose)
+        site, turn, cost = assigned_sites(readings, model, pose)
         if np.array_equal(before[0], site) and np.array_equal(before[1], turn):
             break
     found = Arrangement(site, turn, model, pose, cost)
@@ -145,7 +145,7 @@ def _mirrored(readings: HeldReadings, found: Arrangement) -> Arrangement:
     model = replace(found.model, polarity=-found.model.polarity)
     pose = found.pose.copy()
     pose[:, 5:] *= -1
-    site, turn, cost = _assigned(readings, model, pose)
+    site, turn, cost = assigned_sites(readings, model, pose)
     return Arrangement(site, turn, model, pose, cost)
 
 
@@ -159,12 +159,14 @@ def _poses_by_size(
     def residuals(pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold residual"]:
         predicted = np.linalg.norm(model.counts(pose), axis=2)[:, site]
         error = np.hypot(floor, 2 * readings.relative * predicted)
-        return np.concatenate([_capped((size - predicted) / error), model.off_prior(pose)], axis=1)
+        return np.concatenate(
+            [capped_misfit((size - predicted) / error), model.off_prior(pose)], axis=1
+        )
 
     return many_most_probable(residuals, stated_pose(len(size)))[0]
 
 
-def _with_polarities(
+def with_polarities(
     readings: HeldReadings,
     model: HeldMagnet,
     pose: Float[np.ndarray, "hold 8"],
@@ -177,7 +179,7 @@ def _with_polarities(
         turned = replace(model, polarity=np.full(len(pose), sign))
         predicted = np.einsum("cab,hcb->hca", turn, turned.counts(pose)[:, site])
         error = np.hypot(model_error(readings, model, pose)[:, site, None], readings.noise_counts)
-        off = _capped((readings.counts - predicted) / error)
+        off = capped_misfit((readings.counts - predicted) / error)
         costs.append(0.5 * np.sum(off**2, axis=(1, 2)))
     over = costs[1] + TURNED_OVER < costs[0]
     return replace(model, polarity=np.where(over, -1.0, 1.0))
@@ -195,7 +197,7 @@ def _poses_by_vectors(
 
     def residuals(pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold residual"]:
         predicted = np.einsum("cab,hcb->hca", turn, model.counts(pose)[:, site])
-        off = _capped((readings.counts - predicted) / error)
+        off = capped_misfit((readings.counts - predicted) / error)
         return np.concatenate([off.reshape(len(off), -1), model.off_prior(pose)], axis=1)
 
     return many_most_probable(residuals, pose)[0]
@@ -210,7 +212,7 @@ def model_error(
     return size * np.hypot(readings.relative, seat)
 
 
-def _capped(off: Float[np.ndarray, "*any"]) -> Float[np.ndarray, "*any"]:
+def capped_misfit(off: Float[np.ndarray, "*any"]) -> Float[np.ndarray, "*any"]:
     """Whitened residuals whose half square grows as a logarithm beyond 4; 0 where nothing is known.
 
     Cauchy's function; missing readings do not count.
@@ -219,7 +221,7 @@ def _capped(off: Float[np.ndarray, "*any"]) -> Float[np.ndarray, "*any"]:
     return np.sign(known) * _ROBUST * np.sqrt(np.log1p((known / _ROBUST) ** 2))
 
 
-def _misfit(
+def misfit_of(
     readings: HeldReadings,
     model: HeldMagnet,
     pose: Float[np.ndarray, "hold 8"],
@@ -234,18 +236,18 @@ def _misfit(
         sigma = np.hypot(error[:, None, :, None], noise[:, :, None, None])
         off = (counts[:, :, None, None] - predicted[:, None, :, :, axis]) / sigma
         missing: Bool[np.ndarray, "hold chip 1 1"] = np.isnan(counts)[:, :, None, None]
-        parts.append(np.where(missing, 0.0, 0.5 * _capped(off) ** 2 + np.log(sigma)))
+        parts.append(np.where(missing, 0.0, 0.5 * capped_misfit(off) ** 2 + np.log(sigma)))
     return np.sum(parts, axis=0)
 
 
-def _assigned(
+def assigned_sites(
     readings: HeldReadings, model: HeldMagnet, pose: Float[np.ndarray, "hold 8"]
 ) -> tuple[Int[np.ndarray, "chip"], Float[np.ndarray, "chip 3 3"], float]:
     """The best one-to-one assignment of chips to places, and each one's way round."""
     turns = signed_permutations()
     misfit = np.zeros((*[readings.counts.shape[1]] * 2, len(turns)))
     for hold in range(len(pose)):
-        misfit += _misfit(*_one(readings, model, pose, hold), turns)[0]
+        misfit += misfit_of(*_one(readings, model, pose, hold), turns)[0]
     misfit += np.select(
         [np.arange(48) == 0, np.linalg.det(turns) > 0], [0.0, OTHER_TURN], OTHER_TURN + MIRRORED
     )

@@ -28,9 +28,9 @@ def chip_findings(
     yield from _order(chips, names)
     for chip, name in zip(chips, names, strict=True):
         if chip.mirrored:
-            yield Finding("mirrored chip", name, f"it reads {_axes_text(chip)}")
+            yield Finding("mirrored chip", name, f"it reads {axes_text(chip)}")
         elif is_turned(spec, chip):
-            measured = f"by {chip.angle_deg:.0f}° from the drawing; it reads {_axes_text(chip)}"
+            measured = f"by {chip.angle_deg:.0f}° from the drawing; it reads {axes_text(chip)}"
             yield Finding("turned chip", name, measured)
         if all(chip.dead):
             yield Finding("silent chip", name, "no answer of any axis to a magnet")
@@ -58,7 +58,7 @@ def _order(chips: Sequence[ChipFound], names: list[str]) -> Iterator[Finding]:
         yield Finding("swapped chips", where, sits)
 
 
-def _axes_text(chip: ChipFound) -> str:
+def axes_text(chip: ChipFound) -> str:
     """Which designed axes its X, Y, Z lie along, as nearly as they do."""
     parts = []
     for row in chip.turn:
@@ -72,7 +72,7 @@ def _gains(
 ) -> Iterator[Finding]:
     tolerance = _tolerance(spec)
     gain, sd = combined_gains(chips, earth)
-    of_chip, chip_sd = _of_chips(chips, earth)
+    of_chip, chip_sd = findings_of_chips(chips, earth)
     for c, name in enumerate(names):
         axes = np.isfinite(gain[c]).sum()
         spread = np.hypot(tolerance / np.sqrt(max(axes, 1)), chip_sd[c])
@@ -100,7 +100,10 @@ def widest_gain_sd(spec: ObjectSpec, axes: Int[np.ndarray, "chip"]) -> Float[np.
 
 def wide_gains(spec: ObjectSpec, chips: Sequence[ChipFound], earth: EarthFound | None) -> list[str]:
     """Chips whose gain, holds and Earth's field together, is too uncertain to tell 1.1 surely."""
-    sd, axes = _of_chips(chips, earth)[1], np.sum([np.invert(c.dead) for c in chips], axis=1)
+    sd, axes = (
+        findings_of_chips(chips, earth)[1],
+        np.sum([np.invert(c.dead) for c in chips], axis=1),
+    )
     names = sensor_names(sensor_layout(spec).face)
     wide = sd > widest_gain_sd(spec, axes)
     return [name for name, is_wide in zip(names, wide, strict=True) if is_wide]
@@ -117,7 +120,7 @@ def combined_gains(
     return _weighted(gain, sd, _relative(earth), earth.gain_interval / HALF_95)
 
 
-def _of_chips(
+def findings_of_chips(
     chips: Sequence[ChipFound], earth: EarthFound | None
 ) -> tuple[Float[np.ndarray, "chip"], Float[np.ndarray, "chip"]]:
     gain = np.array([chip.mean_gain for chip in chips])

@@ -31,11 +31,12 @@ def chips_found(readings: HeldReadings, found: Arrangement) -> list[ChipFound]:
     fit = fitted(readings, found)
     problem, turns, dead = fit.problem, fit.problem.found.turn, fit.dead
     matrix = problem.matrices(fit.unknown)
-    gain, interval = _relative_gains(
+    gain, interval = relative_gains(
         matrix, fit.covariance[problem.gains, problem.gains], problem.known
     )
     turned = [
-        _orthogonal(rows, dead[chip], found.turn[chip]) for chip, rows in enumerate(matrix @ turns)
+        orthogonal_part(rows, dead[chip], found.turn[chip])
+        for chip, rows in enumerate(matrix @ turns)
     ]
     return [
         ChipFound(
@@ -77,7 +78,7 @@ def gain_intervals(
     known: Bool[np.ndarray, "chip 3"],
 ) -> Float[np.ndarray, "chip"]:
     """Half of the 95 % interval of every chip's gain, its living axes together; NaN without any."""
-    return _relative_gains(matrix, covariance, known)[1][:, 3]
+    return relative_gains(matrix, covariance, known)[1][:, 3]
 
 
 def linear_chips(
@@ -101,11 +102,11 @@ def linear_chips(
                 values = weight * readings.counts[known, chip, axis]
                 rows[axis] = np.linalg.lstsq(slope, values, rcond=None)[0]
         dead[chip] = np.linalg.norm(rows, axis=1) < _DEAD_SHARE
-        turns[chip] = _orthogonal(rows, dead[chip], permutation)
+        turns[chip] = orthogonal_part(rows, dead[chip], permutation)
     return turns, dead
 
 
-def _orthogonal(
+def orthogonal_part(
     rows: Float[np.ndarray, "3 3"],
     dead: Bool[np.ndarray, "3"],
     otherwise: Float[np.ndarray, "3 3"],
@@ -227,7 +228,7 @@ class JointFit:
         return np.einsum("cab,hcb->hca", self.found.turn, fields)
 
 
-def _relative_gains(
+def relative_gains(
     matrix: Float[np.ndarray, "chip 3 3"],
     covariance: Float[np.ndarray, "entry entry"],
     known: Bool[np.ndarray, "chip 3"],

@@ -99,16 +99,16 @@ def from_earth(
         priors += [(offset - first) / 300.0, b / 60.0, mean_gain]
         return np.concatenate([off[known], *(np.ravel(prior) for prior in priors)])
 
-    field = _first_field(means - first, axes, poses, scale)
+    field = first_field(means - first, axes, poses, scale)
     start = np.concatenate([field, np.zeros(sizes[-1] - 3 + 3 * count)])
     start[sizes[3] : sizes[4]] = first.ravel()
     found = least_squares(residuals, start, xtol=_SETTLED)
     covariance = np.linalg.inv(found.jac.T @ found.jac)
     misfit = float(np.mean(found.fun[: known.sum()] ** 2))
-    return _results(found.x, covariance, sizes, known, misfit)
+    return results_of_fit(found.x, covariance, sizes, known, misfit)
 
 
-def _first_field(
+def first_field(
     change: Float[np.ndarray, "pose chip 3"],
     axes: Float[np.ndarray, "chip 3 3"],
     poses: Float[np.ndarray, "pose 3 3"],
@@ -120,7 +120,7 @@ def _first_field(
     return np.linalg.lstsq(scale * slope[known], change[known], rcond=None)[0]
 
 
-def _results(
+def results_of_fit(
     found: Float[np.ndarray, "unknown"],
     covariance: Float[np.ndarray, "unknown unknown"],
     sizes: Int[np.ndarray, "split"],

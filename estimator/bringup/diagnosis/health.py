@@ -53,7 +53,7 @@ def health_of(recording: Recording) -> Health:
 def health_findings(spec: ObjectSpec, recording: Recording) -> Iterator[Finding]:
     """What is out of order with chips and line, from the still recording."""
     health, names = health_of(recording), sensor_names(sensor_layout(spec).face)
-    yield from _line_findings(spec, health, len(recording.counts))
+    yield from line_findings(spec, health, len(recording.counts))
     for chip, name in enumerate(names):
         noise = health.noise_counts[chip]
         if np.isnan(noise).all():
@@ -71,7 +71,7 @@ def health_findings(spec: ObjectSpec, recording: Recording) -> Iterator[Finding]
                 yield Finding("noisy channel", channel, measured)
 
 
-def _line_findings(spec: ObjectSpec, health: Health, frames: int) -> Iterator[Finding]:
+def line_findings(spec: ObjectSpec, health: Health, frames: int) -> Iterator[Finding]:
     asked = spec.sensors.frame_rate_hz
     if health.rate_hz < SLOW * asked:
         yield Finding(

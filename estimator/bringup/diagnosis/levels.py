@@ -35,7 +35,7 @@ def judge_levels(
 
     Kinds of faults that other recordings have already judged (`seen`) are not looked for again.
     """
-    model = rest_model(_with_flips(spec, flipped), spec.sensors.drift_counts)
+    model = rest_model(with_flips(spec, flipped), spec.sensors.drift_counts)
     looked_for = [(), *((fault,) for fault in model.faults if fault.kind not in seen)]
     return rank(model, counts.ravel(), looked_for)[0]
 
@@ -48,7 +48,7 @@ def level_findings(best: Hypothesis) -> list[Finding]:
     return [Finding("resting levels", str(fault), measured) for fault in best.faults]
 
 
-def _with_flips(spec: ObjectSpec, flipped: Collection[int]) -> ObjectSpec:
+def with_flips(spec: ObjectSpec, flipped: Collection[int]) -> ObjectSpec:
     count = spec.magnets.count
     found = [
         {"face": spec.body.sensed[k // count], "magnet": k % count + 1, "flipped": True}

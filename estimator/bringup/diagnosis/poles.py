@@ -87,14 +87,14 @@ def find_magnet(
     """Pocket and moment that explain a step (counts, NaN where unknown) best; ties stay as asked."""
     signs = np.array([1.0, -1.0])
     cost = np.array(
-        [[_cost(spec, fields, p, s, change) for s in signs] for p in range(len(fields.step))]
+        [[cost_of(spec, fields, p, s, change) for s in signs] for p in range(len(fields.step))]
     )
     cost[np.arange(len(cost)) != asked] += _MARGIN
     pocket = int(np.unravel_index(np.argmin(cost), cost.shape)[0])
-    return MagnetFound(asked, pocket, _strength(spec, fields, pocket, change))
+    return MagnetFound(asked, pocket, strength_of(spec, fields, pocket, change))
 
 
-def _cost(
+def cost_of(
     spec: ObjectSpec,
     fields: PocketFields,
     pocket: int,
@@ -103,7 +103,7 @@ def _cost(
 ) -> float:
     """−ln likelihood, up to a constant, at the best uniform field."""
     left = change - sign * fields.step[pocket]
-    sigma = np.broadcast_to(_sigma(spec, fields, pocket), left.shape)
+    sigma = np.broadcast_to(pocket_sigma(spec, fields, pocket), left.shape)
     known = np.isfinite(left)
     rows = fields.uniform[known] / sigma[known, None]
     values = left[known] / sigma[known]
@@ -115,16 +115,18 @@ def _cost(
     return float(np.sum(0.5 * _ROBUST**2 * np.log1p(off**2) + np.log(sigma[known])))
 
 
-def _sigma(spec: ObjectSpec, fields: PocketFields, pocket: int) -> Float[np.ndarray, "chip 1"]:
+def pocket_sigma(
+    spec: ObjectSpec, fields: PocketFields, pocket: int
+) -> Float[np.ndarray, "chip 1"]:
     floor = np.hypot(spec.sensors.zeroing_counts, max(spec.sensors.noise_counts) / 2)
     return np.hypot(fields.error[pocket], floor)[:, None]
 
 
-def _strength(
+def strength_of(
     spec: ObjectSpec, fields: PocketFields, pocket: int, change: Float[np.ndarray, "chip 3"]
 ) -> float:
     """Moment over the designed one, together with a uniform field, by weighted least squares."""
-    weight = np.broadcast_to(1 / _sigma(spec, fields, pocket), change.shape)
+    weight = np.broadcast_to(1 / pocket_sigma(spec, fields, pocket), change.shape)
     known = np.isfinite(change)
     rows = (
         np.column_stack([fields.step[pocket][known], fields.uniform[known]]) * weight[known, None]

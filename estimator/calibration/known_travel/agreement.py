@@ -16,7 +16,7 @@ from estimator.recordings.formats.travel import TravelRecording
 
 SMALLEST_MT = 0.03
 """Recorded changes below have no sign: about four times the noise of a reading."""
-_ORDERS_OF_CHIPS = 120
+ORDERS_OF_CHIPS = 120
 
 Changes = Float[np.ndarray, "press sensor 3"]
 
@@ -133,21 +133,21 @@ def travel_agreement(
             if (rows := (travel >= low) & (travel < low + 1)).sum() > 1
         },
         exchanged,
-        [figures(predicted[:, list(order)], recorded) for order in _orders(predicted.shape[1])],
-        _rivals(model, fitted, registered, judged),
+        [figures(predicted[:, list(order)], recorded) for order in chip_orders(predicted.shape[1])],
+        rival_figures(model, fitted, registered, judged),
     )
 
 
-def _orders(sensors: int) -> Sequence[tuple[int, ...]]:
+def chip_orders(sensors: int) -> Sequence[tuple[int, ...]]:
     """Orders of the chips other than the true one: all of up to five chips, else a random draw."""
     true = tuple(range(sensors))
     if sensors <= 5:
         return [order for order in permutations(true) if order != true]
     rng = np.random.default_rng(5)
-    return [tuple(rng.permutation(sensors).tolist()) for _ in range(_ORDERS_OF_CHIPS)]
+    return [tuple(rng.permutation(sensors).tolist()) for _ in range(ORDERS_OF_CHIPS)]
 
 
-def _rivals(
+def rival_figures(
     model: TravelModel,
     fitted: Fitted,
     registered: TravelRecording,

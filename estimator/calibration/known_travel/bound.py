@@ -22,7 +22,7 @@ NEIGHBOURS_MM = 4.5
 """Places so near give the slopes, by a quadratic surface: 30 or so on a checkerboard of 1.4 mm."""
 LEAST_NEIGHBOURS = 12
 _ASIDE_MM = 0.1
-_NULLS, _DRAWS = 1000, 20
+NULLS, _DRAWS = 1000, 20
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def bound_test(
     groups = [np.flatnonzero(repeats.place_id == place) for place in places]
     groups = [rows for rows in groups if len(rows) > 2]
     flat = repeats.field_mt.reshape(len(repeats), -1)
-    flat = flat - _drift(flat, groups, len(repeats))
+    flat = flat - drift_of_rounds(flat, groups, len(repeats))
     tip = np.array([repeats.tip_mm[rows].mean(axis=0) for rows in groups])
     level = np.array([flat[rows].mean(axis=0) for rows in groups])
     left = [flat[rows] - mean for rows, mean in zip(groups, level, strict=True)]
@@ -65,14 +65,17 @@ def bound_test(
     recorded[~model.covers(xy)] = np.nan
     inside = np.asarray(np.isfinite(recorded).all(axis=(1, 2)))
     predicted[~inside] = np.nan
-    bound, of_slopes = (_bound_mm(slopes, precision) for slopes in (predicted, recorded))
+    bound, of_slopes = (places_bound_mm(slopes, precision) for slopes in (predicted, recorded))
     scatter = np.array(
-        [_scatter_mm(slope, precision, part) for slope, part in zip(recorded, left, strict=True)]
+        [
+            place_scatter_mm(slope, precision, part)
+            for slope, part in zip(recorded, left, strict=True)
+        ]
     )
     bound, of_slopes, scatter = bound[inside], of_slopes[inside], scatter[inside]
     ratio = np.log(scatter / bound)
     rng = np.random.default_rng((seed, 6))
-    nulls = [_rank_correlation(rng.permutation(bound), scatter) for _ in range(_NULLS)]
+    nulls = [_rank_correlation(rng.permutation(bound), scatter) for _ in range(NULLS)]
     return BoundTest(
         xy[inside],
         bound,
@@ -83,7 +86,7 @@ def bound_test(
         float(np.exp(np.median(ratio))),
         float(np.exp(np.std(ratio))),
         float(np.quantile(np.abs(nulls), 0.95)),
-        _attainable(
+        attainable_correlation(
             predicted[inside],
             precision,
             [len(g) for g, k in zip(groups, inside, strict=True) if k],
@@ -92,7 +95,7 @@ def bound_test(
     )
 
 
-def _attainable(
+def attainable_correlation(
     slopes: np.ndarray, precision: np.ndarray, repeats: list[int], rng: np.random.Generator
 ) -> float:
     """Median rank correlation of the bound with scatters drawn from it."""
@@ -127,7 +130,7 @@ def recorded_slopes(
     return found
 
 
-def _drift(flat: np.ndarray, groups: list[np.ndarray], count: int) -> np.ndarray:
+def drift_of_rounds(flat: np.ndarray, groups: list[np.ndarray], count: int) -> np.ndarray:
     """Change of the level from one round of repeats to the next: the mean over all places."""
     rounds = np.full(count, -1)
     for rows in groups:
@@ -152,7 +155,7 @@ def _predicted_slopes(
     return np.stack(slopes, axis=-1)
 
 
-def _bound_mm(slopes: np.ndarray, precision: np.ndarray) -> Float[np.ndarray, "place"]:
+def places_bound_mm(slopes: np.ndarray, precision: np.ndarray) -> Float[np.ndarray, "place"]:
     information = np.einsum("nci,cd,ndj->nij", slopes, precision, slopes)
     return np.array(
         [
@@ -162,7 +165,7 @@ def _bound_mm(slopes: np.ndarray, precision: np.ndarray) -> Float[np.ndarray, "p
     )
 
 
-def _scatter_mm(slope: np.ndarray, precision: np.ndarray, left: np.ndarray) -> float:
+def place_scatter_mm(slope: np.ndarray, precision: np.ndarray, left: np.ndarray) -> float:
     """Root of the summed variances of x and y, read from the repeats of one place."""
     if not np.isfinite(slope).all():
         return np.nan

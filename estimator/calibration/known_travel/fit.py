@@ -49,17 +49,23 @@ def register(model: TravelModel, recording: TravelRecording) -> Fitted:
     middle = (recording.tip_mm[:, :2].min(axis=0) + recording.tip_mm[:, :2].max(axis=0)) / 2
     contact = float(recording.tip_mm[:, 2].max()) + _START_ABOVE_MM
     found = [
-        _fit(model, recording, model.as_designed(Pose(middle, 0.0, contact, k)), _POSE, rounds=6)
+        fit_twin(
+            model,
+            recording,
+            model.as_designed(Pose(middle, 0.0, contact, k)),
+            POSE_NUMBERS,
+            rounds=6,
+        )
         for k in range(len(SYMMETRIES))
     ]
     found.sort(key=lambda fitted: fitted.left_mt)
-    better = [_fit(model, recording, one.twin, _POSE) for one in found[:_STARTS_KEPT]]
+    better = [fit_twin(model, recording, one.twin, POSE_NUMBERS) for one in found[:_STARTS_KEPT]]
     return min(better, key=lambda fitted: fitted.left_mt)
 
 
 def calibrate(model: TravelModel, recording: TravelRecording, start: Twin) -> Fitted:
     """Pose, places and tilts of the magnets and their strength, from a registered twin."""
-    return _fit(model, recording, start, _ALL)
+    return fit_twin(model, recording, start, _ALL)
 
 
 def left_over(
@@ -69,10 +75,10 @@ def left_over(
     return recording.field_mt - fitted.resting_mt - model.pressed(fitted.twin, recording.tip_mm)
 
 
-_POSE, _ALL = "pose", "pose and magnets"
+POSE_NUMBERS, _ALL = "pose", "pose and magnets"
 
 
-def _fit(
+def fit_twin(
     model: TravelModel, recording: TravelRecording, start: Twin, free: str, rounds: int = _ROUNDS
 ) -> Fitted:
     magnets = len(start.magnet_mm)
@@ -82,7 +88,7 @@ def _fit(
         scales = np.array([*scales, *of_magnets, STRENGTH])
 
     def residual(numbers: np.ndarray) -> np.ndarray:
-        twin = _twin(start, numbers * scales)
+        twin = moved_twin(start, numbers * scales)
         left = recording.field_mt - model.pressed(twin, recording.tip_mm)
         resting = left.mean(axis=0)
         parts = [(left - resting).ravel() / MODEL_ERROR_MT]
@@ -94,13 +100,13 @@ def _fit(
     found = least_squares(
         residual, np.zeros(len(scales)), max_nfev=rounds, diff_step=1e-3, x_scale=1.0
     )
-    twin = _twin(start, found.x * scales)
+    twin = moved_twin(start, found.x * scales)
     left = recording.field_mt - model.pressed(twin, recording.tip_mm)
     resting = left.mean(axis=0)
     return Fitted(twin, resting, float(np.sqrt(np.mean((left - resting) ** 2))))
 
 
-def _twin(start: Twin, numbers: np.ndarray) -> Twin:
+def moved_twin(start: Twin, numbers: np.ndarray) -> Twin:
     """The start with all numbers moved: shift, turn, contact, then magnets, tilts, strength."""
     pose = start.pose.moved(numbers)
     if len(numbers) == len(POSE_SCALES):

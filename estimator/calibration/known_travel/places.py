@@ -20,7 +20,7 @@ from estimator.recordings.formats.travel import TravelRecording
 
 TABLE_MM = (1.0, 0.5)
 """Steps of the twin's table in place and travel."""
-_MOST_PRESSES = 500
+MOST_PRESSES = 500
 _NEIGHBOURS = 6
 _LEAST_SHARE = 0.05
 """Of the mean variance, kept in every direction of what a twin leaves."""
@@ -48,21 +48,23 @@ def readers(
     shown, asked = (r.field_mt.reshape(len(r), -1) for r in (labelled, judged))
     scale = shown.std(axis=0)
     shown, asked = shown / scale, asked / scale
-    twin_known, twin_asked = (_by_twin(model, fitted, labelled, r) for r in (labelled, judged))
-    correction = _process(
+    twin_known, twin_asked = (
+        places_by_twin(model, fitted, labelled, r) for r in (labelled, judged)
+    )
+    correction = gaussian_process(
         np.hstack([shown, twin_known]), known - twin_known, np.hstack([asked, twin_asked]), seed
     )
     found = {
         "middle of the labelled places": np.broadcast_to(known.mean(axis=0), true.shape),
         "nearest labelled press": known[_nearest(shown, asked)],
-        "Gaussian process": _process(shown, known, asked, seed),
+        "Gaussian process": gaussian_process(shown, known, asked, seed),
         "twin alone": twin_asked,
         "twin and Gaussian process": twin_asked + correction,
     }
-    return {name: _errors(read, true) for name, read in found.items()}
+    return {name: place_errors(read, true) for name, read in found.items()}
 
 
-def _by_twin(
+def places_by_twin(
     model: TravelModel, fitted: Fitted, labelled: TravelRecording, asked: TravelRecording
 ) -> Float[np.ndarray, "press 3"]:
     """Machine's place whose predicted field is nearest, in units of what the twin leaves on labels.
@@ -88,7 +90,7 @@ def _nearest(shown: np.ndarray, asked: np.ndarray) -> np.ndarray:
     return np.asarray(KDTree(shown).query(asked)[1])
 
 
-def _process(
+def gaussian_process(
     inputs: np.ndarray, targets: np.ndarray, asked: np.ndarray, seed: int
 ) -> Float[np.ndarray, "press 3"]:
     """Gaussian processes of all targets over the principal directions of the inputs."""
@@ -100,7 +102,7 @@ def _process(
     x, query = (inputs - middle) / spread, (asked - middle) / spread
     size, offset = targets.std(axis=0), targets.mean(axis=0)
     y = (targets - offset) / size
-    chosen = np.random.default_rng(seed).permutation(len(x))[:_MOST_PRESSES]
+    chosen = np.random.default_rng(seed).permutation(len(x))[:MOST_PRESSES]
     kernel = ConstantKernel(1.0) * RBF(4.0) + WhiteKernel(0.01)
     with warnings.catch_warnings():  # at a bound where the twin leaves nothing but noise
         warnings.simplefilter("ignore", ConvergenceWarning)
@@ -110,7 +112,7 @@ def _process(
     return np.asarray(process.predict(query)) * size + offset
 
 
-def _errors(read_mm: np.ndarray, true_mm: np.ndarray) -> PlaceErrors:
+def place_errors(read_mm: np.ndarray, true_mm: np.ndarray) -> PlaceErrors:
     place = np.linalg.norm(read_mm[:, :2] - true_mm[:, :2], axis=1)
     travel = np.abs(read_mm[:, 2] - true_mm[:, 2])
     return PlaceErrors(

@@ -84,13 +84,13 @@ def ranked_suspects(
     freed = _freed(model, fitted) | {
         name: _mixed(model, other, words) for name, (other, words) in others.items()
     }
-    alone = _squares(left_over(model, fitted, judged))
-    size = _squares(judged.field_mt - fitted.resting_mt)
+    alone = squares_left(left_over(model, fitted, judged))
+    size = squares_left(judged.field_mt - fitted.resting_mt)
     rng = np.random.default_rng((seed, 15))
     found = []
     for name, one in freed.items():
         left, numbers = _left(fitted.twin, one, registered, judged)
-        gained, low, high = _gain(alone, left, size, judged.place_id, rng)
+        gained, low, high = gain_of_suspect(alone, left, size, judged.place_id, rng)
         explained = float(1 - left.sum() / size.sum())
         words = one.words(numbers)
         found.append(Suspect(name, len(numbers), explained, gained, low, high, words))
@@ -173,14 +173,14 @@ def _left(
     found = least_squares(residual, begin, max_nfev=_ROUNDS, diff_step=1e-3).x
     resting = (registered.field_mt - at(found, registered.tip_mm)).mean(axis=0)
     left = judged.field_mt - resting - at(found, judged.tip_mm)
-    return _squares(left), found[pose:] * freed.scales
+    return squares_left(left), found[pose:] * freed.scales
 
 
-def _squares(field_mt: Changes) -> Float[np.ndarray, "press"]:
+def squares_left(field_mt: Changes) -> Float[np.ndarray, "press"]:
     return np.sum(field_mt**2, axis=(1, 2))
 
 
-def _gain(
+def gain_of_suspect(
     alone: Float[np.ndarray, "press"],
     left: Float[np.ndarray, "press"],
     size: Float[np.ndarray, "press"],

@@ -42,7 +42,7 @@ SIZES = (0.02, 0.05, 0.1, 0.2)
 LENGTHS_MM = (6.0, 10.0, 16.0)
 _FIRST = Prior(0.02, 10.0)
 _DRAWS = 20
-_FOLDS = 5
+FOLDS = 5
 
 
 class PlaceMechanics:
@@ -183,7 +183,7 @@ def calibrate(
     precision, _ = normal_equations(chosen, jacobian, counts - here)
     factor = np.linalg.inv(np.linalg.cholesky(precision)).T
     left = counts - here
-    table = _of_face(forces, motions, seen.face)
+    table = rows_of_face(forces, motions, seen.face)
     return CalibratedTwin(unknowns, *table, numbers, factor, chosen, left, jacobian)
 
 
@@ -210,7 +210,7 @@ def places_left_out(
     Five folds at random. Each channel counts about its mean at a place: zeros are uncertain.
     """
     calibrated, planned = np.empty(len(seen)), np.empty(len(seen))
-    folds, order = min(_FOLDS, len(seen)), np.random.default_rng(0).permutation(len(seen))
+    folds, order = min(FOLDS, len(seen)), np.random.default_rng(0).permutation(len(seen))
     for fold in range(folds):
         progress(f"places left out, {fold + 1} of {folds}")
         out = order % folds == fold
@@ -220,11 +220,11 @@ def places_left_out(
         added = twin.discrepancy.mean(twin.left, rest.xy_mm, rest.force_n)
         found = mechanics.expected(twin.numbers).reshape(rest.counts.shape) + added
         plain = mechanics.expected(0 * twin.numbers).reshape(rest.counts.shape)
-        calibrated[out], planned[out] = (_left_share(spec, rest, wrong) for wrong in (found, plain))
+        calibrated[out], planned[out] = (left_share(spec, rest, wrong) for wrong in (found, plain))
     return calibrated, planned
 
 
-def _left_share(
+def left_share(
     spec: ObjectSpec, seen: PressedPlaces, predicted: np.ndarray
 ) -> Float[np.ndarray, "place"]:
     """Rms over levels and channels, each about its mean, noise taken off; all of it where the
@@ -240,7 +240,7 @@ def _left_share(
     return np.where(np.isnan(share), 1.0, share)
 
 
-def _of_face(
+def rows_of_face(
     forces: PressForces, motions: MagnetMotions, face: int
 ) -> tuple[PressForces, MagnetMotions]:
     here = motions.faces == face

@@ -44,24 +44,24 @@ class Discrepancy:
         self.prior, self.seen = prior, seen
         self.scale = np.sqrt(np.mean(seen.counts**2, axis=(0, 1)))
         white = seen.white_counts2(spec) + _FLOOR_COUNTS**2
-        self._white = white.reshape(-1, len(seen.channels))
-        kernel, zeros = self._kernel(seen.xy_mm, seen.force_n), block_diag(*seen.zero_counts2)
+        self.white_of = white.reshape(-1, len(seen.channels))
+        kernel, zeros = self.kernel_of(seen.xy_mm, seen.force_n), block_diag(*seen.zero_counts2)
         self._factors = [
             cho_factor((prior.size * scale) ** 2 * kernel + zeros + np.diag(variance), lower=True)
-            for scale, variance in zip(self.scale, self._white.T, strict=True)
+            for scale, variance in zip(self.scale, self.white_of.T, strict=True)
         ]
 
-    def _kernel(
+    def kernel_of(
         self, xy_mm: Float[np.ndarray, "place 2"], force_n: Float[np.ndarray, "place step"]
     ) -> Float[np.ndarray, "point row"]:
         """Between all steps of some places and all means, for size and scale 1."""
         seen = self.seen
         steps, levels = force_n.shape[1], seen.force_n.shape[1]
-        near = np.repeat(np.repeat(self._matern(xy_mm, seen.xy_mm), steps, 0), levels, 1)
+        near = np.repeat(np.repeat(self.matern(xy_mm, seen.xy_mm), steps, 0), levels, 1)
         product = np.outer(force_n.ravel(), seen.force_n.ravel()) / _FORCE_SCALE_N**2
         return near * (product + product**2)
 
-    def _matern(
+    def matern(
         self, a_mm: Float[np.ndarray, "a 2"], b_mm: Float[np.ndarray, "b 2"]
     ) -> Float[np.ndarray, "a b"]:
         away = np.linalg.norm(a_mm[:, None] - b_mm, axis=-1) * np.sqrt(5) / self.prior.length_mm
@@ -88,14 +88,14 @@ class Discrepancy:
         force_n: Float[np.ndarray, "place step"],
     ) -> Float[np.ndarray, "place step channel"]:
         """Expected rest at other places and forces, from that of all means."""
-        found = self._kernel(xy_mm, force_n) @ self.weighed(left)
+        found = self.kernel_of(xy_mm, force_n) @ self.weighed(left)
         return (found * (self.prior.size * self.scale) ** 2).reshape(*force_n.shape, -1)
 
     def covariance(
         self, xy_mm: Float[np.ndarray, "place 2"], force_n: Float[np.ndarray, "place step"]
     ) -> Float[np.ndarray, "channel point point"]:
         """Before anything was pressed, of all steps of some places."""
-        near = np.kron(self._matern(xy_mm, xy_mm), np.ones((force_n.shape[1],) * 2))
+        near = np.kron(self.matern(xy_mm, xy_mm), np.ones((force_n.shape[1],) * 2))
         product = np.outer(force_n, force_n) / _FORCE_SCALE_N**2
         size2 = (self.prior.size * self.scale) ** 2
         return size2[:, None, None] * near * (product + product**2)
@@ -110,19 +110,19 @@ class Discrepancy:
         means, with noise, would tell)."""
         seen = self.seen
         both = np.concatenate([xy_mm, seen.xy_mm])
-        prior = self._matern(both, both) + _JITTER * np.eye(len(both))
+        prior = self.matern(both, both) + _JITTER * np.eye(len(both))
         fields = np.linalg.cholesky(prior) @ rng.standard_normal((2, len(both), len(self.scale)))
         fields = fields * self.prior.size * self.scale
-        here = _at_force(fields[:, : len(xy_mm)], force_n)
-        told = _at_force(fields[:, len(xy_mm) :], seen.force_n)
+        here = scaled_by_force(fields[:, : len(xy_mm)], force_n)
+        told = scaled_by_force(fields[:, len(xy_mm) :], seen.force_n)
         roots = np.linalg.cholesky(seen.zero_counts2 + _JITTER * np.eye(told.shape[1]))
         told = told + roots @ rng.standard_normal(told.shape)
         told = told.reshape(-1, len(self.scale))
-        told = told + np.sqrt(self._white) * rng.standard_normal(told.shape)
+        told = told + np.sqrt(self.white_of) * rng.standard_normal(told.shape)
         return here - self.mean(told, xy_mm, force_n)
 
 
-def _at_force(
+def scaled_by_force(
     fields: Float[np.ndarray, "2 place channel"], force_n: Float[np.ndarray, "place step"]
 ) -> Float[np.ndarray, "place step channel"]:
     share = (force_n / _FORCE_SCALE_N)[..., None]

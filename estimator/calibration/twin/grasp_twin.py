@@ -85,7 +85,7 @@ class GraspTwin:
         return found
 
 
-class _Mechanics:
+class GraspMechanics:
     """The contacts of all cases."""
 
     def __init__(
@@ -134,7 +134,7 @@ class _LeftOver:
         return left / self.variance.reshape(*self.variance.shape, *[1] * (left.ndim - 2))
 
 
-def _left_over(seen: PressedCases, size: float) -> _LeftOver:
+def left_over_of(seen: PressedCases, size: float) -> _LeftOver:
     levels = seen.counts.shape[1]
     variance = seen.noise_counts2 + levels * (size * seen.chip_counts) ** 2
     return _LeftOver(variance.reshape(-1, len(seen.channels)))
@@ -152,22 +152,22 @@ def calibrate_on_cases(
     Cases are left out one by one about the linearization at the numbers of all; predictions are exact.
     """
     unknowns = Unknowns(spec, seen.faces)
-    mechanics = _Mechanics(unknowns, forces, motions, seen)
+    mechanics = GraspMechanics(unknowns, forces, motions, seen)
     counts = seen.counts.reshape(-1, len(seen.channels))
     nothing = np.zeros(len(unknowns))
     of_design = left_share(seen, counts - mechanics.expected(nothing))
     first = float(np.clip(np.sqrt(np.mean(of_design**2)) / 2, SIZES[0], SIZES[-1]))
     progress(f"fitting {len(seen)} cases")
-    fitted, here, jacobian = most_probable(mechanics, _left_over(seen, first), counts, nothing)
+    fitted, here, jacobian = most_probable(mechanics, left_over_of(seen, first), counts, nothing)
     right = counts - here + jacobian @ fitted
     progress("cases left out")
     tried = [
-        (_cases_left_out(mechanics, _left_over(seen, size), jacobian, right), size)
+        (cases_left_out(mechanics, left_over_of(seen, size), jacobian, right), size)
         for size in SIZES
     ]
     left, size = min(tried, key=lambda one: np.mean(left_share(seen, one[0]) ** 2))
     shares = left_share(seen, left)
-    numbers, covariance = _solved(_left_over(seen, size), jacobian, right)
+    numbers, covariance = _solved(left_over_of(seen, size), jacobian, right)
     numbers, modulus = (
         np.clip(numbers, -FARTHEST, FARTHEST),
         np.sqrt(covariance[_MODULUS, _MODULUS]),
@@ -187,8 +187,8 @@ def _solved(
     return covariance @ pull, covariance
 
 
-def _cases_left_out(
-    mechanics: _Mechanics, left_over: _LeftOver, jacobian: np.ndarray, right: np.ndarray
+def cases_left_out(
+    mechanics: GraspMechanics, left_over: _LeftOver, jacobian: np.ndarray, right: np.ndarray
 ) -> Float[np.ndarray, "row channel"]:
     """What the twin of all other cases leaves of each; infinite where it is no object."""
     seen = mechanics.seen

@@ -86,7 +86,7 @@ def inverted_grasps(
     errors = np.maximum(sensor_errors(seen, twin.left, sensors), MESH_ERROR)
     found = inversion(spec, *presses, twin.signals(*presses), errors, twin.modulus_error, shear)
     found = _with_noise(found, seen.noise_counts)
-    wider = max(1.0, _beyond_regions(found, twin, seen))
+    wider = max(1.0, beyond_regions(found, twin, seen))
     told = found.disturbances
     blind = np.full(len(told.noise_counts), BLIND)
     blind[seen.channels] = told.noise_counts[seen.channels]
@@ -102,7 +102,7 @@ def _with_noise(inversion: Inversion, noise_counts: Float[np.ndarray, "3"]) -> I
     return replace(inversion, disturbances=replace(told, noise_counts=noise))
 
 
-def _beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) -> float:
+def beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) -> float:
     """How many times further than the regions say cases left out move the labelled contacts: rms over
     all of them, in standard deviations (Gauss–Newton step of the labelled contacts)."""
     model = inversion.model

@@ -74,7 +74,7 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
         inside[here] = within_table(spec, face, frames.contact_xy_mm[here])
     usable = frames.valid & touched.any(axis=1) & inside.all(axis=1) & (frames.place_id >= 0)
     cases = [
-        _whole_case(frames, usable, case) for case in np.unique(frames.place_id[usable]).tolist()
+        whole_case(frames, usable, case) for case in np.unique(frames.place_id[usable]).tolist()
     ]
     cases = [rows for rows in cases if len(rows) >= LEAST_FRAMES]
     counts = all_counts(frames)
@@ -114,7 +114,7 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
     )
 
 
-def _whole_case(frames: FrameSet, usable: np.ndarray, case: int) -> Int[np.ndarray, "row"]:
+def whole_case(frames: FrameSet, usable: np.ndarray, case: int) -> Int[np.ndarray, "row"]:
     """Rows of a case in which it has all its contacts, by growing force."""
     rows = np.flatnonzero(usable & (frames.place_id == case))
     number = np.sum(frames.contact_face[rows] != NO_FACE, axis=1)

@@ -190,7 +190,7 @@ def drifting_zeros(
         mine = mine[np.argsort(time_s[frames[mine]])]
         own, rows = weight[:, mine], frames[mine]
         if error is not None:
-            found += _remembered(own, *error[rows].T)
+            found += remembered_places(own, *error[rows].T)
             continue
         later = np.cumsum(own[:, ::-1], axis=1)[:, ::-1]
         since_s = time_s[rows] - time_s[rows[0]]
@@ -199,7 +199,7 @@ def drifting_zeros(
     return found
 
 
-def _remembered(
+def remembered_places(
     weight: Float[np.ndarray, "level frame"],
     variance: Float[np.ndarray, "frame"],
     memory: Float[np.ndarray, "frame"],

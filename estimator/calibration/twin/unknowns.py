@@ -27,7 +27,7 @@ FACE_PARTS = (
 WHOLE = ("core_shift", "core_yaw", "modulus")
 STIFFENING = (0.7, 0.7, 0.5, 1.0, 0.5)
 """Standard deviations beforehand of the coefficients a to e of `fem.large_strain.correction`."""
-_ITERATIONS = 12
+ITERATIONS = 12
 _STEP, _SETTLED = 0.05, 0.05
 FARTHEST = 5.0
 """Standard deviations that a number may go either way."""
@@ -134,7 +134,7 @@ def most_probable(
         return float(np.sum(left * left_over.weighed(left)) + at @ at)
 
     here = mechanics.expected(numbers)
-    for _ in range(_ITERATIONS):
+    for _ in range(ITERATIONS):
         jacobian = jacobian_of(mechanics, numbers, here)
         precision, pull = normal_equations(left_over, jacobian, counts - here)
         step = np.linalg.solve(precision, pull - numbers)

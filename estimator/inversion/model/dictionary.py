@@ -64,7 +64,7 @@ class Dictionary:
         Of probes, one a face, the best few of each number of tips; of tips, the best few that stand
         apart.
         """
-        gain, scale = self._gains(model, seen, level)
+        gain, scale = self.gains_of(model, seen, level)
         xp = library(gain)
         room = level.face.shape[1] - level.number
         gain[like(gain, self.tips > room[:, None])] = -np.inf
@@ -81,12 +81,12 @@ class Dictionary:
                 rows = where_true(of_number[each, press] > 0)
                 few = press[rows]
                 told = (on_host(part) for part in (rows, few, scale[rows, few]))
-                found.append(self._placed(level, *told))
-                of_number[self._near(press)] = -np.inf
+                found.append(self.placed_sets(level, *told))
+                of_number[self.near_rows(press)] = -np.inf
         rows, faces, contacts = zip(*found, strict=True)
         return np.concatenate(rows), np.concatenate(faces), np.concatenate(contacts)
 
-    def _placed(
+    def placed_sets(
         self, level: Problems, rows: np.ndarray, press: np.ndarray, scale: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The presses in the first empty slots of the problems."""
@@ -99,7 +99,7 @@ class Dictionary:
             contact[some, first[some] + tip, 2] *= scale[some]
         return rows, face, contact
 
-    def _gains(
+    def gains_of(
         self, model: ContactModel, seen: Observed, level: Problems
     ) -> tuple[Float[Array, "problem press"], Float[Array, "problem press"]]:
         """By how much each press would lower the misfit, and its force over the dictionary's."""
@@ -129,7 +129,7 @@ class Dictionary:
         counts = self.counts.swapaxes(0, 1)
         return counts, counts * counts
 
-    def _near(self, press: Int[Array, "problem"]) -> Bool[Array, "problem press"]:
+    def near_rows(self, press: Int[Array, "problem"]) -> Bool[Array, "problem press"]:
         """Presses that are one start with a chosen one: of as many tips whose centres are near."""
         kind, *places = self._marks
         near = kind[press, None] == kind
@@ -169,7 +169,7 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
     faces, tips, contacts = [], [], []
     forces = _PROBE_FORCES_N if priors.spacing_mm else _FORCES_N
     centres = list(product(range(len(model.signals.faces)), *grids))
-    for number, angle in _probes(priors):
+    for number, angle in probe_shapes(priors):
         offsets = np.zeros((most, 2))
         offsets[:number] = probe_tips_mm(number, angle, priors)
         for face, *centre in centres:
@@ -197,7 +197,7 @@ def _on_face(model: ContactModel, face: int, tips_mm: Float[np.ndarray, "tip 2"]
     return bool(np.allclose(stays, contact, atol=1e-6))
 
 
-def _probes(priors: Priors) -> list[tuple[int, float]]:
+def probe_shapes(priors: Priors) -> list[tuple[int, float]]:
     """Numbers of tips and angles; a probe of n tips looks alike after a turn by 1/n."""
     several = range(2, len(priors.spacing_mm) + 2)
     return [(1, 0.0)] + [(n, 2 * np.pi / n * k / _ANGLES) for n in several for k in range(_ANGLES)]

@@ -217,7 +217,7 @@ class ContactModel:
         """Counts of motions beyond those at rest; of a scene that is not plain on the processor."""
         if isinstance(moved, np.ndarray):
             return self._counts(self.rest + moved) - self._resting
-        if not self._plain:
+        if not self.plain:
             return like(moved, self._changes(on_host(moved)))
         xp, rest = library(moved), like(moved, self.rest)
         field = self._field_of(rest + moved) - self._field_of(rest[None])
@@ -226,7 +226,7 @@ class ContactModel:
         return (scale * xp.einsum("sac,psc->psa", axes, field)).reshape(len(moved), -1)
 
     @property
-    def _plain(self) -> bool:
+    def plain(self) -> bool:
         """Whether nothing but moving magnets changes the field at resting sensors."""
         place = self.scene
         return not (place.sensors_move or place.environment.plates or self.field.exact)

@@ -136,13 +136,13 @@ class PressTable:
 
 def signal_table(signals: Signals) -> PressTable:
     """Changes of counts (channel = sensor · 3 + axis) of every press of the lattice."""
-    nodes = _force_nodes(signals)
+    nodes = force_nodes(signals)
     values = []
     for face, there in zip(signals.faces.tolist(), signals.pressed, strict=True):
         x, y = signals.lattice.xy_mm[there].T
         traces = press_traces(signals, np.full(len(x), face), x, y)
-        values.append(_on_lattice(_at_forces(traces, nodes), there, signals.lattice))
-    return _table(signals.faces, signals.lattice, nodes, np.stack(values))
+        values.append(_on_lattice(at_forces(traces, nodes), there, signals.lattice))
+    return force_table(signals.faces, signals.lattice, nodes, np.stack(values))
 
 
 def _on_lattice(
@@ -165,24 +165,24 @@ def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
 
 def shear_table(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> PressTable:
     """Change of counts per newton along x, then along y (2 · channels), at the contact locations."""
-    nodes, values = _force_nodes(signals), []
+    nodes, values = force_nodes(signals), []
     places = contact_places(spec)[face_rows(spec, shear.faces)]
     for face, there in zip(shear.faces.tolist(), places, strict=True):
         xy = shear.grid.xy_mm[there]
         slopes = slope_traces(spec, signals, shear, np.full(len(xy), face), xy)
-        found = np.concatenate([_at_forces(one, nodes) for one in slopes], axis=2)
+        found = np.concatenate([at_forces(one, nodes) for one in slopes], axis=2)
         values.append(_on_lattice(found, there, shear.grid))
-    return _table(shear.faces, shear.grid, nodes, np.stack(values))
+    return force_table(shear.faces, shear.grid, nodes, np.stack(values))
 
 
-def _force_nodes(signals: Signals) -> Float[np.ndarray, "node"]:
+def force_nodes(signals: Signals) -> Float[np.ndarray, "node"]:
     """From 0 to the force that the hardest place needs at most, evenly in its root."""
     largest = float(signals.force_n[signals.pressed, -1].max())
     last = np.sqrt(largest + _NEAR_ZERO_N)
     return np.linspace(_FIRST_ROOT, last, FORCE_NODES) ** 2 - _NEAR_ZERO_N
 
 
-def _at_forces(
+def at_forces(
     traces: Traces, force_n: Float[np.ndarray, "node"]
 ) -> Float[np.ndarray, "press node channel"]:
     """Channels at the given forces, beyond the deepest press along its last slope."""
@@ -195,7 +195,7 @@ def _at_forces(
     return inside + np.maximum(wanted - reach, 0.0)[..., None] * slope
 
 
-def _table(
+def force_table(
     faces: np.ndarray, lattice: PlaceGrid, force_n: np.ndarray, values: np.ndarray
 ) -> PressTable:
     grid = values.reshape(len(faces), len(lattice.x_mm), len(lattice.y_mm), len(force_n), -1)

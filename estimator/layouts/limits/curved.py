@@ -58,11 +58,11 @@ def broken_on_surfaces_mm(
             [pocket_gaps_mm(floor, top, radius, pocket_gap_mm) for floor, top, _ in placed.values()]
         ),
         "pockets near the edge": worst_of_faces(
-            [_past_border(one, pockets[number]) for number, one in known.items()]
+            [past_border(one, pockets[number]) for number, one in known.items()]
         ),
         "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
         "seal": worst_of_faces(
-            [_unsealed(one, laid[number], pockets[number]) for number, one in known.items()]
+            [unsealed_mm(one, laid[number], pockets[number]) for number, one in known.items()]
         ),
         "chip near a magnet": worst_of_faces(
             [
@@ -79,7 +79,7 @@ def broken_on_surfaces_mm(
     }
     if moving:
         recesses = {
-            number: _recesses(one, laid[number], boards_of(spec, laid[number]))
+            number: recess_boxes(one, laid[number], boards_of(spec, laid[number]))
             for number, one in known.items()
         }
         centre, axes, half_mm = (
@@ -88,11 +88,11 @@ def broken_on_surfaces_mm(
         least = board_gap_mm + SLACK_MM
         found["board gap"] = missing_between_boxes_mm(centre, axes, half_mm, least)
         found["board beside the wire hole"] = worst_of_faces(
-            [_boards_beside_hole(one, recesses[number]) for number, one in known.items()]
+            [boards_beside_hole(one, recesses[number]) for number, one in known.items()]
         )
         found["boards near the edge"] = worst_of_faces(
             [
-                _boards_past_edges(one, laid[number], recesses[number])
+                boards_past_edges(one, laid[number], recesses[number])
                 for number, one in known.items()
             ]
         )
@@ -111,7 +111,7 @@ def _placed(turned: tuple[Tensor, Tensor], layouts: Layouts, pockets: Pockets) -
     return floor, top, torch.einsum("ijlm,jlm->ilm", turn, pockets.axis)
 
 
-def _past_border(surface: Surface, pockets: Pockets) -> Float[Tensor, "layout"]:
+def past_border(surface: Surface, pockets: Pockets) -> Float[Tensor, "layout"]:
     """Beyond the patch; of a box less the zone of the neighbouring face's pockets, as deep as the
     deepest."""
     frame = surface.frame
@@ -125,7 +125,7 @@ def _past_border(surface: Surface, pockets: Pockets) -> Float[Tensor, "layout"]:
     return torch.relu(reach + SLACK_MM - half[:, None, None]).sum(dim=(0, 2))
 
 
-def _unsealed(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[Tensor, "layout"]:
+def unsealed_mm(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[Tensor, "layout"]:
     """Silicone missing over magnets and under pockets."""
     spec, depth = surface.spec, layouts.magnet_mm[..., 2]
     least = spec.silicone.thinnest_wall_mm + SLACK_MM
@@ -135,7 +135,7 @@ def _unsealed(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[Ten
         radius, half = outlines_mm(spec, depth.dtype)
         cover = depth - radius * tilted - up * half
     else:
-        covers, which = _covers_of(spec)[surface.number], spec.magnets.by_size
+        covers, which = covers_of(spec)[surface.number], spec.magnets.by_size
         parts = [
             pointwise(one.at, layouts.magnet_mm[:, those])[..., 0]
             for one, those in zip(covers, which, strict=True)
@@ -164,7 +164,7 @@ class _Cover:
 
 
 @once
-def _covers_of(spec: ObjectSpec) -> dict[int, tuple[_Cover, ...]]:
+def covers_of(spec: ObjectSpec) -> dict[int, tuple[_Cover, ...]]:
     """Of every curved face, over a magnet of each of the specification's sizes."""
     return {
         frame.number: tuple(_cover(spec, frame, size) for size in spec.magnets.distinct_sizes)
@@ -206,7 +206,7 @@ _Boxes = tuple[
 """Centres (mm), axes as rows, half edges (mm) of recesses, in the object's frame."""
 
 
-def _recesses(surface: Surface, layouts: Layouts, boards: Boards) -> _Boxes:
+def recess_boxes(surface: Surface, layouts: Layouts, boards: Boards) -> _Boxes:
     point, axes, sink = surface.boards(layouts.sensor_mm)
     deep = (surface.spec.core.recess_depth_mm + sink) / 2
     ahead = ((boards.centre - layouts.sensor_mm) * boards.radial).sum(-1)
@@ -215,7 +215,7 @@ def _recesses(surface: Surface, layouts: Layouts, boards: Boards) -> _Boxes:
     return centre, axes, torch.stack([radial, across, deep], dim=-1)
 
 
-def _boards_beside_hole(surface: Surface, recesses: _Boxes) -> Float[Tensor, "layout"]:
+def boards_beside_hole(surface: Surface, recesses: _Boxes) -> Float[Tensor, "layout"]:
     """As `boards_beside_hole_mm`, of recesses turned with the core's surface: seen along the hole, which
     they come nearer to the deeper they are."""
     centre, axes, half = recesses
@@ -236,7 +236,7 @@ def _boards_beside_hole(surface: Surface, recesses: _Boxes) -> Float[Tensor, "la
     return missing_beside_hole_mm(surface.spec, away)
 
 
-def _boards_past_edges(
+def boards_past_edges(
     surface: Surface, layouts: Layouts, recesses: _Boxes
 ) -> Float[Tensor, "layout"]:
     """A board must find room in its patch and its recess in the core, and a wall stay between the

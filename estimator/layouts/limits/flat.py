@@ -38,9 +38,9 @@ def broken_on_flat_faces_mm(
     moving = spec.search.vary.sensor_reach_mm is not None
     found = {
         "pocket gap": pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, pocket_gap_mm),
-        "pockets near the edge": _past_edges(spec, pockets),
+        "pockets near the edge": past_edges(spec, pockets),
         "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, pockets.radius),
-        "seal": _unsealed(spec, layouts, pockets),
+        "seal": unsealed_mm(spec, layouts, pockets),
         "chip near a magnet": _chips_near_magnets(
             spec, layouts, spec.body.sensed if moving else (face,)
         ),
@@ -48,7 +48,7 @@ def broken_on_flat_faces_mm(
     if moving:
         boards = boards_of(spec, layouts)
         found["board gap"] = _board_gaps(spec, boards, board_gap_mm)
-        found["boards near the edge"] = _boards_past_edges(spec, boards)
+        found["boards near the edge"] = boards_past_edges(spec, boards)
     return found
 
 
@@ -70,7 +70,7 @@ def _chips_near_magnets(
     )
 
 
-def _past_edges(spec: ObjectSpec, pockets: Pockets) -> Float[Tensor, "layout"]:
+def past_edges(spec: ObjectSpec, pockets: Pockets) -> Float[Tensor, "layout"]:
     """Beyond the face less the zone of the neighbouring face's pockets, as deep as the deepest."""
     half = _half_mm(spec, pockets.reach.dtype)
     deepest = (-pockets.lowest).amax(dim=1, keepdim=True)
@@ -78,7 +78,7 @@ def _past_edges(spec: ObjectSpec, pockets: Pockets) -> Float[Tensor, "layout"]:
     return torch.relu(beyond).sum(dim=(0, 2))
 
 
-def _unsealed(spec: ObjectSpec, layouts: Layouts, pockets: Pockets) -> Float[Tensor, "layout"]:
+def unsealed_mm(spec: ObjectSpec, layouts: Layouts, pockets: Pockets) -> Float[Tensor, "layout"]:
     """Silicone missing over magnets and under pockets."""
     up, depth = pockets.axis[2], layouts.magnet_mm[..., 2]
     tilted = (1 - up * up).clamp(min=1e-12).sqrt()
@@ -98,12 +98,12 @@ def _half_mm(spec: ObjectSpec, dtype: torch.dtype) -> Float[Tensor, "2"]:
 
 def _board_gaps(spec: ObjectSpec, boards: Boards, gap_mm: float) -> Float[Tensor, "layout"]:
     """Wall missing between any two recesses of the core, round its edges too."""
-    centre, axes = _recesses(spec, boards)
+    centre, axes = recess_boxes(spec, boards)
     half = torch.tensor([*boards.half_mm, spec.core.recess_depth_mm / 2], dtype=centre.dtype)
     return missing_between_boxes_mm(centre, axes, half, gap_mm + SLACK_MM)
 
 
-def _recesses(
+def recess_boxes(
     spec: ObjectSpec, boards: Boards
 ) -> tuple[Float[Tensor, "layout recess 3"], Float[Tensor, "layout recess 3 3"]]:
     """Centres (mm) and axes as rows, in the object's frame, of one layout on all faces."""
@@ -127,7 +127,7 @@ def _recesses(
     return torch.cat(centres, dim=1), torch.cat(axes, dim=1)
 
 
-def _boards_past_edges(spec: ObjectSpec, boards: Boards) -> Float[Tensor, "layout"]:
+def boards_past_edges(spec: ObjectSpec, boards: Boards) -> Float[Tensor, "layout"]:
     """A wall must stay between the outer end of every recess and the next side of the core."""
     half, wide = boards.half_mm
     outer = boards.centre + half * boards.radial

@@ -176,7 +176,7 @@ def press_bases(
     InputError
         A face that was not pressed, presses on another lattice, or of fewer than two forces.
     """
-    _check(spec, motions, face)
+    check_lattices(spec, motions, face)
     frames = {frame.number: frame for frame in face_frames(spec)}
     here = frames.pop(face)
     others = sorted(frames.values(), key=lambda frame: _opposite(frame, here))
@@ -190,7 +190,7 @@ def press_bases(
     least = max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * there.sum()))
     ranks = own_rank or int(more * least), other_rank or int(more * OTHER_RANK)
     of_modes = np.concatenate(
-        [_press_derivatives(motions, face, force, located) for force in forces_n], axis=1
+        [press_derivatives(motions, face, force, located) for force in forces_n], axis=1
     )
     whole, beside, held = _tables(spec, motions, here, adjacent, of_modes, ranks, dtype)
 
@@ -225,7 +225,7 @@ def press_bases(
             force_n=force,
             own=whole.of_force(index, len(forces_n)),
             other=beside.of_force(index, len(forces_n)),
-            mm_per_n=_compliance(motions, face, force)[located],
+            mm_per_n=surface_compliance(motions, face, force)[located],
         )
         for index, force in enumerate(forces_n)
     )
@@ -244,7 +244,7 @@ def _tables(
     face, differ = here.number, faces_differ(spec)
     lattices = {lattice.face: lattice for lattice in motions.candidates}
     row = motions.faces.tolist().index(face)
-    own, *moving = (_modes_of(motions, number, row, here.axes) for number in (face, *adjacent))
+    own, *moving = (modes_of(motions, number, row, here.axes) for number in (face, *adjacent))
     scale = rms(own, of_modes)
     widths = np.repeat(scale, of_modes.shape[2])
 
@@ -299,7 +299,7 @@ def _nothing(of_modes: Float[np.ndarray, "mode quantity place"], dtype: torch.dt
     return RowTable(torch.zeros(0, 0, dtype=dtype), torch.zeros(0, quantities, dtype=dtype))
 
 
-def _compliance(
+def surface_compliance(
     motions: CandidateMotions, pressed: int, force_n: float
 ) -> Float[np.ndarray, "place"]:
     """Secant, straight between and beyond the stored forces."""
@@ -314,7 +314,7 @@ def _opposite(a: FaceFrame, b: FaceFrame) -> bool:
     return bool(a.normal @ b.normal < -0.5)
 
 
-def _check(spec: ObjectSpec, motions: CandidateMotions, face: int) -> None:
+def check_lattices(spec: ObjectSpec, motions: CandidateMotions, face: int) -> None:
     if face not in motions.faces:
         raise InputError(f"face {face} was not pressed. Choose one of {motions.faces.tolist()}")
     if motions.force_n.shape[2] < 2:
@@ -337,7 +337,7 @@ def _check(spec: ObjectSpec, motions: CandidateMotions, face: int) -> None:
             )
 
 
-def _press_derivatives(
+def press_derivatives(
     motions: CandidateMotions,
     pressed: int,
     force_n: float,
@@ -389,7 +389,7 @@ def _held(
     )
 
 
-def _modes_of(
+def modes_of(
     motions: CandidateMotions, face: int, row: int, axes: Float[np.ndarray, "3 3"]
 ) -> Float[np.ndarray, "candidate 6 mode"]:
     """Modes of one face's candidates under presses of another, or its own, along the columns of `axes`."""

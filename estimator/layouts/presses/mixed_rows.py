@@ -44,7 +44,7 @@ def _mixed_rows(
 ) -> tuple[Float[Tensor, "magnet own"], Float[Tensor, "magnet other"]]:
     xyd_mm = layouts.magnet_mm.reshape(-1, 3)
     if not basis.patches:
-        near = _around(basis, (xyd_mm - basis.first_mm) / basis.step_mm, xyd_mm)
+        near = rows_around(basis, (xyd_mm - basis.first_mm) / basis.step_mm, xyd_mm)
         own = _turned(_weighted(basis.own.rows, *near), basis, layouts)
         return own + _moved_by_others(basis, layouts, xyd_mm, near), _weighted(
             basis.other.rows, *near
@@ -52,7 +52,7 @@ def _mixed_rows(
     here, *beside = basis.patches[: 1 + len(basis.neighbours)]
     along = _along(here, layouts)
     own, *others = (
-        _around(patch, (at - patch.first_mm) / patch.step_mm, xyd_mm)
+        rows_around(patch, (at - patch.first_mm) / patch.step_mm, xyd_mm)
         for patch, at in [(here, along), *((patch, _along(patch, layouts)) for patch in beside)]
     )
     moving = [
@@ -104,7 +104,7 @@ def _along(patch: Patch, layouts: Layouts) -> Float[Tensor, "magnet 3"]:
     return torch.cat([patch.surface.lengths_mm(xyd[:, :2]), xyd[:, 2:]], dim=1)
 
 
-def _around(
+def rows_around(
     lattice: PressBasis | Patch, place: Float[Tensor, "magnet 3"], xyd_mm: Float[Tensor, "magnet 3"]
 ) -> tuple[Int[Tensor, "magnet 64"], Float[Tensor, "magnet 64"]]:
     """Rows of a lattice round places told in its steps, and their weights."""
@@ -121,7 +121,7 @@ def _around(
     # The tables hold one more node beyond each end, so that the four neighbours of
     # a cell along an axis, −1 … 2, are nodes cell … cell + 3 of a table of nodes + 2.
     cell = torch.minimum(place.detach().floor().clamp(min=0), last - 1)
-    x, y, z = _kernel(place - cell).unbind(1)
+    x, y, z = cubic_kernel(place - cell).unbind(1)
     weight = x[:, :, None, None] * y[:, None, :, None] * z[:, None, None, :]
     _, ny, nz = (count + 2 for count in lattice.nodes)
     corner = (cell.long() * torch.tensor([ny * nz, nz, 1])).sum(
@@ -196,7 +196,7 @@ def _turned_columns(
     return [c * one - s * other, s * one + c * other]
 
 
-def _kernel(t: Float[Tensor, "magnet 3"]) -> Float[Tensor, "magnet 3 4"]:
+def cubic_kernel(t: Float[Tensor, "magnet 3"]) -> Float[Tensor, "magnet 3 4"]:
     """Weights of the nodes at −1, 0, 1, 2 for a point at 0 ≤ t ≤ 1 (Keys, 1981)."""
     return torch.stack(
         [

@@ -26,8 +26,8 @@ from estimator.networks.process import fit_process
 REFERENCE_FRAMES = 600
 KNOWN_SHARE = 0.95
 SIGMA_SPAN = 3.0
-_PLACE_GROUPS = 6
-_PLACE_TREES = 30
+PLACE_GROUPS = 6
+PLACE_TREES = 30
 _PLACE_FRAMES = 2000
 _LEAST_GROWTH = 1e-3
 WHOLLY_NEW_FROM = 2.0
@@ -130,9 +130,9 @@ def slopes_at_places_left_out(
     cases = rng.permutation(np.unique(data.frames.place_id[data.contact]))
     largest_n = float(data.heatmap_n.sum(axis=(1, 2)).max())
     if len(cases) < 2:
-        return Slopes(largest_n, _radius_of_grid(data, data.centre_mm[data.contact], cover))
+        return Slopes(largest_n, radius_of_grid(data, data.centre_mm[data.contact], cover))
     parts = []
-    for some in np.array_split(cases, min(_PLACE_GROUPS, len(cases))):
+    for some in np.array_split(cases, min(PLACE_GROUPS, len(cases))):
         left_out = np.isin(data.frames.place_id, some) & data.contact
         known, novel = data.select(~left_out), data.select(left_out)
         parts.append(_missed(known, novel, channels, sigma_counts, scale, seed, of_process))
@@ -144,7 +144,7 @@ def slopes_at_places_left_out(
     if not of_process or cover * (len(cases) + 1) <= len(cases):
         return Slopes(force, place)
     force = max(force, min(student_bound(missed, case, cover), largest_n))
-    return Slopes(force, max(place, _radius_of_grid(data, said_mm, cover)))
+    return Slopes(force, max(place, radius_of_grid(data, said_mm, cover)))
 
 
 def _missed(
@@ -166,14 +166,14 @@ def _missed(
         else:
             distance = reference_of(known, channels, sigma_counts, 0).distance(counts)
             grown = growth(distance.double() / scale).clamp(min=_LEAST_GROWTH).numpy()
-            answer = fit_forest(known, channels, _PLACE_TREES, seed=0)(counts)
+            answer = fit_forest(known, channels, PLACE_TREES, seed=0)(counts)
     force_n, xy_mm = (column.double().numpy() for column in answer)
     missed_n = np.abs(force_n - novel.heatmap_n.sum(axis=(1, 2)))
     away_mm = np.linalg.norm(xy_mm - novel.centre_mm, axis=1)
     return novel.frames.place_id, missed_n / grown, away_mm / grown, xy_mm
 
 
-def _radius_of_grid(data: FaceData, said_mm: Float[np.ndarray, "frame 2"], cover: float) -> float:
+def radius_of_grid(data: FaceData, said_mm: Float[np.ndarray, "frame 2"], cover: float) -> float:
     """Radius about the answers that holds the given share of the contact grid, mm."""
     grids = np.meshgrid(data.frames.grid_x_mm, data.frames.grid_y_mm, indexing="ij")
     away_mm = np.hypot(*(grid.ravel() - said_mm[:, [k]] for k, grid in enumerate(grids)))

@@ -56,7 +56,7 @@ class Fold:
 
 
 @dataclass(frozen=True)
-class _Answers:
+class HeldOutFrames:
     """Of held-out contact frames, forces in N and places in mm; NaN of trees and process where there
     are none."""
 
@@ -90,11 +90,11 @@ def assembled(
     `process` were fitted to it.
     """
     sigma = sigma_counts(everything, channels)
-    found = [_answers(fold, channels, sigma, seed) for fold in folds]
-    held_out = _Answers(
+    found = [held_out_answers(fold, channels, sigma, seed) for fold in folds]
+    held_out = HeldOutFrames(
         **{
             name: np.concatenate([getattr(one, name) for one in found])
-            for name in _Answers.__dataclass_fields__
+            for name in HeldOutFrames.__dataclass_fields__
         }
     )
     coverage = reference_of(everything, channels, sigma, seed)
@@ -109,14 +109,14 @@ def assembled(
     novelty = torch.as_tensor(held_out.distance / scale)
     new = np.zeros(len(novelty)) if process is None else newness(novelty).numpy()
     grown = growth(novelty).numpy() if process is None else new
-    errors = _blended_errors(network, held_out, new)
+    errors = blended_errors(network, held_out, new)
     widths = slopes.force_n * grown, slopes.place_mm * grown
     spreads = held_out.spread_n, held_out.spread_mm
     quantiles = network.force_quantile, network.position_quantile
     for quantile, error, width, spread in zip(quantiles, errors, widths, spreads, strict=True):
         score = np.maximum(error - width, 0.0) / np.maximum((1 - new) * spread, _LEAST_SPREAD)
         quantile.fill_(conformal_quantile(score, held_out.press_id, cover, len(folds) > 1))
-    least_mm = LEAST_RADIUS_PITCHES * _pitch_mm(everything)
+    least_mm = LEAST_RADIUS_PITCHES * pitch_mm(everything)
     network.position_quantile.clamp_(min=least_mm / float(np.median(held_out.spread_mm)))
     return network, len(np.unique(held_out.press_id))
 
@@ -144,9 +144,9 @@ def sharpened(
     return member
 
 
-def _answers(
+def held_out_answers(
     fold: Fold, channels: tuple[Channel, ...], sigma: Float[np.ndarray, "channel"], seed: int
-) -> _Answers:
+) -> HeldOutFrames:
     data = fold.held_out.select(fold.held_out.contact)
     counts = channel_counts(data.frames, channels)
     network = read_counts(fold.member, counts)
@@ -159,7 +159,7 @@ def _answers(
             trees_n, trees_mm = (column.double().numpy() for column in fold.forest(seen))
         if fold.process is not None:
             process_n, process_mm = (column.double().numpy() for column in fold.process(seen))
-    return _Answers(
+    return HeldOutFrames(
         press_id=data.frames.press_id,
         true_n=data.heatmap_n.sum(axis=(1, 2)),
         true_mm=data.centre_mm,
@@ -176,7 +176,7 @@ def _answers(
     )
 
 
-def _pitch_mm(data: FaceData) -> float:
+def pitch_mm(data: FaceData) -> float:
     steps = np.concatenate([np.diff(data.frames.grid_x_mm), np.diff(data.frames.grid_y_mm)])
     return float(steps.min()) if len(steps) else 1.0
 
@@ -187,8 +187,8 @@ def _centre_mm(found: Prediction, data: FaceData) -> Float[np.ndarray, "frame 2"
     return heatmap_centre_mm(torch.as_tensor(found.heatmap_n[:, -1]), grid_mm).numpy()
 
 
-def _blended_errors(
-    network: ContactEstimator, held_out: _Answers, new: Float[np.ndarray, "frame"]
+def blended_errors(
+    network: ContactEstimator, held_out: HeldOutFrames, new: Float[np.ndarray, "frame"]
 ) -> tuple[Float[np.ndarray, "frame"], Float[np.ndarray, "frame"]]:
     """Errors (N, mm) with the shares that err least, which the network gets.
 
@@ -200,11 +200,11 @@ def _blended_errors(
         places_mm.append(held_out.trees_mm)
     there_n = np.where(new > 0, new * held_out.process_n, 0.0)
     there_mm = np.where(new[:, None] > 0, new[:, None] * held_out.process_mm, 0.0)
-    shares, missed_n = _least(
+    shares, missed_n = least_cost(
         forces_n, lambda blended: np.abs((1 - new) * blended + there_n - held_out.true_n)
     )
     network.force_share.fill_(shares[1] if len(shares) > 1 else 0.0)
-    shares, away_mm = _least(
+    shares, away_mm = least_cost(
         places_mm,
         lambda blended: np.linalg.norm(
             (1 - new)[:, None] * blended + there_mm - held_out.true_mm, axis=1
@@ -214,7 +214,7 @@ def _blended_errors(
     return missed_n, away_mm
 
 
-def _least(
+def least_cost(
     answers: list[np.ndarray], error_of: Callable[[np.ndarray], np.ndarray]
 ) -> tuple[tuple[float, ...], np.ndarray]:
     """Shares, adding up to 1, with the least mean error, and its errors."""

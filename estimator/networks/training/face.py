@@ -133,9 +133,9 @@ def fit_estimator(
         for frames, name in ((train_frames, "training"), (validation_frames, "validation"))
     ]
     if start is not None:
-        _require_same_kind(start, settings, train_frames)
+        require_same_kind(start, settings, train_frames)
     channels = start.channels if start else common_channels(parts, training)
-    folds, every = [], _folds(parts, settings)
+    folds, every = [], folds_of(parts, settings)
     for number, (fitted, held_out) in enumerate(every):
         counted = None if progress is None else partial(_counted, progress, number, len(every))
         if start is None:
@@ -215,7 +215,7 @@ def prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
     return thinned(with_contacts(face_data(whole, settings.face), part), settings.seed)
 
 
-def _folds(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData, FaceData]]:
+def folds_of(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData, FaceData]]:
     """What each member is fitted to, and what stops and calibrates it."""
     members = settings.training.ensemble or 1
     if members == 1:
@@ -225,7 +225,7 @@ def _folds(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData,
     return [(pooled.select(fold != k), pooled.select(fold == k)) for k in range(members)]
 
 
-def _require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
+def require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
     wanted = replace(
         settings.architecture,
         members=start.architecture.members,
@@ -281,18 +281,18 @@ def _fit_member(
     train, validation = (
         batch_of(part, channels, scale, settings.axes, device) for part in (data, held_out)
     )
-    schedule = _schedule(settings, number, data.frames.source, fine_tuned)
+    schedule = schedule_of(settings, number, data.frames.source, fine_tuned)
     sigma = torch.as_tensor(sigma_counts(data, channels), dtype=torch.float32, device=device)
     elsewhere = elsewhere_counts(data, channels).to(device)
     zeroed = torch.tensor([float(face < HISTORY) for face, _, _ in channels], device=device)
     folder = settings.checkpoint
     path = None if folder is None else folder / f"member_{number}.safetensors"
-    mark = _fingerprint(schedule, train.counts, train.maps, asdict(settings.architecture))
+    mark = data_fingerprint(schedule, train.counts, train.maps, asdict(settings.architecture))
     disturbances = Disturbances(sigma, zeroed, elsewhere)
     fit(member, train, validation, disturbances, schedule, progress, path, mark)
 
 
-def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
+def schedule_of(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
     training, seed = settings.training, settings.seed + _NEXT_SEED * number
     budget = None if settings.budget_s is None else settings.budget_s / (training.ensemble or 1)
     augmentation = settings.augmentation or AUGMENTATION[source]
@@ -311,7 +311,9 @@ def _schedule(settings: FitSettings, number: int, source: str, fine_tuned: bool)
     )
 
 
-def _fingerprint(schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, built: dict) -> str:
+def data_fingerprint(
+    schedule: Schedule, counts: torch.Tensor, maps: torch.Tensor, built: dict
+) -> str:
     digest = hashlib.sha256(repr((schedule, built)).encode())
     for tensor in (counts, maps):
         digest.update(tensor.cpu().numpy().tobytes())

@@ -28,7 +28,7 @@ Progress = Callable[[int, int, float], None]
 _WARM_UP_EPOCHS = 2.0
 _LEAST_STEPS = 20
 _LEAST_BATCH_FRAMES = 16
-_SAVE_EVERY_S = 5.0
+SAVE_EVERY_S = 5.0
 
 
 @dataclass(frozen=True)
@@ -89,16 +89,16 @@ def fit(
     if checkpoint is not None and checkpoint.is_file():
         state = _resume(checkpoint, network, optimizer, fingerprint)
     started, saved = time.monotonic(), time.monotonic()
-    while state.epoch < schedule.epochs and not _stopped(state, schedule, started):
+    while state.epoch < schedule.epochs and not is_stopped(state, schedule, started):
         state.epoch += 1
-        _one_epoch(network, optimizer, train, disturbances, schedule, state, started)
+        one_epoch(network, optimizer, train, disturbances, schedule, state, started)
         score = _loss_on(network, validation)
         if score < state.best_loss:
             state.best_loss, state.best_epoch = score, state.epoch
             state.best = copy.deepcopy(network.state_dict())
         if progress is not None:
             progress(state.epoch, schedule.epochs, score)
-        if checkpoint is not None and time.monotonic() - saved > _SAVE_EVERY_S:
+        if checkpoint is not None and time.monotonic() - saved > SAVE_EVERY_S:
             _save(checkpoint, network, optimizer, state, fingerprint)
             saved = time.monotonic()
     if checkpoint is not None:
@@ -106,12 +106,12 @@ def fit(
     network.load_state_dict(state.best)
 
 
-def _stopped(state: _State, schedule: Schedule, started: float) -> bool:
+def is_stopped(state: _State, schedule: Schedule, started: float) -> bool:
     late = schedule.budget_s is not None and time.monotonic() - started >= schedule.budget_s
     return late or state.epoch - state.best_epoch >= schedule.patience_epochs
 
 
-def _one_epoch(
+def one_epoch(
     network: HeadsNetwork,
     optimizer: torch.optim.Optimizer,
     train: Batch,
@@ -124,7 +124,7 @@ def _one_epoch(
     counts = train.counts
     if schedule.augmentation is not None:
         counts = disturbed(counts, disturbances, schedule.augmentation, generator)
-    size = _batch_frames(len(train), schedule.batch_frames)
+    size = frames_of_batch(len(train), schedule.batch_frames)
     batches = torch.randperm(len(train), generator=generator).to(counts.device).split(size)
     network.train()
     for number, batch in enumerate(batches):
@@ -135,7 +135,7 @@ def _one_epoch(
             spent = (time.monotonic() - started) / schedule.budget_s
             done = max(done, spent * schedule.epochs)
         for group in optimizer.param_groups:
-            group["lr"] = schedule.learning_rate * _rate_factor(done, schedule)
+            group["lr"] = schedule.learning_rate * rate_factor(done, schedule)
         optimizer.zero_grad(set_to_none=True)
         heads_loss(network, counts[batch], train.rows(batch)).backward()
         optimizer.step()
@@ -147,12 +147,12 @@ def _loss_on(network: HeadsNetwork, validation: Batch) -> float:
         return float(heads_loss(network, validation.counts, validation))
 
 
-def _batch_frames(frames: int, wanted: int) -> int:
+def frames_of_batch(frames: int, wanted: int) -> int:
     """Smaller batches for small data sets, which otherwise get too few steps an epoch."""
     return max(1, min(wanted, max(_LEAST_BATCH_FRAMES, frames // _LEAST_STEPS)))
 
 
-def _rate_factor(epoch: float, schedule: Schedule) -> float:
+def rate_factor(epoch: float, schedule: Schedule) -> float:
     """Linear warm-up, then half a cosine down to 1 %."""
     warm = min(_WARM_UP_EPOCHS, schedule.epochs / 2)
     if epoch < warm:

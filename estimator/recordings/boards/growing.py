@@ -18,7 +18,7 @@ from design.files import write_whole
 from estimator.recordings.formats.generic import cell_text, generic_columns
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 
-_SYNC_S = 1.0
+SYNC_S = 1.0
 
 
 @dataclass
@@ -56,7 +56,7 @@ class GrowingRecording:
         line = ",".join(map(cell_text, values)) + "\n"
         try:
             write_whole(self._handle, line.encode())
-            if time.monotonic() - self._synced_s > _SYNC_S:
+            if time.monotonic() - self._synced_s > SYNC_S:
                 os.fsync(self._handle)
                 self._synced_s = time.monotonic()
         except OSError as error:

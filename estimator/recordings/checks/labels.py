@@ -81,7 +81,7 @@ def hidden_contacts(
         part = slice(first, last)
         if rest[part].sum() < 3 * LEAST_FRAMES:
             continue
-        change = _sigmas(counts[part], rest[part], stretch[part], noise_counts)
+        change = label_sigmas(counts[part], rest[part], stretch[part], noise_counts)
         for begin, end in _long_runs(rest[part] & (change.max(axis=1) > _HIDDEN_SIGMAS)):
             frames = np.arange(first + begin, first + end)
             face = 1 + int(change[begin:end].mean(axis=0).argmax())
@@ -94,7 +94,7 @@ def hidden_contacts(
     return hidden, faults
 
 
-def _sigmas(
+def label_sigmas(
     counts: Float[np.ndarray, "frame 5 sensor 3"],
     rest: Bool[np.ndarray, "frame"],
     stretch: Int[np.ndarray, "frame"],
@@ -127,7 +127,7 @@ def silent_presses(
     """
     known = noise_counts[np.isfinite(noise_counts)]
     sigma = float(np.median(known)) if known.size else 0.0
-    rows = _loads(face, force_n, press, responses)
+    rows = loads_of_places(face, force_n, press, responses)
     usual = {f: np.median([row[3] / row[2] for row in rows if row[1] == f]) for _, f, *_ in rows}
     wrong = np.zeros(len(press), dtype=bool)
     faults = []
@@ -145,7 +145,7 @@ def silent_presses(
     return wrong, faults
 
 
-def _loads(
+def loads_of_places(
     face: Int[np.ndarray, "frame cell"],
     force_n: Float[np.ndarray, "frame cell"],
     press: Int[np.ndarray, "frame"],

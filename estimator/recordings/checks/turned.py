@@ -43,7 +43,7 @@ def turned_forces(
     """
     corrected, faults = force_n.copy(), []
     for cell in range(force_n.shape[1]):
-        level = _longest_level(force_n[:, cell], rest_force_n)
+        level = longest_level(force_n[:, cell], rest_force_n)
         above = force_n[:, cell] > level + CONTACT_FORCE_N
         below = force_n[:, cell] < level - CONTACT_FORCE_N
         at_level = np.abs(force_n[:, cell] - level) <= rest_force_n
@@ -56,7 +56,7 @@ def turned_forces(
             )
             faults.append(Fault("force turned", "all rows", detail, "sign turned back"))
             continue
-        if not _change_alike(counts, face[:, cell], block, (at_level, above, below)):
+        if not change_alike(counts, face[:, cell], block, (at_level, above, below)):
             continue
         for first, last in runs((force_n[:, cell] < level - rest_force_n).astype(int)):
             if not below[first:last].any():
@@ -92,7 +92,7 @@ def _rests_above(
     return bool(scatter[0] < _ALIKE_AT_REST * scatter[1])
 
 
-def _longest_level(force_n: Float[np.ndarray, "frame"], width_n: float) -> float:
+def longest_level(force_n: Float[np.ndarray, "frame"], width_n: float) -> float:
     """Middle of the window of that half-width which holds most frames."""
     ordered = np.sort(force_n)
     number = np.searchsorted(ordered, ordered + 2 * width_n, side="right") - np.arange(len(ordered))
@@ -100,7 +100,7 @@ def _longest_level(force_n: Float[np.ndarray, "frame"], width_n: float) -> float
     return float(np.median(ordered[first : first + number[first]]))
 
 
-def _change_alike(
+def change_alike(
     counts: Float[np.ndarray, "frame 5 sensor 3"],
     face: Int[np.ndarray, "frame"],
     block: Int[np.ndarray, "frame"],
@@ -138,7 +138,7 @@ def turned_channels(
     for first, second in combinations(range(len(press)), 2):
         if place[first] == place[second]:
             larger = np.fmax(noise[first], noise[second])
-            kind, channels = _unlike(pattern[second], pattern[first], larger)
+            kind, channels = unlike_model(pattern[second], pattern[first], larger)
             if channels:
                 found.setdefault((kind, channels), []).append((first, second))
     wrong, faults = np.zeros(shape, dtype=bool), []
@@ -155,7 +155,7 @@ def turned_channels(
     return wrong, faults
 
 
-def _unlike(
+def unlike_model(
     pattern: Float[np.ndarray, "channel"],
     usual: Float[np.ndarray, "channel"],
     noise: Float[np.ndarray, "channel"] | float = 0.0,

@@ -135,7 +135,7 @@ def _gripper_table(rows: list[list[str]], digest: str) -> RawTable:
         force_n=values[:, 1:3] * NEWTON_PER_GRAM_FORCE,
         counts=in_file_order[:, order],
         face=_checked_faces(labels[:, :, 0]),
-        tip_xy_mm=_places_mm(labels[:, :, 1:]),
+        tip_xy_mm=places_mm(labels[:, :, 1:]),
         case=np.zeros(len(values), dtype=int),
         declared_rest=np.zeros(len(values), dtype=bool),
         grid_x_mm=x_mm,
@@ -195,7 +195,7 @@ def _training_table(rows: list[list[str]], digest: str, first_line: int) -> RawT
         force_n=values[:, 2:3],
         counts=counts,
         face=face,
-        tip_xy_mm=_places_mm(position),
+        tip_xy_mm=places_mm(position),
         case=case,
         declared_rest=np.isin(case, NO_CONTACT_LABELS),
         grid_x_mm=x_mm,
@@ -215,7 +215,7 @@ def _checked_faces(face: Int[np.ndarray, "row cell"]) -> Int[np.ndarray, "row ce
     return face
 
 
-def _places_mm(position: Int[np.ndarray, "row cell tip"]) -> Float[np.ndarray, "row cell tip 2"]:
+def places_mm(position: Int[np.ndarray, "row cell tip"]) -> Float[np.ndarray, "row cell tip 2"]:
     """Places of snake labels; NaN where the label says that nothing touches."""
     wrong = (position < 0) | (position > NO_CONTACT_LABELS[1])
     if wrong.any():

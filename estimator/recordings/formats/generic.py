@@ -122,10 +122,10 @@ def generic_signals(
         As `generic_table`.
     """
     header = [cell.strip() for cell in rows[0]]
-    _check_header(header, labelled=False)
+    check_header(header, labelled=False)
     column = _columns(rows, header, missing)
     check_complete(column["time_s"][:, None], ["time_s"])
-    return column["time_s"], _counts(column, len(column["time_s"]))
+    return column["time_s"], counts_of_column(column, len(column["time_s"]))
 
 
 def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTable:
@@ -139,7 +139,7 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
     header = [cell.strip() for cell in rows[0]]
     grams = [bool(_GRAMS.fullmatch(name)) for name in header]
     header = [name[:-1] + "n" if gram else name for name, gram in zip(header, grams, strict=True)]
-    cells, tips = _check_header(header)
+    cells, tips = check_header(header)
     column = _columns(rows, header, missing)
     for name in compress(header, grams):
         column[name] = _NEWTON_PER_GRAM * column[name]
@@ -151,7 +151,7 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
     needed = ["time_s", *(f"cell{cell}_force_n" for cell in range(1, cells + 1)), *shear]
     check_complete(np.stack([column[name] for name in needed], axis=1), needed)
     x_mm, y_mm = label_grid_mm()
-    counts, force_n, shear_n = _counts(column, frames), by_cell[:, :, 0], None
+    counts, force_n, shear_n = counts_of_column(column, frames), by_cell[:, :, 0], None
     if shear:
         shear_n = np.stack([column[name] for name in shear], axis=1).reshape(frames, cells, 2)
     return RawTable(
@@ -177,11 +177,11 @@ def _columns(
 ) -> dict[str, Float[np.ndarray, "frame"]]:
     values = numbers(rows[1:], header, first_line=2 if missing is None else 3)
     if missing is not None:
-        values = _without_marker(values, header, missing)
+        values = without_marker(values, header, missing)
     return {name: values[:, k] for k, name in enumerate(header)}
 
 
-def _without_marker(
+def without_marker(
     values: Float[np.ndarray, "frame column"], header: list[str], missing: float
 ) -> Float[np.ndarray, "frame column"]:
     """NaN in place of the marker in channels and faces, and in the places beside such a face."""
@@ -210,7 +210,7 @@ def content_digest(
     return found.hexdigest()
 
 
-def _check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
+def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     """Number of load cells and of tips; without labels there may be none."""
     repeated = sorted({name for name in header if header.count(name) > 1})
     if repeated:
@@ -255,7 +255,7 @@ def _unknown_text(unknown: list[str], missing: list[str]) -> str:
     )
 
 
-def _counts(
+def counts_of_column(
     column: dict[str, Float[np.ndarray, "frame"]], frames: int
 ) -> Float[np.ndarray, "frame 5 sensor 3"]:
     named = [

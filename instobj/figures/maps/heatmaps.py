@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 
 OUTWARD = {1: "+z", 2: "−y", 3: "+x", 4: "+y", 5: "−x", 6: "−z"}
 _SENSOR_EDGE_MM = 1.8
-_PICTURE_INCHES = 7.2, 6.5
-_MAP_INCHES, _BAR_INCHES = (0.7, 0.95, 5.05, 5.05), (5.85, 1.2, 0.25, 4.55)
+PICTURE_INCHES = 7.2, 6.5
+MAP_INCHES, BAR_INCHES = (0.7, 0.95, 5.05, 5.05), (5.85, 1.2, 0.25, 4.55)
 """Left, bottom, width, height of one face's map and of its scale; a layout engine would ask every
 text for its size, which takes as long as drawing."""
 _AROUND_BAR_INCHES = 5.8, 1.05, 7.2, 5.98
@@ -121,8 +121,8 @@ def _ground(spec: ObjectSpec, face: int, some_blank: bool) -> _Ground:
     from matplotlib.figure import Figure
 
     half_x, half_y = half_mm(spec, face)
-    figure = Figure(figsize=_PICTURE_INCHES, facecolor=PAPER)
-    axes = figure.add_axes(_share(_MAP_INCHES))
+    figure = Figure(figsize=PICTURE_INCHES, facecolor=PAPER)
+    axes = figure.add_axes(picture_share(MAP_INCHES))
     draw_ground(axes, spec, face, Pose(0.0, (0.0, 0.0)))
     axes.set(xlim=(-half_x - 0.5, half_x + 0.5), ylim=(-half_y - 0.5, half_y + 0.5), aspect="equal")
     along = "" if face_frame(spec, face).flat else " along the surface"
@@ -141,17 +141,20 @@ def _bar(scale: MapScale) -> Any:
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
 
-    figure = Figure(figsize=_PICTURE_INCHES, facecolor=PAPER)
-    axes, colours = figure.add_axes(_share(_BAR_INCHES)), ScalarMappable(scale.norm, scale.colours)
+    figure = Figure(figsize=PICTURE_INCHES, facecolor=PAPER)
+    axes, colours = (
+        figure.add_axes(picture_share(BAR_INCHES)),
+        ScalarMappable(scale.norm, scale.colours),
+    )
     set_plain_ticks(figure.colorbar(colours, cax=axes, label=scale.label), scale)
     canvas = drawn(figure)
     around = figure.dpi * np.array(_AROUND_BAR_INCHES)
     return canvas.copy_from_bbox(Bbox(around.reshape(2, 2)))
 
 
-def _share(inches: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+def picture_share(inches: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
     """A rectangle of the picture, as shares of its width and height."""
-    width, height = _PICTURE_INCHES
+    width, height = PICTURE_INCHES
     left, bottom, wide, high = inches
     return left / width, bottom / height, wide / width, high / height
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 from textwrap import wrap
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -34,9 +34,12 @@ from instobj.figures.maps.heatmaps import (
 from instobj.figures.maps.scale import BOUND_COLOURS, MapScale, map_scale, set_plain_ticks
 from instobj.figures.saving import save_figure
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 _NET = {1: (0, 0, 0), 2: (-90, 0, -1), 3: (0, 1, 0), 4: (90, 0, 1), 5: (180, -1, 0), 6: (0, 0, 2)}
 """Face → turn of its map (degrees) and direction of its place in the net about face 1."""
-_GAP_MM = 4.0
+GAP_MM = 4.0
 _GAP_INCHES = 0.36
 """At least, between maps: the faces' names and axes stand there."""
 _CELL_INCHES = 0.26
@@ -90,7 +93,7 @@ def draw_overview(
     note: str = "",
     direction_deg: Float[np.ndarray, "face place"] | None = None,
     marked: Bool[np.ndarray, "face place"] | None = None,
-) -> None:
+) -> Figure:
     """All faces in one picture and on one scale (PNG).
 
     `note` is the caption, wrapped to its column; `direction_deg` from each face's x is drawn as a
@@ -113,16 +116,17 @@ def draw_overview(
         meshes.append(mesh)
         if direction_deg is not None:
             blind = contact_places(spec)[spec.body.sensed.index(number)] & ~np.isfinite(row)
-            _draw_directions(page.axes, spec, direction_deg[index], blind, pose)
+            draw_directions(page.axes, spec, direction_deg[index], blind, pose)
         if marked is not None:
             _draw_frames(page.axes, spec, marked[index], pose)
         _name(page.axes, spec, number, pose)
         _draw_axes_arrows(page, spec, number, pose)
     _fill_column(page, meshes[0], scale, caption)
     save_figure(page.figure, path)
+    return page.figure
 
 
-def net_pose(spec: ObjectSpec, face: int, gap_mm: float = _GAP_MM) -> Pose:
+def net_pose(spec: ObjectSpec, face: int, gap_mm: float = GAP_MM) -> Pose:
     """Where a face lies in the net about face 1; face 6 joins face 4."""
     turn, right, up = _NET[face]
     top, own = half_mm(spec, spec.body.sensed[0]), half_mm(spec, face)
@@ -138,7 +142,7 @@ def _page(
     """A figure as large as net, column and title need."""
     from matplotlib.figure import Figure
 
-    plain_low, plain_high = _net_ends(spec, faces, _GAP_MM)
+    plain_low, plain_high = _net_ends(spec, faces, GAP_MM)
     inches_per_mm = min(
         _CELL_INCHES / spec.contact_grid.pitch_mm,
         _LARGEST_NET_INCHES / float((plain_high - plain_low).max()),
@@ -166,7 +170,7 @@ def _page(
 
 
 def _gap_mm(inches_per_mm: float) -> float:
-    return max(_GAP_MM, _GAP_INCHES / inches_per_mm)
+    return max(GAP_MM, _GAP_INCHES / inches_per_mm)
 
 
 def _net_ends(
@@ -213,7 +217,7 @@ def _name(axes: Any, spec: ObjectSpec, face: int, pose: Pose) -> None:
     )  # fmt: skip
 
 
-def _draw_directions(
+def draw_directions(
     axes: Any,
     spec: ObjectSpec,
     direction_deg: Float[np.ndarray, "place"],

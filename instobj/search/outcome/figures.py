@@ -15,6 +15,8 @@ from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from instobj.search.outcome.history import History
     from instobj.search.promotion import Promotion
 
@@ -109,7 +111,7 @@ def draw_levels(promotion: Promotion, name: str, path: Path) -> None:
     save_figure(figure, path)
 
 
-def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
+def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> Figure:
     """Every layout seen from outside on its first face, before (grey) and after; arrows join the
     nearest (PNG)."""
     groups = layout_groups(found)
@@ -126,6 +128,7 @@ def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> None:
     figure.legend(handles=_move_legend(), loc="outside lower center", ncols=4 if columns > 1 else 2,
                   frameon=False)  # fmt: skip
     save_figure(figure, path)
+    return figure
 
 
 def _draw_moves_of(axes: Any, start: ObjectSpec, found: ObjectSpec, faces: tuple[int, ...]) -> None:

@@ -20,7 +20,7 @@ from estimator.layouts.polish import Judged, LowestFidelity, judge
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.trials import KeptTrials
 
-_MOST = 33_600
+MOST_SCORINGS = 33_600
 """Layouts that plain engines score, minutes at three forces."""
 _CHUNK = 512
 _SPREAD = 0.3
@@ -68,10 +68,10 @@ def search_history(space: SearchSpace, kept: KeptTrials, seconds: float = np.inf
     start = start_scores(space.spec)
     free = sum(not v.choices for v in space.variables)
     each = np.array([trial.scorings for trial in finished])
-    count = min(int(each.sum()), _MOST)
-    engines = [_random_search]
+    count = min(int(each.sum()), MOST_SCORINGS)
+    engines = [random_search]
     if free > 1:  # CMA-ES knows no choices, and not a single number
-        engines.append(_plain_cma_es)
+        engines.append(cma_es_peer)
     peers = [engine(space, start, count, seconds / len(engines)) for engine in engines]
     return History(
         names,
@@ -111,7 +111,7 @@ class _Scorings:
         return Peer(name, np.concatenate(self._values), np.concatenate(self._at), self.count)
 
 
-def _random_search(space: SearchSpace, start: StartScores, count: int, seconds: float) -> Peer:
+def random_search(space: SearchSpace, start: StartScores, count: int, seconds: float) -> Peer:
     """Random layouts, of one structure a chunk."""
     ends = time.monotonic() + seconds
     rng, names = np.random.default_rng(space.spec.seed), space.spec.search.objectives
@@ -135,7 +135,7 @@ def _random_search(space: SearchSpace, start: StartScores, count: int, seconds: 
     return found.of("random search")
 
 
-def _plain_cma_es(space: SearchSpace, start: StartScores, count: int, seconds: float) -> Peer:
+def cma_es_peer(space: SearchSpace, start: StartScores, count: int, seconds: float) -> Peer:
     """CMA-ES as it comes, by the first objective with penalties for broken limits; choices are those in the
     middle of the space."""
     ends, names = time.monotonic() + seconds, space.spec.search.objectives

@@ -64,7 +64,7 @@ def alternatives(
     A softer silicone scales every force by its modulus; more sensors and stronger magnets move no
     silicone. What the specification's own checks refuse is left out.
     """
-    known = {_source(spec): (signals, _objects_margin(spec, signals, presses))}
+    known = {_source(spec): (signals, least_objects_margin(spec, signals, presses))}
     rows = list[Alternative]()
     for size in range(len(CHANGES) + 1):
         if size > 2 and any(map(partial(_keeps_limits, spec), rows)):
@@ -74,13 +74,13 @@ def alternatives(
                 continue
             step(", ".join(changes) or "as specified")
             try:
-                other = check(_changed(spec, changes))
+                other = check(changed_spec(spec, changes))
                 source = _source(other)
                 if source not in known:
                     read = press_signals(other, *load_presses(presses))
-                    known[source] = read, _objects_margin(other, read, presses)
+                    known[source] = read, least_objects_margin(other, read, presses)
                 read, margin = known[source]
-                rows.append(_row(changes, other, _with_forces(spec, other, read), margin))
+                rows.append(alternative_of(changes, other, with_forces(spec, other, read), margin))
             except ValueError:
                 if not changes:
                     raise
@@ -92,7 +92,7 @@ def _keeps_limits(spec: ObjectSpec, row: Alternative) -> bool:
     return worst_ratio(spec.limits, row.weakest_bound_mm, row.worst_detectable_n, *margins) <= 1
 
 
-def _changed(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
+def changed_spec(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
     for change in changes:
         spec = CHANGES[change](spec)
     return spec
@@ -177,19 +177,19 @@ _MORE_SENSORS = {"one more sensor on every face", "two more sensors on every fac
 """Of which a set holds one at most."""
 
 
-def _with_forces(spec: ObjectSpec, other: ObjectSpec, signals: Signals) -> Signals:
+def with_forces(spec: ObjectSpec, other: ObjectSpec, signals: Signals) -> Signals:
     """Signals of `other`, whose mechanics differ from `spec`'s by the modulus at most."""
     ratio = other.silicone.youngs_modulus_mpa / spec.silicone.youngs_modulus_mpa
     return replace(signals, force_n=signals.force_n * ratio)
 
 
-def _objects_margin(spec: ObjectSpec, signals: Signals, presses: Path) -> float:
+def least_objects_margin(spec: ObjectSpec, signals: Signals, presses: Path) -> float:
     """Of the deepest press, over all virtual objects but the few that may leave the range."""
     _, motions = load_presses(presses)
     return saturation(spec, signals, motions, deepest_alone=True).margin[-1]
 
 
-def _row(
+def alternative_of(
     changes: tuple[str, ...], spec: ObjectSpec, signals: Signals, objects_margin: float
 ) -> Alternative:
     scores = score_places(spec, signals)

@@ -53,7 +53,7 @@ def test_a_reader_that_crashes_hangs_or_fills_the_memory_is_one_error(
         pytest.skip("the limit of memory is kept on Linux alone")
     (tmp_path / f"{fault}_reader.py").write_text(READERS[fault])
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
-    monkeypatch.setattr(design.body.foreign, "_READER", f"{fault}_reader")
+    monkeypatch.setattr(design.body.foreign, "READER", f"{fault}_reader")
     path = tmp_path / "body.stl"
     path.write_text("solid")
     with pytest.raises(InputError, match=said):
@@ -118,7 +118,7 @@ def test_a_tip_of_any_size_is_closed_and_outward(monkeypatch):
     inverted.invert()
 
     def told(mesh):
-        monkeypatch.setattr(stl_tip, "_read", lambda path: mesh)
+        monkeypatch.setattr(stl_tip, "read_stl_tip", lambda path: mesh)
         return np.array(stl_tip_vertices_mm(Path("tip.stl")))
 
     assert wedge.volume == pytest.approx(0.012)

@@ -12,7 +12,7 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body import sampled
-from design.body.imported import _united, body_of_file, read_surface
+from design.body.imported import body_of_file, read_surface, united_surface
 from design.body.kinds.registry import KINDS
 from design.body.meshes import manifold_of
 from design.body.sampled import measured_distance_mm, sampled_core
@@ -249,7 +249,7 @@ def test_a_piece_of_less_than_a_cubic_millimetre_is_united_too():
     grain = trimesh.creation.icosphere(1, 0.3)
     grain.apply_translation([30.0, 0.0, 0.0])
     box = trimesh.creation.box([60.0, 60.0, 60.0])
-    united = _united(box + grain, Path("a.stl"))
+    united = united_surface(box + grain, Path("a.stl"))
     assert united.body_count == 1
     assert united.volume == pytest.approx(60.0**3 + grain.volume / 2)
 
@@ -402,8 +402,10 @@ def test_large_bodies_take_no_finer_grids_than_small_ones(tmp_path, monkeypatch,
     egg = trimesh.creation.icosphere(5, 0.5)
     egg.apply_scale((size_mm, 0.8 * size_mm, 0.7 * size_mm))
     egg.export(tmp_path / "pebble.stl")
-    grids, grid = [], sampled._grid
-    monkeypatch.setattr(sampled, "_grid", lambda *given: grids.append(grid(*given)) or grids[-1])
+    grids, grid = [], sampled.grid_points
+    monkeypatch.setattr(
+        sampled, "grid_points", lambda *given: grids.append(grid(*given)) or grids[-1]
+    )
     spec = _load(tmp_path, "pebble.stl", **{"body.sensed_faces": "[1]"})
     body = body_of(spec)
     wall = -measured_distance_mm(body.outer_surface(), sampled_core(body).vertices)

@@ -9,16 +9,16 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from design.body.meshes import (
-    _least_width_mm,
-    _peaks_and_saddles,
-    _tells_how_it_faces,
     distance_mm,
     height_mm,
     high_points,
     largest_ceiling,
     least_draft_deg,
+    least_width_mm,
     one_closed_surface,
+    peaks_and_saddles,
     sharpest_edge,
+    tells_how_it_faces,
     thinnest_wall,
     undercut,
 )
@@ -128,7 +128,7 @@ def test_slivers_that_face_as_none_of_their_neighbours_do_have_no_walls():
     a recess were told of an ellipsoid (random request 213) whose core has 1.85 mm or more."""
     assert_allclose(thinnest_wall(plate_with_a_film(depth=0.008)).thickness_mm, 2.0, atol=0.01)
     strips = trimesh.creation.box((0.009, 4.0, 4.0))
-    assert _tells_how_it_faces(strips).all(), "two that make one side"
+    assert tells_how_it_faces(strips).all(), "two that make one side"
 
 
 def test_walls_of_fine_surfaces_are_measured_in_seconds():
@@ -261,9 +261,9 @@ def test_air_stays_under_every_peak_but_the_one_that_drains():
 def test_peaks_join_at_their_saddles():
     height = np.array([0.0, 3.0, 1.0, 2.0, 0.5, 2.5, 0.0])
     edges = np.array([[k, k + 1] for k in range(6)])
-    assert sorted(_peaks_and_saddles(height, edges)) == [(1, -np.inf), (3, 1.0), (5, 0.5)]
+    assert sorted(peaks_and_saddles(height, edges)) == [(1, -np.inf), (3, 1.0), (5, 0.5)]
     apart = np.array([[0, 1], [1, 2], [4, 5], [5, 6]])
-    assert sorted(_peaks_and_saddles(height, apart)) == [(1, -np.inf), (3, -np.inf), (5, -np.inf)]
+    assert sorted(peaks_and_saddles(height, apart)) == [(1, -np.inf), (3, -np.inf), (5, -np.inf)]
 
 
 def test_distances_to_a_surface_are_unsigned():
@@ -301,7 +301,7 @@ def test_the_least_width_of_a_bar_is_its_own_in_any_direction_to_a_step(pull):
 
     def width(degrees):
         turned = Rotation.from_rotvec(pull * np.deg2rad(degrees)).apply(onto.apply(ends))
-        return _least_width_mm(turned, pull)
+        return least_width_mm(turned, pull)
 
     half = np.deg2rad(1.25)
     for degrees in (0.0, 2.5, 42.5, 90.0, 117.5, 177.5):

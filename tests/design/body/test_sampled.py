@@ -6,7 +6,7 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body import sampled
-from design.body.sampled import _Field, _grid
+from design.body.sampled import DistanceField, grid_points
 from design.body.surface_chart import STEEPEST
 from design.errors import InputError
 from design.layout.body import body_of
@@ -18,7 +18,7 @@ REACHES = {1: (26.19, 23.28), 2: (20.37, 26.19), 5: (20.37, 23.28)}
 
 
 def test_a_grid_is_centred_and_reaches_three_steps_beyond_the_box():
-    points, count = _grid(np.array([10.0, 5.1, 7.0]), 2.0)
+    points, count = grid_points(np.array([10.0, 5.1, 7.0]), 2.0)
     assert count == (17, 13, 15)
     assert points.shape == (17 * 13 * 15, 3)
     assert_allclose(points.min(axis=0), [-16, -12, -14])
@@ -30,13 +30,13 @@ def test_a_grid_is_centred_and_reaches_three_steps_beyond_the_box():
 def patch(monkeypatch, number, distance, inward_mm=4.0):
     """Of a body of 62 × 56 × 50 mm with a surface where `distance` of points is 0."""
 
-    class Given(_Field):
+    class Given(DistanceField):
         def at(self, points_mm):
             return distance(points_mm)
 
     given = Given(np.zeros(3), 1.0, np.zeros((1, 1, 1)))
-    monkeypatch.setattr(sampled, "_field", lambda body: given)
-    return sampled._frame.__wrapped__(body_of(worked("ellipsoid")), number, inward_mm)
+    monkeypatch.setattr(sampled, "distance_field", lambda body: given)
+    return sampled.patch_frame.__wrapped__(body_of(worked("ellipsoid")), number, inward_mm)
 
 
 @pytest.mark.parametrize("number", REACHES)
@@ -76,7 +76,7 @@ def test_surfaces_too_small_or_too_steep_have_no_patch(monkeypatch):
 def test_an_octant_s_triangles_measure_as_all_of_them_do():
     """Of an ellipsoid's 5120 triangles to points inside and out, on its planes and in its middle."""
     ball = trimesh.creation.icosphere(4, 1.0).apply_scale([30.0, 12.0, 20.0])
-    octant = sampled._octant(ball)
+    octant = sampled.octant_of(ball)
     assert len(octant.faces) < len(ball.faces) / 2
     points = np.random.default_rng(3).uniform(0.0, 1.0, (300, 3)) * [36.0, 16.0, 25.0]
     points[:60, 0] = points[40:100, 1] = points[80:140, 2] = 0.0

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.body.surface_chart import Cap, FaceFrame
+from design.body.surface_chart import steepest_reach_mm
 from design.layout.body import body_of, core_frames, face_frame, face_frames
 from design.layout.places.positions import board_sinks_mm, magnet_layout, sensor_layout
 from tests.support.objects.body_cases import body_spec
+from tests.support.objects.worked_objects import worked
 
 CURVED = ("cylinder", "capsule", "sphere", "solid_dome", "ellipsoid")
 PLACES = np.array([[0.0, 0.0], [3.0, -2.0], [-4.0, 1.5], [5.0, 5.0]])
@@ -47,22 +48,6 @@ def test_normals_are_those_of_the_implicit_surface(name):
         assert_allclose(axes[..., 2], _gradient(name, surface), rtol=0, atol=1e-12)
         assert_allclose(np.swapaxes(axes, 1, 2) @ axes, np.tile(np.eye(3), (4, 1, 1)), atol=1e-12)
         assert_allclose(np.linalg.det(axes), 1, rtol=1e-12)
-
-
-def test_a_wrong_slope_would_be_noticed():
-    """The planted fault: a cap whose slopes are half of what they should be."""
-
-    class Flattened(Cap):
-        def at(self, xy_mm):
-            height, slope = super().at(xy_mm)
-            return height, slope / 2
-
-    frame = face_frame(body_spec("sphere"), 3)
-    wrong = FaceFrame(
-        3, frame.normal, frame.x, frame.y, frame.centre_mm, (9.0, 9.0), Flattened((22.0,) * 3)
-    )
-    surface = wrong.to_object(np.column_stack([PLACES, np.zeros(len(PLACES))]))
-    assert abs(wrong.axes_at(PLACES)[..., 2] - _gradient("sphere", surface)).max() > 0.05
 
 
 @pytest.mark.parametrize("name", CURVED)
@@ -134,3 +119,21 @@ def test_a_capsule_s_side_is_a_cylinder_s_up_to_its_ends_and_a_ball_s_beyond():
     turn = np.linspace(0, 2 * np.pi, 50)
     rim = side.half_extents_mm * np.column_stack([np.cos(turn), np.sin(turn)])
     assert np.linalg.norm(side.relief.at(rim)[1], axis=1).max() == pytest.approx(steepest)
+
+
+@pytest.mark.parametrize("name", ["box", "sphere"])
+def test_what_faces_share_cannot_be_written_to(name):
+    body = body_of(worked(name))
+    for frame in (body.frame(2), body.core_frame(3)):
+        for shared in (frame.axes, frame.lengths_mm):
+            with pytest.raises(ValueError, match="read-only"):
+                shared[0, 0] = 1.0
+
+
+def test_a_patch_reaches_to_60_degrees_and_nowhere_without_a_cap():
+    """On a ball R sin 60°; on an ellipse x² / a² + z² / c² = 1 where its slope is √3."""
+    assert steepest_reach_mm(10.0, 10.0) == pytest.approx(10.0 * np.sin(np.pi / 3))
+    reach = steepest_reach_mm(12.0, 5.0)
+    slope = 5.0 / 12.0 * (reach / 12.0) / np.sqrt(1 - (reach / 12.0) ** 2)
+    assert slope == pytest.approx(np.sqrt(3.0))
+    assert steepest_reach_mm(0.0, 5.0) == steepest_reach_mm(-1.0, 5.0) == 0.0

@@ -75,7 +75,7 @@ def test_nothing_is_kept_for_a_specification_that_is_gone():
     spec = ObjectSpec(name="cube")
     face_frames(spec)
     key = id(spec)
-    assert key in worked_out._KEPT
+    assert key in worked_out.KEPT_RESULTS
     del spec
     gc.collect()
-    assert key not in worked_out._KEPT
+    assert key not in worked_out.KEPT_RESULTS

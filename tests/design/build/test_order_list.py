@@ -5,7 +5,7 @@ import csv
 import numpy as np
 import pytest
 
-from design.build.bom import SCREWS, _prints, silicone_amount
+from design.build.bom import SCREWS, printed_items, silicone_amount
 from design.build.manifest import BuildManifest, PartManifest
 from design.build.order_list import cost_eur, order_list, write_orders
 from design.catalogue.bus_parts import MEGA2560
@@ -84,7 +84,7 @@ def test_prints_are_counted_as_often_as_they_are_made_and_silicone_with_its_wast
             ("shell", 5e3, "silicone", 1),
         )
     ]
-    (item,) = _prints(spec, BuildManifest("cube", "", tuple(parts), {}))
+    (item,) = printed_items(spec, BuildManifest("cube", "", tuple(parts), {}))
     assert (item.item, item.count, item.volume_cm3) == ("print pin", 3, 6.0)
     assert item.mass_g == pytest.approx(6.0 * 1.27)
     assert item.note == "pin.3mf; 1.0 × 2.0 × 3.0 mm each"

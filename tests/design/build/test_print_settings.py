@@ -92,7 +92,7 @@ def test_slender_parts_and_those_with_little_on_the_bed_get_a_brim(
 ):
     """Taller than three times the root of what lies on the bed, or less than 60 mm² on it."""
     monkeypatch.setattr(
-        "design.build.print_settings._standing", lambda mesh, down: (bed_mm2, 30.1, height_mm)
+        "design.build.print_settings.standing_on", lambda mesh, down: (bed_mm2, 30.1, height_mm)
     )
     settings = print_settings(SPEC, "jig", TABLE, printed=True)
     assert settings is not None

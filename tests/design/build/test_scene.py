@@ -11,7 +11,7 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.build.scene import _GLTF_FRAME, assembly_scene, write_glb
+from design.build.scene import GLTF_FRAME, assembly_scene, write_glb
 from design.build.slicer_file import write_3mf
 from design.layout.boards import mounted_sensors, wire_bundle_mm
 from design.layout.body import core_frames, face_frames
@@ -122,10 +122,10 @@ def test_the_template_opens_over_every_pocket_and_tells_poles_apart():
 
 
 def test_the_glb_s_frame_is_a_turn_in_metres_with_y_up():
-    turn = _GLTF_FRAME[:3, :3] / 1e-3
+    turn = GLTF_FRAME[:3, :3] / 1e-3
     assert_allclose(turn @ turn.T, np.eye(3), atol=1e-12)
     assert_allclose(np.linalg.det(turn), 1)
-    assert_allclose(_GLTF_FRAME @ [0, 0, 1000, 1], [0, 1, 0, 1], atol=1e-12)
-    assert_allclose(_GLTF_FRAME @ [1000, 0, 0, 1], [1, 0, 0, 1], atol=1e-12)
-    assert_allclose(_GLTF_FRAME @ [0, 1000, 0, 1], [0, 0, -1, 1], atol=1e-12)
-    assert_allclose(_GLTF_FRAME @ [0, 0, 0, 1], [0, 0, 0, 1])
+    assert_allclose(GLTF_FRAME @ [0, 0, 1000, 1], [0, 1, 0, 1], atol=1e-12)
+    assert_allclose(GLTF_FRAME @ [1000, 0, 0, 1], [1, 0, 0, 1], atol=1e-12)
+    assert_allclose(GLTF_FRAME @ [0, 1000, 0, 1], [0, 0, -1, 1], atol=1e-12)
+    assert_allclose(GLTF_FRAME @ [0, 0, 0, 1], [0, 0, 0, 1])

@@ -22,8 +22,8 @@ from design.catalogue.hall_sensors import (
     HALL_PARTS,
     HallPart,
     SensorRange,
-    _is_fine,
     hall_part,
+    is_fine,
     wider_range,
 )
 from design.catalogue.magnets import GRADES, MAGNET_PARTS, MagnetGrade
@@ -199,7 +199,7 @@ def test_a_range_that_just_holds_is_taken_and_a_wider_one_exceeds():
 
 def test_a_part_is_fine_where_all_of_its_ranges_are():
     for counts, fine in (((100.0,), True), ((99.9,), False), ((200.0, 50.0), False)):
-        assert _is_fine(HallPart("made up", tuple(SensorRange(1.0, one) for one in counts))) == fine
+        assert is_fine(HallPart("made up", tuple(SensorRange(1.0, one) for one in counts))) == fine
 
 
 def test_printers_print_nothing_smaller_than_their_nozzle_and_thin_walls_stand():

@@ -11,7 +11,7 @@ from design.catalogue.tensile_files import TensileTest, read_tensile_test
 from design.errors import InputError
 from design.spec_io import load_spec
 from fem.large_strain.hyperelastic import first_piola_stress, ogden, yeoh
-from tests.support.recorded_facts import assert_on_record, told
+from tests.support.physics_pages import assert_page
 
 RNG = np.random.default_rng
 STRETCH = np.linspace(1.05, 1.9, 18)
@@ -269,18 +269,18 @@ def test_every_public_tensile_test_is_read_and_fitted(name):
     assert low < min(moduli) < max(moduli) < high
 
 
-def test_fits_of_a_made_up_pull_are_as_on_record():
+def test_fits_of_a_made_up_pull_are_as_on_the_page():
     """Yeoh's solid of 0.05, −0.004 and 0.0009 MPa with a wave of 1 %, to a stretch of 2.6."""
     stretch = np.linspace(1.04, 2.6, 40)
     pull = nominal_stress_mpa("yeoh", (0.05, -0.004, 0.0009), stretch)
     test = TensileTest(stretch, pull * (1 + 0.01 * np.sin(9 * stretch)))
     fit = fit_tensile(test, "made up")
     modulus = fit.modulus
-    lines = [told("modulus", [modulus.youngs_modulus_mpa, modulus.low_mpa, modulus.high_mpa])]
+    lines = [("modulus (MPa)", [modulus.youngs_modulus_mpa, modulus.low_mpa, modulus.high_mpa])]
     for solid in fit.solids:
         sizes = [*solid.constants, solid.youngs_modulus_mpa, solid.residual_percent, solid.stable]
-        lines.append(told(solid.solid, [*sizes, 1e3 * solid.residual_mpa]))
+        lines.append((solid.solid, [*sizes, 1e3 * solid.residual_mpa]))
     for one in fits_by_range(test):
         sizes = [one.to_stretch, one.points, one.fit.youngs_modulus_mpa, one.low_mpa, one.high_mpa]
-        lines.append(told(f"range of {one.fit.solid}", sizes))
-    assert_on_record("tensile", "a made-up pull", lines)
+        lines.append((f"range of {one.fit.solid}", sizes))
+    assert_page("design/catalogue", lines)

@@ -10,16 +10,14 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.body.meshes import Trap
 from design.build.parts import Part
 from design.errors import InputError, NotOneSolid
-from design.fabrication import casting
 from design.fabrication.assembly import (
-    _wires,
     check_electronics,
     check_pockets,
+    check_wires,
 )
-from design.fabrication.casting import _closing, check_casting, draws
+from design.fabrication.casting import check_casting, check_closing, draws
 from design.fabrication.check import check_fabrication, check_solid, mesh_of
 from design.fabrication.finding import at_least
 from design.fabrication.printing import (
@@ -226,16 +224,6 @@ def test_every_part_of_the_mould_is_drawn_once_and_the_halves_apart():
     assert_allclose(drawn[2].pull, -parting(spec).normal)
 
 
-def test_air_is_told_where_it_stays_caught(monkeypatch):
-    shell = trimesh.creation.box((10.0, 10.0, 10.0))
-    for name in ("mould_holes", "_blocked"):
-        monkeypatch.setattr(casting, name, lambda *given: [])
-    trap = Trap(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.0, 1.0]), 0.5)
-    monkeypatch.setattr(casting, "air_traps", lambda *given: [trap])
-    caught = found(casting._air(PAPER, {"shell": shell}), "air traps")
-    assert (caught.status, caught.value, caught.place_mm) == ("fail", 1.0, (1.0, 2.0, 3.0))
-
-
 def test_printers_limits():
     small = parsed(printer={"bed_mm": [40.0, 60.0, 60.0]})
     (bed,) = check_bed(part("box", None), mesh_of(make_mould_box(small), small), small)
@@ -282,7 +270,7 @@ def test_holes_that_a_body_does_not_have_are_not_told():
     ):
         spec = body_spec(kind, core={key: 0.5})
         assert not [f for f in check_features(spec) if f.status == "fail"], kind
-        assert _wires(spec).status == "pass"
+        assert check_wires(spec).status == "pass"
 
 
 @pytest.mark.parametrize(
@@ -397,7 +385,7 @@ def test_heads_of_pins_leave_the_plug_its_room():
     text = {"mould": {"style": "split"}, "magnets": {"positions_mm": [[14, 0], [-14, 0]]}}
     spec = parse_spec({"name": "cube", **text}, "test")
     plug = make_mould_plug(spec)
-    (closes,) = _closing(spec, {"mould_plug": as_triangles(plug)})
+    (closes,) = check_closing(spec, {"mould_plug": as_triangles(plug)})
     assert (closes.status, closes.value) == ("pass", 0)
 
 
@@ -416,6 +404,6 @@ def test_locating_pins_meet_the_core_s_holes_where_the_surface_leans():
     """A closed pear with magnets at its patches' sides: pins along the surface's normal cut 51.5 mm³."""
     changes = ["body.open_faces=[]", "magnets.positions_mm=[[9,0],[-9,0]]"]
     spec = load_spec(EXAMPLES / "pear.toml", changes)
-    (closes,) = _closing(spec, {"core": sampled_core_part(spec)})
+    (closes,) = check_closing(spec, {"core": sampled_core_part(spec)})
     assert closes.status == "pass"
     assert closes.value < 1

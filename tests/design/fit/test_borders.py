@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.fit.everything import problems_of
-from design.fit.parts import _core_openings, distance_mm, overlap, recess_outline
+from design.fit.parts import core_openings, distance_mm, overlap, recess_outline
 from design.spec.object import ObjectSpec
 from design.spec_io import with_overrides
 
@@ -201,10 +201,10 @@ def test_recesses_turn_and_move_with_their_sensors():
     )
     assert_allclose([at_0.min(axis=0), at_0.max(axis=0)], [[5.5, -3.5], [12.0, 3.5]], atol=1e-9)
     assert_allclose([at_90.min(axis=0), at_90.max(axis=0)], [[-3.5, 4.5], [3.5, 11.0]], atol=1e-9)
-    names = [name for name, _ in _core_openings(spec)[0]]
+    names = [name for name, _ in core_openings(spec)[0]]
     assert names == ["the wire hole", *["a sensor's recess"] * 3]
     channels = ObjectSpec.model_validate({"name": "x", "core": {"wire_channel_width_mm": 2.0}})
-    openings = _core_openings(channels)[0]
+    openings = core_openings(channels)[0]
     assert [name for name, _ in openings][1:3] == ["a sensor's recess", "a wire channel"]
     hub, _, channel = (corners for _, corners in openings[:3])
     assert_allclose(abs(hub), 2.0)

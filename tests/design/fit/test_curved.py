@@ -9,8 +9,8 @@ import trimesh
 from design.body.triangles import Block
 from design.errors import SpecError
 from design.fit import curved
-from design.fit.curved import _check_recesses
-from design.fit.curved_parts import _check_passages
+from design.fit.curved import check_recesses
+from design.fit.curved_parts import check_passages
 from design.layout.body import core_frames
 from design.layout.places import positions
 from design.spec.object import ObjectSpec
@@ -35,8 +35,8 @@ def egg(outer_mm=None):
 def test_a_recess_reaches_as_far_as_the_smallest_patch():
     reach = sorted(float(np.hypot(*frame.half_extents_mm)) for frame in core_frames(egg()))
     assert reach[-1] > 1.05 * reach[0]
-    assert not list(_check_recesses(egg(reach[0] - 0.01)))
-    (told,) = _check_recesses(egg(reach[0] + 0.01))
+    assert not list(check_recesses(egg(reach[0] - 0.01)))
+    (told,) = check_recesses(egg(reach[0] + 0.01))
     assert f"{reach[0]:.4g} mm; got" in told
 
 
@@ -44,10 +44,10 @@ def test_a_key_below_stands_in_the_bore_until_it_is_beside_it():
     spec = egg()
     for x, stands in ((0.0, True), (6.4, True), (6.6, False)):
         key = Block(np.array([x, 0.0, -15.0]), np.eye(3), np.array([2.0, 2.0, 1.0]))
-        told = [text for text in _check_passages(spec, "the key", key) if "bore" in text]
+        told = [text for text in check_passages(spec, "the key", key) if "bore" in text]
         assert bool(told) == stands, x
     above = Block(np.array([0.0, 0.0, 8.0]), np.eye(3), np.array([2.0, 2.0, 1.0]))
-    assert not [text for text in _check_passages(spec, "the key", above) if "bore" in text]
+    assert not [text for text in check_passages(spec, "the key", above) if "bore" in text]
 
 
 @pytest.mark.parametrize("upside_down", [False, True])
@@ -90,11 +90,11 @@ def test_boards_that_find_no_room_are_told_together_with_a_radius_that_works():
         )
 
     small = EGG | {"body": EGG["body"] | {"sensed_faces": [2, 4]}}
-    (one,) = curved._check_sensors(with_boards_at(13.0))
+    (one,) = curved.check_sensors(with_boards_at(13.0))
     assert "in it: sensor 1 of face 2; sensor 2 of face 4." in one
-    (told,) = curved._check_sensors(with_boards_at(15.0))
+    (told,) = curved.check_sensors(with_boards_at(15.0))
     assert "in it: sensors 1, 2, 3 of faces 2, 4." in told
     radius = float(re.findall(r"sensors.radius_mm = ([\d.]+)", told)[0])
     assert 11 < radius < 13
-    assert not [*curved._check_sensors(with_boards_at(radius))]
-    assert [*curved._check_sensors(with_boards_at(radius + 0.5))]
+    assert not [*curved.check_sensors(with_boards_at(radius))]
+    assert [*curved.check_sensors(with_boards_at(radius + 0.5))]

@@ -163,7 +163,7 @@ def test_channels_are_judged_where_they_pass_under_their_board(monkeypatch):
     monkeypatch.setattr(
         parts, "channel_heights_mm", lambda spec, frame, xy, along: np.array([0.5 - wall - along])
     )
-    assert list(parts._check_channels(spec)) == []
+    assert list(parts.check_channels(spec)) == []
     monkeypatch.setattr(parts, "channel_heights_mm", lambda *_: np.array([-wall]))
-    (said,) = parts._check_channels(spec)
+    (said,) = parts.check_channels(spec)
     assert "channel" in said

@@ -115,13 +115,13 @@ def test_pins_that_lean_towards_each_other_are_told(monkeypatch):
     """Pockets 10 mm apart, 4 mm of them silicone: at 30° the shanks meet beyond the surface."""
     lean = [pin(-5.0, 30.0, rim_mm=0.0), replace(pin(5.0, -30.0, rim_mm=0.0))]
     monkeypatch.setattr(mould, "loose_pins", lambda spec: lean)
-    (told,) = mould._check_pins_apart(ball(8.0))
+    (told,) = mould.check_pins_apart(ball(8.0))
     assert "share" in told
     assert "beyond the silicone" in told
     monkeypatch.setattr(mould, "loose_pins", lambda spec: [pin(-5.0), pin(4.1)])
-    assert not [*mould._check_pins_apart(ball(8.0))], "9.1 mm apart: rims of 9 mm together"
+    assert not [*mould.check_pins_apart(ball(8.0))], "9.1 mm apart: rims of 9 mm together"
     monkeypatch.setattr(mould, "loose_pins", lambda spec: [pin(-5.0), pin(3.9)])
-    assert [*mould._check_pins_apart(ball(8.0))]
+    assert [*mould.check_pins_apart(ball(8.0))]
 
 
 def pouring_problems(spec):
@@ -157,7 +157,7 @@ def test_where_no_hole_is_narrow_enough_the_magnet_in_the_way_is_told(
         return ()
 
     monkeypatch.setattr(mould, "pour_holes", pour_holes)
-    (problem,) = mould._check_pouring(ball(15.0))
+    (problem,) = mould.check_pouring(ball(15.0))
     if told:
         assert re.search(told, problem)
         (x,) = map(float, re.findall(r"as to \(([\d.]+), 0\)", problem))

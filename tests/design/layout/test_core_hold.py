@@ -10,9 +10,9 @@ from design.layout.core_hold import (
     LEAST_FLOOR,
     Locator,
     Outlet,
-    _common_area_mm2,
-    _locator,
+    common_area_mm2,
     core_outlet,
+    locator_in,
     locators,
     why_no_mould,
 )
@@ -51,7 +51,7 @@ def pocket_at(x_mm):
 def test_a_pin_runs_through_the_middles_of_face_and_core(per_mm):
     """Along the leaning surface's normal it missed the core's hole: 51 mm³ of core on a closed pear."""
     face, core = leaning(3, per_mm)
-    locator = _locator(SPEC, face, core, ())
+    locator = locator_in(SPEC, face, core, ())
     for share in (0.0, 0.5, 1.0):
         at = locator.frame.to_object(np.array([0.0, 0.0, -share * locator.depth_mm]))
         expected = face.centre_mm + share * (core.centre_mm - face.centre_mm)
@@ -61,18 +61,18 @@ def test_a_pin_runs_through_the_middles_of_face_and_core(per_mm):
 
 def test_a_pocket_in_the_middle_is_one_with_the_pin_only_where_the_surface_is_level():
     level, core = leaning(3, 0.0)
-    assert len(_locator(SPEC, level, core, (pocket_at(0.0),)).pockets) == 1
+    assert len(locator_in(SPEC, level, core, (pocket_at(0.0),)).pockets) == 1
     steep, core = leaning(3, 0.3)
-    assert _locator(SPEC, steep, core, (pocket_at(0.0),)) is None
+    assert locator_in(SPEC, steep, core, (pocket_at(0.0),)) is None
 
 
 def test_a_pin_keeps_further_from_pockets_that_lean_towards_it():
     """Hole of Ø4, pocket of Ø6, gap 0.8 mm: 5.8 mm apart on a level face, 8.1 mm at a slope of 0.3."""
     face, core = leaning(3, 0.3)
-    assert _locator(SPEC, face, core, (pocket_at(7.5),)) is None
-    assert _locator(SPEC, face, core, (pocket_at(8.3),)).pockets == ()
+    assert locator_in(SPEC, face, core, (pocket_at(7.5),)) is None
+    assert locator_in(SPEC, face, core, (pocket_at(8.3),)).pockets == ()
     level, core = leaning(3, 0.0)
-    assert _locator(SPEC, level, core, (pocket_at(6.0),)).pockets == ()
+    assert locator_in(SPEC, level, core, (pocket_at(6.0),)).pockets == ()
 
 
 def block_at(x_mm, half_mm=(3.0, 2.5)):
@@ -96,37 +96,37 @@ def lens_mm2(r, other, away):
 @pytest.mark.parametrize("away", [0.0, 0.9, 1.0, 1.1, 2.5, 3.0, 4.0, 4.9, 5.0, 6.0])
 def test_a_pin_s_and_a_pocket_s_sections_share_a_lens(away):
     """Pin of Ø4 and pocket of Ø6, and a pin of Ø8 round it."""
-    assert _common_area_mm2(2.0, pocket_at(away)) == pytest.approx(
+    assert common_area_mm2(2.0, pocket_at(away)) == pytest.approx(
         lens_mm2(2.0, 3.0, away), abs=2e-3
     )
-    assert _common_area_mm2(4.0, pocket_at(away)) == pytest.approx(
+    assert common_area_mm2(4.0, pocket_at(away)) == pytest.approx(
         lens_mm2(4.0, 3.0, away), abs=2e-3
     )
 
 
 def test_silicone_that_is_missing_round_a_pin_leaves_out_what_the_pocket_takes():
     face, core = flat_face()
-    alone = _locator(SPEC, face, core, ())
+    alone = locator_in(SPEC, face, core, ())
     assert (alone.radius_mm, alone.place, alone.rise_mm) == (2.0, (3, 0.0, 0.0), 0.0)
     assert alone.depth_mm == pytest.approx(SPEC.shell.thickness_mm)
     assert alone.hole_mm == pytest.approx(21.0 - SPEC.shell.thickness_mm)
     assert alone.volume_mm3 == pytest.approx(np.pi * 4 * 8)
-    met = _locator(SPEC, face, core, (pocket_at(0.0),))
+    met = locator_in(SPEC, face, core, (pocket_at(0.0),))
     assert met.volume_mm3 == pytest.approx(np.pi * 4 * (8 - 3))
 
 
 def test_a_block_s_pocket_must_hold_the_whole_pin():
     face, core = flat_face()
-    assert len(_locator(SPEC, face, core, (block_at(0.5),)).pockets) == 1
-    assert _locator(SPEC, face, core, (block_at(0.51),)) is None
-    assert _locator(SPEC, face, core, (block_at(0.0, (1.9, 5.0)),)) is None
+    assert len(locator_in(SPEC, face, core, (block_at(0.5),)).pockets) == 1
+    assert locator_in(SPEC, face, core, (block_at(0.51),)) is None
+    assert locator_in(SPEC, face, core, (block_at(0.0, (1.9, 5.0)),)) is None
 
 
 def test_a_pin_leaves_a_third_of_a_magnet_s_floor_free():
     face, core = flat_face()
     half = 2.0 * (np.pi / 4 / (1 - LEAST_FLOOR)) ** 0.5
-    assert len(_locator(SPEC, face, core, (block_at(0.0, (half * 1.01,) * 2),)).pockets) == 1
-    assert _locator(SPEC, face, core, (block_at(0.0, (half * 0.99,) * 2),)) is None
+    assert len(locator_in(SPEC, face, core, (block_at(0.0, (half * 1.01,) * 2),)).pockets) == 1
+    assert locator_in(SPEC, face, core, (block_at(0.0, (half * 0.99,) * 2),)) is None
 
 
 def test_a_tilted_pocket_is_never_one_with_the_pin():
@@ -134,17 +134,17 @@ def test_a_tilted_pocket_is_never_one_with_the_pin():
     turn = np.array([[1.0, 0, 0], [0, np.cos(0.1), -np.sin(0.1)], [0, np.sin(0.1), np.cos(0.1)]])
     for x, kept in ((0.0, False), (30.0, False)):
         body = replace(pocket_at(x).body, frame=turn)
-        found = _locator(SPEC, face, core, (replace(pocket_at(x), body=body),))
+        found = locator_in(SPEC, face, core, (replace(pocket_at(x), body=body),))
         assert (found is not None) == kept
-    assert _locator(SPEC, face, core, (pocket_at(5.81),)).pockets == ()
-    assert len(_locator(SPEC, face, core, (pocket_at(5.79),)).pockets) == 1, "less than the gap"
+    assert locator_in(SPEC, face, core, (pocket_at(5.81),)).pockets == ()
+    assert len(locator_in(SPEC, face, core, (pocket_at(5.79),)).pockets) == 1, "less than the gap"
 
 
 def test_a_round_pocket_off_the_middle_is_met_on_flat_faces_alone():
     face, core = flat_face()
-    assert len(_locator(SPEC, face, core, (pocket_at(2.0),)).pockets) == 1
+    assert len(locator_in(SPEC, face, core, (pocket_at(2.0),)).pockets) == 1
     level, core = leaning(3, 0.0)
-    assert _locator(SPEC, level, core, (pocket_at(2.0),)) is None
+    assert locator_in(SPEC, level, core, (pocket_at(2.0),)) is None
 
 
 def test_an_outlet_s_flat_nose_and_key_follow_from_its_radius_and_wall():

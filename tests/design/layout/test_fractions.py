@@ -5,7 +5,7 @@ import pytest
 
 from design.errors import SpecError
 from design.layout.body import core_frames, face_frames
-from design.layout.places.fractions import _lists
+from design.layout.places.fractions import lists_by_face
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import magnet_places, sensor_places
 from design.solids.magnet_template import template_faces
@@ -63,9 +63,9 @@ def test_fractions_are_shares_of_each_face_that_the_parts_lie_under():
 
 
 def test_a_fraction_of_one_is_on_the_border():
-    assert _lists("magnets", [[-1.0, 0.2]], 5) == [[[-1.0, 0.2]]] * 5
+    assert lists_by_face("magnets", [[-1.0, 0.2]], 5) == [[[-1.0, 0.2]]] * 5
     with pytest.raises(SpecError, match="takes pairs from -1 to 1"):
-        _lists("magnets", [[0.2, -1.001]], 5)
+        lists_by_face("magnets", [[0.2, -1.001]], 5)
 
 
 @pytest.mark.parametrize(

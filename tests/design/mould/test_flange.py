@@ -28,10 +28,10 @@ from tests.support.objects.body_cases import body_spec
 def test_notches_are_joined_where_too_little_flange_is_between(monkeypatch, pierced, notches):
     """Of a flange from −10 to 40 mm beside a block that begins at 0."""
     spec = body_spec("closed_box")
-    monkeypatch.setattr(flange, "_levels", lambda spec, pin, low, high: pin)
+    monkeypatch.setattr(flange, "pierced_levels", lambda spec, pin, low, high: pin)
     block = type("Frame", (), {"low_mm": np.zeros(3)})
     monkeypatch.setattr(flange, "mould_frame", lambda spec: block)
-    assert list(flange._notches.__wrapped__(spec, pierced, 0.0, 8.0, -10.0, 40.0)) == notches
+    assert list(flange.notches_of.__wrapped__(spec, pierced, 0.0, 8.0, -10.0, 40.0)) == notches
 
 
 def test_flanges_that_no_length_helps_are_as_short_as_they_may_be(monkeypatch):

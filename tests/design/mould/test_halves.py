@@ -26,9 +26,9 @@ from design.mould.halves import (
     DOWEL_DIAMETER_MM,
     DOWEL_HEIGHT_MM,
     OVERSHOOT_MM,
-    _bolt_holes,
-    _dowel,
-    _flange,
+    bolt_holes,
+    dowel_solid,
+    flange_solid,
     make_mould_half,
 )
 from design.mould.one_piece import make_mould_box
@@ -143,7 +143,7 @@ def test_pins_that_are_alike_are_counted_once():
 
 def test_dowels_taper_by_their_draft():
     """Volume of a truncated cone of the stated draft on a stem, by formula."""
-    dowel = _dowel(parsed(0.0), 3.0, 4.0, 0.0)
+    dowel = dowel_solid(parsed(0.0), 3.0, 4.0, 0.0)
     root, height = DOWEL_DIAMETER_MM / 2, DOWEL_HEIGHT_MM
     tip = root - height * np.tan(np.deg2rad(10.0))
     cone = np.pi * height / 3 * (root**2 + root * tip + tip**2)
@@ -153,7 +153,7 @@ def test_dowels_taper_by_their_draft():
 
 def test_bolts_go_through_both_flanges_at_every_second_place():
     flange = Flange(0.0, 8.0, -10.0, 30.0, ())
-    holes = _bolt_holes(parsed(0.0), flange)
+    holes = bolt_holes(parsed(0.0), flange)
     assert len(holes) == len(flange.places_mm[1::2]) == 2
     long = 2 * FLANGE_THICKNESS_MM + 2 * OVERSHOOT_MM
     for hole in holes:
@@ -170,7 +170,7 @@ def test_flanges_are_notched_through_both_halves_from_their_outer_edges():
     second = Flange(24.0, 31.0, low - 6.0, 20.0, ((1.0, 4.5),))
     slab, strip = 63.0 * (20.0 - low), 7.0 * 6.0
     notches = 9.5 * (5.0 + 2.0) + 8.5 * 3.5
-    solid = _flange(spec, first, second)
+    solid = flange_solid(spec, first, second)
     assert_allclose(solid.Volume(), 2 * FLANGE_THICKNESS_MM * (slab + strip - notches), rtol=1e-9)
 
 

@@ -9,7 +9,7 @@ from design.body.meshes import Trap
 from design.layout.mould.frame import up
 from design.layout.mould.pouring import Hole
 from design.mould import openings
-from design.mould.openings import _vent, hole_solid
+from design.mould.openings import hole_solid, vent_for
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.worked_objects import worked
 
@@ -21,7 +21,7 @@ def vent_of(radius_mm, aside_mm, along_mm=9.0, azimuth_deg=0.0):
     shell = trimesh.creation.icosphere(5, radius_mm)
     place = np.array([aside_mm, along_mm, -20.0])
     shell.apply_translation([*place[:2], place[2] + radius_mm])
-    vent = openings._vent(spec, shell, (), Trap(place, up(spec), 1.0))
+    vent = openings.vent_for(spec, shell, (), Trap(place, up(spec), 1.0))
     assert vent is not None
     assert vent.diameter_mm == 1.0
     return spec, place, vent
@@ -88,11 +88,11 @@ def test_a_vent_beside_a_pouring_hole_goes_round_the_bore_until_a_wall_is_left()
     spec, ring, pour = beside_a_bore()
     place = 5.0 * np.array([-np.cos(np.deg2rad(17.7)), -np.sin(np.deg2rad(17.7)), -4.0])
     trap = Trap(place, up(spec), 1.0)
-    alone = _vent(spec, ring, (), trap)
+    alone = vent_for(spec, ring, (), trap)
     assert_allclose(alone.top_mm, place)
     gap = np.linalg.norm(alone.top_mm[:2] - pour[0].top_mm[:2]) - 3.5
     assert 0.5 < gap < 0.7
-    moved = _vent(spec, ring, (), trap, pour)
+    moved = vent_for(spec, ring, (), trap, pour)
     away = [np.linalg.norm(moved.top_mm[:2] - hole.top_mm[:2]) - 3.5 for hole in pour]
     assert min(away) > spec.printer.wall_mm
     assert np.hypot(*moved.top_mm[:2]) == pytest.approx(5.05)
@@ -115,7 +115,7 @@ def test_a_vent_goes_straight_up_where_nothing_is_above():
     body = trimesh.creation.box((20.0, 20.0, 20.0))
     above = trimesh.creation.box(bounds=[[-60.0, -60, -20], [60.0, 60, -15]])
     place, upwards = np.array([0.0, 0.0, -10.0]), np.array([0.0, 0.0, -1.0])
-    plain = _vent(spec, body, (), Trap(place, upwards, 0.5))
+    plain = vent_for(spec, body, (), Trap(place, upwards, 0.5))
     assert plain is not None
     assert_allclose(plain.top_mm, place)
     way = plain.end_mm - plain.start_mm
@@ -123,7 +123,7 @@ def test_a_vent_goes_straight_up_where_nothing_is_above():
     assert plain.diameter_mm == spec.printer.hole_mm == 1.0
     assert_allclose(plain.start_mm, [0.0, 0.0, -9.0])
     covered = trimesh.util.concatenate([body, above])
-    assert _vent(spec, covered, (), Trap(place, upwards, 0.5)) is None
+    assert vent_for(spec, covered, (), Trap(place, upwards, 0.5)) is None
 
 
 def test_a_hole_is_as_wide_as_it_is_told():

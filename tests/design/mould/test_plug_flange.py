@@ -10,7 +10,14 @@ from design.layout.core_hold import core_outlet
 from design.layout.mould.closure import FLANGE_HEIGHT_MM, flange_span_mm
 from design.layout.mould.frame import mould_frame
 from design.mould.plug import make_mould_holder
-from design.mould.plug_flange import CHAMFER_MM, _grip, _inner_mm, _over_slope, flange_solids, tabs
+from design.mould.plug_flange import (
+    CHAMFER_MM,
+    flange_solids,
+    grip_half_mm,
+    grip_solid,
+    over_slope,
+    tabs,
+)
 from design.solids.primitives import OVERSHOOT_MM, box_between
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
@@ -34,18 +41,18 @@ def test_a_rod_s_flange_is_as_wide_as_the_rod():
 
 def test_a_grip_stays_between_its_blocks_where_they_do_not_meet():
     frame = mould_frame(box(8.0))
-    assert _inner_mm(frame) == pytest.approx(frame.high_mm[1] + 2.5 - 10)
+    assert grip_half_mm(frame) == pytest.approx(frame.high_mm[1] + 2.5 - 10)
     half = frame.high_mm.copy()
     least = CHAMFER_MM + OVERSHOOT_MM
     for inner, wanted in ((least + 0.1, least + 0.1), (least - 0.1, 0.0)):
         half[1] = inner + 7.5
-        assert _inner_mm(replace(frame, high_mm=half)) == pytest.approx(wanted)
+        assert grip_half_mm(replace(frame, high_mm=half)) == pytest.approx(wanted)
 
 
 def test_what_is_over_a_slope_is_a_prism_with_both_chamfers_and_ends_on_the_slope():
     frame, inner = mould_frame(box(8.0)), 12.0
     foot, ridge = (frame.axes @ np.array(p) for p in ((-6.0, 0.0, 30.0), (0.0, 0.0, 34.0)))
-    solid = _over_slope(frame, foot, ridge, inner)
+    solid = over_slope(frame, foot, ridge, inner)
     high, rise = 4 * FLANGE_HEIGHT_MM, np.linalg.norm(ridge - foot)
     section = 2 * inner * (high - CHAMFER_MM) + (2 * inner - CHAMFER_MM) * CHAMFER_MM
     assert solid.Volume() == pytest.approx(section * (rise + 2 * high), rel=1e-6)
@@ -67,7 +74,7 @@ def test_what_is_over_a_slope_is_a_prism_with_both_chamfers_and_ends_on_the_slop
 def test_a_grip_is_a_gable_and_its_chamfers_widen_it():
     """Between the chamfers a roof of the width and height given, with full ends."""
     frame = mould_frame(box(8.0))
-    grip = _grip(frame, (-6.0, 6.0), 12.0, (30.0, 36.0))
+    grip = grip_solid(frame, (-6.0, 6.0), 12.0, (30.0, 36.0))
     roof = 2 * (12.0 - CHAMFER_MM) * 12.0 * 6.0 / 2
     assert roof < grip.Volume() < 24 * 12 * 6
     assert grip.isInside(cq.Vector(*(frame.axes @ np.array([0.0, 0.0, 35.9]))))

@@ -34,7 +34,7 @@ def test_a_body_that_hooks_gets_a_shell_that_gives_way(
 ):
     """By 2 % of its thickness, and a tenth to spare; hooks grow with the body, measured at 60 mm."""
     seen = []
-    monkeypatch.setattr(hooking, "_least_hooked_mm", lambda body: seen.append(body) or hooked_mm)
+    monkeypatch.setattr(hooking, "least_hooked_mm", lambda body: seen.append(body) or hooked_mm)
     tried = trims_of(lump(longest_mm))
     if first is TRIMS:
         assert tried is TRIMS
@@ -48,7 +48,7 @@ def test_a_body_that_hooks_gets_a_shell_that_gives_way(
 
 
 def test_kinds_know_where_their_halves_hook_nothing(monkeypatch):
-    monkeypatch.setattr(hooking, "_least_hooked_mm", lambda body: 1 / 0)
+    monkeypatch.setattr(hooking, "least_hooked_mm", lambda body: 1 / 0)
     assert trims_of(Request("sphere", (60.0, 60.0, 60.0))) is TRIMS
 
 

@@ -24,8 +24,8 @@ from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
 from design.placement import asked, objects
-from design.placement.asked import _on_base, placed
-from design.placement.objects import COARSE, Request, Trim, first_fit, relaid, spec_of
+from design.placement.asked import on_base, placed
+from design.placement.objects import Request, Trim, first_fit, relaid, spec_of
 from design.placement.room import (
     low_rim,
     narrow_heads,
@@ -36,7 +36,6 @@ from design.placement.room import (
     tight_middle,
     tight_rim,
 )
-from tests.support.recorded_facts import assert_on_record
 
 PEAR = Path(__file__).parents[3] / "examples" / "bodies" / "pear.stl"
 QUICK = {
@@ -55,16 +54,6 @@ def made_tables():
 @pytest.fixture(scope="module")
 def made(made_tables):
     return {name: spec_of(tables) for name, tables in made_tables.items()}
-
-
-@pytest.mark.parametrize("name", QUICK)
-def test_what_is_placed_is_as_on_record(name, made_tables):
-    lines = [
-        f"{table}.{key}: {value}"
-        for table, values in made_tables[name].items()
-        for key, value in values.items()
-    ]
-    assert_on_record("placed", name, lines)
 
 
 @pytest.mark.parametrize("name", QUICK)
@@ -198,8 +187,6 @@ def test_magnets_of_a_narrow_pad_keep_silicone_at_its_sides():
 def test_what_would_fit_instead_is_named_and_fits(request_, works):
     with pytest.raises(SpecError, match=works) as told:
         placed(request_)
-    asked = f"{request_.kind} {request_.size_mm}, {request_.sensors} and {request_.magnets}"
-    assert_on_record("placed", asked, [str(told.value)])
     for size in re.findall(r"about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value)):
         works = placed(replace(request_, size_mm=tuple(map(float, size))))
         assert problems_of(spec_of(works)) == [], "or check refuses the size that is named"
@@ -208,65 +195,13 @@ def test_what_would_fit_instead_is_named_and_fits(request_, works):
             placed(replace(request_, **{f"{what}s": int(count)}))
 
 
-def test_a_size_is_placed_as_it_was_tried_where_finer_ways_find_nothing(monkeypatch):
-    """Finer shares put sensors elsewhere, where magnets may not fit: the size that is named works anyway."""
-    tried = []
-
-    def of_shells(request, trims, shares, counts):
-        tried.append((len(trims), shares, counts))
-        yield from [{"found": {"at": len(tried)}}] if shares == COARSE else []
-
-    monkeypatch.setattr(objects, "_of_shells", of_shells)
-    assert placed(Request("box", (50.0, 50.0, 50.0))) == {"found": {"at": 2}}
-    assert tried[1] == (1, COARSE, objects._FEWEST)
-
-
 def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
     plate = Request("box", (40.0, 30.0, 12.0), 1, 1)
-    (told,) = _on_base(plate)
+    (told,) = on_base(plate)
     assert "--kind pad" in told
     assert problems_of(spec_of(placed(replace(plate, kind="pad")))) == []
-    assert not [*_on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
-    assert not [*_on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
-
-
-def test_sizes_that_work_may_leave_faces_out_as_placements_do(monkeypatch):
-    """An ellipsoid of 90 × 20 × 30 mm: 48 mm thick for all faces was named, of face 1 alone 21 mm do."""
-
-    def works(request):
-        return request.faces == (1,) and request.sensors > 2 and request.size_mm[1] >= 24
-
-    monkeypatch.setattr(
-        objects, "every_fit", lambda request, *_: iter([{}] if works(request) else [])
-    )
-    for module in (objects, asked):
-        monkeypatch.setattr(
-            module, "roomy_faces", lambda request: (1,) if request.size_mm[1] else ()
-        )
-        monkeypatch.setattr(module, "fits_roughly", works)
-    with pytest.raises(SpecError) as told:
-        placed(Request("ellipsoid", (90.0, 20.0, 30.0)))
-    assert str(told.value).endswith(
-        "works is about 107 × 24 × 36 mm with sensors on face 1 alone; or with its short edges "
-        "longer about 90 × 24 × 30 mm with sensors on face 1 alone works"
-    )
-
-
-def test_faces_alike_after_half_a_turn_are_judged_once_but_for_a_file_s(monkeypatch):
-    asked_for = []
-
-    def fits(request):
-        asked_for.append(*request.faces)
-        return request.faces[0] in (1, 2)
-
-    monkeypatch.setattr(objects, "fits_roughly", fits)
-    ellipsoid = Request("ellipsoid", (60.0, 50.0, 40.0))
-    assert objects.roomy_faces(ellipsoid) == (1, 2, 4)
-    assert asked_for == [1, 2, 3]
-    asked_for.clear()
-    request = Request("imported", (60.0, 60.0, 60.0), file=(("file", str(PEAR)),))
-    assert objects.roomy_faces(request) == (1, 2)
-    assert asked_for == [1, 2, 3, 4, 5]
+    assert not [*on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
+    assert not [*on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
 
 
 def test_a_core_of_no_size_has_faces_of_no_size():
@@ -322,9 +257,9 @@ def test_a_face_too_long_for_its_lattice_gets_a_coarser_pitch_in_whole_millimetr
     """At most 100 locations along an axis."""
     for length, pitches in ((42.0, (3.0, 2.5, 2.0, 1.5, 1.0)), (290.0, None), (955.0, (10.0,))):
         spec = spec_of({"body": {"size_mm": [length, 42.0, 42.0]}})
-        found = objects._pitches_mm(spec)
-        assert found == (pitches or objects._PITCHES_MM)
-    assert objects._pitches_mm(spec_of({"body": {"size_mm": [301.0, 42.0, 42.0]}})) == (4.0,)
+        found = objects.pitches_mm(spec)
+        assert found == (pitches or objects.PITCHES_MM)
+    assert objects.pitches_mm(spec_of({"body": {"size_mm": [301.0, 42.0, 42.0]}})) == (4.0,)
 
 
 def test_the_widest_tip_and_the_coarsest_pitch_leave_every_face_sixteen_places(monkeypatch):
@@ -342,7 +277,7 @@ def test_the_widest_tip_and_the_coarsest_pitch_leave_every_face_sixteen_places(m
     monkeypatch.setattr(objects, "contact_places", counted)
     monkeypatch.setattr(objects, "fits", fits)
     tables = {"shell": {"thickness_mm": 9.0}, "name": "made-up"}
-    found = objects._with_contacts.__wrapped__(tables)
+    found = objects.with_contacts.__wrapped__(tables)
     assert found["indenter"] == {"radius_mm": 4.0}
     assert found["contact_grid"] == {"count": "fill", "pitch_mm": 2.5}
     assert found["press"]["depths_mm"] == [0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5]
@@ -352,16 +287,16 @@ def test_the_widest_tip_and_the_coarsest_pitch_leave_every_face_sixteen_places(m
 def test_electronics_of_a_face_by_hand():
     """Recesses reach 3.25 mm to both sides of the boards' middles; holes take the wires of all."""
     request = Request("box", (60.0, 60.0, 60.0), 2)
-    tables = objects._electronics(request, [np.array([[6.0, 8.0], [-9.004, 0.0]])] * 5)
+    tables = objects.electronics_tables(request, [np.array([[6.0, 8.0], [-9.004, 0.0]])] * 5)
     assert tables["sensors"] == {
         "count_per_face": 2, "radius_mm": 9.0, "positions_mm": [[6.0, 8.0], [-9.0, 0.0]],
     }  # fmt: skip
     core = tables["core"]
     assert (core["recess_inner_radius_mm"], core["recess_outer_radius_mm"]) == (5.75, 12.25)
-    assert core["wire_hole_top_diameter_mm"] == objects._hole_mm(2) >= 2.0
-    assert core["wire_hole_side_diameter_mm"] == max(3.0, objects._hole_mm(2))
+    assert core["wire_hole_top_diameter_mm"] == objects.hole_mm(2) >= 2.0
+    assert core["wire_hole_side_diameter_mm"] == max(3.0, objects.hole_mm(2))
     assert core["hub_radius_mm"] == core["wire_hole_side_diameter_mm"] / 2
-    near = objects._electronics(request, [np.zeros((1, 2))] * 4 + [np.ones((1, 2))])
+    near = objects.electronics_tables(request, [np.zeros((1, 2))] * 4 + [np.ones((1, 2))])
     assert near["sensors"]["radius_mm"] == 3.5
     assert near["sensors"]["positions_mm"] == [[[0.0, 0.0]]] * 4 + [[[1.0, 1.0]]]
 
@@ -369,32 +304,34 @@ def test_electronics_of_a_face_by_hand():
 def test_a_hole_is_a_tenth_wider_than_the_wires_through_it_in_half_millimetres():
     for sensors in range(1, 13):
         bundle = wire_bundle_mm(spec_of({"sensors": {"count_per_face": sensors}}))
-        hole = objects._hole_mm(sensors)
+        hole = objects.hole_mm(sensors)
         assert hole == 2.0 or 1.1 * bundle <= hole < 1.1 * bundle + 0.5
         assert 2 * hole == round(2 * hole)
-    assert objects._hole_mm(12) > 3 > objects._hole_mm(1)
+    assert objects.hole_mm(12) > 3 > objects.hole_mm(1)
 
 
 def test_a_core_s_wall_leaves_a_millimetre_behind_the_deepest_recess():
     for depth, wall in ((2.5, 4.0), (3.0, 4.0), (3.1, 4.5), (3.6, 5.0)):
-        assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": depth}})) == wall
+        assert objects.wall_mm(spec_of({"core": {"recess_depth_mm": depth}})) == wall
     room = 13.0
-    assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": room}})) is None
-    assert objects._wall_mm(spec_of({"core": {"recess_depth_mm": room - 0.1}})) == 14.0
+    assert objects.wall_mm(spec_of({"core": {"recess_depth_mm": room}})) is None
+    assert objects.wall_mm(spec_of({"core": {"recess_depth_mm": room - 0.1}})) == 14.0
 
 
 def test_a_request_grows_to_half_millimetres_or_in_its_short_edges_alone():
     request = Request("box", (30.0, 20.1, 10.0), 1, 1, (("scale", 2.0), ("file", "a.stl")))
-    grown = asked._grown(request, 1.1)
+    grown = asked.grown_request(request, 1.1)
     assert grown.size_mm == pytest.approx((33.0, 22.11, 11.0)), "as the file is, at that scale"
     assert dict(grown.file) == {"scale": pytest.approx(2.2), "file": "a.stl"}
-    odd = asked._grown(replace(request, file=(("scale", 0.03), ("file", "a.stl"))), 1.0936717)
+    odd = asked.grown_request(
+        replace(request, file=(("scale", 0.03), ("file", "a.stl"))), 1.0936717
+    )
     assert dict(odd.file)["scale"] == pytest.approx(0.03282), "0.032810 rounded up, as it is named"
     assert odd.size_mm == pytest.approx((32.82, 20.1 * 1.094, 10.94))
-    plain = asked._grown(Request("box", (30.0, 20.1, 10.0)), 1.1)
+    plain = asked.grown_request(Request("box", (30.0, 20.1, 10.0)), 1.1)
     assert (plain.size_mm, plain.file) == ((33.0, 22.5, 11.0), ())
-    assert asked._thickened(request, 1.26).size_mm == (30.0, 20.1, 13.0)
-    assert asked._thickened(request, 2.5).size_mm == (30.0, 25.0, 25.0)
+    assert asked.thickened_request(request, 1.26).size_mm == (30.0, 20.1, 13.0)
+    assert asked.thickened_request(request, 2.5).size_mm == (30.0, 25.0, 25.0)
 
 
 def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
@@ -415,7 +352,7 @@ def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
         "tight_core",
         "tight_core, as sunk",
         "tight_rim",
-        "_wall_mm",
+        "wall_mm",
         "thin_over_outlet",
         "thin_beside_wire_hole",
     ],
@@ -425,7 +362,9 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
     spec_of_tables = lambda tables: tables["core"]["number"]  # noqa: E731
     monkeypatch.setattr(objects, "spec_of", spec_of_tables)
     numbers = iter((1, 2))
-    monkeypatch.setattr(objects, "_electronics", lambda *_: {"core": {"number": next(numbers)}})
+    monkeypatch.setattr(
+        objects, "electronics_tables", lambda *_: {"core": {"number": next(numbers)}}
+    )
     ways = ("tight_middle", "tight_rim", "low_rim", "thin_over_outlet", "thin_beside_wire_hole")
     for name in ways:
         monkeypatch.setattr(objects, name, lambda spec, name=name: (spec, wrong) == (1, name))
@@ -434,27 +373,15 @@ def test_a_pattern_that_is_tight_in_any_one_way_is_left_out(monkeypatch, wrong):
         objects, "tight_core", lambda spec, sunk=True: spec == 1 and unsunk(spec, sunk)
     )
     monkeypatch.setattr(
-        objects, "_wall_mm", lambda spec: None if (spec, wrong) == (1, "_wall_mm") else 2.0 + spec
+        objects, "wall_mm", lambda spec: None if (spec, wrong) == (1, "wall_mm") else 2.0 + spec
     )
     monkeypatch.setattr(objects, "body_of", lambda spec: SimpleNamespace(opening="plane"))
     monkeypatch.setattr(objects, "fits", lambda spec: True)
     square = ((1.0, 0.0), (0.0, 1.0))
-    found = objects._with_patterns.__wrapped__(
+    found = objects.with_patterns.__wrapped__(
         QUICK["pad"], {}, [np.ones(2)], [(0.5, np.array(square)), (0.4, np.array(square))]
     )
     assert found == {"core": {"number": 2, "wall_mm": 4.0}}
-
-
-def test_faces_are_asked_for_under_the_thinnest_shell(monkeypatch):
-    asked, body = [], objects.bare_tables
-    monkeypatch.setattr(
-        objects, "bare_tables", lambda request, trim: (asked.append(trim), body(request, trim))[1]
-    )
-    monkeypatch.setattr(objects, "fits_roughly", lambda request: False)
-    assert objects._largest_together(QUICK["brick"]) == ()
-    assert objects._frame_where_there_is(QUICK["brick"], 3)[0].number == 3
-    assert set(asked) == {objects.TRIMS[-1]}
-    assert len(asked) == 1 + 5 + 1
 
 
 def closed_cylinder(places):
@@ -487,7 +414,7 @@ def test_patterns_that_cannot_be_made_come_last(monkeypatch):
     request = Request("pad", (60.0, 42.0, 11.0), 1, 4)
 
     def places(*hard):
-        monkeypatch.setattr(objects, "_HARD_TO_MAKE", hard)
+        monkeypatch.setattr(objects, "HARD_TO_MAKE", hard)
         tables = first_fit(request, objects.TRIMS[2:3], shares=(0.5, 0.4))
         return tables["magnets"]["positions_mm"]
 

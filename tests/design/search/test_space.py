@@ -8,7 +8,7 @@ from design.errors import InputError
 from design.search.places import polarities
 from design.search.space import (
     Variable,
-    _middle,
+    middle_value,
     params_at,
     search_space,
     start_params,
@@ -222,8 +222,8 @@ def test_contradictions_are_one_clear_error(text):
 
 
 def test_parts_that_the_start_lacks_begin_in_the_middle():
-    assert _middle(Variable("a", low=2.0, high=5.0)) == 3.5
-    assert _middle(Variable("b", choices=(3, 1))) == 3
+    assert middle_value(Variable("a", low=2.0, high=5.0)) == 3.5
+    assert middle_value(Variable("b", choices=(3, 1))) == 3
 
 
 REFUSED_GRADES = {

@@ -9,11 +9,11 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frames
 from design.layout.template_marks import pockets_by_face
 from design.solids.curved_template import (
-    _half_mm,
-    _rings,
-    _rows,
     curved_template_faces,
     make_curved_template,
+    ring_lattice,
+    row_lattice,
+    sheet_half_mm,
 )
 from design.solids.magnet_template import PLATE_MM
 from design.spec.object import ObjectSpec
@@ -65,7 +65,7 @@ def test_faces_of_other_curvature_have_templates_of_their_own():
 
 
 @pytest.mark.parametrize(
-    ("lattice", "area"), [(_rows(5), 4.0), (_rings(8), 16 / 2 * np.sin(2 * np.pi / 16))]
+    ("lattice", "area"), [(row_lattice(5), 4.0), (ring_lattice(8), 16 / 2 * np.sin(2 * np.pi / 16))]
 )
 def test_triangles_cover_the_sheet_once_and_the_rim_runs_round_it(lattice, area):
     """Seen from outside all turn to the left; the rim is as long as the sheet's border."""
@@ -90,10 +90,10 @@ def test_triangles_cover_the_sheet_once_and_the_rim_runs_round_it(lattice, area)
 def test_a_sheet_as_large_as_its_face_keeps_within_what_is_known_of_the_surface(ball):
     """Of a body from a file nothing is known beyond the ellipse, where rounding had put some of the rim."""
     (frame, pockets), _ = pockets_by_face(ball)
-    share, beyond = _rings(49).share, 0
+    share, beyond = ring_lattice(49).share, 0
     for half in ((16.1, 15.3), (16.14, 15.14), (16.23, 15.35), (16.17, 15.29)):
         small = replace(frame, half_extents_mm=half)
-        sheet = np.array(_half_mm(small, pockets))
+        sheet = np.array(sheet_half_mm(small, pockets))
         assert_allclose(sheet, half, rtol=1e-8)
         inside = (share * sheet / half) ** 2
         assert inside.sum(axis=1).max() <= 1

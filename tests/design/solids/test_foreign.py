@@ -6,7 +6,7 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.solids.foreign import _of_mesh, _of_step, main
+from design.solids.foreign import main, solid_of_mesh, solid_of_step
 
 
 def written(folder, shape):
@@ -19,7 +19,7 @@ def test_solids_of_a_step_file_are_closed_placed_and_turned_outwards(tmp_path):
     brick = cq.Solid.makeBox(10, 20, 30)
     ball = cq.Solid.makeSphere(5.0, cq.Vector(), cq.Vector(0, 0, 1), -90, 90, 360)
     both = cq.Compound.makeCompound([brick, ball.moved(cq.Location(cq.Vector(40, -7, 3)))])
-    surface = trimesh.Trimesh(*_of_step(written(tmp_path, both)))
+    surface = trimesh.Trimesh(*solid_of_step(written(tmp_path, both)))
     one, other = sorted(surface.split(), key=lambda piece: -piece.volume)
     assert one.volume == pytest.approx(6000)
     assert_allclose(one.bounds, [[0, 0, 0], [10, 20, 30]], atol=1e-9)
@@ -30,7 +30,7 @@ def test_solids_of_a_step_file_are_closed_placed_and_turned_outwards(tmp_path):
 def test_what_has_no_surface_has_no_triangles(tmp_path):
     edge = cq.Edge.makeLine(cq.Vector(0, 0, 0), cq.Vector(1, 2, 3))
     trimesh.PointCloud(np.eye(3)).export(tmp_path / "cloud.ply")
-    for found in (_of_step(written(tmp_path, edge)), _of_mesh(tmp_path / "cloud.ply")):
+    for found in (solid_of_step(written(tmp_path, edge)), solid_of_mesh(tmp_path / "cloud.ply")):
         assert [part.shape for part in found] == [(0, 3), (0, 3)]
 
 

@@ -15,14 +15,14 @@ from design.solids.jig import (
     CLEAR_MM,
     PLATE_MM,
     RECESS_MM,
-    _bolt_holes,
-    _channel,
-    _cup,
-    _flat_seat_mm,
-    _marks,
-    _post,
-    _recess,
+    axis_marks,
+    bolt_holes,
+    channel_solid,
+    core_post,
+    cup_solid,
+    flat_seat_mm,
     make_jig,
+    recess_solid,
 )
 from design.solids.primitives import OVERSHOOT_MM
 from design.solids.sampled import sampled_core_part
@@ -99,7 +99,7 @@ def test_a_post_reaches_into_the_core_s_cavity_as_far_as_its_wall_lets_it(height
     spec = ObjectSpec(name="cube").changed(body={"size_mm": (42.0, 42.0, height)})
     core, play, top = spec.core_size_mm, spec.printer.clearance_mm, -height / 2
     assert core == (26.0, 26.0, height - 16.0)
-    post, passage = _post(spec, top)
+    post, passage = core_post(spec, top)
     across, reach = 13.0 - 4.5 - play, -core[2] / 2 + depth
     sides = [-across, across] * 2
     assert bounds(post) == pytest.approx([*sides, top - PLATE_MM + 1, reach], abs=1e-6)
@@ -110,7 +110,7 @@ def test_a_post_reaches_into_the_core_s_cavity_as_far_as_its_wall_lets_it(height
 
 def test_marks_bolts_and_channel_lie_where_the_plate_ends():
     half, top = 37.0, -21.0
-    found = sorted([round(one, 6) for one in bounds(mark)] for mark in _marks(half, top))
+    found = sorted([round(one, 6) for one in bounds(mark)] for mark in axis_marks(half, top))
     near, far, low, high = half - 16 + 2, half + OVERSHOOT_MM, top - 0.8, top + 1
     assert found == sorted(
         [
@@ -118,7 +118,7 @@ def test_marks_bolts_and_channel_lie_where_the_plate_ends():
             [-0.5, 0.5, -far, -near, low, high], [-0.5, 0.5, near, far, low, high],
         ]
     )  # fmt: skip
-    holes = _bolt_holes(half, top, 6.0)
+    holes = bolt_holes(half, top, 6.0)
     middles = sorted((round(one.Center().x, 6), round(one.Center().y, 6)) for one in holes)
     assert middles == [(-30, -30), (-30, 30), (30, -30), (30, 30)]
     for hole in holes:
@@ -126,7 +126,7 @@ def test_marks_bolts_and_channel_lie_where_the_plate_ends():
         assert hole.BoundingBox().zmax == pytest.approx(top + OVERSHOOT_MM, abs=1e-6)
     below = top - PLATE_MM
     wanted = [-4, 4, -half - OVERSHOOT_MM, 0, below - OVERSHOOT_MM, below + 3]
-    assert bounds(_channel(half, top)) == pytest.approx(wanted, abs=1e-6)
+    assert bounds(channel_solid(half, top)) == pytest.approx(wanted, abs=1e-6)
 
 
 def test_the_seat_of_a_bored_core_is_where_its_outlet_s_flat_ends():
@@ -134,18 +134,18 @@ def test_the_seat_of_a_bored_core_is_where_its_outlet_s_flat_ends():
     spec = body_spec("sphere")
     core = spec.body.size_mm[0] / 2 - spec.shell.thickness_mm
     wanted = -np.sqrt(core**2 - core_outlet(spec).flat_mm ** 2)
-    assert _flat_seat_mm(spec) == pytest.approx(wanted, abs=0.02)
+    assert flat_seat_mm(spec) == pytest.approx(wanted, abs=0.02)
 
 
 def test_a_recess_takes_the_lower_end_of_a_body_with_play_all_round():
     pad = body_spec("pad")
     play, top = pad.printer.clearance_mm, 5.0
     wanted = [-20 - play, 20 + play, -15 - play, 15 + play, top - RECESS_MM, top + OVERSHOOT_MM]
-    assert bounds(_recess(pad, top)) == pytest.approx(wanted, abs=1e-6)
+    assert bounds(recess_solid(pad, top)) == pytest.approx(wanted, abs=1e-6)
     dome = body_spec("dome_on_core")
     radius = 20 + dome.printer.clearance_mm
     wanted = [-radius, radius] * 2 + [top - RECESS_MM, top + OVERSHOOT_MM]
-    assert bounds(_recess(dome, top)) == pytest.approx(wanted, abs=1e-6)
+    assert bounds(recess_solid(dome, top)) == pytest.approx(wanted, abs=1e-6)
 
 
 @pytest.mark.parametrize("name", ["closed sphere", "closed capsule"])
@@ -154,7 +154,7 @@ def test_a_cup_leaves_play_round_the_lower_end_and_opens_straight_upwards(name):
     spec = worked(name)
     low, high = np.asarray(body_of(spec).outer_surface().bounds)
     top = low[2] + 6.0
-    found, play = np.asarray(_cup(spec, top).bounds), spec.printer.clearance_mm
+    found, play = np.asarray(cup_solid(spec, top).bounds), spec.printer.clearance_mm
     radius, depth = high[0], top + RECESS_MM - low[2]
     wide = np.sqrt(radius**2 - max(0.0, radius - depth) ** 2) + play
     assert (abs(found[:, :2]) < wide + 0.05).all()

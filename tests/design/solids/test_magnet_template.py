@@ -14,7 +14,7 @@ from design.layout.template_marks import (
     pockets_by_face,
     thinnest_mark_wall_mm,
 )
-from design.solids.magnet_template import PLATE_MM, _corner, _hole
+from design.solids.magnet_template import PLATE_MM, corner_cut, hole_solid
 from design.solids.primitives import OVERSHOOT_MM
 from design.spec.object import ObjectSpec
 
@@ -35,12 +35,12 @@ def test_a_hole_goes_through_the_plate_where_the_pocket_s_axis_leaves_the_face(o
     x, (wide, long) = 5.0 + 2.5 * np.tan(np.deg2rad(20.0)), outline.half_mm
     ends = [-OVERSHOOT_MM, PLATE_MM + OVERSHOOT_MM]
     wanted = [x - wide - 0.1, x + wide + 0.1, -3 - long - 0.1, -3 + long + 0.1, *ends]
-    assert bounds(_hole(made, 0.1)) == pytest.approx(wanted, abs=1e-6)
+    assert bounds(hole_solid(made, 0.1)) == pytest.approx(wanted, abs=1e-6)
 
 
 def test_the_corner_is_a_triangle_through_the_plate():
     half = (18.0, 16.0)
-    solid, reach = _corner(half), CORNER_MM + 2 * OVERSHOOT_MM
+    solid, reach = corner_cut(half), CORNER_MM + 2 * OVERSHOOT_MM
     assert solid.Volume() == pytest.approx(reach**2 / 2 * 20)
     x, y = half[0] + OVERSHOOT_MM, half[1] + OVERSHOOT_MM
     assert bounds(solid) == pytest.approx([x - reach, x, y - reach, y, -10, 10], abs=1e-6)

@@ -11,9 +11,9 @@ from design.body.meshes import manifold_of
 from design.body.triangles import Block
 from design.errors import NotOneSolid
 from design.layout.body import body_of, face_frames
-from design.layout.pockets import Body, Outline, Pocket, tilted_frame
+from design.layout.pockets import Body, Outline, Pocket, shell_pockets, tilted_frame
 from design.solids import primitives
-from design.solids.body import _cylinder_room, _sphere_room
+from design.solids.body import cylinder_room, sphere_room
 from design.solids.booleans import as_triangles
 from design.solids.primitives import (
     OVERSHOOT_MM,
@@ -27,7 +27,7 @@ from design.solids.primitives import (
     single_solid,
     tapered_rod,
 )
-from design.solids.probes import _cylinder
+from design.solids.probes import cylinder_tip
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 from tests.support.objects.worked_objects import worked
@@ -165,21 +165,50 @@ def test_merging_that_moves_an_edge_is_not_taken():
 
 
 def test_a_lying_cylinder_s_middle_is_pressed_and_a_core_without_room_is_solid():
-    box = _cylinder(IndenterSpec(kind="cylinder", radius_mm=2.0, length_mm=7.0)).BoundingBox()
+    box = cylinder_tip(IndenterSpec(kind="cylinder", radius_mm=2.0, length_mm=7.0)).BoundingBox()
     assert (box.xmin, box.xmax) == pytest.approx((-3.5, 3.5), abs=1e-6)
     assert (box.zmin, box.zmax) == pytest.approx((-2.0, 2.0), abs=1e-6)
     ball = body_of(worked("closed sphere"))
-    assert _sphere_room(ball, ball.core_radius_mm) is None
-    assert _sphere_room(ball, ball.core_radius_mm - 1).Volume() == pytest.approx(4 / 3 * np.pi)
+    assert sphere_room(ball, ball.core_radius_mm) is None
+    assert sphere_room(ball, ball.core_radius_mm - 1).Volume() == pytest.approx(4 / 3 * np.pi)
     tube = body_of(worked("closed cylinder"))
-    assert _cylinder_room(tube, float(min(tube.core_half_mm))) is None
+    assert cylinder_room(tube, float(min(tube.core_half_mm))) is None
 
 
 def test_a_merging_that_spoils_a_solid_is_not_taken(monkeypatch):
     box = box_between(np.zeros(3), np.ones(3))
     spoiled = cq.Solid.makeSolid(cq.Shell.makeShell(box.Faces()[:5]))
     assert not spoiled.isValid()
-    monkeypatch.setattr(primitives, "_merged", lambda shape: spoiled)
+    monkeypatch.setattr(primitives, "merged_faces", lambda shape: spoiled)
     assert single_solid(box, "part").isValid()
     with pytest.raises(NotOneSolid, match=r"give 1 \(invalid\)"):
         single_solid(spoiled, "part")
+
+
+def test_primitives_by_hand():
+    spec = worked("box")
+    frame = face_frames(spec)[2]
+    plain, tilted = shell_pockets(spec)[2][0], shell_pockets(spec)[2][1]
+    turned = radial_box_on_face(frame, 30.0, 2.0, (3.0, 7.0), (-1.5, 0.5))
+    assert turned.Volume() == pytest.approx(4.0 * 2.0 * 2.0)
+    middle = 5.0 * np.array([np.cos(np.pi / 6), np.sin(np.pi / 6)])
+    np.testing.assert_allclose(
+        turned.Center().toTuple(), frame.to_object(np.array([*middle, -0.5])), atol=1e-9
+    )
+    radius = plain.outline.radius_mm
+    grown = pocket_prism(frame, plain, -1.0, 2.0, 0.3)
+    assert grown.Volume() == pytest.approx(np.pi * (radius + 0.3) ** 2 * 3.0)
+    drafted = pocket_prism(frame, plain, 0.0, 2.0, 0.0, 5.0)
+    wide = radius + 2.0 * np.tan(np.deg2rad(5.0))
+    cone = np.pi * 2.0 / 3 * (radius**2 + radius * wide + wide**2)
+    assert drafted.Volume() == pytest.approx(cone, rel=1e-6)
+    over = tilted.outline.area_mm2 * 0.5 / tilted.axis[2]
+    assert pocket_solid(frame, tilted).Volume() == pytest.approx(tilted.volume_mm3 + over, rel=2e-2)
+    cone = rod_about_z(2.0, -1.0, 3.0, 1.0)
+    assert cone.Volume() == pytest.approx(np.pi * 4.0 / 3 * (4 + 2 + 1))
+    one = Block(np.array([1.0, 2.0, 3.0]), frame.axes, np.array([1.0, 2.0, 4.0]))
+    assert block_solid(one).Volume() == pytest.approx(64.0)
+    box = block_solid(one).BoundingBox()
+    np.testing.assert_allclose(
+        [box.xmin, box.ymin, box.zmin], one.corners_mm.min(axis=0), atol=1e-6
+    )

@@ -27,7 +27,7 @@ def test_a_core_of_walls_has_its_outlet_and_no_hollow_though_its_box_had_room(mo
     spec = body_spec("ellipsoid", body={"open_faces": [6], "bore_mm": 9.0})
     monkeypatch.setattr(sampled, "sampled_core", no_room)
     length, diameter = spec.body.size_mm[2] / 2, 2 * core_outlet(spec).radius_mm
-    extents = sampled._hollow(spec).extents
+    extents = sampled.hollow_mesh(spec).extents
     assert extents[2] == pytest.approx(length)
     assert diameter * 0.7 < min(extents[:2]) <= max(extents[:2]) <= diameter
 

@@ -15,7 +15,7 @@ from design.wiring.bus_limits import (
     pullup_kohm,
     rise_time_ns,
 )
-from design.wiring.bus_plan import _require_current, choose_plan
+from design.wiring.bus_plan import choose_plan, require_current
 from design.wiring.dealing import MULTIPLEXED, STARTED, CannotError, ChipOnBus
 from design.wiring.load_cell import LoadCellPlan, load_cell_plan, newtons_per_step, zero_steps
 
@@ -138,9 +138,9 @@ def test_chips_draw_no_more_than_what_powers_them_gives(board, supply, load, mos
     buffers on its 3.3 V pin; an HX711's 6.5 mA come from a Pico's 3.3 V or from a Mega's 5 V."""
     cell = None if load is None else LoadCellPlan(load, ("a", "b"), 80.0)
     chip = ChipOnBus(1, 1, "TMAG5273A1", "order code", 0x35, 0x35, 0, 100.0, supply=supply)
-    _require_current([chip] * most, TMAG5273, board, cell)
+    require_current([chip] * most, TMAG5273, board, cell)
     with pytest.raises(CannotError, match=f"{most + 1} chips draw .* {source}"):
-        _require_current([chip] * (most + 1), TMAG5273, board, cell)
+        require_current([chip] * (most + 1), TMAG5273, board, cell)
 
 
 def test_a_force_sensor_is_wired_through_a_divider_where_the_board_bears_less_than_its_5_v():

@@ -24,7 +24,7 @@ def levels(holds, again=True):
     if again:
         recordings[STILL_AGAIN] = recording(STILL_AGAIN, 180.0, 9000, frames=16)
     given = [recording(f"hold {k}", 0.0, at) for k, at in enumerate(holds)]
-    return verdict._levels_without_magnet(SPEC, recordings, given)
+    return verdict.levels_without_magnet(SPEC, recordings, given)
 
 
 def test_between_two_still_recordings_levels_are_linear_in_time():
@@ -65,5 +65,5 @@ def test_channels_that_are_mute_or_stuck_are_silent():
     made = recording(STILL, 50.0, 100)
     made.counts[:, 0, 1] = np.nan
     made.counts[:, 1, 2] = 7.0
-    silent = verdict._silent({STILL: made})
+    silent = verdict.silent_findings({STILL: made})
     assert np.argwhere(silent).tolist() == [[0, 1], [1, 2]]

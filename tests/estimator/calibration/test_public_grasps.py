@@ -32,7 +32,7 @@ def estimator():
     seen = pressed_cases(SPEC, read_recording(FOLDER / NAMES[1]).frames, forces)
     assert (len(seen), seen.faces, (seen.face > 0).sum(axis=1).tolist()) == (3, (3, 5), [4, 4, 4])
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(unknowns, "_ITERATIONS", 1)
+        patch.setattr(unknowns, "ITERATIONS", 1)
         twin = calibrate_on_cases(SPEC, forces, motions, seen)
     assert np.median(twin.left_share) > 0.5
     return inverted_grasps(SPEC, (forces, motions), twin, seen)

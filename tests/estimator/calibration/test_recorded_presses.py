@@ -49,13 +49,15 @@ def frames_of(force, face=(3, 5)):
 
 def test_a_press_is_the_mean_over_frames_in_which_every_contact_holds_half_of_its_largest_force():
     force = [[0, 0], [4, 8], [5, 8], [8, 7], [10, 4], [9, 3.9], [6, 6], [7, 7]]
-    ((signal, newton, contacts, count),) = recorded_presses._presses(frames_of(force))
+    ((signal, newton, contacts, count),) = recorded_presses.presses_in_frames(frames_of(force))
     held = [2, 3, 4, 6, 7]
     assert count == 5
     assert_allclose(signal, np.full(15, np.mean(held)))
     assert_allclose(newton, [0, 0, np.mean([5, 8, 10, 6, 7]), 0, np.mean([8, 7, 4, 6, 7]), 0])
     assert contacts == ((3, 3.0, -1.0), (5, 3.0, 1.0))
-    assert recorded_presses._presses(frames_of(force[:-1])) == []  # four such frames are too few
+    assert (
+        recorded_presses.presses_in_frames(frames_of(force[:-1])) == []
+    )  # four such frames are too few
 
 
 def recorded(channels=15):
@@ -100,9 +102,9 @@ def test_figures_are_ranked_among_all_exchanges_of_cases():
     values = np.array([[3.0, 1.0], [2.0, 4.0], [5.0, 0.0]])
     case = np.array([0, 1, 0])
     order = np.array([[0, 1], [1, 0]])
-    found = validation._mean_figure(values, case, order)
+    found = validation.mean_figure(values, case, order)
     assert (found.value, found.null, found.p, found.exchanges) == (4.0, (4.0 + 1.0) / 2, 0.5, 2)
-    spread = validation._spread_figure(values, case, order)
+    spread = validation.spread_figure(values, case, order)
     assert spread.value == pytest.approx(np.exp(np.std([3.0, 4.0, 5.0])))
     assert spread.null == pytest.approx(
         (np.exp(np.std([3.0, 4.0, 5.0])) + np.exp(np.std([1.0, 2.0, 0.0]))) / 2
@@ -168,13 +170,13 @@ def test_cosines_signs_sizes_and_moduli_of_single_presses():
     measured = np.array([[3.0, 4.0, 1.0]])
     predicted = np.array([[[3.0, -4.0, 0.0], [6.0, 8.0, 2.0]]])
     clear = np.array([[True, True, False]])
-    cosine, signs, size = validation._per_press(measured, predicted, clear)
+    cosine, signs, size = validation.per_press(measured, predicted, clear)
     assert_allclose(cosine, [[-7 / (5 * np.sqrt(26)), 1.0]])
     assert_allclose(signs, [[0.5, 1.0]])
     assert_allclose(size, [[np.log(np.sqrt(26) / 5), np.log(0.5)]])
     ratios = recorded_presses.MODULUS_RATIOS
     sizes = (10 / ratios)[:, None, None] * np.array([1.0, 9.0])
-    modulus, bounded = validation._effective_ratios(np.array([8.0]), sizes)
+    modulus, bounded = validation.effective_ratios(np.array([8.0]), sizes)
     assert_allclose(modulus, [[10 / 8, 3.0]])
     assert bounded.tolist() == [[True, False]]
 
@@ -185,7 +187,7 @@ def test_a_change_is_clear_beyond_three_sigma_of_noise_and_zero():
     sigma = np.hypot([1 / 2, 1 / 3], zero)
     presses.signal_counts[:, 0] = 3 * sigma * [1.0001, 0.9999]
     channels = np.arange(3)
-    clear = validation._clear(SPEC, presses, np.arange(2), channels)
+    clear = validation.clear_changes(SPEC, presses, np.arange(2), channels)
     assert clear[:, 0].tolist() == [True, False]
 
 
@@ -194,7 +196,7 @@ def test_exchanges_keep_to_cases_that_the_same_presses_predict():
     predicted[:2, 2] = predicted[2:, :2] = np.nan
     order = validation.case_permutations(predicted, np.array([0, 1, 2, 2]), 0)
     assert order.tolist() == [[0, 1, 2], [1, 0, 2]]
-    sampled = validation._sampled(np.array([0, 0, 1, 1, 1]), 3)
+    sampled = validation.sampled_exchanges(np.array([0, 0, 1, 1, 1]), 3)
     assert sampled.shape == (5001, 5)
     assert sampled[0].tolist() == [0, 1, 2, 3, 4]
     assert_array_equal(np.sort(sampled[:, :2], axis=1), np.tile([0, 1], (5001, 1)))
@@ -231,7 +233,7 @@ def test_errors_of_sensors_that_show_nothing_clear_are_the_mean_of_the_others():
 
 
 def test_what_a_size_leaves_over_grows_with_the_levels_of_a_case():
-    left_over = grasp_twin._left_over.__wrapped__(seen_cases(), 0.1)
+    left_over = grasp_twin.left_over_of.__wrapped__(seen_cases(), 0.1)
     assert_allclose(left_over.variance[0], 0.25 + 2 * 0.01 * np.array([25, 25, 0.25, 25]))
     assert_allclose(left_over.weighed(left_over.variance[..., None] * 3), 3.0)
 
@@ -269,7 +271,7 @@ def test_motions_on_a_curve_are_straight_between_its_forces_and_in_proportion_be
         np.zeros((3, 6)), force, np.zeros(3, int), np.zeros(3, int), np.full(3, 9),
         (((2, 0.0, 0.0), (4, 0.0, 0.0)),), np.ones(3),
     )  # fmt: skip
-    assert_allclose(interfaces._mean_force_n(presses), [3, 10, 3])
+    assert_allclose(interfaces.mean_force_n(presses), [3, 10, 3])
     found = interfaces.motions_on_curves.__wrapped__(presses, [curve(1.0, 2.0, 4.0)])
     unit = np.arange(12.0).reshape(2, 6)
     for ratio, modulus in enumerate(MODULUS_RATIOS):

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.calibration.pose_fit import Problem, _means_of_cases
+from estimator.calibration.pose_fit import Problem, means_of_cases
 from estimator.calibration.recorded_presses import RecordedPresses
 
 
@@ -16,6 +16,6 @@ def test_the_typical_press_of_a_case_is_that_of_the_median_force():
     problem = object.__new__(Problem)  # only its presses are asked
     presses = RecordedPresses(signal, force, case, one, one + 20, cases, np.ones(3))
     object.__setattr__(problem, "presses", presses)
-    typical, recorded, _ = _means_of_cases(problem, np.arange(6))
+    typical, recorded, _ = means_of_cases(problem, np.arange(6))
     assert_array_equal(typical, [4, 5])
     assert_allclose(recorded, [signal[:5].mean(axis=0), signal[5]])

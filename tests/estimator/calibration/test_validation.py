@@ -21,11 +21,11 @@ from estimator.calibration.pose_fit import (
 from estimator.calibration.recorded_presses import (
     MODULUS_RATIOS,
     RecordedPresses,
-    _presses,
     on_sensed_faces,
     own_channels,
     predicted_motions,
     pressed_faces,
+    presses_in_frames,
     recorded_presses,
     require_presses_of,
     sensors_not_recorded,
@@ -45,7 +45,7 @@ from estimator.recordings.reading import read_recording
 from estimator.signals.press_states import rest_motion
 from estimator.tolerances.assembly import designed
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
-from tests.support.recorded_facts import assert_on_record, told, told_whole
+from tests.support.physics_pages import assert_page, chosen
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 from tests.support.recordings.public_recordings import FOLDER, NAMES
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -177,8 +177,10 @@ def test_dead_channels_do_not_matter(problem):
 
 def test_one_press_has_no_correlation():
     """NaN, which is no JSON, after three warnings of NumPy."""
-    assert validation._correlation(np.array([2.0]), np.array([3.0])) is None
-    assert validation._correlation(np.array([1.0, 2.0]), np.array([5.0, 3.0])) == pytest.approx(-1)
+    assert validation.rank_correlation(np.array([2.0]), np.array([3.0])) is None
+    assert validation.rank_correlation(np.array([1.0, 2.0]), np.array([5.0, 3.0])) == pytest.approx(
+        -1
+    )
 
 
 def test_calibration_finds_pose_and_modulus(problem):
@@ -246,7 +248,9 @@ def test_a_press_counts_from_five_frames_of_half_its_force_on():
     for rows, hard in zip(loaded, (4, 5, 6), strict=True):
         force[rows] = np.where(np.arange(len(rows)) < hard, 10.0, 4.9)
         force[rows[0]] = 5.0
-    found = _presses(replace(made, force_n=np.stack([0 * force, 0 * force, force], 1)[:, None]))
+    found = presses_in_frames(
+        replace(made, force_n=np.stack([0 * force, 0 * force, force], 1)[:, None])
+    )
     assert [frames for *_, frames in found] == [5, 6]
 
 
@@ -394,11 +398,15 @@ def test_what_is_wrong_leaves_least_where_it_is_freed(problem, true, first):
     assert right["the design"].left == pytest.approx(0, abs=1e-12)
 
 
-@pytest.mark.parametrize("face", [3, 5, None], ids=str)
-def test_figures_of_merit_are_as_on_record(problem, face):
-    result = found(problem, designed(SPEC), face)
-    lines = [*told_whole("agreement", result), told("said", verdict(SPEC, result))]
-    assert_on_record("calibration", f"agreement on {face or 'all faces'}", lines, "estimator")
+def test_figures_of_merit_are_as_on_the_page(problem):
+    result = found(problem, designed(SPEC), None)
+    lines = [
+        (f"{name}: value, null, p", [one.value, one.null, one.p])
+        for name in ("cosine", "signs", "size_spread", "modulus_spread")
+        for one in [getattr(result, name)]
+    ]
+    lines += chosen(result, "size_ratio", "modulus_mpa")
+    assert_page("estimator/calibration", [*lines, ("said", verdict(SPEC, result))], "agreement, ")
 
 
 @pytest.mark.parametrize("modulus", [0.5, 1.0, 1.7])

@@ -30,7 +30,7 @@ def test_channels_that_are_not_there_or_mute_are_told_by_name(channel):
 
 
 def test_probes_go_from_a_channel_s_noise_to_the_range_of_a_chip():
-    counts = export._probe_counts(3)
+    counts = export.probe_counts(3)
     assert counts.shape == (64 * 9, 3)
     size = np.sqrt(np.mean(counts.reshape(9, -1) ** 2, axis=1))
     assert_allclose(size, 4.0 ** np.arange(9), rtol=0.2)
@@ -39,7 +39,7 @@ def test_probes_go_from_a_channel_s_noise_to_the_range_of_a_chip():
 def test_sizes_are_the_largest_of_each_scale_s_frames():
     output = np.zeros((576, 2))
     output[3], output[64], output[575] = -5.0, [0.5, np.inf], [2.0, np.nan]
-    found = export._sizes(output)
+    found = export.output_sizes(output)
     assert found.shape == (576, 1)
     assert found[:64].tolist() == [[5.0]] * 64
     assert found[64:128].tolist() == [[0.5]] * 64
@@ -64,8 +64,8 @@ def reader_of(zero, frames, history):
     channels = ((2, 0, 0), (HISTORY + 2, 0, 1))
     model = SimpleNamespace(channels=channels, history_frames=history)
     reader = object.__new__(runtime.LiveReader)
-    reader.__dict__.update(model=model, zero=zero, zero_frames=frames, _recent=deque())
-    reader.__dict__["_last_s"] = np.nan
+    reader.__dict__.update(model=model, zero=zero, zero_frames=frames, recent=deque())
+    reader.__dict__["last_s"] = np.nan
     reader.rezero()
     return reader
 
@@ -100,5 +100,5 @@ def test_changes_over_history_are_to_the_frame_so_many_before_and_none_across_a_
 
 def test_a_still_change_is_read_without_history(told):
     reader = reader_of("none", 1, 1)
-    assert runtime.LiveReader._read_still.__wrapped__(reader, np.array([0.5, 9.0])) == (0.25, 1.5)
+    assert runtime.LiveReader.read_still.__wrapped__(reader, np.array([0.5, 9.0])) == (0.25, 1.5)
     assert told == [[0.5, 0]]

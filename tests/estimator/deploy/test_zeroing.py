@@ -156,7 +156,7 @@ def test_the_guide_to_built_objects_tells_every_baseline_and_its_numbers():
     assert [row[0] for row in rows] == list(get_args(zeroing.ZeroMode))
     assert [row[0] for row in rows if row[1]] == [LiveReader.__dataclass_fields__["zero"].default]
     told = (
-        f"({zeroing.ZERO_FRAMES}; {zeroing._LEAST_FRAMES} or more)",
+        f"({zeroing.ZERO_FRAMES}; {zeroing.LEAST_FRAMES} or more)",
         f"less than {zeroing.RETURN_SHARE:.0%} of".replace("%", " %"),
         f"within the last {zeroing.SETTLE_S:g} s",
         f"at most {zeroing.DRIFT_COUNTS_PER_S:g} count per second",
@@ -177,9 +177,9 @@ class Following:
         return self.said[bool(change.sum() >= 0)]
 
     def considered(self, level, elapsed_s=1.0, largest_n=10.0):
-        self.zero._largest_n = largest_n
-        self.zero._consider(np.array(level), elapsed_s)
-        return self.zero.level.tolist(), self.zero._largest_n
+        self.zero.largest_n = largest_n
+        self.zero.consider(np.array(level), elapsed_s)
+        return self.zero.level.tolist(), self.zero.largest_n
 
 
 @pytest.mark.parametrize(
@@ -218,9 +218,9 @@ def test_the_largest_force_is_remembered_for_five_seconds_after_its_press():
     zero = RestZero(8, read)
 
     def at(time_s, force_n):
-        zero._now_s = time_s
-        zero._note_force(force_n)
-        return zero._largest_n, zero._loaded_s
+        zero.now_s = time_s
+        zero.note_force(force_n)
+        return zero.largest_n, zero.loaded_s
 
     assert at(1.0, 0.3)[0] == 0.0
     assert at(2.0, 0.31) == (0.31, 2.0)
@@ -235,16 +235,16 @@ def test_windows_last_six_tenths_of_a_second_and_eight_frames():
     zero = RestZero(8, lambda change: (0.0, 0.0))
     for number in range(20):
         zero.pass_by(np.zeros(1), 0.05 * number)
-    times = [time_s for time_s, _ in zero._window]
+    times = [time_s for time_s, _ in zero.window]
     assert times == pytest.approx([0.05 * k for k in range(7, 20)])
     slow = RestZero(5, lambda change: (0.0, 0.0))
     for number in range(9):
         slow.pass_by(np.zeros(1), float(number))
-    assert [time_s for time_s, _ in slow._window] == [4.0, 5.0, 6.0, 7.0, 8.0]
+    assert [time_s for time_s, _ in slow.window] == [4.0, 5.0, 6.0, 7.0, 8.0]
     unknown = RestZero(5, lambda change: (0.0, 0.0))
     assert [unknown.pass_by(np.zeros(1)) for _ in range(2)] == pytest.approx([0.1, 0.1])
     assert slow.pass_by(np.zeros(1), 0.0) == -8.0
-    assert len(slow._window) == 1
+    assert len(slow.window) == 1
 
 
 def test_modes_of_a_stream_s_zero():

@@ -42,11 +42,11 @@ def test_the_mean_of_training_is_the_mean_place_and_force_of_every_face_that_it_
 
 
 def test_sets_of_any_number_have_as_many_slots_as_the_largest():
-    found = contact_baselines._sets([[], [(3, 1.0, 2.0, 4.0), (5, 0.0, -1.0, 2.0)]])
+    found = contact_baselines.contact_sets_of([[], [(3, 1.0, 2.0, 4.0), (5, 0.0, -1.0, 2.0)]])
     assert_array_equal(found.face, [[0, 0], [3, 5]])
     assert_array_equal(found.xy_mm[1], [[1, 2], [0, -1]])
     assert_array_equal(found.force_n, [[NAN, NAN], [4, 2]])
-    assert contact_baselines._sets([[], []]).face.shape == (2, 1)
+    assert contact_baselines.contact_sets_of([[], []]).face.shape == (2, 1)
 
 
 class Object(SimpleNamespace):

@@ -252,7 +252,7 @@ def test_the_seed_fixes_everything_and_the_file_keeps_it(paper, signals, mechani
 
 
 def test_blocks_of_cases_do_not_change_forces(paper, signals, mechanics, monkeypatch):
-    monkeypatch.setattr(collection, "_BLOCK_FRAMES", 200)
+    monkeypatch.setattr(collection, "BLOCK_FRAMES", 200)
     again = simulate_collection(spec_of(), signals, "hash", mechanics)
     np.testing.assert_array_equal(again.true_force_n, paper.true_force_n)
 

@@ -1,7 +1,5 @@
 """Joint presses along a path: as single ones, corrected face by face, and refused where unknown."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -72,24 +70,3 @@ def test_no_correction_changes_nothing(response):
     found = corrected_joint(SPEC, faces, DEPTHS[1:], *arrays, StrainCorrection(8.0))
     for one, other in zip(found, arrays, strict=True):
         np.testing.assert_array_equal(one, other)
-
-
-def test_every_tenth_case_of_joint_presses_is_told(monkeypatch):
-    from estimator.frames import contact_traces as module
-
-    zero = np.zeros((2, 1))
-    told, assembly = [], SimpleNamespace(modulus_ratio=2.0)
-    monkeypatch.setattr(module, "refined_faces", lambda *_: None)
-    monkeypatch.setattr(module, "press_path", lambda *_: None)
-    monkeypatch.setattr(module, "_corrected", lambda *_: (zero[:, 0], zero + 3, zero[..., None]))
-    monkeypatch.setattr(module, "twin_changes", lambda spec, assembly, motions: motions + 1)
-    case = SimpleNamespace(face=[1], xy_mm=[(0.0, 0.0)], squeezed=False, share=np.ones(1))
-    signals = SimpleNamespace(depth_mm=np.array([1.0, 2.0]))
-    mechanics = SimpleNamespace(response=None, assembly=assembly, correction=None)
-    found = module._joint_presses.__wrapped__(
-        coarse_spec(), signals, [case] * 29, mechanics, told.append
-    )
-    assert told == [f"several simultaneous tips: {n} of 29 cases" for n in (10, 20)]
-    assert len(found) == 29
-    assert_allclose(found[20][1], 6.0)  # forces of an object of twice the modulus
-    assert found[20][2].shape == (2, 1)

@@ -43,13 +43,13 @@ def test_a_press_is_felt_with_the_elastic_force_that_its_signals_keep():
     turns = np.array([[0.0, 0.25, 0.5, 0.75, 1.25]] * 2)
     peak = np.array([2.0, 3.0])
     recipe = SimpleNamespace(traces=made, turns=turns, peak_mm=peak, pull=None)
-    felt, counts = collection._pressed.__wrapped__(spec(), recipe, slice(0, 2))
+    felt, counts = collection.pressed_tips.__wrapped__(spec(), recipe, slice(0, 2))
     elastic = 2 * (peak[:, None] * [0, 0.5, 1, 0.5, 0.5]) ** 1.5
     wanted = elastic
     assert_allclose(felt.sum(axis=2), wanted, rtol=1e-6)
     assert_allclose(felt[..., 0], 0.25 * wanted, rtol=1e-6)
     assert_allclose(counts, elastic[..., None] * [10.0, -5.0, 3.0], rtol=1e-6)
-    second, _ = collection._pressed.__wrapped__(spec(), recipe, slice(1, 2))
+    second, _ = collection.pressed_tips.__wrapped__(spec(), recipe, slice(1, 2))
     assert_allclose(second[0], felt[1])
 
 
@@ -67,8 +67,8 @@ def test_a_pull_changes_the_signals_by_its_share_of_the_force_that_is_felt():
         traces=made, turns=np.array([[0.25, 0.5]]), peak_mm=np.array([2.0]), pull=pull
     )
     plain = SimpleNamespace(**{**vars(recipe), "pull": None})
-    felt, counts = collection._pressed.__wrapped__(spec(), recipe, slice(0, 1))
-    _, unpulled = collection._pressed.__wrapped__(spec(), plain, slice(0, 1))
+    felt, counts = collection.pressed_tips.__wrapped__(spec(), recipe, slice(0, 1))
+    _, unpulled = collection.pressed_tips.__wrapped__(spec(), plain, slice(0, 1))
     total = felt.sum(axis=2)
     assert_allclose(counts - unpulled, total[..., None] * [0.5, -0.5, 0], rtol=1e-9)
 
@@ -85,19 +85,19 @@ def test_counts_of_a_pull_are_those_along_x_and_y_at_the_normal_force():
 
 def test_every_period_of_every_case_is_a_press_of_its_own():
     recipe = SimpleNamespace(turns=np.array([[0.2, 0.9, 1.1, 2.0], [0.0, 0.5, 0.99, 1.0]]))
-    assert collection._press_ids.__wrapped__(recipe).tolist() == [0, 0, 1, 2, 3, 3, 3, 4]
+    assert collection.press_ids.__wrapped__(recipe).tolist() == [0, 0, 1, 2, 3, 3, 3, 4]
 
 
 def test_values_of_tips_are_padded_and_cases_without_contact_empty():
     one = SimpleNamespace(face=np.array([3]), xy_mm=np.array([[1.0, 2.0]]))
     two = SimpleNamespace(face=np.array([3, 5]), xy_mm=np.array([[1.0, 2.0], [3.0, 4.0]]))
     recipe = SimpleNamespace(cases=[one, two], turns=np.zeros((3, 1)), traces=traces())
-    assert collection._tip_values.__wrapped__(recipe, "face", 0, int).tolist() == [
+    assert collection.tip_values.__wrapped__(recipe, "face", 0, int).tolist() == [
         [3, 0],
         [3, 5],
         [0, 0],
     ]
-    xy = collection._tip_values.__wrapped__(recipe, "xy_mm", np.nan, float)
+    xy = collection.tip_values.__wrapped__(recipe, "xy_mm", np.nan, float)
     assert_array_equal(xy[0], [[1, 2], [np.nan, np.nan]])
     assert xy.shape == (3, 2, 2)
 
@@ -108,7 +108,7 @@ def test_a_squeeze_travels_by_both_jaws_and_a_probe_by_its_deepest_tip():
 
     path = [press([1.0, 1.5, 0.5]), press([2.0, 3.0, 4.0])]
     grasp = SimpleNamespace(squeezed=True, cell=np.array([0, 0, 1]))
-    given = contact_traces._corrected.__wrapped__
+    given = contact_traces.corrected_traces.__wrapped__
     assert given(None, grasp, path, None)[0].tolist() == [2.0, 7.0]
     probe = SimpleNamespace(squeezed=False, cell=np.array([0, 0, 1]))
     travel, force, motion = given(None, probe, path, None)
@@ -116,51 +116,12 @@ def test_a_squeeze_travels_by_both_jaws_and_a_probe_by_its_deepest_tip():
     assert (force.shape, motion.shape) == ((2, 3), (2, 1, 6))
 
 
-def test_periods_differ_by_a_twentieth_and_presses_anywhere_begin_with_rest(monkeypatch):
-    made = traces()
-    case = SimpleNamespace(squeezed=False, face=np.array([3]), xy_mm=np.zeros((1, 2)))
-    monkeypatch.setattr(collection_recipe, "contact_traces", lambda *given: made)
-    monkeypatch.setattr(
-        collection_recipe,
-        "Recipe",
-        lambda cases, traces, pull, peak, turns, moving: SimpleNamespace(
-            peak_mm=peak, turns=turns, moving=moving
-        ),
-    )
-    monkeypatch.setattr(collection_recipe, "peak_travel_mm", lambda *given: np.array([2.0, 2.0]))
-    asked = spec(non_contact_cases=1, frames_per_case=60)
-    rng = np.random.default_rng(0)
-    found = collection_recipe.periodic_recipe.__wrapped__(
-        asked, None, [case, case], None, rng, None
-    )
-    assert found.turns.shape == (3, 60)
-    period = 1 / np.diff(found.turns, axis=1)
-    assert_allclose(period, period[:, :1] * np.ones((1, 59)))
-    frames = asked.protocol.frames_per_press
-    assert (abs(period[:, 0] / frames - 1) <= 0.05).all()
-    assert np.ptp(period[:, 0]) > 0
-    assert ((found.turns[:, 0] >= 0) & (found.turns[:, 0] < 1)).all()
-    assert found.moving.all()
-    monkeypatch.setattr(collection_recipe, "random_case", lambda *given: case)
-    anywhere = collection_recipe.anywhere_recipe.__wrapped__(
-        spec(kind="continuous", presses=2, contacts=1), None, None, rng, None, None
-    )
-    rest = asked.protocol.rest_frames_per_press
-    assert anywhere.turns.shape == (2, rest + frames)
-    assert not anywhere.turns[:, :rest].any()
-    assert_allclose(np.diff(anywhere.turns[:, rest:], axis=1), 1 / frames)
-    assert anywhere.moving.tolist() == [False] * rest + [True] * frames
-    least, most = asked.protocol.peak_force_n
-    reached = np.minimum(2 * anywhere.peak_mm**1.5, 99)
-    assert ((reached >= min(least, 16.0) - 1e-6) & (reached <= most + 1e-6)).all()
-
-
 def test_pulls_point_anywhere_up_to_the_largest_share(monkeypatch):
     monkeypatch.setattr(collection_recipe, "slope_traces", lambda *given: "slopes")
     monkeypatch.setattr(collection_recipe, "Pull", lambda share, slopes: share)
     case = SimpleNamespace(face=np.array([3]), xy_mm=np.zeros((1, 2)))
     given = spec(kind="continuous", tangential_share=0.4)
-    share = collection_recipe._pull.__wrapped__(
+    share = collection_recipe.pull_of.__wrapped__(
         given, None, [case] * 400, "shear", np.random.default_rng(0)
     )
     size = np.linalg.norm(share, axis=1)

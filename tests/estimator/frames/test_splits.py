@@ -177,7 +177,7 @@ def test_of_two_presses_the_spare_ones_go_to_validation_and_test_by_their_shares
     ],
 )
 def test_members_are_shared_out_by_the_largest_remainder(count, shares, sizes):
-    found = splits._parts(count, shares)
+    found = splits.split_parts(count, shares)
     assert np.bincount(found, minlength=3).tolist() == sizes
     assert (np.diff(found) >= 0).all()
 
@@ -187,19 +187,19 @@ def test_a_press_shows_the_case_of_most_of_its_frames():
         press_id=np.array([7, 7, 7, 7, 2, 2, 2, 9, 9]),
         place_id=np.array([-1, 4, 5, 5, 4, 5, -1, -1, -1]),
     )
-    presses, places = splits._press_places.__wrapped__(given)
+    presses, places = splits.press_places.__wrapped__(given)
     assert (presses.tolist(), places.tolist()) == ([2, 7, 9], [4, 5, -1])
     given.place_id[:] = -1
-    assert splits._press_places.__wrapped__(given)[1].tolist() == [-1, -1, -1]
+    assert splits.press_places.__wrapped__(given)[1].tolist() == [-1, -1, -1]
 
 
 def test_an_empty_part_gets_a_lone_press_of_the_most_crowded_one():
     part = np.array([0, 0, 0, 1, 1])
     single = np.array([False, True, False, True, False])
-    assert splits._fill_empty(part, single).tolist() == [0, 2, 0, 1, 1]
-    assert splits._fill_empty(part, 0 * single > 0).tolist() == [0, 0, 2, 1, 1]
-    assert splits._fill_empty(np.zeros(3, int), np.zeros(3, bool)).tolist() == [0, 2, 1]
-    assert splits._fill_empty(np.array([2, 2, 1, 0]), np.ones(4, bool)).tolist() == [2, 2, 1, 0]
+    assert splits.fill_empty(part, single).tolist() == [0, 2, 0, 1, 1]
+    assert splits.fill_empty(part, 0 * single > 0).tolist() == [0, 0, 2, 1, 1]
+    assert splits.fill_empty(np.zeros(3, int), np.zeros(3, bool)).tolist() == [0, 2, 1]
+    assert splits.fill_empty(np.array([2, 2, 1, 0]), np.ones(4, bool)).tolist() == [2, 2, 1, 0]
 
 
 def test_every_contact_case_is_held_out_by_some_seed(frames):

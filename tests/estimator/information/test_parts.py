@@ -60,7 +60,7 @@ def test_the_nearest_force_is_that_of_the_foot_on_the_nearest_curve():
     curve = np.array([[[0.0, 0], [4, 0], [8, 0]], [[0, 0], [0, 2], [3, 2]]])
     force = np.array([[0.0, 1.0, 5.0], [0.0, 2.0, 8.0]])
     points = np.array([[3.0, -1.0], [6.0, 0.5], [-1.0, -1.0], [99.0, 0.0], [0.1, 1.0], [1.0, 2.5]])
-    found = cross_face._nearest_force(points, curve, force)
+    found = cross_face.nearest_force(points, curve, force)
     assert_allclose(found, [0.75, 3.0, 0.0, 5.0, 1.0, 4.0])
 
 
@@ -84,7 +84,7 @@ def judged(channels, spec, whitened, sets):
         identifiability.FaceJacobians(number, part, np.arange(3) + 3 * row)
         for row, (number, part) in enumerate(zip((3, 5), whitened, strict=True))
     )
-    return identifiability._judge.__wrapped__(spec, faces, np.arange(2), sets, 1, channels)
+    return identifiability.judge_sets.__wrapped__(spec, faces, np.arange(2), sets, 1, channels)
 
 
 def test_a_judgement_tells_ranks_of_sets_that_exist(monkeypatch):
@@ -92,7 +92,7 @@ def test_a_judgement_tells_ranks_of_sets_that_exist(monkeypatch):
     monkeypatch.setattr(
         identifiability, "contact_grid", lambda spec: SimpleNamespace(xy_mm=np.eye(2))
     )
-    monkeypatch.setattr(identifiability, "_worst", lambda *given: "worst")
+    monkeypatch.setattr(identifiability, "worst_set", lambda *given: "worst")
     monkeypatch.setattr(identifiability, "Identifiability", lambda *given: given)
     spec = SimpleNamespace(limits=SimpleNamespace(position_bound_mm=0.8))
     gains = np.array([[1.0, 2.0], [4.0, 0.0]])
@@ -148,8 +148,10 @@ def test_a_face_that_is_no_rectangle_has_edges_and_no_corners():
 
 def test_ends_along_an_axis_have_no_neighbour_on_one_side():
     there = np.array([[1, 0], [1, 1], [1, 0], [0, 1]], bool)
-    assert_array_equal(scores._ends(there, 0), np.array([[1, 0], [0, 1], [1, 0], [0, 1]], bool))
-    assert_array_equal(scores._ends(there, 1), there)
+    assert_array_equal(
+        scores.end_frames(there, 0), np.array([[1, 0], [0, 1], [1, 0], [0, 1]], bool)
+    )
+    assert_array_equal(scores.end_frames(there, 1), there)
 
 
 def test_values_stand_at_the_places_that_a_face_has():
@@ -174,7 +176,7 @@ def test_values_stand_at_the_places_that_a_face_has():
     ],
 )
 def test_thirds_keep_equal_values_together(values, groups):
-    found = weak_areas._thirds(np.array(values, float))
+    found = weak_areas.thirds_of(np.array(values, float))
     assert [np.flatnonzero(some).tolist() for some in found] == groups
 
 

@@ -10,7 +10,7 @@ from scipy.stats import spearmanr
 
 from design.errors import InputError
 from design.layout.places.contact_grid import contact_grid
-from estimator.information.scores import _COVARIANCE_SAMPLES, _sensitivities
+from estimator.information.scores import COVARIANCE_SAMPLES, sensitivities
 from estimator.information.sensitivity import (
     channel_noise,
     covariance_sensitivity,
@@ -67,8 +67,8 @@ def test_equivalent_ranks_places_as_the_exact_hull_at_30_frames(place_traces):
 
 def test_scaled_delta_is_over_the_whole_change_of_every_channel(place_traces):
     peak = np.full(len(place_traces.force_n), 6.0)
-    press = periodic_press(place_traces, peak, _COVARIANCE_SAMPLES)
-    found = _sensitivities(press, peak, NOISE)
+    press = periodic_press(place_traces, peak, COVARIANCE_SAMPLES)
+    found = sensitivities(press, peak, NOISE)
     raw = covariance_sensitivity(press, peak, NOISE)
     assert_allclose(found["delta_scaled"], raw.scaled(np.ptp(press, axis=(0, 1)) + 6 * NOISE).delta)
 

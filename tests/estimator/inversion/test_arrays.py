@@ -40,8 +40,8 @@ def test_many_frames_are_read_on_a_card_with_the_same_contacts_and_few_are_not(f
     monkeypatch.setattr(reading, "card_tensor", lambda: asked.append(1) or TENSOR)
     by_numpy = free.read(frames)
     assert not asked
-    monkeypatch.setattr(reading, "_MANY", len(frames))
-    monkeypatch.setattr(reading, "_ON_A_CARD", 4)
+    monkeypatch.setattr(reading, "MANY_FRAMES", len(frames))
+    monkeypatch.setattr(reading, "FRAMES_ON_A_CARD", 4)
     by_torch = free.read(frames)
     assert asked
     assert isinstance(free.search_for(len(frames)).reference, torch.Tensor)
@@ -102,7 +102,7 @@ def test_what_contacts_do_to_each_other_is_the_same(changes, plain):
     face, contact = contacts(np.random.default_rng(6), 4, 3)
     wanted = model.interaction(face, contact)
     there = model.on(TENSOR)
-    assert there._plain == plain
+    assert there.plain == plain
     found = there.interaction(torch.as_tensor(face), torch.as_tensor(contact))
     assert isinstance(found, torch.Tensor)
     assert_allclose(found.numpy(), wanted, atol=1e-6 * np.abs(wanted).max())
@@ -117,7 +117,7 @@ def test_presses_to_begin_with_are_the_same(frames):
             search.model, search.priors, seen.on(kind), np.arange(2),
             np.array([[0, -1, -1], [1, 2, -1]]), np.full((2, 3, 3), 2.0), rounds=1, steps=1,
         )  # fmt: skip
-        gain, scale = search.dictionary._gains(search.model, seen.on(kind), start)
+        gain, scale = search.dictionary.gains_of(search.model, seen.on(kind), start)
         added = search.dictionary.added(search.model, seen.on(kind), start, False)
         searches.append([np.asarray(part) for part in (gain, scale, *added)])
     for one, other in zip(*searches, strict=True):

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from estimator.information.fisher import disturbance_counts
 from estimator.information.identifiability import identifiability
-from estimator.inversion.blind_start import _known_number, blind_starts, save_identifiability
+from estimator.inversion.blind_start import blind_starts, known_number, save_identifiability
 from estimator.inversion.model.noise import BLIND
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import Priors
@@ -135,5 +135,5 @@ def test_a_known_number_of_tips_is_anywhere_on_the_face_and_two_radii_apart():
     model = SimpleNamespace(
         bounds=(np.array([-9.0, -7.0, 0.05]), np.array([9.0, 7.0, 11.5])), area_mm2=252.0
     )
-    found = _known_number.__wrapped__(SPEC, model, 2)
+    found = known_number.__wrapped__(SPEC, model, 2)
     assert found == Priors((0.0, 0.0, 1.0), 1, 252.0, (0.1, 11.5), 9.0)

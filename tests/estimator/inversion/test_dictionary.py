@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from estimator.inversion.model.dictionary import Dictionary, _probes, probe_tips_mm
+from estimator.inversion.model.dictionary import Dictionary, probe_shapes, probe_tips_mm
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.priors import Priors
 
@@ -62,7 +62,7 @@ def least(white, columns):
 def test_a_press_gains_what_it_lowers_the_misfit_by_once_own_contacts_may_shift():
     """Its force within 0.3 to 2.5 times the dictionary's."""
     made, level = book(), Level()
-    gain, scale = made._gains.__wrapped__(made, Model(), Seen(), level)
+    gain, scale = made.gains_of.__wrapped__(made, Model(), Seen(), level)
     for row, frame in enumerate(level.frame):
         own = level.number[row]
         singles = Model().singles(level.face[row : row + 1, :2], None)[0] if own else None
@@ -84,7 +84,7 @@ def test_a_press_gains_what_it_lowers_the_misfit_by_once_own_contacts_may_shift(
 
 
 def test_presses_are_one_start_within_6_mm_on_their_face_and_of_as_many_tips():
-    near = book()._near(np.array([0, 4, 5]))
+    near = book().near_rows(np.array([0, 4, 5]))
     assert near[0].tolist() == [True, True, False, True, False, False]
     assert near[1].tolist() == [False, False, False, False, True, False]
     assert near[2].tolist() == [False] * 5 + [True]
@@ -92,7 +92,7 @@ def test_presses_are_one_start_within_6_mm_on_their_face_and_of_as_many_tips():
 
 def test_a_press_is_placed_in_the_first_empty_slots_with_its_force_scaled():
     made, level = book(), Level()
-    rows, face, contact = Dictionary._placed.__wrapped__(
+    rows, face, contact = Dictionary.placed_sets.__wrapped__(
         made, level, np.array([0, 1]), np.array([5, 3]), np.array([2.0, 0.5])
     )
     assert rows.tolist() == [0, 1]
@@ -105,8 +105,8 @@ def test_a_press_is_placed_in_the_first_empty_slots_with_its_force_scaled():
 def test_sets_grow_by_the_best_presses_that_stand_apart_and_find_room(monkeypatch):
     made, level = book(), Level()
     gain = np.array([[5.0, 4.0, 3.0, 2.0, 1.0, 6.0], [1.0, 2.0, 4.0, -1.0, 3.0, 9.0]])
-    monkeypatch.setattr(Dictionary, "_placed", Dictionary._placed.__wrapped__)
-    monkeypatch.setattr(Dictionary, "_gains", lambda *given: (gain.copy(), np.ones_like(gain)))
+    monkeypatch.setattr(Dictionary, "placed_sets", Dictionary.placed_sets.__wrapped__)
+    monkeypatch.setattr(Dictionary, "gains_of", lambda *given: (gain.copy(), np.ones_like(gain)))
     rows, faces, contacts = made.added.__wrapped__(made, Model(), Seen(), level, False)
     of = [
         [contacts[k, level.number[r]].tolist()[:2] for k in np.flatnonzero(rows == r)]
@@ -124,7 +124,7 @@ def test_sets_grow_by_the_best_presses_that_stand_apart_and_find_room(monkeypatc
 
 def test_probes_are_turned_by_eighths_of_what_makes_them_alike():
     priors = Priors((0.5, 0.5), 1, 100.0, (0.0, 1.0), spacing_mm=(15.0, 20.0))
-    found = _probes(priors)
+    found = probe_shapes(priors)
     assert found[0] == (1, 0.0)
     assert found[1:9] == [(2, pytest.approx(np.pi * k / 8)) for k in range(8)]
     assert found[9:] == [(3, pytest.approx(2 * np.pi / 3 * k / 8)) for k in range(8)]

@@ -10,8 +10,8 @@ from estimator.inversion.priors import (
     Pairs,
     Priors,
     Quadratic,
-    _fitting,
-    _jaws,
+    fitting_sets,
+    jaw_pairs,
     log_density,
     log_paired,
     widths,
@@ -71,8 +71,8 @@ def test_jaws_are_two_faces_that_alone_are_pressed():
         [[0, 0, 1, NONE], [3, 1, 3, 1], [2, 2, NONE, NONE], [0, 1, 2, NONE], [NONE] * 4]
     )
     wanted = [[1, 1, -1, 0], [1, -1, 1, -1], [0] * 4, [0] * 4, [0] * 4]
-    assert_allclose(_jaws(face), wanted)
-    assert_allclose(_jaws(torch.as_tensor(face)).numpy(), wanted)
+    assert_allclose(jaw_pairs(face), wanted)
+    assert_allclose(jaw_pairs(torch.as_tensor(face)).numpy(), wanted)
 
 
 @pytest.mark.parametrize("priors", [FREE, PROBES, JAWS], ids=["free", "probes", "jaws"])
@@ -156,11 +156,11 @@ def test_places_and_turns_of_a_probe_that_fit_are_those_drawn(tips, spacing_mm, 
         way = turn + other * np.pi / 3
         place = first + spacing_mm * np.stack([np.cos(way), np.sin(way)], axis=1)
         fits &= np.all((place > 0) & (place < side_mm), axis=1)
-    assert_allclose(_fitting(tips, spacing_mm, side_mm), fits.mean(), rtol=0.02)
+    assert_allclose(fitting_sets(tips, spacing_mm, side_mm), fits.mean(), rtol=0.02)
 
 
 def test_a_probe_too_large_for_a_square_face_fits_in_few_ways():
-    assert _fitting(3, 20.0, 15.0) == 0.01
+    assert fitting_sets(3, 20.0, 15.0) == 0.01
 
 
 def test_contacts_apart_are_denser_by_the_sets_that_overlap():
@@ -202,7 +202,7 @@ def test_probes_drawn_as_they_are_known_are_as_dense_as_the_prior_says():
         third = normal**2 * np.sin(np.pi / 3) / sides if tips > 2 else 1.0
         # even in the sum; logarithms normal across it: d(sum) = sqrt(tips) d(along), d(force) = force d(log)
         across = (tips / whole / np.sqrt(2 * np.pi) / spread) ** (tips - 1) * np.sqrt(tips)
-        fitting = _fitting(tips, apart, 40.0) if tips > 1 else 1.0
+        fitting = fitting_sets(tips, apart, 40.0) if tips > 1 else 1.0
         drawn = priors.number[tips] * orders / 1600 * second * third * across / 10 / fitting
         assert_allclose(np.exp(log_density(priors, face, contact)), drawn, rtol=1e-9)
 

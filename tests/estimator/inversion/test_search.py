@@ -173,6 +173,6 @@ def test_the_best_set_gets_the_contact_that_it_lacks_when_it_is_revisited(free):
     lacking = np.where(np.arange(6) < 2, face, -1)
     search = free.search
     start = most_probable(free.model, free.priors, seen, np.arange(4), lacking, contact)
-    found = search._revisited(seen, search.judged(start))
+    found = search.revisited(seen, search.judged(start))
     best = found.problems.select(found.best())
     assert np.array_equal(np.sort(best.face, axis=1), np.sort(face, axis=1))

@@ -8,10 +8,10 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from estimator.inversion import evidence, posterior, readings, search
-from estimator.inversion.blind_start import _summary, _worst_mm
+from estimator.inversion.blind_start import summary_of, worst_mm
 from estimator.inversion.evidence import bounded_curvature
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.priors import Priors, _fitting, _standing
+from estimator.inversion.priors import Priors, fitting_sets, standing_probes
 from estimator.inversion.problems import Observed, Problems, empty
 from estimator.inversion.search import Hypotheses, Search
 from estimator.inversion.tracking import Tracker
@@ -80,12 +80,12 @@ def test_the_sets_of_least_misfit_of_each_number_go_on_equal_ones_once():
     sets = problems(
         [0, 0, 0, 0, 0, 1], [ONE, ONE, ONE, TWO, ONE, ONE], [5.0, 3.0, 3.04, 9.0, 4.0, 7.0]
     )
-    assert search._best_of_frame(sets, 2).tolist() == [1, 4, 3, 5]
-    assert search._best_of_frame(sets, 1).tolist() == [1, 3, 5]
-    assert search._best_of_frame(sets, 9).tolist() == [1, 4, 0, 3, 5]
+    assert search.best_of_frame(sets, 2).tolist() == [1, 4, 3, 5]
+    assert search.best_of_frame(sets, 1).tolist() == [1, 3, 5]
+    assert search.best_of_frame(sets, 9).tolist() == [1, 4, 0, 3, 5]
     near = problems([0, 0], [ONE, ONE], [3.0, 3.06])
-    assert search._best_of_frame(near, 2).tolist() == [0, 1]
-    assert search._first_of_frame(np.array([1, 0, 1, 0]), np.array([4.0, 2, 3, 5])).tolist() == [
+    assert search.best_of_frame(near, 2).tolist() == [0, 1]
+    assert search.first_of_frame(np.array([1, 0, 1, 0]), np.array([4.0, 2, 3, 5])).tolist() == [
         1,
         2,
     ]
@@ -93,7 +93,7 @@ def test_the_sets_of_least_misfit_of_each_number_go_on_equal_ones_once():
 
 def test_a_contact_is_halved_into_two_a_dozen_millimetres_apart_four_ways():
     level = problems([7, 8], [ONE, [0, 1, 0]], [0, 0])
-    frame, face, contact, extra = search._halves(level)
+    frame, face, contact, extra = search.half_contacts(level)
     assert frame.tolist() == [7, 7, 7, 7]
     assert_array_equal(face, np.tile([0, 0, NONE], (4, 1)))
     was = level.contact[0, 0]
@@ -102,7 +102,7 @@ def test_a_contact_is_halved_into_two_a_dozen_millimetres_apart_four_ways():
         assert_allclose(one[0], [*(was[:2] + step), was[2] / 2])
         assert_allclose(one[1], [*(was[:2] - step), was[2] / 2])
     assert extra.shape == (4, CHANNELS)
-    two = search._halves(problems([3], [TWO], [0]))
+    two = search.half_contacts(problems([3], [TWO], [0]))
     assert len(two[0]) == 8
     assert_array_equal(two[1][0], [0, 1, 0])
     assert_array_equal(two[1][4], [0, 1, 1])
@@ -111,7 +111,7 @@ def test_a_contact_is_halved_into_two_a_dozen_millimetres_apart_four_ways():
 def test_filled_slots_come_first_in_their_order():
     face = np.array([[NONE, 1, 0], [0, NONE, 1]])
     contact = np.arange(18.0).reshape(2, 3, 3)
-    packed, moved = search._packed(face, contact)
+    packed, moved = search.packed_slots(face, contact)
     assert_array_equal(packed, [[1, 0, NONE], [0, 1, NONE]])
     assert_array_equal(moved[:, :2], [contact[0, 1:], contact[1, [0, 2]]])
 
@@ -123,10 +123,10 @@ def test_sets_go_on_while_more_is_left_than_noise_and_a_contact_could_gain():
     given.__dict__.update(model=model, priors=PRIORS)
     level = problems([0, 0, 0, 1], [ONE, ONE, TWO, [0, 1, 0]], [23.4, 23.3, 22.3, 900.0])
     judged = Hypotheses(level, np.array([0.0, 0.0, 0.0, 0.0]))
-    assert given._hopeful(judged, np.array([0.0, 0.0])).tolist() == [True, False, True, False]
+    assert given.hopeful(judged, np.array([0.0, 0.0])).tolist() == [True, False, True, False]
     # the second frame's set is full; evidence far below the best cannot be made good
-    assert not given._hopeful(judged, np.array([2.1, 0.0])).any()
-    assert given._hopeful(judged, np.array([2.03, 0.0])).tolist() == [False, False, True, False]
+    assert not given.hopeful(judged, np.array([2.1, 0.0])).any()
+    assert given.hopeful(judged, np.array([2.03, 0.0])).tolist() == [False, False, True, False]
 
 
 def test_of_two_jaws_with_known_probes_none_looks_for_a_third_face():
@@ -140,19 +140,19 @@ def test_of_two_jaws_with_known_probes_none_looks_for_a_third_face():
         (jaws, [True, True]),
     ):
         given.__dict__.update(model=SimpleNamespace(channels=60), priors=priors)
-        assert given._bears_more(level).tolist() == grow
+        assert given.bears_more(level).tolist() == grow
 
 
 def test_slots_are_cut_and_widened_with_ones_on_the_diagonal():
-    assert posterior._used_slots(np.array([[0, NONE, NONE], [NONE, 1, NONE]])) == 2
-    assert posterior._used_slots(np.full((2, 3), NONE)) == 1
+    assert posterior.used_slots(np.array([[0, NONE, NONE], [NONE, 1, NONE]])) == 2
+    assert posterior.used_slots(np.full((2, 3), NONE)) == 1
     narrow = problems([0], [[0]], [1.0])
-    wide = posterior._widened(narrow, 3)
+    wide = posterior.widened_covariance(narrow, 3)
     assert_array_equal(wide.face, [[0, NONE, NONE]])
     assert_array_equal(wide.contact[0, 0], narrow.contact[0, 0])
     assert not wide.contact[0, 1:].any()
     assert_array_equal(wide.curvature[0], np.diag([2.0] * 3 + [1.0] * 6))
-    assert posterior._widened(narrow, 1) is narrow
+    assert posterior.widened_covariance(narrow, 1) is narrow
 
 
 def test_contacts_are_held_within_table_and_prior():
@@ -167,8 +167,8 @@ def test_contacts_are_held_within_table_and_prior():
 
 
 def _held(model, priors, contact):
-    hold = object.__new__(posterior._Hold)
-    posterior._Hold.__init__.__wrapped__(hold, model, priors, contact)
+    hold = object.__new__(posterior.HeldBounds)
+    posterior.HeldBounds.__init__.__wrapped__(hold, model, priors, contact)
     return hold(np.array([[0, 1]]), contact)
 
 
@@ -176,7 +176,7 @@ def test_a_damped_step_is_marquardts():
     curvature = np.array([[[4.0, 1.0, 0], [1.0, 3.0, 0], [0, 0, 2.0]]])
     slope, damping = np.array([[1.0, -2.0, 0.5]]), np.array([0.5])
     wanted = -np.linalg.solve(curvature[0] + 0.5 * np.diag([4.0, 3.0, 2.0]), slope[0])
-    assert_allclose(posterior._step(slope, curvature, damping)[0], wanted, rtol=1e-6)
+    assert_allclose(posterior.damped_step(slope, curvature, damping)[0], wanted, rtol=1e-6)
 
 
 def test_mass_beyond_bounds_of_places_and_forces_does_not_count():
@@ -234,28 +234,28 @@ def test_tips_of_a_known_probe_are_as_dense_as_their_ring_and_points():
     two = np.log(500 / (2 * np.pi * 15 * wide))
     crossing = np.log(500 * np.sin(np.pi / 3) / (2 * wide**2))
     three = np.log(500 / (2 * np.pi * 20 * wide)) + crossing
-    two -= np.log(_fitting(2, 15.0, np.sqrt(500)))
-    three -= np.log(_fitting(3, 20.0, np.sqrt(500)))
-    assert_allclose(_standing(priors)[:4], [0, 0, two, three])
-    assert np.isneginf(_standing(priors)[4])
+    two -= np.log(fitting_sets(2, 15.0, np.sqrt(500)))
+    three -= np.log(fitting_sets(3, 20.0, np.sqrt(500)))
+    assert_allclose(standing_probes(priors)[:4], [0, 0, two, three])
+    assert np.isneginf(standing_probes(priors)[4])
 
 
 def test_the_worst_contact_is_that_of_the_nearest_pairing():
     found = np.array([[[0.0, 0], [10, 0]], [[1.0, 0], [2.0, 0]]])
     true = np.array([[[10.0, 3], [0, 4]], [[1.0, 0], [2.0, 5.0]]])
-    assert_allclose(_worst_mm(found, true), [4.0, 5.0])
+    assert_allclose(worst_mm(found, true), [4.0, 5.0])
 
 
 def test_a_summary_of_blind_starts_tells_ranks_and_their_range():
     spec = SimpleNamespace(seed=3, limits=SimpleNamespace(position_bound_mm=2.0))
     distance = np.concatenate([np.full(60, 1.0), np.full(30, 2.0), np.full(9, 7.0), [np.inf]])
-    found = _summary.__wrapped__(spec, distance, 2, 3, "own")
+    found = summary_of.__wrapped__(spec, distance, 2, 3, "own")
     assert (found.contacts, found.sensors, found.blind_frames) == (2, 3, 100)
     assert (found.blind_median_mm, found.blind_90_mm) == (1.0, 2.0)
     assert found.blind_share_within_limit == pytest.approx(0.9)
     assert (found.blind_median_low_mm, found.blind_median_high_mm) == (1.0, 1.0)
     wide = np.concatenate([np.full(51, 1.0), np.full(49, 5.0)])
-    found_wide = _summary.__wrapped__(spec, wide, 2, 3, "own")
+    found_wide = summary_of.__wrapped__(spec, wide, 2, 3, "own")
     assert (found_wide.blind_median_low_mm, found_wide.blind_median_high_mm) == (1.0, 5.0)
     # the share of a hundred draws has a deviation of 0.03: nine tenths lie within ±0.05
     assert found.blind_share_low == pytest.approx(0.85, abs=0.011)

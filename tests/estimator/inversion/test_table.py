@@ -30,7 +30,7 @@ def made():
         (1 + face) * polynomial(*np.broadcast_arrays(*GRID.xy_mm.T[:, :, None], FORCE_N))[..., 0, :]
         for face in range(2)
     ]
-    return table._table(np.array([3, 5]), GRID, FORCE_N, np.stack(values))
+    return table.force_table(np.array([3, 5]), GRID, FORCE_N, np.stack(values))
 
 
 def test_values_and_slopes_of_polynomials_are_exact_on_every_face():
@@ -55,7 +55,7 @@ def test_forces_stand_evenly_in_their_root_up_to_the_hardest_place():
     force = np.array([[[1.0, 9.0], [2.0, 4.0]], [[1.0, 8.0], [1.0, 99.0]]])
     pressed = np.array([[True, True], [True, False]])
     signals = SimpleNamespace(force_n=force, pressed=pressed)
-    nodes = table._force_nodes.__wrapped__(signals)
+    nodes = table.force_nodes.__wrapped__(signals)
     assert_allclose(nodes, FORCE_N, atol=1e-12)
     assert len(nodes) == 14
     assert_allclose(made().largest_force_n, 9.0)
@@ -65,7 +65,7 @@ def test_beyond_its_deepest_press_a_place_goes_on_along_the_slope_at_its_end():
     force = np.array([[0.0, 1.0, 2.0, 4.0]])
     counts = np.stack([3 * force, force**2], axis=-1)
     traces = Traces(np.arange(4.0), force, counts, np.zeros((1, 4), bool))
-    found = table._at_forces(traces, np.array([0.0, 2.0, 4.0, 6.0]))
+    found = table.at_forces(traces, np.array([0.0, 2.0, 4.0, 6.0]))
     assert_allclose(found[0, :, 0], [0, 6, 12, 18], atol=1e-9)
     slope = (16 - found_at(traces, 3.92)) / 0.08
     assert_allclose(found[0, :, 1], [0, 4, 16, 16 + 2 * slope], atol=1e-6)

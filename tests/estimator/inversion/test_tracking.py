@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from estimator.deploy.live_contacts import LiveContacts, _of_one
+from estimator.deploy.live_contacts import LiveContacts, contacts_of_one
 from estimator.inversion.model.noise import BLIND, MESH_ERROR, SUM_ERROR, design_error, disturbances
 from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
@@ -67,8 +67,8 @@ def test_odds_of_the_last_try_stand_while_the_next_one_waits(monkeypatch):
         tried.append(len(told))
         return same, np.array([0.6])
 
-    monkeypatch.setattr(tracker, "_faint", lambda _: True)
-    monkeypatch.setattr(tracker, "_changed", changed)
+    monkeypatch.setattr(tracker, "faint_contacts", lambda _: True)
+    monkeypatch.setattr(tracker, "has_changed", changed)
     counts, told = np.zeros(inverted().model.channels), []
     for _ in range(6):
         told.append(float(tracker.feed(counts).odds[0]))
@@ -94,7 +94,7 @@ def test_jaws_get_their_tips_together_and_a_third_contact_needs_more_than_noise(
     of_jaws = found.problems.select(found.best())
     for estimator, anew in ((free, 0), (jaws, 1)):
         tracker = Tracker(estimator)
-        tracker._changed(seen, of_jaws)
+        tracker.has_changed(seen, of_jaws)
         assert tracker.seen_anew == anew
 
 
@@ -153,7 +153,7 @@ def test_a_still_level_and_its_opposite_are_read_each_by_itself():
     face[0, :2], contact[0, :2] = [2, 4], [[2.0, 3.0, 6.0], [-3.0, 1.0, 6.0]]
     (counts,) = noisy_counts(inverted(), face, contact, np.random.default_rng(4))
     reader = LiveContacts(inverted(), "none")
-    read = [reader._read_still(sign * counts) for sign in (1, -1) * 6]
+    read = [reader.read_still(sign * counts) for sign in (1, -1) * 6]
     assert read[0::2] == [read[0]] * 6
     assert read[1::2] == [read[1]] * 6
     assert read[0][1] > 3.0
@@ -165,7 +165,7 @@ def test_at_rest_a_contact_is_unlikely():
     face[4:, 0], contact[4:, 0] = 1, [2.0, -4.0, 5.0]
     counts = noisy_counts(inverted(), face, contact, np.random.default_rng(2))
     reader = LiveContacts(inverted(), "none")
-    share, force = np.transpose([reader._read_still(frame) for frame in counts])
+    share, force = np.transpose([reader.read_still(frame) for frame in counts])
     assert (share[:4] < 0.5).all()
     assert (share[4:] > 0.5).all()
     assert ((share >= 0) & (share <= 1)).all()
@@ -264,6 +264,6 @@ def test_a_file_whose_description_is_another_is_one_error(tmp_path, name, value)
 
 
 def test_an_answer_while_zeroing_takes_one_contact_for_as_likely_as_none():
-    found = _of_one(inverted())
+    found = contacts_of_one(inverted())
     assert found.priors.number == (0.5, 0.5)
     assert found.priors.most == 1

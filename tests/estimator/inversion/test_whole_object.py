@@ -107,7 +107,7 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
         given.append(seen)
         return Found(seen[0])
 
-    monkeypatch.setattr(Inversion, "_read", Inversion._read.__wrapped__)
+    monkeypatch.setattr(Inversion, "read_part", Inversion.read_part.__wrapped__)
     monkeypatch.setattr(Inversion, "search_for", lambda self, frames: self.search)
     monkeypatch.setattr(module, "among_sets", lambda found, best, priors: (found, best))
     monkeypatch.setattr(

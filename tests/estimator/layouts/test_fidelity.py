@@ -97,26 +97,6 @@ def test_disturbance_of_neighbours_is_that_of_all_magnets_exactly(spec, motions,
     assert worst_median_error(spec, motions, scorer) < DISTURBANCE_TOLERANCE
 
 
-FAULTS = {
-    "pressed face's magnets left out": lambda p: replace(
-        p, own=replace(p.own, rows=torch.zeros_like(p.own.rows))
-    ),
-    "neighbour's own magnets left out": lambda p: replace(
-        p, other=replace(p.other, rows=torch.zeros_like(p.other.rows))
-    ),
-    "turned the wrong way": lambda p: replace(p, turn=p.turn.transpose(1, 2)),
-    "neighbours mixed up": lambda p: replace(
-        p, turn=p.turn.roll(1, 0), shift_mm=p.shift_mm.roll(1, 0)
-    ),
-}
-
-
-@pytest.mark.parametrize("fault", FAULTS)
-def test_a_wrong_disturbance_is_caught(spec, motions, scorer, fault):
-    broken = replace(scorer, presses_of=(FAULTS[fault](scorer.presses),))
-    assert worst_median_error(spec, motions, broken) > 5 * DISTURBANCE_TOLERANCE
-
-
 def nearest_forces_n(spec, changes, own):
     """Force of the nearest own press of each change, searched on a fine grid of forces to 16 N.
 

@@ -58,7 +58,7 @@ def test_bounds_are_held_against_the_start_at_every_place_of_every_face():
     bounds = [rng.uniform(1, 2, (3, 4)), rng.uniform(1, 2, (3, 6))]
     before = [rng.uniform(1, 2, (5, 4)), rng.uniform(1, 2, (5, 6))]
     start = PlaceBounds(tuple(tensor(one) for one in before), 0.1)
-    found = batch_scores._over_start([tensor(one) for one in bounds], start)
+    found = batch_scores.bounds_over_start([tensor(one) for one in bounds], start)
     every = [
         np.concatenate(
             [(bound[layout] / old).ravel() for bound, old in zip(bounds, before, strict=True)]
@@ -83,7 +83,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
             scores[name] = tensor([force, force + 1])
         return scores
 
-    monkeypatch.setattr(batch_scores, "_scores_at_one_force", at_one_force)
+    monkeypatch.setattr(batch_scores, "scores_at_one_force", at_one_force)
     counts = [
         SimpleNamespace(largest_counts=tensor([n, 24.0]), kept_counts=tensor([9 - n, n]))
         for n in (3.0, 1.0, 12.0, 4.0)
@@ -104,7 +104,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
 
 def test_a_face_counts_as_often_as_the_faces_that_it_stands_for():
     one, other = SimpleNamespace(faces=3), SimpleNamespace(faces=1)
-    found = batch_scores._all_faces.__wrapped__(
+    found = batch_scores.all_faces.__wrapped__(
         [one, other], [tensor([[1.0, 2.0]]), tensor([[5.0]])]
     )
     assert found.tolist() == [[1, 2, 1, 2, 1, 2, 5]]
@@ -130,35 +130,8 @@ def test_a_recess_lies_under_its_board_as_deep_as_it_sinks():
     boards = SimpleNamespace(
         centre=tensor([[[3.3, 4.4]]]), radial=tensor([[[0.6, 0.8]]]), half_mm=(2.0, 1.5)
     )
-    centre, axes, half = curved._recesses.__wrapped__(Board(), layouts, boards)
+    centre, axes, half = curved.recess_boxes.__wrapped__(Board(), layouts, boards)
     deep = (Board.spec.core.recess_depth_mm + 0.3) / 2
     assert_allclose(centre, [[[1.0, 2.5, 10.0 - deep]]])
     assert_allclose(half, [[[2.0, 1.5, deep]]])
     assert_allclose(axes[0, 0], np.eye(3)[[1, 0, 2]])
-
-
-@pytest.mark.parametrize("corner", [(1, 1), (1, -1), (-1, 1), (-1, -1)])
-def test_every_lower_corner_of_a_recess_keeps_a_wall_to_the_core_s_side(monkeypatch, corner):
-    """The core ends on the side of one corner, 0.4 mm from it: less than the printer's wall; upper
-    corners are in the open."""
-    half, centre = np.array([2.0, 1.5, 1.0]), np.array([0.5, -0.5, 5.0])
-    across = np.array([corner[0], corner[1], -1.0])
-    border = across @ (centre + half * across) + 0.4
-
-    def beyond_core_mm(spec, points):
-        return points @ across - border
-
-    monkeypatch.setattr(curved, "beyond_core_mm", beyond_core_mm)
-    layouts = SimpleNamespace(sensor_mm=tensor([[[3.0, 4.0]]]))
-    recess = tensor(centre)[None, None], torch.eye(3, dtype=torch.float64)[None, None]
-    found = curved._boards_past_edges.__wrapped__(
-        Board(), layouts, (*recess, tensor(half)[None, None])
-    )
-    wall = Board.spec.printer.wall_mm
-    assert wall > 0.4
-    assert_allclose(found, [wall - 0.4 + curved.SLACK_MM], rtol=1e-6)
-    further = SimpleNamespace(sensor_mm=tensor([[[6.0, 8.0]]]))
-    found = curved._boards_past_edges.__wrapped__(
-        Board(), further, (*recess, tensor(half)[None, None])
-    )
-    assert_allclose(found, [wall - 0.4 + 1.0 + 2 * curved.SLACK_MM], rtol=1e-6)

@@ -31,7 +31,7 @@ def check(*lattices, face=1, forces=2, spec=CUBE):
         places=press_lattice(spec),
         candidates=lattices,
     )
-    basis._check.__wrapped__(CUBE, motions, face)
+    basis.check_lattices.__wrapped__(CUBE, motions, face)
 
 
 def test_faces_that_are_alike_share_a_layout_and_one_face_is_enough():
@@ -65,7 +65,7 @@ def test_presses_must_be_those_of_the_contact_grid(grid):
 def test_weights_between_nodes_are_those_of_keys():
     """Cubes come back exactly only to second order: parabolas do, and the weights sum to one."""
     t = torch.linspace(0, 1, 7, dtype=torch.float64)[:, None].expand(-1, 3)
-    weights = mixed_rows._kernel(t)
+    weights = mixed_rows.cubic_kernel(t)
     nodes = torch.tensor([-1.0, 0.0, 1.0, 2.0], dtype=torch.float64)
     assert_allclose(weights.sum(dim=-1), 1)
     assert_allclose(weights @ nodes, t, atol=1e-12)
@@ -106,10 +106,10 @@ def test_compressed_rows_are_the_best_of_their_rank_with_rotations_weighed_by_fo
 def test_columns_are_scaled_by_the_rms_of_their_quantity(spec, motions, presses):
     """Derivatives by x, y and F and the motion itself then count alike in what is left out."""
     frame = next(one for one in face_frames(spec) if one.number == FACE)
-    of_modes = basis._press_derivatives(
+    of_modes = basis.press_derivatives(
         motions, FACE, spec.score.force_n, grid_places_in_lattice(spec)
     )
-    modes = basis._modes_of(motions, FACE, FACE - 1, frame.axes)
+    modes = basis.modes_of(motions, FACE, FACE - 1, frame.axes)
     own = np.einsum("cvr,rqp->cvqp", modes, of_modes)
     assert own.shape[2] == 4
     scale = np.repeat(np.sqrt(np.mean(own**2, axis=(0, 1, 3))), own.shape[3])
@@ -144,8 +144,8 @@ def test_derivatives_of_motions_that_are_parabolas_times_the_force_are_exact(mis
     )
     located = np.array([6, 8, 12, 16, 18])
     axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
-    of_modes = basis._press_derivatives.__wrapped__(motions, 5, 1.8, located)
-    turned = basis._modes_of.__wrapped__(motions, 5, 1, axes)
+    of_modes = basis.press_derivatives.__wrapped__(motions, 5, 1.8, located)
+    turned = basis.modes_of.__wrapped__(motions, 5, 1, axes)
     found = np.einsum("cvr,rqp->cvqp", turned, of_modes)
 
     def wanted(terms):
@@ -166,7 +166,7 @@ def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
     assert_allclose(most, wanted)
     inside = torch.stack([least, most])
     last = torch.tensor(presses.nodes) - 1.0
-    index, weight = mixed_rows._around(presses, torch.stack([0 * last, last]), inside)
+    index, weight = mixed_rows.rows_around(presses, torch.stack([0 * last, last]), inside)
     ny, nz = (n + 2 for n in presses.nodes[1:])
     for row, node in ((0, torch.ones(3)), (1, last + 1)):
         at = int(node @ torch.tensor([float(ny * nz), float(nz), 1.0]))
@@ -177,9 +177,9 @@ def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
             place = torch.stack([0 * last if beyond < 0 else last])
             place[0, axis] += beyond
             with pytest.raises(InputError):
-                mixed_rows._around(presses, place, inside[:1])
+                mixed_rows.rows_around(presses, place, inside[:1])
             place[0, axis] -= 0.75 * beyond
-            mixed_rows._around(presses, place, inside[:1])
+            mixed_rows.rows_around(presses, place, inside[:1])
 
 
 def test_places_of_the_grid_have_the_rows_of_those_that_a_face_has(presses):

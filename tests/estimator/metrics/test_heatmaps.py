@@ -99,7 +99,7 @@ def test_chunks_change_nothing(monkeypatch):
     rng = np.random.default_rng(0)
     predicted, true = rng.random((11, 5, 4)), rng.random((11, 5, 4))
     whole = align(predicted, true)
-    monkeypatch.setattr(alignment, "_CHUNK_FRAMES", 4)
+    monkeypatch.setattr(alignment, "CHUNK_FRAMES", 4)
     parts = align(predicted, true)
     assert_allclose(parts.similarity, whole.similarity, rtol=1e-12)
     assert_allclose(parts.displacement_px, whole.displacement_px, atol=0)
@@ -168,24 +168,6 @@ def test_undefined_predictions_are_counted():
     result = face_metrics(3, predicted, true, reference)
     assert result.undefined_frames == 1
     assert_allclose(result.location_error_px, 0.5, rtol=1e-12)
-
-
-@pytest.mark.parametrize("fault", ["transpose", "sign", "double"])
-def test_planted_faults_show(fault):
-    rng = np.random.default_rng(1)
-    true = np.zeros((20, 10, 10))
-    true[np.arange(20), rng.integers(0, 10, 20), rng.integers(0, 3, 20)] = rng.uniform(1, 9, 20)
-    wrong = {"transpose": true.transpose(0, 2, 1), "sign": -true, "double": 2 * true}[fault]
-    result = face_metrics(1, wrong, true, ForceReference(1.0, np.full((10, 10), 8.0)))
-    perfect = face_metrics(1, true, true, ForceReference(1.0, np.full((10, 10), 8.0)))
-    assert (perfect.similarity, perfect.location_error_px) == (pytest.approx(1), 0)
-    assert perfect.force_error_percent == 0
-    caught = {
-        "transpose": result.location_error_px > 1,
-        "sign": result.similarity < 0.5,
-        "double": result.force_error_percent > 10 and result.location_error_px == 0,
-    }
-    assert caught[fault]
 
 
 def test_force_reference_needs_a_contact():

@@ -79,16 +79,16 @@ def test_agreement_counts_cosines_shares_signs_and_size():
 
 
 def test_orders_of_chips_are_all_but_the_true_one():
-    orders = agreement._orders(3)
+    orders = agreement.chip_orders(3)
     assert len(orders) == len(set(orders)) == 5
     assert (0, 1, 2) not in orders
-    assert len(agreement._orders(6)) == 120
+    assert len(agreement.chip_orders(6)) == 120
 
 
 def test_the_radius_holds_the_wanted_share_about_the_better_centre():
     centre = np.array([[0.0, 0.0], [3.0, 0.0], [0.0, 4.0], [9.0, 0.0]])
     share = np.array([[0.6, 0.2, 0.15, 0.05], [0.95, 0.05, 0.0, 0.0], [0.5, 0.5, 0.0, 0.0]])
-    found = narrowest_intervals._radii(centre, share, 0.9)
+    found = narrowest_intervals.covering_radii(centre, share, 0.9)
     # first: about the likeliest 4.0, about the mean (1.05, 0.6) its third nearest
     mean = share[0] @ centre
     about_mean = np.sort(np.linalg.norm(centre - mean, axis=1))[2]
@@ -98,16 +98,16 @@ def test_the_radius_holds_the_wanted_share_about_the_better_centre():
 def test_the_halfwidth_holds_the_wanted_share_of_force_and_noise():
     force = np.array([1.0, 2.0, 3.0, 4.0, 5.0])
     share = np.array([[0.1, 0.2, 0.4, 0.2, 0.1]])
-    width = lambda cover, noise: narrowest_intervals._halfwidths(  # noqa: E731
+    width = lambda cover, noise: narrowest_intervals.covering_halfwidths(  # noqa: E731
         force, share.cumsum(axis=1), np.array([3.0]), cover, noise
     )[0]
     assert width(0.39, 0.0) == pytest.approx(0.0, abs=1e-6)
     assert width(0.41, 0.0) == pytest.approx(1.0, abs=1e-6)
     assert width(0.79, 0.0) == pytest.approx(1.0, abs=1e-6)
     assert width(0.81, 0.0) == pytest.approx(2.0, abs=1e-6)
-    alone = narrowest_intervals._halfwidths(force[2:3], np.ones((1, 1)), np.array([3.0]), 0.9, 0.5)[
-        0
-    ]
+    alone = narrowest_intervals.covering_halfwidths(
+        force[2:3], np.ones((1, 1)), np.array([3.0]), 0.9, 0.5
+    )[0]
     assert alone == pytest.approx(0.5 * ndtri(38.5 / 41), abs=1e-6)  # 37 of 41 nodes are 90 %
 
 
@@ -131,7 +131,9 @@ def test_maps_are_aligned_by_their_shortest_best_displacement():
 def test_a_tie_holds_the_wanted_share():
     """A quarter, a half and a quarter are exact: the middle one alone holds a half."""
     force, share = np.array([1.0, 2.0, 4.5]), np.array([[0.25, 0.5, 0.25]])
-    found = narrowest_intervals._halfwidths(force, share.cumsum(axis=1), np.array([2.0]), 0.5, 0.0)
+    found = narrowest_intervals.covering_halfwidths(
+        force, share.cumsum(axis=1), np.array([2.0]), 0.5, 0.0
+    )
     assert_allclose(found, 0, atol=1e-6)
 
 

@@ -60,7 +60,7 @@ def test_faint_shares_go_and_the_others_are_one_together():
     network.near.copy_(torch.eye(6))
     network.faint.fill_(0.2)
     share = torch.tensor([[0.5, 0.15, 0.1, 0.09, 0.16, 0.0]])
-    found = network._gathered(share, torch.log(share + 1e-30))
+    found = network.gathered(share, torch.log(share + 1e-30))
     kept = np.array([0.5, 0.15 * 0.5, 0.0, 0.0, 0.16 * 0.6, 0.0])
     assert_allclose(found[0], kept / kept.sum(), atol=1e-5)
 

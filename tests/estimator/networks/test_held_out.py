@@ -1,6 +1,5 @@
 """Widths of intervals, sharpness and slopes of novelty from held-out presses whose answers are made up."""
 
-import inspect
 from types import SimpleNamespace
 
 import numpy as np
@@ -45,7 +44,7 @@ def answered(press, rng, scale=1.0):
     off_n, off_mm = rng.normal(size=count), rng.normal(size=(count, 2))
     nothing = np.full(count, np.nan), np.full((count, 2), np.nan)
     away = true_mm + scale * spread_mm[:, None] * off_mm
-    return held_out._Answers(
+    return held_out.HeldOutFrames(
         press, true_n, true_mm, true_n + scale * spread_n * off_n, away, away, *nothing, *nothing,
         spread_n, spread_mm, rng.uniform(0.5, 3.0, count),
     )  # fmt: skip
@@ -66,12 +65,12 @@ def test_widths_cover_the_wanted_share_of_held_out_presses(monkeypatch, data, pr
     known = SimpleNamespace(
         scale=torch.tensor(1.0), force_slope_n=torch.tensor(1.0), place_slope_mm=torch.tensor(1.0)
     )
-    monkeypatch.setattr(held_out, "_answers", lambda *args: next(waiting))
+    monkeypatch.setattr(held_out, "held_out_answers", lambda *args: next(waiting))
     monkeypatch.setattr(held_out, "reference_of", lambda *args: known)
     monkeypatch.setattr(held_out, "slopes_at_places_left_out", lambda *args: slopes)
     monkeypatch.setattr(held_out, "ContactEstimator", lambda *args: made)
     monkeypatch.setattr(
-        held_out, "_blended_errors",
+        held_out, "blended_errors",
         lambda network, found, new: (
             abs(found.network_n - found.true_n),
             np.linalg.norm(found.network_mm - found.true_mm, axis=1),
@@ -107,31 +106,6 @@ def test_widths_cover_the_wanted_share_of_held_out_presses(monkeypatch, data, pr
         assert_allclose(float(getattr(made, name)), quantile(score, press, share), rtol=1e-5)
 
 
-def test_the_median_radius_is_a_tenth_of_a_pitch_at_least(monkeypatch, data):
-    given = answered(np.arange(40) // 4, np.random.default_rng(1), scale=1e-7)
-    made = SimpleNamespace(
-        forest=None, force_share=torch.tensor(0.0), place_shares=torch.zeros(3),
-        force_quantile=torch.tensor(1.0), position_quantile=torch.tensor(1.0),
-    )  # fmt: skip
-    known = SimpleNamespace(
-        scale=torch.tensor(1.0), force_slope_n=torch.tensor(1.0), place_slope_mm=torch.tensor(1.0)
-    )
-    monkeypatch.setattr(held_out, "_answers", lambda *args: given)
-    monkeypatch.setattr(held_out, "reference_of", lambda *args: known)
-    monkeypatch.setattr(held_out, "slopes_at_places_left_out", lambda *args: Slopes(0.0, 0.0))
-    monkeypatch.setattr(held_out, "ContactEstimator", lambda *args: made)
-    monkeypatch.setattr(
-        held_out,
-        "_blended_errors",
-        lambda network, found, new: (0 * found.true_n, 0 * found.true_n),
-    )
-    held_out.assembled.__wrapped__(
-        [SimpleNamespace(member=None)], data, None, None, CHANNELS, COVER, 0
-    )
-    assert_allclose(float(made.position_quantile) * np.median(given.spread_mm), 0.3, rtol=1e-6)
-    assert float(made.force_quantile) == 0.0
-
-
 def test_the_share_of_the_process_is_blended_with_what_the_network_says():
     """Forces that are right half by the network, half by the process; places of the heatmap alone."""
     rng = np.random.default_rng(2)
@@ -147,7 +121,9 @@ def test_the_share_of_the_process_is_blended_with_what_the_network_says():
     network = SimpleNamespace(
         forest=None, force_share=torch.tensor(9.0), place_shares=torch.full((3,), 9.0)
     )
-    missed, away = held_out._blended_errors.__wrapped__(network, held_out._Answers(**columns), new)
+    missed, away = held_out.blended_errors.__wrapped__(
+        network, held_out.HeldOutFrames(**columns), new
+    )
     assert_allclose(missed, 0, atol=1e-12)
     assert_allclose(away, 0, atol=1e-12)
     assert float(network.force_share) == 0.0
@@ -210,7 +186,7 @@ def left_out(monkeypatch, data, of_process, force_off=0.5, place_off=(0.6, 0.8))
 
         return answer
 
-    monkeypatch.setattr(coverage, "_PLACE_GROUPS", 6)
+    monkeypatch.setattr(coverage, "PLACE_GROUPS", 6)
     monkeypatch.setattr(coverage, "fit_forest", fitted)
     monkeypatch.setattr(coverage, "fit_process", fitted)
     monkeypatch.setattr(
@@ -240,7 +216,7 @@ def test_of_few_places_a_process_may_err_as_far_as_the_grid(monkeypatch, data):
     """70 % of 4 places need 0.7 × 5 = 3.5 of them: enough. 90 % would need 4.5."""
     slopes, _, _ = left_out(monkeypatch, data, of_process=True)
     assert_allclose(slopes.place_mm, 1.0, rtol=1e-6)
-    monkeypatch.setattr(coverage, "_radius_of_grid", lambda data, said, cover: 77.0 + cover)
+    monkeypatch.setattr(coverage, "radius_of_grid", lambda data, said, cover: 77.0 + cover)
     many = coverage.slopes_at_places_left_out.__wrapped__(
         data, CHANNELS, np.ones(2), 2.0, 0.9, 0, True
     )
@@ -276,9 +252,9 @@ def test_one_member_is_stopped_by_the_validation_part_several_by_a_fold_each(dat
     rows = np.arange(len(data))
     parts = [data.select(data.frames.press_id < 5), data.select(data.frames.press_id >= 5)]
     one = FitSettings(FACE, TrainingSpec(ensemble=1))
-    ((fitted, stopped),) = training._folds.__wrapped__(parts, one)
+    ((fitted, stopped),) = training.folds_of.__wrapped__(parts, one)
     assert (fitted, stopped) == (parts[0], parts[1])
-    folds = training._folds.__wrapped__(parts, FitSettings(FACE, TrainingSpec(ensemble=3)))
+    folds = training.folds_of.__wrapped__(parts, FitSettings(FACE, TrainingSpec(ensemble=3)))
     assert len(folds) == 3
     held = [set(part.frames.press_id.tolist()) for _, part in folds]
     assert set.union(*held) == set(data.frames.press_id.tolist())
@@ -306,30 +282,3 @@ def test_channels_are_those_that_are_alive_in_both_parts(data):
     silent = without(*((sensor, axis) for _, sensor, axis in every if (sensor, axis) != (0, 1)))
     with pytest.raises(InputError, match=f"no channel of face {FACE}"):
         training.common_channels([parts[0], silent], TrainingSpec())
-
-
-@pytest.mark.parametrize("started", [False, True])
-def test_a_member_that_goes_on_from_another_is_fitted_as_one(monkeypatch, data, started):
-    """What is learned from, by whom, and at which rate."""
-    fitted = []
-
-    def stop(*given):
-        fitted.append(given)
-        raise StopIteration
-
-    frames = data.frames
-    start = SimpleNamespace(channels=CHANNELS, network=SimpleNamespace(members=["one", "two"]))
-    monkeypatch.setattr(training, "_fit_member", stop)
-    monkeypatch.setattr(training, "prepared", lambda frames, name, settings: data)
-    monkeypatch.setattr(training, "_folds", lambda parts, settings: [(parts[0], parts[1])])
-    monkeypatch.setattr(training, "new_member", lambda *_: "new")
-    monkeypatch.setattr(training, "common_channels", lambda *_: CHANNELS)
-    monkeypatch.setattr(training, "_require_same_kind", lambda *_: None)
-    for name in ("filled_for", "_as_started"):
-        monkeypatch.setattr(training, name, lambda given, *_: given)
-    settings = FitSettings(FACE, TrainingSpec(ensemble=1))
-    with pytest.raises(StopIteration):
-        inspect.unwrap(training.fit_estimator)(frames, frames, settings, start if started else None)
-    member, number, one, other, channels, _, goes_on, counted = fitted[0]
-    assert (member, goes_on) == (("one", True) if started else ("new", False))
-    assert (number, one, other, channels, counted) == (0, data, data, CHANNELS, None)

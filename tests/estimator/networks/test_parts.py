@@ -20,8 +20,8 @@ from estimator.networks.network import (
     ContactEstimator,
     HeadsNetwork,
     Reading,
-    _with_force,
     heatmap_centre_mm,
+    with_force,
 )
 from estimator.networks.training import face as training
 from estimator.networks.training.face import FitSettings
@@ -48,7 +48,7 @@ def test_answers_are_blended_by_the_quarters_that_err_least(truth, shares):
     rng = np.random.default_rng(0)
     answers = [rng.normal(size=200) for _ in range(3)]
     wanted = truth(*answers)
-    found, error = held_out._least(answers, lambda blended: abs(blended - wanted))
+    found, error = held_out.least_cost(answers, lambda blended: abs(blended - wanted))
     assert found == shares
     blend = sum(share * answer for share, answer in zip(shares, answers, strict=True))
     assert_allclose(error, abs(blend - wanted))
@@ -58,7 +58,7 @@ def test_the_pitch_is_the_narrowest_step_of_both_axes():
     def data(x, y):
         return SimpleNamespace(frames=SimpleNamespace(grid_x_mm=np.array(x), grid_y_mm=np.array(y)))
 
-    pitch = held_out._pitch_mm.__wrapped__
+    pitch = held_out.pitch_mm.__wrapped__
     assert pitch(data([0.0, 3.0, 6.0], [0.0, 2.5, 7.0])) == 2.5
     assert pitch(data([0.0], [0.0])) == 1.0
 
@@ -73,7 +73,7 @@ def reading(heatmap, force):
 
 def test_another_force_scales_the_normal_heatmap_and_keeps_the_tangential_ones():
     maps = np.arange(24.0).reshape(2, 3, 2, 2)
-    found = _with_force(reading(maps, [2.0, 4.0]), torch.tensor([6.0, 2.0]))
+    found = with_force(reading(maps, [2.0, 4.0]), torch.tensor([6.0, 2.0]))
     assert_allclose(found.heatmap_n[:, :2], maps[:, :2])
     assert_allclose(found.heatmap_n[0, 2], 3 * maps[0, 2])
     assert_allclose(found.heatmap_n[1, 2], maps[1, 2] / 2)
@@ -93,7 +93,7 @@ def estimator():
 
 
 def test_a_place_may_be_as_far_as_the_furthest_corner_of_the_grid():
-    found = estimator()._furthest_mm(torch.tensor([[0.0, 0.0], [6.0, 8.0], [-7.0, 0.0]]))
+    found = estimator().furthest_mm(torch.tensor([[0.0, 0.0], [6.0, 8.0], [-7.0, 0.0]]))
     assert_allclose(found, [10.0, np.hypot(12, 12), np.hypot(13, 8)])
 
 
@@ -117,7 +117,7 @@ def test_newness_and_growth_by_hand(novelty, share, wider):
 def test_the_radius_of_the_grid_holds_the_wanted_share_about_every_answer():
     frames = SimpleNamespace(grid_x_mm=np.array([0.0, 3.0]), grid_y_mm=np.array([0.0, 4.0]))
     data = SimpleNamespace(frames=frames)
-    radius = coverage._radius_of_grid.__wrapped__
+    radius = coverage.radius_of_grid.__wrapped__
     assert radius(data, np.array([[0.0, 0.0]]), 1.0) == 5.0
     assert radius(data, np.array([[0.0, 0.0]]), 2 / 3) == pytest.approx(4.0)
     both = np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 0.0]])
@@ -129,11 +129,11 @@ def test_a_process_is_scikit_learn_s_with_the_same_kernel(monkeypatch):
     from sklearn.gaussian_process import GaussianProcessRegressor
     from sklearn.gaussian_process.kernels import RBF, ConstantKernel, WhiteKernel
 
-    monkeypatch.setattr(process, "_chosen_kernel", lambda seen, aim: (2.0, 1.5, 0.01))
+    monkeypatch.setattr(process, "chosen_kernel", lambda seen, aim: (2.0, 1.5, 0.01))
     rng = np.random.default_rng(1)
     counts = np.column_stack([rng.normal(50, 20, (30, 3)), np.full(30, 7.0)])
     target = rng.normal(size=(30, 2)) * [3.0, 3.0] + [5.0, -2.0]
-    found = process._Regression(30, 4, 2)
+    found = process.ProcessRegression(30, 4, 2)
     found.fit(counts, target)
     asked = np.column_stack([rng.normal(50, 30, (9, 3)), np.full(9, 7.0)])
     scaled = [
@@ -166,35 +166,35 @@ def settings(source="recorded", **changes):
 
 
 def test_members_have_their_own_seeds_shares_of_the_time_and_rates():
-    first = training._schedule(settings(), 0, "recorded", False)
+    first = training.schedule_of(settings(), 0, "recorded", False)
     assert (first.epochs, first.batch_frames, first.patience_epochs) == (7, 512, 3)
     assert (first.learning_rate, first.weight_decay, first.budget_s) == (3e-3, 1e-3, 10.0)
-    assert (first.seed, training._schedule(settings(), 2, "recorded", False).seed) == (5, 15843)
+    assert (first.seed, training.schedule_of(settings(), 2, "recorded", False).seed) == (5, 15843)
     assert first.augmentation.other_faces == training.AUGMENTATION["recorded"].other_faces
-    tuned = training._schedule(settings(), 0, "recorded", True)
+    tuned = training.schedule_of(settings(), 0, "recorded", True)
     assert tuned.learning_rate == pytest.approx(0.0009)
-    whole = training._schedule(settings(model="whole-object"), 0, "simulated", False)
+    whole = training.schedule_of(settings(model="whole-object"), 0, "simulated", False)
     assert whole.augmentation == replace(training.AUGMENTATION["simulated"], other_faces=0.5)
     own = replace(settings(model="whole-object"), augmentation=training.AUGMENTATION["recorded"])
-    assert training._schedule(own, 0, "simulated", False).augmentation == own.augmentation
+    assert training.schedule_of(own, 0, "simulated", False).augmentation == own.augmentation
     endless = replace(settings(ensemble=None), budget_s=None)
-    assert training._schedule(endless, 0, "recorded", False).budget_s is None
-    alone = training._schedule(settings(ensemble=None), 0, "recorded", False)
+    assert training.schedule_of(endless, 0, "recorded", False).budget_s is None
+    alone = training.schedule_of(settings(ensemble=None), 0, "recorded", False)
     assert alone.budget_s == 40.0
 
 
 def test_a_fingerprint_tells_schedules_counts_maps_and_architectures_apart():
-    schedule = training._schedule(settings(), 0, "recorded", False)
+    schedule = training.schedule_of(settings(), 0, "recorded", False)
     counts, maps = torch.zeros(2, 3), torch.ones(2, 1)
     marks = {
-        training._fingerprint(schedule, counts, maps, {}),
-        training._fingerprint(replace(schedule, epochs=8), counts, maps, {}),
-        training._fingerprint(schedule, counts + 1, maps, {}),
-        training._fingerprint(schedule, counts, maps + 1, {}),
-        training._fingerprint(schedule, counts, maps, {"members": 2}),
+        training.data_fingerprint(schedule, counts, maps, {}),
+        training.data_fingerprint(replace(schedule, epochs=8), counts, maps, {}),
+        training.data_fingerprint(schedule, counts + 1, maps, {}),
+        training.data_fingerprint(schedule, counts, maps + 1, {}),
+        training.data_fingerprint(schedule, counts, maps, {"members": 2}),
     }
     assert len(marks) == 5
-    assert training._fingerprint(schedule, counts, maps, {}) in marks
+    assert training.data_fingerprint(schedule, counts, maps, {}) in marks
 
 
 def test_trees_that_stand_behind_networks_average_two_frames_at_least():
@@ -223,7 +223,7 @@ def test_training_starts_from_a_model_of_the_same_face_settings_and_grid_alone(c
         grid_y_mm=change.get("grid_y_mm", np.array([1.0, 5])),
     )
     frames = SimpleNamespace(grid_x_mm=np.array([-3.0, 0, 3]), grid_y_mm=np.array([1.0, 5]))
-    check = training._require_same_kind.__wrapped__
+    check = training.require_same_kind.__wrapped__
     if fits:
         return check(start, settings, frames)
     with pytest.raises(InputError, match="wanted are face 3"):
@@ -235,8 +235,8 @@ def test_targets_of_tenths_choose_a_kernel_as_well():
     rng = np.random.default_rng(5)
     seen = rng.uniform(-2, 2, (25, 2))
     smooth = 0.2 * np.sin(seen[:, :1])
-    variance, _, noise = process._chosen_kernel(seen, smooth)
+    variance, _, noise = process.chosen_kernel(seen, smooth)
     assert variance < 0.5
     assert noise < 5e-3
-    start = process._chosen_kernel(seen, np.full((25, 1), 0.2))
+    start = process.chosen_kernel(seen, np.full((25, 1), 0.2))
     assert_allclose(start, (1.0, np.sqrt(2), 1e-2))

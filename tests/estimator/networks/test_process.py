@@ -16,7 +16,7 @@ from estimator.frames.splits import split_presses
 from estimator.networks import process as module
 from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.intervals.coverage import newness
-from estimator.networks.intervals.held_out import _Answers, _blended_errors
+from estimator.networks.intervals.held_out import HeldOutFrames, blended_errors
 from estimator.networks.process import fit_process
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -68,7 +68,7 @@ def test_the_tensors_answer_as_scikit_learn(frames, monkeypatch):
     data = face_data(frames, FACE)
     channels = live_channels(data)
     kernels = iter([(2.0, 3.0, 0.01), (1.5, 2.5, 0.02)])
-    monkeypatch.setattr(module, "_chosen_kernel", lambda *_: next(kernels))
+    monkeypatch.setattr(module, "chosen_kernel", lambda *_: next(kernels))
     touched, total = data.contact, data.heatmap_n.sum(axis=(1, 2))
     counts = channel_counts(data.frames, channels)
     seen = counts + np.random.default_rng(0).normal(0, 60, counts.shape)
@@ -104,7 +104,7 @@ def test_the_kernel_is_that_of_greatest_likelihood():
     seen = rng.uniform(-3, 3, (module.FRAMES_OF_KERNEL, 2))
     lower = np.linalg.cholesky(RBF(1.5)(seen) + 1e-8 * np.eye(len(seen)))
     aim = lower @ rng.normal(size=(len(seen), 2)) + 0.1 * rng.normal(size=(len(seen), 2))
-    _, length, noise = module._chosen_kernel(seen, aim)
+    _, length, noise = module.chosen_kernel(seen, aim)
     assert length == pytest.approx(1.5, rel=0.15)
     assert noise == pytest.approx(0.01, rel=0.2)
 
@@ -167,7 +167,7 @@ def test_errors_of_held_out_presses_are_those_of_the_answer_that_the_process_has
 ):
     """Network right and process off by 4 N and 3 mm; at shares of 0, ½ and 1 by hand."""
     none = np.zeros(3)
-    held_out = _Answers(
+    held_out = HeldOutFrames(
         press_id=np.arange(3),
         true_n=none + 5,
         true_mm=np.zeros((3, 2)),
@@ -183,7 +183,7 @@ def test_errors_of_held_out_presses_are_those_of_the_answer_that_the_process_has
         distance=none,
     )
     network = copy.deepcopy(model.network)
-    missed_n, away_mm = _blended_errors(network, held_out, np.array([0.0, 0.5, 1.0]))
+    missed_n, away_mm = blended_errors(network, held_out, np.array([0.0, 0.5, 1.0]))
     assert_allclose(missed_n, [0, 2, 4])
     assert_allclose(away_mm, [0, 1.5, 3])
 

@@ -17,22 +17,22 @@ PLAN = Schedule(22, 64, 1e-3, 0.0, 5, None, 0)
 
 
 def test_rates_warm_up_over_two_epochs_and_decay_to_a_hundredth():
-    rate = [fitting._rate_factor(epoch, PLAN) for epoch in (0.0, 0.5, 1.999, 2.0, 12.0, 22.0)]
+    rate = [fitting.rate_factor(epoch, PLAN) for epoch in (0.0, 0.5, 1.999, 2.0, 12.0, 22.0)]
     assert_allclose(rate, [0.02, 0.25, 0.9995, 1.0, 0.505, 0.01])
     short = Schedule(2, 64, 1e-3, 0.0, 5, None, 0)
-    assert_allclose([fitting._rate_factor(e, short) for e in (0.5, 1.0, 1.5)], [0.5, 1.0, 0.505])
+    assert_allclose([fitting.rate_factor(e, short) for e in (0.5, 1.0, 1.5)], [0.5, 1.0, 0.505])
 
 
 def test_batches_leave_twenty_steps_and_sixteen_frames():
-    found = [fitting._batch_frames(frames, 64) for frames in (5, 319, 340, 1280, 10_000)]
+    found = [fitting.frames_of_batch(frames, 64) for frames in (5, 319, 340, 1280, 10_000)]
     assert found == [16, 16, 17, 64, 64]
-    assert fitting._batch_frames(10, 0) == 1
+    assert fitting.frames_of_batch(10, 0) == 1
 
 
 @pytest.mark.parametrize(("epoch", "best", "late"), [(9, 4, True), (8, 4, False)])
 def test_a_fit_stops_after_its_patience(epoch, best, late):
     state = SimpleNamespace(epoch=epoch, best_epoch=best)
-    assert fitting._stopped.__wrapped__(state, PLAN, time.monotonic()) == late
+    assert fitting.is_stopped.__wrapped__(state, PLAN, time.monotonic()) == late
 
 
 def test_a_fit_stops_at_its_budget_and_decays_towards_it(monkeypatch):
@@ -47,7 +47,7 @@ def test_a_fit_stops_at_its_budget_and_decays_towards_it(monkeypatch):
         return now["s"]
 
     monkeypatch.setattr(fitting.time, "monotonic", monotonic)
-    monkeypatch.setattr(fitting, "_batch_frames", lambda frames, wanted: 1)
+    monkeypatch.setattr(fitting, "frames_of_batch", lambda frames, wanted: 1)
     rates = []
     weight = torch.nn.Parameter(torch.zeros(1))
     optimizer = torch.optim.SGD([weight], lr=1.0)
@@ -69,10 +69,10 @@ def test_a_fit_stops_at_its_budget_and_decays_towards_it(monkeypatch):
         def rows(self, batch):
             return self
 
-    fitting._one_epoch.__wrapped__(torch.nn.Linear(1, 1), optimizer, Rows(), None, plan, state, 0.0)
-    assert_allclose(rates, [1e-3 * fitting._rate_factor(e, plan) for e in (4.0, 8.0, 12.0, 16.0)])
+    fitting.one_epoch.__wrapped__(torch.nn.Linear(1, 1), optimizer, Rows(), None, plan, state, 0.0)
+    assert_allclose(rates, [1e-3 * fitting.rate_factor(e, plan) for e in (4.0, 8.0, 12.0, 16.0)])
     clock = iter([10.0])
-    assert fitting._stopped.__wrapped__(state, plan, 0.0)
+    assert fitting.is_stopped.__wrapped__(state, plan, 0.0)
 
 
 def test_novelty_is_the_distance_to_the_nearest_known_frame():

@@ -139,13 +139,15 @@ def test_zeros_from_behind_their_press_are_told():
 def test_three_loaded_frames_are_a_contact_and_two_beside_it_are_no_rest():
     loaded = np.zeros(20, bool)
     loaded[[2, 5, 6, 10, 11, 12]] = True
-    assert np.flatnonzero(drift._contacts(loaded)).tolist() == [10, 11, 12]
-    assert np.flatnonzero(drift._beside(drift._contacts(loaded))).tolist() == list(range(8, 15))
+    assert np.flatnonzero(drift.contact_ranges(loaded)).tolist() == [10, 11, 12]
+    assert np.flatnonzero(drift.rests_beside(drift.contact_ranges(loaded))).tolist() == list(
+        range(8, 15)
+    )
 
 
 def rests(frames, seconds, lasts, levels, first):
     counts = np.array(levels)[:, None] * np.ones(3)
-    return drift._Rests(
+    return drift.RestFrames(
         counts, np.array(seconds), np.array(frames), np.array(lasts), np.array(first)
     )
 
@@ -154,7 +156,7 @@ def rate_of(*levels, apart_s=10.0, lasts_s=1.5, session=(0, 0), jump=False, fram
     found = rests(frames, [0.0, apart_s], [lasts_s] * 2, levels, [0, 50])
     of_frame = np.repeat(session, 50)
     jumps = np.full((1, 3), jump)
-    return drift._drift_rate(found, of_frame, jumps, np.full(3, 20.0), 0.1)
+    return drift.drift_rate(found, of_frame, jumps, np.full(3, 20.0), 0.1)
 
 
 def test_the_rate_of_two_rests_is_what_they_differ_by_beyond_noise_over_their_time():
@@ -181,10 +183,10 @@ def test_rests_that_tell_nothing_of_drift_leave_the_usual_rate(unusable):
 def test_a_channel_that_differs_by_six_noises_has_not_jumped_and_by_more_it_has():
     found = rests([10, 10, 10], [0.0, 9.0, 18.0], [1.0] * 3, [0.0, 120.0, 240.1], [0, 50, 100])
     session = np.zeros(150, int)
-    jumps = drift._jumps(found, session, np.full(3, 20.0))
+    jumps = drift.channel_jumps(found, session, np.full(3, 20.0))
     assert jumps.tolist() == [[False] * 3, [True] * 3]
     session[100:] = 1
-    assert not drift._jumps(found, session, np.full(3, 20.0)).any()
+    assert not drift.channel_jumps(found, session, np.full(3, 20.0)).any()
 
 
 def test_rests_are_the_stretches_of_five_frames_and_more_between_contacts():
@@ -195,7 +197,7 @@ def test_rests_are_the_stretches_of_five_frames_and_more_between_contacts():
     used[24] = False
     flat = np.arange(30.0)[:, None] * [1, 10]
     flat[0, 1] = np.nan
-    found = drift._rests(flat, 0.5 * np.arange(30), loaded, used)
+    found = drift.rests_of(flat, 0.5 * np.arange(30), loaded, used)
     assert_allclose(found.counts, [[4.5, 50.0], [221 / 9, 2210 / 9]])
     assert_allclose(found.time_s, [2.25, 0.5 * 221 / 9])
     assert (found.frames.tolist(), found.lasts_s.tolist()) == ([10, 9], [4.5, 4.5])
@@ -204,7 +206,15 @@ def test_rests_are_the_stretches_of_five_frames_and_more_between_contacts():
 
 def test_a_rest_begins_behind_the_last_frame_of_contact_before_it():
     loaded = np.array([False, True, True, False, False, True, False])
-    assert [drift._last(loaded, before) for before in range(7)] == [-1, -1, 1, 2, 2, 2, 5]
+    assert [drift.last_contact_before(loaded, before) for before in range(7)] == [
+        -1,
+        -1,
+        1,
+        2,
+        2,
+        2,
+        5,
+    ]
 
 
 def test_a_level_between_two_readings_is_weighed_by_noise_and_drift():
@@ -216,7 +226,7 @@ def test_a_level_between_two_readings_is_weighed_by_noise_and_drift():
     seen = np.full((11, 1), np.nan)
     seen[0], seen[10] = 0.0, 9.0
     grows = np.ones((11, 1))
-    level, spread, memory = drift._smoothed(seen, np.array([4.0]), grows)
+    level, spread, memory = drift.smoothed_levels(seen, np.array([4.0]), grows)
     covariance = np.linalg.inv(np.array([[0.35, -0.1], [-0.1, 0.35]]))
     assert_allclose(level[[0, 10], 0], covariance @ [0, 9 / 4], rtol=1e-6)
     assert_allclose(spread[[0, 10], 0], np.diag(covariance), rtol=1e-6)

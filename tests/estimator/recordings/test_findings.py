@@ -204,8 +204,8 @@ def test_a_press_below_a_tenth_of_the_usual_answer_is_silent():
 
 def test_the_longest_level_is_the_middle_of_the_fullest_window():
     force = np.array([0.0, 0.1, 0.2, 5.0, 5.1, 5.2, 5.3, 9.0])
-    assert turned._longest_level(force, 0.15) == 5.15
-    assert turned._longest_level(force[:4], 0.15) == 0.1
+    assert turned.longest_level(force, 0.15) == 5.15
+    assert turned.longest_level(force[:4], 0.15) == 0.1
 
 
 def test_forces_are_turned_back_where_the_face_answers_as_to_a_press():
@@ -274,17 +274,17 @@ def test_presses_without_any_rest_are_told_where_they_are_most():
 def test_one_channel_turned_or_two_exchanged_explain_a_difference():
     usual = np.array([0.6, 0.6, 0.4, 0.3, np.nan])
     turned_one = usual * [1, 1, -1, 1, 1]
-    assert turned._unlike(turned_one, usual) == ("channel turned", (2,))
+    assert turned.unlike_model(turned_one, usual) == ("channel turned", (2,))
     exchanged = usual[[3, 1, 2, 0, 4]]
-    assert turned._unlike(exchanged, usual) == ("channels exchanged", (0, 3))
-    assert turned._unlike(usual + 0.01, usual) == ("", ())
+    assert turned.unlike_model(exchanged, usual) == ("channels exchanged", (0, 3))
+    assert turned.unlike_model(usual + 0.01, usual) == ("", ())
     noise = np.full(5, 0.15)
-    assert turned._unlike(turned_one, usual, noise) == ("", ())
-    assert turned._unlike(turned_one, usual, 0.8 * noise) == ("channel turned", (2,))
-    assert turned._unlike(exchanged, usual, noise) == ("", ())
-    assert turned._unlike(exchanged, usual, 0.6 * noise) == ("channels exchanged", (0, 3))
+    assert turned.unlike_model(turned_one, usual, noise) == ("", ())
+    assert turned.unlike_model(turned_one, usual, 0.8 * noise) == ("channel turned", (2,))
+    assert turned.unlike_model(exchanged, usual, noise) == ("", ())
+    assert turned.unlike_model(exchanged, usual, 0.6 * noise) == ("channels exchanged", (0, 3))
     weak = np.array([0.7, 0.7, 0.09])
-    assert turned._unlike(weak * [1, 1, -1], weak) == ("", ())
+    assert turned.unlike_model(weak * [1, 1, -1], weak) == ("", ())
 
 
 def made(press, place, force, signals, valid=None):
@@ -405,7 +405,7 @@ def test_changes_at_rest_are_medians_over_the_live_channels_of_a_face():
     noise[1, 1, 0] = 0.0
     noise[2] = np.nan
     stretch = np.array([0, 0, 1, 1, 1, 1])
-    found = labels._sigmas(counts, rest, stretch, noise)
+    found = labels.label_sigmas(counts, rest, stretch, noise)
     # face 1: levels are the median of both stretches' medians, 1 and 5 → 3; three channels of six move
     first = np.median(
         abs(np.array([0.0, 2, 4, 6, 50, 80])[:, None] - 3) * [1, 2, 3, 0, 0, 0], axis=1
@@ -420,9 +420,12 @@ def test_a_load_is_the_third_quartile_of_a_cell_over_its_press():
     face = np.array([[2, 0]] * 5 + [[4, 5]] * 2)
     press = np.array([0] * 5 + [1] * 2)
     responses = np.array([[np.nan, 70.0, 1, 2, 3], [1.0, 2, 3, 40, 5]])
-    assert labels._loads(face, force, press, responses) == [(0, 2, 3.0, 70.0), (1, 4, 0.3, 40.0)]
+    assert labels.loads_of_places(face, force, press, responses) == [
+        (0, 2, 3.0, 70.0),
+        (1, 4, 0.3, 40.0),
+    ]
     responses[1, 3] = np.nan
-    assert len(labels._loads(face, force, press, responses)) == 1
+    assert len(labels.loads_of_places(face, force, press, responses)) == 1
 
 
 def test_a_place_beyond_the_object_is_told_once_with_its_rows():
@@ -458,15 +461,15 @@ def test_changes_are_alike_where_most_blocks_say_so():
     counts[:, 1, 1, 1] = np.nan
     counts += 100.0
     face = np.full(45, 2)
-    assert turned._change_alike(counts, face, block, parts)
+    assert turned.change_alike(counts, face, block, parts)
     two = slice(15, 45)
     halves = tuple(mask[two] for mask in parts)
-    assert not turned._change_alike(
+    assert not turned.change_alike(
         counts[two], face[two], block[two], halves
     )  # median of −1 and 0.6
-    assert not turned._change_alike(counts, 0 * face, block, parts)
+    assert not turned.change_alike(counts, 0 * face, block, parts)
     one = slice(0, 14)  # four frames below
-    assert not turned._change_alike(
+    assert not turned.change_alike(
         counts[one], face[one], block[one], tuple(mask[one] for mask in parts)
     )
 
@@ -496,14 +499,14 @@ def test_an_exchange_must_explain_a_difference_four_times_better(away, found):
     pattern = usual[[2, 1, 0]] + [0.0, away, 0.0]
     whole = np.sqrt(2 * 0.4**2 + away**2)
     assert (whole > 4 * away) == bool(found)
-    assert turned._unlike(pattern, usual)[0] == found
+    assert turned.unlike_model(pattern, usual)[0] == found
 
 
 def test_a_difference_of_a_quarter_is_no_exchange():
     usual = np.array([0.6, 0.5, 0.43])
-    assert turned._unlike(usual[[2, 1, 0]], usual) == ("", ())
+    assert turned.unlike_model(usual[[2, 1, 0]], usual) == ("", ())
     usual = np.array([0.6, 0.5, 0.42])
-    assert turned._unlike(usual[[2, 1, 0]], usual) == ("channels exchanged", (0, 2))
+    assert turned.unlike_model(usual[[2, 1, 0]], usual) == ("channels exchanged", (0, 2))
 
 
 def test_rest_is_the_lowest_15_and_full_force_the_highest_25_frames_of_a_hundred():

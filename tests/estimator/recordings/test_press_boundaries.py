@@ -58,7 +58,7 @@ def test_presses_part_in_the_middle_of_the_rest_between_them():
     held = force.copy()
     held[10:19] = 0.2
     assert presses.number_presses(held[:, None], np.zeros(40, int), 0.1).max() == 0
-    assert presses._excursions(force, 0.1) == [(5, 10), (19, 24)]
+    assert presses.force_excursions(force, 0.1) == [(5, 10), (19, 24)]
     assert presses.runs(np.array([1, 1, 2, 1])) == [(0, 2), (2, 3), (3, 4)]
 
 
@@ -140,22 +140,22 @@ def test_short_presses_join_the_next_until_they_are_long_enough_for_a_lag():
     """More than 75 frames are; a new stretch begins anew."""
     press = np.repeat(np.arange(6), [40, 35, 1, 76, 10, 90])
     stretch = np.repeat([0, 1], [40 + 35 + 1 + 76 + 10, 90])
-    assert presses._long_presses(press, stretch) == [(0, 76), (76, 152), (152, 162), (162, 252)]
+    assert presses.long_presses(press, stretch) == [(0, 76), (76, 152), (152, 162), (162, 252)]
     lone = np.repeat([0, 1], [75, 5])
-    assert presses._long_presses(lone, 0 * lone) == [(0, 80)]
+    assert presses.long_presses(lone, 0 * lone) == [(0, 80)]
 
 
 def test_the_share_that_a_cubic_leaves_is_that_of_polyfit():
     rng = np.random.default_rng(3)
     force, counts = rng.random(120), rng.normal(size=(120, 2))
-    found = presses._residual_by_lag(counts, force)
+    found = presses.residual_by_lag(counts, force)
     seen = counts[10:95]
     total = np.sum((seen - seen.mean(axis=0)) ** 2)
     for lag, share in zip(range(-10, 26), found, strict=True):
         shifted = force[10 + lag : 95 + lag]
         fitted = np.stack([np.polyval(np.polyfit(shifted, one, 3), shifted) for one in seen.T], 1)
         assert share == pytest.approx(np.sum((seen - fitted) ** 2) / total, abs=1e-9)
-    assert np.isnan(presses._residual_by_lag(np.ones((120, 2)), force)).all()
+    assert np.isnan(presses.residual_by_lag(np.ones((120, 2)), force)).all()
 
 
 def test_a_lag_is_corrected_where_half_of_the_presses_agree_and_a_fifth_is_gained():
@@ -175,7 +175,7 @@ def test_a_lag_is_corrected_where_half_of_the_presses_agree_and_a_fifth_is_gaine
         press = np.repeat(np.arange(len(bests)), 100)
         force = np.tile(np.linspace(0, 5, 100), len(bests))[:, None]
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(presses, "_residual_by_lag", by_lag)
+            patch.setattr(presses, "residual_by_lag", by_lag)
             return presses.estimate_lag(
                 np.ones((frames, 5, 1, 3)), force, np.ones((frames, 1), int), press, press
             )

@@ -12,7 +12,7 @@ from estimator.recordings.checks.faults import mirror_faults
 from estimator.recordings.combine import combine, faults_between, jumps_between
 from estimator.recordings.presses import estimate_lag
 from estimator.recordings.reading import read_recording
-from tests.support.recorded_facts import assert_on_record, told, told_whole
+from tests.support.physics_pages import assert_page, chosen
 from tests.support.recordings.made_recordings import (
     PRESS,
     REST,
@@ -54,13 +54,6 @@ def test_lag_is_estimated_and_corrected(tmp_path, lag):
     truth = arrays[1][lag : lag + 60, 0]
     shown = np.nan_to_num(recording.frames.force_n[:60, 0, 2])
     assert_allclose(shown[truth > 0.4], truth[truth > 0.4], atol=0.02)
-
-
-def test_a_lag_correction_of_the_wrong_sign_would_show(clean):
-    """Signals against corrected force leave little variance; at twice the lag they leave much."""
-    lag = clean.report.lag
-    assert lag.corrected
-    assert lag.residual_corrected < 0.25 * lag.residual_uncorrected
 
 
 def test_signals_are_changes_from_the_rest_before_each_press(clean):
@@ -339,22 +332,19 @@ def test_without_a_press_both_residuals_of_the_lag_are_one():
 
 
 def of_recording(recording):
-    report = {key: value for key, value in recording.report.as_dict().items() if key != "path"}
-    said = str(recording.report).split(": ", 1)[1]
-    frames = {key: value for key, value in vars(recording.frames).items() if key != "spec_hash"}
+    frames = recording.frames
     return [
-        *(line for line in said.splitlines()),
-        *told_whole("report", {key: report[key] for key in ("lag", "noise_counts", "presses")}),
-        *told_whole("frames", frames),
-        told("rest", recording.rest_counts),
+        *chosen(frames, "signal_counts", "force_n", "contact_face", "valid", "press_id", "time_s"),
+        *chosen(frames, "noise_counts", "lag_frames"),
+        ("rest (counts)", recording.rest_counts),
     ]
 
 
-def test_a_clean_recording_is_as_on_record(clean):
-    assert_on_record("recordings", "clean", of_recording(clean), "estimator")
+def test_a_clean_recording_is_as_on_the_page(clean):
+    assert_page("estimator/recordings", of_recording(clean), "clean, ")
 
 
-def test_a_damaged_recording_is_as_on_record(tmp_path):
+def test_a_damaged_recording_is_as_on_the_page(tmp_path):
     """A dead, a noisy and a jumping channel, a wrong face, and few frames at rest."""
     time, force, counts, case = gripper_arrays(presses=4, lag=5, seed=3)
     rng = np.random.default_rng(1)
@@ -362,4 +352,4 @@ def test_a_damaged_recording_is_as_on_record(tmp_path):
     counts[:, 2, 3] += np.round(rng.normal(0, 150, len(counts)))
     counts[len(counts) // 2 :, 4, 0] += 900
     path = write_gripper(tmp_path / "a.csv", (time, force, counts, case))
-    assert_on_record("recordings", "damaged", of_recording(read_recording(path)), "estimator")
+    assert_page("estimator/recordings", of_recording(read_recording(path)), "damaged, ")

@@ -11,12 +11,12 @@ from design.errors import InputError
 from design.layout.places.contact_grid import PlaceGrid
 from estimator.signals.interpolation import (
     Traces,
-    _corrected,
-    _grows,
     among_pressed,
+    corrected_traces,
     counts_at_force,
     depth_at_force,
     force_at_depth,
+    grows_by_step,
     press_traces,
     signal_gradient,
     unresolved_presses,
@@ -188,8 +188,8 @@ def test_places_are_among_the_pressed_in_cells_with_four_pressed_corners_and_on_
 
 def test_a_force_grows_where_it_exceeds_all_before_it_by_a_micronewton():
     force = np.array([1e-6, 2.1e-6, 3.0, 2.0, 3.0, 3.1, -1.0])
-    assert _grows(force).tolist() == [False, True, True, False, False, True, False]
-    assert _grows(np.array([-2.0, -1.0, 0.5])).tolist() == [False, False, True]
+    assert grows_by_step(force).tolist() == [False, True, True, False, False, True, False]
+    assert grows_by_step(np.array([-2.0, -1.0, 0.5])).tolist() == [False, False, True]
 
 
 def test_half_of_the_presses_of_a_place_must_grow_and_the_deepest_one():
@@ -197,12 +197,12 @@ def test_half_of_the_presses_of_a_place_must_grow_and_the_deepest_one():
         force = np.array([[0.0, *force]])
         return Traces(np.arange(force.shape[1]) + 0.0, force, force[..., None], force > 99)
 
-    fine = _corrected(traces([1.0, 0.5, 2.0]), np.array([3]))
+    fine = corrected_traces(traces([1.0, 0.5, 2.0]), np.array([3]))
     assert_allclose(fine.force_n, [[0, 1, 1.5, 2]])
     assert fine.corrected.tolist() == [[False, False, True, False]]
     for force in ([1.0, 0.5, 0.4], [1.0, 2.0, 1.9], [0.0, 0.0, 1.0]):
         with pytest.raises(InputError, match="face 3 does not grow with depth"):
-            _corrected(traces(force), np.array([3]))
+            corrected_traces(traces(force), np.array([3]))
 
 
 def test_forces_up_to_a_billionth_beyond_the_deepest_press_are_no_clamped_ones():

@@ -6,7 +6,7 @@ import pytest
 from design.errors import InputError
 from estimator.field.models import FieldModel
 from estimator.field.sources import DiskMagnet
-from estimator.signals.field_setup import _check_sensor_clear
+from estimator.signals.field_setup import check_sensor_clear
 
 MODEL = FieldModel(DiskMagnet(6.0, 2.0, 1.3), "exact")
 ONE = np.zeros(1, int)
@@ -21,6 +21,6 @@ def vector(place):
 def test_a_sensor_is_refused_in_a_magnet_and_not_beside_it(centre):
     magnet = vector(centre), vector(UP), vector(UP)
     with pytest.raises(InputError, match="onto a sensor"):
-        _check_sensor_clear(vector(np.add(centre, (2.9, 0.0, 0.9))), magnet, MODEL, ONE)
+        check_sensor_clear(vector(np.add(centre, (2.9, 0.0, 0.9))), magnet, MODEL, ONE)
     for aside in [(3.1, 0.0, 0.0), (0.0, 3.1, 0.0), (0.0, 0.0, 1.1)]:
-        _check_sensor_clear(vector(np.add(centre, aside)), magnet, MODEL, ONE)
+        check_sensor_clear(vector(np.add(centre, aside)), magnet, MODEL, ONE)

@@ -14,7 +14,6 @@ from estimator.information.scores import score_places
 from estimator.signals.field_setup import at_rest
 from estimator.signals.press_states import press_states
 from estimator.signals.presses import press_signals
-from estimator.tolerances import assembly
 from estimator.tolerances import budget as tolerances
 from estimator.tolerances.assembly import assembled, contribution_sizes, counts_of, designed
 from estimator.tolerances.budget import robustness
@@ -49,17 +48,6 @@ def rows(result):
     return {row.name: row for row in result.contributions}
 
 
-def _no_turn(vectors, turn):
-    return vectors + 0 * turn
-
-
-def _double_turn(vectors, turn):
-    return assembly_rotate(vectors, 2 * turn)
-
-
-assembly_rotate = assembly.rotate
-
-
 @pytest.fixture(scope="module")
 def few():
     return rows(budget(spec_with(**ONE_EACH)))
@@ -76,13 +64,6 @@ def test_contributions_with_closed_forms(few):
     assert_allclose(earth.baseline_counts, one_orientation, rtol=1e-6)
     assert earth.false_place_mm > 0
     assert_allclose(few["modulus"].baseline_counts, 0, atol=1e-9)
-
-
-@pytest.mark.parametrize("fault", [_no_turn, _double_turn])
-def test_closed_forms_notice_a_wrong_turn(monkeypatch, fault):
-    monkeypatch.setattr(assembly, "rotate", fault)
-    turned = rows(budget(spec_with(sensor_rotation_deg=3.0)))["sensor_rotation"]
-    assert abs(turned.signal / (np.sqrt(2) * np.deg2rad(3.0)) - 1) > 0.5
 
 
 def test_without_tolerances_nothing_spreads():
@@ -121,16 +102,6 @@ def _agreement(result):
 def test_monte_carlo_agrees_with_first_order_for_small_tolerances():
     """80 objects: a standard deviation of one cause is known within 8 %."""
     assert_allclose(_agreement(budget(spec_with(**SMALL), draws=80)), 1, atol=0.2)
-
-
-def test_monte_carlo_notices_a_cause_that_first_order_missed(monkeypatch):
-    kept = tolerances.assembled
-
-    def without_core(spec, design, draws):
-        return kept(spec, design, {n: v for n, v in draws.items() if n != "core_shift"})
-
-    monkeypatch.setattr(tolerances, "assembled", without_core)
-    assert _agreement(budget(spec_with(**SMALL), draws=30))[0] > 1.5
 
 
 def test_a_core_that_shifts_and_yaws_is_a_shell_that_moves_the_other_way():
@@ -177,7 +148,7 @@ def test_a_magnet_aside_moves_as_in_a_press_aside_the_other_way():
     states = press_states(forces, motions, face, xy, force)
     lateral = np.tile([0.6, -0.4], 25)
     aside = assembled(spec, designed(spec), {"magnet_seat": lateral})
-    moved = tolerances._moved_aside(aside, states, states.of_design, 2)
+    moved = tolerances.moved_aside(aside, states, states.of_design, 2)
     there = press_states(forces, motions, face, xy - 0.1 * np.array([0.6, -0.4]), force).of_design
     own = slice(5, 10)
     size = abs(there[0, :, own] - states.of_design[0, :, own]).max()

@@ -21,8 +21,10 @@ SIZES = SPEC.tolerances.changed(
 
 def test_bodies_sit_aside_by_their_own_seats():
     numbers = {"magnet_seat": np.arange(6.0), "sensor_seat": np.arange(6.0)}
-    assert_allclose(assembly._aside_mm(SIZES, False, numbers), 0.2 * np.arange(6.0).reshape(3, 2))
-    assert_allclose(assembly._aside_mm(SIZES, True, numbers), 0.3 * np.array([[0, 1], [3, 4]]))
+    assert_allclose(
+        assembly.shift_aside_mm(SIZES, False, numbers), 0.2 * np.arange(6.0).reshape(3, 2)
+    )
+    assert_allclose(assembly.shift_aside_mm(SIZES, True, numbers), 0.3 * np.array([[0, 1], [3, 4]]))
 
 
 def test_sensors_are_shifted_and_turned_along_the_axes_of_their_face():
@@ -30,7 +32,7 @@ def test_sensors_are_shifted_and_turned_along_the_axes_of_their_face():
     rng = np.random.default_rng(0)
     seat, turn = rng.normal(size=(2, 15, 3))
     numbers = {"sensor_seat": seat.ravel(), "sensor_rotation": turn.ravel()}
-    found = assembly._moved_sensors(SPEC, sensors, SIZES, numbers)
+    found = assembly.moved_sensors(SPEC, sensors, SIZES, numbers)
     frames = {frame.number: frame.axes for frame in face_frames(SPEC)}
     for k, face in enumerate(sensors.face.tolist()):
         assert_allclose(found.position_mm[k] - sensors.position_mm[k], 0.3 * frames[face] @ seat[k])
@@ -41,10 +43,10 @@ def test_sensors_are_shifted_and_turned_along_the_axes_of_their_face():
 def test_remanence_falls_by_its_coefficient_over_that_at_the_design_s_temperature():
     warm = SPEC.changed(magnets=SPEC.magnets.changed(temperature_c=60.0))
     at = 1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 40
-    assert assembly._temperature_ratio(SPEC, 10.0) == pytest.approx(
+    assert assembly.temperature_ratio(SPEC, 10.0) == pytest.approx(
         1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 10
     )
-    assert assembly._temperature_ratio(warm, 10.0) == pytest.approx(
+    assert assembly.temperature_ratio(warm, 10.0) == pytest.approx(
         1 + assembly.NDFEB_REMANENCE_PER_KELVIN * 10 / at
     )
     assert pytest.approx(-0.0012, rel=0.2) == assembly.NDFEB_REMANENCE_PER_KELVIN
@@ -60,7 +62,7 @@ def outcome(baseline, delta, position, force):
 def test_a_deviation_is_a_difference_of_bounds_in_their_logarithms():
     one = outcome([[3.0, 0.0, 0.0]], [[1.0, 2.0]], [2.0, np.inf], [8.0, 1.0])
     other = outcome([[1.0, 0.0, 0.5]], [[0.0, 5.0]], [1.0, 3.0], [2.0, np.inf])
-    found = budget._deviation.__wrapped__(one, other, 10.0)
+    found = budget.deviation_of.__wrapped__(one, other, 10.0)
     assert found.baseline.tolist() == [[20.0, 0.0, -5.0]]
     assert found.delta[0].tolist() == [[10.0, -30.0]]
     names = list(found.__dataclass_fields__)
@@ -73,7 +75,7 @@ def test_spreads_add_up_as_roots_of_sums_of_squares():
     rows = [
         Spread(name, *(np.arange(len(names)) + start)) for name, start in (("a", 3.0), ("b", 4.0))
     ]
-    found = budget._together(rows)
+    found = budget.summed_spread(rows)
     wanted = np.hypot(np.arange(len(names)) + 3.0, np.arange(len(names)) + 4.0)
     assert_allclose([getattr(found, name) for name in names], wanted)
 
@@ -88,7 +90,7 @@ def test_bounds_range_from_the_fifth_to_the_95th_percentile_of_objects():
     nominal = SimpleNamespace(
         position_mm=np.array([1.0, 5.0, 2.0]), force_n=np.array([4.0, 3.0, 8.0])
     )
-    found = budget._bound_ranges.__wrapped__(nominal, objects)
+    found = budget.bound_ranges.__wrapped__(nominal, objects)
     figures = [tuple(vars(one).values()) for one in found]
     assert figures[0] == (2.0, 4.0, 40.0)
     assert figures[1] == (5.0, 6.0, 60.0)
@@ -96,26 +98,10 @@ def test_bounds_range_from_the_fifth_to_the_95th_percentile_of_objects():
     assert figures[3] == (8.0, 9.0, 20.0)
 
 
-def test_steps_that_no_channel_shares_are_made_at_once():
-    setting = SimpleNamespace(
-        spec=SPEC, faces=(1, 2, 3, 4, 5),
-        design=SimpleNamespace(),
-    )  # fmt: skip
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(
-            budget, "contribution_sizes", lambda design: {"sensor_seat": 45, "magnet_seat": 50}
-        )
-        own = budget._independent_steps.__wrapped__(setting, "sensor_seat")
-        assert own.shape == (9, 45)
-        assert own.sum(axis=0).tolist() == [1.0] * 45
-        assert np.flatnonzero(own[2]).tolist() == [2, 11, 20, 29, 38]
-        assert_allclose(budget._independent_steps.__wrapped__(setting, "magnet_seat"), np.eye(50))
-
-
 def test_slopes_along_an_axis_are_those_of_cubics():
     nodes = np.array([0.0, 1.0, 2.5, 4.0, 5.0])
     values = np.stack([nodes**3, 2 * nodes], axis=1)[None, :, :, None] * [1.0, -1.0]
-    found = virtual_object._slope(values, nodes, 1)
+    found = virtual_object.slope_along(values, nodes, 1)
     assert found.shape == values.shape
     assert_allclose(found[0, :, 0, 0], 3 * nodes**2, atol=1e-9)
     assert_allclose(found[0, :, 1, 1], -2.0)
@@ -127,7 +113,7 @@ def test_a_selftest_looks_at_the_object_whose_core_has_slipped(arrangement):
     slip = SPEC.mechanics.slip.changed(shift_mm=(0.5, -0.25, 0.1))
     spec = SPEC.changed(arrangement=arrangement)
     slipped = spec.changed(mechanics=spec.mechanics.changed(slip=slip))
-    straight, moved = (selftest._design(one)[0].scene for one in (spec, slipped))
+    straight, moved = (selftest.design_at_rest(one)[0].scene for one in (spec, slipped))
     magnets = moved.magnets.centre_mm - straight.magnets.centre_mm
     sensors = moved.sensors.position_mm - straight.sensors.position_mm
     core, shell = (sensors, magnets) if arrangement == "sensors-in-core" else (magnets, sensors)
@@ -146,7 +132,7 @@ def test_fields_are_good_for_magnets_a_millimetre_nearer_than_they_come(monkeypa
     motion = np.random.default_rng(4).uniform(-0.8, 0.8, (3, design.scene.bodies, 6))
     for module in (selftest, virtual_object):
         monkeypatch.setattr(module, "magnets_model", lambda magnets, nearest: nearest)
-    at_rest_mm = selftest._design.__wrapped__(SPEC)[1]
+    at_rest_mm = selftest.design_at_rest.__wrapped__(SPEC)[1]
     assert_allclose(at_rest_mm, nearest_mm(np.zeros(6)) - 1.0, atol=1e-3)
     moved_mm = virtual_object.twin_model.__wrapped__(SPEC, design, motion)
     assert_allclose(moved_mm, nearest_mm(motion) - 1.0, atol=1e-3)

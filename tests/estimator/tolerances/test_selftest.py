@@ -10,11 +10,11 @@ from estimator.signals.presses import rest_counts
 from estimator.tolerances import selftest
 from estimator.tolerances.assembly import draw
 from estimator.tolerances.selftest import (
-    _design,
-    _rest,
+    design_at_rest,
     false_alarm_rate,
     rank,
     rest_model,
+    resting_counts,
     self_test,
 )
 
@@ -29,9 +29,9 @@ def model():
 
 
 def healthy(seed):
-    design, field = _design(SPEC)
+    design, field = design_at_rest(SPEC)
     rng = np.random.default_rng(seed)
-    return _rest(SPEC, draw(SPEC, design, rng), field) + 10 * rng.standard_normal(45)
+    return resting_counts(SPEC, draw(SPEC, design, rng), field) + 10 * rng.standard_normal(45)
 
 
 def planted(counts, fault, rng):
@@ -130,54 +130,10 @@ def test_every_magnet_pair_of_sensors_pair_of_channels_sensor_and_channel_may_be
     assert len({str(one) for one in model.faults}) == len(model.faults)
 
 
-def test_every_tolerance_but_the_modulus_is_stepped_both_ways_number_by_number(monkeypatch):
-    monkeypatch.setattr(
-        selftest,
-        "contribution_sizes",
-        lambda design: {"magnet_seat": 2, "remanence": 3, "modulus": 1, "core_yaw": 1},
-    )
-    monkeypatch.setattr(selftest, "assembled", lambda spec, design, draws: draws)
-    spec = SPEC.changed(tolerances=SPEC.tolerances.changed(remanence_relative=0.0))
-    assert SPEC.tolerances.modulus_relative > 0
-    steps = [
-        [(name, *step) for one in pair for name, step in one.items()]
-        for pair in selftest._steps.__wrapped__(spec, None)
-    ]
-    k = selftest._STEP
-    assert steps == [
-        [("magnet_seat", k, 0), ("magnet_seat", -k, 0)],
-        [("magnet_seat", 0, k), ("magnet_seat", 0, -k)],
-        [("core_yaw", k), ("core_yaw", -k)],
-    ]
-
-
-def test_mean_and_covariance_at_rest_follow_from_slopes_and_bends(monkeypatch):
-    """Of counts a + b x + c x² and d y², x and y standard normal: the mean is a + c + d, covariances are
-    b bᵀ + 2 c cᵀ + 2 d dᵀ, with the noise of each channel."""
-    a, b, c, d = np.random.default_rng(1).normal(size=(4, 3))
-    step = selftest._STEP
-    pairs = (((step, 0), (-step, 0)), ((0, step), (0, -step)))
-    monkeypatch.setattr(selftest, "_design", lambda spec: ((0, 0), None))
-    monkeypatch.setattr(selftest, "_steps", lambda spec, design: pairs)
-    monkeypatch.setattr(selftest, "_faults", lambda spec, design, model: ())
-    monkeypatch.setattr(
-        selftest,
-        "_rest",
-        lambda spec, at, model: a + b * at[0] + c * at[0] ** 2 + d * at[1] ** 2,
-    )
-    found = rest_model.__wrapped__(SPEC, 7.0)
-    zeroing = SPEC.sensors.zeroing_counts
-    noise = (49 + zeroing**2) * np.eye(3)
-    wanted = np.outer(b, b) + 2 * np.outer(c, c) + 2 * np.outer(d, d) + noise
-    np.testing.assert_allclose(found.mean, a + c + d)
-    np.testing.assert_allclose(found.covariance, wanted)
-    assert found.full_scale_counts == 2**15 - 1
-
-
 def test_a_flip_shifts_the_rest_by_twice_its_own_field(model):
     """Without plates the field is the sum over magnets; a flip turns one of them round."""
     flips = [one.shift for one in model.faults if one.kind == "flipped magnet"]
-    _, field = _design(SPEC)
+    _, field = design_at_rest(SPEC)
     whole = rest_counts(SPEC, field).ravel()
     offset = whole + 0.5 * np.sum(flips, axis=0)
     assert abs(offset).max() < 1e-6 * abs(whole).max()
@@ -192,7 +148,7 @@ def test_silent_channels_are_marginalised_as_if_they_were_not_there():
     residual = rng.normal(size=(3, 6))
     silent = np.zeros((3, 6), bool)
     silent[1, [0, 4]] = silent[2, 3] = True
-    distance, log_volume = selftest._quadratic_forms(made, residual, silent)
+    distance, log_volume = selftest.quadratic_forms(made, residual, silent)
     whole = np.linalg.slogdet(covariance)[1]
     for row in range(3):
         here = ~silent[row]
@@ -205,7 +161,7 @@ def test_silent_channels_are_marginalised_as_if_they_were_not_there():
 def test_pairs_of_faults_count_in_one_order_alone(model):
     a, b, c = model.faults[:3]
     pairs = [selftest.Hypothesis(pair, 0.0, 1.0) for pair in ((a, b), (b, a), (a, c), (a,), (b, a))]
-    kept = selftest._distinct(pairs)
+    kept = selftest.distinct_faults(pairs)
     assert [one.faults for one in kept] == [(a, b), (a, c), (a,)]
     assert kept[0].name == f"{a} and {b}"
     assert selftest.Hypothesis((), 0.0, 1.0).name == "as specified"

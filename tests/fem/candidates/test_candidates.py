@@ -100,20 +100,6 @@ def test_candidates_move_as_the_solved_field_does(cube, table, fields, body):
         first += len(lattice)
 
 
-@pytest.mark.parametrize("fault", ["sign", "axes", "depth"])
-def test_a_fault_of_frames_would_show(cube, table, fields, body, fault):
-    frame, lattice = face_frames(cube.spec)[FACE - 1], table.candidates[FACE - 1]
-    xyd = lattice.xyd_mm * {"sign": [-1, 1, 1], "axes": [1, 1, 1], "depth": [1, 1, 1]}[fault]
-    xyd = xyd[:, [1, 0, 2]] if fault == "axes" else xyd
-    xyd[:, 2] += 0.5 if fault == "depth" else 0.0
-    points = frame.to_object(xyd * [1, 1, -1])
-    rows = candidate_rows(cube.space, points, frame.axes, body)
-    direct = (rows @ fields).reshape(len(lattice), 6, -1)
-    first = sum(len(one) for one in table.candidates[: FACE - 1])
-    found = np.moveaxis(motion_of(table)[FACE - 1, :, 1, first : first + len(lattice)], 0, 2)
-    assert abs(found - direct).max() > 0.05 * abs(direct).max()
-
-
 def test_forces_are_those_asked_for_or_shares_of_the_reachable(cube, spec, table):
     assert_allclose(table.force_n[..., 1], 1.0, rtol=1e-9)
     assert_allclose(table.force_n[..., 0], 0.5, rtol=1e-9)

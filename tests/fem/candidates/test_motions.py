@@ -11,8 +11,8 @@ from design.spec.object import ObjectSpec
 from fem.candidates.motions import (
     CandidateMotions,
     FaceCandidates,
-    _require_below_the_surface,
     candidate_lattices,
+    require_below_the_surface,
     stands_out_mm,
 )
 from tests.support.objects.body_cases import body_spec
@@ -42,10 +42,10 @@ def test_a_magnet_must_lie_as_deep_in_a_ball_as_its_rim_does():
         lattice = FaceCandidates(3, axis, axis, np.array([depth, 2.0]))
         assert_allclose(stands_out_mm(spec, lattice), 22 - np.sqrt(22**2 - 9) - depth, atol=2e-4)
         if sound:
-            _require_below_the_surface(spec, lattice)
+            require_below_the_surface(spec, lattice)
         else:
             with pytest.raises(InputError, match=r"magnet 0\.2 mm deep stands 0\.00\d+ mm out"):
-                _require_below_the_surface(spec, lattice)
+                require_below_the_surface(spec, lattice)
 
 
 def test_a_magnet_under_a_flat_face_has_its_depth_of_silicone_over_it():

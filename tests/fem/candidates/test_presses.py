@@ -5,7 +5,7 @@ from numpy.testing import assert_allclose
 
 from design.layout.places.contact_grid import PlaceGrid
 from fem.candidates.motions import CandidateMotions, FaceCandidates, InterpolationError
-from fem.candidates.presses import _filled, _on_grid, _with_error
+from fem.candidates.presses import filled_candidates, values_on_grid, with_error
 from tests.support.mechanics.candidate_cases import no_influence
 
 
@@ -27,11 +27,11 @@ def test_candidates_in_the_corners_of_round_faces_go_on_from_the_others():
     known = [np.hypot(x, y) < 2.5, np.ones(75, bool)]
     every = [parabola(one) for one in lattices]
     given = np.concatenate([values[here] for values, here in zip(every, known, strict=True)])
-    found = _filled(lattices, known)(given.astype(np.float32))
+    found = filled_candidates(lattices, known)(given.astype(np.float32))
     assert found.shape == (150, 3)
     assert_allclose(found, np.concatenate(every), atol=2e-5)
     deeper = np.stack([given, 2 * given], axis=1).astype(np.float32)
-    found = _filled(lattices, known)(deeper)
+    found = filled_candidates(lattices, known)(deeper)
     assert found.shape == (150, 2, 3)
     assert_allclose(found[:, 1], 2 * np.concatenate(every), atol=4e-5)
 
@@ -39,12 +39,12 @@ def test_candidates_in_the_corners_of_round_faces_go_on_from_the_others():
 def test_where_all_candidates_are_known_nothing_is_filled_in():
     values = np.arange(12.0).reshape(4, 3)
     lattices = lattice(1), lattice(2)
-    assert _filled(lattices, [np.ones(75, bool)] * 2)(values) is values
+    assert filled_candidates(lattices, [np.ones(75, bool)] * 2)(values) is values
 
 
 def test_places_that_a_face_has_not_are_missing():
     there = np.array([True, False, True])
-    found = _on_grid(there, np.array([[1.0, 2.0], [3.0, 4.0]]))
+    found = values_on_grid(there, np.array([[1.0, 2.0], [3.0, 4.0]]))
     assert_allclose(found, [[1, 2], [np.nan, np.nan], [3, 4]])
 
 
@@ -78,7 +78,7 @@ def test_the_error_of_interpolation_is_of_the_pressed_face_s_own_points_by_hand(
     for point, row in enumerate((0, 0, 1)):
         true[row][point] = motion[0, 0] + miss[point] * np.array([[0.25], [1.0]])
     points = [np.array([[0.2, -0.3, 2.5], [1.1, 0.4, 3.2]]), np.array([[-0.5, 0.6, 2.7]])]
-    error = _with_error(table, points, true).error
+    error = with_error(table, points, true).error
     assert_allclose(error.displacement_rms, np.sqrt((0.09 + 0.16) / (1.09 + 1.16 + 1)))
     assert_allclose(error.displacement_worst, 0.4 / np.sqrt(1.16))
     assert_allclose(error.rotation_rms, np.sqrt((0.01 + 0.04) / (4.01 + 4.04 + 4)))

@@ -69,7 +69,7 @@ def test_least_squares_takes_over_where_the_active_set_gives_up(monkeypatch):
     compliance, moments, weights = random_problem(12, 30)
     expected = contact_pressures(compliance, moments, weights, DEPTHS)
     assert (expected[-1] > 0).any()
-    monkeypatch.setattr(contact, "_MAX_SWITCHES", 0)
+    monkeypatch.setattr(contact, "MAX_SWITCHES", 0)
     pressures = contact_pressures(compliance, moments, weights, DEPTHS)
     assert_allclose(pressures, expected, rtol=0, atol=1e-9 * expected.max())
 
@@ -86,9 +86,9 @@ def test_a_press_beside_leaves_the_pressures_and_saves_systems(monkeypatch):
         solved.append(len(matrix))
         return solve(matrix, right_side)
 
-    solve = contact._solve_positive
+    solve = contact.solve_positive
     beside = contact.contact(compliance, moments, weights, depths)
-    monkeypatch.setattr(contact, "_solve_positive", counted)
+    monkeypatch.setattr(contact, "solve_positive", counted)
     alone = contact.contact(*aside, depths)
     count = len(solved)
     found = contact.contact(*aside, depths, beside)

@@ -47,8 +47,8 @@ def test_the_core_only_pushes_and_only_where_it_is_touched(lifted):
 
 def test_a_core_that_also_pulls_is_stiffer(spec, sliding, lifted, monkeypatch):
     """The planted fault: nothing ever lets go."""
-    monkeypatch.setattr(fem.contact.lift_off, "_MAX_STEPS", 1)
-    monkeypatch.setattr(fem.contact.lift_off, "_NOTHING", 1e9)
+    monkeypatch.setattr(fem.contact.lift_off, "MAX_STEPS", 1)
+    monkeypatch.setattr(fem.contact.lift_off, "NOTHING", 1e9)
     stuck = press_tips(spec, sliding, TIPS, DEPTHS_MM)
     assert (stuck.force_n > 1.02 * lifted.force_n).all()
     with pytest.raises(AssertionError):
@@ -57,13 +57,13 @@ def test_a_core_that_also_pulls_is_stiffer(spec, sliding, lifted, monkeypatch):
 
 def test_it_is_one_solve_with_the_open_vertices_as_unknowns(small_mesh, spec, lifted, monkeypatch):
     """Independent of the core's forces: openings join the motions before the factorization."""
-    basis_of = fem.linear.response._motion_basis
+    basis_of = fem.linear.response.motion_basis_of
 
     def with_openings(mesh, space, given):
         openings = wall_openings(space, given).displacement[:, lifted.core.opening_mm > 0]
         return columns_of([openings, basis_of(mesh, space, given)])
 
-    monkeypatch.setattr(fem.linear.response, "_motion_basis", with_openings)
+    monkeypatch.setattr(fem.linear.response, "motion_basis_of", with_openings)
     opened = replace(build_response(small_mesh, spec), core=None)
     direct = press_tips(spec, opened, TIPS, DEPTHS_MM)
     assert_allclose(lifted.force_n, direct.force_n, rtol=2e-3)

@@ -58,7 +58,7 @@ def test_narrowing_keeps_forces_and_places_and_takes_a_smoothing_back():
 def test_points_are_weighed_by_the_corners_round_them_and_beyond_by_the_nearest_one():
     triangulation = Delaunay(CORNERS[:, :2])
     points = np.array([[1.0, 0.5], [2.8, 2.2], [-1.0, -1.0], [5.0, 0.4]])
-    vertices, share = refined._barycentric(triangulation, points)
+    vertices, share = refined.barycentric(triangulation, points)
     assert_allclose(share.sum(axis=1), 1)
     found = np.einsum("pk,pkd->pd", share, CORNERS[vertices][..., :2])
     assert_allclose(found[:2], points[:2], atol=1e-12)
@@ -75,7 +75,7 @@ def test_moments_are_those_of_what_lies_below_the_tip():
     height = np.ones((3, 16))
     height[1] = np.where(local[:, 0] < 1, 3.0, np.inf)
     height[2] = np.inf
-    area, centre, variance, mean = indenter._moments(points, height, np.array([2.0, 1.0]))
+    area, centre, variance, mean = indenter.cell_moments(points, height, np.array([2.0, 1.0]))
     assert_allclose(area, [2.0, 1.0])
     assert_allclose(centre, [[1.0, 0.5], [2.5, 0.5]])
     assert_allclose(mean, [1.0, 3.0])

@@ -29,7 +29,7 @@ def test_tractions_go_inwards_and_along_the_axes_of_the_face(number):
     moments = sp.csc_matrix(RNG.random((4, 3)))
     frame, dense = FRAMES[number], moments.toarray()
     for direction, along in enumerate((-frame.normal, frame.x, frame.y)):
-        found = traction._traction(frame, direction, moments).toarray()
+        found = traction.traction_loads(frame, direction, moments).toarray()
         assert_allclose(found, np.vstack([along[0] * dense, along[1] * dense, along[2] * dense]))
 
 
@@ -46,7 +46,7 @@ def test_loads_and_motions_of_magnets_are_condensed_together(monkeypatch, magnet
     monkeypatch.setattr(traction, "shell_body_layout", lambda spec: layout)
     monkeypatch.setattr(traction, "mean_motion_functionals", lambda mesh, space: functionals)
     spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets=magnets))
-    found = traction._condensed.__wrapped__(system, spec, None, sp.csr_matrix(tractions))
+    found = traction.condensed_compliance.__wrapped__(system, spec, None, sp.csr_matrix(tractions))
     own = np.eye(12)[:, -6:] if magnets == "rigid" else basis.T @ functionals.T
     loads = np.vstack([np.hstack([basis.T @ tractions, own]), np.zeros((2, 9))])
     assert_allclose(found, loads.T @ np.linalg.solve(matrix, loads), atol=1e-12)
@@ -54,7 +54,9 @@ def test_loads_and_motions_of_magnets_are_condensed_together(monkeypatch, magnet
 
 def test_patches_of_one_face_move_each_other_on_a_half_space_those_of_others_not():
     first, second, third = patches(2, 0), patches(3, 1), patches(1, 2)
-    found = traction._half_space(SPEC, [3, 5, 3], [first, second, third]).reshape(3, 6, 3, 6)
+    found = traction.half_space_compliance(SPEC, [3, 5, 3], [first, second, third]).reshape(
+        3, 6, 3, 6
+    )
     silicone = SPEC.silicone
     modulus = silicone.surface_modulus_mpa, silicone.poisson_ratio
     on_5 = traction_compliance(second, second, *modulus)
@@ -85,17 +87,19 @@ def test_hats_are_refined_to_cells_in_all_three_directions(monkeypatch):
 
     def half_space(spec, faces, some):
         assert list(faces) == [5, 3]
-        return traction._half_space.__wrapped__(spec, faces, some)
+        return traction.half_space_compliance.__wrapped__(spec, faces, some)
 
     whole = RNG.normal(size=(3 * 5 + 12, 3 * 5 + 12))
     half = half_space(SPEC, [5, 3], groups)
     monkeypatch.setattr(traction, "elastic_system", lambda mesh, spec: None)
     monkeypatch.setattr(
-        traction, "_surface", lambda system, spec, frame: (frame.number, moments[frame.number])
+        traction,
+        "refined_surface",
+        lambda system, spec, frame: (frame.number, moments[frame.number]),
     )
     monkeypatch.setattr(traction, "spread_cells", spread_cells)
-    monkeypatch.setattr(traction, "_condensed", condensed)
-    monkeypatch.setattr(traction, "_rows_of_hats", traction._rows_of_hats.__wrapped__)
+    monkeypatch.setattr(traction, "condensed_compliance", condensed)
+    monkeypatch.setattr(traction, "rows_of_hats", traction.rows_of_hats.__wrapped__)
     found = traction.traction_response.__wrapped__(SPEC, None, [5, 3], groups)
     (loads,) = asked
     for direction in range(3):
@@ -121,5 +125,5 @@ def test_a_curved_face_knows_no_friction():
     body = {"kind": "sphere", "size_mm": [44.0] * 3, "sensed_faces": [1]}
     (frame,) = face_frames(ObjectSpec.model_validate({"name": "ball", "body": body}))
     with pytest.raises(InputError, match="face 1 is curved, and friction"):
-        traction._require_flat(frame)
-    traction._require_flat(FRAMES[3])
+        traction.require_flat(frame)
+    traction.require_flat(FRAMES[3])

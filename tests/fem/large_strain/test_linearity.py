@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from fem.large_strain.linearity import depth_of_force_error_mm, linear_error
-from fem.large_strain.results import _first_crossing
+from fem.large_strain.results import first_crossing
 
 
 def test_measured_figures_of_the_paper_cube():
@@ -59,5 +59,5 @@ def test_errors_between_measured_depths_are_straight():
     ],
 )
 def test_limits_are_the_first_crossing_of_the_straight_line(off, share, crossing):
-    found = _first_crossing(np.arange(4.0), np.array(off), share)
+    found = first_crossing(np.arange(4.0), np.array(off), share)
     assert found == (None if crossing is None else pytest.approx(crossing))

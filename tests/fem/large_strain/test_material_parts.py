@@ -6,13 +6,13 @@ from numpy.testing import assert_allclose
 
 from fem.large_strain import hyperelastic, sphere_contact
 from fem.large_strain.correction import StrainCorrection, corrected_presses
-from fem.large_strain.elements import _pressure_modulus
+from fem.large_strain.elements import pressure_modulus
 
 
 @pytest.mark.parametrize("power", [-0.5, 0.3, 1.0, 2.0])
 def test_divided_differences_are_quotients_and_slopes_where_values_coincide(power):
     values = np.array([[1.2, 0.7, 2.5], [1.3, 1.3, 0.4], [1.0, 1.0 + 1e-12, 1.0]])
-    found = hyperelastic._divided_differences(values, power)
+    found = hyperelastic.divided_differences(values, power)
     for row, one in zip(found, values, strict=True):
         for a in range(3):
             for b in range(3):
@@ -27,7 +27,7 @@ def test_the_curvature_of_a_volume_is_that_of_the_determinant():
     """det[d, a, b] is linear in each column: second differences are exact."""
     rng = np.random.default_rng(0)
     d, a, b = rng.normal(size=(3, 1, 1, 3))
-    found = sphere_contact._determinant_curvature(d, a, b)[0, 0]
+    found = sphere_contact.determinant_curvature(d, a, b)[0, 0]
 
     def volume(flat):
         return np.linalg.det(flat.reshape(3, 3))
@@ -47,14 +47,14 @@ def test_the_curvature_of_a_volume_is_that_of_the_determinant():
 def test_gaps_per_area_have_the_slopes_and_curvatures_of_differences():
     rng = np.random.default_rng(1)
     deformed = rng.normal(size=(2, 3, 3, 3)) + 3 * np.eye(3)
-    gap, slope, curvature = sphere_contact._gap_per_area(deformed, 4.0)
+    gap, slope, curvature = sphere_contact.gap_per_area(deformed, 4.0)
     distance = np.linalg.norm(deformed[:, :, 0], axis=-1)
     height = (1 - (4.0 / distance) ** 3) / 3
     assert_allclose(gap, -height * np.linalg.det(deformed))
     way = rng.normal(size=deformed.shape)
     step = 1e-5
     ahead, behind = (
-        sphere_contact._gap_per_area(deformed + sign * step * way, 4.0) for sign in (1, -1)
+        sphere_contact.gap_per_area(deformed + sign * step * way, 4.0) for sign in (1, -1)
     )
     assert_allclose(
         np.sum(slope * way, axis=(2, 3)), (ahead[0] - behind[0]) / (2 * step), rtol=1e-6
@@ -67,7 +67,7 @@ def test_gaps_per_area_have_the_slopes_and_curvatures_of_differences():
 def test_the_modulus_of_a_pressure_is_the_curvature_of_the_volume():
     rng = np.random.default_rng(2)
     deformation = np.eye(3) + 0.3 * rng.normal(size=(3, 3))
-    found = _pressure_modulus(deformation[None], np.array([2.5]))[0]
+    found = pressure_modulus(deformation[None], np.array([2.5]))[0]
     step = 1e-4
     for i, j, k, l in ((0, 0, 1, 1), (0, 1, 1, 0), (2, 0, 0, 1), (1, 2, 2, 1), (0, 0, 0, 1)):
         one, two = np.zeros((2, 3, 3))

@@ -12,7 +12,7 @@ from design.errors import InputError
 from fem.linear.response import build_response
 from fem.presses.joint import Tip, press_tips
 from studies.loose_core.coulomb import site_axes
-from studies.loose_core.press import LooseCore, _Path, at_rest, press_loose
+from studies.loose_core.press import LooseCore, PressPath, at_rest, press_loose
 from studies.loose_core.response import loose_shell
 from tests.support.objects.small_object import small_spec
 
@@ -129,7 +129,7 @@ def test_work_is_stored_or_lost_by_slip(spec, shell, path, bonded):
     lost = np.array([press.walls.dissipated_mj for press in path])
     assert (np.diff(lost) > 0).all()
     rest = at_rest(spec, shell, LooseCore(FRICTION))
-    way = _Path(spec, shell, LooseCore(FRICTION), TIPS, rest)
+    way = PressPath(spec, shell, LooseCore(FRICTION), TIPS, rest)
     cells, state, pressure, work = way.cells, rest, np.zeros(len(way.cells.gap_mm)), 0.0
     shares = [*np.arange(1, 9) / 8, 7 / 8, 6 / 8, 5 / 8, 4 / 8]
     forces = {0.0: np.zeros(2)}

@@ -15,7 +15,7 @@ NOTHING = {"vertices": np.zeros((0, 3))}
 
 
 def child_that_runs(monkeypatch, code):
-    monkeypatch.setattr(mesher, "_CHILD", ("-c", code))
+    monkeypatch.setattr(mesher, "CHILD_COMMAND", ("-c", code))
 
 
 def test_a_block_is_filled_and_nothing_is_left_behind(tmp_path, monkeypatch):

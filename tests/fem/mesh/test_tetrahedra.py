@@ -13,9 +13,9 @@ from fem.mesh.quality import dihedral_angles_deg, mesh_quality, require_quality
 from fem.mesh.tetrahedra import (
     SILICONE,
     TetMesh,
-    _positively_oriented,
     load_mesh,
     mesh_sha256,
+    positively_oriented,
     save_mesh,
     tet_volumes_mm3,
 )
@@ -40,7 +40,7 @@ def test_turned_tetrahedra_are_turned_back(coarse_mesh):
     turned[::3] = turned[::3][:, [1, 0, 2, 3]]
     mesh = replace(coarse_mesh, tets=turned)
     assert (tet_volumes_mm3(mesh) < 0).any()
-    corrected = replace(mesh, tets=_positively_oriented(mesh.points_mm, turned.copy()))
+    corrected = replace(mesh, tets=positively_oriented(mesh.points_mm, turned.copy()))
     assert_allclose(tet_volumes_mm3(corrected), tet_volumes_mm3(coarse_mesh), rtol=1e-9)
 
 

@@ -1,7 +1,6 @@
 """Tilted magnets in the mesh: prisms follow them, pockets are full, mechanics turn with the frame."""
 
 import numpy as np
-import pytest
 import scipy.sparse as sp
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
@@ -72,12 +71,3 @@ def turned(compliance, turn):
 def test_a_tilted_magnet_s_mechanics_turn_with_the_frame():
     still, moved = magnet_compliance(Rotation.identity()), magnet_compliance(TURN)
     assert_allclose(moved, turned(still, TURN), rtol=0, atol=1e-9 * abs(still).max())
-
-
-@pytest.mark.parametrize("fault", ["turned back", "not tilted"])
-def test_planted_faults_of_the_turn_are_caught(fault):
-    still = magnet_compliance(Rotation.identity())
-    wrong = TURN.inv() if fault == "turned back" else TURN
-    moved = magnet_compliance(TURN, tilted=fault != "not tilted")
-    difference = abs(moved - turned(still, wrong)).max()
-    assert difference > 1e-3 * abs(still).max()

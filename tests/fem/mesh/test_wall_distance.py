@@ -5,7 +5,7 @@ from numpy.testing import assert_allclose
 
 from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
-from fem.mesh.edge_lengths import _wall_distance_mm
+from fem.mesh.edge_lengths import wall_distance_mm
 
 
 def test_walls_end_at_the_rims():
@@ -17,4 +17,4 @@ def test_walls_end_at_the_rims():
         *([0.0, -radius, -top - 0.5], [0.0, 0.0, 0.0]),
     ]
     points = layout.centre_mm[0] + np.array(local) @ layout.frame[0].T
-    assert_allclose(_wall_distance_mm(layout, points), [2.0, 1.5, 5.0, 0.5, radius])
+    assert_allclose(wall_distance_mm(layout, points), [2.0, 1.5, 5.0, 0.5, radius])

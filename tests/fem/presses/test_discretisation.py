@@ -7,9 +7,9 @@ from numpy.testing import assert_allclose
 
 from design.layout.places.contact_grid import contact_grid
 from fem.presses.discretisation import (
-    _ROTATION_ARM_MM,
     COARSENING,
     ORDER,
+    ROTATION_ARM_MM,
     PressSample,
     coarser,
     discretisation_error,
@@ -105,6 +105,6 @@ def test_rotations_count_by_their_arm_and_shifts_as_they_are(rigid_spec, rigid_r
     rows = rigid_response.compliance[rigid_response.magnet_loads, rigid_response.face_loads(0)]
     motion = (presses.vertex_mpa[0] @ rows.T).reshape(len(depths), -1, 2, 3)
     found = sample.motion_mm[0].reshape(len(depths), -1, 2, 3)
-    assert _ROTATION_ARM_MM not in (0.0, 1.0)
+    assert ROTATION_ARM_MM not in (0.0, 1.0)
     assert_allclose(found[:, :, 0], motion[:, :, 0], rtol=1e-6, atol=1e-12)
-    assert_allclose(found[:, :, 1], _ROTATION_ARM_MM * motion[:, :, 1], rtol=1e-6, atol=1e-12)
+    assert_allclose(found[:, :, 1], ROTATION_ARM_MM * motion[:, :, 1], rtol=1e-6, atol=1e-12)

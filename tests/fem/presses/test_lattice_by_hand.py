@@ -9,14 +9,13 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from design.layout.body import face_frames
-from design.layout.places.contact_grid import contact_grid, press_lattice
+from design.layout.places.contact_grid import press_lattice
 from design.spec.object import ObjectSpec
 from fem.candidates import presses as candidates
 from fem.large_strain import press as large
 from fem.large_strain import single_press as single
 from fem.large_strain.newton import StepDivergedError
 from fem.large_strain.results import LargeStrainPress
-from fem.presses import shear, sticking, table
 from fem.presses.joint import by_spreads
 
 PLAIN = ObjectSpec(name="lattice")
@@ -35,60 +34,6 @@ def response():
         face_loads=lambda index: slice(VERTICES * index, VERTICES * (index + 1)),
         core=None,
     )
-
-
-def pressures(index, xy_mm, depths_mm):
-    """Of every place and depth at three vertices, all different."""
-    size = np.add.outer(0.1 * xy_mm[:, 0] - 0.2 * xy_mm[:, 1], 10.0 * np.asarray(depths_mm))
-    return (5 + index + size[..., None]) * np.array([1.0, 0.5, 0.25])
-
-
-def test_a_lattice_s_presses_move_magnets_by_the_rows_of_their_face(monkeypatch):
-    def press_face(spec, given, index, xy_mm, depths_mm):
-        mpa = pressures(index, xy_mm, depths_mm)
-        return SimpleNamespace(
-            force_n=mpa[..., 0], contact_area_mm2=mpa[..., 1] + 7, vertex_mpa=mpa
-        )
-
-    monkeypatch.setattr(table, "press_face", press_face)
-    lattice, given, told = press_lattice(SPEC), response(), []
-    here = np.ones((FACES, len(lattice)), bool)
-    here[1, 4] = False
-    monkeypatch.setattr(table, "pressed_nodes", lambda spec: here)
-    forces, motions = table.simulate_lattice.__wrapped__(SPEC, given, told.append)
-    assert forces.faces.tolist() == [frame.number for frame in face_frames(SPEC)]
-    assert_array_equal(forces.depth_mm, [0.5, 1, 2])
-    assert np.isnan(forces.force_n[1, 4]).all()
-    assert np.isnan(forces.contact_area_mm2[1, 4]).all()
-    assert np.isnan(motions.motion[1, 4]).all()
-    assert motions.motion.shape == (FACES, len(lattice), 3, MAGNETS, 6)
-    assert motions.pressed.sum() == FACES * len(lattice) - 1
-    assert motions.rest is None
-    for face, place, step in ((0, 0, 0), (1, 5, 2), (FACES - 1, len(lattice) - 1, 1)):
-        mpa = pressures(face, lattice.xy_mm[[place]], [[0.5, 1, 2][step]])[0, 0]
-        assert_allclose(forces.force_n[face, place, step], mpa[0])
-        assert_allclose(forces.contact_area_mm2[face, place, step], mpa[1] + 7)
-        rows = given.compliance[FACES * VERTICES :, 3 * face : 3 * face + 3]
-        assert_allclose(motions.motion[face, place, step].ravel(), rows @ mpa)
-    assert told[1] == f"face {forces.faces[1]}: {len(lattice) - 1} places × 3 depths"
-    other, _ = table.simulate_lattice.__wrapped__(SPEC, given, depths_mm=(0.25,))
-    assert_array_equal(other.depth_mm, [0.25])
-
-
-def test_on_a_slipped_shell_presses_stand_on_its_rest(monkeypatch):
-    def press_face(spec, given, index, xy_mm, depths_mm):
-        mpa = pressures(index, xy_mm, depths_mm)
-        return SimpleNamespace(force_n=mpa[..., 0], contact_area_mm2=mpa[..., 1], vertex_mpa=mpa)
-
-    monkeypatch.setattr(table, "press_face", press_face)
-    monkeypatch.setattr(table, "slipped_response", lambda spec, given, rest: given)
-    monkeypatch.setattr(table, "superposed", lambda rest, motion: motion + rest)
-    at_rest = np.arange(6.0 * MAGNETS).reshape(MAGNETS, 6)
-    rest = SimpleNamespace(magnet_motion=at_rest)
-    _, without = table.simulate_lattice.__wrapped__(SPEC, response())
-    _, found = table.simulate_lattice.__wrapped__(SPEC, response(), rest=rest)
-    assert_allclose(found.motion, without.motion + at_rest)
-    assert_array_equal(found.rest, at_rest)
 
 
 def test_between_simulated_depths_pressures_depths_and_forces_are_linear(monkeypatch):
@@ -115,31 +60,6 @@ def test_between_simulated_depths_pressures_depths_and_forces_are_linear(monkeyp
     assert_allclose(found.pressure_mpa, found.force_n[..., None] * np.array([0.5, 0.25, 0.0]))
 
 
-def test_tangential_motions_are_tractions_in_proportion_to_the_pressure(monkeypatch):
-    def press_places(spec, given, index, xy_mm, depths_mm):
-        mpa = pressures(index, xy_mm, depths_mm)
-        mpa[0, 0] = 0.0
-        return mpa
-
-    weights = np.array([1.0, 2.0, 4.0])
-    monkeypatch.setattr(shear, "press_places", press_places)
-    monkeypatch.setattr(shear, "surface_weights_mm2", lambda surface: weights)
-    grid = contact_grid(SPEC)
-    there = np.ones((FACES, len(grid)), bool)
-    there[2, 3] = False
-    monkeypatch.setattr(shear, "contact_places", lambda spec: there)
-    per_traction = np.random.default_rng(1).normal(size=(FACES * VERTICES, 2, 6 * MAGNETS))
-    found = shear.simulate_shear.__wrapped__(SPEC, response(), per_traction)
-    assert found.motion_per_n.shape == (FACES, len(grid), 3, 2, MAGNETS, 6)
-    assert np.isnan(found.motion_per_n[2, 3]).all()
-    assert np.isfinite(found.motion_per_n).sum() == (FACES * len(grid) - 1) * 3 * 2 * 6 * MAGNETS
-    assert not found.motion_per_n[:, 0, 0].any()
-    mpa = pressures(2, grid.xy_mm[[5]], [2.0])[0, 0]
-    rows = per_traction[2 * VERTICES : 3 * VERTICES]
-    expected = np.einsum("v,vtc->tc", mpa / (mpa @ weights), rows)
-    assert_allclose(found.motion_per_n[2, 5, 2].reshape(2, -1), expected)
-
-
 def test_cells_act_through_the_columns_of_their_face_s_vertices():
     given = response()
     rng = np.random.default_rng(2)
@@ -159,25 +79,6 @@ def test_cells_act_through_the_columns_of_their_face_s_vertices():
     assert_allclose(by_spreads.__wrapped__(given, per_load, spreads, pressure), per_load @ vertex)
 
 
-@pytest.mark.parametrize(
-    ("deepest", "steps"), [(0.05, 10), (1.0, 10), (1.01, 11), (2.0, 20), (0.3 + 0.8, 11)]
-)
-def test_sticking_presses_go_in_steps_of_a_tenth_and_ten_at_least(monkeypatch, deepest, steps):
-    went = []
-
-    def following(setting, state, depth):
-        assert not state.touching.any() or went
-        went.append(depth)
-        return state
-
-    monkeypatch.setattr(sticking, "_next", following)
-    monkeypatch.setattr(sticking, "_joint_press", lambda setting, state, depth: depth)
-    setting = SimpleNamespace(indenter=np.zeros(4, int))
-    found = sticking.press_sticking.__wrapped__(setting, np.array([deepest, deepest / 2]))
-    assert_allclose(found, np.outer(np.arange(1, steps + 1) / steps, [deepest, deepest / 2]))
-    assert len(went) == steps
-
-
 def settle(monkeypatch, breaks, depths):
     """Depths that were tried, and those that were given; `breaks` tells which tries diverge."""
     tried = []
@@ -192,12 +93,12 @@ def settle(monkeypatch, breaks, depths):
     monkeypatch.setattr(large, "equilibrium", equilibrium)
     monkeypatch.setattr(large, "sphere_centre_mm", lambda setting, depth: depth)
     setting, told = SimpleNamespace(problem=None), []
-    states = large._converged_states.__wrapped__(setting, depths, told.append)
+    states = large.converged_states.__wrapped__(setting, depths, told.append)
     return tried, [depth for depth, _ in states], told
 
 
 def test_load_steps_are_halved_where_they_diverge_and_grow_again(monkeypatch):
-    longest = large._LARGEST_STEP_MM
+    longest = large.LARGEST_STEP_MM
     tried, given, told = settle(monkeypatch, lambda at, state: False, (longest / 2, 2 * longest))
     assert_allclose(tried, np.array([0.5, 1.5, 2.0]) * longest, atol=1e-4)
     assert_allclose(given, [longest / 2, 2 * longest])
@@ -211,7 +112,7 @@ def test_load_steps_are_halved_where_they_diverge_and_grow_again(monkeypatch):
 
 
 def test_a_press_ends_at_its_last_equilibrium_which_is_told_once(monkeypatch):
-    longest = large._LARGEST_STEP_MM
+    longest = large.LARGEST_STEP_MM
     _, given, _ = settle(monkeypatch, lambda at, state: at > longest, (longest, 2 * longest))
     assert given == [longest]
     tried, given, _ = settle(
@@ -220,7 +121,7 @@ def test_a_press_ends_at_its_last_equilibrium_which_is_told_once(monkeypatch):
     assert given[0] == longest
     assert 1.4 * longest < given[-1] <= 1.5 * longest
     smallest = min(abs(np.diff(sorted(set(tried)))))
-    assert large._SMALLEST_STEP_MM <= smallest + 1e-9 < 2 * large._SMALLEST_STEP_MM
+    assert large.SMALLEST_STEP_MM <= smallest + 1e-9 < 2 * large.SMALLEST_STEP_MM
 
 
 def test_the_converged_depth_is_the_last_one():
@@ -327,5 +228,5 @@ def test_a_material_has_the_specification_s_modulus_to_a_hundredth(off, sound):
     wanted = (1 + off) * silicone.youngs_modulus_mpa
     with pytest.raises(InputError, match=f"Set it to {wanted:.4g}"):
         check(PLAIN, material)
-    stiff = single._with_modulus_of.__wrapped__(PLAIN, material)
+    stiff = single.with_modulus_of.__wrapped__(PLAIN, material)
     assert_allclose(stiff.silicone.youngs_modulus_mpa, wanted)

@@ -20,21 +20,21 @@ from fem.presses.table import require_on_face
 
 def test_up_to_five_rows_and_columns_are_spread_over_the_locations_that_a_face_has():
     there = np.ones((9, 4), bool)
-    found = discretisation._spread(there).reshape(9, 4)
+    found = discretisation.spread_places(there).reshape(9, 4)
     assert np.flatnonzero(found.any(axis=1)).tolist() == [0, 2, 4, 6, 8]
     assert found.any(axis=0).all()
     there[0] = there[8] = False
-    some = discretisation._spread(there).reshape(9, 4)
+    some = discretisation.spread_places(there).reshape(9, 4)
     assert np.flatnonzero(some.any(axis=1)).tolist() == [1, 3, 4, 5, 7]
 
 
 def test_errors_are_the_share_of_differences_and_none_where_a_press_missed():
     force, motion = np.array([0.03, -0.04]), np.array([0.1, 0.2])
-    found = discretisation._depth_error(1.5, 0.8, force, motion)
+    found = discretisation.depth_error(1.5, 0.8, force, motion)
     root = np.sqrt((0.03**2 + 0.04**2) / 2)
     assert_allclose([found.force_rms, found.force_worst], [0.8 * root, 0.8 * 0.04])
     assert_allclose([found.motion_rms, found.motion_worst], [0.8 * np.sqrt(0.025), 0.16])
-    missed = discretisation._depth_error(1.5, 0.8, np.array([0.1, np.nan]), motion)
+    missed = discretisation.depth_error(1.5, 0.8, np.array([0.1, np.nan]), motion)
     assert (missed.depth_mm, missed.force_rms, missed.motion_worst) == (1.5, None, None)
 
 
@@ -42,11 +42,13 @@ def test_fields_at_edges_are_means_of_ends_that_carry_them():
     tets = np.array([[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]])
     mesh = SimpleNamespace(tets=np.array([[0, 1, 2, 3]]))
     vertex, every = np.array([1.0, 2.0, 4.0, 8.0]), np.ones(4, bool)
-    found = shape._on_nodes.__wrapped__(mesh, tets, vertex, every)
+    found = shape.pressures_on_nodes.__wrapped__(mesh, tets, vertex, every)
     assert_allclose(found, [1, 2, 4, 8, 1.5, 3, 2.5, 4.5, 5, 6])
-    some = shape._on_nodes.__wrapped__(mesh, tets, vertex, np.array([True, True, False, True]))
+    some = shape.pressures_on_nodes.__wrapped__(
+        mesh, tets, vertex, np.array([True, True, False, True])
+    )
     assert_allclose(some[4:], [1.5, 0, 0, 4.5, 5, 0])
-    assert_allclose(shape._on_nodes.__wrapped__(mesh, tets[:, :4], vertex, every), vertex)
+    assert_allclose(shape.pressures_on_nodes.__wrapped__(mesh, tets[:, :4], vertex, every), vertex)
 
 
 def face(flat=True, round_=False, high=(10.0, 8.0)):

@@ -89,13 +89,13 @@ def test_the_core_bears_what_the_indenter_presses(rigid_system, rigid_spec, coar
     from design.layout.body import face_frames
     from fem.contact.half_space import Patches
     from fem.contact.refined import spread_cells
-    from fem.contact.traction import _surface, _traction
+    from fem.contact.traction import refined_surface, traction_loads
 
     frame = next(frame for frame in face_frames(rigid_spec) if frame.number == 3)
-    face, moments = _surface(rigid_system, rigid_spec, frame)
+    face, moments = refined_surface(rigid_system, rigid_spec, frame)
     cells = Patches(np.array([0.7, 0.4]), np.array([[4.0, -6.0], [4.9, -5.2]]), np.full(2, 0.05))
     spread = spread_cells(replace(face), cells, np.zeros(2))
     for direction, axis in enumerate((-frame.normal, frame.x, frame.y)):
-        loads = _traction(frame, direction, moments[:, spread.rows]) @ spread.matrix
+        loads = traction_loads(frame, direction, moments[:, spread.rows]) @ spread.matrix
         applied = (loads @ np.array([1.0, 2.0])).reshape(3, -1).sum(axis=1)
         assert_allclose(applied, axis * 1.5, rtol=0, atol=1e-10)

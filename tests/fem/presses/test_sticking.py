@@ -168,7 +168,7 @@ def test_a_press_goes_to_its_force_or_says_how_much_it_bears(monkeypatch):
     spec = SimpleNamespace(shell=SimpleNamespace(thickness_mm=8.0))
     setting = SimpleNamespace(tips=(PLACE,), shape=SimpleNamespace(height_mm=5.0), spec=spec)
     press = sticking.press_sticking_to_force.__wrapped__
-    deepest = sticking._LARGEST_SHARE * 5.0
+    deepest = sticking.LARGEST_SHARE * 5.0
     most = 3.0 * deepest**1.5
     for force in (1e-3, 1.5, 3.0, 0.999 * most):
         (found,) = press(setting, force)

@@ -69,7 +69,7 @@ def state(traction, touching, **more):
 
 def test_forces_and_areas_are_sums_over_the_cells_of_an_indenter():
     setting, traction = small(), np.random.default_rng(2).normal(size=(3, 5))
-    found = sticking._joint_press.__wrapped__(
+    found = sticking.joint_press_of.__wrapped__(
         setting, state(traction, [True, False, True, True, False]), np.array([1.0, 2.0])
     )
     area = setting.cells.patches.area_mm2
@@ -86,11 +86,11 @@ def test_forces_and_areas_are_sums_over_the_cells_of_an_indenter():
 def test_tractions_move_touching_cells_as_wanted_and_others_bear_none():
     setting, wanted = small(), np.random.default_rng(3).normal(size=(3, 5))
     touching = np.array([True, False, True, True, False])
-    traction = sticking._tractions.__wrapped__(setting, wanted, touching)
+    traction = sticking.tractions_of.__wrapped__(setting, wanted, touching)
     assert not traction[:, ~touching].any()
-    moved = sticking._displacement_mm.__wrapped__(setting, state(traction, touching))
+    moved = sticking.displacement_mm.__wrapped__(setting, state(traction, touching))
     assert_allclose(moved[:, touching], wanted[:, touching])
-    none = sticking._tractions.__wrapped__(setting, wanted, np.zeros(5, bool))
+    none = sticking.tractions_of.__wrapped__(setting, wanted, np.zeros(5, bool))
     assert not none.any()
 
 
@@ -107,8 +107,8 @@ def test_touching_cells_keep_their_place_on_the_indenter_and_lift_off_where_they
         slid.append(slip_mm)
         return heights
 
-    monkeypatch.setattr(sticking, "_heights_mm", heights_mm)
-    for name in ("_displacement_mm", "_tractions"):
+    monkeypatch.setattr(sticking, "heights_mm", heights_mm)
+    for name in ("displacement_mm", "tractions_of"):
         monkeypatch.setattr(sticking, name, getattr(sticking, name).__wrapped__)
     traction = np.zeros((3, 5))
     traction[1, 3] = 0.75  # moves cell 3 by 2 · 0.75 / 3 mm along x
@@ -119,7 +119,7 @@ def test_touching_cells_keep_their_place_on_the_indenter_and_lift_off_where_they
         anchor_mm=np.array([[0.3, 0, 0, 0.4, 0], [0.0, 0, 0, -0.1, 0]]),
         path_mm=np.array([[0.1] * 5, [0.0] * 5]),
     )
-    found = sticking._next.__wrapped__(setting, before, np.array([1.0, 2.0]))
+    found = sticking.next_state.__wrapped__(setting, before, np.array([1.0, 2.0]))
     aside = np.tan(np.deg2rad(30)) * np.array([1.0, 1, 2, 2, 2])
     (slip,) = slid
     assert_allclose(slip, [aside - [0, 0, 0, 0.5, 0], np.zeros(5)], atol=1e-12)
@@ -140,7 +140,7 @@ def test_cells_that_were_slid_over_lie_under_another_part_of_the_tip():
     cells, shape = tip_cells(spec.indenter), tip_shape(spec.indenter)
     setting = SimpleNamespace(spec=spec, cells=cells, shape=shape)
     slip = np.array([0.3, -0.2])[:, None] * np.ones((2, len(cells.height_mm)))
-    found = sticking._heights_mm.__wrapped__(setting, slip)
+    found = sticking.heights_mm.__wrapped__(setting, slip)
     local = cells.patches.centre_mm - tip_places_mm(spec.indenter)[cells.tip]
     radius = spec.indenter.radius_mm
     inside = np.linalg.norm(local - [0.3, -0.2], axis=1) < radius - 1
@@ -152,7 +152,7 @@ def test_cells_that_were_slid_over_lie_under_another_part_of_the_tip():
     wanted = cells.height_mm[inside] + ball(local[inside] - [0.3, -0.2]) - ball(local[inside])
     assert_allclose(found[inside], wanted, atol=1e-9)
     assert_allclose(tip_heights_mm(shape, local[inside]), ball(local[inside]), atol=1e-9)
-    far = sticking._heights_mm.__wrapped__(setting, slip + 50)
+    far = sticking.heights_mm.__wrapped__(setting, slip + 50)
     assert np.isposinf(far).all()
 
 
@@ -163,14 +163,14 @@ def test_cells_in_contact_press_and_others_lie_below_the_indenter(monkeypatch, s
     root = rng.normal(size=(15, 15))
     setting = small(root @ root.T + 10 * np.eye(15))
     heights = rng.uniform(0, 3, 5)
-    monkeypatch.setattr(sticking, "_heights_mm", lambda given, slip_mm: heights)
-    for name in ("_displacement_mm", "_tractions"):
+    monkeypatch.setattr(sticking, "heights_mm", lambda given, slip_mm: heights)
+    for name in ("displacement_mm", "tractions_of"):
         monkeypatch.setattr(sticking, name, getattr(sticking, name).__wrapped__)
     nothing = state(np.zeros((3, 5)), [False] * 5)
     depth = np.array([1.0, 2.0])
-    found = sticking._next.__wrapped__(setting, nothing, depth)
+    found = sticking.next_state.__wrapped__(setting, nothing, depth)
     reach = depth[setting.indenter] - heights
-    moved = sticking._displacement_mm(setting, found)
+    moved = sticking.displacement_mm(setting, found)
     there = found.touching
     assert there.any()
     assert (found.traction_mpa[0, there] > 0).all()

@@ -19,7 +19,7 @@ def test_the_surface_moves_as_the_shape_of_the_same_pressures(
     """Averages over a vertex's hat against nodal values: half of the deepest place apart at most,
     and within a few hundredths away from the tip."""
     pressure = press_places(rigid_spec, rigid_response, FACE, PLACE, np.array([DEPTH_MM]))[:, 0]
-    monkeypatch.setattr("fem.presses.shape._pressures", lambda *given: pressure)
+    monkeypatch.setattr("fem.presses.shape.hat_pressures", lambda *given: pressure)
     shape = table_shapes(rigid_spec, coarse_mesh, rigid_response, FACE, PLACE, DEPTH_MM)[0]
     found = inward_motion_mm(rigid_spec, rigid_response, FACE, PLACE, np.array([DEPTH_MM]))[0, 0]
     vertices, normals = mesh_vertices(rigid_spec, rigid_response, coarse_mesh.points_mm)

@@ -205,8 +205,8 @@ def test_saved_presses_come_back_alike_with_axes_in_order(presses, rigid_spec, t
 def test_presses_of_another_schema_are_refused(presses, tmp_path, monkeypatch):
     from fem.presses import results
 
-    other = replace(results._PRESSES, schema=("schema_version", 999))
-    monkeypatch.setattr(results, "_PRESSES", other)
+    other = replace(results.PRESSES_KIND, schema=("schema_version", 999))
+    monkeypatch.setattr(results, "PRESSES_KIND", other)
     forces, motions = presses
     save_presses(forces, motions, tmp_path / "presses.nc")
     monkeypatch.undo()

@@ -1,7 +1,5 @@
 """Depths at which groups of indenters bear a force, of presses in closed form."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -27,15 +25,15 @@ def press(depth_mm):
 
 @pytest.mark.parametrize("force_n", [0.05, 2.0, 9.0])
 def test_each_group_bears_the_force_at_its_own_depth(force_n):
-    found = to_force._press_to.__wrapped__(SPEC, press, GROUPS, force_n)
+    found = to_force.press_to_depths.__wrapped__(SPEC, press, GROUPS, force_n)
     assert_allclose(found.depth_mm[0], found.depth_mm[1])
     assert_allclose([found.force_n[:2].sum(), found.force_n[2]], force_n, rtol=1e-6)
 
 
 def test_a_start_near_by_ends_at_the_same_depths():
-    plain = to_force._press_to.__wrapped__(SPEC, press, GROUPS, 4.0)
+    plain = to_force.press_to_depths.__wrapped__(SPEC, press, GROUPS, 4.0)
     for near in ([0.5, 1.5], [4.9, 4.9], [99.0, 0.1]):
-        found = to_force._press_to.__wrapped__(SPEC, press, GROUPS, 4.0, np.array(near))
+        found = to_force.press_to_depths.__wrapped__(SPEC, press, GROUPS, 4.0, np.array(near))
         assert_allclose(found.depth_mm, plain.depth_mm, rtol=1e-5)
 
 
@@ -43,34 +41,15 @@ def test_forces_that_are_none_or_out_of_reach_are_refused():
     """The single tip bears 5^1.5 − 0.2 · 5 = 10.2 N at the tip's radius."""
     for force in (0.0, -1.0, np.inf, np.nan):
         with pytest.raises(InputError, match="needs a positive one"):
-            to_force._press_to.__wrapped__(SPEC, press, GROUPS, force)
+            to_force.press_to_depths.__wrapped__(SPEC, press, GROUPS, force)
     with pytest.raises(InputError, match=r"not reached within 5 mm.*most 10\.2 N"):
-        to_force._press_to.__wrapped__(SPEC, press, GROUPS, 10.3)
+        to_force.press_to_depths.__wrapped__(SPEC, press, GROUPS, 10.3)
     thin = ObjectSpec.model_validate({"name": "x", "shell": {"thickness_mm": 3.5}})
     with pytest.raises(InputError, match=r"within 3\.5 mm"):
-        to_force._press_to.__wrapped__(thin, press, GROUPS, 9.0)
+        to_force.press_to_depths.__wrapped__(thin, press, GROUPS, 9.0)
 
 
 def test_what_does_not_settle_is_an_error(monkeypatch):
-    monkeypatch.setattr(to_force, "_MAX_STEPS", 1)
+    monkeypatch.setattr(to_force, "MAX_STEPS", 1)
     with pytest.raises(SolverError, match="the press to 4 N did not converge: off by"):
-        to_force._press_to.__wrapped__(SPEC, press, GROUPS, 4.0)
-
-
-def test_a_path_of_squeezes_starts_each_where_the_last_one_tells(monkeypatch):
-    """Forces of both jaws together grow as the depth to the power of 1.5."""
-    starts = []
-
-    def pressed(spec, press, jaws, force, near=None):
-        starts.append(near)
-        return SimpleNamespace(
-            force_n=np.array([force / 2, force / 2, force]),
-            depth_mm=np.array([1.0, 1.0, 2.0]) * force,
-        )
-
-    monkeypatch.setattr(to_force, "presser", lambda *given: press)
-    monkeypatch.setattr(to_force, "_press_to", pressed)
-    path = to_force.squeeze_path.__wrapped__(SPEC, None, tuple(GROUPS), [1.0, 8.0])
-    assert len(path) == 2
-    assert starts[0] is None
-    assert_allclose(starts[1], np.array([1.0, 2.0]) * 8 ** (2 / 3))
+        to_force.press_to_depths.__wrapped__(SPEC, press, GROUPS, 4.0)

@@ -5,7 +5,6 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
-import fem.presses.viscoelastic
 from design.spec.silicone import PronyTermSpec
 from fem.presses.viscoelastic import relaxed_force_n
 
@@ -86,19 +85,3 @@ def test_fast_and_slow_presses_are_elastic(seconds, share):
 def test_without_terms_the_force_is_the_elastic_one():
     time, elastic = press(4.0)
     assert relaxed_force_n(elastic, time, ()) is elastic
-
-
-@pytest.mark.parametrize("fault", ["growing memory", "twice the time", "no gain"])
-def test_planted_faults_show(fault, monkeypatch):
-    memory = fem.presses.viscoelastic._fading_memory
-
-    def broken(first, rise, step_s, term):
-        if fault == "growing memory":
-            return memory(first, -rise, step_s, term)
-        if fault == "twice the time":
-            return memory(first, rise, step_s, term.model_copy(update={"time_s": 2 * term.time_s}))
-        return memory(first, rise, step_s, term) * (1 - np.exp(-step_s[0]))
-
-    monkeypatch.setattr(fem.presses.viscoelastic, "_fading_memory", broken)
-    with pytest.raises(AssertionError):
-        test_a_sinusoid_sees_the_storage_and_the_loss_modulus(0.7)

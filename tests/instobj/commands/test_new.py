@@ -143,7 +143,7 @@ def test_what_is_placed_is_tried_until_it_can_be_made(monkeypatch, failing, aske
     body = {"kind": "sphere", "size_mm": [60.0] * 3}
     shells = [{"body": body, "shell": {"thickness_mm": thick}} for thick in (8.0, 7.0, 6.0)]
     monkeypatch.setattr(new, "placements", lambda request: iter(shells))
-    monkeypatch.setattr(new, "_leaves_walls", lambda tables: True)
+    monkeypatch.setattr(new, "leaves_walls", lambda tables: True)
     monkeypatch.setattr(new, "relaid", lambda request, tables: iter(()))
     monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
     tables, found = new.made(Request("sphere", (60.0, 60.0, 60.0)))
@@ -170,7 +170,7 @@ def test_only_seams_that_leave_walls_are_tried_unless_there_are_none(monkeypatch
     body = {"kind": "sphere", "size_mm": [60.0] * 3}
     shells = [{"body": body, "shell": {"thickness_mm": thick}} for thick in (8.0, 7.0, 6.0)]
     monkeypatch.setattr(new, "placements", lambda request: iter(shells))
-    monkeypatch.setattr(new, "_leaves_walls", lambda tables: seam(new.spec_of(tables)) in clear)
+    monkeypatch.setattr(new, "leaves_walls", lambda tables: seam(new.spec_of(tables)) in clear)
     monkeypatch.setattr(new, "relaid", lambda request, tables: iter(()))
     monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
     assert new.made(Request("sphere", (60.0, 60.0, 60.0)))[1] == [THIN]
@@ -203,10 +203,10 @@ def test_where_no_seam_leaves_walls_magnets_go_elsewhere(monkeypatch, clear, fai
 
     shells = [{"shell": {"thickness_mm": thick}} for thick in (8.0, 7.0)]
     monkeypatch.setattr(new, "placements", lambda request: iter(shells))
-    monkeypatch.setattr(new, "_seams", lambda tables: iter([tables]))
+    monkeypatch.setattr(new, "seams_of", lambda tables: iter([tables]))
     monkeypatch.setattr(new, "spec_of", lambda tables: tables)
-    monkeypatch.setattr(new, "_parts_somewhere", lambda tables: True)
-    monkeypatch.setattr(new, "_leaves_walls", lambda tables: of(tables) in clear)
+    monkeypatch.setattr(new, "parts_somewhere", lambda tables: True)
+    monkeypatch.setattr(new, "leaves_walls", lambda tables: of(tables) in clear)
     monkeypatch.setattr(new, "relaid", relaid)
     monkeypatch.setattr("design.fabrication.check.check_fabrication", checked)
     tables, _ = new.made(Request("sphere", (60.0, 60.0, 60.0)))
@@ -243,7 +243,7 @@ BALL = {"body": {"kind": "sphere", "size_mm": [60.0] * 3}}
 def test_why_no_turn_of_the_seam_helps_is_told(monkeypatch, clear, failed, tables, said):
     """Not where anything else fails, for which it is not turned, nor of a mould in one piece."""
     monkeypatch.setattr("design.mould.openings.holes_thin_walls", lambda spec: not clear)
-    told = new._not_made(failed, tables)
+    told = new.told_unmade(failed, tables)
     assert ("seam" in told.partition("thicken it")[2]) is (said is not None)
     assert said is None or said in told
 
@@ -261,7 +261,7 @@ def test_why_no_turn_of_the_seam_helps_is_told(monkeypatch, clear, failed, table
 def test_a_file_s_body_that_hooks_is_told_with_the_way_that_hooks_least(monkeypatch, deep, said):
     monkeypatch.setattr(new, "hooked_by_azimuth_mm", lambda tables: {10.0: 0.3, 182.0: 0.24})
     monkeypatch.setattr(new, "way_that_hooks_least", lambda body: (deep, np.array([0.6, 0.0, 0.8])))
-    told = new._not_made(
+    told = new.told_unmade(
         [HOOKED], {"body": {"kind": "imported", "file": str(PEAR), "size_mm": [60.0] * 3}}
     )
     assert (
@@ -269,7 +269,7 @@ def test_a_file_s_body_that_hooks_is_told_with_the_way_that_hooks_least(monkeypa
         in told
     )
     assert said in told
-    assert "parting_azimuth_deg" not in new._not_made([HOOKED], BALL)
+    assert "parting_azimuth_deg" not in new.told_unmade([HOOKED], BALL)
 
 
 def test_seams_are_turned_to_where_neither_pins_nor_holes_are(monkeypatch):
@@ -282,7 +282,7 @@ def test_seams_are_turned_to_where_neither_pins_nor_holes_are(monkeypatch):
         "design.layout.mould.pins.pins_thin_the_seam",
         lambda spec: spec.mould.parting_azimuth_deg in (None, 39.0),
     )
-    clear = filter(new._leaves_walls, new._seams(BALL))
+    clear = filter(new.leaves_walls, new.seams_of(BALL))
     turned = [one["mould"]["parting_azimuth_deg"] for one in clear]
     assert turned[:4] == [33.0, 63.0, 27.0, 75.0]
 
@@ -301,14 +301,14 @@ def test_the_seam_of_a_file_s_body_goes_where_it_hooks_least_deep(monkeypatch):
     monkeypatch.setattr(new, "hooked_depth_mm", deep)
     monkeypatch.setattr("design.placement.hooking.hooked_depth_mm", deep)
     lump = {"body": {"kind": "imported", "file": str(PEAR), "size_mm": [60.0] * 3}}
-    assert [azimuth(tables) for tables in new._seams(lump)] == [97.0, 96.0, 95.0]
+    assert [azimuth(tables) for tables in new.seams_of(lump)] == [97.0, 96.0, 95.0]
     depths[None] = 0.15
-    assert [azimuth(tables) for tables in new._seams(lump)] == [None, 97.0, 96.0, 95.0]
+    assert [azimuth(tables) for tables in new.seams_of(lump)] == [None, 97.0, 96.0, 95.0]
     depths.clear()
-    assert [*new._seams(lump)] == [lump], "no turn helps"
-    assert next(new._seams(BALL)) == BALL, "kinds know where theirs hooks nothing"
+    assert [*new.seams_of(lump)] == [lump], "no turn helps"
+    assert next(new.seams_of(BALL)) == BALL, "kinds know where theirs hooks nothing"
     whole = {"body": {"size_mm": [60.0] * 3}}
-    assert [*new._seams(whole)] == [whole], "a mould in one piece has no seam"
+    assert [*new.seams_of(whole)] == [whole], "a mould in one piece has no seam"
 
 
 def test_seams_that_hook_least_are_tried_first(monkeypatch):
@@ -316,7 +316,7 @@ def test_seams_that_hook_least_are_tried_first(monkeypatch):
     monkeypatch.setattr(
         new, "hooked_share", lambda spec: (spec.mould.parting_azimuth_deg - 45) % 60 / 1000
     )
-    first, second, third, *_ = new._seams(BALL)
+    first, second, third, *_ = new.seams_of(BALL)
     assert first == BALL
     assert second["mould"]["parting_azimuth_deg"] == 105.0
     assert third["mould"]["parting_azimuth_deg"] == -15.0

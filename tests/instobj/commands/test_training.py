@@ -9,7 +9,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE
 from estimator.frames.splits import split_presses
-from instobj.commands.training import _of_object, _parts
+from instobj.commands.training import data_parts, models_of_object
 from tests.support.recordings.pressed_frames import made_frames
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
@@ -24,7 +24,7 @@ def specified(sensors, faces=(1, 2, 3, 4, 5)):
 
 def test_sensors_without_a_column_are_dead_ones_and_named():
     """Twins and validation called such a recording one of another object."""
-    frames, said = _of_object(FRAMES, specified(3))
+    frames, said = models_of_object(FRAMES, specified(3))
     assert frames.signal_counts.shape == (*FRAMES.signal_counts.shape[:2], 3, 3)
     np.testing.assert_array_equal(frames.signal_counts[:, :, :1], FRAMES.signal_counts)
     assert np.isnan(frames.signal_counts[:, :, 1:]).all()
@@ -32,7 +32,7 @@ def test_sensors_without_a_column_are_dead_ones_and_named():
         " sensor 2 of every face",
         " sensor 3 of every face",
     ]
-    same, said = _of_object(FRAMES, specified(1))
+    same, said = models_of_object(FRAMES, specified(1))
     np.testing.assert_array_equal(same.signal_counts, FRAMES.signal_counts)
     assert said == []
 
@@ -40,25 +40,25 @@ def test_sensors_without_a_column_are_dead_ones_and_named():
 def test_readings_of_sensors_that_an_object_does_not_have_are_refused():
     more = np.pad(FRAMES.signal_counts, ((0, 0), (0, 0), (0, 3), (0, 0)))
     with pytest.raises(InputError, match="4 sensors on a face; cube has 3"):
-        _of_object(replace(FRAMES, signal_counts=more), specified(3))
+        models_of_object(replace(FRAMES, signal_counts=more), specified(3))
     more[:, :, 3] = np.nan
-    frames, _ = _of_object(replace(FRAMES, signal_counts=more), specified(3))
+    frames, _ = models_of_object(replace(FRAMES, signal_counts=more), specified(3))
     assert frames.signal_counts.shape[2] == 3
 
 
 def test_presses_of_faces_that_are_not_sensed_are_refused_where_there_are_no_others():
     with pytest.raises(InputError, match=r"face 3 is pressed; cube senses \[1\]"):
-        _of_object(FRAMES, specified(1, [1]))
+        models_of_object(FRAMES, specified(1, [1]))
     both = FRAMES.contact_face.copy()
     both[np.flatnonzero(both[:, 0] != NO_FACE)[:10]] = 1
-    _of_object(replace(FRAMES, contact_face=both), specified(1, [1]))
+    models_of_object(replace(FRAMES, contact_face=both), specified(1, [1]))
 
 
 def test_parts_of_a_data_set_are_told_by_what_they_are_used_for():
     frames = synthetic_frames(faces=(2,), presses=4, rest=3, loaded=5, places=(0, 7))
     split = split_presses(frames, 0)
     frames.valid[np.flatnonzero(split.train & (frames.place_id >= 0))[:2]] = False
-    rows = _parts(frames, split)
+    rows = data_parts(frames, split)
     assert [row["used for"] for row in rows] == ["training", "stopping, intervals", "held out"]
     assert sum(row["presses"] for row in rows) == 8
     assert {row["contact cases"] for row in rows} == {2}

@@ -38,7 +38,7 @@ def test_net_joins_the_maps_along_the_object_s_edges():
             on_top = top.from_object(in_object)
             assert_allclose(on_top[2], 0, atol=1e-9)
             apart = side.apply(on_edge) - on_top[:2]
-            assert_allclose(np.linalg.norm(apart), overview._GAP_MM, rtol=1e-9)
+            assert_allclose(np.linalg.norm(apart), overview.GAP_MM, rtol=1e-9)
 
 
 def test_numbers_stand_on_their_places_and_blanks_are_marked():
@@ -75,9 +75,9 @@ ONE_LARGE[3 * 10 + 8] = 5.0
 
 def drawn_as_a_whole(values, scale, path):
     """The picture of face 3 by one figure, as matplotlib draws it."""
-    figure = Figure(figsize=heatmaps._PICTURE_INCHES, facecolor=heatmaps.PAPER)
-    places = heatmaps._MAP_INCHES, heatmaps._BAR_INCHES
-    axes, bar = (figure.add_axes(heatmaps._share(inches)) for inches in places)
+    figure = Figure(figsize=heatmaps.PICTURE_INCHES, facecolor=heatmaps.PAPER)
+    places = heatmaps.MAP_INCHES, heatmaps.BAR_INCHES
+    axes, bar = (figure.add_axes(heatmaps.picture_share(inches)) for inches in places)
     pose, half = heatmaps.Pose(0.0, (0.0, 0.0)), np.array(heatmaps.half_mm(SPEC, 3))
     heatmaps.draw_ground(axes, SPEC, 3, pose)
     inches = (4.6 / half).min() / 2
@@ -161,7 +161,7 @@ def test_blind_directions_are_drawn_through_blind_places_only():
     blind = np.zeros(100, bool)
     blind[[4, 37]] = True
     pose = overview.net_pose(SPEC, 4)
-    overview._draw_directions(axes, SPEC, np.full(100, 30.0), blind, pose)
+    overview.draw_directions(axes, SPEC, np.full(100, 30.0), blind, pose)
     (lines,) = axes.collections
     drawn = np.array(lines.get_segments())
     assert_allclose(drawn.mean(axis=1), pose.apply(contact_grid(SPEC).xy_mm[blind]))

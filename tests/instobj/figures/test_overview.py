@@ -42,17 +42,17 @@ def spec_of(name):
 )
 def drawn(request, tmp_path_factory):
     """The specification, and its overview as a figure that was drawn."""
-    kept = []
     spec = spec_of(request.param)
     faces = np.array(spec.body.sensed)
     places = len(contact_grid(spec))
     values = np.linspace(0.012, 1234.0, len(faces) * places).reshape(len(faces), places)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(overview, "save_figure", lambda figure, path: kept.append(figure))
-        title = "How well a contact of 8 N can be located at best"
-        overview.draw_overview(values, faces, spec, title, "mm", 0.012, 1234.0, "", note=CAPTION)
-    FigureCanvasAgg(kept[0]).draw()
-    return spec, kept[0]
+    path = tmp_path_factory.mktemp("overview") / "a.png"
+    title = "How well a contact of 8 N can be located at best"
+    figure = overview.draw_overview(
+        values, faces, spec, title, "mm", 0.012, 1234.0, path, note=CAPTION
+    )
+    FigureCanvasAgg(figure).draw()
+    return spec, figure
 
 
 def test_numbers_of_the_scale_keep_apart(drawn):
@@ -142,7 +142,7 @@ def test_face_6_joins_face_4_point_for_point():
         on_side = side.from_object(in_object)
         assert_allclose(on_side[2], 0, atol=1e-9)
         apart = pose.apply(on_edge) - side_pose.apply(on_side[:2])
-        assert_allclose(apart, [0, overview._GAP_MM], atol=1e-9)
+        assert_allclose(apart, [0, overview.GAP_MM], atol=1e-9)
 
 
 def test_a_map_of_one_face_keeps_its_numbers_in_their_cells(tmp_path, monkeypatch):

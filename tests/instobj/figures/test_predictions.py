@@ -8,16 +8,14 @@ from estimator.networks.prediction import ContactAnswers, ContactReadings, HeldO
 from instobj.figures import predictions
 
 
-def test_each_face_has_its_forces_and_its_shares_of_localisation_errors(monkeypatch, tmp_path):
-    kept = []
-    monkeypatch.setattr(predictions, "save_figure", lambda figure, path: kept.append(figure))
+def test_each_face_has_its_forces_and_its_shares_of_localisation_errors(tmp_path):
     one = ContactReadings(
         2, np.array([1.0, 4, 9]), np.array([2.0, 4, 8.5]), np.array([3.0, 1, 2]), 2
     )
     two = ContactReadings(4, np.array([5.0]), np.array([12.0]), np.array([0.5]), 1)
-    predictions.draw_predictions([one, two], "recorded", tmp_path / "a.png")
-    force, other, place, _ = kept[0].axes
-    assert kept[0].get_suptitle().startswith("Recorded held-out presses")
+    figure = predictions.draw_predictions([one, two], "recorded", tmp_path / "a.png")
+    force, other, place, _ = figure.axes
+    assert figure.get_suptitle().startswith("Recorded held-out presses")
     assert force.get_title() == "Face 2: median error 0.50 N"
     assert other.get_title() == "Face 4: median error 7.00 N"
     equal, dots = force.lines
@@ -29,15 +27,12 @@ def test_each_face_has_its_forces_and_its_shares_of_localisation_errors(monkeypa
     assert "50 %: 2.00 mm" in [text.get_text() for text in place.get_legend().get_texts()]
 
 
-def test_three_faces_stand_beside_each_other_and_the_rest_below(monkeypatch, tmp_path):
-    kept = []
-    monkeypatch.setattr(predictions, "save_figure", lambda figure, path: kept.append(figure))
+def test_three_faces_stand_beside_each_other_and_the_rest_below(tmp_path):
     faces = [
         ContactReadings(face, np.array([5.0]), np.array([5.0]), np.array([0.5 * face]), 1)
         for face in range(1, 6)
     ]
-    predictions.draw_predictions(faces, "simulated", tmp_path / "a.png")
-    (figure,) = kept
+    figure = predictions.draw_predictions(faces, "simulated", tmp_path / "a.png")
     titles = [axes.get_title()[:6] for axes in figure.axes]
     first, second = [f"Face {face}" for face in (1, 2, 3)], ["Face 4", "Face 5"]
     assert titles == [*first, *["1 fram"] * 3, *second, *["1 fram"] * 2]
@@ -49,9 +44,7 @@ def test_three_faces_stand_beside_each_other_and_the_rest_below(monkeypatch, tmp
     ] * 2
 
 
-def test_forces_over_time_beside_the_best_baseline_and_places_on_the_face(monkeypatch, tmp_path):
-    kept = []
-    monkeypatch.setattr(predictions, "save_figure", lambda figure, path: kept.append(figure))
+def test_forces_over_time_beside_the_best_baseline_and_places_on_the_face(tmp_path):
     force, place = np.array([1.0, 4.0, 2.0, 6.0]), np.zeros((4, 2))
     held_out = HeldOutAnswers(
         face=3,
@@ -71,8 +64,8 @@ def test_forces_over_time_beside_the_best_baseline_and_places_on_the_face(monkey
         ),
         fitted_frames={"ridge": 9, "extra trees": 9},
     )
-    predictions.draw_over_time([held_out], tmp_path / "a.png")
-    over_time, face = kept[0].axes
+    figure = predictions.draw_over_time([held_out], tmp_path / "a.png")
+    over_time, face = figure.axes
     named = {line.get_label(): line.get_ydata() for line in over_time.lines}
     assert_allclose(named["labelled"], force)
     assert_allclose(named["model"], force + 0.5)

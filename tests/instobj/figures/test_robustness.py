@@ -3,7 +3,7 @@
 import pytest
 from matplotlib.figure import Figure
 
-from instobj.figures.robustness import _draw_panel
+from instobj.figures.robustness import draw_panel
 
 
 @pytest.mark.parametrize(
@@ -16,7 +16,7 @@ from instobj.figures.robustness import _draw_panel
 )
 def test_the_longest_bar_takes_a_part_of_the_axis_that_can_be_seen(values, largest, scale):
     axes = Figure().subplots()
-    _draw_panel(axes, values, largest)
+    draw_panel(axes, values, largest)
     assert axes.get_xscale() == scale
     low, high = axes.transAxes.transform([(0, 0), (1, 0)])[:, 0]
     ends = [axes.transData.transform((value, 0))[0] for value in values if value]

@@ -10,7 +10,7 @@ from instobj.figures import travel
 from tests.support.recordings.travel_cases import PAD, POSE, RESTING_MT, pad_model, pressed_places
 
 
-def test_residuals_say_how_much_of_each_chip_is_unexplained(tmp_path, monkeypatch):
+def test_residuals_say_how_much_of_each_chip_is_unexplained(tmp_path):
     model, tip = pad_model(), pressed_places(5)
     fitted = Fitted(model.as_designed(POSE), RESTING_MT, 0.0)
     change = model.pressed(fitted.twin, tip)
@@ -21,12 +21,10 @@ def test_residuals_say_how_much_of_each_chip_is_unexplained(tmp_path, monkeypatc
         Suspect(name, 1, 0.9, gained, gained - 0.01, gained + 0.01, "0.2")
         for name, gained in (("chips", 0.2), ("scale of travel", 0.0))
     ]
-    drawn = []
-    monkeypatch.setattr(travel, "save_figure", lambda figure, path: drawn.append(figure))
-    travel.draw_residuals(
+    figure = travel.draw_residuals(
         load_spec(PAD), model, fitted, judged, suspects, tmp_path / "residuals.png"
     )
-    axes = drawn[0].axes
+    axes = figure.axes
     titles = [panel.get_title() for panel in axes[:5]]
     assert titles == [f"chip {k}: {25 if k == 3 else 0} % unexplained" for k in range(1, 6)]
     bars = next(panel for panel in axes if panel.patches)

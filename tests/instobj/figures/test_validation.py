@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from design.spec.object import ObjectSpec
 from estimator.calibration.recorded_presses import RecordedPresses
 from estimator.calibration.validation import Predictions
-from instobj.figures.validation import _draw_scatter
+from instobj.figures.validation import draw_scatter
 
 SPEC = ObjectSpec.model_validate({"name": "one", "body": {"sensed_faces": [1]}})
 
@@ -24,7 +24,7 @@ def test_no_two_contact_locations_share_a_colour_in_the_list(count, named):
     predictions = Predictions(counts, np.broadcast_to(counts, (1, *counts.shape)))
     figure = Figure(figsize=(4.4, 5.6), layout="constrained")
     axes = figure.subplots()
-    _draw_scatter(axes, SPEC, presses, predictions, 1)
+    draw_scatter(axes, SPEC, presses, predictions, 1)
     figure.draw_without_rendering()
     legend = axes.get_legend()
     assert legend is not None

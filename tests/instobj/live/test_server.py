@@ -144,7 +144,7 @@ def test_every_viewer_that_keeps_up_gets_every_row_in_order():
 
 
 def test_a_viewer_that_stalls_costs_itself_rows_and_nobody_else(monkeypatch):
-    monkeypatch.setattr(server, "_MOST_ROWS", 100)
+    monkeypatch.setattr(server, "MOST_ROWS", 100)
 
     async def watch_both():
         page = page_of()

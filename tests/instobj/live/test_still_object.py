@@ -15,7 +15,7 @@ from PIL import Image
 
 from design.spec.object import ObjectSpec
 from instobj.live.contacts import Found, placed_contact
-from instobj.live.process import _call, _read
+from instobj.live.process import call_within, read_frames
 from instobj.live.scene import live_scene
 from instobj.live.server import Page, application
 from instobj.live.watch import HEADER, Watch, channel_names, row_message
@@ -68,9 +68,9 @@ def served(page):
     serving = threading.Thread(target=serve)
     for thread in (serving, threading.Thread(target=board)):
         thread.start()
-    threading.Thread(target=_read, args=(page.watch,), daemon=True).start()
+    threading.Thread(target=read_frames, args=(page.watch,), daemon=True).start()
     assert ready.wait(10)
-    page.watch.on_reading = lambda: _call(loop, page.wake)
+    page.watch.on_reading = lambda: call_within(loop, page.wake)
     yield f"http://127.0.0.1:{runner.addresses[0][1]}/"
     ended.set()
     loop.call_soon_threadsafe(loop.stop)

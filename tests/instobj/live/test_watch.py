@@ -130,7 +130,7 @@ def test_a_chip_that_stands_still_is_left_out_and_told():
 
 
 def test_a_reading_that_fails_is_told_and_ends_with_its_cause(monkeypatch):
-    monkeypatch.setattr("instobj.live.watch._AGAIN_S", 0.0)
+    monkeypatch.setattr("instobj.live.watch.AGAIN_S", 0.0)
     watch = watching(Told(False))
     feed(watch, [600.0])
     watch.read_next()

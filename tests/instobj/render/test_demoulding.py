@@ -7,7 +7,7 @@ from matplotlib.image import imread
 
 from design.layout.mould.pins import loose_pins
 from design.spec.object import ObjectSpec
-from instobj.render.demoulding import _one_piece_steps, _split_steps, draw_demoulding
+from instobj.render.demoulding import draw_demoulding, one_piece_steps, split_steps
 from instobj.render.pieces import Piece
 
 GREY = (0.5, 0.5, 0.5)
@@ -25,7 +25,7 @@ def test_a_ball_loses_pins_then_its_rod_then_its_halves(tmp_path):
         {"name": "t", "body": {"kind": "sphere", "size_mm": [50.0] * 3, "sensed_faces": [2, 3]}}
     )
     pins = loose_pins(ball)
-    steps = _split_steps(ball, written(tmp_path, *NAMES), pins)
+    steps = split_steps(ball, written(tmp_path, *NAMES), pins)
     assert [step.text.split()[-1] for step in steps] == ["cured", "outwards", "rod", "halves", "in"]
     assert [len(step.pieces) for step in steps] == [3 + len(pins), 3 + len(pins), 3, 3, 1]
     for pin, before, after in zip(pins, steps[0].pieces[2:], steps[1].pieces[2:], strict=False):
@@ -38,6 +38,6 @@ def test_a_ball_loses_pins_then_its_rod_then_its_halves(tmp_path):
 
 def test_a_cube_loses_its_plug_first(tmp_path):
     parts = written(tmp_path, "mould_box", "mould_plug", "shell")
-    steps = _one_piece_steps(ObjectSpec.model_validate({"name": "t"}), parts)
+    steps = one_piece_steps(ObjectSpec.model_validate({"name": "t"}), parts)
     assert [len(step.pieces) for step in steps] == [3, 3, 2]
     assert steps[1].pieces[2].mesh.bounds[1, 2] < -15, "out of the open face 6, downwards"

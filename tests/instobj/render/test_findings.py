@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from instobj.render.findings import _towards
+from instobj.render.findings import viewing_direction
 
 
 def plate(turn_deg, edges=(70.0, 16.0, 110.0)):
@@ -20,7 +20,7 @@ def test_a_long_flat_part_is_looked_at_across_from_the_side_of_the_place(turn_de
     normal = side * np.array([-np.sin(angle), np.cos(angle), 0.0])
     along = np.array([np.cos(angle), np.sin(angle), 0.0])
     mesh, place = plate(turn_deg), 8.0 * normal + 20.0 * along
-    towards = _towards(mesh, place)
+    towards = viewing_direction(mesh, place)
     assert np.linalg.norm(towards) == pytest.approx(1)
     assert towards @ normal > 0.75
     if turn_deg == 45.0:
@@ -29,6 +29,6 @@ def test_a_long_flat_part_is_looked_at_across_from_the_side_of_the_place(turn_de
 
 
 def test_a_block_is_looked_at_over_the_object_s_axes():
-    towards = _towards(plate(0.0, (50.0, 50.0, 50.0)), np.array([25.0, 10.0, -10.0]))
+    towards = viewing_direction(plate(0.0, (50.0, 50.0, 50.0)), np.array([25.0, 10.0, -10.0]))
     expected = np.array([0.8 * 1.7, 0.9, -0.55])
     assert towards == pytest.approx(expected / np.linalg.norm(expected))

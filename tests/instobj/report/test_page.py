@@ -9,7 +9,7 @@ from design.spec_io import load_spec, parse_spec
 from estimator.tolerances.result import SEAT_ERROR
 from instobj.report import page
 from instobj.report.deformation_section import envelope_text
-from instobj.report.page import _files, is_papers_cube
+from instobj.report.page import files_beside, is_papers_cube
 from instobj.report.pages import render
 from instobj.report.verdict import Check, Verdict
 from tests.support.markup import read
@@ -93,7 +93,7 @@ def test_files_beside_the_page_are_linked(tmp_path):
     (tmp_path / "maps").mkdir()
     for name in ("scores.csv", "maps/a #1.png", "kept_in_the_store.bin"):
         (tmp_path / name).write_bytes(b"")
-    files = _files({"scores": tmp_path})
+    files = files_beside({"scores": tmp_path})
     page = page_of(parse_spec({"name": "a"}, "a"), tmp_path, files=files)
     assert '<a href="scores.csv">scores.csv</a>' in page
     assert '<a href="maps/a%20%231.png">maps/a #1.png</a>' in page
@@ -128,5 +128,5 @@ def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, 
     ],
 )
 def test_contact_locations_are_counted_per_face_where_there_are_several(tables, told):
-    found = page._locations(parse_spec({"name": "a", **tables}, "a"))
+    found = page.locations_line(parse_spec({"name": "a", **tables}, "a"))
     assert found == told or (told == " to " and re.fullmatch(r"\d+ to \d+ .* per face", found))

@@ -18,7 +18,7 @@ def test_the_verdict_names_areas_that_the_face_has(monkeypatch):
             AreaSummary(area, (1,), {}, {"position_bound_mm": found[area]}) for area in areas
         ]
         monkeypatch.setattr(verdict, "summarize_areas", lambda scores: summaries)
-        return verdict._edge_weakness(None)
+        return verdict.edge_weakness(None)
 
     assert told(*AREAS) == (
         "The position bound is 2.0 times the centre's at mid-edge locations, in corners 3.0 times"

@@ -43,7 +43,7 @@ def trial(value, feasible=True, scorings=3000):
 
 
 def test_plain_engines_score_as_many_layouts_and_only_those_within_limits_count(bowl, monkeypatch):
-    monkeypatch.setattr(history, "_MOST", 3000)
+    monkeypatch.setattr(history, "MOST_SCORINGS", 3000)
     kept = SimpleNamespace(finished=[trial(2.0), trial(1.5, False, 2000)])
     found = history.search_history(bowl, kept)
     assert found.scorings.tolist() == [3000, 5000]
@@ -68,10 +68,10 @@ def test_plain_engines_end_with_their_time_after_a_chunk_at_least(bowl, monkeypa
 
 
 def test_plain_cma_es_goes_down_where_random_search_does_not(bowl):
-    drawn = history._random_search(bowl, None, 3000, np.inf)
-    evolved = history._plain_cma_es(bowl, None, 3000, np.inf)
+    drawn = history.random_search(bowl, None, 3000, np.inf)
+    evolved = history.cma_es_peer(bowl, None, 3000, np.inf)
     assert evolved.values.min() - 1 < 0.01 * (drawn.values.min() - 1)
-    again = history._plain_cma_es(bowl, None, 3000, np.inf)
+    again = history.cma_es_peer(bowl, None, 3000, np.inf)
     assert_allclose(again.values, evolved.values)
 
 

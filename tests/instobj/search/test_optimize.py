@@ -35,7 +35,7 @@ def test_a_search_with_room_is_possible():
 def test_what_the_specification_keeps_itself_is_possible(monkeypatch):
     """A layout for each face of a handle: random ones are far from the limits, the start is not, once its
     third board leaves a wall beside the wire hole."""
-    monkeypatch.setattr(possible, "_WALKS", 0)
+    monkeypatch.setattr(possible, "WALKS", 0)
     places = "sensors.positions_mm=[[9.0, 0.0], [-9.0, 0.0], [0.0, 8.6]]"
     spec = load_spec(EXAMPLES / "handle.toml", [places])
     free = {"magnet_reach_mm": 15.0, "sensor_reach_mm": 10.0, "layouts": "per face"}
@@ -56,7 +56,7 @@ IMPOSSIBLE = {
 
 @pytest.mark.parametrize("text", IMPOSSIBLE)
 def test_bounds_that_exclude_every_layout_are_one_clear_error(text, monkeypatch):
-    monkeypatch.setattr(possible, "_WALKS", 1)  # of five: what none can keep, the first tells
+    monkeypatch.setattr(possible, "WALKS", 1)  # of five: what none can keep, the first tells
     with pytest.raises(InputError, match=text):
         require_possible(specification(**IMPOSSIBLE[text]))
 

@@ -7,7 +7,7 @@ from matplotlib.patches import Circle
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.spec_io import parse_spec
-from instobj.search.outcome import figures, moves
+from instobj.search.outcome import moves
 from instobj.search.outcome.figures import (
     draw_convergence,
     draw_front,
@@ -53,27 +53,23 @@ def test_figures_are_drawn(tmp_path, random):
         assert np.ptp(imread(tmp_path / f"{name}.png")[..., :3]) > 0.5
 
 
-def test_every_layout_of_a_body_with_faces_of_several_sizes_is_drawn(tmp_path, monkeypatch):
-    drawn = []
-    monkeypatch.setattr(figures, "save_figure", lambda figure, path: drawn.append(figure))
+def test_every_layout_of_a_body_with_faces_of_several_sizes_is_drawn(tmp_path):
     body = {"kind": "cylinder", "size_mm": [42.0, 42.0, 60.0], "open_faces": [6]}
     sensors = {"positions_mm": [[9.0, 0.0], [-9.0, 0.0], [0.0, 7.5]]}
     start = parse_spec({"name": "h", "body": body, "sensors": sensors}, "h")
     moved = {"positions_mm": [[3.0, 1.0], [12.0, 8.0]]}
     found = parse_spec({"name": "h", "body": body, "sensors": sensors, "magnets": moved}, "h")
-    draw_moves(start, found, tmp_path / "moves.png")
-    top, side = drawn[0].axes
+    top, side = draw_moves(start, found, tmp_path / "moves.png").axes
     assert (top.get_xlabel(), side.get_xlabel()) == ("x of face 1 (mm)", "x of face 2 (mm)")
     assert side.get_title() == "faces 2, 3, 4, 5 (before: face 2)"
     for axes in (top, side):
         circles = [one for one in axes.patches if isinstance(one, Circle)]
         assert len(circles) == 5 + 2, "magnets of the start and of the found layout"
-    draw_moves(parse_spec({"name": "c"}, "c"), parse_spec({"name": "c"}, "c"), tmp_path / "m.png")
-    assert len(drawn[1].axes) == 1
+    cube = parse_spec({"name": "c"}, "c")
+    assert len(draw_moves(cube, cube, tmp_path / "m.png").axes) == 1
 
 
-def test_grades_that_a_search_chose_stand_beside_the_poles(tmp_path, monkeypatch):
-    monkeypatch.setattr(moves, "draw_moves", lambda *_: None)
+def test_grades_that_a_search_chose_stand_beside_the_poles(tmp_path):
     places = {"positions_mm": [[8, 8], [-8, -8]]}
     start = parse_spec({"name": "a", "magnets": places}, "made up")
     chosen = places | {"grade": ["N35", "N52"], "north": ["outward", "inward"]}

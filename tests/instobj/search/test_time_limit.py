@@ -197,7 +197,11 @@ def promoted(tmp_path, monkeypatch, clock):
             "why_unbuildable",
             lambda found, start: "shell, seal: 0.4 mm" if next(asked) in unbuildable else "",
         )
-        for name, took in (("_lowest", 0), ("_second", second_s), ("_highest", highest_s)):
+        for name, took in (
+            ("lowest_scoring", 0),
+            ("second_scoring", second_s),
+            ("highest_scoring", highest_s),
+        ):
             monkeypatch.setattr(promotion, name, level(took))
         said = []
         limit = TimeLimit(seconds)

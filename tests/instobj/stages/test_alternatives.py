@@ -61,11 +61,11 @@ def test_larger_sets_are_tried_until_one_keeps_the_limits(needed, largest, monke
         bound = 1.0 if len(changes) >= needed else 2.0
         return Alternative(changes, bound, 0.5, 1.0, 0.5, objects_margin, 5, 3)
 
-    monkeypatch.setattr(alternatives, "_objects_margin", lambda spec, signals, presses: 0.2)
-    monkeypatch.setattr(alternatives, "_row", row)
+    monkeypatch.setattr(alternatives, "least_objects_margin", lambda spec, signals, presses: 0.2)
+    monkeypatch.setattr(alternatives, "alternative_of", row)
     spec = parse_spec({"name": "cube"}, "test")
-    monkeypatch.setattr(alternatives, "_changed", lambda spec, changes: spec)
-    monkeypatch.setattr(alternatives, "_with_forces", lambda spec, other, signals: signals)
+    monkeypatch.setattr(alternatives, "changed_spec", lambda spec, changes: spec)
+    monkeypatch.setattr(alternatives, "with_forces", lambda spec, other, signals: signals)
     rows = alternatives.alternatives(spec, None, None, lambda message: None)
     sizes = [len(row.changes) for row in rows]
     assert sizes == sorted(sizes)

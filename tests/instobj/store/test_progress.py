@@ -14,11 +14,11 @@ from instobj.store.progress import ProgressLine
 @pytest.fixture(autouse=True)
 def chatty_log(monkeypatch):
     """Logs that show every step."""
-    monkeypatch.setattr(module, "_LOG_EVERY_S", 0.0)
+    monkeypatch.setattr(module, "LOG_EVERY_S", 0.0)
 
 
 def test_a_log_shows_a_step_a_minute_at_most_and_every_result(monkeypatch):
-    monkeypatch.setattr(module, "_LOG_EVERY_S", 60.0)
+    monkeypatch.setattr(module, "LOG_EVERY_S", 60.0)
     written = io.StringIO()
     progress = ProgressLine(Console(file=written, width=40, highlight=False))
     with progress.stage("mesh"):
@@ -48,11 +48,11 @@ def test_steps_of_a_stage_within_another_are_its_own_and_the_live_line_stays_one
             with progress.stage("mesh"):
                 progress.step("tetrahedra")
             progress.step("twins")
-            live = progress._status
+            live = progress.status_shown
             assert (live is not None) == terminal
             if live is not None:
                 assert str(live.status).startswith("promotion: twins")
-        assert progress._status is None
+        assert progress.status_shown is None
         progress.step("kept")
         lines = written.getvalue().splitlines()
         assert lines[-1].endswith("… kept"), "no stage, no time"
@@ -62,7 +62,7 @@ def test_steps_of_a_stage_within_another_are_its_own_and_the_live_line_stays_one
 
 @pytest.mark.parametrize("terminal", [False, True])
 def test_the_last_step_is_told_again_where_a_stage_is_silent_and_only_then(monkeypatch, terminal):
-    monkeypatch.setattr(module, "_MOST_SILENT_S", 0.02)
+    monkeypatch.setattr(module, "MOST_SILENT_S", 0.02)
     written, told = io.StringIO(), []
     progress = ProgressLine(Console(file=written, width=80, force_terminal=terminal))
     step = progress.step
@@ -81,7 +81,7 @@ def test_the_last_step_is_told_again_where_a_stage_is_silent_and_only_then(monke
             assert written.getvalue().splitlines()[-1].startswith("  … response: factoring (")
     assert not reminders[0].is_alive()
     told.clear()
-    monkeypatch.setattr(module, "_MOST_SILENT_S", 60.0)
+    monkeypatch.setattr(module, "MOST_SILENT_S", 60.0)
     with progress.stage("response"):
         progress.step("factoring")
         time.sleep(0.05)
@@ -89,7 +89,7 @@ def test_the_last_step_is_told_again_where_a_stage_is_silent_and_only_then(monke
 
 
 def test_a_stage_that_has_not_said_anything_is_named(monkeypatch):
-    monkeypatch.setattr(module, "_MOST_SILENT_S", 0.02)
+    monkeypatch.setattr(module, "MOST_SILENT_S", 0.02)
     written = io.StringIO()
     progress = ProgressLine(Console(file=written, width=80))
     with progress.stage("report"):

@@ -150,7 +150,7 @@ def test_without_anything_to_score_there_is_one_error(tmp_path, monkeypatch):
 
 def test_a_scheduler_that_does_not_answer_is_one_error(tmp_path, monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr(workers, "_ANSWER_S", 0.5)
+    monkeypatch.setattr(workers, "ANSWER_S", 0.5)
     with (
         pytest.raises(InputError, match="no Dask scheduler answers"),
         open_workers(1, "tcp://127.0.0.1:1"),
@@ -177,7 +177,7 @@ def test_two_workers_find_what_one_process_finds_though_one_is_killed(tmp_path, 
             killed.append(children[0].pid)
             children[0].kill()
 
-    monkeypatch.setattr(workers._Progress, "finished", finished)
+    monkeypatch.setattr(workers.WorkersProgress, "finished", finished)
     two = sweep(path, tmp_path, workers=2)
     assert killed
     assert all("error" not in row for row in two["rows"])

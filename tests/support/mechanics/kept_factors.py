@@ -13,7 +13,7 @@ from fem.linear import factorization
 LEAST_UNKNOWNS, MOST_UNKNOWNS = 1_000, 200_000
 """Of a matrix whose factor is kept, and of all together."""
 
-_plain = factorization._solver
+_plain = factorization.solver_of
 _kept = {}
 
 

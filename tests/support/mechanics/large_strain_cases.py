@@ -160,4 +160,4 @@ def potential_energy_n_mm(
 
 def tangent_matrix(problem, state, sphere_centre_mm):
     """The derivative that Newton's steps use, by (q, p) at fixed contact pressures."""
-    return newton._tangent(problem, state, newton._forces(problem, state, sphere_centre_mm))
+    return newton.tangent_matrix(problem, state, newton.forces_of(problem, state, sphere_centre_mm))

@@ -164,8 +164,8 @@ def _one_slope_off(shapes):
 
 
 def _doubled_mass(patch):
-    right = elasticity._mass
-    patch.setattr(elasticity, "_mass", lambda *a: 2 * right(*a))
+    right = elasticity.mass_matrix
+    patch.setattr(elasticity, "mass_matrix", lambda *a: 2 * right(*a))
 
 
 def _transposed_shear(patch):

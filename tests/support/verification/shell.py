@@ -153,8 +153,8 @@ def _turned_backwards(patch):
 
 
 def _columns_reversed(patch):
-    right = response._last_columns
-    patch.setattr(response, "_last_columns", lambda size, count: right(size, count)[:, ::-1])
+    right = response.last_columns
+    patch.setattr(response, "last_columns", lambda size, count: right(size, count)[:, ::-1])
 
 
 def _softer_poisson(patch):

@@ -73,7 +73,7 @@ def test_a_file_s_box_of_twelve_triangles_parts_along_its_sides_not_across_its_c
         ObjectSpec.model_validate({"name": "a", "body": {"size_mm": (60.0, 45.0, 30.0)}})
     )
     assert len(body.outer_surface().faces) == 12
-    plane = frames._at_silhouette(body)
+    plane = frames.at_silhouette(body)
     assert_allclose(abs(plane.normal), [0, 1, 0], atol=1e-9)
     assert plane.offset_mm == 0
 

@@ -127,8 +127,8 @@ def test_rims_leave_a_wall_between_heads_or_run_together(monkeypatch, gap, rim):
         SimpleNamespace(head_axis_mm=np.array([[x, 0.0, 0], [x, 0, 2]]), radius_mm=3.0)
         for x in (0.0, 6.0 + gap)
     ]
-    assert pins._rim_mm.__wrapped__(closed(), made) == pytest.approx(rim)
-    assert pins._rim_mm.__wrapped__(closed(), made[:1]) == 1.5
+    assert pins.common_rim_mm.__wrapped__(closed(), made) == pytest.approx(rim)
+    assert pins.common_rim_mm.__wrapped__(closed(), made[:1]) == 1.5
 
 
 @pytest.mark.parametrize("lean", [(0.3, 0.1), (-0.3, 0.2), (0.1, 0.25), (-0.2, -0.4)], ids=str)

@@ -10,14 +10,14 @@ from design.layout.body import face_frames
 from design.layout.places import contact_places as contact_places_module
 from design.layout.places.contact_grid import contact_grid, press_lattice
 from design.layout.places.contact_places import (
-    _all_around,
-    _of_parity,
-    _tip_stays,
+    all_around,
     contact_places,
     grid_count,
+    nodes_of_parity,
     pressed_nodes,
     shared_counts,
     stays_on_patch,
+    tip_stays,
     touched_reach_mm,
 )
 from design.layout.places.coverage import covered_share, covered_shares
@@ -132,7 +132,7 @@ def test_a_tip_stays_within_the_circle_of_a_flat_round_face():
     turn = np.linspace(0, 2 * np.pi, 12)
     way = np.column_stack([np.cos(turn), np.sin(turn)])
     for away, stays in ((0.0, True), (19.9 - reach - 0.05, True), (19.9 - reach + 0.05, False)):
-        found = _tip_stays(spec, end, away * way)
+        found = tip_stays(spec, end, away * way)
         assert found.all() if stays else not found.any()
 
 
@@ -142,7 +142,7 @@ def test_a_node_is_all_around_free_with_its_eight_neighbours():
     wanted = np.zeros((5, 4), bool)
     wanted[1:4, 1:3] = True
     wanted[3, 2] = False
-    np.testing.assert_array_equal(_all_around(free)[0], wanted)
+    np.testing.assert_array_equal(all_around(free)[0], wanted)
 
 
 @pytest.mark.parametrize(
@@ -155,7 +155,7 @@ def test_every_second_node_is_a_location_as_far_out_as_any_face_uses(odd, count)
     free[0, 1:10, 1:8] = True
     free[1, 4:7, 3:6] = True
     free[1, 5, 4] = False
-    found = _of_parity(free, odd)
+    found = nodes_of_parity(free, odd)
     assert found.count == count == found.places.shape[1:]
     x = np.arange(11) - 5
     y = np.arange(9) - 4
@@ -166,9 +166,9 @@ def test_every_second_node_is_a_location_as_far_out_as_any_face_uses(odd, count)
 
 def test_a_lattice_without_room_keeps_two_locations_or_three():
     nowhere = np.zeros((1, 11, 9), bool)
-    assert _of_parity(nowhere, (False, False)).count == (2, 2)
-    assert _of_parity(nowhere, (True, False)).count == (3, 2)
-    assert not _of_parity(nowhere, (True, True)).places.any()
+    assert nodes_of_parity(nowhere, (False, False)).count == (2, 2)
+    assert nodes_of_parity(nowhere, (True, False)).count == (3, 2)
+    assert not nodes_of_parity(nowhere, (True, True)).places.any()
 
 
 @pytest.mark.parametrize(
@@ -185,8 +185,8 @@ def test_the_largest_pitch_that_works_is_found_to_two_hundredths(
         places[:, : 2 if pitch <= widest_mm else 1, :2] = True
         return SimpleNamespace(places=places)
 
-    monkeypatch.setattr(contact_places_module, "_filled", filled)
-    found = contact_places_module._nearest_pitch_mm(BOX)
+    monkeypatch.setattr(contact_places_module, "filled_places", filled)
+    found = contact_places_module.nearest_pitch_mm(BOX)
     if least_mm is None:
         assert found is None
     else:

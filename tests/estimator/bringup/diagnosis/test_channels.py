@@ -1,7 +1,6 @@
 """Order, orientation and handedness of chips, against fields by magpylib."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import magpylib
 import numpy as np
@@ -13,10 +12,10 @@ from design.layout.places.positions import sensor_layout
 from estimator.bringup.asking.held_magnet import held_magnet
 from estimator.bringup.diagnosis import channels, chip_fit
 from estimator.bringup.diagnosis.channels import find_chips, held_readings, signed_permutations
-from estimator.bringup.diagnosis.chip_fit import _orthogonal, chips_found
+from estimator.bringup.diagnosis.chip_fit import chips_found, orthogonal_part
 from estimator.field.sources import magnet_source
 from tests.support.new_objects import SMALL
-from tests.support.recorded_facts import assert_on_record, told, told_whole
+from tests.support.physics_pages import assert_page
 
 CHIPS = 10
 
@@ -103,7 +102,7 @@ def test_an_axis_that_does_not_answer_is_dead_and_the_turn_still_known(shuffled)
 
 def test_a_dead_axis_tells_no_handedness():
     mirrored = np.diag([-1.0, 1.0, 1.0])
-    turn = _orthogonal(np.diag([0.05, 1.0, 0.9]), np.array([True, False, False]), mirrored)
+    turn = orthogonal_part(np.diag([0.05, 1.0, 0.9]), np.array([True, False, False]), mirrored)
     assert_allclose(turn, np.eye(3), atol=1e-9)
 
 
@@ -132,8 +131,8 @@ def test_the_errors_of_held_readings_are_those_of_all_tolerances_together():
 def test_residuals_grow_as_a_logarithm_beyond_four():
     off = np.array([0.0, 1.0, -4.0, 400.0, np.nan])
     half_square = 0.5 * 16 * np.log1p((np.nan_to_num(off) / 4) ** 2)
-    assert_allclose(0.5 * channels._capped(off) ** 2, half_square)
-    assert_allclose(np.sign(channels._capped(off)), [0, 1, -1, 1, 0])
+    assert_allclose(0.5 * channels.capped_misfit(off) ** 2, half_square)
+    assert_allclose(np.sign(channels.capped_misfit(off)), [0, 1, -1, 1, 0])
 
 
 def made_up(holds=(0, 4, 7)):
@@ -157,7 +156,7 @@ def test_what_tolerances_leave_of_a_field_grows_with_the_cube_of_nearness():
 def test_the_misfit_is_minus_the_logarithm_of_the_likelihood_axis_by_axis():
     readings, model, pose = made_up()
     turns = signed_permutations()[[0, 5, 30]]
-    found = channels._misfit(readings, model, pose, turns)
+    found = channels.misfit_of(readings, model, pose, turns)
     field, error = model.counts(pose), channels.model_error(readings, model, pose)
     for hold, chip, site, turn in ((0, 1, 3, 2), (1, 2, 2, 1), (2, 9, 0, 0)):
         sigma = np.hypot(error[hold, site], readings.noise_counts[hold, chip])
@@ -168,33 +167,35 @@ def test_the_misfit_is_minus_the_logarithm_of_the_likelihood_axis_by_axis():
 
 def test_an_arrangement_costs_its_misfit_and_what_hypotheses_cost():
     readings, model, pose = made_up(range(CHIPS))
-    site, turn, cost = channels._assigned(readings, model, pose)
+    site, turn, cost = channels.assigned_sites(readings, model, pose)
     assert_array_equal(site, np.arange(CHIPS))
     assert_array_equal(turn, np.tile(np.eye(3), (CHIPS, 1, 1)))
     turns = signed_permutations()
-    misfit = channels._misfit(readings, model, pose, turns).sum(axis=0)
+    misfit = channels.misfit_of(readings, model, pose, turns).sum(axis=0)
     own = misfit[np.arange(CHIPS), np.arange(CHIPS), 0].sum()
     prior = 0.5 * np.sum(model.off_prior(pose) ** 2)
     assert cost == pytest.approx(own + prior)
     over = replace(model, polarity=-model.polarity)
-    _, mirrored, mirrored_cost = channels._assigned(readings, over, pose)
+    _, mirrored, mirrored_cost = channels.assigned_sites(readings, over, pose)
     assert np.linalg.det(mirrored).max() < 0
     assert mirrored_cost > cost + CHIPS * 5.0
     order = np.array([1, 0, *range(2, CHIPS)])
     swapped = replace(
         readings, counts=readings.counts[:, order], noise_counts=readings.noise_counts[:, order]
     )
-    site, _, swapped_cost = channels._assigned(swapped, model, pose)
+    site, _, swapped_cost = channels.assigned_sites(swapped, model, pose)
     assert_array_equal(site, order)
     assert swapped_cost == pytest.approx(cost + 2 * 7.0)
     turned = readings.counts.copy()
     turned[:, 3] = turned[:, 3] @ turns[7].T
-    _, ways, turned_cost = channels._assigned(replace(readings, counts=turned), model, pose)
+    _, ways, turned_cost = channels.assigned_sites(replace(readings, counts=turned), model, pose)
     assert_array_equal(ways[3], turns[7])
     assert turned_cost == pytest.approx(cost + 7.0, abs=2.0)
     reversed_ = readings.counts.copy()
     reversed_[:, 3] *= -1
-    _, ways, reversed_cost = channels._assigned(replace(readings, counts=reversed_), model, pose)
+    _, ways, reversed_cost = channels.assigned_sites(
+        replace(readings, counts=reversed_), model, pose
+    )
     assert_array_equal(ways[3], -np.eye(3))
     assert reversed_cost == pytest.approx(cost + 7.0 + 9.0)
 
@@ -203,17 +204,17 @@ def test_chips_go_where_the_magnet_moves_them_most_and_unheld_places_keep_theirs
     counts = np.full((2, 4, 3), 1.0)
     counts[0, 1], counts[1, 2] = 900.0, 700.0
     readings = channels.HeldReadings(counts, np.ones((2, 4, 3)), 0.05, 0.2)
-    assert channels._by_response(readings, [2, 0]).tolist() == [1, 2, 0, 3]
-    assert channels._by_response(readings, [1, 2]).tolist() == [0, 1, 2, 3]
+    assert channels.sites_by_response(readings, [2, 0]).tolist() == [1, 2, 0, 3]
+    assert channels.sites_by_response(readings, [1, 2]).tolist() == [0, 1, 2, 3]
     near = np.zeros((2, 2, 3))
     near[:, :, 1] = [[2.0, 7.0], [0.0, 2.0]]  # of two chips: (2 + 1)(2 + 1) against (7 + 1)(0 + 1)
     two = channels.HeldReadings(near, np.ones((2, 2, 3)), 0.05, 0.2)
-    assert channels._by_response(two, [0, 1]).tolist() == [0, 1]
-    assert channels._by_response(two, [2, 1]).tolist() == [0, 1]
+    assert channels.sites_by_response(two, [0, 1]).tolist() == [0, 1]
+    assert channels.sites_by_response(two, [2, 1]).tolist() == [0, 1]
     near[0, 1, 1] = 9.0
-    assert channels._by_response(two, [0, 1]).tolist() == [1, 0]
+    assert channels.sites_by_response(two, [0, 1]).tolist() == [1, 0]
     nothing = replace(readings, counts=np.full((2, 4, 3), np.nan))
-    assert channels._by_response(nothing, [2, 9]).tolist() == [0, 1, 2, 3]
+    assert channels.sites_by_response(nothing, [2, 9]).tolist() == [0, 1, 2, 3]
 
 
 def test_a_hold_is_turned_over_where_that_is_likelier_by_five():
@@ -221,12 +222,12 @@ def test_a_hold_is_turned_over_where_that_is_likelier_by_five():
     site, turn = np.arange(CHIPS), np.tile(np.eye(3), (CHIPS, 1, 1))
     counts = readings.counts.copy()
     counts[1] = -counts[1]
-    found = channels._with_polarities(replace(readings, counts=counts), model, pose, site, turn)
+    found = channels.with_polarities(replace(readings, counts=counts), model, pose, site, turn)
     uniform = pose.copy()
     uniform[:, 5:] = 0
     assert found.polarity.tolist() == [1.0, -1.0, 1.0]
     quiet = replace(readings, counts=0 * readings.counts)
-    undecided = channels._with_polarities(quiet, model, uniform, site, turn)
+    undecided = channels.with_polarities(quiet, model, uniform, site, turn)
     assert undecided.polarity.tolist() == [1.0, 1.0, 1.0]
 
 
@@ -254,7 +255,7 @@ def test_gains_stand_over_their_median_and_intervals_are_of_differences_to_the_m
     """Two chips; of the second only X answers, and errors of all entries are alike and free."""
     matrix = np.stack([np.diag([1.0, 1.1, 1.2]), np.diag([1.3, 9.0, 9.0])])
     known = np.array([[True] * 3, [True, False, False]])
-    value, interval = chip_fit._relative_gains(matrix, 0.01 * np.eye(18), known)
+    value, interval = chip_fit.relative_gains(matrix, 0.01 * np.eye(18), known)
     middle = np.median([1.0, 1.1, 1.2, 1.3])
     assert_allclose(value, np.array([[1.0, 1.1, 1.2, 1.1], [1.3, np.nan, np.nan, 1.3]]) / middle)
     axis = np.sqrt(0.01 * (0.75**2 + 3 * 0.25**2))
@@ -283,15 +284,15 @@ def test_matrices_of_chips_are_those_of_least_squares_and_weak_axes_are_dead():
     assert not chip_fit.linear_chips(replace(readings, counts=three), found)[1][2].any()
 
 
-def test_what_is_found_of_chips_is_as_on_record(shuffled):
+def test_what_is_found_of_chips_is_as_on_the_page(shuffled):
     _, _, readings, found = shuffled
-    lines = [
-        told("sites", found.site),
-        told("poses", found.pose),
-        told("cost", found.cost),
-        *told_whole("chips", chips_found(readings, found)[::4]),
-    ]
-    assert_on_record("bringup", "chips", lines, "estimator")
+    lines = [("sites", found.site), ("poses", found.pose), ("cost", found.cost)]
+    for chip in chips_found(readings, found)[::4]:
+        lines += [
+            (f"chip at {chip.site}, turn", chip.turn),
+            (f"chip at {chip.site}, gains ±", [*chip.gain, *chip.gain_interval]),
+        ]
+    assert_page("estimator/bringup", lines, "chips, ")
 
 
 def test_what_turns_a_hold_over_is_weighed_by_the_errors_of_its_readings():
@@ -313,50 +314,5 @@ def test_what_turns_a_hold_over_is_weighed_by_the_errors_of_its_readings():
     for share, way in ((1.01 * border, -1.0), (0.99 * border, 1.0)):
         counts = field.copy()
         counts[hold] *= share
-        found = channels._with_polarities(replace(readings, counts=counts), model, pose, site, turn)
+        found = channels.with_polarities(replace(readings, counts=counts), model, pose, site, turn)
         assert found.polarity.tolist() == [1.0, 1.0, way]
-
-
-def test_every_axis_of_every_chip_is_dead_or_not_by_itself(monkeypatch):
-    """Ten chips of all eight kinds but of three dead axes; sites as found."""
-    kinds = [[a, b, c] for a in (True, False) for b in (True, False) for c in (False, True)]
-    dead = np.array([kinds[k % 8] for k in range(CHIPS)])
-    whole = np.tile(np.eye(3), (CHIPS, 1, 1))
-    known = np.ones((CHIPS, 3), bool)
-    problem = SimpleNamespace(
-        found=SimpleNamespace(turn=whole),
-        matrices=lambda unknown: whole,
-        gains=slice(0, 0),
-        known=known,
-    )
-    fit = SimpleNamespace(
-        problem=problem,
-        unknown=None,
-        covariance=np.zeros((0, 0)),
-        dead=dead & ~dead.all(1)[:, None],
-    )
-    told = np.ones((CHIPS, 4)), np.zeros((CHIPS, 4))
-    monkeypatch.setattr(chip_fit, "fitted", lambda readings, found: fit)
-    monkeypatch.setattr(chip_fit, "_relative_gains", lambda *given: told)
-    found = SimpleNamespace(site=np.arange(CHIPS)[::-1], turn=whole)
-    chips = chip_fit.chips_found.__wrapped__(None, found)
-    assert [chip.dead for chip in chips] == [tuple(row) for row in fit.dead.tolist()]
-    assert [chip.site for chip in chips] == [*range(CHIPS)][::-1]
-    assert len({chip.dead for chip in chips}) == 7
-
-
-@pytest.mark.parametrize(("turned", "best"), [(False, 0), (True, 1)])
-def test_chips_that_seem_turned_are_tried_by_their_responses_too(monkeypatch, turned, best):
-    """The first arrangement costs 2, the second 1; it is asked for where the first is not as named."""
-    turn = np.tile(np.eye(3), (CHIPS, 1, 1))
-    if turned:
-        turn[7] = signed_permutations()[5]
-    costs = iter([2.0, 1.0])
-    settled = lambda readings, model, site: SimpleNamespace(  # noqa: E731
-        site=np.arange(CHIPS), turn=turn, cost=next(costs)
-    )
-    monkeypatch.setattr(channels, "_settled", settled)
-    monkeypatch.setattr(channels, "_by_response", lambda readings, holds: np.arange(CHIPS))
-    readings = SimpleNamespace(counts=np.zeros((CHIPS, CHIPS, 3)))
-    found = channels.find_chips.__wrapped__(SMALL, readings, range(CHIPS))
-    assert found.cost == (2.0, 1.0)[best]

@@ -98,7 +98,7 @@ def test_gains_of_holds_and_of_earths_field_count_by_their_precision():
     gain, sd = chip_findings.combined_gains(chips(), field)
     assert_allclose(gain[2], (1e4 * 1.0 + 0.25e4 * 1.2) / 1.25e4)
     assert_allclose(sd, 1 / np.sqrt(1.25e4))
-    of_chip, chip_sd = chip_findings._of_chips(chips(), field)
+    of_chip, chip_sd = chip_findings.findings_of_chips(chips(), field)
     mean_sd = 0.02 * np.sqrt(3) / 3
     assert_allclose(
         of_chip[2], (1.0 / 0.001**2 + 1.2 / mean_sd**2) / (1 / 0.001**2 + 1 / mean_sd**2)
@@ -161,4 +161,4 @@ def test_axes_of_a_slanted_chip_are_told_by_their_largest_part():
     c, s = np.cos(np.radians(100)), np.sin(np.radians(100))
     slanted = np.array([[1, 0, 0], [0, c, -s], [0, s, c]]) @ about_z(30)
     found = chips(c0={"turn": slanted})[0]
-    assert chip_findings._axes_text(found) == "(X, −Z, Y) for X, Y, Z"
+    assert chip_findings.axes_text(found) == "(X, −Z, Y) for X, Y, Z"

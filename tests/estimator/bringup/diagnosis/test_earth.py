@@ -6,10 +6,10 @@ from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
 from estimator.bringup.asking.asked import POSES
-from estimator.bringup.diagnosis.earth import _first_field, _results, from_earth, in_object
+from estimator.bringup.diagnosis.earth import first_field, from_earth, in_object, results_of_fit
 from estimator.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
-from tests.support.recorded_facts import assert_on_record, told_whole
+from tests.support.physics_pages import assert_page, chosen
 
 FRAMES = 210
 CHIPS = tuple(ChipFound(site, np.eye(3)) for site in range(10))
@@ -64,7 +64,7 @@ def test_intervals_are_1_96_standard_deviations_each_of_its_own_unknown():
     )
     known = np.ones((2, 1, 3), bool)
     known[:, 0, 2] = False
-    found = _results(values, np.diag(sd**2), sizes, known, 0.4)
+    found = results_of_fit(values, np.diag(sd**2), sizes, known, 0.4)
     assert found.field_ut == pytest.approx(5)
     assert found.field_interval_ut == pytest.approx(1.96 * np.hypot(0.6 * 0.5, 0.8 * 1))
     assert np.allclose(found.gain[0, :2], np.exp([0.1, -0.2]))
@@ -84,8 +84,9 @@ def test_all_gains_together_are_told_as_a_stronger_field(means, found):
     assert np.allclose(again.gain, found.gain, atol=0.02)
 
 
-def test_what_is_found_in_earth_s_field_is_as_on_record(found):
-    assert_on_record("bringup", "earth", told_whole("found", found), "estimator")
+def test_what_is_found_in_earth_s_field_is_as_on_the_page(found):
+    lines = chosen(found, "field_ut", "field_interval_ut", "offset", "gain", "gain_interval")
+    assert_page("estimator/bringup", [*lines, ("misfit", found.misfit)], "earth, ")
 
 
 def test_the_first_field_is_that_of_least_squares_about_the_mean_pose():
@@ -97,5 +98,5 @@ def test_the_first_field_is_that_of_least_squares_about_the_mean_pose():
     field = np.array([21.0, -4.0, 39.0])
     counts = 0.8 * np.einsum("cab,kbd,d->kca", axes, poses, field) + rng.normal(0, 80, (4, 3))
     counts[:, 2, 1] = np.nan
-    found = _first_field(counts - counts.mean(axis=0), axes, poses, 0.8)
+    found = first_field(counts - counts.mean(axis=0), axes, poses, 0.8)
     assert found == pytest.approx(field)

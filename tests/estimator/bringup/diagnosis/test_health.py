@@ -5,7 +5,7 @@ import pytest
 
 from estimator.bringup.asking.asked import Recording
 from estimator.bringup.diagnosis.findings import ChipFound
-from estimator.bringup.diagnosis.health import Health, _line_findings, health_findings, health_of
+from estimator.bringup.diagnosis.health import Health, health_findings, health_of, line_findings
 from estimator.bringup.diagnosis.levenberg_marquardt import many_most_probable
 from estimator.bringup.diagnosis.poles import find_magnet, magnet_findings, pocket_fields
 from tests.support.new_objects import SMALL
@@ -98,8 +98,8 @@ def made(rate_hz, lost=0.0, damaged=0, errors=None):
 )
 def test_a_line_is_judged_at_both_sides_of_its_limits(sound, wrong, measured):
     assert SMALL.sensors.frame_rate_hz == 10.5
-    assert list(_line_findings(SMALL, sound, 200)) == []
-    (found,) = _line_findings(SMALL, wrong, 200)
+    assert list(line_findings(SMALL, sound, 200)) == []
+    (found,) = line_findings(SMALL, wrong, 200)
     assert found.measured == measured
 
 

@@ -5,13 +5,13 @@ import pytest
 from numpy.testing import assert_allclose
 
 from estimator.calibration.known_travel.bound import (
-    _attainable,
-    _bound_mm,
-    _drift,
-    _scatter_mm,
+    attainable_correlation,
+    drift_of_rounds,
+    place_scatter_mm,
+    places_bound_mm,
     recorded_slopes,
 )
-from estimator.calibration.known_travel.fit import _twin
+from estimator.calibration.known_travel.fit import moved_twin
 from estimator.calibration.known_travel.model import Pose, Twin
 
 LATTICE = np.array([(1.5 * i, 1.5 * j) for i in range(-6, 7) for j in range(-6, 7)])
@@ -47,12 +47,12 @@ def test_bound_and_scatter_follow_from_slopes_and_noise():
     """Two channels, of which each sees one direction: σ/slope, added up."""
     slope = np.array([[2.0, 0.0], [0.0, 5.0]])
     precision = np.diag([1 / 0.3**2, 1 / 0.4**2])
-    assert _bound_mm(slope[None], precision)[0] == pytest.approx(np.hypot(0.3 / 2, 0.4 / 5))
-    assert np.isnan(_bound_mm(np.full((1, 2, 2), np.nan), precision)[0])
+    assert places_bound_mm(slope[None], precision)[0] == pytest.approx(np.hypot(0.3 / 2, 0.4 / 5))
+    assert np.isnan(places_bound_mm(np.full((1, 2, 2), np.nan), precision)[0])
     left = np.array([[0.2, 0.0], [-0.2, 0.5], [0.0, -0.5]])
     wanted = np.sqrt((2 * 0.1**2 + 2 * 0.1**2) / 2)
-    assert _scatter_mm(slope, precision, left) == pytest.approx(wanted)
-    assert np.isnan(_scatter_mm(np.full((2, 2), np.nan), precision, left))
+    assert place_scatter_mm(slope, precision, left) == pytest.approx(wanted)
+    assert np.isnan(place_scatter_mm(np.full((2, 2), np.nan), precision, left))
 
 
 def test_drift_is_what_all_places_share_from_round_to_round():
@@ -60,14 +60,16 @@ def test_drift_is_what_all_places_share_from_round_to_round():
     groups = [np.array([0, 2, 4]), np.array([1, 3, 5])]
     place = np.array([0.0, 9.0, 0.0, 9.0, 0.0, 9.0])[:, None] * [1.0, 2.0]
     drift = np.repeat([-1.0, 0.0, 1.0], 2)[:, None] * [0.5, -0.25]
-    found = _drift(rng.normal() + place + drift, groups, 6)
+    found = drift_of_rounds(rng.normal() + place + drift, groups, 6)
     assert_allclose(found, drift, atol=1e-12)
 
 
 def test_few_repeats_blur_a_right_bound_and_many_show_it():
     rng = np.random.default_rng(1)
     slopes = np.eye(2) * np.linspace(0.5, 3.0, 40)[:, None, None]
-    few, many = (_attainable(slopes, np.eye(2), n * 20, rng) for n in ([3, 3], [200, 600]))
+    few, many = (
+        attainable_correlation(slopes, np.eye(2), n * 20, rng) for n in ([3, 3], [200, 600])
+    )
     assert 0.5 < few < 0.95
     assert many > 0.97
 
@@ -75,12 +77,12 @@ def test_few_repeats_blur_a_right_bound_and_many_show_it():
 def test_numbers_of_a_fit_move_pose_seats_tilts_and_strength():
     pose = Pose(np.array([1.0, 2.0]), 0.1, 5.0, 3)
     start = Twin(pose, np.ones((2, 3)), np.zeros((2, 2)), 1.1)
-    moved = _twin(start, np.array([0.5, -0.5, 0.01, 0.2]))
+    moved = moved_twin(start, np.array([0.5, -0.5, 0.01, 0.2]))
     assert_allclose(moved.pose.shift_mm, [1.5, 1.5])
     assert (moved.pose.turn_rad, moved.pose.contact_mm) == pytest.approx((0.11, 5.2))
     assert (moved.pose.symmetry, moved.strength) == (3, 1.1)
     numbers = np.concatenate([np.zeros(4), np.arange(6), 10 + np.arange(4), [np.log(2)]])
-    moved = _twin(start, numbers)
+    moved = moved_twin(start, numbers)
     assert_allclose(moved.magnet_mm, 1 + np.arange(6).reshape(2, 3))
     assert_allclose(moved.tilt_rad, 10 + np.arange(4).reshape(2, 2))
     assert moved.strength == pytest.approx(2.2)

@@ -5,10 +5,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose, assert_array_equal
+from numpy.testing import assert_allclose
 from scipy.stats import spearmanr
 
-from estimator.calibration.known_travel import agreement, bound, fit, places
+from estimator.calibration.known_travel import agreement, bound, places
 from estimator.calibration.known_travel.agreement import figures, travel_agreement
 from estimator.calibration.known_travel.fit import Fitted
 from estimator.calibration.known_travel.model import SYMMETRIES, Pose, TravelModel, Twin
@@ -75,8 +75,8 @@ def test_bound_and_scatter_are_of_the_noise_of_the_repeats_without_their_drift(m
         asked.append((slopes, precision, count))
         return 0.75
 
-    monkeypatch.setattr(bound, "_attainable", attainable)
-    monkeypatch.setattr(bound, "_NULLS", 300)
+    monkeypatch.setattr(bound, "attainable_correlation", attainable)
+    monkeypatch.setattr(bound, "NULLS", 300)
     repeats = TravelRecording(repeats.time_s, repeats.tip_mm, repeats.field_mt + drift, place)
     found = bound.bound_test.__wrapped__(Made(), Fitted(TWIN, RESTING_MT, 0.0), repeats)
 
@@ -161,7 +161,9 @@ def test_rivals_are_fitted_to_the_registered_presses_alone():
     model, place = Made(), np.arange(12)
     judged = recording(XY, TRAVEL, place, 0.5)
     registered = recording(XY[::-1] / 4, TRAVEL + 1, place, 0.5)
-    found = agreement._rivals.__wrapped__(model, Fitted(TWIN, RESTING_MT, 0.0), registered, judged)
+    found = agreement.rival_figures.__wrapped__(
+        model, Fitted(TWIN, RESTING_MT, 0.0), registered, judged
+    )
     assert list(found) == ["all magnets sink alike", "mean of the registered presses"]
     recorded, known = judged.field_mt - RESTING_MT, registered.field_mt - RESTING_MT
     shown = TRAVEL + 1
@@ -179,31 +181,9 @@ def test_rivals_are_fitted_to_the_registered_presses_alone():
     slope = np.linalg.lstsq(shown[:, None], known.reshape(-1, 9))[0]
     mean = figures((TRAVEL[:, None] * slope).reshape(-1, 3, 3), recorded)
     assert_allclose(astuple(found["mean of the registered presses"]), astuple(mean))
-    assert list(agreement._orders(3)) == [(0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)]
-    assert len(agreement._orders(5)) == 119
-    assert len(agreement._orders(6)) == agreement._ORDERS_OF_CHIPS
-
-
-def test_registration_starts_at_the_middle_of_the_places_and_goes_on_with_the_two_best(monkeypatch):
-    """All eight symmetries first, six rounds each; of the best two the one that then leaves less."""
-    tip = np.array([[1.0, 2, 5], [4, 3, 8], [2, 12, 6]])
-    shown = TravelRecording(np.arange(3.0), tip, np.zeros((3, 3, 3)), np.arange(3))
-    first, asked = [5.0, 2.0, 7.0, 1.0, 9.0, 8.0, 4.0, 6.0], []
-
-    def fitting(model, recording, start, free, rounds=None):
-        asked.append((start, rounds))
-        k = start.pose.symmetry
-        return Fitted(start, RESTING_MT, first[k] if rounds else {3: 0.9, 1: 0.8}[k])
-
-    monkeypatch.setattr(fit, "_fit", fitting)
-    model = SimpleNamespace(as_designed=lambda pose: Twin(pose, np.zeros((1, 3)), np.zeros((1, 2))))
-    found = fit.register.__wrapped__(model, shown)
-    assert [start.pose.symmetry for start, _ in asked] == [*range(8), 3, 1]
-    assert [rounds for _, rounds in asked] == [6] * 8 + [None] * 2
-    for start, _ in asked[:8]:
-        assert_array_equal(start.pose.shift_mm, [2.5, 7])
-        assert (start.pose.turn_rad, start.pose.contact_mm) == (0, 10)
-    assert (found.twin.pose.symmetry, found.left_mt) == (1, 0.8)
+    assert list(agreement.chip_orders(3)) == [(0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)]
+    assert len(agreement.chip_orders(5)) == 119
+    assert len(agreement.chip_orders(6)) == agreement.ORDERS_OF_CHIPS
 
 
 @pytest.mark.parametrize(
@@ -232,7 +212,7 @@ def test_between_nodes_the_twin_reads_their_mean_by_likelihood(monkeypatch):
     fitted = SimpleNamespace(twin=None, resting_mt=np.arange(6.0).reshape(2, 3))
     field = fitted.resting_mt + model.pressed(None, tip) + 0.3
     asked = TravelRecording(np.arange(3.0), tip, field, np.arange(3))
-    found = places._by_twin.__wrapped__(model, fitted, range(12), asked)
+    found = places.places_by_twin.__wrapped__(model, fitted, range(12), asked)
     axes = np.arange(0.3, 3.31, 1.0), np.arange(0.2, 4.21, 1.0), np.arange(0.1, 2.11, 0.5)
     nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     variance = sizes**2 + 0.05 * np.mean(sizes**2)
@@ -243,60 +223,16 @@ def test_between_nodes_the_twin_reads_their_mean_by_likelihood(monkeypatch):
         assert_allclose(read, np.average(nodes[near], axis=0, weights=np.exp(-d2[near] / 2)))
 
 
-def test_readers_learn_from_scaled_fields_and_the_last_from_what_the_twin_leaves(monkeypatch):
-    rng = np.random.default_rng(4)
-    shown, true = rng.uniform(0, 5, (8, 3)), rng.uniform(0, 5, (5, 3))
-    scale = np.array([1.0, 20, 300, 4, 5, 6])
-
-    def taken(tip):
-        field = np.hstack([tip, tip[:, ::-1]]) * scale
-        return TravelRecording(
-            np.arange(len(tip)) * 1.0, tip, field.reshape(-1, 2, 3), np.arange(len(tip))
-        )
-
-    by_twin = {8: shown + 0.5, 5: true - [0.25, 0, 0.75]}
-    asked = []
-
-    def process(inputs, targets, query, seed):
-        asked.append((inputs, targets, query, seed))
-        return np.full((5, 3), 0.125 * len(asked))
-
-    monkeypatch.setattr(places, "_by_twin", lambda model, fitted, known, given: by_twin[len(given)])
-    monkeypatch.setattr(places, "_process", process)
-    found = places.readers.__wrapped__(None, None, taken(shown), taken(true), 7)
-    plain, query = (np.hstack([tip, tip[:, ::-1]]) for tip in (shown, true))
-    spread = plain.std(axis=0)
-    nearest = shown[np.linalg.norm((query[:, None] - plain) / spread, axis=2).argmin(axis=1)]
-    read = {
-        "middle of the labelled places": np.tile(shown.mean(axis=0), (5, 1)),
-        "nearest labelled press": nearest,
-        "Gaussian process": np.full((5, 3), 0.25),
-        "twin alone": by_twin[5],
-        "twin and Gaussian process": by_twin[5] + 0.125,
-    }
-    assert list(found) == list(read)
-    for name, places_read in read.items():
-        assert_allclose(astuple(found[name]), astuple(places._errors(places_read, true)))
-    (inputs, targets, given, seed), (inputs_2, targets_2, given_2, _) = asked
-    assert seed == 7
-    assert_allclose(inputs, np.hstack([plain / spread, shown + 0.5]))
-    assert_allclose(targets, np.full((8, 3), -0.5))
-    assert_allclose(given, np.hstack([query / spread, by_twin[5]]))
-    assert_allclose(inputs_2, plain / spread)
-    assert_allclose(targets_2, shown)
-    assert_allclose(given_2, query / spread)
-
-
 def test_a_process_reads_targets_of_any_size_and_middle_and_uses_all_presses_in_the_end(
     monkeypatch,
 ):
     """Learnt on 12 of 40 presses, conditioned on all of them: between these the curve is known."""
-    monkeypatch.setattr(places, "_MOST_PRESSES", 12)
+    monkeypatch.setattr(places, "MOST_PRESSES", 12)
     x = np.linspace(0, 9, 40)[:, None]
     asked = np.linspace(0.4, 8.7, 30)[:, None]
     y, wanted = (
         np.hstack([np.sin(at / 2), 50 + 3 * np.cos(at / 2), -7 + 0.1 * at]) for at in (x, asked)
     )
     inputs, query = np.hstack([1e3 + x, -2 * x]), np.hstack([1e3 + asked, -2 * asked])
-    found = places._process(inputs, y, query, 1)
+    found = places.gaussian_process(inputs, y, query, 1)
     assert (abs(found - wanted) < [0.02, 0.06, 0.01]).all()

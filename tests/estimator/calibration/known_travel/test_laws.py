@@ -1,7 +1,6 @@
 """Bases of the laws of force and field, and figures of presses, by hand."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -24,29 +23,29 @@ def made(travel, load=None, cycle=None):
 def test_what_relaxes_is_the_integral_of_past_changes():
     """∫ exp(−(t − s)/θ) de(s) of e = t² is ∫ exp(−(t − s)/θ) 2 s ds; steps of 0.1 s are 2 % off."""
     time_s = 3.0
-    found = cycles._relaxing((TIME**2)[:, None], time_s)[:, 0]
+    found = cycles.relaxing_travel((TIME**2)[:, None], time_s)[:, 0]
     for k in (30, 90):
         wanted = quad(lambda s, t=TIME[k]: np.exp(-(t - s) / time_s) * 2 * s, 0, TIME[k])[0]
         assert found[k] == pytest.approx(wanted, rel=0.04)
     exact = [sum(np.exp(-0.1 * (k - j) / time_s) * 2.0 for j in range(1, k + 1)) for k in range(5)]
-    assert_allclose(cycles._relaxing(2.0 * np.arange(5)[:, None], time_s)[:, 0], exact)
+    assert_allclose(cycles.relaxing_travel(2.0 * np.arange(5)[:, None], time_s)[:, 0], exact)
 
 
 def test_bases_are_spheres_behind_their_contact_and_chebyshev_powers():
     travel = np.array([0.0, 1.0, 2.0, 5.0])
-    assert_allclose(cycles._sphere(travel, 1.0)[:, 0], [0, 0, 1, 8])
-    assert_allclose(cycles._contacts(made(travel)), np.arange(26) * 0.1)
+    assert_allclose(cycles.sphere_basis(travel, 1.0)[:, 0], [0, 0, 1, 8])
+    assert_allclose(cycles.contact_basis(made(travel)), np.arange(26) * 0.1)
     share = np.array([0.0, 0.3, 1.0])
     wanted = [np.cos(k * np.arccos(2 * share - 1)) for k in range(8)]
-    assert_allclose(cycles._powers(share), np.stack(wanted, axis=1), atol=1e-9)
+    assert_allclose(cycles.power_basis(share), np.stack(wanted, axis=1), atol=1e-9)
     assert_allclose(cycles.LAGS_S, [-0.5, -0.4, -0.3, -0.2, -0.1, 0, *(0.1 * np.arange(1, 11))])
 
 
 def test_late_travel_is_that_of_some_time_ago():
     travel = np.array([0.0, 1, 3, 4, 2, 0])
-    assert_allclose(cycles._late(made(travel), 0.1), [0, 0, 1, 3, 4, 2])
-    assert_allclose(cycles._late(made(travel), -0.2), [3, 4, 2, 0, 0, 0])
-    assert_allclose(cycles._late(made(travel), 0.05), [0, 0.5, 2, 3.5, 3, 1])
+    assert_allclose(cycles.late_travel(made(travel), 0.1), [0, 0, 1, 3, 4, 2])
+    assert_allclose(cycles.late_travel(made(travel), -0.2), [3, 4, 2, 0, 0, 0])
+    assert_allclose(cycles.late_travel(made(travel), 0.05), [0, 0.5, 2, 3.5, 3, 1])
 
 
 def test_the_share_of_work_lost_is_that_of_the_loop():
@@ -66,38 +65,38 @@ def test_later_cycles_judge_the_basis_that_fits_earlier_ones_best():
     x = np.tile(np.linspace(0, 1, 10), 5)
     values = np.where(number < 2, 2 * x, 2 * x + 0.1)[:, None]
     given = made(x, 2 * x, number)
-    fitted, judged = cycles._halves(given)
+    fitted, judged = cycles.cycle_halves(given)
     assert_array_equal(fitted, number < 2)
     assert_array_equal(judged, number >= 2)
     before = replace(given, cycle=number - 1)
-    assert_array_equal(cycles._halves(before)[0], (number >= 1) & (number < 3))
+    assert_array_equal(cycles.cycle_halves(before)[0], (number >= 1) & (number < 3))
     line, parabola = x[:, None], x[:, None] ** 2
-    found = cycles._judged(given, [parabola, line], values)
+    found = cycles.judged_share(given, [parabola, line], values)
     about = np.sum((values[20:] - values[20:].mean()) ** 2)
     assert found == pytest.approx(1 - 30 * 0.01 / about)
-    assert cycles._left(given, line, values) == pytest.approx(0.0, abs=1e-12)
+    assert cycles.squares_left(given, line, values) == pytest.approx(0.0, abs=1e-12)
     law = (parabola[:20] * values[:20]).sum() / (parabola[:20] ** 2).sum()
     wanted = np.sum((values[:20] - law * parabola[:20]) ** 2)
-    assert cycles._left(given, parabola, values) == pytest.approx(wanted)
+    assert cycles.squares_left(given, parabola, values) == pytest.approx(wanted)
 
 
 def test_ways_are_exchanged_at_the_nearest_travel():
     travel = np.array([0.0, 1.0, 3.0, 4.0, 2.9, 1.2, 0.1])
-    assert cycles._mirrored(made(travel)).tolist() == [6, 5, 4, 3, 2, 1, 0]
+    assert cycles.mirrored_ways(made(travel)).tolist() == [6, 5, 4, 3, 2, 1, 0]
     two = made(np.tile(travel, 2), cycle=np.repeat([0, 1], 7))
-    assert cycles._mirrored(two).tolist() == [6, 5, 4, 3, 2, 1, 0, 13, 12, 11, 10, 9, 8, 7]
+    assert cycles.mirrored_ways(two).tolist() == [6, 5, 4, 3, 2, 1, 0, 13, 12, 11, 10, 9, 8, 7]
 
 
 def test_a_gain_is_the_share_of_squares_and_its_range_is_over_places():
     """Two places whose gains are 0.5 and 0.1 of sizes 10 and 10; drawn anew they mix."""
     alone = np.array([10.0, 10.0, 10.0, 10.0])
     left = np.array([5.0, 5.0, 9.0, 9.0])
-    gained, low, high = suspects._gain(
+    gained, low, high = suspects.gain_of_suspect(
         alone, left, np.full(4, 10.0), np.array([4, 4, 9, 9]), np.random.default_rng(0)
     )
     assert gained == pytest.approx(0.3)
     assert (low, high) == (pytest.approx(0.1), pytest.approx(0.5))
-    assert_allclose(suspects._squares(np.arange(12.0).reshape(2, 2, 3)), [55, 451])
+    assert_allclose(suspects.squares_left(np.arange(12.0).reshape(2, 2, 3)), [55, 451])
 
 
 def test_figures_of_presses_by_hand():
@@ -117,10 +116,10 @@ def test_figures_of_presses_by_hand():
 
 
 def test_orders_of_chips_are_all_others_of_five_and_a_draw_of_more():
-    assert len(agreement._orders(3)) == 5
-    assert (0, 1, 2) not in agreement._orders(3)
-    assert len(agreement._orders(5)) == 119
-    drawn = agreement._orders(6)
+    assert len(agreement.chip_orders(3)) == 5
+    assert (0, 1, 2) not in agreement.chip_orders(3)
+    assert len(agreement.chip_orders(5)) == 119
+    drawn = agreement.chip_orders(6)
     assert len(drawn) == 120
     assert all(sorted(order) == list(range(6)) for order in drawn)
 
@@ -138,26 +137,3 @@ def test_the_true_order_of_chips_is_best_where_no_other_reaches_its_cosine():
     assert nulls["places exchanged"]["cosine"] == [0.2, 0.3]
     assert nulls["chips permuted"]["cosine"] == [0.65, 0.8]
     assert found.summary()["order of chips"] == 3
-
-
-def test_figures_are_told_millimetre_by_millimetre_of_travel_each_press_once(monkeypatch):
-    """A press exactly at a millimetre belongs to the one that begins there; one alone is not told."""
-    travel = np.array([0.0, 0.5, 1.0, 1.0, 1.5, 2.0, 3.0, 3.2])
-    fitted = SimpleNamespace(
-        twin=SimpleNamespace(
-            pose=SimpleNamespace(in_object=lambda tip: (np.zeros((8, 2)), travel))
-        ),
-        resting_mt=np.zeros((2, 3)),
-    )
-    model = SimpleNamespace(
-        motion=lambda xy, travel: travel, change=lambda twin, motion: np.ones((8, 2, 3))
-    )
-    recording = SimpleNamespace(tip_mm=None, field_mt=np.zeros((8, 2, 3)))
-    monkeypatch.setattr(agreement, "figures", lambda predicted, recorded: len(predicted))
-    monkeypatch.setattr(agreement, "_rivals", lambda *given: None)
-    monkeypatch.setattr(agreement, "TravelAgreement", lambda *given: given)
-    judge = agreement.travel_agreement.__wrapped__
-    every, beyond, deep, steps, exchanged, orders, _ = judge(model, fitted, recording, recording, 3)
-    assert (every, beyond, deep) == (8, 1.0, 4)
-    assert steps == {"0 to 1 mm": 2, "1 to 2 mm": 3, "3 to 4 mm": 2}
-    assert (exchanged, orders) == ([8] * 3, [8])

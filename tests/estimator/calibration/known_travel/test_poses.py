@@ -1,15 +1,11 @@
 """Poses of objects under a machine, by the machine's own steps; errors of places by hand."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from estimator.calibration.known_travel import places
 from estimator.calibration.known_travel.model import SYMMETRIES, Pose
-from estimator.calibration.known_travel.places import PlaceErrors, _errors
-from estimator.recordings.formats.travel import TravelRecording
+from estimator.calibration.known_travel.places import PlaceErrors, place_errors
 
 
 @pytest.mark.parametrize("symmetry", range(8))
@@ -41,27 +37,4 @@ def test_errors_of_places_are_distances_in_the_plane_and_of_the_travel():
     rms = np.sqrt((25 + 1 + 1) / 3), np.sqrt((0.04 + 0.16 + 0.81) / 3)
     wanted = PlaceErrors(1.0, rms[0], 0.4, rms[1])
     for name, value in vars(wanted).items():
-        assert getattr(_errors(read, true), name) == pytest.approx(value), name
-
-
-def test_the_twin_s_table_spans_what_is_asked_for_and_its_nearest_nodes_are_read(monkeypatch):
-    """The field of a node is its place, twice over: steps of 1, 1 and 0.5 mm."""
-    seen = []
-
-    def pressed(twin, tip_mm):
-        seen.append(tip_mm)
-        return np.stack([tip_mm, tip_mm + 1.0], axis=1)
-
-    tip_mm = np.array([[0.0, 1.0, -1.0], [4.0, 3.0, 1.0], [2.0, 2.0, 0.0]])
-    model = SimpleNamespace(pressed=pressed)
-    fitted = SimpleNamespace(twin=None, resting_mt=np.zeros((2, 3)))
-    asked = TravelRecording(np.arange(3.0), tip_mm, pressed(None, tip_mm), np.arange(3))
-    noise = 0.05 * np.random.default_rng(1).standard_normal((40, 2, 3))
-    monkeypatch.setattr(places, "left_over", lambda model, fitted, labelled: noise)
-    labelled = range(40)
-    read = places._by_twin.__wrapped__(model, fitted, labelled, asked)
-    x, y, z = (np.unique(column) for column in seen[-1].T)
-    assert_allclose(x, [0, 1, 2, 3, 4])
-    assert_allclose(y, [1, 2, 3])
-    assert_allclose(z, [-1, -0.5, 0, 0.5, 1])
-    assert_allclose(read, tip_mm, atol=0.02)
+        assert getattr(place_errors(read, true), name) == pytest.approx(value), name

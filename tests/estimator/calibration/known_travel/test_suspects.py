@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from estimator.calibration.known_travel.fit import _POSE, _fit, drawn_places
+from estimator.calibration.known_travel.fit import POSE_NUMBERS, drawn_places, fit_twin
 from estimator.calibration.known_travel.suspects import ranked_suspects
 from estimator.recordings.formats.travel import TravelRecording
 from tests.support.recordings.travel_cases import (
@@ -37,7 +37,7 @@ def ranked(model, bulging, field_mt, tip, seed=0):
     shown = drawn_places(recording, 0.4, seed)
     parts = recording.select(shown), recording.select(~shown)
     near = POSE.moved(np.array([0.3, 0.3, 0.0, -0.2]))
-    registered = _fit(model, parts[0], model.as_designed(near), _POSE)
+    registered = fit_twin(model, parts[0], model.as_designed(near), POSE_NUMBERS)
     others = {"bulging": (bulging, lambda share: f"{share:.2f}")}
     return ranked_suspects(model, registered, *parts, others, seed)
 

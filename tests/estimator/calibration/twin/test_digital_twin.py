@@ -21,7 +21,7 @@ from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from fem.large_strain.correction import StrainCorrection, corrected_table
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
-from tests.support.recorded_facts import assert_on_record, told, told_whole
+from tests.support.physics_pages import assert_page, chosen
 
 pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 3
@@ -119,13 +119,13 @@ def test_a_prediction_of_no_object_leaves_everything(seen):
     """NaN counted as nothing left: such a twin was said to help."""
     predicted = np.zeros_like(seen.counts)
     predicted[1] = np.nan
-    share = calibrated_twin._left_share(SPEC, seen, predicted)
+    share = calibrated_twin.left_share(SPEC, seen, predicted)
     assert share[1] == 1.0
     assert np.isfinite(share).all()
 
 
 def test_places_left_out_tell_the_error_beforehand(monkeypatch, presses, seen):
-    monkeypatch.setattr(calibrated_twin, "_FOLDS", 2)
+    monkeypatch.setattr(calibrated_twin, "FOLDS", 2)
     calibrated, planned = places_left_out(SPEC, *presses, seen)
     assert calibrated.shape == planned.shape == (len(seen),)
     assert np.median(calibrated) < 0.5 * np.median(planned)
@@ -157,11 +157,11 @@ def joint_doubt(twin):
     over all channels, for linear numbers with the process."""
     process, (rows, channels, _) = twin.discrepancy, twin.jacobian.shape
     seen, flat = process.seen, twin.jacobian.transpose(1, 0, 2).reshape(rows * channels, -1)
-    kernel = process._kernel(seen.xy_mm, seen.force_n)
+    kernel = process.kernel_of(seen.xy_mm, seen.force_n)
     scales = (process.prior.size * process.scale) ** 2
     signal = flat @ flat.T + block_diag(*[scale * kernel for scale in scales])
     zeros = block_diag(*seen.zero_counts2)
-    noise = block_diag(*[zeros + np.diag(white) for white in process._white.T])
+    noise = block_diag(*[zeros + np.diag(white) for white in process.white_of.T])
     variance = signal.diagonal() - np.einsum(
         "ij,ji->i", signal, np.linalg.solve(signal + noise, signal)
     )
@@ -330,15 +330,11 @@ def test_no_force_no_discrepancy():
     assert_allclose(found, 0, atol=0)
 
 
-def test_the_twin_is_as_on_record(twin, seen):
+def test_the_twin_is_as_on_the_page(twin, seen):
     lines = [
-        *told_whole("places", seen),
-        told("numbers", twin.numbers),
-        told("covariance", twin.factor @ twin.factor.T),
-        told("modulus", twin.modulus_error),
-        told("left", twin.left),
-        told("slopes", twin.jacobian),
-        *told_whole("prior", twin.discrepancy.prior),
-        told("changes", twin.signals().delta_counts),
+        *chosen(seen, "force_n", "counts", "zero_counts2"),
+        *chosen(twin, "numbers", "modulus_error", "left", "jacobian"),
+        ("covariance", twin.factor @ twin.factor.T),
+        ("changes (counts)", twin.signals().delta_counts),
     ]
-    assert_on_record("calibration", "twin", lines, "estimator")
+    assert_page("estimator/calibration", lines, "twin, ")

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from design.errors import InputError
 from estimator.calibration.twin import unknowns
 from estimator.calibration.twin.grasp_twin import (
-    _Mechanics,
+    GraspMechanics,
     calibrate_on_cases,
     left_share,
     sensor_errors,
@@ -20,7 +20,7 @@ from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.frames.windows import all_counts
 from estimator.metrics.contacts import contact_rows, matched_contacts
 from tests.support.mechanics.inverted import SPEC, presses
-from tests.support.recorded_facts import assert_on_record, told, told_whole
+from tests.support.physics_pages import assert_page, chosen
 from tests.support.recordings.made_grasps import both, built_object, grasps
 
 
@@ -43,7 +43,7 @@ def seen(trained):
 @pytest.fixture(scope="module")
 def twin(seen):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(unknowns, "_ITERATIONS", 1)
+        patch.setattr(unknowns, "ITERATIONS", 1)
         return calibrate_on_cases(SPEC, *presses()[:2], seen)
 
 
@@ -134,7 +134,7 @@ def test_an_object_that_is_not_the_drawing_is_told(built, trained, twin):
 
 def predicted(seen, twin):
     """Of the design."""
-    mechanics = _Mechanics(twin.unknowns, *presses()[:2], seen)
+    mechanics = GraspMechanics(twin.unknowns, *presses()[:2], seen)
     return mechanics.expected(np.zeros(len(twin.unknowns))).reshape(seen.counts.shape)
 
 
@@ -173,16 +173,13 @@ def test_the_share_left_is_of_signals_without_their_noise():
     assert_allclose(found, [np.sqrt(25 / 125), np.sqrt(32 / 8), 0.0])
 
 
-def test_the_twin_is_as_on_record(twin, seen, estimator):
+def test_the_twin_is_as_on_the_page(twin, seen, estimator):
     lines = [
-        *told_whole("cases", seen),
-        told("numbers", twin.numbers),
-        told("modulus", twin.modulus_error),
-        told("shares", np.stack([twin.left_share, twin.design_share])),
-        told("left", twin.left),
-        *told_whole("disturbances", estimator.disturbances),
+        *chosen(seen, "force_n", "counts", "noise_counts2"),
+        *chosen(twin, "numbers", "modulus_error", "left_share", "left"),
+        *chosen(estimator.disturbances, "model_error"),
     ]
-    assert_on_record("calibration", "twin of grasps", lines, "estimator")
+    assert_page("estimator/calibration", lines, "twin of grasps, ")
 
 
 @pytest.mark.parametrize("force", [[1.0, 1.0], [0.0, 2.0], [2.0, 1.5]], ids=str)
@@ -193,6 +190,6 @@ def test_presses_whose_forces_do_not_grow_are_of_no_object(force):
     one = SimpleNamespace(
         unknowns=guess, seen=seen, rest=np.zeros((1, 6)), parts=[([0], [0], places)]
     )
-    found = _Mechanics.expected.__wrapped__(one, np.zeros(2))
+    found = GraspMechanics.expected.__wrapped__(one, np.zeros(2))
     assert found.shape == (6, 4)
     assert np.isnan(found).all()

@@ -11,7 +11,7 @@ from estimator.inversion.model.noise import SUM_ERROR, design_error
 from estimator.signals.presses import Signals
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from tests.support.mechanics.inverted import SPEC, presses
-from tests.support.recorded_facts import assert_on_record, told_whole
+from tests.support.physics_pages import assert_page, chosen
 
 FACE, ROW = 3, 2
 
@@ -87,9 +87,9 @@ def test_without_a_twin_of_every_face_forces_are_as_uncertain_as_the_modulus(est
     )
 
 
-def test_what_the_twin_s_estimator_reads_is_as_on_record(estimator, built):
+def test_what_the_twin_s_estimator_reads_is_as_on_the_page(estimator, built):
     inner = np.flatnonzero(np.all(abs(built.lattice.xy_mm) < 9, axis=1))[::11]
     counts = built.delta_counts[list(built.faces).index(FACE), inner, -2].reshape(len(inner), -1)
     best, _ = estimator.read(counts)
-    lines = [*told_whole("best", best), *told_whole("disturbances", estimator.disturbances)]
-    assert_on_record("calibration", "inverted twin", lines, "estimator")
+    lines = [*chosen(best, "xy_mm", "force_n"), *chosen(estimator.disturbances, "model_error")]
+    assert_page("estimator/calibration", lines, "inverted twin, ")

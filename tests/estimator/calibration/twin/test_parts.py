@@ -17,7 +17,7 @@ from estimator.calibration.twin import (
     pressed_cases,
     pressed_places,
 )
-from estimator.calibration.twin.digital_twin import _left_share, _log_evidence, _of_face
+from estimator.calibration.twin.digital_twin import left_share, rows_of_face
 from estimator.calibration.twin.pressed_places import PressedPlaces
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -27,12 +27,12 @@ def test_the_process_over_places_is_a_matern_of_five_halves():
     a, b = rng.uniform(-9, 9, (5, 2)), rng.uniform(-9, 9, (4, 2))
     made = object.__new__(discrepancy.Discrepancy)
     made.__dict__["prior"] = SimpleNamespace(length_mm=7.0)
-    assert_allclose(made._matern(a, b), Matern(7.0, nu=2.5)(a, b))
+    assert_allclose(made.matern(a, b), Matern(7.0, nu=2.5)(a, b))
 
 
 def test_fields_grow_with_the_force_and_its_square_over_ten_newton():
     fields = np.array([[[1.0, 2.0]], [[10.0, -4.0]]])
-    found = discrepancy._at_force(fields, np.array([[0.0, 5.0, 10.0]]))
+    found = discrepancy.scaled_by_force(fields, np.array([[0.0, 5.0, 10.0]]))
     assert_allclose(found, [[[0, 0], [0.5 + 2.5, 1 - 1], [11, -2]]])
 
 
@@ -43,7 +43,7 @@ def test_errors_of_growing_memory_are_shared_by_what_is_remembered():
     variance, memory = rng.uniform(1, 3, 6), np.cumsum(rng.random(6))
     later = np.maximum.outer(np.arange(6), np.arange(6))
     covariance = variance[later] * np.exp(-abs(np.subtract.outer(memory, memory)))
-    found = pressed_places._remembered(weight, variance, memory)
+    found = pressed_places.remembered_places(weight, variance, memory)
     assert_allclose(found, weight @ covariance @ weight.T)
 
 
@@ -56,41 +56,8 @@ def test_a_case_counts_the_frames_in_which_all_its_contacts_press_by_growing_for
         force_n=force,
     )
     usable = np.array([True, True, False, True, True, True, True])
-    found = pressed_cases._whole_case.__wrapped__(frames, usable, 4)
+    found = pressed_cases.whole_case.__wrapped__(frames, usable, 4)
     assert found.tolist() == [6, 4, 1, 0]
-
-
-class Dense:
-    """A process whose covariance is dense: what `Discrepancy` tells of itself."""
-
-    def __init__(self, covariance):
-        self.inverse = np.linalg.inv(covariance)
-        self.log_determinant = np.linalg.slogdet(covariance)[1]
-
-    def weighed(self, right):
-        return self.inverse @ right
-
-
-def test_the_evidence_is_that_of_the_sum_of_process_and_linear_numbers(monkeypatch):
-    """Numbers have a normal prior of 1: the covariance of the data is that of both."""
-    rng = np.random.default_rng(2)
-    root = rng.normal(size=(5, 5))
-    covariance, jacobian = root @ root.T + np.eye(5), rng.normal(size=(5, 2))
-    right = rng.normal(size=(5, 1))
-
-    def normal_equations(process, jacobian, right):
-        weighed = process.weighed(jacobian)
-        return np.eye(2) + jacobian.T @ weighed, (weighed.T @ right)[:, 0]
-
-    monkeypatch.setattr(
-        "estimator.calibration.twin.digital_twin.normal_equations", normal_equations
-    )
-    found = _log_evidence.__wrapped__(Dense(covariance), jacobian, right)
-    whole = covariance + jacobian @ jacobian.T
-    wanted = -0.5 * (
-        right[:, 0] @ np.linalg.solve(whole, right[:, 0]) + np.linalg.slogdet(whole)[1]
-    )
-    assert found == pytest.approx(wanted)
 
 
 def test_presses_made_so_many_times_tell_so_much_more():
@@ -101,12 +68,12 @@ def test_presses_made_so_many_times_tell_so_much_more():
     rows = [np.sqrt(times[k]) * made.told[k] for k in (0, 2)]
     information = np.eye(4) + sum(part.T @ part for part in rows)
     wanted = np.linalg.inv(information)
-    assert_allclose(cho_solve(made._factor(times), np.eye(4)), wanted)
+    assert_allclose(cho_solve(made.factor_of(times), np.eye(4)), wanted)
 
 
 def factor_class():
     """The class of `least_possible` that weighs presses."""
-    (name,) = [name for name, one in vars(least_possible).items() if hasattr(one, "_factor")]
+    (name,) = [name for name, one in vars(least_possible).items() if hasattr(one, "factor_of")]
     return name
 
 
@@ -117,7 +84,7 @@ def test_the_presses_of_one_face_are_cut_out_of_all():
     force = np.arange(8.0).reshape(2, 4, 1)
     motion = np.arange(48.0).reshape(2, 4, 1, 1, 6)
     depth = np.ones(1)
-    forces, motions = _of_face(
+    forces, motions = rows_of_face(
         PressForces(faces, grid, depth, force, 2 * force),
         MagnetMotions(faces, grid, depth, motion), 5,
     )  # fmt: skip
@@ -161,7 +128,7 @@ def test_cases_left_out_move_labelled_contacts_by_the_weighted_least_squares_ste
         return SimpleNamespace(sigma=np.tile(sigma, (2, 1)))
 
     inversion = SimpleNamespace(model=model, disturbances=SimpleNamespace(observed=observed))
-    found = inverted_twin._beyond_regions.__wrapped__(inversion, SimpleNamespace(left=left), seen)
+    found = inverted_twin.beyond_regions.__wrapped__(inversion, SimpleNamespace(left=left), seen)
     squares = []
     for level, force in enumerate((1.0, 3.0)):
         jacobian = (model.slopes * (1 + force) / sigma)[:, [0, 1, 2, 4]].T
@@ -189,7 +156,7 @@ def test_what_a_prediction_leaves_of_a_place_is_about_the_means_of_its_levels():
     predicted[2] = np.nan
     seen.counts[3] *= 1e-6  # nothing but noise: the share of that
     predicted[3] = seen.counts[3] + [[300.0, 0], [0, 0], [0, -600.0]]
-    found = _left_share(spec, seen, predicted)
+    found = left_share(spec, seen, predicted)
     white = seen.white_counts2(spec)
     for place, share in enumerate(found):
         zero, noise = seen.zero_counts2[place], 2 * white[place].sum() / 3
@@ -203,50 +170,8 @@ def test_what_a_prediction_leaves_of_a_place_is_about_the_means_of_its_levels():
         assert share == pytest.approx(wanted)
         assert place == 3 or wanted > 0.25
     assert found[3] > 1
-    exact = _left_share(spec, seen, seen.counts)
+    exact = left_share(spec, seen, seen.counts)
     assert_allclose(exact, 0)
-
-
-def test_places_left_out_are_predicted_by_numbers_and_process_of_all_others(monkeypatch):
-    """Two folds of seven places: numbers tell how many places a twin was calibrated on, its process adds
-    the mean of their counts."""
-    seen, asked = pressed(), []
-
-    def calibrate(spec, forces, motions, kept):
-        asked.append(kept.xy_mm)
-        mean = kept.counts.mean()
-        process = SimpleNamespace(
-            mean=lambda left, xy, force: mean * xy[:, :1, None] * np.ones((1, 3, 2))
-        )
-        return SimpleNamespace(
-            unknowns=None, numbers=np.array([float(len(kept))]), left=None, discrepancy=process
-        )
-
-    class Places:
-        def __init__(self, unknowns, forces, motions, rest):
-            self.size = rest.counts.shape
-
-        def expected(self, numbers):
-            return (10.0 + numbers[0]) * np.ones((self.size[0] * self.size[1], self.size[2]))
-
-    told = []
-    monkeypatch.setattr(digital_twin, "_FOLDS", 2)
-    monkeypatch.setattr(digital_twin, "calibrate", calibrate)
-    monkeypatch.setattr(digital_twin, "PlaceMechanics", Places)
-    monkeypatch.setattr(
-        digital_twin, "_left_share", lambda spec, rest, wrong: wrong.sum(axis=(1, 2))
-    )
-    found, planned = digital_twin.places_left_out.__wrapped__(None, None, None, seen, told.append)
-    assert told == ["places left out, 1 of 2", "places left out, 2 of 2"]
-    assert_allclose(planned, 6 * 10.0)
-    kept = [[(xy == row).all(axis=1).any() for row in seen.xy_mm] for xy in asked]
-    out = ~np.array(kept)
-    assert sorted(out.sum(axis=1)) == [3, 4]
-    assert_allclose(out.sum(axis=0), 1)
-    for rows in out:
-        mean = seen.counts[~rows].mean()
-        wanted = 6 * (10 + np.sum(~rows) + mean * seen.xy_mm[rows, 0])
-        assert_allclose(found[rows], wanted)
 
 
 @pytest.mark.parametrize(("impossible", "drawn"), [(0, True), (19, True), (20, False)])

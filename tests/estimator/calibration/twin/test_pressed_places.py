@@ -148,7 +148,7 @@ def test_what_a_twin_leaves_is_a_share_of_the_signals_about_their_mean_less_nois
     for p in range(3):
         wrong, size = (spread(v) - noise[p] for v in (counts[p] - predicted[p], counts[p]))
         wanted.append(np.sqrt(max(wrong, 0) / max(size, noise[p])))
-    found = digital_twin._left_share(spec, seen, predicted)
+    found = digital_twin.left_share(spec, seen, predicted)
     assert_allclose(found, wanted)
     assert found[0] > 0.03
     assert found[1] == 0

@@ -30,7 +30,7 @@ LAYOUTS = layouts_of(SPEC, 3, torch.float64)
 
 
 def test_recesses_are_those_cut_from_the_core():
-    centres, axes = flat._recesses(SPEC, boards_of(SPEC, LAYOUTS))
+    centres, axes = flat.recess_boxes(SPEC, boards_of(SPEC, LAYOUTS))
     recesses = sensor_recesses(SPEC)
     assert centres.shape == (1, len(recesses), 3)
     for k, recess in enumerate(recesses):
@@ -69,7 +69,7 @@ def test_magnets_are_sealed_by_the_thinnest_wall_on_both_sides():
         layouts = replace(
             UPRIGHT, magnet_mm=torch.tensor([[[0.0, 0, depth], [5.0, 0, 2.5]]]).double()
         )
-        found = flat._unsealed(SPEC, layouts, pockets_of(SPEC, layouts)).item()
+        found = flat.unsealed_mm(SPEC, layouts, pockets_of(SPEC, layouts)).item()
         assert wall == 1.0
         assert abs(found - missing) < (SLACK_MM + 1e-4 if missing else 1e-9)
 
@@ -82,7 +82,7 @@ def test_pockets_keep_off_the_edge_by_as_much_as_their_depth():
         place[axis] = halves[axis] - 6.0 + beyond
         magnets = torch.tensor([[[*place, 2.5], [0.0, 0.0, 2.5]]]).double()
         layouts = replace(UPRIGHT, magnet_mm=magnets)
-        found = flat._past_edges(SPEC, pockets_of(SPEC, layouts)).item()
+        found = flat.past_edges(SPEC, pockets_of(SPEC, layouts)).item()
         assert abs(found - max(beyond, 0.0)) < (SLACK_MM + 1e-3 if beyond > 0 else 1e-9)
 
 
@@ -128,7 +128,7 @@ def test_a_recess_holds_the_middle_or_leaves_a_wall_round_the_wire_hole():
 def test_boards_past_the_edge_by_hand():
     """At 45° a board reaches as far along both axes; only what is beyond its limit counts."""
     place = 14.0 * np.array([1.0, 1.0]) / np.sqrt(2)
-    found = flat._boards_past_edges(SPEC, boards_of(SPEC, moved(sensor_mm=[[place.tolist()]])))
+    found = flat.boards_past_edges(SPEC, boards_of(SPEC, moved(sensor_mm=[[place.tolist()]])))
     far = 14.0 - SPEC.sensors.radius_mm + SPEC.core.recess_outer_radius_mm
     corner = (far + SPEC.core.recess_width_mm / 2) / np.sqrt(2) + SLACK_MM
     half = np.min([frame.half_extents_mm for frame in face_frames(SPEC)], axis=0)

@@ -85,13 +85,13 @@ def test_rows_are_on_the_disk_once_a_while(tmp_path, monkeypatch):
         )
         found.append(row)
         for later_s in (0.5, 1.0, 1.01, 1.5, 2.5):
-            now[0] = 100.0 + later_s * growing._SYNC_S
+            now[0] = 100.0 + later_s * growing.SYNC_S
             found.append(row)
         assert found.rows_added == 6
     during = [entry for entry in synced if entry[1] < 6]
     assert during == [
         (100.0, 0),
-        (100.0 + 1.01 * growing._SYNC_S, 3),
-        (100.0 + 2.5 * growing._SYNC_S, 5),
+        (100.0 + 1.01 * growing.SYNC_S, 3),
+        (100.0 + 2.5 * growing.SYNC_S, 5),
     ]
     assert len(path.read_text().splitlines()) == 7

@@ -69,8 +69,8 @@ def test_columns_of_cells_tips_pulls_and_travel_stand_in_order():
 
 def test_a_header_tells_its_cells_and_tips_and_what_it_lacks():
     whole = generic.generic_columns(["F5-Z12"], 2, 3, shear=True, travel=True)
-    assert generic._check_header(whole) == (2, 3)
-    assert generic._check_header(generic.generic_columns(["F1-X1"], 1, 1)) == (1, 1)
+    assert generic.check_header(whole) == (2, 3)
+    assert generic.check_header(generic.generic_columns(["F1-X1"], 1, 1)) == (1, 1)
     for spoiled, told in (
         ([*whole, "F5-Z12"], "it names F5-Z12 twice"),
         ([*whole, "F6-X1"], "columns that are not known: 'F6-X1'"),
@@ -84,10 +84,10 @@ def test_a_header_tells_its_cells_and_tips_and_what_it_lacks():
         (["time_s", "F1-X1"], "cell1_force_n, cell1_face, cell1_x1_mm, cell1_y1_mm"),
     ):
         if told == "lacks|not known":
-            assert generic._check_header(spoiled) == (2, 4)
+            assert generic.check_header(spoiled) == (2, 4)
             continue
         with pytest.raises(RecordingError, match=told):
-            generic._check_header(spoiled)
+            generic.check_header(spoiled)
 
 
 def test_a_place_needs_its_face_and_both_coordinates():
@@ -119,7 +119,7 @@ def test_faces_are_one_to_five_and_none_is_zero_or_empty():
 
 def test_counts_stand_at_face_sensor_and_axis():
     column = {"F1-X1": np.array([1.0, 2]), "F5-Y3": np.array([3.0, 4]), "time_s": np.zeros(2)}
-    found = generic._counts(column, 2)
+    found = generic.counts_of_column(column, 2)
     assert found.shape == (2, 5, 3, 3)
     assert found[:, 0, 0, 0].tolist() == [1, 2]
     assert found[:, 4, 2, 1].tolist() == [3, 4]
@@ -137,7 +137,7 @@ def test_the_marker_of_no_reading_empties_channels_and_faces_with_their_places_a
         "cell2_x1_mm",
     ]
     values = np.array([[-1.0, -1, -1, -1, 2, 3, -1], [1, 5, -1, 3, -1, -1, 8]])
-    found = generic._without_marker(values, header, -1.0)
+    found = generic.without_marker(values, header, -1.0)
     assert_array_equal(found, [[-1, NAN, -1, NAN, NAN, 3, -1], [1, 5, -1, 3, -1, NAN, NAN]])
     assert values[0, 1] == -1
     assert generic.missing_marker([["# missing = -9.5"]]) == -9.5
@@ -145,13 +145,13 @@ def test_the_marker_of_no_reading_empties_channels_and_faces_with_their_places_a
 
 
 def test_snake_labels_are_places_and_0_and_101_are_none():
-    found = files._places_mm(np.array([[[0, 1]], [[100, 101]]]))
+    found = files.places_mm(np.array([[[0, 1]], [[100, 101]]]))
     assert np.isnan(found[0, 0, 0]).all()
     assert np.isnan(found[1, 0, 1]).all()
     assert abs(found[0, 0, 1]).tolist() == abs(found[1, 0, 0]).tolist() == [13.5, 13.5]
     for wrong in (-1, 102):
         with pytest.raises(RecordingError, match=f"got \\[{wrong}\\]"):
-            files._places_mm(np.array([[[wrong]]]))
+            files.places_mm(np.array([[[wrong]]]))
 
 
 def travel(folder, sensor, state):

@@ -1,0 +1,80 @@
+"""Scores, bounds and false readings of a cube off its symmetries: a page that a person can judge."""
+
+from dataclasses import replace
+
+import numpy as np
+from estimator.information.hull import exact_hull_volume, ln_hull_factor, monte_carlo_hull_volume
+from estimator.information.two_contacts import two_contact_bounds_mm
+
+from estimator.information.contact_sets import contact_sets, spread_pairs, spread_places
+from estimator.information.cross_face import cross_face_disturbance
+from estimator.information.ellipses import position_covariances_mm2
+from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.information.identifiability import jacobians_of, set_information
+from estimator.information.scores import score_places, summarize_areas
+from estimator.information.slip_cost import slip_cost
+from estimator.information.weak_areas import weak_areas
+from estimator.signals.interpolation import signal_gradient
+from tests.support.mechanics.odd_presses import SPEC, signals
+from tests.support.physics_pages import assert_page, chosen
+
+TIPS = SPEC.changed(indenter=SPEC.indenter.changed(radius_mm=2.5))
+
+
+def of_scores():
+    scores = score_places(SPEC, signals())
+    yield "scores of 10¹⁶", scores.delta_raw / 1e16
+    yield from chosen(scores, "position_bound_mm", "position_bound_drifted_mm", "force_bound_n")
+    yield from chosen(scores, "force_bound_drifted_n", "detectable_force_n", "depth_at_score_mm")
+    yield from chosen(scores, "detectable_force_drifted_n", "stiffness_n_per_mm")
+    bounds_mm = [area.medians["position_bound_mm"] for area in summarize_areas(scores)]
+    yield "bounds of corners, edges, mid edges and the centre (mm)", bounds_mm
+    yield "covariances (mm²)", position_covariances_mm2(SPEC, signals(), scores)
+    weak = weak_areas(SPEC, scores)
+    yield "thirds by border, magnet and path (mm)", [third.bound_mm for third in weak.thirds]
+    yield "bound's correlation with border, magnet, path", list(weak.rank_correlation.values())
+    for which, bounds in two_contact_bounds_mm(SPEC, signals()).items():
+        yield f"bounds of two contacts, {which} (mm)", bounds
+
+
+def of_bounds():
+    """Of presses anywhere; contact sets of small tips, so that sets fit."""
+    rng = np.random.default_rng(6)
+    face = rng.integers(1, 6, 12)
+    jacobian = signal_gradient(
+        signals(), face, *rng.uniform(-4, 4, (2, 12)), rng.uniform(1, 8, 12)
+    ).jacobian
+    for kind in ("fresh", "drifted"):
+        sigma = disturbance_counts(SPEC.sensors, kind, jacobian.shape[1])
+        yield f"{kind}, places (mm)", cramer_rao_bounds(jacobian, sigma).position_mm
+    places = np.array([0, 4, 7, 15, 19])
+    sets = contact_sets(TIPS, places, 2)
+    yield "places, pairs, sets", [len(spread_places(TIPS)), len(spread_pairs(TIPS)), len(sets)]
+    face = jacobians_of(TIPS, signals(), places)[1]
+    whitened = face.whitened[sets].swapaxes(1, 2).reshape(len(sets), -1, 6)
+    told = set_information(whitened[:, face.own])
+    yield from chosen(told, "told", "condition", "position_bound_mm", "force_bound_n")
+
+
+def of_false_readings():
+    crossed = cross_face_disturbance(SPEC, signals(), 6.0)
+    yield from chosen(crossed, "size_sigma", "false_force_n")
+    slipped = replace(
+        signals(),
+        baseline_counts=signals().baseline_counts + np.arange(45).reshape(15, 3),
+        delta_counts=1.02 * signals().delta_counts + 3.0,
+    )
+    cost = slip_cost(SPEC, signals(), slipped)
+    yield from chosen(cost, "size_ratio", "false_place_mm", "rezeroed_place_mm", "rezeroed_force_n")
+
+
+def of_volumes():
+    samples = np.random.default_rng(1).normal(size=(40, 4)) @ np.diag([1.0, 2, 0.5, 3])
+    drawn = monte_carlo_hull_volume(samples, np.random.default_rng(2))
+    exact = exact_hull_volume(samples).volume
+    yield "hull, exact and drawn; its factor", [exact, drawn.volume, ln_hull_factor(40, 4)]
+
+
+def test_the_page_of_information():
+    parts = (of_scores, of_bounds, of_false_readings, of_volumes)
+    assert_page("estimator/information", [line for part in parts for line in part()])
