@@ -190,7 +190,7 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=7
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=8
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
