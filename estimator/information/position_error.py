@@ -126,8 +126,8 @@ def _optima(rivals: RivalPresses, signals: Float[np.ndarray, "press channel"]) -
     own, per_n = rivals.force_n[best], per_n[place, best]
     change = np.clip(told[..., 1], per_n * (low - own), per_n * (high - own))
     square += change**2 - 2 * change * told[..., 1]
-    along = np.where(rivals.there.any(axis=1)[:, None], told[..., 2:], np.inf)
-    across = np.sqrt(np.maximum(square - (told[..., 2:] ** 2).sum(axis=-1), 0.0))
+    along = told[..., 2:]
+    across = np.sqrt(np.maximum(square - (along**2).sum(axis=-1), 0.0))
     return _Optima(there.axes[place, best], there.per_mm[place, best], along, across)
 
 

@@ -72,7 +72,7 @@ class RivalPresses:
     ----------
     xy_mm, step_mm : places of a square lattice, and its step
     force_n : growing forces, the same at each place
-    there : which presses exist
+    there : which presses exist, at least one at each place
     signals : expected changes, each channel in the unit of its noise (or in counts)
     slopes : their derivatives by x, y (per mm) and force (per N)
     """
@@ -117,13 +117,15 @@ def rival_presses(
     rest, most = signals.baseline_counts.ravel()[channels], full_scale_counts(spec.sensors)
     slopes = np.stack([*_across(lattice, counts), per_n], axis=-1)
     slopes *= is_live(rest, counts, most)[..., None]
+    pressed = force <= reach[:, None]
+    kept = pressed.any(axis=1)
     return RivalPresses(
-        lattice.xy_mm,
+        lattice.xy_mm[kept],
         float(lattice.x_mm[1] - lattice.x_mm[0]),
         force,
-        force <= reach[:, None],
-        read_change(rest, counts, most),
-        slopes,
+        pressed[kept],
+        read_change(rest, counts, most)[kept],
+        slopes[kept],
     )
 
 
