@@ -138,7 +138,7 @@ def _beside(
     step_mm: float,
 ) -> _Optima:
     """With each press's own slopes near it."""
-    near = (abs(away_mm) < _BESIDE * step_mm).all(axis=2)
+    near = np.asarray((abs(away_mm) < _BESIDE * step_mm).all(axis=2))
     axes, per_mm = own.axes[:, None], own.per_mm[:, None]
     along = -per_mm * _on_axes(axes, away_mm)
     return _Optima(
