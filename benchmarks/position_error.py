@@ -70,7 +70,7 @@ def _rows(spec: ObjectSpec, signals: Signals, draws: int) -> list[Result]:
         if of.any():
             rows.append(
                 {
-                    "error_over_bound": [low, min(high, 1e9)],
+                    "error_over_bound": [low, high if np.isfinite(high) else None],
                     "places": int(of.sum()),
                     "read_over_bound": _spread(read[of] / bound[of]),
                     "read_over_error": _spread(read[of] / error[of]),
@@ -104,7 +104,8 @@ def report(result: Result) -> str:
     lines = []
     for row in result["rows"]:
         low, high = row["error_over_bound"]
-        of = "all" if (low, high) == (0.0, 1e9) else f"error over bound {low:g} to {high:g}"
+        above = "more" if high is None else f"{high:g}"
+        of = f"error over bound {low:g} to {above}" if low or high else "all"
         read = (
             f"{ratio:.2f} x/÷ {spread:.2f} {what}"
             for what in ("bound", "error")
