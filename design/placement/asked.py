@@ -78,7 +78,8 @@ def _too_small(request: Request) -> str:
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
-    rough = rough_patches(spec_of(bare_tables(request, request.thinnest)))
+    bare = bare_tables(request, request.thinnest)
+    rough = rough_patches(spec_of(bare)) if request.file else []
     ways = [*rough, *_larger(request), *_on_base(request), *_fewer(request)]
     if not ways:
         longest = max(request.size_mm)
