@@ -248,7 +248,9 @@ def _complaint(problem: Any, model: type[BaseModel]) -> str:
         message = message.replace(word, plain)
     bounds = _bounds(problem, model)
     if len(bounds) > 1:
-        message = _SHOULD_BE + " and ".join(f"{_BOUNDS[kind]} {bounds[kind]:.10g}" for kind in bounds)
+        message = _SHOULD_BE + " and ".join(
+            f"{_BOUNDS[kind]} {bounds[kind]:.10g}" for kind in bounds
+        )
     received = "" if isinstance(problem.get("input"), dict) else f"; got {_shown(problem)}"
     return f"{where}: {message}{received}{_proposal(problem, bounds)}"
 
