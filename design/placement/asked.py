@@ -78,14 +78,15 @@ def _too_small(request: Request) -> str:
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
-    rough = rough_patches(spec_of(bare_tables(request, request.thinnest)))
-    ways = [*rough, *_larger(request), *on_base(request), *_fewer(request)]
+    bare = bare_tables(request, request.thinnest)
+    rough = rough_patches(spec_of(bare)) if request.file else []
+    ways = [*_larger(request), *on_base(request), *_fewer(request)]
     if not ways:
         longest = max(request.size_mm)
         growth = _most_growth(longest)
         sizes = f"no size up to {growth:.2g} times ({growth * longest:.4g} mm) was found that works"
-        return f"{message}, and {sizes}. Choose another shape"
-    return f"{message}. {'; or '.join(ways)}"
+        return ". ".join([f"{message}, and {sizes}", *rough, "Choose another shape"])
+    return ". ".join([message, *rough, "; or ".join(ways)])
 
 
 def _larger(request: Request) -> Iterator[str]:

@@ -34,7 +34,6 @@ from estimator.information.sensitivity import (
 )
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import (
-    Traces,
     counts_at_force,
     depth_at_force,
     press_traces,

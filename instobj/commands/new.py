@@ -68,7 +68,7 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
         tables, failed = made(request)
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
-        for text in roughness_in_words(spec_of(tables)):
+        for text in roughness_in_words(spec_of(tables)) if request.file else ():
             warnings.warn(text, stacklevel=2)
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
