@@ -232,9 +232,11 @@ def test_the_layer_s_force_notices_a_broken_correction(layer, monkeypatch, fault
     monkeypatch.setattr(
         refined_contact,
         "cells_compliance",
-        lambda patches, spec: plain(patches, spec) * (factor if patches.own == 0.9614 else 1),
+        lambda patches, spec: (
+            plain(patches, spec) * (factor if patches.own == half_space.HAT_OWN else 1)
+        ),
     )
-    assert half_space.HAT_OWN == 0.9614
+    assert half_space.HAT_OWN != half_space.SQUARE_OWN
     force = press_face(spec_of(0.5), layer, 0, PLACES, np.array([0.25])).force_n.mean()
     assert abs(force / dimitriadis_force_n(0.25, 5.0, 8.0) - 1) > 0.1
 

@@ -1,0 +1,69 @@
+"""What a rigid body close under a face takes back of a half-space's compliance."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.integrate import quad
+from scipy.special import j0
+
+from design.layout.body import face_frame
+from design.layout.places.positions import shell_covers_mm
+from design.spec.object import ObjectSpec
+from fem.contact.half_space import Patches, normal_compliance
+from fem.contact.rigid_base import rigid_bases
+
+SPEC = ObjectSpec.model_validate({"name": "one", "magnets": {"positions_mm": [[0.0, 0.0]]}})
+(BASE,) = rigid_bases(SPEC, face_frame(SPEC, 1))
+E_MPA, NU = BASE.elastic
+
+
+def layer_share(alpha, nu):
+    """Surface compliance of a bonded layer over the half-space's, at α = wavenumber × depth."""
+    k = 3 - 4 * nu
+    damped = np.exp(-2 * alpha)
+    top = k * (1 - damped**2) - 4 * alpha * damped
+    return top / (k * (1 + damped**2) + (k * k + 1 + 4 * alpha**2) * damped)
+
+
+def on_a_layer(distance_mm, variance_mm2, depth_mm):
+    """Mutual compliance of two Gaussian patches on a bonded layer: Hankel's integral."""
+
+    def integrand(k):
+        return layer_share(k * depth_mm, NU) * j0(k * distance_mm) * np.exp(-(k**2) * variance_mm2)
+
+    return (1 - NU**2) / (np.pi * E_MPA) * quad(integrand, 0, 12, limit=200)[0]
+
+
+@pytest.mark.parametrize("depth_mm", [1.0, 2.0, 4.0])
+def test_what_is_left_is_a_bonded_layer_to_within_a_twelfth_of_the_half_space(depth_mm):
+    """The fitted width is smaller than that of a layer without end; both ends are exact."""
+    at = np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]])
+    patches = Patches(np.ones(4), at, np.full(4, 0.1), 1.0)
+    half_space = normal_compliance(patches, patches, E_MPA, NU)
+    left = half_space - BASE.taken_back(patches, depth_mm)
+    exact = [on_a_layer(x, 0.1, depth_mm) for x in at[:, 0]]
+    assert_allclose(left[0], exact, atol=half_space[0, 0] / 12)
+    assert (np.linalg.eigvalsh(left) > 0).all()
+
+
+def test_far_below_nothing_is_taken_back_and_at_the_surface_all():
+    patches = Patches(np.ones(2), np.array([[0.0, 0.0], [0.5, 0.0]]), np.full(2, 0.1), 1.0)
+    half_space = normal_compliance(patches, patches, E_MPA, NU)
+    assert_allclose(BASE.taken_back(patches, 1e-3), half_space, rtol=1e-4)
+    assert (BASE.taken_back(patches, 1e3) < 1e-2 * half_space).all()
+
+
+def test_a_magnet_counts_over_it_and_not_far_beside():
+    cover = shell_covers_mm(SPEC)[0][0]
+    over, depth = BASE.weights(np.zeros((1, 3)))
+    assert_allclose([over[0], depth], [1.0, cover], atol=0.02)
+    away = np.array([[BASE.outline.radius_mm + share * cover, 0, 0] for share in (0, 0.8, 1.5, 4)])
+    weight, _ = BASE.weights(away)
+    assert_allclose(weight[1], 0.5, atol=1e-6)
+    assert (np.diff(weight) < 0).all()
+    assert weight[-1] < 1e-4
+
+
+def test_points_have_no_base():
+    spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets="points"))
+    assert rigid_bases(spec, face_frame(spec, 1)) == ()
