@@ -22,6 +22,7 @@ from design.layout.places.positions import shell_body_layout
 from design.layout.pockets import Outline
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import Patches, normal_compliance
+from fem.linear.response import FaceSurface
 
 WIDENED = 0.2
 """c above: 0.25 fits L of a layer without end, 0.2 forces over magnets by NGSolve."""
@@ -57,17 +58,17 @@ class RigidBase:
         return normal_compliance(wider, wider, *self.elastic)
 
 
-def rigid_bases(spec: ObjectSpec, frame: FaceFrame) -> tuple[RigidBase, ...]:
-    """Rigid bodies under one face; none where magnets are points."""
+def rigid_bases(spec: ObjectSpec, frame: FaceFrame, surface: FaceSurface) -> tuple[RigidBase, ...]:
+    """Rigid bodies under one face; none where magnets are points. They slip as the face over them."""
     if spec.mechanics.magnets != "rigid":
         return ()
-    layout = shell_body_layout(spec)
-    centres, axes = frame.in_plane(layout.centre_mm), frame.axes.T @ layout.frame
+    layout, bases = shell_body_layout(spec), []
     elastic = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
-    return tuple(
-        RigidBase(
-            *(centres[i], axes[i]),
-            *(layout.bodies[i].outline, layout.bodies[i].height_mm, elastic),
-        )
-        for i in np.flatnonzero(layout.face == frame.number)
-    )
+    for i in np.flatnonzero(layout.face == frame.number):
+        centre, axes = frame.in_plane(layout.centre_mm[i]), frame.axes.T @ layout.frame[i]
+        if surface.slip_mm is not None:
+            from_there = np.linalg.norm(surface.xy_mm - surface.slip_mm - centre[:2], axis=1)
+            centre[:2] += surface.slip_mm[np.argmin(from_there)]
+        body = layout.bodies[i]
+        bases.append(RigidBase(centre, axes, body.outline, body.height_mm, elastic))
+    return tuple(bases)

@@ -11,9 +11,12 @@ from design.layout.places.positions import shell_covers_mm
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import Patches, normal_compliance
 from fem.contact.rigid_base import rigid_bases
+from fem.linear.response import FaceSurface
 
 SPEC = ObjectSpec.model_validate({"name": "one", "magnets": {"positions_mm": [[0.0, 0.0]]}})
-(BASE,) = rigid_bases(SPEC, face_frame(SPEC, 1))
+CORNERS_MM = 20 * np.array([[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]])
+SURFACE = FaceSurface(1, CORNERS_MM, np.array([[0, 1, 2]]))
+(BASE,) = rigid_bases(SPEC, face_frame(SPEC, 1), SURFACE)
 E_MPA, NU = BASE.elastic
 
 
@@ -66,4 +69,4 @@ def test_a_magnet_counts_over_it_and_not_far_beside():
 
 def test_points_have_no_base():
     spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets="points"))
-    assert rigid_bases(spec, face_frame(spec, 1)) == ()
+    assert rigid_bases(spec, face_frame(spec, 1), SURFACE) == ()
