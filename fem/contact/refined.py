@@ -175,9 +175,9 @@ def take_back(wide: Float[np.ndarray, "cell cell"], spread: Spread, base: RigidB
     (used,) = np.nonzero(matrix.any(axis=1))
     matrix = matrix[used]
     hats = base.taken_back(chosen(spread.face.hats, spread.rows[used]), depth)
-    near = base.taken_back(chosen(spread.patches, cells), depth)
-    near *= np.multiply.outer(weight[cells], weight[cells])
-    wide[np.ix_(cells, cells)] += matrix.T @ hats @ matrix - near
+    near = base.taken_back_wherever(spread.patches, depth).take(cells, axis=0).take(cells, axis=1)
+    shared = near * np.multiply.outer(weight[cells], weight[cells])
+    wide[np.ix_(cells, cells)] += matrix.T @ hats @ matrix - shared
 
 
 def place_compliance(

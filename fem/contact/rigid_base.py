@@ -11,6 +11,7 @@ capsule (`benchmarks/forces_over_magnets.py`), 2 mm of silicone over Ø 6 mm: wh
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -29,7 +30,8 @@ WIDENED = 0.2
 _FADES, _REACHES = 1.0, 0.8
 """In depths: width of the fading, and how far outside the rim its middle lies; fitted to the same."""
 LEAST_WEIGHT = 0.02
-_LEAST_DEPTH_MM = 0.3
+_LEAST_DEPTH_MM, _DEPTH_STEP_MM = 0.3, 0.05
+"""Depths are rounded, so that presses over a tilted magnet share what is kept: 0.1 % of force."""
 
 
 @dataclass(frozen=True)
@@ -50,12 +52,34 @@ class RigidBase:
         depth = np.clip(abs(z) - self.height_mm / 2, _LEAST_DEPTH_MM, None)
         weight = erfc((beyond / depth - _REACHES) / _FADES) / 2
         total = weight.sum()
-        return weight, float(weight @ depth / total) if total > 0 else _LEAST_DEPTH_MM
+        mean = float(weight @ depth / total) if total > 0 else _LEAST_DEPTH_MM
+        return weight, round(mean / _DEPTH_STEP_MM) * _DEPTH_STEP_MM
 
     def taken_back(self, patches: Patches, depth_mm: float) -> Float[np.ndarray, "patch patch"]:
         """∫ u_n dA over each patch per unit pressure on each that a base takes back, mm³/MPa."""
         wider = replace(patches, variance_mm2=patches.variance_mm2 + WIDENED * depth_mm**2, own=1.0)
         return normal_compliance(wider, wider, *self.elastic)
+
+    def taken_back_wherever(
+        self, patches: Patches, depth_mm: float
+    ) -> Float[np.ndarray, "patch patch"]:
+        """The same, kept: on a flat face an indenter's cells are the same at every place. Read-only."""
+        away = patches.centre_mm - patches.centre_mm[0]
+        pattern = np.column_stack([away, patches.area_mm2, patches.variance_mm2]).round(9)
+        return _of_pattern(self.elastic, pattern.tobytes(), len(pattern), depth_mm)
+
+
+@functools.lru_cache(maxsize=32)
+def _of_pattern(
+    elastic: tuple[float, float], pattern: bytes, count: int, depth_mm: float
+) -> Float[np.ndarray, "patch patch"]:
+    """What is taken back of patches known by their centroids, area and variance."""
+    columns = np.frombuffer(pattern).reshape(count, -1)
+    variance = columns[:, -1] + WIDENED * depth_mm**2
+    wider = Patches(columns[:, -2], columns[:, :-2], variance, 1.0)
+    matrix = normal_compliance(wider, wider, *elastic)
+    matrix.flags.writeable = False
+    return matrix
 
 
 def rigid_bases(spec: ObjectSpec, frame: FaceFrame, surface: FaceSurface) -> tuple[RigidBase, ...]:
