@@ -4,7 +4,7 @@ PIP_ARGS ?=
 BIN := .venv/bin
 INSTALLED := .venv/.installed
 
-.PHONY: demo test test-slow verify lint docs install clean
+.PHONY: demo test test-slow test-rounding verify lint docs install clean
 
 demo: $(INSTALLED)
 	$(BIN)/instobj run examples/paper_cube.toml
@@ -22,6 +22,10 @@ test: $(INSTALLED)
 
 test-slow: $(INSTALLED)
 	INSTOBJ_TESTS_MESHES=anew $(PYTEST) -m slow
+
+# Once per release: hours, of one core; the table is written into docs/reliability.md.
+test-rounding: $(INSTALLED)
+	$(BIN)/python -m tests.rounding
 
 verify: $(INSTALLED)
 	INSTOBJ_TESTS_MESHES=anew $(BIN)/pytest -q -m "slow or not slow" tests/fem/verification/test_verification.py --verification-page docs/verification

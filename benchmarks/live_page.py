@@ -1,6 +1,6 @@
 """The live page for a minute: pictures per second, their age, and what they cost.
 
-`instobj live --demo` and a headless Chromium with WebGL by software run on this machine; the page
+`instobj bench live --demo` and a headless Chromium with WebGL by software run on this machine; the page
 measures pictures and ages itself, processor times are the system's. Linux only.
 """
 
@@ -48,7 +48,7 @@ def processor_seconds(root: int) -> dict[str, float]:
 
 def start_demo() -> tuple[subprocess.Popen[str], str]:
     """The demo, and the address of its page."""
-    command = [sys.executable, "-m", "instobj", "live", "--demo", "--page-port", "0"]
+    command = [sys.executable, "-m", "instobj", "bench", "live", "--demo", "--page-port", "0"]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
     assert process.stderr is not None
     for line in process.stderr:

@@ -1,5 +1,6 @@
 """The family of errors: what was wrong, what was received and how to fix it."""
 
+from pathlib import Path
 from typing import Any
 
 
@@ -21,6 +22,14 @@ class RecordingError(InputError):
 
 class StoreError(InstobjError, OSError):
     """A result file that cannot be written, cannot be read back, or is damaged."""
+
+
+class FullDisk(StoreError):
+    """A file that does not fit on its disk; `path` is the file, `reason` what the system said."""
+
+    def __init__(self, message: str, path: Path, reason: str) -> None:
+        super().__init__(message)
+        self.path, self.reason = path, reason
 
 
 class SolverError(InstobjError, ArithmeticError):

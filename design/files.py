@@ -2,24 +2,36 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import shutil
 import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from design.errors import InputError, StoreError
+from design.errors import FullDisk, InputError, StoreError
+
+_NO_ROOM = {
+    errno.ENOSPC: "no space left on its disk",
+    errno.EDQUOT: "your quota on its disk is used up",
+    errno.EFBIG: "the system allows no file as large",
+}
+_BLOCK_BYTES = 2**24
 
 
 @contextmanager
 def atomic_path(target: Path | str) -> Iterator[Path]:
     """Yield a temporary path beside `target` (same suffix); rename it on success, else remove it.
 
+    Write what native libraries make (VTK, HDF5, STEP) through memory: they crash, or end without a
+    word, on a disk that is full.
+
     Raises
     ------
     StoreError
-        The folder cannot be made or written.
+        The folder cannot be made or written, or its disk is full.
     """
     target = Path(target)
     try:
@@ -32,7 +44,8 @@ def atomic_path(target: Path | str) -> Iterator[Path]:
     os.close(handle)
     temporary = Path(name)
     try:
-        yield temporary
+        with full_disk_told(target, temporary):
+            yield temporary
         temporary.chmod(0o644)
         try:
             temporary.replace(target)
@@ -40,6 +53,76 @@ def atomic_path(target: Path | str) -> Iterator[Path]:
             raise _cannot_write(target, error) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def full_disk_told(target: Path, written: Path) -> Iterator[None]:
+    """Turn the system's error of a full disk into one that says how much room there was.
+
+    Parameters
+    ----------
+    written : what was written of `target` so far, a file or a folder
+
+    Raises
+    ------
+    FullDisk
+        The disk, or the user's share of it, is full; of `target`, whatever file of `written` failed.
+    """
+    try:
+        yield
+    except OSError as error:
+        reason = _NO_ROOM.get(error.errno or 0)
+        if error.errno is None and " requested and " in str(
+            error
+        ):  # ndarray.tofile drops the number
+            reason = _NO_ROOM[errno.ENOSPC]
+        if isinstance(error, FullDisk) and written in error.path.parents:
+            reason = error.reason
+        if reason is None:
+            raise
+        files = [path for path in (written, *written.rglob("*")) if path.is_file()]
+        megabytes = sum(path.stat().st_size for path in files) / 1e6
+        free = shutil.disk_usage(written.parent).free / 1e6
+        raise FullDisk(
+            f"cannot write {target}: {reason}; {free:.1f} MB are free beside the {megabytes:.1f} MB "
+            "that were written, and it needs more. Make room there, or choose another folder (--out; "
+            "for stored results INSTOBJ_STORE, for temporary files TMPDIR)",
+            target,
+            reason,
+        ) from error
+
+
+def write_whole(handle: int, content: bytes) -> None:
+    """Write all bytes to an open file; the system writes the first of them alone as a disk fills.
+
+    Raises
+    ------
+    OSError
+        The disk is full; some bytes may have been written.
+    """
+    rest = memoryview(content)
+    while rest:
+        rest = rest[os.write(handle, rest) :]
+
+
+def reserve_room(path: Path, start: int) -> None:
+    """Have the disk keep all bytes of a file from `start` on, which a memory map will fill.
+
+    A map of a file with holes ends the process (SIGBUS) where the disk is full.
+
+    Raises
+    ------
+    OSError
+        The disk is full.
+    """
+    size = path.stat().st_size
+    with path.open("r+b") as file:
+        if hasattr(os, "posix_fallocate"):
+            os.posix_fallocate(file.fileno(), 0, size)
+            return
+        file.seek(start)
+        for done in range(start, size, _BLOCK_BYTES):
+            file.write(bytes(min(_BLOCK_BYTES, size - done)))
 
 
 def _cannot_write(target: Path, error: OSError) -> StoreError:

@@ -9,6 +9,32 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
+EXTRAS = {
+    "aiohttp": "bench",
+    "serial": "bench",
+    "onnx": "deploy",
+    "onnxruntime": "deploy",
+    "onnxscript": "deploy",
+    "dask": "cluster",
+    "distributed": "cluster",
+    "fsspec": "cluster",
+    "psycopg": "cluster",
+    "s3fs": "cluster",
+    "anywidget": "notebook",
+    "traitlets": "notebook",
+}
+"""Module → extra of instobj that brings it; a test compares with pyproject.toml."""
+
+
+def missing_extra(error: ImportError) -> str | None:
+    """Return how to install a module that an extra brings; None where it is no extra's."""
+    module = (error.name or "").partition(".")[0]
+    if module not in EXTRAS:
+        return None
+    return (
+        f"this needs {module}, which is not installed. Run: pip install 'instobj[{EXTRAS[module]}]'"
+    )
+
 
 @contextmanager
 def deferred(*names: str) -> Iterator[None]:

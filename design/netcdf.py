@@ -1,30 +1,29 @@
 """NetCDF files of results: named axes, units and checksums, by one codec for all of them.
 
 A SHA-256 of the whole file stands behind its content, where HDF5 ignores it; programs that edit the
-file cut it off. Without it (older, foreign or edited files) a separate process reads the file first:
-HDF5 keeps texts without a checksum, and a damaged byte there can make its library run forever, out
-of the reach of Python's signals. Also, arrays of numbers carry Fletcher checksums, and the format of
-HDF5 1.10 one for each piece of metadata.
+file cut it off. What this user's instobj did not write (`design.seal`) is foreign, with a SHA-256 or
+without: a separate process reads it, with limits of time and memory, and hands back plain arrays
+(`design.foreign_netcdf`). Also, arrays of numbers carry Fletcher checksums, and the format of HDF5
+1.10 one for each piece of metadata.
 """
 
 from __future__ import annotations
 
-import hashlib
-import sys
-from collections.abc import Iterator, Mapping
+import io
+import json
+import tempfile
+from collections.abc import Container, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from design.errors import InputError, StoreError
 from design.files import atomic_path
 from design.processes import ChildFailed, run_child
-
-if TYPE_CHECKING:
-    import xarray as xr
+from design.seal import end_seal, is_own
 
 Axes = Mapping[str, tuple[str, str]]
 """Axes, with a space between, and unit of each array by name; the unit is empty for labels."""
@@ -42,10 +41,10 @@ _OF_THE_FORMAT = (
 """Attributes by which NetCDF keeps axes and itself in HDF5."""
 _AXIS_ALONE = b"This is a netCDF dimension but not a netCDF variable"
 _LARGEST_CHUNK_BYTES = 2**30
-_SEAL = b"instobj sha256: "
-_SEAL_BYTES = len(_SEAL) + hashlib.sha256().digest_size
 FIRST_READING_S, _FIRST_READING_BYTES_PER_S = 120.0, 2e7
-"""Limit of time of the separate process that reads a file without a digest first."""
+"""Limit of time of the separate process that reads a foreign file."""
+MEMORY_GIB = 8.0
+"""Limit of its memory, on Linux; elsewhere what the file declares is limited alone (4 GiB)."""
 
 
 @dataclass(frozen=True)
@@ -114,17 +113,17 @@ def write_netcdf(
         for axis, size in zip(dims, array.shape, strict=True)
     }
     name, version = kind.schema
-    with atomic_path(path) as temporary:
-        with h5netcdf.File(temporary, "w", libver=_HDF5_FORMAT) as file:
-            file.dimensions.update(sizes)
-            file.attrs.update({**(attributes or {}), name: version})
-            for name, (dims, array, unit) in arrays.items():
-                told = {kind.unit_name: unit} if unit else {}
-                variable = _write_array(file, name, dims, array, name in kind.packed)
-                variable.attrs.update(told | _labels(kind, name))
-        seal = _seal(np.memmap(temporary, np.uint8, "r"))
-        with temporary.open("ab") as handle:
-            handle.write(seal)
+    image = io.BytesIO()  # HDF5 on a disk that fills leaves files open and crashes at exit
+    with h5netcdf.File(image, "w", libver=_HDF5_FORMAT) as file:
+        file.dimensions.update(sizes)
+        file.attrs.update({**(attributes or {}), name: version})
+        for name, (dims, array, unit) in arrays.items():
+            told = {kind.unit_name: unit} if unit else {}
+            variable = _write_array(file, name, dims, array, name in kind.packed)
+            variable.attrs.update(told | _labels(kind, name))
+    with atomic_path(path) as temporary, temporary.open("wb") as stream:
+        stream.write(image.getbuffer())
+        stream.write(end_seal(image.getbuffer()))
 
 
 def _write_array(
@@ -186,7 +185,7 @@ def read_netcdf(kind: FileKind, path: Path | str) -> tuple[dict[str, np.ndarray]
     if not Path(path).is_file():
         raise InputError(f"no {kind.title} at {path}. {kind.origin}")
     try:
-        content, attributes = _content_of(path)
+        content, attributes = read_arrays(path)
     except StoreError as error:
         raise StoreError(
             f"{path} is not a file of {kind.title}, or is damaged ({error}). {kind.remedy}"
@@ -198,26 +197,8 @@ def read_netcdf(kind: FileKind, path: Path | str) -> tuple[dict[str, np.ndarray]
     return {name: content[name].values for name in kind.arrays if name in content}, attributes
 
 
-def load_whole(path: Path | str) -> xr.Dataset:
-    """Everything that a NetCDF file holds, its checksums verified.
-
-    Raises
-    ------
-    StoreError
-        Not NetCDF, or damaged; the text says what the library found.
-    """
-    import xarray as xr
-
-    with _damage_told():
-        if not _require_whole(Path(path)):
-            return _foreign(path)
-        content, attributes = _as_written(path)
-        arrays = {name: (one.axes, one.values, one.attributes) for name, one in content.items()}
-        return xr.decode_cf(xr.Dataset(arrays, attrs=attributes), decode_timedelta=False)
-
-
 @dataclass(frozen=True)
-class _Array:
+class NamedArray:
     """What a file holds under one name."""
 
     axes: tuple[str, ...]
@@ -225,17 +206,18 @@ class _Array:
     attributes: dict[str, Any]
 
 
-def _content_of(path: Path | str) -> tuple[dict[str, _Array], dict[str, Any]]:
-    """Arrays and attributes of `load_whole`; without xarray where `write_netcdf` wrote them."""
+def read_arrays(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]]:
+    """Arrays and attributes of any NetCDF file, with labels of axes.
+
+    Raises
+    ------
+    StoreError
+        Not NetCDF, damaged, or foreign and refused; the text says what is wrong.
+    """
     with _damage_told():
-        if _require_whole(Path(path)):
+        if is_own(np.memmap(path, np.uint8, "r")):
             return _as_written(path)
-        data = _foreign(path)
-        arrays = {
-            str(name): _Array(tuple(map(str, one.dims)), one.values, dict(one.attrs))
-            for name, one in data.variables.items()
-        }
-        return arrays, dict(data.attrs)
+        return _read_apart(Path(path))
 
 
 @contextmanager
@@ -249,14 +231,7 @@ def _damage_told() -> Iterator[None]:
         raise StoreError(str(error) or type(error).__name__) from None
 
 
-def _foreign(path: Path | str) -> xr.Dataset:
-    import xarray as xr
-
-    with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
-        return data.load()
-
-
-def _as_written(path: Path | str) -> tuple[dict[str, _Array], dict[str, Any]]:
+def _as_written(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]]:
     """What `write_netcdf` wrote, by HDF5 alone: the layers above it ask for each axis dozens of times,
     which takes three times as long."""
     import h5py
@@ -270,11 +245,11 @@ def _as_written(path: Path | str) -> tuple[dict[str, _Array], dict[str, Any]]:
         return arrays, _attributes(file.attrs)
 
 
-def _array(file: Any, name: str) -> _Array:
+def _array(file: Any, name: str) -> NamedArray:
     attributes, values = _attributes(file[name].attrs), _content(file[name])
     if attributes.pop("dtype", "") == "bool":  # NetCDF has none
         values = values.astype(bool)
-    return _Array(_axes_of(file, name), values, attributes)
+    return NamedArray(_axes_of(file, name), values, attributes)
 
 
 def _axes_of(file: Any, name: str) -> tuple[str, ...]:
@@ -298,72 +273,55 @@ def _attributes(found: Any) -> dict[str, Any]:
 
 
 def holds(path: Path | str, name: str) -> bool:
-    """Whether a file is NetCDF with a variable or an attribute of this name; no text is read.
+    """Whether a file is NetCDF with a variable or an attribute of this name.
 
     False also for a damaged one: whoever reads it says so.
     """
-    import h5py
-
     if not Path(path).is_file():
         return False
     try:
-        with h5py.File(path) as file:
-            return name in file or name in file.attrs
-    except Exception:  # a damaged file can fail in any layer of the library
+        content, attributes = _names_of(path)
+    except StoreError:
         return False
+    return name in content or name in attributes
 
 
-def _require_whole(path: Path) -> bool:
-    """Refuse a file that is not what its digest says, or without one cannot be read to its end.
+def _names_of(path: Path | str) -> tuple[Container[str], Container[str]]:
+    """Names of arrays and attributes; of an own file without reading them."""
+    import h5py
 
-    Returns whether it has a digest.
-
-    Raises
-    ------
-    StoreError
-        Another digest, or the separate process failed or did not end in time.
-    """
-    content = np.memmap(path, np.uint8, "r")
-    seal = content[-_SEAL_BYTES:].tobytes()
-    if not seal.startswith(_SEAL):
-        _read_apart(path, content.size)
-    elif seal != _seal(content[:-_SEAL_BYTES]):
-        raise StoreError("its bytes have changed since they were written")
-    return seal.startswith(_SEAL)
+    with _damage_told():
+        if not is_own(np.memmap(path, np.uint8, "r")):
+            return _read_apart(Path(path))
+        with h5py.File(path) as file:
+            return set(file), set(file.attrs)
 
 
-def _seal(content: np.ndarray) -> bytes:
-    return _SEAL + hashlib.sha256(content.data).digest()
-
-
-def _read_apart(path: Path, size: int) -> None:
+def _read_apart(path: Path) -> tuple[dict[str, NamedArray], dict[str, Any]]:
+    """What a foreign file holds, read by a separate process; this one meets NumPy's arrays alone."""
     import h5py
 
     if not h5py.is_hdf5(path):
         raise StoreError("it is not HDF5")
-    seconds = FIRST_READING_S + size // _FIRST_READING_BYTES_PER_S
-    try:
-        run_child(("-P", "-m", "design.netcdf", str(path.resolve())), Path.cwd(), seconds)
-    except ChildFailed as failure:
-        raise StoreError(f"read in a separate process, {failure}") from None
-
-
-def _read_everything(path: str) -> None:
-    """All texts and arrays, by HDF5 alone: importing xarray too would take four times as long."""
-    import h5py
-
-    def read(_: str, item: Any) -> None:
-        dict(item.attrs)
-        if isinstance(item, h5py.Dataset):
-            item[()]
-
-    with h5py.File(path) as file:
-        read("/", file)
-        file.visititems(read)
+    seconds = FIRST_READING_S + path.stat().st_size // _FIRST_READING_BYTES_PER_S
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder) / "arrays.npz"
+        command = ("-P", "-m", "design.foreign_netcdf", str(path.resolve()), str(target))
+        try:
+            run_child(command, Path(folder), seconds, MEMORY_GIB)
+        except ChildFailed as failure:
+            raise StoreError(f"read in a separate process, {failure}") from None
+        with np.load(target, allow_pickle=False) as content:
+            described = json.loads(str(content["description"]))
+            arrays = {
+                name: NamedArray(tuple(axes), content[f"values {number}"], attributes)
+                for number, (name, axes, attributes) in enumerate(described["arrays"])
+            }
+    return arrays, described["attributes"]
 
 
 def _check_kind(
-    kind: FileKind, path: Path | str, content: dict[str, _Array], attributes: dict[str, Any]
+    kind: FileKind, path: Path | str, content: dict[str, NamedArray], attributes: dict[str, Any]
 ) -> None:
     name, version = kind.schema
     needed = [array for array in kind.arrays if array not in kind.optional]
@@ -383,7 +341,3 @@ def _check_kind(
                 f"{path} is damaged: {array} must lie over ({dims}) in {unit or 'no unit'}; got "
                 f"{axes} in {found or 'no unit'}. {kind.remedy}"
             )
-
-
-if __name__ == "__main__":
-    _read_everything(sys.argv[1])

@@ -6,18 +6,39 @@ each of these is one error.
 
 from __future__ import annotations
 
+import errno
+import functools
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from pathlib import Path
+from typing import Any
 
-from design.errors import InputError
+from threadpoolctl import ThreadpoolController
+
+from design.errors import FullDisk, InputError
 
 MEMORY_SWITCH = "INSTOBJ_MEMORY_GIB"
+ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+"""Environment of processes that compute, before they load what reads it: threads of a solver wait for each
+other where cores are shared. More processes (`--workers`) take more cores."""
 _GIB = 2.0**30
+
+
+def one_blas_thread() -> AbstractContextManager[Any]:
+    """A context in which NumPy's and SciPy's linear algebra takes one thread."""
+    return _loaded_libraries().limit(limits=1, user_api="blas")
+
+
+@functools.cache
+def _loaded_libraries() -> ThreadpoolController:
+    """Once: to look for them takes 8 ms."""
+    return ThreadpoolController()
 
 
 class ChildFailed(Exception):
@@ -37,7 +58,7 @@ def run_child(
     """Run Python with these arguments in a folder, at most so long and in so much memory.
 
     A program that fails says why in the last line of its standard error. The limit of
-    memory holds on Linux alone.
+    memory holds on Linux alone: elsewhere a program may fill the memory until its time is over.
 
     Raises
     ------
@@ -45,6 +66,8 @@ def run_child(
         It did not end in time.
     ChildFailed
         It crashed, ran out of memory, or ended with another code than 0.
+    FullDisk
+        It could not write its temporary files.
     """
     with tempfile.TemporaryFile("w+", errors="replace") as said:
         child = subprocess.Popen(
@@ -60,7 +83,9 @@ def run_child(
             child.wait()
         said.seek(0)
         if child.returncode != 0:
-            raise ChildFailed(_reason(child.returncode, said.read(), memory_gib))
+            text = said.read()
+            _require_room(text, folder)
+            raise ChildFailed(_reason(child.returncode, text, memory_gib))
 
 
 def machine_memory_gib() -> float | None:
@@ -102,6 +127,20 @@ def _limit_memory(pid: int, gib: float | None) -> None:
         resource.prlimit(pid, resource.RLIMIT_AS, (most, most))
     except (ProcessLookupError, ValueError):  # it has ended, or may not have so much anyway
         return
+
+
+def _require_room(said: str, folder: Path) -> None:
+    """Raise FullDisk where a program said, as Python does, that the system had no room."""
+    for number in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+        if f"[Errno {number}]" in said:
+            reason = os.strerror(number)
+            free = shutil.disk_usage(folder).free / 1e6
+            raise FullDisk(
+                f"cannot write temporary files in {folder.parent}: {reason}; {free:.1f} MB are free, and "
+                "more are needed. Make room there, or set TMPDIR to a folder elsewhere",
+                folder,
+                reason,
+            )
 
 
 def _reason(code: int, said: str, memory_gib: float | None) -> str:

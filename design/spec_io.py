@@ -12,18 +12,22 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from design.catalogue.magnets import MAGNET_PARTS
 from design.errors import SpecError
 from design.files import require_regular_file
 from design.fit.everything import require_fit
 from design.layout.places.fractions import with_places_in_mm
 from design.spec.base import complaints
-from design.spec.body import BodySpec
+from design.spec.body import BodySpec, ShellSpec
+from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
 from design.spec.renamed import RENAMED, name_now, under_names_now
 
 _DEEP_KEY = re.compile(r"(?:\.[\w-]{1,80}){100}")
 """A key of more than a hundred tables."""
 _LARGEST_BYTES = 250_000
+_LARGEST_NUMBER = 10**30
+"""Beyond 10^308 no float holds a whole number; no key takes more than 10^10."""
 
 
 def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = True) -> ObjectSpec:
@@ -39,13 +43,31 @@ def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = Tru
         The file is missing or not TOML, or a key, unit or bound is wrong.
     """
     path = Path(path)
-    content = _read_toml(
-        path, "no specification at {}. `instobj new NAME` writes one to start from"
-    )
+    content = _read_toml(path, f"no specification at {{}}. {_where_it_may_be(path)}")
     content = _with_tensile_data(with_overrides(content, overrides), path.parent)
     content = _with_printer(_with_indenter_corners(content, path.parent), path.parent)
     content = _with_imported_body(content, path.parent)
     return parse_spec(_with_as_built(content, path), str(path), table)
+
+
+def _parsed(text: str) -> dict[str, Any]:
+    """TOML; ValueError where a whole number is too long to be read, written or made a float."""
+    content = tomllib.loads(text)
+    values: list[Any] = [content]
+    while values:
+        value = values.pop()
+        values += (
+            value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+        )
+        if isinstance(value, int) and abs(value) > _LARGEST_NUMBER:
+            raise ValueError(value.bit_length())
+    return content
+
+
+def _where_it_may_be(path: Path) -> str:
+    whole = path.with_name(f"{path.name}.toml")
+    beside = f"Did you mean {whole}?" if path.name and whole.is_file() else ""
+    return beside or "`instobj new NAME` writes one to start from"
 
 
 def _read_toml(path: Path, missing: str) -> dict[str, Any]:
@@ -56,10 +78,12 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
                 f"{path} holds {path.stat().st_size} bytes; a specification has a few thousand, "
                 f"{_LARGEST_BYTES} at most. Give the TOML file of an object"
             )
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")  # Windows editors begin with a mark
         if _DEEP_KEY.search(text):  # tomllib takes minutes over it
             raise RecursionError
-        return tomllib.loads(text)
+        return _parsed(text)
+    except SpecError:
+        raise
     except RecursionError:
         raise SpecError(f"{path} nests brackets or tables too deep. Fix that line") from None
     except OSError as error:
@@ -67,9 +91,11 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
             f"cannot read {path}: {error.strerror}. Give a readable TOML file"
         ) from None
     except UnicodeDecodeError:
-        raise SpecError(f"{path} is not a text file. Give a file in TOML") from None
+        raise SpecError(f"{path} is not text in UTF-8. Save it as UTF-8") from None
     except tomllib.TOMLDecodeError as error:
         raise SpecError(f"{path} is not valid TOML: {error}. Fix that line") from None
+    except ValueError:  # Python reads no integer of more than 4300 digits
+        raise SpecError(f"{path} holds a whole number beyond 10^30. Fix it") from None
 
 
 def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
@@ -84,9 +110,54 @@ def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[st
     """
     for table in RENAMED:
         _rename(content, table)
+    overrides = list(overrides)
+    changed = {key.strip(): value for key, _, value in (one.partition("=") for one in overrides)}
+    _make_room_for_the_part(content, changed)
     for override in overrides:
         _apply_override(content, override)
     return content
+
+
+_SIZES = ("shape", "diameter_mm", "inner_diameter_mm", "size_mm", "height_mm")
+
+
+def _make_room_for_the_part(content: dict[str, Any], changed: dict[str, str]) -> None:
+    """Let another `magnets.part` go before what a file says of magnets and their pockets, in place.
+
+    Pockets grow and shrink with the part. What is changed too stays: it may contradict the part.
+    """
+    name = _toml_value(changed.get("magnets.part", "").strip())
+    magnets, shell = content.get("magnets", {}), content.setdefault("shell", {})
+    if (
+        not isinstance(name, str)
+        or name not in MAGNET_PARTS
+        or not isinstance(magnets, dict)
+        or not isinstance(shell, dict)
+    ):
+        return
+    part = MAGNET_PARTS[name]
+    figures, before = part.figures(), {}
+    for key in (*_SIZES, *(("grade", "remanence_t") if part.grade else ())):
+        if f"magnets.{key}" not in changed:
+            before[key] = magnets.pop(key, None)
+    for of_magnet, of_pocket in (
+        ("diameter_mm", "pocket_diameter_mm"),
+        ("height_mm", "pocket_depth_mm"),
+    ):
+        size = _number(before.get(of_magnet), MagnetSpec.model_fields[of_magnet].default)
+        pocket = _number(shell.get(of_pocket), ShellSpec.model_fields[of_pocket].default)
+        if of_magnet in figures and f"shell.{of_pocket}" not in changed:
+            shell[of_pocket] = round(pocket + figures[of_magnet] - size, 9)
+
+
+def _number(given: Any, default: float) -> float:
+    """The number, the largest of a list of them, or what a key that is left out has."""
+    numbers = [
+        one
+        for one in (given if isinstance(given, list) else [given])
+        if isinstance(one, int | float)
+    ]
+    return float(max(numbers, default=default))
 
 
 def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> ObjectSpec:
@@ -111,11 +182,26 @@ def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:
     SpecError
         All that does not fit, a line each: what was given and how to fix it.
     """
+    _require_one_place_each(spec)
     try:
         require_fit(spec, table)
     except ValueError as error:
         raise SpecError(str(error)) from None
     return spec
+
+
+def _require_one_place_each(spec: ObjectSpec) -> None:
+    """Refuse magnets at one place, before thousands of their pairs are told to touch.
+
+    A search may hold such magnets for a moment, until a trial has given them their places.
+    """
+    for places in spec.magnets.lists:
+        if len(set(places)) < len(places):
+            x, y = next(place for place in places if places.count(place) > 1)
+            raise SpecError(
+                f"magnets.positions_mm names ({x:g}, {y:g}) twice on one face. Move one of the two, or "
+                "leave it out"
+            )
 
 
 def spec_hash(spec: ObjectSpec) -> str:
@@ -138,7 +224,7 @@ def _with_as_built(content: dict[str, Any], path: Path) -> dict[str, Any]:
         file = beside
     else:
         return content
-    missing = "no as-built file at {}. Fix the key as_built (or --as-built), or leave it out"
+    missing = "no as-built file at {}. Fix the key as_built, or leave it out"
     return content | {"as_built": _read_toml(file, missing)}
 
 
@@ -193,10 +279,14 @@ def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]
     from design.body.imported import body_of_file
 
     try:
-        measured = BodySpec.model_validate({k: body[k] for k in ("unit", "scale") if k in body})
+        measured = BodySpec.model_validate(_IMPORTED | {k: body[k] for k in _FOREIGN if k in body})
     except ValidationError:
         return content  # told with all other problems of the specification
     return content | {"body": body | body_of_file(folder / body["file"], measured.mm_per_unit)}
+
+
+_IMPORTED = {"kind": "imported"}
+_FOREIGN = ("file", "unit", "scale")
 
 
 def _rename(content: dict[str, Any], table: str) -> None:
@@ -212,24 +302,22 @@ def _rename(content: dict[str, Any], table: str) -> None:
 def _apply_override(content: dict[str, Any], override: str) -> None:
     key, equals, value = override.partition("=")
     if not equals or not key.strip():
-        raise SpecError(
-            f"--set wants key=value, got {override!r}. Example: --set shell.thickness_mm=9"
-        )
+        raise SpecError(f"a change is key=value; got {override!r}. Example: shell.thickness_mm=9")
     *tables, name = key.strip().split(".")
     table = content
     for part in tables:
         table = table.setdefault(part, {})
         if not isinstance(table, dict):
-            raise SpecError(
-                f"--set {override}: {part!r} is a value, not a table of the specification"
-            )
+            raise SpecError(f"{override}: {part!r} is a value, not a table of the specification")
     table[name_now(".".join(tables), name)] = _toml_value(value.strip())
 
 
 def _toml_value(text: str) -> Any:
     try:
-        return tomllib.loads(f"value = {text}")["value"]
+        return _parsed(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
         return text
     except RecursionError:
-        raise SpecError("--set: the value nests brackets too deep. Give a plainer one") from None
+        raise SpecError("the value nests brackets too deep. Give a plainer one") from None
+    except ValueError:
+        raise SpecError("the value is a whole number beyond 10^30. Give a smaller one") from None

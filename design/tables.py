@@ -14,6 +14,8 @@ from design.files import atomic_path
 def write_table(path: Path | str, header: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:
     """Write rows under a header, in UTF-8 with lines that end in a line feed.
 
+    Texts that begin as a formula of a spreadsheet does get an apostrophe first.
+
     Raises
     ------
     StoreError
@@ -32,8 +34,23 @@ def table_text(header: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
 
 def _write(file: TextIOBase, header: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:
     writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(header)
-    writer.writerows(rows)
+    writer.writerow(map(_plain_cell, header))
+    writer.writerows(map(_plain_cell, row) for row in rows)
+
+
+def _plain_cell(cell: Any) -> Any:
+    """Return a text that a spreadsheet would take for a formula with an apostrophe before it.
+
+    Numbers stay, also those that come as text.
+    """
+    # OWASP, "CSV Injection": these characters at the start of a cell begin a formula.
+    if not isinstance(cell, str) or not cell.startswith(("=", "+", "-", "@", "\t", "\r")):
+        return cell
+    try:
+        float(cell)
+    except ValueError:
+        return f"'{cell}"
+    return cell
 
 
 def write_records(path: Path | str, records: Sequence[Mapping[str, Any]]) -> None:

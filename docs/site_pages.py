@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -20,13 +21,19 @@ def write_generated_pages(folder: Path) -> None:
 
 
 @cache
-def commands() -> dict[str, Any]:
-    """Name → command of the `instobj` program, in the order of `instobj --help`."""
+def commands(module: str = "instobj.cli.app") -> dict[str, Any]:
+    """Name → command of the program in a module, in the order of its `--help`; "bench rig" in a group."""
     from typer.main import get_command
 
-    from instobj.cli.app import app
+    return dict(_visible(get_command(import_module(module).app)))
 
-    return dict(get_command(app).commands)  # pyright: ignore[reportAttributeAccessIssue]
+
+def _visible(group: Any) -> Iterator[tuple[str, Any]]:
+    for name, command in group.commands.items():
+        if hasattr(command, "commands"):
+            yield from ((f"{name} {inner}", one) for inner, one in _visible(command))
+        elif not command.hidden:
+            yield name, command
 
 
 def option_names(command: Any) -> set[str]:
@@ -41,13 +48,13 @@ def command_line_page() -> str:
     """The page that lists all commands with their arguments and options (MyST)."""
     blocks = ["# Command line", "As `instobj COMMAND --help` prints it."]
     for name, command in commands().items():
-        blocks += [f"## {name}", _plain(command.help), *_tables(command)]
+        blocks += [f"## {name}", _plain(command.help), *_tables(name, command)]
     return "\n\n".join(blocks) + "\n"
 
 
-def _tables(command: Any) -> Iterator[str]:
+def _tables(name: str, command: Any) -> Iterator[str]:
     usage = " ".join(_usage(parameter) for parameter in command.params)
-    yield f"```text\ninstobj {command.name} {usage}\n```"
+    yield f"```text\ninstobj {name} {usage}\n```"
     rows = [f"| {_spelling(p)} | {_plain(p.help)} | {_default(p)} |" for p in command.params]
     yield "\n".join(["| | | default |", "|---|---|---|", *rows])
 

@@ -141,8 +141,9 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
     -------
     Dataset (object, statistic)
         `position_bound_mm` (mm), `force_bound_n` (N) and `detectable_force_n` (N), freshly tared:
-        the median and the largest over all contact locations; `share_within_limit` (object): of the
-        places whose position bound is within `limits.position_bound_mm` of the specification.
+        the median and the largest over all contact locations where a press reaches
+        `score.force_n`; `share_within_limit` (object): of these,
+        those whose position bound is within `limits.position_bound_mm` of the specification.
 
     Raises
     ------
@@ -164,9 +165,8 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
     >>> bool(after < before)
     True
     """
-    import xarray as xr
-
     from design.errors import InputError
+    from instobj.stages.named import Results
     from instobj.stages.run import Run
 
     names = [spec.name for spec in specs]
@@ -183,19 +183,19 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
     }
     limits = [spec.limits.position_bound_mm for spec in specs]
     within = [
-        float(np.mean(one.position_bound_mm.values[one.on_face.values] <= limit))
+        float(np.mean(one.position_bound_mm.values[one.reaches_score_force.values] <= limit))
         for one, limit in zip(scores, limits, strict=True)
     ]
-    return xr.Dataset(
+    return Results(
         columns | {"share_within_limit": ("object", within, {"units": "1"})},
         coords={"object": names, "statistic": ["median", "largest"]},
     )
 
 
 def _median_and_largest(score: xr.DataArray) -> list[float]:
-    """Over the contact locations that the faces have."""
+    """Over the contact locations that are judged."""
     there = score.values[score.on_face.values]
-    return [float(np.median(there)), float(there.max())]
+    return [float(np.nanmedian(there)), float(np.nanmax(there))]
 
 
 def fit_estimator(

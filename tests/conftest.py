@@ -13,7 +13,7 @@ gc.disable()  # until all is imported: modules are no garbage
 from tests.support import in_memory, scheduling, typechecks  # noqa: E402
 
 in_memory.install()
-typechecks.install(["design", "fem", "estimator"])
+typechecks.install(["design", "fem", "estimator", "studies"])
 
 from instobj.figures import saving  # noqa: E402  types are checked in what is imported from here
 from instobj.render import parts  # noqa: E402
@@ -45,6 +45,7 @@ def pytest_configure(config):
     if not hasattr(config, "workerinput"):
         shared = tempfile.mkdtemp(prefix="instobj_tests_")
         os.environ["INSTOBJ_TESTS_SHARED"] = shared  # for `tests.support.shared`, in all workers
+        os.environ["XDG_STATE_HOME"] = shared  # not the list of files that the user wrote
         config.add_cleanup(lambda: shutil.rmtree(shared, ignore_errors=True))
     else:
         config.args = scheduling.own_turn(config.args, config.workerinput)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from jaxtyping import Bool
 
 from design.body.foreign import read_foreign_surface
 from design.errors import InputError
@@ -19,6 +20,11 @@ if TYPE_CHECKING:
 
 _PIERCED_MM = 0.1
 """How far one triangle may stand through another: less is lost in the body's own triangles."""
+_WELD_MM = 1e-3
+"""Corners that are closer are one where a surface does not close: less than any printer or mould shows,
+and more than STL's single precision loses on bodies of a metre (6e-5 mm)."""
+_NOTHING = 1e-9
+"""Share of the box's volume, below which a piece encloses nothing."""
 
 
 def body_of_file(path: Path, mm_per_unit: float = 1.0) -> dict[str, Any]:
@@ -85,57 +91,129 @@ def _missing(path: Path) -> str:
 
 
 def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
-    """Merged, holes filled, turned outwards, overlapping pieces united; tells what it did."""
+    """Merged, welded, holes filled, turned outwards, overlapping pieces united; tells what it did."""
     import trimesh
 
     surface.merge_vertices()
-    surface.update_faces(surface.nondegenerate_faces() & surface.unique_faces())
+    surface.update_faces(_has_three_corners(surface))
     done = []
     if not surface.is_watertight:
-        before = len(surface.faces)
+        surface.update_faces(surface.unique_faces())
+        done += _weld(surface)
+    if not surface.is_watertight:
+        before, unfilled = len(surface.faces), surface.copy()
         trimesh.repair.fill_holes(surface)
         done.append(f"closed small holes with {len(surface.faces) - before} triangles")
-    _require_closed(surface, path)
+        _require_closed(surface, path)
+        # each triangle of a soup gets one more on its back, and both enclose nothing
+        if not _solid_pieces(surface):
+            _require_closed(unfilled, path)
     if not surface.is_winding_consistent or surface.volume < 0:
         trimesh.repair.fix_normals(surface)
         done.append("turned triangles outwards")
+    surface = _without_flat_triangles(surface)
     if surface.body_count > 1:
-        pieces = surface.body_count
+        count = len(_solid_pieces(surface))
+        flat = surface.body_count - count
+        done += [f"left out {flat} flat pieces, which enclose nothing"] if flat else []
+        done += [f"united {count} pieces that overlap"] if count > 1 else []
         surface = _united(surface, path)
-        done.append(f"united {pieces} pieces that overlap")
     if done:
         warnings.warn(f"{path}: {' and '.join(done)}", stacklevel=2)
     return surface
+
+
+def _has_three_corners(surface: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+    """Of every triangle whether its corners are three; others close nothing."""
+    steps = np.diff(np.sort(surface.faces, axis=1), axis=1)
+    return np.logical_and(steps[:, 0] > 0, steps[:, 1] > 0)
+
+
+def _weld(surface: trimesh.Trimesh) -> list[str]:
+    """Join corners within `_WELD_MM` of each other, in place; tells how many were moved."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import KDTree
+
+    corners = np.asarray(surface.vertices)
+    if not np.isfinite(corners).all():
+        return []
+    pairs = KDTree(corners).query_pairs(_WELD_MM, output_type="ndarray")
+    if not len(pairs):
+        return []
+    near = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(corners),) * 2)
+    _, group = connected_components(near, directed=False)
+    _, first = np.unique(group, return_index=True)
+    surface.vertices = corners[first][group]
+    surface.merge_vertices()
+    surface.update_faces(_has_three_corners(surface))
+    surface.update_faces(surface.unique_faces())
+    return [f"welded {len(corners) - len(first)} corners within {_WELD_MM:g} mm of others"]
+
+
+def _without_flat_triangles(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """A closed surface without triangles of no height, which have no normal, and closed again.
+
+    Such a triangle closes the side of a wide one at a corner in its middle: left out, it leaves a slit.
+    """
+    import trimesh
+
+    if surface.nondegenerate_faces().all():
+        return surface
+    from design.body.meshes import manifold_of
+
+    closed = manifold_of(surface).simplify(_WELD_MM).to_mesh64()
+    if not len(closed.tri_verts):  # no surface that Manifold takes; told where it crosses itself
+        return surface
+    return trimesh.Trimesh(closed.vert_properties[:, :3], closed.tri_verts.astype(np.int64))
 
 
 def _require_closed(surface: trimesh.Trimesh, path: Path) -> None:
     if surface.is_watertight:
         return
     _, count = np.unique(surface.edges_sorted, axis=0, return_counts=True)
+    single, many = int((count == 1).sum()), int((count > 2).sum())
+    meet = f"{many} edges have more than two triangles"
+    if single:
+        raise InputError(
+            f"the surface in {path} is open: {single} edges have a triangle on one side only, "
+            f"{meet.replace(' have', '')}; corners within {_WELD_MM:g} mm count as one. Close it in the "
+            "program that made it"
+        )
     raise InputError(
-        f"the surface in {path} is open: {(count == 1).sum()} edges have a triangle on one side only, "
-        f"{(count > 2).sum()} edges more than two triangles. Close it in the program that made it"
+        f"the surface in {path} is closed, but meets itself: {meet}, as where two bodies touch along an "
+        "edge or a sheet divides the inside. Unite the bodies, or move them apart, in the program that "
+        "made it"
     )
 
 
 def _united(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
-    """The union of pieces that overlap.
+    """The union of pieces that overlap; flat ones, which enclose nothing, are left out.
 
     Raises
     ------
     InputError
         Pieces apart from each other, or voids inside.
     """
-    import trimesh
+    from design.body.meshes import boolean_of, signed_mm3
 
-    pieces = surface.split()
-    whole = all(piece.volume > 0 for piece in pieces)
-    united = trimesh.boolean.union(pieces, engine="manifold") if whole else surface
+    solid = _solid_pieces(surface)
+    whole = all(signed_mm3(piece) > 0 for piece in solid)
+    united = boolean_of("union", solid) if solid and whole else surface
     if united.body_count != 1:
         raise InputError(
-            f"{path} holds {len(pieces)} separate surfaces. Export one closed body without holes inside"
+            f"{path} holds {len(solid)} separate surfaces. Export one closed body without holes inside"
         )
     return united
+
+
+def _solid_pieces(surface: trimesh.Trimesh) -> list[trimesh.Trimesh]:
+    """Separate pieces that enclose something, voids too."""
+    from design.body.meshes import signed_mm3
+
+    nothing = _NOTHING * float(np.prod(surface.extents))
+    pieces = surface.split(only_watertight=False)
+    return [piece for piece in pieces if abs(signed_mm3(piece)) > nothing]
 
 
 def _require_simple(surface: trimesh.Trimesh, path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, fields
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from design.layout.places.positions import sensor_layout, shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
 from design.tables import write_table
+from design.wiring.bus_plan import BusPlan
 
 SCREWS = 4
 """Through the flanges of a mould's halves."""
@@ -45,11 +47,13 @@ def silicone_amount(spec: ObjectSpec) -> SiliconeAmount:
     return SiliconeAmount(volume, mass, mixed, (mixed * a / (a + b), mixed * b / (a + b)))
 
 
-def bill_of_materials(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
+def bill_of_materials(
+    spec: ObjectSpec, manifest: BuildManifest, plan: BusPlan | None
+) -> list[Item]:
     """Everything to buy, mix and print for one object; prints are counted as solid."""
     return [
         *_magnets(spec),
-        *_electronics(spec),
+        *_electronics(spec, plan),
         _silicone(spec),
         *_prints(spec, manifest),
         *_screws(spec, manifest),
@@ -105,11 +109,26 @@ def numbered(which: tuple[int, ...]) -> str:
     return f"magnet{'s' * (len(which) > 1)} {', '.join(str(k + 1) for k in which)}"
 
 
-def _electronics(spec: ObjectSpec) -> list[Item]:
-    sensors, core = len(sensor_layout(spec).face), spec.core
+def count_sensors(spec: ObjectSpec, plan: BusPlan | None) -> dict[str, int]:
+    """Return how many of each sensor part to buy.
+
+    A plan of the buses may take other orderable variants, which differ in their address; without one
+    all are the specification's part.
+    """
+    if plan is None:
+        return {spec.sensors.part: len(sensor_layout(spec).face)}
+    return dict(sorted(Counter(chip.part for chip in plan.chips).items()))
+
+
+def _electronics(spec: ObjectSpec, plan: BusPlan | None) -> list[Item]:
+    parts, core = count_sensors(spec, plan), spec.core
+    sensors = sum(parts.values())
     board = " × ".join(f"{edge:g}" for edge in spec.sensors.package_mm)
     return [
-        Item(f"Hall sensor {spec.sensors.part}", sensors, note=f"chip {spec.sensors.chip}"),
+        *(
+            Item(f"Hall sensor {part}", count, note=f"chip {spec.sensors.chip}")
+            for part, count in parts.items()
+        ),
         Item("sensor board", sensors, note=f"{board} mm"),
         Item(
             f"wire Ø{core.wire_diameter_mm:g} mm",

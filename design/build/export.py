@@ -1,13 +1,14 @@
 """Export of every part of an object as STL, 3MF and STEP files, described in a manifest."""
 
+# pyright: reportAttributeAccessIssue=false
 from __future__ import annotations
 
+import io
+import re
 from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 from design.build.manifest import BuildManifest, PartManifest, remove_manifest
 from design.build.parts import Part, parts_of
@@ -16,6 +17,7 @@ from design.build.scene import ASSEMBLY_NAME, assembly_scene, write_glb
 from design.build.slicer_file import write_3mf
 from design.errors import InputError
 from design.files import atomic_path
+from design.solids.booleans import as_triangles, as_written
 from design.solids.kernel import cq
 from design.spec.fabrication import ExportSpec
 from design.spec.object import ObjectSpec
@@ -24,6 +26,8 @@ from design.spec_io import spec_hash
 if TYPE_CHECKING:
     import trimesh
 
+_STEP_TIME = re.compile(rb"(FILE_NAME\('[^']*',\s*)'[^']*'")
+_STEP_COUNT = re.compile(rb"('Open CASCADE STEP translator [\d.]+) \d+'")
 _LIBRARIES = ("instobj", "cadquery", "cadquery-ocp", "trimesh", "numpy")
 
 
@@ -78,7 +82,7 @@ def write_part(
         return _write_triangles(part, solid, folder, spec)
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
-    mesh = _write_stl(solid, folder / f"{part.name}.stl", spec.export)
+    mesh = _write_stl(_triangles(solid, spec.export), folder / f"{part.name}.stl")
     printing = _write_3mf(part, mesh, folder, spec)
     _write_step(solid, folder / f"{part.name}.step")
     manifest = PartManifest(
@@ -101,9 +105,7 @@ def write_part(
 def _write_triangles(
     part: Part, surface: trimesh.Trimesh, folder: Path, spec: ObjectSpec
 ) -> tuple[PartManifest, trimesh.Trimesh]:
-    with atomic_path(folder / f"{part.name}.stl") as path:
-        surface.export(path)
-        written = _closed(path, part.name)
+    written = _write_stl(surface, folder / f"{part.name}.stl")
     printing = _write_3mf(part, surface, folder, spec)
     (x0, y0, z0), (x1, y1, z1) = surface.bounds.tolist()
     cx, cy, cz = surface.center_mass.tolist()
@@ -133,33 +135,47 @@ def _write_3mf(
 
 
 def _write_step(solid: cq.Solid, target: Path) -> None:
-    from OCP.IFSelect import IFSelect_RetDone  # pyright: ignore[reportAttributeAccessIssue]
+    """By CadQuery's settings, through memory; equal solids give equal files."""
+    from OCP.IFSelect import IFSelect_RetDone
+    from OCP.Interface import Interface_Static
+    from OCP.STEPControl import STEPControl_AsIs, STEPControl_Writer
 
+    writer, content = STEPControl_Writer(), io.BytesIO()
+    Interface_Static.SetIVal_s("write.surfacecurve.mode", 1)
+    Interface_Static.SetIVal_s("write.precision.mode", 0)
+    Interface_Static.SetCVal_s("xstep.cascade.unit", "MM")
+    Interface_Static.SetCVal_s("write.step.unit", "MM")
+    writer.Transfer(solid.wrapped, STEPControl_AsIs)
+    if writer.WriteStream(content) != IFSelect_RetDone:
+        raise InputError(f"{target.stem} cannot be written as STEP. Change its dimensions a little")
     with atomic_path(target) as path:
-        if solid.exportStep(str(path)) != IFSelect_RetDone:
-            raise InputError(f"cannot write {target}. Choose a writable folder with room left")
+        path.write_bytes(_without_changing_marks(content.getvalue()))
 
 
-def _write_stl(solid: cq.Solid, target: Path, export: ExportSpec) -> trimesh.Trimesh:
-    with atomic_path(target) as path:
-        fineness = (export.mesh_tolerance_mm, export.mesh_angle_rad)
-        if not solid.exportStl(str(path), *fineness, relative=False):
-            raise InputError(f"cannot write {target}. Choose a writable folder with room left")
-        return _closed(path, target.stem)
+def _without_changing_marks(step: bytes) -> bytes:
+    """STEP without the time in its header, and without the kernel's count of models of this process."""
+    step = _STEP_TIME.sub(rb"\1'1980-01-01T00:00:00'", step, count=1)
+    return _STEP_COUNT.sub(rb"\1 1'", step)
 
 
-def _closed(path: Path, name: str) -> trimesh.Trimesh:
-    """The STL as read back, without triangles that repeat a vertex: the kernel closes the poles of
-    spheres with such, and single precision makes them of slivers."""
-    import trimesh
+def _triangles(solid: cq.Solid, export: ExportSpec) -> trimesh.Trimesh:
+    return as_triangles(solid, (export.mesh_tolerance_mm, export.mesh_angle_rad), False)
 
-    mesh = trimesh.load_mesh(path)
-    corners = np.sort(mesh.faces, axis=1)
-    mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
-    if not mesh.is_watertight:
+
+def _write_stl(surface: trimesh.Trimesh, target: Path) -> trimesh.Trimesh:
+    """Write a surface, and return it as the file holds it.
+
+    Raises
+    ------
+    InputError
+        It does not close in the precision of the file, or the folder cannot be written.
+    """
+    written = as_written(surface)
+    if written is None:
         raise InputError(
-            f"the surface of {name} is not closed: two of its recesses or pockets touch in a line. Move "
-            "them apart, or let them overlap, by 0.01 mm or more"
+            f"the surface of {target.stem} is not closed: two of its recesses or pockets touch in a line. "
+            "Move them apart, or let them overlap, by 0.01 mm or more"
         )
-    mesh.export(path)
-    return mesh
+    with atomic_path(target) as path:
+        written.export(path)
+    return written

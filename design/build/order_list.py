@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
-from design.build.bom import SCREWS, magnet_name, silicone_amount
+from design.build.bom import SCREWS, count_sensors, magnet_name, silicone_amount
 from design.catalogue.magnets import GRADES, MAGNET_PARTS, STOCK
 from design.catalogue.orders import (
     ADHESIVE,
@@ -52,7 +52,7 @@ def order_list(spec: ObjectSpec, plan: BusPlan | None) -> list[OrderLine]:
 
     Without a plan, because the catalogue knows no bus for the sensors, they stand by their name alone.
     """
-    lines = [_sensors_alone(spec)] if plan is None else _electronics(plan)
+    lines = [_sensors_alone(spec)] if plan is None else _electronics(spec, plan)
     return [*lines, *_magnets(spec), *_casting(spec), _line(ORDERS[spec.printer.process], 1)]
 
 
@@ -74,15 +74,14 @@ def cost_eur(lines: list[OrderLine]) -> tuple[float, float]:
     return sum(line.low_eur for line in lines), sum(line.high_eur for line in lines)
 
 
-def _electronics(plan: BusPlan) -> list[OrderLine]:
-    parts = [chip.part for chip in plan.chips]
+def _electronics(spec: ObjectSpec, plan: BusPlan) -> list[OrderLine]:
     wire_packs = -(-wire_length_m(plan) // _WIRE_M_A_PACK)
     wanted = [
         (plan.board.name, 1),
         (f"USB {plan.board.name}", 1),
-        *((part, parts.count(part)) for part in sorted(set(parts))),
-        ("100 nF", len(parts)),
-        ("sensor board", len(parts)),
+        *count_sensors(spec, plan).items(),
+        ("100 nF", len(plan.chips)),
+        ("sensor board", len(plan.chips)),
         *plan.extras,
         (STRIP, 1),
         (WIRE, int(wire_packs)),

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from design.errors import StoreError
 from design.files import atomic_path
 from design.layout.boards import board_blocks
 from design.layout.places.positions import MagnetLayout, magnet_layout
@@ -56,13 +55,8 @@ def write_glb(scene: trimesh.Scene, target: Path) -> None:
     """
     turned = scene.copy()
     turned.apply_transform(_GLTF_FRAME)
-    try:
-        with atomic_path(target) as path:
-            turned.export(path, file_type="glb")
-    except StoreError:
-        raise
-    except OSError as error:
-        raise StoreError(f"cannot write {target}: {error.strerror}. Make room there") from error
+    with atomic_path(target) as path:
+        turned.export(path, file_type="glb")
 
 
 def magnet_halves(
@@ -100,6 +94,7 @@ def _coloured(mesh: trimesh.Trimesh, colour: tuple[float, ...]) -> trimesh.Trime
     from trimesh.visual.material import PBRMaterial
 
     copy = mesh.copy()
+    copy.metadata.clear()  # names of temporary files would go into the GLB
     mode = "BLEND" if colour[3] < 1 else "OPAQUE"
     material = PBRMaterial(
         baseColorFactor=colour, metallicFactor=0.1, roughnessFactor=0.7, alphaMode=mode

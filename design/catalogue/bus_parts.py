@@ -13,7 +13,7 @@ Boards: Arduino A000067 (ATmega2560), Raspberry Pi SC0915 (RP2040) and their dat
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from design.errors import InputError
 
@@ -26,7 +26,7 @@ class BusChip:
     levels of the address pins. `movable`: a register changes the address until power is lost.
     `conversion_us` is (fixed, per conversion averaged) with temperature, in continuous mode. So many
     characters as `variant` stand behind what sets the address in a part's name (the 1 of `A1`).
-    `read_bytes` go over the bus for one reading, addresses included.
+    `read_bytes` go over the bus for one reading, addresses included. `driver` names the firmware's file.
     """
 
     family: str
@@ -36,6 +36,7 @@ class BusChip:
     supply_ma: float
     power_up_ms: float
     conversion_us: tuple[float, float]
+    driver: str
     variant: int = 0
     read_bytes: int = 12
 
@@ -53,6 +54,7 @@ TMAG5273 = BusChip(
     supply_ma=2.3,
     power_up_ms=0.27,
     conversion_us=(25.0, 100.0),
+    driver="tmag5273",
     variant=1,
 )
 MLX90393 = BusChip(
@@ -63,9 +65,16 @@ MLX90393 = BusChip(
     supply_ma=3.0,
     power_up_ms=1.5,
     conversion_us=(14_830.0, 0.0),
+    driver="mlx90393",
 )
 """Conversion at the settings that the firmware writes, OSR 2 and filter 4, whatever `averaging` says:
 67 + 64 · 2² · (2 + 2⁴) µs for each axis, 67 + 192 µs for temperature, 424 + 120 µs around them."""
+MLX90393_0X18 = replace(
+    MLX90393,
+    family="MLX90393-0x18",
+    addresses=tuple((pins, address + 0x0C) for pins, address in MLX90393.addresses),
+)
+"""Of order codes whose fixed address bits are others, as on boards at 0x18 to 0x1B."""
 
 TLE493D = BusChip(
     "TLE493DW2B6A",
@@ -75,6 +84,7 @@ TLE493D = BusChip(
     supply_ma=1.0,
     power_up_ms=5.0,
     conversion_us=(1500.0, 0.0),
+    driver="tle493d",
     read_bytes=21,
 )
 """Converts 770 times a second by itself (low-power mode), whatever `averaging` says. Its register of
@@ -82,6 +92,8 @@ addresses chooses among the same four as the order codes, so a chip that is star
 together with the one that kept the factory's address: it is not moved. All registers up to MOD1 are
 read, so that a chip that lost its settings is known."""
 
+_FAMILIES = (TMAG5273, MLX90393_0X18, MLX90393, TLE493D)
+"""The longer of two names that begin alike goes first."""
 SELECT_BYTES = 2
 """Address of a multiplexer and its channel mask."""
 
@@ -94,13 +106,25 @@ def bus_chip(part: str) -> BusChip:
     InputError
         The part has no I²C interface in the catalogue.
     """
-    for chip in (TMAG5273, MLX90393, TLE493D):
+    for chip in _FAMILIES:
         if part.startswith(chip.family):
             return chip
     raise InputError(
         f"sensors.part = {part!r} has no I²C bus in the catalogue, so no firmware can be written for it. "
-        "Choose TMAG5273 (A1 to D2), MLX90393 or TLE493DW2B6 (A0 to A3)"
+        "Choose TMAG5273 (A1 to D2), MLX90393, MLX90393-0x18 or TLE493DW2B6 (A0 to A3)"
     )
+
+
+def conversion_ms(part: str, averaging: int) -> float:
+    """Time between two readings of a part; 0 of one without a bus in the catalogue, whose time is not
+    known."""
+    known = any(part.startswith(chip.family) for chip in _FAMILIES)
+    return bus_chip(part).conversion_ms(averaging) if known else 0.0
+
+
+def frame_ms(conversion_ms: float, busy_ms: float) -> float:
+    """Time of a frame: chips convert by themselves while the board is busy with the frame before."""
+    return max(conversion_ms, busy_ms)
 
 
 MUX_NAME = "TCA9548A"

@@ -38,22 +38,13 @@ class HallPart:
     """A three-axis Hall sensor: its ranges, narrowest first, and its noise where it is known.
 
     `datasheet_noise_ut` is the rms noise of X, Y, Z of one conversion, µT; `measured_noise` goes
-    before it where there is one. `conversion_us` is (fixed, per conversion averaged): the time
-    of a reading of all three axes.
+    before it where there is one.
     """
 
     name: str
     ranges: tuple[SensorRange, ...] = ()
     datasheet_noise_ut: Triple | None = None
     measured_noise: NoiseFigure | None = None
-    conversion_us: tuple[float, float] | None = None
-
-    def conversion_s(self, averaging: int) -> float | None:
-        """Time of one reading, s; None where the catalogue has none."""
-        if self.conversion_us is None:
-            return None
-        fixed, each = self.conversion_us
-        return 1e-6 * (fixed + each * averaging)
 
     def range_covering(self, range_mt: float) -> SensorRange:
         """The narrowest of the part's ranges that holds ±`range_mt`.
@@ -83,7 +74,6 @@ GENERIC_PART = "generic"
 _TMAG5273_MEASURED = NoiseFigure(
     (22.0, 22.0, 11.0), 820.0, 16, "measured on the public recordings, ±40 mT, 16× averaging"
 )
-_TMAG5273_CONVERSION_US = (25.0, 75.0)
 
 
 def _tmag5273(letter: str, version: int) -> HallPart:
@@ -97,23 +87,22 @@ def _tmag5273(letter: str, version: int) -> HallPart:
         ranges = (SensorRange(133.0, 250.0), SensorRange(266.0, 125.0))
         noise_ut = (147.0, 147.0, 89.0)
     name = f"TMAG5273{letter}{version}"
-    return HallPart(name, ranges, noise_ut, measured, _TMAG5273_CONVERSION_US)
+    return HallPart(name, ranges, noise_ut, measured)
 
 
+_MLX90393_RANGES = (
+    SensorRange(4.9, 1e3 / 0.150),
+    SensorRange(9.8, 1e3 / 0.300),
+    SensorRange(24.6, 1e3 / 0.751),
+    SensorRange(49.2, 1e3 / 1.502),
+)
 HALL_PARTS = {
     part.name: part
     for part in (
         _tmag5273("A", 1),
         _tmag5273("A", 2),
-        HallPart(
-            "MLX90393",
-            (
-                SensorRange(4.9, 1e3 / 0.150),
-                SensorRange(9.8, 1e3 / 0.300),
-                SensorRange(24.6, 1e3 / 0.751),
-                SensorRange(49.2, 1e3 / 1.502),
-            ),
-        ),
+        HallPart("MLX90393", _MLX90393_RANGES),
+        HallPart("MLX90393-0x18", _MLX90393_RANGES),
         *(_tmag5273(letter, version) for letter in "BCD" for version in (1, 2)),
         *(
             HallPart(f"TLE493DW2B6A{k}", (SensorRange(80.0, 15.4), SensorRange(160.0, 7.7)))

@@ -76,6 +76,10 @@ ORDERS = {
         "Hall sensor MLX90393", "Melexis", "MLX90393SLW-ABA-011-RE", (2.0, 4.5),
         seen="Melexis' data sheet at a parts index; looked up 2026-11",
     ),
+    "MLX90393-0x18": Order(
+        "MLX90393 on a board, at 0x18 to 0x1B by its pins", "Adafruit", "4022", (12.0, 18.0),
+        note="older ones answer at 0x0C: then sensors.part is MLX90393",
+    ),
     **{f"TLE493DW2B6A{k}": _tle(k) for k in range(4)},
     "100 nF": Order(
         "capacitor 100 nF, 0402", "Murata", "GRM155R71C104KA88D", (0.02, 0.1), seen=_PROJECTS

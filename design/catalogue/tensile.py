@@ -31,7 +31,7 @@ _LARGEST_CORRELATION = 0.95
 class SolidFit:
     """One solid fitted to a test.
 
-    `constants` are c_i in MPa, or Ogden's μ and α, as `instobj press --constants` takes them.
+    `constants` are c_i in MPa, or Ogden's μ and α, as `instobj press --material` takes them.
     `residual_mpa` is the rms misfit over the degrees of freedom left. `stable`: the stress grows
     with the stretch everywhere from 0.5 to the largest one fitted.
     """

@@ -4,14 +4,25 @@ from __future__ import annotations
 
 from itertools import combinations
 from math import ceil
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
 
 from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
 from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.blocks import block_manifold
-from design.layout.boards import Mounted, mounted_sensors, wire_bundle_mm, wire_holes
-from design.layout.body import face_frames
+from design.layout.boards import (
+    Mounted,
+    count_wires,
+    hole_for_wires_mm,
+    mounted_sensors,
+    wire_bundle_mm,
+    wire_holes,
+    wires_through,
+)
+from design.layout.body import body_of, face_frames
+from design.layout.core_hold import FLAT_SHARE, core_outlet, locators
 from design.layout.mould.frame import play_mm
 from design.layout.places.positions import cover_mm
 from design.layout.pockets import (
@@ -20,13 +31,21 @@ from design.layout.pockets import (
     distance_of_segments_mm,
     shell_pockets,
 )
+from design.layout.template_marks import pockets_by_face
+from design.solids.body import core_hollow
+from design.solids.curved_template import curved_template_faces
+from design.solids.magnet_template import template_faces
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
     import trimesh
 
+Named: TypeAlias = "tuple[str, trimesh.Trimesh]"
+
 TOUCHING_MM3 = 1e-3
 """Common volume above which two bodies are said to interfere."""
+MATING_MM3 = 1.0
+"""Common volume of two parts that touch: their triangles leave curved surfaces by 5 µm."""
 
 
 def check_pockets(spec: ObjectSpec) -> list[Finding]:
@@ -102,7 +121,7 @@ def _silicone(check: str, value: float, limit: float, text: str, place) -> Findi
 def check_electronics(spec: ObjectSpec, core: trimesh.Trimesh) -> list[Finding]:
     """Boards and chips against the core and each other, and wires against their holes."""
     mounted = mounted_sensors(spec)
-    found = [_wires(spec)]
+    found = [_wires(spec), *_way_out(spec)]
     if not mounted:
         return found
     return [*found, *_fits(spec), *_interference(mounted, core), *_collisions(mounted)]
@@ -120,9 +139,42 @@ def _wires(spec: ObjectSpec) -> Finding:
         "mm",
         at_least(room, 0.0),
         f"the narrowest hole less the bundle of {bundle:.2f} mm of a face's wires. Below the limit: "
-        f"widen core.{key} to {ceil(100 * bundle - 1e-6) / 100:g} or take thinner wires",
+        f"widen core.{key} to {_up(bundle):g} or take thinner wires",
         place_of(holes[key].end_mm),
     )
+
+
+def _way_out(spec: ObjectSpec) -> list[Finding]:
+    """All wires of the object against what leads them out; none of a base, whose wire hole does."""
+    body, core, wires = body_of(spec), spec.core, count_wires(spec)
+    if body.on_base:
+        return []
+    key, wider = "core.wire_hole_side_diameter_mm", 1.0
+    if body.opening == "bore":
+        key, wider = "body.bore_mm", 2 / (1 + FLAT_SHARE)
+        ways, told = [(1 + FLAT_SHARE) * core_outlet(spec).radius_mm], "the core's outlet"
+    elif body.opening == "closed":
+        ways, told = [2 * one.radius_mm for one in locators(spec)], "the holes of locating pins"
+    elif core_hollow(spec):
+        key = "core.wall_mm"
+        ways = [2 * float((body.core_half_mm - core.wall_mm).min())]
+        told = "the core's cavity"
+    else:
+        ways, told = [core.wire_hole_side_diameter_mm] * len(spec.body.opened), "the open faces"
+    room = float(sum(wires_through(way, spec) for way in ways) - wires)
+    least = wider * hole_for_wires_mm(ceil(wires / max(len(ways), 1)), spec)
+    fix = "lower core.wall_mm" if key == "core.wall_mm" else f"raise {key} to {_up(least):g}"
+    text = (
+        f"wires that fit through {told} less the object's {wires}. Below the limit: {fix}, take thinner "
+        "wires, or fewer (core.wires_per_sensor) where sensors share supply and bus"
+    )
+    status = at_least(room, 0.0)
+    return [Finding("wires in their way out", "core", room, 0.0, "wires", status, text)]
+
+
+def _up(value: float) -> float:
+    """Rounded up to hundredths."""
+    return ceil(100 * value - 1e-6) / 100
 
 
 def _fits(spec: ObjectSpec) -> list[Finding]:
@@ -203,6 +255,57 @@ def _collisions(mounted: list[Mounted]) -> list[Finding]:
             place,
         )
     ]
+
+
+def check_tools(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
+    """The object on its jig, and templates on the faces that they serve, as far as these were built."""
+    body = [(name, meshes[name]) for name in ("core", "shell") if name in meshes]
+    found = list[Finding]()
+    if "jig" in meshes and body:
+        text = (
+            "largest common volume of the jig and the object on it. Above the limit the object stands too "
+            "high, or not at all: widen body.bore_mm, or turn the body in its file"
+        )
+        pairs = [(("jig", meshes["jig"]), other) for other in body]
+        found.append(largest_common("object on its jig", "jig", pairs, text))
+    frames = {frame.number: frame for frame, _ in pockets_by_face(spec)}
+    flat = all(frame.flat for frame in frames.values())
+    groups = template_faces(spec) if flat else curved_template_faces(spec)
+    if spec.arrangement == "sensors-in-shell":  # the magnets are set before the shell is cast
+        body = [(name, mesh) for name, mesh in body if name == "core"]
+    text = (
+        "largest common volume of a template and what it lies on. Above the limit it does not lie: leave "
+        "mould.magnet_templates out, or move magnets"
+    )
+    for first, numbers in groups.items():
+        name = "magnet_template" if len(groups) == 1 else f"magnet_template_face_{first}"
+        if name in meshes and body:
+            placed = [(name, _on_face(meshes[name], frames[number])) for number in numbers]
+            pairs = [(template, other) for template in placed for other in body]
+            found.append(largest_common("template on its face", name, pairs, text))
+    return found
+
+
+def _on_face(mesh: trimesh.Trimesh, frame: FaceFrame) -> trimesh.Trimesh:
+    """A part in a face's frame, moved to that face."""
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = frame.axes, frame.centre_mm
+    return mesh.copy().apply_transform(pose)
+
+
+def largest_common(check: str, part: str, pairs: list[tuple[Named, Named]], text: str) -> Finding:
+    """The finding of the two parts, of some pairs, that share most volume; `text` says what to do."""
+    worst, names, place = 0.0, "", None
+    solids = {id(mesh): manifold_of(mesh) for pair in pairs for _, mesh in pair}
+    for (a, one), (b, other) in pairs:
+        if (one.bounds[0] > other.bounds[1]).any() or (other.bounds[0] > one.bounds[1]).any():
+            continue
+        common = solids[id(one)] ^ solids[id(other)]
+        if common.volume() > worst:
+            worst, names = common.volume(), f"; most: {a} and {b}"
+            place = place_of(np.reshape(common.bounding_box(), (2, 3)).mean(axis=0))
+    status = "pass" if worst <= MATING_MM3 else "fail"
+    return Finding(check, part, worst, MATING_MM3, "mm³", status, f"{text}{names}", place)
 
 
 def check_clearances(spec: ObjectSpec) -> list[Finding]:

@@ -23,13 +23,22 @@ from design.body.meshes import (
     manifold_of,
     undercut,
 )
+from design.fabrication.assembly import largest_common
 from design.fabrication.finding import Finding, at_least, place_of
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
-from design.layout.mould.frame import YIELD_SHARE, mould_frame, mould_style, parting, up
+from design.layout.mould.frame import (
+    YIELD_SHARE,
+    flange_wall_mm,
+    mould_frame,
+    mould_style,
+    parting,
+    up,
+)
 from design.layout.mould.pins import Pin, least_rim_mm, loose_pins, pin_kinds
 from design.layout.mould.pouring import LEAST_POUR_MM, Hole
 from design.layout.surface import finished_surface, sealed_body_surface
+from design.mould.flange import PLACES, flanges
 from design.mould.openings import (
     air_traps,
     mould_holes,
@@ -48,8 +57,6 @@ CEILING_MM2 = 100.0
 NEAR_MM = 0.15
 """Of the silicone's surface, within which a face touches it: triangles of both leave theirs by less."""
 OPEN_MM3 = 1e-3
-MATING_MM3 = 1.0
-"""Common volume of two parts that touch: their triangles leave curved surfaces by 5 µm."""
 CLOSING = ("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder")
 """Parts in the object's frame of which a mould has one each."""
 
@@ -70,7 +77,7 @@ def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[
     reason = why_no_mould(spec)
     if reason is not None:
         return [Finding("mould", "shell", 0.0, 1.0, "moulds", "fail", reason)]
-    found = [_pour(spec), *_heads(spec)]
+    found = [_pour(spec), *_heads(spec), *_flanges(spec)]
     if "shell" not in meshes:
         return found
     for draw in draws(spec):
@@ -116,21 +123,11 @@ def _shared(
     placed = list(meshes.items())
     if pins:
         placed += [(f"pin {k}", as_triangles(make_pin(spec, p))) for k, p in enumerate(pins, 1)]
-    solids = [(name, manifold_of(mesh), mesh.bounds) for name, mesh in placed]
-    worst, names, place = 0.0, "", None
-    for (a, one, bounds), (b, other, others) in combinations(solids, 2):
-        if (bounds[0] > others[1]).any() or (others[0] > bounds[1]).any():
-            continue
-        common = one ^ other
-        if common.volume() > worst:
-            worst, names = common.volume(), f" ({a} and {b})"
-            place = place_of(np.reshape(common.bounding_box(), (2, 3)).mean(axis=0))
     text = (
-        f"largest common volume of two parts of the closed mould, or of one and the core{names}. Above the "
-        "limit the mould does not close: move pockets apart, or choose another mould.style"
+        "largest common volume of two parts of the closed mould, or of one and the core. Above the limit "
+        "the mould does not close: move pockets apart, or choose another mould.style"
     )
-    status = "pass" if worst <= MATING_MM3 else "fail"
-    return Finding("mould closes", part, worst, MATING_MM3, "mm³", status, text, place)
+    return largest_common("mould closes", part, list(combinations(placed, 2)), text)
 
 
 def draws(spec: ObjectSpec) -> list[Draw]:
@@ -262,6 +259,28 @@ def _heads(spec: ObjectSpec) -> list[Finding]:
     return [
         Finding("rim of the pins' heads", "mould_pin", rim, limit, "mm", at_least(rim, limit), text)
     ]
+
+
+def _flanges(spec: ObjectSpec) -> list[Finding]:
+    """Walls of the flanges beside bolts and dowels, and how many of these find room between pins."""
+    if mould_style(spec) != "split":
+        return []
+    wall, limit = flange_wall_mm(spec), spec.printer.wall_mm
+    least = ceil(10 * (spec.mould.flange_mm + 2 * (limit - wall)) - 1e-6) / 10
+    text = (
+        "wall of a flange on either side of its bolts and dowels; below 0 their holes are open. Below the "
+        f"limit: raise mould.flange_mm to {least:g}"
+    )
+    status, part = at_least(wall, limit), "mould_half_a"
+    walls = Finding("flange round its bolts", part, wall, limit, "mm", status, text)
+    count = min(len(flange.places_mm) for flange in flanges(spec))
+    status = "pass" if count == len(PLACES) else "warn" if count > 1 else "fail"
+    text = (
+        f"dowels and bolts of a flange, by turns, which find room beside pins and holes, of {len(PLACES)}. "
+        "Below the limit nothing holds or finds the halves: turn the seam (mould.parting_azimuth_deg), or "
+        "move magnets away from its ends"
+    )
+    return [walls, Finding("bolts of a flange", part, float(count), 2.0, "", status, text)]
 
 
 def _air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:

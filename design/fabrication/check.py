@@ -13,7 +13,12 @@ from typing import TYPE_CHECKING
 
 from design.build.parts import parts_of
 from design.errors import NotOneSolid
-from design.fabrication.assembly import check_clearances, check_electronics, check_pockets
+from design.fabrication.assembly import (
+    check_clearances,
+    check_electronics,
+    check_pockets,
+    check_tools,
+)
 from design.fabrication.casting import check_casting
 from design.fabrication.finding import Finding, Place, at_least, place_of
 from design.fabrication.printing import (
@@ -23,6 +28,7 @@ from design.fabrication.printing import (
     check_inhibition,
     check_walls,
 )
+from design.solids.booleans import as_triangles, as_written
 from design.solids.kernel import cq
 from design.spec.object import ObjectSpec
 
@@ -68,6 +74,8 @@ def check_fabrication(
     if "core" in meshes:
         progress("checking boards, chips and wires")
         findings += check_electronics(spec, meshes["core"])
+    progress("checking the jig and the templates")
+    findings += check_tools(spec, meshes)
     progress("checking the mould")
     return Checked(findings + check_casting(spec, meshes), meshes)
 
@@ -75,14 +83,17 @@ def check_fabrication(
 def check_solid(
     name: str, shape: cq.Shape | trimesh.Trimesh, spec: ObjectSpec
 ) -> tuple[list[Finding], trimesh.Trimesh | None]:
-    """One valid solid without slivers, closed as triangles; the mesh where it is closed."""
+    """One valid solid without slivers, closed as triangles; the mesh where it is closed.
+
+    Closed as it is written: in the single precision of an STL, which may join corners.
+    """
     mesh = mesh_of(shape, spec) if isinstance(shape, cq.Shape) else shape
     pieces = sorted(_pieces(shape))
     single = len(pieces) == 1 and (not isinstance(shape, cq.Shape) or shape.isValid())
     text = (
         "the part is one valid solid"
         if single
-        else "the part falls into pieces or is not valid. Move its recesses, holes or pockets apart"
+        else f"the part falls into pieces or is not valid: {_apart(name)}"
     )
     place = None if single or not pieces else pieces[0][1]
     status = "pass" if single else "fail"
@@ -90,13 +101,21 @@ def check_solid(
     if pieces:
         findings.append(_sliver(name, *pieces[0]))
     closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
+    closed = closed and as_written(mesh) is not None
     text = (
-        "the triangles close round a volume, outwards throughout; where they do not, two cuts touch "
-        "in a line: move them by 0.01 mm"
+        "the triangles close round a volume, outwards throughout, in the precision of the STL; where they "
+        f"do not, two cuts touch in a line: {_apart(name)} by 0.01 mm"
     )
     status = "pass" if closed else "fail"
     findings.append(Finding("closed surface", name, float(closed), 1.0, "", status, text))
     return findings, mesh if closed else None
+
+
+def _apart(part: str) -> str:
+    """What to change where cuts of a part graze each other."""
+    if not part.startswith(("mould_half", "mould_seal_half")):
+        return "move its recesses, holes or pockets apart"
+    return "turn the seam (mould.parting_azimuth_deg), or move its magnets,"
 
 
 def _sliver(name: str, volume_mm3: float, place: Place) -> Finding:
@@ -118,15 +137,5 @@ def _pieces(shape: cq.Shape | trimesh.Trimesh) -> list[tuple[float, Place]]:
 
 
 def mesh_of(shape: cq.Shape, spec: ObjectSpec) -> trimesh.Trimesh:
-    """Triangles of a shape at the specification's tolerance, vertices merged."""
-    import numpy as np
-    import trimesh
-
-    fineness = (spec.export.mesh_tolerance_mm, spec.export.mesh_angle_rad)
-    vertices, triangles = shape.tessellate(*fineness)
-    points = np.array([vertex.toTuple() for vertex in vertices])
-    mesh = trimesh.Trimesh(points, np.array(triangles))
-    mesh.merge_vertices(digits_vertex=7)
-    corners = np.sort(mesh.faces, axis=1)
-    mesh.update_faces((np.diff(corners, axis=1) > 0).all(axis=1))
-    return mesh
+    """Triangles of a shape at the specification's tolerance, as `build` writes them."""
+    return as_triangles(shape, (spec.export.mesh_tolerance_mm, spec.export.mesh_angle_rad), False)

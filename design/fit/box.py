@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, islice
 from math import cos, floor, sin
 from typing import TYPE_CHECKING
 
+from design.fit.magnet_places import MOST_TOLD
 from design.fit.nearest import excess, least_spacing_mm
 from design.layout.body import core_frames, face_frames
 from design.layout.places.contact_places import LEAST_COUNT, place_problems
 from design.layout.pockets import (
     Pocket,
     core_pockets,
-    distance_of_axes_mm,
+    near_pairs,
     sensor_places,
     shell_pockets,
 )
@@ -145,15 +146,16 @@ def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> Iterator[str]
 
 
 def _check_pockets_apart(pockets: tuple[Pocket, ...]) -> Iterator[str]:
-    for a, b in combinations(pockets, 2):
-        distance = distance_of_axes_mm(a, b)
+    axes = [pocket.axis_ends_mm for pocket in pockets]
+    near = near_pairs(axes, [pocket.outline.radius_mm for pocket in pockets])
+    for one, other, distance in islice(near, MOST_TOLD):
+        a, b = pockets[one], pockets[other]
         needed = a.outline.radius_mm + b.outline.radius_mm
-        if distance <= needed:
-            yield (
-                f"the pockets of {a.body.label} and {b.body.label} touch or overlap: axes "
-                f"{distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of them away by "
-                f"more than {needed - distance:.3g} mm"
-            )
+        yield (
+            f"the pockets of {a.body.label} and {b.body.label} touch or overlap: axes "
+            f"{distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of them away by "
+            f"more than {needed - distance:.3g} mm"
+        )
 
 
 def _check_pockets_across_edges(

@@ -6,12 +6,18 @@ Neighbouring patches of a curved body overlap, so that pockets are compared in t
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations, product
+from itertools import islice, product
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.fit.magnet_places import lies_on_patch, patch_problems, placed_pockets
+from design.fit.magnet_places import (
+    MOST_TOLD,
+    Placed,
+    lies_on_patch,
+    patch_problems,
+    placed_pockets,
+)
 from design.layout.boards import smallest_recess_wall_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.places.contact_places import (
@@ -24,7 +30,7 @@ from design.layout.places.positions import board_places, board_sinks_mm, shell_c
 from design.layout.pockets import (
     Pocket,
     axis_in_object_mm,
-    distance_of_segments_mm,
+    near_pairs,
 )
 
 if TYPE_CHECKING:
@@ -159,9 +165,10 @@ def _check_pockets(spec: ObjectSpec, ways: bool) -> Iterator[str]:
                 "shell.pocket_depth_mm or magnets.depth_mm by more than that, or take a smaller magnet"
             )
     yield from patch_problems(spec, ways)
-    axes = [(frame.number, pocket, axis_in_object_mm(frame, pocket)) for frame, pocket in placed]
-    for (face, a, ends), (other, b, ends_b) in combinations(axes, 2):
-        yield from _require_apart(face, a, ends, other, b, ends_b)
+    axes = [axis_in_object_mm(frame, pocket) for frame, pocket in placed]
+    near = near_pairs(axes, [pocket.outline.radius_mm for _, pocket in placed])
+    for one, other, distance in islice(near, MOST_TOLD):
+        yield _too_near(placed[one], placed[other], distance)
 
 
 def _check_depth(spec: ObjectSpec, pocket: Pocket) -> Iterator[str]:
@@ -190,17 +197,14 @@ def _inwards(frame: FaceFrame, xy_mm: np.ndarray) -> str:
     return f"inwards, as to ({x:.4g}, {y:.4g})"
 
 
-def _require_apart(
-    face: int, a: Pocket, ends: np.ndarray, other: int, b: Pocket, ends_b: np.ndarray
-) -> Iterator[str]:
-    distance = distance_of_segments_mm(ends, ends_b)
+def _too_near(one: Placed, other: Placed, distance_mm: float) -> str:
+    (face, a), (beside, b) = one, other
     needed = a.outline.radius_mm + b.outline.radius_mm
-    if distance <= needed:
-        yield (
-            f"the pockets of {a.body.label} of face {face} and {b.body.label} of face {other} touch or "
-            f"overlap: axes {distance:.3g} mm apart, more than {needed:.4g} mm needed. Move one of "
-            f"them away by more than {needed - distance:.3g} mm, or leave a face out with body.sensed_faces"
-        )
+    return (
+        f"the pockets of {a.body.label} of face {face.number} and {b.body.label} of face {beside.number} "
+        f"touch or overlap: axes {distance_mm:.3g} mm apart, more than {needed:.4g} mm needed. Move one of "
+        f"them away by more than {needed - distance_mm:.3g} mm, or leave a face out with body.sensed_faces"
+    )
 
 
 def _check_sensors(spec: ObjectSpec) -> Iterator[str]:

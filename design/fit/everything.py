@@ -10,7 +10,7 @@ from design.fit.box import check_box, check_box_core, check_box_presses, check_t
 from design.fit.curved import check_body, check_body_core, check_curved_presses
 from design.fit.environment import check_environment
 from design.fit.mould import check_mould
-from design.fit.parts import check_parts
+from design.fit.parts import check_mesh, check_parts
 from design.layout.body import body_of
 
 if TYPE_CHECKING:
@@ -59,6 +59,7 @@ def _but_mould(spec: ObjectSpec, table: bool, ways: bool) -> Iterator[str]:
         yield from check_box_presses(spec) if cuboid else check_curved_presses(spec)
     yield from check_environment(spec)
     yield from check_parts(spec)
+    yield from check_mesh(spec)
     yield from check_boards(spec)
 
 

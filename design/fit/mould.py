@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from itertools import combinations
+from itertools import islice
 from math import ceil
 from typing import TYPE_CHECKING
 
 from design.errors import InputError
 from design.fit.magnet_places import (
     MEETING_MM3,
+    MOST_TOLD,
     Placed,
     beside_patches,
     common_mm3,
@@ -25,7 +26,7 @@ from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import mould_style, opening_of
 from design.layout.mould.pins import Pin, loose_pins
 from design.layout.mould.pouring import LEAST_POUR_MM, pins_of, pour_holes
-from design.layout.pockets import Pocket, distance_of_segments_mm
+from design.layout.pockets import Pocket, near_pairs
 
 if TYPE_CHECKING:
     from design.body.surface_chart import FaceFrame
@@ -76,9 +77,11 @@ def _where(placed: Sequence[Placed], works: Callable[[FaceFrame, Pocket], bool])
 
 def _check_pins_apart(spec: ObjectSpec) -> Iterator[str]:
     """Beyond the silicone, where pins of a hollow lean towards each other."""
-    for a, b in combinations(loose_pins(spec), 2):
-        apart = distance_of_segments_mm(a.axis_mm, b.axis_mm) - a.radius_mm - b.radius_mm
-        volume = 0.0 if apart > a.rim_mm + b.rim_mm else common_mm3(a.room(), [b.room()])
+    pins = loose_pins(spec)
+    near = near_pairs([pin.axis_mm for pin in pins], [pin.radius_mm + pin.rim_mm for pin in pins])
+    for one, other, _ in islice(near, MOST_TOLD**2):
+        a, b = pins[one], pins[other]
+        volume = common_mm3(a.room(), [b.room()])
         if volume > MEETING_MM3:
             yield (
                 f"the pins of {a.pocket.body.label} of face {a.frame.number} and "

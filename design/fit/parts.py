@@ -45,6 +45,24 @@ def check_parts(spec: ObjectSpec) -> Iterator[str]:
         yield from with_nearest(spec, _check_bay if cuboid else check_curved_bay, nearest_bay)
 
 
+def check_mesh(spec: ObjectSpec) -> Iterator[str]:
+    """Edges that the body has no room for, and a mesh that may leave its surfaces too far.
+
+    The mesher then works on without end or memory.
+    """
+    mesh, thickness, least = spec.mesh, spec.shell.thickness_mm, min(spec.body.size_mm)
+    for key, most, what in (
+        ("edge_mm", least, "the shortest edge of the body"),
+        ("surface_edge_mm", least / 2, "half of the shortest edge of the body"),
+        ("envelope_mm", thickness / 8, "an eighth of shell.thickness_mm"),
+    ):
+        if getattr(mesh, key) > most:
+            yield (
+                f"mesh.{key} = {getattr(mesh, key):g} is more than {what}, {most:g} mm. Make it smaller; "
+                f"by default it is {type(mesh).model_fields[key].default:g}"
+            )
+
+
 def _check_keys(spec: ObjectSpec) -> Iterator[str]:
     keys = spec.core.keys
     if spec.mechanics.interface != "bonded":

@@ -116,8 +116,23 @@ def all_wire_channels(spec: ObjectSpec) -> list[Block]:
 
 def wire_bundle_mm(spec: ObjectSpec) -> float:
     """Diameter of the bundle of one face's wires, loosely packed."""
-    wires = spec.core.wires_per_sensor * spec.sensors.count_per_face
-    return spec.core.wire_diameter_mm * float(np.sqrt(wires / PACKING))
+    return hole_for_wires_mm(spec.core.wires_per_sensor * spec.sensors.count_per_face, spec)
+
+
+def wires_through(diameter_mm: float, spec: ObjectSpec) -> int:
+    """How many wires a round hole takes, loosely packed."""
+    return int(PACKING * (diameter_mm / spec.core.wire_diameter_mm) ** 2 + 1e-9)
+
+
+def hole_for_wires_mm(count: int, spec: ObjectSpec) -> float:
+    """Diameter of the round hole that takes so many wires: that of their bundle."""
+    return spec.core.wire_diameter_mm * float(np.sqrt(count / PACKING))
+
+
+def count_wires(spec: ObjectSpec) -> int:
+    """Of all sensors of the object."""
+    faces = len(spec.body.sensed)
+    return spec.core.wires_per_sensor * spec.sensors.count_per_face * faces
 
 
 @dataclass(frozen=True)

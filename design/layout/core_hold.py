@@ -16,7 +16,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.surface_chart import Cap, FaceFrame
-from design.layout.boards import wire_hole_diameter_mm
+from design.layout.boards import count_wires, hole_for_wires_mm, wire_hole_diameter_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_sockets import Socket, roomiest_sockets, socket_beside
 from design.layout.mould.frame import opening_of
@@ -109,6 +109,11 @@ def core_outlet(spec: ObjectSpec) -> Outlet:
     floor = body_of(spec).core_floor_mm
     radius = min(spec.body.bore_mm / 2, 0.9 * abs(floor))
     return Outlet(radius, floor, min(spec.core.wall_mm, 0.5 * abs(floor)))
+
+
+def least_bore_mm(spec: ObjectSpec) -> float:
+    """Bore whose outlet takes all wires: they lie between its flat and the side across from it."""
+    return 2 * hole_for_wires_mm(count_wires(spec), spec) / (1 + FLAT_SHARE)
 
 
 @once

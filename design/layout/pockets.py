@@ -7,6 +7,7 @@ face that the pocket opens to, so that everything here is below 0.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
@@ -208,6 +209,7 @@ def magnet_places(spec: ObjectSpec) -> tuple[Places, ...]:
     return by_sensed_face(spec, lists * len(spec.body.sensed) if len(lists) == 1 else lists)
 
 
+@once
 def widest_mm(spec: ObjectSpec) -> float:
     """Diameter of the widest round magnet."""
     return max(size.diameter_mm for size in spec.magnets.sizes)
@@ -281,13 +283,35 @@ def tilted_frame(about_x_deg: float, about_y_deg: float) -> Float[np.ndarray, "3
     return np.eye(3) + along + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
 
 
-def distance_of_axes_mm(a: Pocket, b: Pocket) -> float:
-    """Smallest distance between the axes of two pockets, each from its floor to above its mouth.
+def near_pairs(
+    ends_mm: Sequence[Float[np.ndarray, "2 3"]], reach_mm: Sequence[float]
+) -> Iterator[tuple[int, int, float]]:
+    """Numbers of straight pieces whose axes are no further apart than their reaches together, and the
+    distance (mm) of the axes, in order.
 
-    Pockets that are further apart than their circumscribed radii together cannot touch; for round
-    pockets without tilt the reverse holds too.
+    A tree of their middles leaves only neighbours to be measured.
     """
-    return distance_of_segments_mm(a.axis_ends_mm, b.axis_ends_mm)
+    from scipy.spatial import KDTree
+
+    if len(ends_mm) < 2:
+        return
+    ends, reach = np.stack(ends_mm), np.array(reach_mm)
+    halves = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / 2
+    pairs = KDTree(ends.mean(axis=1)).query_pairs(
+        2 * float((halves + reach).max()), output_type="ndarray"
+    )
+    pairs = pairs[np.lexsort(pairs.T[::-1])]
+    for some in np.array_split(pairs, 1 + len(pairs) // _PAIRS_AT_ONCE):
+        one, other = some.T
+        distance = np.linalg.norm(_way_between(ends[one], ends[other]), axis=1)
+        meet = distance <= reach[one] + reach[other]
+        yield from zip(
+            one[meet].tolist(), other[meet].tolist(), distance[meet].tolist(), strict=True
+        )
+
+
+_PAIRS_AT_ONCE = 100_000
+"""Their arrays take some 50 MB."""
 
 
 def distance_of_segments_mm(a: Float[np.ndarray, "2 3"], b: Float[np.ndarray, "2 3"]) -> float:

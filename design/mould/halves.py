@@ -12,7 +12,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from design.layout.mould.frame import FLANGE_THICKNESS_MM, mould_frame, parting, play_mm
+from design.layout.mould.frame import (
+    BOLT_HOLE_MM,
+    DOWEL_DIAMETER_MM,
+    FLANGE_THICKNESS_MM,
+    mould_frame,
+    parting,
+    play_mm,
+)
 from design.layout.mould.pins import Pin, loose_pins
 from design.layout.mould.pouring import Hole
 from design.mould.flange import Flange, flanges, roots_mm
@@ -35,9 +42,7 @@ from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, tapered_rod
 from design.spec.object import ObjectSpec
 
-DOWEL_DIAMETER_MM = 4.0
 DOWEL_HEIGHT_MM = 2.5
-BOLT_HOLE_MM = 3.4
 _OFFCUT = 1e-3
 """Share of a half below which a piece that its holes cut off is left out: 1.6 of 75 000 mm³ between a
 rod and a vent made a half that was refused."""

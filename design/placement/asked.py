@@ -75,7 +75,8 @@ def _too_small(request: Request) -> str:
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
     ways = [*_larger(request), *_on_base(request), *_fewer(request)]
     if not ways:
-        return f"{message}, whatever its size. Choose another shape"
+        sizes = f"no size up to {_LARGEST_GROWTH:g} times was found that works"
+        return f"{message}, and {sizes}. Choose another shape"
     return f"{message}. {'; or '.join(ways)}"
 
 

@@ -23,10 +23,16 @@ from design.errors import InputError, SpecError
 from design.fit.everything import can_be_moulded, fits
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
+from design.layout.core_hold import least_bore_mm
 from design.layout.places.contact_places import MOST_COUNT, contact_places
 from design.layout.places.positions import board_sinks_mm, sensor_layout
 from design.placement.paths import long_path_mm
-from design.placement.patterns import Shares, magnet_patterns, sensor_patterns
+from design.placement.patterns import (
+    Shares,
+    along_longer_side,
+    magnet_patterns,
+    sensor_patterns,
+)
 from design.placement.room import (
     low_rim,
     narrow_heads,
@@ -270,7 +276,9 @@ def _with_patterns(
     """The first share and pattern that fit; if need be one whose recesses end in the core's slope."""
     on_slopes = []
     for share, pattern in tried:
-        tables = body | _electronics(request, [share * half * pattern for half in halves])
+        tables = body | _electronics(
+            request, [share * half * along_longer_side(pattern, half) for half in halves]
+        )
         spec = spec_of(tables)
         if tight_middle(spec) or tight_core(spec, sunk=False):
             continue
@@ -295,7 +303,8 @@ def _with_patterns(
 def _bore_mm(spec: ObjectSpec) -> float | None:
     """The widest bore that leaves walls to recesses and to the sides of the core; None where none does."""
     widest = min(spec.body.bore_mm, float(np.floor(2 * outlet_room_mm(spec))))
-    for bore in np.arange(widest, _LEAST_BORE_MM - 1e-9, -1.0).tolist():
+    least = max(_LEAST_BORE_MM, least_bore_mm(spec))  # all wires go out through it
+    for bore in np.arange(widest, least - 1e-9, -1.0).tolist():
         if not thin_round_bore(spec.changed(body=spec.body.changed(bore_mm=bore))):
             return bore
     return None

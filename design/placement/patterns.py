@@ -20,6 +20,16 @@ def sensor_patterns(count: int) -> tuple[list[Shares], list[Shares]]:
     return ([*rings, *rows], tees) if count == 2 else ([*rings, *tees, *rows], [])
 
 
+def along_longer_side(pattern: Shares, half_mm: Float[np.ndarray, "2"]) -> Shares:
+    """Return a pattern whose row, if it is one, runs along the longer side of a face.
+
+    Two sensors along the short side of a face leave both its ends without any.
+    """
+    in_a_row = (abs(pattern) < 1e-9).all(axis=0).any()  # angles leave 1e-16
+    across = np.ptp(pattern, axis=0).argmax() != half_mm.argmax()
+    return pattern[:, ::-1] if in_a_row and across and half_mm[0] != half_mm[1] else pattern
+
+
 def magnet_patterns(count: int) -> list[Shares]:
     """Patterns of magnets, one in the middle where the count is odd; rows last."""
     rows = [_row(count), _row(count)[:, ::-1]]

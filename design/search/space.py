@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import ceil, floor
 from typing import Any
 
 import numpy as np
@@ -11,8 +12,8 @@ from jaxtyping import Float
 
 from design.catalogue.magnets import magnet_grade, magnet_part, typical_grade
 from design.errors import InputError
-from design.layout.body import face_frames
-from design.layout.pockets import magnet_bodies, sensor_places
+from design.layout.body import core_frames, face_frames
+from design.layout.pockets import core_pockets, magnet_bodies, sensor_places, shell_pockets
 from design.search.faces import group_labels, layout_groups
 from design.search.places import choices_of_magnets, generators, magnet_maps, sensor_maps
 from design.search.structure import (
@@ -73,11 +74,44 @@ def search_space(spec: ObjectSpec) -> SearchSpace:
     ]
     variables += _magnet_variables(spec) + _sensor_variables(spec)
     if not variables:
+        proposed = " and ".join(f"{key} = {mm:g}" for key, mm in reaches_that_fit_mm(spec).items())
         raise InputError(
-            "nothing may change: [search.vary] is empty. Name what may, e.g. magnet_reach_mm = 14.0"
+            f"nothing may change: [search.vary] is empty. Write {proposed} below it: how far from the "
+            "middles of their faces parts may lie, at most what this body has room for"
         )
     _check(spec)
     return SearchSpace(spec, tuple(variables))
+
+
+def reaches_that_fit_mm(spec: ObjectSpec) -> dict[str, float]:
+    """Largest useful `magnet_reach_mm` and `sensor_reach_mm`, in 0.1 mm and no less than what parts have now.
+
+    Magnets of the shell: half the longest face less the zone of its neighbours' pockets and the
+    pocket's own reach beyond the magnet's middle. Sensors of the core: half the longest of its faces
+    less a wall and what a recess holds beyond its sensor; magnets in the core alike. Shorter sides,
+    corners and gaps are limits of the search itself.
+    """
+    in_core = spec.arrangement == "sensors-in-core"
+    pockets = [one for face in (shell_pockets if in_core else core_pockets)(spec) for one in face]
+    beyond = max(float((one.reach_mm - abs(one.body.centre_mm[:2])).max()) for one in pockets)
+    deepest = max(one.body.height_mm / 2 - float(one.body.centre_mm[2]) for one in pockets)
+    core = max(max(frame.half_extents_mm) for frame in core_frames(spec))
+    wall = spec.printer.wall_mm
+    outwards = spec.core.recess_outer_radius_mm - spec.sensors.radius_mm
+    room = {"magnet": core - wall - beyond, "sensor": core - wall - outwards}
+    if in_core:
+        longest = max(max(frame.half_extents_mm) for frame in face_frames(spec))
+        room["magnet"] = longest - deepest - beyond
+    present = {
+        "magnet": max(float(abs(one.body.centre_mm[:2]).max()) for one in pockets),
+        "sensor": max(
+            max(abs(x), abs(y)) for of_face in sensor_places(spec) for x, y, _ in of_face
+        ),
+    }
+    return {
+        f"{part}_reach_mm": max(floor(10 * mm), ceil(10 * present[part])) / 10
+        for part, mm in room.items()
+    }
 
 
 def structure_of(space: SearchSpace, params: Params) -> tuple[tuple[str, Any], ...]:
@@ -259,7 +293,7 @@ def _reaches(spec: ObjectSpec, reach_mm: float | None) -> list[tuple[str, Reach]
     halves = {frame.number: frame.half_extents_mm for frame in face_frames(spec)}
     firsts = [halves[group[0]] for group in layout_groups(spec)]
     return [
-        (label, (min(reach_mm, x), min(reach_mm, y)))
+        (label, (min(reach_mm, float(x)), min(reach_mm, float(y))))
         for label, (x, y) in zip(labels, firsts, strict=True)
     ]
 

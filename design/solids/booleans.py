@@ -6,13 +6,17 @@ triangles among its operands is done with triangles, everything else stays exact
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextvars import ContextVar
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import trimesh
+from OCP.BRepMesh import BRepMesh_IncrementalMesh  # pyright: ignore[reportAttributeAccessIssue]
+from OCP.Standard import Standard_Failure  # pyright: ignore[reportAttributeAccessIssue]
 
 from design.body.meshes import boolean_of, one_closed_surface, signed_mm3
+from design.errors import NotOneSolid
 from design.solids.kernel import cq
 from design.solids.primitives import single_solid
 
@@ -22,6 +26,33 @@ Solid: TypeAlias = cq.Solid | trimesh.Trimesh
 _NOTHING_MM3 = 1e-9
 _FINENESS = (0.005, 0.1)
 """Tools leave their solids by 5 µm where they become triangles."""
+_TRIANGLES_ALONE = ContextVar("triangles alone", default=False)
+"""Whether exact solids are made triangles in every operation."""
+
+
+def exact_or_triangles(make: Callable[[], Solid]) -> Solid:
+    """What `make` builds; where the exact kernel gives no valid solid, the same of triangles within 5 µm.
+
+    The kernel fails where a cut grazes another, or a ball's pole.
+
+    Raises
+    ------
+    NotOneSolid
+        An InputError: triangles do not give one closed body either.
+    """
+    try:
+        return make()
+    except (NotOneSolid, Standard_Failure):
+        before = _TRIANGLES_ALONE.set(True)
+        try:
+            return make()
+        except Standard_Failure as error:  # of what is exact throughout
+            raise NotOneSolid(
+                f"the kernel finds no solid ({error}). Move recesses, holes or pockets apart",
+                cq.Compound.makeCompound([]),
+            ) from None
+        finally:
+            _TRIANGLES_ALONE.reset(before)
 
 
 def cut(body: Shape, *tools: Shape) -> Shape:
@@ -97,22 +128,27 @@ def without_offcuts(shape: Shape, share: float) -> Shape:
     """Without separate pieces smaller than a share of the largest."""
     if isinstance(shape, cq.Shape):
         solids = shape.Solids()
-        least = share * max(map(volume_mm3, solids))
+        least = share * max(map(volume_mm3, solids), default=0.0)
         kept = [solid for solid in solids if volume_mm3(solid) >= least]
         return shape if len(kept) == len(solids) else cq.Compound.makeCompound(kept)
     pieces = shape.split(only_watertight=False)
     sizes = [signed_mm3(piece) for piece in pieces]
-    least = share * max(sizes)
+    least = share * max(sizes, default=0.0)
     whole = [p for p, size in zip(pieces, sizes, strict=True) if size < 0 or size >= least]
     joined: Any = shape if len(whole) == len(pieces) else trimesh.util.concatenate(whole)
     return joined
 
 
-def as_triangles(shape: Shape) -> trimesh.Trimesh:
-    """Triangles of an exact solid within 5 µm; what consists of triangles is returned."""
+def as_triangles(
+    shape: Shape, fineness: tuple[float, float] = _FINENESS, relative: bool = True
+) -> trimesh.Trimesh:
+    """Triangles of an exact solid within a tolerance (mm, of edges' lengths where `relative`) and an angle
+    (rad); what consists of triangles is returned."""
     if not isinstance(shape, cq.Shape):
         return shape
-    points, triangles = shape.tessellate(*_FINENESS)
+    if not relative:
+        BRepMesh_IncrementalMesh(shape.wrapped, fineness[0], False, fineness[1], True)
+    points, triangles = shape.tessellate(*fineness)
     mesh = trimesh.Trimesh([point.toTuple() for point in points], triangles)
     mesh.merge_vertices(digits_vertex=7)
     corners = np.sort(mesh.faces, axis=1)
@@ -120,8 +156,33 @@ def as_triangles(shape: Shape) -> trimesh.Trimesh:
     return mesh
 
 
+def as_written(mesh: trimesh.Trimesh) -> trimesh.Trimesh | None:
+    """The surface as an STL holds it, in single precision; None where it does not close then.
+
+    Corners that become one are merged; triangles that lose a corner by it, and pairs that become one
+    fold, are left out.
+    """
+    corners = np.asarray(mesh.vertices, np.float32).astype(np.float64)
+    rounded = trimesh.Trimesh(corners, mesh.faces, process=False)
+    rounded.merge_vertices()
+    order = np.argsort(rounded.faces, axis=1)
+    ways = np.linalg.det(np.eye(3)[order])  # 1 or -1: round the sorted corners, or against
+    _, first, group = np.unique(
+        np.sort(rounded.faces, axis=1), axis=0, return_index=True, return_inverse=True
+    )
+    folded = np.bincount(group, weights=ways)[group] == 0
+    kept = ~folded & np.isin(np.arange(len(ways)), first)
+    kept &= (np.diff(np.sort(rounded.faces, axis=1), axis=1) > 0).all(axis=1)
+    rounded.update_faces(kept)
+    rounded.remove_unreferenced_vertices()
+    closed = rounded.is_watertight and rounded.is_winding_consistent
+    return rounded if closed else None
+
+
 def _exact(*shapes: Shape) -> list[cq.Shape]:
     """The same shapes if all of them are exact, else nothing."""
+    if _TRIANGLES_ALONE.get():
+        return []
     exact = [shape for shape in shapes if isinstance(shape, cq.Shape)]
     return exact if len(exact) == len(shapes) else []
 

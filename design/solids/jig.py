@@ -42,6 +42,8 @@ CLEAR_MM = 1.0
 CUP_SHARE = 0.2
 """Of the body's height that lies in a cup."""
 _UP = np.array([0.0, 0.0, 1.0])
+_SEAT_LINES, _SEAT_STEP_MM = 25, 0.02
+"""Of places over a post, and of levels: its seat is below the core by up to the step."""
 SLOT_SHARES = (0.9, 0.1)
 """Of a post's radius: width of its slot, and how far it goes beyond the middle."""
 
@@ -125,11 +127,26 @@ def _post_in_bore(spec: ObjectSpec, top: float) -> tuple[cq.Shape, cq.Solid]:
 
 
 def _flat_seat_mm(spec: ObjectSpec) -> float:
-    """Level at which the core's wall beside its outlet's flat is lowest."""
+    """Level below all of the core that stands over the post, beside its outlet: on a body that leans or is
+    lopsided the core is lowest anywhere there, not at the flat's middle."""
     outlet, body = core_outlet(spec), body_of(spec)
-    levels = np.linspace(outlet.floor_mm - 2.0, 0.8 * outlet.floor_mm, 400)
-    edge = np.column_stack([np.full(400, outlet.flat_mm), 0 * levels, levels])
-    return float(levels[np.argmax(body.core_distance_mm(edge) <= 0)])
+    radius = spec.body.bore_mm / 2 - play_mm(spec)
+    side = np.linspace(-radius, radius, _SEAT_LINES)
+    x, y = (part.ravel() for part in np.meshgrid(side, side))
+    away = np.hypot(x, y)
+    in_outlet = (away < outlet.radius_mm) & (x < outlet.flat_mm)
+    over = np.column_stack([x, y])[(away <= radius + 1e-9) & ~in_outlet]
+    flat, rim = min(outlet.flat_mm, radius), np.pi * np.linspace(-1, 1, 4 * _SEAT_LINES + 1)
+    ends = np.sqrt(max(radius**2 - flat**2, 0.0)) * np.linspace(-1, 1, _SEAT_LINES)
+    rims = [np.column_stack([np.full(_SEAT_LINES, flat), ends])]  # all that may be lowest
+    for reach in {radius, min(outlet.radius_mm, radius)}:
+        circle = reach * np.column_stack([np.cos(rim), np.sin(rim)])
+        rims.append(circle[(circle[:, 0] >= flat) | (reach >= outlet.radius_mm)])
+    over = np.vstack([over, *rims])
+    levels = np.arange(-body.half_mm[2], 0.8 * outlet.floor_mm, _SEAT_STEP_MM)
+    points = np.column_stack([np.tile(over, (len(levels), 1)), levels.repeat(len(over))])
+    inside = (body.core_distance_mm(points) <= 0).reshape(len(levels), -1).any(axis=1)
+    return float(levels[max(int(np.argmax(inside)) - 1, 0)])
 
 
 def _recess(spec: ObjectSpec, top: float) -> cq.Solid:

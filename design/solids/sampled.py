@@ -156,12 +156,13 @@ def _recess(
 
 
 def _wire_hole(spec: ObjectSpec, frame: FaceFrame) -> trimesh.Trimesh:
-    """From the body's centre out of its box: where the core leans, it stands on beside a face's middle."""
+    """From beyond the body's centre out of its box: where the core leans, it stands on beside a face's
+    middle. Holes that ended at the centre met those of opposite faces in a circle alone."""
     import trimesh
 
     radius, middle = spec.core.wire_hole_side_diameter_mm / 2, frame.centre_mm
     rest = abs(frame.normal) @ body_of(spec).half_mm - middle @ frame.normal
-    ends = [0 * middle, middle + (rest + _OVERSHOOT_MM) * frame.normal]
+    ends = [-radius * frame.normal, middle + (rest + _OVERSHOOT_MM) * frame.normal]
     return trimesh.creation.cylinder(radius, segment=ends, sections=_SECTIONS)
 
 

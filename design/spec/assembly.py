@@ -14,10 +14,25 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from design.spec.base import Count, Finite, NonNegative, Positive, SpecPart
+from design.spec.base import (
+    Angle,
+    Component,
+    Coordinate,
+    Count,
+    Distinct,
+    Offset,
+    Remanence,
+    SpecPart,
+)
 
 FaceNumber = Annotated[int, Field(ge=1, le=6)]
-Triple = tuple[Finite, Finite, Finite]
+Place = tuple[Coordinate, Coordinate, Coordinate]
+Direction = tuple[Component, Component, Component]
+Turns = tuple[Angle, Angle, Angle]
+SpreadMm = Annotated[float, Field(ge=0, le=5)]
+SpreadDeg = Annotated[float, Field(ge=0, le=30)]
+Spread = Annotated[float, Field(ge=0, le=0.5)]
+"""Relative, one standard deviation."""
 Axis = Literal["X", "Y", "Z"]
 
 
@@ -29,11 +44,11 @@ class BuiltMagnet(SpecPart):
 
     face: FaceNumber
     magnet: Count
-    centre_mm: Triple | None = None
-    axis: Triple | None = None
+    centre_mm: Place | None = None
+    axis: Direction | None = None
     flipped: bool = False
-    remanence_t: Positive | None = None
-    dent_mm: NonNegative | None = None
+    remanence_t: Remanence | None = None
+    dent_mm: Offset | None = None
 
     @model_validator(mode="after")
     def _has_a_direction(self) -> BuiltMagnet:
@@ -50,9 +65,9 @@ class BuiltSensor(SpecPart):
 
     face: FaceNumber
     sensor: Count
-    position_mm: Triple | None = None
-    rotation_deg: Triple = (0.0, 0.0, 0.0)
-    dead: tuple[Axis, ...] = ()
+    position_mm: Place | None = None
+    rotation_deg: Turns = (0.0, 0.0, 0.0)
+    dead: Annotated[tuple[Axis, ...], Distinct] = ()
 
 
 class AsBuiltSpec(SpecPart):
@@ -100,16 +115,16 @@ class TolerancesSpec(SpecPart):
     again in the press, because a gripper turns the object.
     """
 
-    magnet_seat_mm: NonNegative = 0.1
-    magnet_seat_depth_mm: NonNegative = 0.1
-    magnet_tilt_deg: NonNegative = 2.0
-    remanence_relative: NonNegative = 0.02
-    sensor_seat_mm: NonNegative = 0.1
-    sensor_rotation_deg: NonNegative = 2.0
-    sensor_gain_relative: NonNegative = 0.02
-    sensor_offset_ut: NonNegative = 100.0
+    magnet_seat_mm: SpreadMm = 0.1
+    magnet_seat_depth_mm: SpreadMm = 0.1
+    magnet_tilt_deg: SpreadDeg = 2.0
+    remanence_relative: Spread = 0.02
+    sensor_seat_mm: SpreadMm = 0.1
+    sensor_rotation_deg: SpreadDeg = 2.0
+    sensor_gain_relative: Spread = 0.02
+    sensor_offset_ut: Annotated[float, Field(ge=0, le=1e4)] = 100.0
     core_shift_mm: Annotated[float, Field(ge=0, le=0.6)] = 0.3
     core_yaw_deg: Annotated[float, Field(ge=0, le=2)] = 1.0
-    modulus_relative: NonNegative = 0.1
-    temperature_k: NonNegative = 5.0
-    earth_field_ut: NonNegative = 50.0
+    modulus_relative: Annotated[float, Field(ge=0, le=1)] = 0.1
+    temperature_k: Annotated[float, Field(ge=0, le=60)] = 5.0
+    earth_field_ut: Annotated[float, Field(ge=0, le=100)] = 50.0

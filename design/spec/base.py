@@ -4,24 +4,80 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping
+from math import inf
 from types import NoneType, UnionType
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar, Union, get_args, get_origin
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    ValidationError,
+    field_validator,
+)
+from pydantic_core import PydanticCustomError
 
 from design.errors import SpecError
 
-LARGEST = 1e8
-"""Of any number: larger ones are slips of the keyboard, and overflow when they are multiplied."""
-Positive = Annotated[float, Field(gt=0, le=LARGEST)]
-NonNegative = Annotated[float, Field(ge=0, le=LARGEST)]
-Finite = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+# Bounds of what is plausible: beyond them lies a slip of the keyboard or another unit.
+Length = Annotated[float, Field(gt=0, le=1000)]
+"""mm; a body is 1 m long at most."""
+Offset = Annotated[float, Field(ge=0, le=1000)]
+"""mm; 0 leaves it out."""
+Coordinate = Annotated[float, Field(ge=-1000, le=1000)]
+"""mm."""
+Wall = Annotated[float, Field(ge=0.3, le=200)]
+"""mm, of the shell or the core."""
+Angle = Annotated[float, Field(ge=-720, le=720)]
+"""Degrees, two turns at most."""
+Component = Annotated[float, Field(ge=-1e4, le=1e4)]
+"""Of a direction of any length."""
+Force = Annotated[float, Field(ge=0.001, le=500)]
+"""N; 500 N is more than a hand presses with."""
+Remanence = Annotated[float, Field(ge=0.01, le=2.0)]
+"""T; the strongest magnets that are sold have 1.55."""
+FieldRange = Annotated[float, Field(ge=0.01, le=3000)]
+"""mT; of a Hall sensor."""
+Counts = Annotated[float, Field(ge=0, le=1e6)]
+"""Offsets of a channel."""
+Density = Annotated[float, Field(ge=0.005, le=20)]
+"""g/cm³; from foams to metals."""
 RecoilPermeability = Annotated[float, Field(ge=1, le=2)]
 """Relative; 1 takes a magnet's remanence as its polarization."""
-Count = Annotated[int, Field(ge=1)]
+Count = Annotated[int, Field(ge=1, le=100_000)]
+
+
+def _distinct(given: tuple[Any, ...]) -> tuple[Any, ...]:
+    repeated = sorted({str(one) for one in given if given.count(one) > 1})
+    if repeated:
+        message = "names {twice} twice. Name each once"
+        raise PydanticCustomError("repeated", message, {"twice": ", ".join(repeated)})
+    return given
+
+
+Distinct = AfterValidator(_distinct)
+"""Refuses a list that names something twice."""
 
 
 _SHOULD_BE = "Input should be "
+_WORDS = {
+    "a valid tuple": "a list in brackets",
+    "a valid number, unable to parse string as a number": "a number alone (the key names its unit)",
+    "a valid integer, unable to parse string as an integer": "a whole number",
+}
+"""pydantic's words, and plainer ones."""
+_UNITS = {
+    "mpa": ("MPa", {"kPa": 1e-3, "Pa": 1e-6}),
+    "n": ("N", {"mN": 1e-3, "gf": 9.80665e-3}),
+    "t": ("T", {"kG": 0.1, "mT": 1e-3, "G": 1e-4}),
+    "mm": ("mm", {"µm": 1e-3, "m": 1e3, "cm": 10.0}),
+    "mt": ("mT", {"µT": 1e-3, "T": 1e3}),
+    "cm3": ("g/cm³", {"kg/m³": 1e-3}),
+    "relative": ("", {"percent": 1e-2}),
+    "tolerance": ("", {"percent": 1e-2}),
+}
+"""By the end of a key: its unit, and others in its unit that values are often given in."""
 _OTHER_KIND = ("_type", "_parsing", "literal_error", "int_from_float")
 """Ends of pydantic's types of errors of a value that is not of the kind at all."""
 
@@ -32,6 +88,21 @@ class SpecPart(BaseModel):
     """Frozen; unknown keys are refused, and numbers that are none (NaN) or infinite in any key."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    @field_validator("*", mode="before")
+    @classmethod
+    def _booleans_are_no_numbers(cls, given: Any, info: Any) -> Any:
+        annotation = cls.model_fields[info.field_name].annotation
+        kinds = _kinds(annotation)
+        switch = kinds == [bool]
+        named = isinstance(given, dict) and any(get_origin(kind) is dict for kind in kinds)
+        if not _takes_booleans(annotation) and _holds_a_boolean(
+            list(given.values()) if named else given
+        ):
+            raise PydanticCustomError("boolean", "true and false are no values of this key")
+        if switch and not isinstance(given, bool | NoneType):
+            raise PydanticCustomError("no_boolean", "write true or false")
+        return given
 
     if (
         not TYPE_CHECKING
@@ -120,6 +191,17 @@ def _place_of_kind(location: tuple[Any, ...], model: type[BaseModel]) -> int | N
     return None
 
 
+def _takes_booleans(annotation: Any) -> bool:
+    return annotation is bool or any(map(_takes_booleans, get_args(annotation)))
+
+
+def _holds_a_boolean(given: Any) -> bool:
+    """Whether one stands in a value or list; a table among these is looked at as a part of its own."""
+    if isinstance(given, list | tuple):
+        return any(map(_holds_a_boolean, given))
+    return isinstance(given, bool)
+
+
 def _kinds(annotation: Any) -> list[Any]:
     if get_origin(annotation) is Annotated:
         return _kinds(get_args(annotation)[0])
@@ -153,8 +235,36 @@ def _complaint(problem: Any, model: type[BaseModel]) -> str:
         return f"{where} is missing. Add it"
     if problem["type"] == "extra_forbidden":
         return f"{where} is not a key. {_nearest_key(problem['loc'], model)}"
-    received = "" if isinstance(problem.get("input"), dict) else f"; got {problem.get('input')!r}"
-    return f"{where}: {message}{received}"
+    if problem["type"] == "string_pattern_mismatch":
+        message = "letters, digits, _ . - alone, a letter or digit first; no blanks, no umlauts"
+    for word, plain in _WORDS.items():
+        message = message.replace(word, plain)
+    received = "" if isinstance(problem.get("input"), dict) else f"; got {_shown(problem)}"
+    return f"{where}: {message}{received}{_proposal(problem)}"
+
+
+def _shown(problem: Any) -> str:
+    """What was received, cut where it is long."""
+    text = repr(problem.get("input"))
+    return text if len(text) <= 80 else f"{text[:60]}…"
+
+
+def _proposal(problem: Any) -> str:
+    """Proposes brackets, or the unit in which a value beyond a bound would lie within it."""
+    key = next((part for part in reversed(problem["loc"]) if isinstance(part, str)), "")
+    unit, others = _UNITS.get(key.rsplit("_", 1)[-1], ("", {}))
+    bounds, value = problem.get("ctx", {}), problem.get("input")
+    if problem["type"] == "tuple_type" and isinstance(value, str) and "," in value:
+        return f". Write it as [{', '.join(part.strip() for part in value.split(','))}]"
+    if not isinstance(value, int | float) or not value > 0:
+        return ""
+    for other, factor in others.items():
+        changed = factor * value
+        if factor < 1 and changed <= bounds.get("le", -inf):
+            return f". In {other} it would be {f'{changed:g} {unit}'.strip()}"
+        if factor > 1 and changed >= bounds.get("ge", inf):
+            return f". In {other} it would be {f'{changed:g} {unit}'.strip()}"
+    return ""
 
 
 def _nearest_key(location: tuple[Any, ...], model: type[BaseModel]) -> str:
@@ -163,7 +273,23 @@ def _nearest_key(location: tuple[Any, ...], model: type[BaseModel]) -> str:
     close = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
     stem = name.rsplit("_", 1)[0]
     close = close or [key for key in known if key.rsplit("_", 1)[0] == stem]
+    close = close or sorted(_keys_named(name, model), key=len)
     return f"Did you mean {close[0]!r}?" if close else f"Known keys: {', '.join(known)}"
+
+
+def _keys_named(name: str, model: Any) -> list[str]:
+    """Dotted keys of that very name in any table of a model."""
+    found = []
+    for key, field in model.model_fields.items():
+        for kind in _kinds(field.annotation):
+            kind = get_args(kind)[0] if get_origin(kind) is tuple else kind
+            if isinstance(kind, type) and issubclass(kind, BaseModel):
+                found += [
+                    f"{key}.{inner}"
+                    for inner in (name, *_keys_named(name, kind))
+                    if inner != name or name in kind.model_fields
+                ]
+    return found
 
 
 def _known_keys(location: tuple[Any, ...], model: type[BaseModel]) -> set[str]:

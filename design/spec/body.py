@@ -15,7 +15,7 @@ from pydantic import Field, model_validator
 from design.body.foreign import STEP
 from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
-from design.spec.base import Count, Finite, NonNegative, Positive, SpecPart
+from design.spec.base import Coordinate, Distinct, Length, Offset, SpecPart, Wall
 
 if TYPE_CHECKING:
     KindName = str
@@ -27,6 +27,8 @@ FaceNumber = Annotated[int, Field(ge=1, le=6)]
 
 Unit = Literal["mm", "cm", "m", "in"]
 MM: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+Edge = Annotated[float, Field(gt=0, le=1e8)]
+"""mm; what is too long for a body is told with the unit that its file may be drawn in."""
 LONGEST_EDGE_MM = (5.0, 1000.0)
 """Of a body: from a fingertip to a person's arms."""
 
@@ -43,14 +45,14 @@ class BodySpec(SpecPart):
     """
 
     kind: KindName = "box"
-    size_mm: tuple[Positive, Positive, Positive] = (42.0, 42.0, 42.0)
-    open_faces: tuple[FaceNumber, ...] = (6,)
-    sensed_faces: tuple[FaceNumber, ...] | None = None
+    size_mm: tuple[Edge, Edge, Edge] = (42.0, 42.0, 42.0)
+    open_faces: Annotated[tuple[FaceNumber, ...], Distinct] = (6,)
+    sensed_faces: Annotated[tuple[FaceNumber, ...], Distinct] | None = None
     inside: Literal["core", "silicone", "air"] = "core"
-    bore_mm: Positive = 10.0
+    bore_mm: Length = 10.0
     file: str | None = None
     unit: Unit = "mm"
-    scale: Positive = 1.0
+    scale: Annotated[float, Field(ge=1e-4, le=1e4)] = 1.0
 
     def __hash__(self) -> int:
         return hash(self.model_dump_json())
@@ -74,9 +76,27 @@ class BodySpec(SpecPart):
 
     @model_validator(mode="after")
     def _agrees(self) -> BodySpec:
-        for check in (_check_unit, _check_size, _check_faces, _check_inside):
+        for check in (_check_unused, _check_unit, _check_size, _check_faces, _check_inside):
             check(self)
         return self
+
+
+def _check_unused(body: BodySpec) -> None:
+    """Refuse keys that are not of this kind, where they differ from what leaving them out gives."""
+    kind = KINDS[body.kind]
+    uses = {
+        "bore_mm": bool(kind.openable) and not kind.opens_sides,
+        "unit": kind.from_file,
+        "scale": kind.from_file,
+        "open_faces": bool(kind.openable) or not body.open_faces,
+    }
+    for key, used in uses.items():
+        value = getattr(body, key)
+        if not used and value != BodySpec.model_fields[key].default:
+            shown = list(value) if isinstance(value, tuple) else value
+            raise ValueError(
+                f"body.{key} = {shown!r} has no effect on body.kind = {body.kind!r}. Leave it out"
+            )
 
 
 def _check_size(body: BodySpec) -> None:
@@ -170,9 +190,9 @@ class SlitsSpec(SpecPart):
     and ends `end_mm` before the corners of the body; a depth of 0 leaves them out.
     """
 
-    width_mm: Positive = 1.0
-    depth_mm: NonNegative = 0.0
-    end_mm: NonNegative = 8.0
+    width_mm: Length = 1.0
+    depth_mm: Offset = 0.0
+    end_mm: Offset = 8.0
 
 
 class ShellSpec(SpecPart):
@@ -184,11 +204,11 @@ class ShellSpec(SpecPart):
     `dent_mm` is how far the seals have sunk over the pockets' middles (docs/robustness.md).
     """
 
-    thickness_mm: Positive = 8.0
-    pocket_diameter_mm: Positive = 6.0
-    pocket_depth_mm: Positive = 3.0
-    seal_layer_mm: NonNegative = 0.0
-    dent_mm: NonNegative = 0.0
+    thickness_mm: Wall = 8.0
+    pocket_diameter_mm: Length = 6.0
+    pocket_depth_mm: Length = 3.0
+    seal_layer_mm: Offset = 0.0
+    dent_mm: Offset = 0.0
     slits: SlitsSpec = SlitsSpec()
 
 
@@ -199,9 +219,9 @@ class KeysSpec(SpecPart):
     x and y, `height_mm` into the silicone. Without places there are none.
     """
 
-    positions_mm: tuple[tuple[Finite, Finite], ...] = ()
-    size_mm: tuple[Positive, Positive] = (3.0, 3.0)
-    height_mm: Positive = 1.5
+    positions_mm: tuple[tuple[Coordinate, Coordinate], ...] = ()
+    size_mm: tuple[Length, Length] = (3.0, 3.0)
+    height_mm: Length = 1.5
 
 
 class CoreSpec(SpecPart):
@@ -212,18 +232,18 @@ class CoreSpec(SpecPart):
     size (x, y, depth from the open face) for a board and a battery. The wires only enter the checks.
     """
 
-    wall_mm: Positive = 4.5
-    recess_width_mm: Positive = 7.0
-    recess_inner_radius_mm: Positive = 4.5
-    recess_outer_radius_mm: Positive = 11.0
-    recess_depth_mm: Positive = 3.0
-    hub_radius_mm: Positive = 2.0
-    hub_depth_mm: Positive = 0.5
-    wire_hole_top_diameter_mm: Positive = 2.0
-    wire_hole_side_diameter_mm: Positive = 4.0
-    wire_channel_width_mm: NonNegative = 0.0
-    wire_channel_depth_mm: Positive = 1.0
-    wire_diameter_mm: Positive = 0.4
-    wires_per_sensor: Count = 4
-    bay_mm: tuple[Positive, Positive, Positive] | None = None
+    wall_mm: Wall = 4.5
+    recess_width_mm: Length = 7.0
+    recess_inner_radius_mm: Length = 4.5
+    recess_outer_radius_mm: Length = 11.0
+    recess_depth_mm: Length = 3.0
+    hub_radius_mm: Length = 2.0
+    hub_depth_mm: Length = 0.5
+    wire_hole_top_diameter_mm: Length = 2.0
+    wire_hole_side_diameter_mm: Length = 4.0
+    wire_channel_width_mm: Offset = 0.0
+    wire_channel_depth_mm: Length = 1.0
+    wire_diameter_mm: Annotated[float, Field(ge=0.02, le=5)] = 0.4
+    wires_per_sensor: Annotated[int, Field(ge=1, le=20)] = 4
+    bay_mm: tuple[Length, Length, Length] | None = None
     keys: KeysSpec = KeysSpec()

@@ -11,19 +11,27 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from design.catalogue.magnets import NDFEB_RECOIL_PERMEABILITY
-from design.spec.base import Finite, Positive, RecoilPermeability, SpecPart
+from design.spec.base import (
+    Component,
+    Coordinate,
+    Length,
+    RecoilPermeability,
+    Remanence,
+    SpecPart,
+)
 
-Triple = tuple[Finite, Finite, Finite]
+Place = tuple[Coordinate, Coordinate, Coordinate]
+Direction = tuple[Component, Component, Component]
 
 
 class StrayMagnetSpec(SpecPart):
     """A disk magnet outside the object: its centre, and the direction of its north pole."""
 
-    position_mm: Triple
-    axis: Triple = (0.0, 0.0, 1.0)
-    diameter_mm: Positive = 10.0
-    height_mm: Positive = 5.0
-    remanence_t: Positive = 1.3
+    position_mm: Place
+    axis: Direction = (0.0, 0.0, 1.0)
+    diameter_mm: Length = 10.0
+    height_mm: Length = 5.0
+    remanence_t: Remanence = 1.3
     recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
 
     @model_validator(mode="after")
@@ -36,9 +44,9 @@ class StrayMagnetSpec(SpecPart):
 class SteelPlateSpec(SpecPart):
     """A thick steel plate: a point of its surface, and the normal that points out of the steel."""
 
-    position_mm: Triple
-    normal: Triple
-    relative_permeability: Annotated[float, Field(ge=1)] = 1000.0
+    position_mm: Place
+    normal: Direction
+    relative_permeability: Annotated[float, Field(ge=1, le=1e12)] = 1000.0
 
     @model_validator(mode="after")
     def _normal_points_somewhere(self) -> SteelPlateSpec:
@@ -58,7 +66,7 @@ class EnvironmentSpec(SpecPart):
     """
 
     earth_field_ut: Annotated[float, Field(ge=0, le=100)] = 0.0
-    earth_direction: Triple | Literal["random"] = (0.0, 0.0, -1.0)
+    earth_direction: Direction | Literal["random"] = (0.0, 0.0, -1.0)
     magnets: tuple[StrayMagnetSpec, ...] = ()
     steel_plates: tuple[SteelPlateSpec, ...] = ()
 

@@ -12,12 +12,13 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from design.catalogue.printers import Process, printer_preset
-from design.spec.base import Finite, Positive, SpecPart
+from design.spec.base import Angle, Density, SpecPart
 
-Gap = Annotated[float, Field(gt=0, le=2)]
+Gap = Annotated[float, Field(ge=0.005, le=2)]
 """Between printed parts (mm)."""
-Thickness = Annotated[float, Field(gt=0, le=100)]
+Thickness = Annotated[float, Field(ge=0.1, le=100)]
 """Of walls and features of printed parts (mm)."""
+Bed = Annotated[float, Field(ge=20, le=5000)]
 
 
 class MouldSpec(SpecPart):
@@ -38,7 +39,7 @@ class MouldSpec(SpecPart):
     style: Literal["one-piece", "split"] | None = None
     wall_mm: Thickness = 1.5
     play_mm: Gap | None = None
-    parting_azimuth_deg: Finite | None = None
+    parting_azimuth_deg: Angle | None = None
     flange_mm: Thickness = 8.0
     dowel_draft_deg: Annotated[float, Field(ge=0, le=30)] = 10.0
     draft_deg: Annotated[float, Field(ge=0, le=10)] = 0.0
@@ -58,14 +59,14 @@ class PrinterSpec(SpecPart):
 
     name: str = "fdm-0.4"
     process: Process = "fdm"
-    bed_mm: tuple[Positive, Positive, Positive] = (220.0, 220.0, 240.0)
+    bed_mm: tuple[Bed, Bed, Bed] = (220.0, 220.0, 240.0)
     wall_mm: Thickness = 0.8
     feature_mm: Thickness = 0.8
     hole_mm: Thickness = 1.0
     clearance_mm: Gap = 0.1
-    aspect: Positive = 4.0
+    aspect: Annotated[float, Field(ge=0.5, le=100)] = 4.0
     draft_deg: Annotated[float, Field(ge=0, lt=45)] = 1.0
-    density_g_per_cm3: Positive = 1.27
+    density_g_per_cm3: Density = 1.27
 
     @model_validator(mode="before")
     @classmethod

@@ -6,11 +6,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from design.spec.base import Count, NonNegative, Positive, SpecPart
+from design.spec.base import Angle, Coordinate, Counts, Force, SpecPart
 from design.spec.renamed import under_names_now
 
-Coordinate = Annotated[float, Field(ge=-500, le=500)]
-ProbePose = tuple[Coordinate, Coordinate, Annotated[float, Field(ge=-360, le=360)]]
+ProbePose = tuple[Coordinate, Coordinate, Angle]
 """Centre of a probe in the face's frame (x, y in mm) and its turn about the normal (degrees)."""
 CollectionKind = Literal["paper", "grasp", "continuous"]
 SensedFace = Annotated[int, Field(ge=1, le=6)]
@@ -27,7 +26,7 @@ _TRIANGLES: tuple[ProbePose, ...] = (
 
 
 class CollectionSpec(SpecPart):
-    """Simulated recordings, `instobj frames`.
+    """Simulated recordings, `instobj run --to frames`.
 
     "paper": on each of `faces` every contact location, the probes of two and three tips at
     `dual_poses` and `triple_poses`, and `non_contact_cases`; `frames_per_case` frames each, at one
@@ -42,19 +41,19 @@ class CollectionSpec(SpecPart):
 
     kind: CollectionKind = "paper"
     faces: Annotated[tuple[SensedFace, ...], Field(min_length=1)] = (1, 2, 3, 4, 5)
-    frames_per_case: Annotated[int, Field(ge=4)] = 1000
-    non_contact_cases: Annotated[int, Field(ge=1)] = 3
+    frames_per_case: Annotated[int, Field(ge=4, le=100_000_000)] = 1000
+    non_contact_cases: Annotated[int, Field(ge=1, le=100_000)] = 3
     dual_poses: tuple[ProbePose, ...] = _ROWS + _COLUMNS
     triple_poses: tuple[ProbePose, ...] = _TRIANGLES + tuple(
         (-x, -y, 180.0) for x, y, _ in _TRIANGLES
     )
     grasp_faces: tuple[SensedFace, SensedFace] = (3, 5)
-    grasp_force_n: Positive = 17.0
-    random_grasps: Annotated[int, Field(ge=0)] = 0
-    presses: Count = 2000
+    grasp_force_n: Force = 17.0
+    random_grasps: Annotated[int, Field(ge=0, le=100_000)] = 0
+    presses: Annotated[int, Field(ge=1, le=1_000_000_000)] = 2000
     contacts: Annotated[int, Field(ge=1, le=5)] = 1
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0
-    hysteresis: Annotated[NonNegative, Field(lt=0.5)] = 0.0
+    hysteresis: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
 
     @model_validator(mode="after")
     def _faces_differ(self) -> CollectionSpec:
@@ -86,10 +85,10 @@ class ScoreSpec(SpecPart):
     `hull_frames` is N of the convex-hull sensitivity δ, which is always that of the own channels.
     """
 
-    force_n: Positive = 8.0
+    force_n: Force = 8.0
     channels: Literal["own", "all"] = "own"
     hull: HullForm = "covariance"
-    hull_frames: Annotated[int, Field(ge=12)] = 1000
+    hull_frames: Annotated[int, Field(ge=12, le=1_000_000_000)] = 1000
 
     @model_validator(mode="after")
     def _hull_is_feasible(self) -> ScoreSpec:
@@ -105,13 +104,13 @@ class ScoreSpec(SpecPart):
 class ProtocolSpec(SpecPart):
     """Simulated calibration presses: periodic indentation depth, disturbances of each press."""
 
-    presses_per_place: Annotated[int, Field(ge=3)] = 6
-    frames_per_press: Annotated[int, Field(ge=4)] = 40
-    rest_frames_per_press: Annotated[int, Field(ge=2)] = 8
-    peak_force_n: tuple[Positive, Positive] = (10.0, 20.0)
+    presses_per_place: Annotated[int, Field(ge=3, le=1_000_000)] = 6
+    frames_per_press: Annotated[int, Field(ge=4, le=1_000_000)] = 40
+    rest_frames_per_press: Annotated[int, Field(ge=2, le=1_000_000)] = 8
+    peak_force_n: tuple[Force, Force] = (10.0, 20.0)
     peak_force_spread: Annotated[float, Field(ge=0, lt=0.9)] = 0.1
-    lateral_jitter_mm: NonNegative = 0.3
-    force_noise_n: NonNegative = 0.12
+    lateral_jitter_mm: Annotated[float, Field(ge=0, le=20)] = 0.3
+    force_noise_n: Annotated[float, Field(ge=0, le=20)] = 0.12
 
     @model_validator(mode="after")
     def _peak_range(self) -> ProtocolSpec:
@@ -140,12 +139,12 @@ class InversionSpec(SpecPart):
     """
 
     contacts: Annotated[int, Field(ge=1, le=8)] = 6
-    least_force_n: Annotated[Positive, Field(le=100)] = 0.2
+    least_force_n: Annotated[float, Field(gt=0, le=100)] = 0.2
     probes: Literal["free", "known"] = "free"
     jaws: bool = False
     model_error: Annotated[float, Field(ge=0, lt=1)] | None = None
-    drift_counts: NonNegative = 0.0
-    window_frames: Count = 1
+    drift_counts: Counts = 0.0
+    window_frames: Annotated[int, Field(ge=1, le=100_000)] = 1
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0
 
 
@@ -166,7 +165,7 @@ class TrainingSpec(SpecPart):
     Gaussian process answers where a frame is novel (both compact and whole-object only). Left out,
     these four follow from the data (`estimator.networks.defaults`).
     `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects that
-    `instobj pretrain` draws within `[tolerances]`, or `--twin` within what labelled presses leave
+    `instobj run --to pretraining` draws within `[tolerances]`, or `--twin` within what labelled presses leave
     possible.
     """
 
@@ -174,11 +173,13 @@ class TrainingSpec(SpecPart):
     output: Literal["heatmap", "position"] = "heatmap"
     heatmap_axes: Literal[1, 3] = 1
     history_frames: Annotated[int, Field(ge=0, le=100)] | None = None
-    hidden_units: Annotated[tuple[Count, ...], Field(min_length=1)] = (256, 256, 256)
-    epochs: Count = 40
-    batch_size: Count = 512
-    learning_rate: Positive = 3e-3
-    patience_epochs: Count = 15
+    hidden_units: Annotated[
+        tuple[Annotated[int, Field(ge=1, le=10_000_000)], ...], Field(min_length=1, max_length=20)
+    ] = (256, 256, 256)
+    epochs: Annotated[int, Field(ge=1, le=100_000)] = 40
+    batch_size: Annotated[int, Field(ge=1, le=1_000_000)] = 512
+    learning_rate: Annotated[float, Field(ge=1e-7, le=1)] = 3e-3
+    patience_epochs: Annotated[int, Field(ge=1, le=100_000)] = 15
     ensemble: Annotated[int, Field(ge=1, le=20)] | None = None
     trees: Annotated[int, Field(ge=0, le=500)] | None = None
     process: bool | None = None
@@ -227,8 +228,8 @@ class LimitsSpec(SpecPart):
     """
 
     use: Use = "grasp"
-    position_bound_mm: Positive = 1.5
-    detectable_force_n: Positive = 5.0
+    position_bound_mm: Annotated[float, Field(ge=0.001, le=100)] = 1.5
+    detectable_force_n: Force = 5.0
     saturation_margin: Annotated[float, Field(gt=0, lt=1)] = 0.1
 
     @model_validator(mode="before")

@@ -6,14 +6,14 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from design.spec.base import Finite, Positive, SpecPart
+from design.spec.base import SpecPart
 
 LoadCellKind = Literal["none", "hx711", "analog"]
 PINS_OF_KIND = {"none": 0, "hx711": 2, "analog": 1}
 
 
 class LoadCellSpec(SpecPart):
-    """A load cell that the firmware of `instobj firmware` reads, for presses by hand or by a machine.
+    """A load cell that the firmware of `instobj bench firmware` reads, for presses by hand or by a machine.
 
     `kind` "hx711": a strain-gauge bridge on an HX711, gain 128, at `rate_sps` readings per second (its
     pin RATE); `capacity_n` and `output_mv_per_v` (at capacity) are the bridge's. "analog": a force
@@ -26,9 +26,9 @@ class LoadCellSpec(SpecPart):
     kind: LoadCellKind = "none"
     pins: tuple[str, ...] | None = None
     rate_sps: Literal[10, 80] = 80
-    capacity_n: Positive = 49.03
-    output_mv_per_v: Annotated[Finite, Field(ge=-10, le=10)] = 1.0
-    newtons_per_v: Annotated[Finite, Field(ge=-500, le=500)] = 24.5
+    capacity_n: Annotated[float, Field(ge=0.1, le=1e4)] = 49.03
+    output_mv_per_v: Annotated[float, Field(ge=-10, le=10)] = 1.0
+    newtons_per_v: Annotated[float, Field(ge=-500, le=500)] = 24.5
     zero_v: Annotated[float, Field(ge=0, le=5)] = 2.5
 
     @model_validator(mode="after")

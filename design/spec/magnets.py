@@ -20,7 +20,14 @@ from design.catalogue.magnets import (
     magnet_part,
     remanence_at_temperature_t,
 )
-from design.spec.base import Finite, NonNegative, Positive, RecoilPermeability, SpecPart
+from design.spec.base import (
+    Coordinate,
+    Length,
+    Offset,
+    RecoilPermeability,
+    Remanence,
+    SpecPart,
+)
 
 MU0_T_MM_PER_A = 4e-4 * pi
 """Permeability of vacuum, T·mm/A."""
@@ -30,7 +37,7 @@ Value = TypeVar("Value", float, str)
 Tilt = Annotated[float, Field(ge=-30, le=30)]
 
 
-Places = Annotated[tuple[tuple[Finite, Finite], ...], Field(min_length=1)]
+Places = Annotated[tuple[tuple[Coordinate, Coordinate], ...], Field(min_length=1)]
 
 
 def _depth_of_lists(given: Any) -> str:
@@ -48,8 +55,8 @@ PlacesOfFaces = Annotated[
 ]
 
 
-OneForEach = Annotated[tuple[Positive, ...], Field(min_length=1)]
-Edges = tuple[Positive, Positive]
+LengthOfEach = Annotated[tuple[Length, ...], Field(min_length=1)]
+Edges = tuple[Length, Length]
 EdgesOfMagnets = Annotated[
     Annotated[Edges, Tag("all magnets")]
     | Annotated[tuple[Edges, ...], Field(min_length=1), Tag("each magnet")],
@@ -116,18 +123,18 @@ class MagnetSpec(SpecPart):
     part: str | tuple[str, ...] | None = None
     kind: Literal["permanent", "coil"] = "permanent"
     shape: MagnetShape = "disk"
-    diameter_mm: Positive | OneForEach = 6.0
-    inner_diameter_mm: NonNegative | Annotated[tuple[NonNegative, ...], Field(min_length=1)] = 0.0
+    diameter_mm: Length | LengthOfEach = 6.0
+    inner_diameter_mm: Offset | Annotated[tuple[Offset, ...], Field(min_length=1)] = 0.0
     size_mm: EdgesOfMagnets = (5.0, 5.0)
-    height_mm: Positive | OneForEach = 1.0
+    height_mm: Length | LengthOfEach = 1.0
     grade: str | tuple[str, ...] | None = None
-    remanence_t: Positive | OneForEach = 1.43
+    remanence_t: Remanence | Annotated[tuple[Remanence, ...], Field(min_length=1)] = 1.43
     recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
     temperature_c: Annotated[float, Field(ge=-40, le=150)] = REFERENCE_TEMPERATURE_C
-    turns: Annotated[int, Field(ge=1)] = 50
-    current_a: Finite = 0.2
+    turns: Annotated[int, Field(ge=1, le=100_000)] = 50
+    current_a: Annotated[float, Field(ge=-100, le=100)] = 0.2
     switching: Literal["all-on", "face-by-face"] = "all-on"
-    depth_below_core_face_mm: NonNegative = 0.0
+    depth_below_core_face_mm: Offset = 0.0
     positions_mm: PlacesOfFaces = (
         (0.0, 0.0),
         (10.0, 10.0),
@@ -135,7 +142,7 @@ class MagnetSpec(SpecPart):
         (-10.0, -10.0),
         (10.0, -10.0),
     )
-    depth_mm: Positive | tuple[Positive, ...] | None = None
+    depth_mm: Length | tuple[Length, ...] | None = None
     tilt_deg: tuple[tuple[Tilt, Tilt], ...] = ()
     north: tuple[Literal["outward", "inward"], ...] = ()
 

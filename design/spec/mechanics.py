@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from design.spec.base import Finite, NonNegative, Positive, SpecPart
+from design.spec.base import Angle, Coordinate, Length, Offset, SpecPart
 
 Shift = Annotated[float, Field(ge=-3, le=3)]
 Turn = Annotated[float, Field(ge=-10, le=10)]
@@ -25,13 +25,13 @@ class ContactGridSpec(SpecPart):
         Literal["fill"]
         | tuple[Annotated[int, Field(ge=2, le=100)], Annotated[int, Field(ge=2, le=100)]]
     ) = "fill"
-    pitch_mm: Positive = 3.0
+    pitch_mm: Length = 3.0
 
 
 class PressSpec(SpecPart):
     """Depths below the undeformed face to which every place is pressed."""
 
-    depths_mm: Annotated[tuple[Positive, ...], Field(min_length=2)] = (
+    depths_mm: Annotated[tuple[Length, ...], Field(min_length=2)] = (
         0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0,
     )  # fmt: skip
 
@@ -53,10 +53,10 @@ class MeshSpec(SpecPart):
     is for the triangles that stand for curved surfaces.
     """
 
-    edge_mm: Positive = 4.0
-    surface_edge_mm: Positive = 1.7
+    edge_mm: Annotated[float, Field(ge=0.02, le=100)] = 4.0
+    surface_edge_mm: Annotated[float, Field(ge=0.02, le=100)] = 1.7
     rim_edge_ratio: Annotated[float, Field(ge=0.1, le=1)] = 0.4
-    envelope_mm: Positive = 0.06
+    envelope_mm: Annotated[float, Field(ge=1e-4, le=5)] = 0.06
     magnet_sides: Annotated[int, Field(ge=6, le=64)] = 16
 
     @property
@@ -131,7 +131,7 @@ class MechanicsSpec(SpecPart):
 
 Direction = Annotated[float, Field(ge=-60, le=60)]
 Tilt = Annotated[float, Field(ge=-45, le=45)]
-Vertices = Annotated[tuple[tuple[Finite, Finite, Finite], ...], Field(min_length=4)]
+Vertices = Annotated[tuple[tuple[Coordinate, Coordinate, Coordinate], ...], Field(min_length=4)]
 
 
 class IndenterSpec(SpecPart):
@@ -147,18 +147,18 @@ class IndenterSpec(SpecPart):
     """
 
     kind: Literal["hemisphere", "flat", "cylinder", "cuboid", "stl"] = "hemisphere"
-    radius_mm: Positive = 5.0
-    length_mm: Positive = 10.0
-    size_mm: tuple[Positive, Positive] = (10.0, 10.0)
-    fillet_mm: NonNegative = 0.0
+    radius_mm: Length = 5.0
+    length_mm: Length = 10.0
+    size_mm: tuple[Length, Length] = (10.0, 10.0)
+    fillet_mm: Offset = 0.0
     file: str | None = None
     vertices_mm: Vertices | None = None
-    yaw_deg: Finite = 0.0
+    yaw_deg: Angle = 0.0
     tilt_deg: tuple[Tilt, Tilt] = (0.0, 0.0)
     direction_deg: tuple[Direction, Direction] = (0.0, 0.0)
     friction: Literal["none", "sticking"] = "none"
     tip_count: Literal[1, 2, 3] = 1
-    tip_spacing_mm: Positive | None = None
+    tip_spacing_mm: Length | None = None
 
     @model_validator(mode="after")
     def _shape_is_whole(self) -> IndenterSpec:

@@ -31,6 +31,8 @@ from design.spec.search import SearchSpec
 from design.spec.sensors import FACES_OF_A_CUBE, SensorSpec, fastest_frame_rate_hz
 from design.spec.silicone import SiliconeSpec
 
+LARGEST_SEED = 2**31 - 1
+"""NumPy, PyTorch and scikit-learn take it, and a little more for what is counted on from it."""
 LARGEST_RATIO_WITHOUT_PRESSURE = 0.4999
 """Poisson's ratio beyond which λ = E ν / ((1 + ν)(1 − 2ν)) alone spoils the factorization's digits."""
 LEAST_RATIO_WITH_PRESSURE, LARGEST_RATIO_OF_P2 = 0.01, 0.45
@@ -46,7 +48,7 @@ class ObjectSpec(SpecPart):
     """
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]
-    seed: Annotated[int, Field(ge=0)] = 1
+    seed: Annotated[int, Field(ge=0, le=LARGEST_SEED)] = 1
     arrangement: Literal["sensors-in-core", "sensors-in-shell"] = "sensors-in-core"
     body: BodySpec = BodySpec()
     shell: ShellSpec = ShellSpec()

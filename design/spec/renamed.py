@@ -22,7 +22,7 @@ def name_now(table: str, key: str) -> str:
     if now is None:
         return key
     warnings.warn(
-        f"{table}.{key} is now called {table}.{now}. Rename it in the specification or --set",
+        f"{table}.{key} is now called {table}.{now}. Rename it",
         FutureWarning,
         stacklevel=2,
     )

@@ -12,7 +12,18 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from design.spec.base import Count, Finite, NonNegative, Positive, SpecPart
+from design.spec.base import (
+    Angle,
+    Coordinate,
+    Count,
+    Distinct,
+    FieldRange,
+    Force,
+    Length,
+    Offset,
+    SpecPart,
+    Wall,
+)
 from design.spec.renamed import under_names_now
 
 Engine = Literal["tpe", "cma-es", "nsga-ii", "nsga-iii", "random"]
@@ -40,10 +51,15 @@ Objective = Literal[
 OBJECTIVES_TO_MAXIMIZE = ("sensitivity_ratio",)
 PARETO_ENGINES = ("tpe", "nsga-ii", "nsga-iii", "random")
 
-WantedCompliance = dict[Literal["everywhere", "corner", "edge", "mid_edge", "centre"], Positive]
+WantedCompliance = dict[
+    Literal["everywhere", "corner", "edge", "mid_edge", "centre"],
+    Annotated[float, Field(ge=1e-4, le=100)],
+]
 _SOFTENS = ("shell_thickness_mm", "silicone", "core_size_mm")
-Range = tuple[Finite, Finite]
+Range = tuple[Coordinate, Coordinate]
 Some = Field(min_length=1, max_length=20)
+Price = Annotated[float, Field(ge=0, le=1e6)]
+"""In any currency; also minutes by hand."""
 
 
 class VarySpec(SpecPart):
@@ -59,22 +75,24 @@ class VarySpec(SpecPart):
     """
 
     layouts: Literal["one", "per size", "per face"] = "per size"
-    magnet_count: Annotated[tuple[Count, ...], Some] | None = None
-    magnet_part: Annotated[tuple[str, ...], Some] | None = None
-    magnet_sizes: Annotated[tuple[str, ...], Some] | None = None
-    magnet_reach_mm: Positive | None = None
+    magnet_count: Annotated[tuple[Count, ...], Some, Distinct] | None = None
+    magnet_part: Annotated[tuple[str, ...], Some, Distinct] | None = None
+    magnet_sizes: Annotated[tuple[str, ...], Some, Distinct] | None = None
+    magnet_reach_mm: Length | None = None
     magnet_depth_mm: Range | None = None
     magnet_tilt_deg: Annotated[float, Field(gt=0, le=30)] | None = None
     magnet_north: bool = False
-    magnet_grade: Annotated[tuple[str, ...], Some] | None = None
-    sensor_count: Annotated[tuple[Annotated[int, Field(ge=1, le=12)], ...], Some] | None = None
-    sensor_reach_mm: Positive | None = None
-    sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some] | None = None
-    sensor_turn_deg: Annotated[tuple[Finite, ...], Some] | None = None
-    sensor_range_mt: Annotated[tuple[Positive, ...], Some] | None = None
-    shell_thickness_mm: Annotated[tuple[Positive, ...], Some] | None = None
-    silicone: Annotated[tuple[str, ...], Some] | None = None
-    core_size_mm: Annotated[tuple[Positive, ...], Some] | None = None
+    magnet_grade: Annotated[tuple[str, ...], Some, Distinct] | None = None
+    sensor_count: (
+        Annotated[tuple[Annotated[int, Field(ge=1, le=12)], ...], Some, Distinct] | None
+    ) = None
+    sensor_reach_mm: Length | None = None
+    sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some, Distinct] | None = None
+    sensor_turn_deg: Annotated[tuple[Angle, ...], Some, Distinct] | None = None
+    sensor_range_mt: Annotated[tuple[FieldRange, ...], Some, Distinct] | None = None
+    shell_thickness_mm: Annotated[tuple[Wall, ...], Some, Distinct] | None = None
+    silicone: Annotated[tuple[str, ...], Some, Distinct] | None = None
+    core_size_mm: Annotated[tuple[Length, ...], Some, Distinct] | None = None
 
     @model_validator(mode="after")
     def _is_possible(self) -> VarySpec:
@@ -102,17 +120,20 @@ class SearchLimitsSpec(SpecPart):
     all faces, in the unit of the prices, `build_minutes` their time by hand. `times_start` says how many
     times the starting specification's value a score may have at most (`sensitivity_ratio`: at least);
     `places_worse` is the share of (force, contact location) whose position bound may be larger than the
-    start's. At rest and in the deepest press `limits.saturation_margin` of the sensors' range stays free.
+    start's. At rest and in the deepest press `limits.saturation_margin` of the sensors' range stays free,
+    and 95 % of virtual objects keep every chip within it.
     """
 
-    pocket_gap_mm: NonNegative = 1.0
-    board_gap_mm: NonNegative = 0.0
-    wiring_mm: Positive | None = None
+    pocket_gap_mm: Offset = 1.0
+    board_gap_mm: Offset = 0.0
+    wiring_mm: Annotated[float, Field(gt=0, le=1e5)] | None = None
     parts_per_face: Count | None = None
-    cost: Positive | None = None
-    build_minutes: Positive | None = None
+    cost: Annotated[float, Field(gt=0, le=1e6)] | None = None
+    build_minutes: Annotated[float, Field(gt=0, le=1e6)] | None = None
     places_worse: Annotated[float, Field(ge=0, le=1)] = 0.02
-    times_start: dict[Objective, Positive] = Field(default_factory=dict)
+    times_start: dict[Objective, Annotated[float, Field(gt=0, le=1e4)]] = Field(
+        default_factory=dict
+    )
 
     @field_validator("times_start", mode="before")
     @classmethod
@@ -126,10 +147,10 @@ class PricesSpec(SpecPart):
     A magnet's pole is found and it is pressed in; a sensor gets five wires and is tested and glued.
     """
 
-    magnet: NonNegative = 0.2
-    sensor: NonNegative = 3.0
-    magnet_minutes: NonNegative = 2.0
-    sensor_minutes: NonNegative = 15.0
+    magnet: Price = 0.2
+    sensor: Price = 3.0
+    magnet_minutes: Price = 2.0
+    sensor_minutes: Price = 15.0
 
     def cost(self, magnets: int, sensors: int) -> float:
         """Of so many parts."""
@@ -144,8 +165,8 @@ class TaskSpec(SpecPart):
     """What presses are read for: those of `from_n` and more are to be found, placed `within_mm`, and their
     force told within `force_percent` of itself. `task_loss` is the share that fails in any of these."""
 
-    from_n: Positive = 1.0
-    within_mm: Positive = 3.0
+    from_n: Force = 1.0
+    within_mm: Annotated[float, Field(gt=0, le=100)] = 3.0
     force_percent: Annotated[float, Field(gt=0, le=100)] = 10.0
 
 
@@ -168,16 +189,16 @@ class SearchSpec(SpecPart):
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (
         "worst_position_bound_mm",
     )
-    forces_n: Annotated[tuple[Positive, ...], Field(max_length=8)] = (1.0, 3.5, 12.0)
+    forces_n: Annotated[tuple[Force, ...], Field(max_length=8)] = (1.0, 3.5, 12.0)
     baseline: Literal["fresh", "drifted"] = "fresh"
     engine: Engine = "tpe"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
-    trials: Count = 60
-    seconds: Positive = 2700.0
-    trial_seconds: Positive = 900.0
+    trials: Annotated[int, Field(ge=1, le=10_000_000)] = 60
+    seconds: Annotated[float, Field(gt=0, le=1e8)] = 2700.0
+    trial_seconds: Annotated[float, Field(gt=0, le=1e8)] = 900.0
     batch: Annotated[int, Field(ge=1, le=1024)] = 1
-    leaders: Count = 6
-    finalists: Count = 2
+    leaders: Annotated[int, Field(ge=1, le=100_000)] = 6
+    finalists: Annotated[int, Field(ge=1, le=10_000)] = 2
     magnet_symmetry: Literal["free", "mirrored", "four-fold"] = "free"
     sensor_symmetry: Literal["free", "mirrored", "ring"] = "free"
     compliance_mm_per_n: WantedCompliance = Field(default_factory=dict)

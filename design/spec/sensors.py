@@ -10,13 +10,25 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field, model_validator
 
+from design.catalogue.bus_parts import conversion_ms, frame_ms
 from design.catalogue.hall_sensors import hall_part
-from design.spec.base import Finite, NonNegative, Positive, SpecPart
+from design.spec.base import (
+    Angle,
+    Coordinate,
+    Counts,
+    Distinct,
+    FieldRange,
+    Length,
+    Offset,
+    SpecPart,
+)
 
 Averaging = Literal[1, 2, 4, 8, 16, 32]
-Places = Annotated[tuple[tuple[Finite, Finite], ...], Field(min_length=1, max_length=12)]
-Turns = Annotated[tuple[tuple[Finite, Finite, Finite], ...], Field(min_length=1, max_length=12)]
+Places = Annotated[tuple[tuple[Coordinate, Coordinate], ...], Field(min_length=1, max_length=12)]
+Turns = Annotated[tuple[tuple[Angle, Angle, Angle], ...], Field(min_length=1, max_length=12)]
 Axis = Literal["X", "Y", "Z"]
+Noise = Annotated[float, Field(gt=0, le=32_768)]
+"""White noise of one axis (rms counts)."""
 FACES_OF_A_CUBE = 5
 """Sensed faces of the default body, for which lists of places are filled up."""
 
@@ -42,12 +54,12 @@ class SensorSpec(SpecPart):
     """
 
     part: str = "TMAG5273A1"
-    axes: Annotated[tuple[Axis, ...], Field(min_length=1)] = ("X", "Y", "Z")
+    axes: Annotated[tuple[Axis, ...], Field(min_length=1), Distinct] = ("X", "Y", "Z")
     averaging: Averaging = 16
     count_per_face: Annotated[int, Field(ge=1, le=12)] = 3
-    radius_mm: Positive = 8.585
-    depth_below_core_face_mm: NonNegative = 2.3
-    first_azimuth_deg: Annotated[tuple[Finite, ...], Field(min_length=1)] = (
+    radius_mm: Length = 8.585
+    depth_below_core_face_mm: Offset = 2.3
+    first_azimuth_deg: Annotated[tuple[Angle, ...], Field(min_length=1)] = (
         240.0,
         180.0,
         240.0,
@@ -55,21 +67,21 @@ class SensorSpec(SpecPart):
         300.0,
     )
     positions_mm: tuple[Places, ...] | None = None
-    package_mm: tuple[Positive, Positive, Positive] = (6.6, 6.2, 1.6)
-    chip_mm: tuple[Positive, Positive, Positive] = (2.9, 2.8, 1.25)
+    package_mm: tuple[Length, Length, Length] = (6.6, 6.2, 1.6)
+    chip_mm: tuple[Length, Length, Length] = (2.9, 2.8, 1.25)
     chip: Literal["inward", "outward"] = "inward"
-    mount_rotation_deg: tuple[Finite, Finite, Finite] = (0.0, 0.0, 0.0)
+    mount_rotation_deg: tuple[Angle, Angle, Angle] = (0.0, 0.0, 0.0)
     rotations_deg: tuple[Turns, ...] | None = None
-    counts_per_mt: Positive = 820.0
-    range_mt: Positive = 40.0
-    noise_counts: tuple[Positive, Positive, Positive] = (22.0, 22.0, 11.0)
+    counts_per_mt: Annotated[float, Field(ge=0.1, le=1e6)] = 820.0
+    range_mt: FieldRange = 40.0
+    noise_counts: tuple[Noise, Noise, Noise] = (22.0, 22.0, 11.0)
     gain_tolerance: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
     cross_axis_tolerance: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
-    offset_tolerance_mt: NonNegative = 0.0
-    zeroing_counts: NonNegative = 10.0
-    drift_counts: NonNegative = 60.0
-    frame_rate_hz: Positive = 10.5
-    i2c_khz: Positive = 400.0
+    offset_tolerance_mt: Annotated[float, Field(ge=0, le=100)] = 0.0
+    zeroing_counts: Counts = 10.0
+    drift_counts: Counts = 60.0
+    frame_rate_hz: Annotated[float, Field(ge=0.01, le=1e5)] = 10.5
+    i2c_khz: Annotated[float, Field(ge=1, le=5000)] = 400.0
 
     @property
     def places(self) -> tuple[tuple[tuple[float, float, float], ...], ...]:
@@ -133,14 +145,13 @@ _READ_BITS = 9 * 9 + 3
 
 
 def fastest_frame_rate_hz(sensors: SensorSpec, faces: int = FACES_OF_A_CUBE) -> float:
-    """Frames per second: all sensors convert simultaneously, then are read one by one over one I²C bus.
+    """Frames per second at most: sensors convert by themselves and are read one by one over one I²C bus.
 
-    A part without a conversion time in the catalogue is limited by the bus alone. Firmware and
+    A part without a conversion time in the catalogue is limited by the bus alone. Firmware, line and
     multiplexers come on top: the paper's object ran at 10.5 Hz.
     """
-    conversion_s = hall_part(sensors.part).conversion_s(sensors.averaging) or 0.0
-    read_s = faces * sensors.count_per_face * _READ_BITS / (1e3 * sensors.i2c_khz)
-    return 1 / (conversion_s + read_s)
+    read_ms = faces * sensors.count_per_face * _READ_BITS / sensors.i2c_khz
+    return 1e3 / frame_ms(conversion_ms(sensors.part, sensors.averaging), read_ms)
 
 
 def _explicit_places(given: dict[str, Any]) -> dict[str, Any]:
@@ -187,6 +198,7 @@ def _part_figures(given: dict[str, Any]) -> dict[str, Any]:
     if missing:
         raise ValueError(
             f"sensors.part = {name!r} has no figure in the catalogue for {', '.join(missing)}. Give "
-            "what was measured or what the datasheet says for your settings"
+            "what was measured or the datasheet says; noise, rms counts of X, Y, Z: "
+            "sensors.noise_counts = [10, 10, 15]"
         )
     return figures

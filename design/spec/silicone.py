@@ -13,20 +13,24 @@ from design.catalogue.silicones import (
     modulus_from_shore,
     silicone_preset,
 )
-from design.spec.base import NonNegative, Positive, SpecPart
+from design.spec.base import Density, Length, SpecPart
+
+Modulus = Annotated[float, Field(ge=0.001, le=50)]
+"""Young's modulus (MPa): of soft foams and gels 0.001, of printed TPU 17."""
+Share = Annotated[float, Field(gt=0, le=1000)]
 
 
 class PronyTermSpec(SpecPart):
     """One term of the relaxation: the instantaneous modulus loses `fraction` of its value with `time_s`."""
 
     fraction: Annotated[float, Field(gt=0, lt=1)]
-    time_s: Positive
+    time_s: Annotated[float, Field(ge=1e-4, le=1e7)]
 
 
 class LayerSpec(SpecPart):
     """A layer under the outer surface, its Young's modulus over the body's; Poisson's ratio is the same."""
 
-    thickness_mm: Positive
+    thickness_mm: Length
     modulus_ratio: Annotated[float, Field(ge=1e-3, le=1e3)]
 
 
@@ -55,18 +59,18 @@ class SiliconeSpec(SpecPart):
     name: str = "Platsil Gel-10"
     shore: str | None = None
     tensile_data: str | None = None
-    youngs_modulus_mpa: Positive = 0.414
-    youngs_modulus_range_mpa: tuple[Positive, Positive] | None = (0.15, 0.54)
+    youngs_modulus_mpa: Modulus = 0.414
+    youngs_modulus_range_mpa: tuple[Modulus, Modulus] | None = (0.15, 0.54)
     poisson_ratio: Annotated[float, Field(ge=-0.3, le=0.5)] = 0.4999
-    density_g_per_cm3: Positive = 1.07
+    density_g_per_cm3: Density = 1.07
     layers: tuple[LayerSpec, ...] = ()
     prony: tuple[PronyTermSpec, ...] = ()
     cure: Literal["platinum", "tin", "none"] = "platinum"
-    mix_ratio: tuple[Positive, NonNegative] = (1.0, 1.0)
-    pot_life_min: Positive | None = 6.0
-    cure_h: Positive | None = 0.5
-    elongation_percent: Positive = 970.0
-    thinnest_wall_mm: Positive = 1.0
+    mix_ratio: tuple[Share, Annotated[float, Field(ge=0, le=1000)]] = (1.0, 1.0)
+    pot_life_min: Annotated[float, Field(ge=0.1, le=10_000)] | None = 6.0
+    cure_h: Annotated[float, Field(ge=0.01, le=1000)] | None = 0.5
+    elongation_percent: Annotated[float, Field(ge=1, le=3000)] = 970.0
+    thinnest_wall_mm: Annotated[float, Field(ge=0.05, le=50)] = 1.0
     peel_share: Annotated[float, Field(gt=0, le=1)] = 0.33
 
     @model_validator(mode="before")

@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from design.catalogue.bus_parts import (
-    SELECT_BYTES,
-    Board,
-    BusChip,
-)
+from design.catalogue.bus_parts import SELECT_BYTES, Board, BusChip, frame_ms
 
 _SINK_MA = 3.0
 _LOW_V = 0.4
@@ -54,7 +50,7 @@ class FrameTime:
 
     @property
     def fastest_hz(self) -> float:
-        each_ms = max(self.conversion_ms, self.reading_ms + self.line_ms)
+        each_ms = frame_ms(self.conversion_ms, self.reading_ms + self.line_ms)
         return max(0.0, 1e3 - self.status_ms - self.loads_ms) / each_ms
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.seal import SEAL, seal_file
+from design.seal import SEAL, sealed
 from estimator.deploy.runtime import open_session
 from estimator.frames.face_data import channel_label
 from estimator.networks.face_model import FaceModel, description
@@ -52,8 +52,7 @@ def export_onnx(model: FaceModel, path: Path | str) -> None:
     onnx.helper.set_model_props(graph, _properties(model))
     onnx.checker.check_model(graph)
     with atomic_path(path) as temporary:
-        onnx.save(graph, temporary)
-        seal_file(temporary)
+        temporary.write_bytes(sealed(graph.SerializeToString(deterministic=True)))
         _require_parity(model, temporary, path)
 
 

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from estimator.deploy.runtime import channel_readings
@@ -14,6 +14,11 @@ from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.tracking import Tracker
+from estimator.signals.hall import full_scale_counts
+from estimator.signals.live import is_live
+
+_AT_THE_END = 0.5
+"""Counts: a clipped reading is the largest of whole ones."""
 
 
 @dataclass
@@ -23,11 +28,13 @@ class LiveContacts:
     Attributes
     ----------
     zero, zero_frames : as there
+    leaves_out : it reads frames of which some readings are not believed
     """
 
     inversion: Inversion
     zero: ZeroMode = "rest"
     zero_frames: int = ZERO_FRAMES
+    leaves_out: bool = True
 
     def __post_init__(self) -> None:
         self._one = _of_one(self.inversion)
@@ -45,33 +52,66 @@ class LiveContacts:
         """Take the zero anew from the frames that follow, with nothing pressed."""
         self._tracker = Tracker(self.inversion)
         self._level = StreamZero(self.zero, self.zero_frames, self._read_still)
+        self._zero: np.ndarray | None = None
+        self._unzeroed = np.zeros(self.inversion.model.channels, bool)
+        self._out = self._unzeroed
 
     def feed(
-        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float = math.nan
+        self,
+        raw_counts: Float[np.ndarray, "face sensor 3"],
+        time_s: float = math.nan,
+        left_out: Bool[np.ndarray, "face sensor 3"] | None = None,
     ) -> ContactSets | None:
-        """Read one frame, faces in order from 1; None while there is no zero.
+        """Read one frame, faces in order from 1; None while there is no zero. A channel at the end of its
+        range, now or in the zero, says nothing.
+
+        Parameters
+        ----------
+        left_out : readings that are not believed (`checks.stream.SoundReadings`): contacts are read
+            without them. Channels that stood so while the zero was taken wait for the next one.
 
         Raises
         ------
         InputError
             Too few sensors, or a channel that the estimator uses misses its reading.
         """
-        now = self._told(raw_counts)
-        zero = self._level.after(now, time_s)
-        return None if zero is None else self._tracker.feed(now - zero)
+        now = self._told(raw_counts, left_out)
+        self._zero = self._level.after(now, time_s)
+        if self._zero is None:
+            return None
+        change, most = now - self._zero, full_scale_counts(self.inversion.model.spec.sensors)
+        live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
+        return self._tracker.feed(np.where(live, change, np.nan))
 
     def miss(self) -> None:
         """Pass over a frame that lacks a reading: contacts stay where they were."""
 
-    def pass_by(self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float) -> None:
+    def pass_by(
+        self,
+        raw_counts: Float[np.ndarray, "face sensor 3"],
+        time_s: float,
+        left_out: Bool[np.ndarray, "face sensor 3"] | None = None,
+    ) -> None:
         """Take a frame that is not read, of which the zero learns; errors as `feed`."""
-        self._level.pass_by(self._told(raw_counts), time_s)
+        self._level.pass_by(self._told(raw_counts, left_out), time_s)
 
-    def _told(self, raw_counts: Float[np.ndarray, "face sensor 3"]) -> Float[np.ndarray, "channel"]:
+    def _told(
+        self,
+        raw_counts: Float[np.ndarray, "face sensor 3"],
+        left_out: Bool[np.ndarray, "face sensor 3"] | None,
+    ) -> Float[np.ndarray, "channel"]:
+        """Counts of all channels; those left out show the zero, so that it does not follow them."""
         self._require_its_sensors(raw_counts)
-        now = np.zeros(self.inversion.model.channels)
+        now, out = np.zeros(self.inversion.model.channels), self._unzeroed.copy()
         now[self.inversion.told] = channel_readings(raw_counts, self.inversion.channels)
-        return now
+        if left_out is not None:
+            face, sensor, axis = np.array(self.inversion.channels).T
+            stands = left_out[face - 1, sensor, axis]
+            out[self.inversion.told[stands]] = True
+            if self._zero is None:
+                self._unzeroed = out
+        self._out = out
+        return now if self._zero is None else np.where(out, self._zero, now)
 
     def _require_its_sensors(self, raw: Float[np.ndarray, "face sensor 3"]) -> None:
         faces = self.inversion.model.signals.faces
@@ -85,7 +125,7 @@ class LiveContacts:
 
     def _read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
         # a tracker of its own: it is asked for opposite changes in turn
-        found = Tracker(self._one).feed(change)
+        found = Tracker(self._one).feed(np.where(self._out, np.nan, change))
         pressed = found.number[0] > 0
         share = found.odds[0] if pressed else 1 - found.odds[0]
         return float(share), float(np.nansum(found.force_n[0]))

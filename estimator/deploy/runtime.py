@@ -94,23 +94,43 @@ def open_session(path: Path) -> Any:
     Raises
     ------
     InputError
-        Not a file that onnxruntime reads.
+        Not a file that onnxruntime reads, or one with tensors in other files.
     """
     import onnxruntime
+
+    content = path.read_bytes()
+    _require_self_contained(path, content)
 
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = 1  # networks this small gain nothing from more
     options.inter_op_num_threads = 1
     options.log_severity_level = 4
     try:
-        return onnxruntime.InferenceSession(
-            path.read_bytes(), options, providers=["CPUExecutionProvider"]
-        )
+        return onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
     except Exception as error:  # onnxruntime's errors share no base class of their own
         reason = str(error).splitlines()[0][:120]
         raise InputError(
             f"{path} is not an ONNX file that onnxruntime reads ({reason}). {_ADVICE}"
         ) from None
+
+
+def _require_self_contained(path: Path, content: bytes) -> None:
+    """Refuse tensors in other files before onnxruntime opens these."""
+    import onnx
+
+    try:
+        waiting: list[Any] = [onnx.load_model_from_string(content)]
+    except Exception:  # protobuf's DecodeError, whose package comes with onnx
+        raise InputError(f"{path} is not an ONNX file. {_ADVICE}") from None
+    while waiting:
+        message = waiting.pop()
+        if isinstance(message, onnx.TensorProto) and message.external_data:
+            raise InputError(
+                f"{path} keeps the tensor {message.name!r} in another file, which is not read. {_ADVICE}"
+            )
+        for part, value in message.ListFields():
+            if part.message_type is not None:
+                waiting.extend(value if part.is_repeated else [value])
 
 
 def run_model(model: DeployedModel, counts: Float[np.ndarray, "frame channel"]) -> Prediction:
@@ -154,11 +174,13 @@ class LiveReader:
     zero : "rest" follows rest, also where the first frames were none; "first" takes the mean of the
         first `zero_frames`, in which nothing may touch; "none" takes counts for changes
     zero_frames : how many (still) frames give a zero
+    leaves_out : a network needs all of its channels
     """
 
     model: DeployedModel
     zero: ZeroMode = "rest"
     zero_frames: int = ZERO_FRAMES
+    leaves_out: bool = False
     _recent: deque[np.ndarray] = field(default_factory=deque)
     _last_s: float = math.nan
 
@@ -166,15 +188,21 @@ class LiveReader:
         self.rezero()
 
     def feed(
-        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float = math.nan
+        self,
+        raw_counts: Float[np.ndarray, "face sensor 3"],
+        time_s: float = math.nan,
+        left_out: Bool[np.ndarray, "face sensor 3"] | None = None,
     ) -> Prediction | None:
         """Read one frame of raw counts, faces in order from 1; None while there is no zero.
 
         Raises
         ------
         InputError
-            A channel that the model uses does not exist or misses its reading.
+            A channel that the model uses does not exist, misses its reading, or has one that is not to be
+            believed (`left_out`).
         """
+        if left_out is not None:
+            raw_counts = np.where(left_out, np.nan, raw_counts)
         now = channel_readings(raw_counts, self.model.channels)
         if is_pause(time_s - self._last_s):
             self._recent.clear()
@@ -229,7 +257,7 @@ def channel_readings(
         if np.isnan(value):
             raise InputError(
                 f"channel {channel_label((face % HISTORY, sensor, axis))}, which the model "
-                "uses, gives no reading. Fix the sensor, or train anew without it"
+                "uses, gives no reading, or none to believe. Fix the sensor, or train anew without it"
             )
         values.append(value)
     return np.array(values)

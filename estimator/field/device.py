@@ -1,4 +1,4 @@
-"""Device for tensors of large batches: the processor, or a graphics card.
+"""Device for tensors of large batches: the processor, on one of its threads, or a graphics card.
 
 torch is imported only where it is asked for: a robot reads contacts without it.
 """
@@ -6,9 +6,12 @@ torch is imported only where it is asked for: a robot reads contacts without it.
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from design.errors import InputError
+from design.processes import one_blas_thread
 
 if TYPE_CHECKING:
     import torch
@@ -46,6 +49,25 @@ def compute_device() -> torch.device:
                 "torch for CUDA (README.md)"
             )
     return torch.device(asked)
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """torch and linear algebra on one thread of the processor, whatever the environment says; then on as
+    many as before.
+
+    Tensors here are small: a second thread gains nothing, and waits at every sum where cores are shared (a
+    walk took ten times as long on two of two busy cores).
+    """
+    import torch
+
+    before = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        with one_blas_thread():
+            yield
+    finally:
+        torch.set_num_threads(before)
 
 
 def card_tensor() -> torch.Tensor | None:

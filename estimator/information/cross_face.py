@@ -21,7 +21,9 @@ from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
 from estimator.information.scores import on_places
 from estimator.information.sensitivity import own_channels
+from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import counts_at_force, press_traces
+from estimator.signals.live import read_change
 from estimator.signals.presses import Signals
 
 Relation = Literal["adjacent", "opposite"]
@@ -113,7 +115,9 @@ def _pressed_counts(
 ) -> Float[np.ndarray, "place channel"]:
     xy = signals.lattice.xy_mm[grid_places_in_lattice(spec)[there]]
     traces = press_traces(signals, np.full(len(xy), face), xy[:, 0], xy[:, 1])
-    return counts_at_force(traces, np.full((len(xy), 1), force_n), beyond="clamp").counts[:, 0]
+    change = counts_at_force(traces, np.full((len(xy), 1), force_n), beyond="clamp").counts[:, 0]
+    rest = signals.baseline_counts.ravel()
+    return read_change(rest, change, full_scale_counts(spec.sensors))
 
 
 def _own_presses(
@@ -129,7 +133,9 @@ def _own_presses(
         len(places), len(signals.depth_mm), -1
     )
     rest = np.zeros((len(places), 1))
-    curve = np.concatenate([np.zeros((len(places), 1, len(own))), counts[..., own] / sigma], axis=1)
+    rest_counts = signals.baseline_counts.ravel()[own]
+    counts = read_change(rest_counts, counts[..., own], full_scale_counts(spec.sensors))
+    curve = np.concatenate([np.zeros((len(places), 1, len(own))), counts / sigma], axis=1)
     return curve, np.concatenate([rest, signals.force_n[face_index, places]], axis=1)
 
 

@@ -6,12 +6,11 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layout.places.contact_grid import contact_grid
-from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import PlaceScores
 from estimator.information.sensitivity import own_channels
-from estimator.signals.interpolation import signal_gradient
+from estimator.signals.live import live_jacobian
 from estimator.signals.presses import Signals
 
 
@@ -21,20 +20,19 @@ def position_covariances_mm2(
     """Smallest covariance of (x, y) at every contact location, with a fresh baseline, in mm².
 
     At the forces of the scores and from their channels: its trace is the square of
-    `position_bound_fresh_mm`. NaN where the signals cannot tell the place.
+    `position_bound_mm`. NaN where the signals cannot tell the place.
     """
     grid = contact_grid(spec)
-    live = live_channels(spec).ravel()
-    sigma = disturbance_counts(spec.sensors, "fresh", live.size)
+    count = signals.baseline_counts.size
+    sigma = disturbance_counts(spec.sensors, "fresh", count)
     found = np.full((len(scores.faces), len(grid), 2, 2), np.nan)
     for row, face in enumerate(scores.faces.tolist()):
         own = own_channels(signals, spec.sensors, face)
-        used = own if spec.score.channels == "own" else np.arange(live.size)
-        used = used[live[used]]
-        told = np.isfinite(scores.position_bound_fresh_mm[row])
+        used = own if spec.score.channels == "own" else np.arange(count)
+        told = np.isfinite(scores.position_bound_mm[row])
         x_mm, y_mm = grid.xy_mm[told].T
         force_n = scores.force_at_score_n[row, told]
         faces = np.full(len(x_mm), face)
-        jacobian = signal_gradient(signals, faces, x_mm, y_mm, force_n).jacobian
+        jacobian = live_jacobian(spec, signals, faces, x_mm, y_mm, force_n)
         found[row, told] = cramer_rao_bounds(jacobian[:, used], sigma[used]).position_mm2
     return found

@@ -9,6 +9,7 @@ position bound, and position of the force bound.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -19,6 +20,8 @@ from design.spec.object import SensorSpec
 from estimator.signals.interpolation import Traces, counts_at_force
 
 NoiseState = Literal["fresh", "drifted"]
+SUFFIXES: dict[NoiseState, str] = {"fresh": "", "drifted": "_drifted"}
+"""In names of scores: `position_bound_mm` is of a fresh zero, `position_bound_drifted_mm` is not."""
 DETECTION_DISTANCE = 5.0
 """A force is detectable where the signal's Mahalanobis distance from rest reaches this."""
 
@@ -195,8 +198,11 @@ def detectable_force_n(
     traces: Traces,
     sigma_counts: Float[np.ndarray, "channel"],
     distance: float = DETECTION_DISTANCE,
+    read: Callable[[Float[np.ndarray, "press frame channel"]], np.ndarray] = lambda change: change,
 ) -> Float[np.ndarray, "press"]:
     """Smallest force (N) at which √(ΔSᵀ Σ⁻¹ ΔS), the Mahalanobis distance from rest, is reached.
+
+    `read` makes of expected changes what chips tell of them (`estimator.signals.live.read_change`).
 
     Found between forces 3 % apart by linear interpolation; infinite where the deepest press does
     not reach the distance.
@@ -205,7 +211,7 @@ def detectable_force_n(
     steps = int(np.ceil(np.log(largest.max() / _SMALLEST_FORCE_N) / np.log(1.03)))
     force = largest * np.geomspace(_SMALLEST_FORCE_N / largest.max(), 1.0, steps)
     force = np.concatenate([np.zeros_like(largest), force], axis=1)
-    counts = counts_at_force(traces, force, beyond="clamp").counts
+    counts = read(counts_at_force(traces, force, beyond="clamp").counts)
     reached = np.linalg.norm(counts / sigma_counts, axis=2)
     after = np.argmax(reached >= distance, axis=1)
     row, before = np.arange(len(force)), np.maximum(after - 1, 0)

@@ -22,7 +22,8 @@ from design.spec.sensors import fastest_frame_rate_hz
 from estimator.information.contact_sets import contact_sets, spread_places
 from estimator.information.fisher import disturbance_counts
 from estimator.information.sensitivity import own_channels
-from estimator.signals.interpolation import press_traces, signal_gradient
+from estimator.signals.interpolation import press_traces
+from estimator.signals.live import live_jacobian
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -123,7 +124,8 @@ def comparable_sensor_counts(spec: ObjectSpec) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class FaceJacobians:
-    """∂S/∂(x, y, F) of single presses in sigmas; `own` are the rows of the face's own channels."""
+    """∂S/∂(x, y, F) of single presses in sigmas, 0 of channels that are not live; `own` are the rows of
+    the face's own channels."""
 
     face: int
     whitened: Float[np.ndarray, "place channel 3"]
@@ -161,7 +163,7 @@ def jacobians_of(
     found = []
     for face in signals.faces.tolist():
         force = score_forces_n(spec, signals, face, places)
-        jacobian = signal_gradient(signals, np.full(len(x), face), x, y, force).jacobian
+        jacobian = live_jacobian(spec, signals, np.full(len(x), face), x, y, force)
         own = own_channels(signals, spec.sensors, face)
         found.append(FaceJacobians(face, jacobian / sigma[:, None], own))
     return tuple(found)

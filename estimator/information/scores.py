@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
@@ -18,7 +19,12 @@ from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.spec.search import WantedCompliance
 from design.tables import write_table
-from estimator.information.fisher import cramer_rao_bounds, detectable_force_n, disturbance_counts
+from estimator.information.fisher import (
+    SUFFIXES,
+    cramer_rao_bounds,
+    detectable_force_n,
+    disturbance_counts,
+)
 from estimator.information.sensitivity import (
     channel_noise,
     covariance_sensitivity,
@@ -26,12 +32,16 @@ from estimator.information.sensitivity import (
     own_channels,
     periodic_press,
 )
-from estimator.signals.interpolation import Traces, depth_at_force, press_traces, signal_gradient
+from estimator.signals.hall import full_scale_counts
+from estimator.signals.interpolation import Traces, depth_at_force, press_traces
+from estimator.signals.live import live_jacobian, read_change
 from estimator.signals.presses import Signals, require_finite
 
 Area = Literal["corner", "edge", "mid_edge", "centre"]
 AREAS: tuple[Area, ...] = ("corner", "edge", "mid_edge", "centre")
 _COVARIANCE_SAMPLES = 64
+_AT_FORCE = ("delta", "position", "force_bound", "weakest")
+"""Beginnings of the names of scores that hold at `score.force_n` alone."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +56,12 @@ class PlaceScores:
         counts^d/N and, with each channel divided by its range over the face (three sigma of noise
         at either end included), in 1/N
     delta_raw_standard_error : of the Monte Carlo form; 0 for the others
-    position_bound_*_mm, force_bound_*_n : Cramér–Rao bounds at `force_at_score_n`, freshly zeroed
-        and drifted (`estimator.information.fisher`); infinite where the signals cannot tell
-    detectable_force_*_n : force at which the signal stands five sigma off rest
+    position_bound_mm, force_bound_n : Cramér–Rao bounds at `force_at_score_n`, freshly zeroed, and
+        `…_drifted_…` (`estimator.information.fisher`); infinite where the signals cannot tell
+    detectable_force_n : force at which the signal stands five sigma off rest
     weakest_direction_deg : direction of the largest position bound, 0 to 180° from x
-    force_at_score_n : `score.force_n`, or the force of the deepest press where that is less
+    force_at_score_n : `score.force_n`, or the force of the deepest press where that is less: bounds
+        and δ of such a place are NaN, as no press shows them
     reaches_score_force : whether `score.force_n` is reached
     depth_at_score_mm, stiffness_n_per_mm : indentation depth at that force, and force over depth
     """
@@ -60,11 +71,11 @@ class PlaceScores:
     delta_raw: Float[np.ndarray, "face place"]
     delta_raw_standard_error: Float[np.ndarray, "face place"]
     delta_scaled: Float[np.ndarray, "face place"]
-    position_bound_fresh_mm: Float[np.ndarray, "face place"]
+    position_bound_mm: Float[np.ndarray, "face place"]
     position_bound_drifted_mm: Float[np.ndarray, "face place"]
-    force_bound_fresh_n: Float[np.ndarray, "face place"]
+    force_bound_n: Float[np.ndarray, "face place"]
     force_bound_drifted_n: Float[np.ndarray, "face place"]
-    detectable_force_fresh_n: Float[np.ndarray, "face place"]
+    detectable_force_n: Float[np.ndarray, "face place"]
     detectable_force_drifted_n: Float[np.ndarray, "face place"]
     weakest_direction_deg: Float[np.ndarray, "face place"]
     force_at_score_n: Float[np.ndarray, "face place"]
@@ -76,6 +87,23 @@ class PlaceScores:
     def places(self) -> Bool[np.ndarray, "face place"]:
         """Which places of the grid each face has."""
         return ~np.isnan(self.force_at_score_n)
+
+    @property
+    def judged(self) -> Bool[np.ndarray, "face place"]:
+        """Which of them a press reaches `score.force_n` at."""
+        return self.reaches_score_force
+
+    @property
+    def unreached(self) -> str:
+        """In words, how many places are not judged; empty where all are."""
+        out = self.places & ~self.judged
+        if not out.any():
+            return ""
+        return (
+            f"{out.sum()} of {self.places.sum()} contact locations do not reach score.force_n; the least "
+            f"gets to {self.force_at_score_n[out].min():.3g} N. They are not judged. Press deeper "
+            "(press.depths_mm), or lower the force"
+        )
 
 
 @dataclass(frozen=True)
@@ -117,7 +145,8 @@ def score_places(
     Raises
     ------
     InputError
-        Signals that are not finite, forces that do not grow with depth, or no hull volume.
+        Signals that are not finite, forces that do not grow with depth, no hull volume, or a force
+        that no press reaches.
     """
     require_finite(spec, signals)
     grid, rows = contact_grid(spec), []
@@ -127,7 +156,25 @@ def score_places(
             progress(f"face {face}: {there.sum()} places, hull form {spec.score.hull}")
         rows.append(_score_face(spec, signals, grid.xy_mm[there], face))
     columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
+    require_reached(spec, columns["force_at_score_n"], columns["reaches_score_force"])
+    for name in columns:
+        if name.startswith(_AT_FORCE):
+            columns[name][~columns["reaches_score_force"]] = np.nan
     return PlaceScores(signals.faces, grid, **columns)
+
+
+def require_reached(
+    spec: ObjectSpec,
+    force_n: Float[np.ndarray, "..."],
+    reached: Bool[np.ndarray, "..."],
+) -> None:
+    """Raise InputError where no press reaches `score.force_n`: nothing could be judged at it."""
+    if not reached.any():
+        raise InputError(
+            f"no press reaches {spec.score.force_n:g} N (score.force_n, search.forces_n): the hardest one "
+            f"gets to {np.nanmax(force_n):.3g} N, {spec.press.depths_mm[-1]:g} mm deep. Lower the force, or "
+            "press deeper (press.depths_mm)"
+        )
 
 
 def on_places(
@@ -158,15 +205,19 @@ def _score_face(
     reach = traces.force_n[:, -1]
     force = np.minimum(spec.score.force_n, reach)
     depth = depth_at_force(traces, force[:, None])[:, 0]
-    jacobian = signal_gradient(signals, *where, force).jacobian[:, used]
+    jacobian = live_jacobian(spec, signals, *where, force)[:, used]
     noise = channel_noise(spec.sensors, live.size)[own]
-    row: dict[str, Any] = _sensitivities(spec, every.of_channels(own), force, face, noise)
-    for state in ("fresh", "drifted"):
+    rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
+    press = _periodic_press(spec, every.of_channels(own), force)
+    press = read_change(rest[own], press, most)
+    row: dict[str, Any] = _sensitivities(spec, press, force, face, noise)
+    for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, live.size)[used]
         bounds = cramer_rao_bounds(jacobian, sigma)
-        row[f"position_bound_{state}_mm"] = bounds.position_mm
-        row[f"force_bound_{state}_n"] = bounds.force_n
-        row[f"detectable_force_{state}_n"] = detectable_force_n(traces, sigma)
+        row[f"position_bound{suffix}_mm"] = bounds.position_mm
+        row[f"force_bound{suffix}_n"] = bounds.force_n
+        read = partial(read_change, rest[used], range_counts=most)
+        row[f"detectable_force{suffix}_n"] = detectable_force_n(traces, sigma, read=read)
         if state == "fresh":
             x, y = bounds.weakest_direction.T
             row["weakest_direction_deg"] = np.rad2deg(np.arctan2(y, x)) % 180
@@ -178,15 +229,21 @@ def _score_face(
     }
 
 
+def _periodic_press(
+    spec: ObjectSpec, own: Traces, force_n: Float[np.ndarray, "place"]
+) -> Float[np.ndarray, "place frame channel"]:
+    form, frames = spec.score.hull, spec.score.hull_frames
+    return periodic_press(own, force_n, _COVARIANCE_SAMPLES if form == "covariance" else frames)
+
+
 def _sensitivities(
     spec: ObjectSpec,
-    own: Traces,
+    press: Float[np.ndarray, "place frame channel"],
     force_n: Float[np.ndarray, "place"],
     face: int,
     noise: Float[np.ndarray, "channel"],
 ) -> dict[str, Float[np.ndarray, "place"]]:
     form, frames = spec.score.hull, spec.score.hull_frames
-    press = periodic_press(own, force_n, _COVARIANCE_SAMPLES if form == "covariance" else frames)
     if form == "covariance":
         raw = covariance_sensitivity(press, force_n, noise, frames)
     else:
@@ -202,8 +259,8 @@ def _sensitivities(
 
 def weakest_place(scores: PlaceScores) -> WeakestPlace:
     """Where the freshly zeroed object knows the contact location least."""
-    bound = scores.position_bound_fresh_mm
-    worst = np.argmax(np.where(scores.places, bound, -np.inf))
+    bound = scores.position_bound_mm
+    worst = np.argmax(np.where(scores.judged, bound, -np.inf))
     face, place = (int(i) for i in np.unravel_index(worst, bound.shape))
     x, y = scores.grid.xy_mm[place]
     return WeakestPlace(
@@ -266,10 +323,11 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     rows = slice(None) if face is None else scores.faces == face
     names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
     names.remove("delta_raw_standard_error")
-    names += ["detectable_force_fresh_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
+    names += ["detectable_force_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
     medians, counts = {}, {}
     for area in AREAS:
         there = np.stack([area_places(scores.grid, area, own) for own in scores.places[rows]])
+        there &= scores.judged[rows]
         if there.any():
             counts[area] = tuple(there.sum(axis=1).tolist())
             medians[area] = {

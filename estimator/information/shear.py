@@ -11,19 +11,20 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 
-from design.layout.places.contact_grid import PlaceGrid, grid_places_in_lattice
+from design.layout.places.contact_grid import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.layout.places.contact_places import contact_places, face_rows
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from estimator.field.models import magnets_model
-from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
+from estimator.information.fisher import SUFFIXES, cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import on_places
 from estimator.information.sensitivity import own_channels
 from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field
 from estimator.signals.interpolation import press_traces, signal_gradient
+from estimator.signals.live import live_in_press
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions
@@ -52,21 +53,21 @@ class ShearScores:
 
     Attributes
     ----------
-    position_bound_*_mm : √(σx² + σy²) with both tangential forces unknown
-    normal_force_bound_*_n : σF
-    tangential_force_bound_*_n : √(σFx² + σFy²)
+    position_bound_mm : √(σx² + σy²) with both tangential forces unknown
+    normal_force_bound_n : σF
+    tangential_force_bound_n : √(σFx² + σFy²)
     condition : of the whitened Jacobian in mm and N, freshly zeroed
 
-    NaN at places that a face has not.
+    NaN at places that a face has not, and where no press reaches `score.force_n`.
     """
 
     faces: Int[np.ndarray, "face"]
     grid: PlaceGrid
-    position_bound_fresh_mm: Float[np.ndarray, "face place"]
+    position_bound_mm: Float[np.ndarray, "face place"]
     position_bound_drifted_mm: Float[np.ndarray, "face place"]
-    normal_force_bound_fresh_n: Float[np.ndarray, "face place"]
+    normal_force_bound_n: Float[np.ndarray, "face place"]
     normal_force_bound_drifted_n: Float[np.ndarray, "face place"]
-    tangential_force_bound_fresh_n: Float[np.ndarray, "face place"]
+    tangential_force_bound_n: Float[np.ndarray, "face place"]
     tangential_force_bound_drifted_n: Float[np.ndarray, "face place"]
     condition: Float[np.ndarray, "face place"]
 
@@ -103,13 +104,21 @@ def contact_jacobian(
     where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
     traces = press_traces(signals, *where)
     force = np.minimum(spec.score.force_n, traces.force_n[:, -1])
-    normal = signal_gradient(signals, *where, force).jacobian
+    gradient = signal_gradient(signals, *where, force)
+    live = live_in_press(spec, signals.baseline_counts, gradient.counts)
     per_n = shear.counts_per_n[list(shear.faces).index(face), there]
     rest_first = np.concatenate([per_n[:, :1], per_n], axis=1).reshape(*traces.force_n.shape, -1)
     carry_over_missing(rest_first)
     tangential = monotone_cubic(traces.force_n, rest_first, force[:, None])[:, 0]
     tangential = tangential.reshape(len(xy), 2, -1).swapaxes(1, 2)
-    return np.concatenate([normal, tangential], axis=2)
+    return np.concatenate([gradient.jacobian, tangential], axis=2) * live[..., None]
+
+
+def _reaches(spec: ObjectSpec, signals: Signals, face: int) -> Bool[np.ndarray, "place"]:
+    """Whether a press of each place that the face has gets to `score.force_n`."""
+    there = contact_places(spec)[spec.body.sensed.index(face)]
+    x, y = contact_grid(spec).xy_mm[there].T
+    return press_traces(signals, np.full(len(x), face), x, y).force_n[:, -1] >= spec.score.force_n
 
 
 def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
@@ -122,6 +131,7 @@ def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
 def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> ShearScores:
     """Bounds of all five parameters at every contact location, from `score.channels`."""
     rows, live = [], live_channels(spec).ravel()
+    reaches = [_reaches(spec, signals, face) for face in signals.faces.tolist()]
     for face in signals.faces.tolist():
         jacobian = contact_jacobian(spec, signals, shear, face)
         own = own_channels(signals, spec.sensors, face)
@@ -129,17 +139,20 @@ def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Shea
         used = used[live[used]]
         jacobian = jacobian[:, used]
         row = {}
-        for state in ("fresh", "drifted"):
+        for state, suffix in SUFFIXES.items():
             sigma = disturbance_counts(spec.sensors, state, live.size)[used]
             bounds = cramer_rao_bounds(jacobian, sigma)
-            row[f"position_bound_{state}_mm"] = bounds.position_mm
-            row[f"normal_force_bound_{state}_n"] = bounds.force_n
-            row[f"tangential_force_bound_{state}_n"] = bounds.tangential_force_n
+            row[f"position_bound{suffix}_mm"] = bounds.position_mm
+            row[f"normal_force_bound{suffix}_n"] = bounds.force_n
+            row[f"tangential_force_bound{suffix}_n"] = bounds.tangential_force_n
             if state == "fresh":
                 row["condition"] = np.linalg.cond(jacobian / sigma[:, None])
         rows.append(row)
     places = contact_places(spec)[face_rows(spec, signals.faces)]
     columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
+    reached = on_places(places, reaches)
+    for values in columns.values():
+        values[~reached] = np.nan
     return ShearScores(signals.faces, shear.grid, **columns)
 
 

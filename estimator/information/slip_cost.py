@@ -22,7 +22,8 @@ from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
 from estimator.information.scores import on_places
 from estimator.information.sensitivity import channel_noise, own_channels
-from estimator.signals.interpolation import counts_at_force, press_traces, signal_gradient
+from estimator.signals.interpolation import counts_at_force, press_traces
+from estimator.signals.live import live_jacobian
 from estimator.signals.presses import Signals
 
 _RANK_TOLERANCE = 1e-7
@@ -89,7 +90,7 @@ def _face_cost(
     force = np.minimum(before.force_n[:, -1], after.force_n[:, -1])
     force = np.minimum(force, spec.score.force_n)
     old, new = (counts_at_force(trace, force[:, None]).counts[:, 0] for trace in (before, after))
-    jacobian = signal_gradient(calibrated, *where, force).jacobian[:, own]
+    jacobian = live_jacobian(spec, calibrated, *where, force)[:, own]
     sigma = disturbance_counts(spec.sensors, "fresh", len(own))
     offset = (slipped.baseline_counts - calibrated.baseline_counts).ravel()[own]
     place, wrong_force = false_reading(jacobian, new - old + offset, sigma)

@@ -6,7 +6,6 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.layout.body import face_frames
-from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.contact_sets import spread_pairs, spread_places
 from estimator.information.identifiability import jacobians_of, set_information
@@ -26,8 +25,8 @@ def two_contact_bounds_mm(
     where the signals cannot tell; empty where tips do not fit or no two faces are opposite.
     """
     faces = {face.face: face for face in jacobians_of(spec, signals, spread_places(spec))}
-    live, pairs = live_channels(spec).ravel(), spread_pairs(spec)
-    every = {number: face.whitened * live[:, None] for number, face in faces.items()}
+    pairs = spread_pairs(spec)
+    every = {number: face.whitened for number, face in faces.items()}
     own = {number: every[number][:, face.own] for number, face in faces.items()}
     grasps = [_across(every[a], every[b]) for a, b in opposite_faces(spec)]
     return {

@@ -87,10 +87,10 @@ def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
     """Which measures the position bounds of an object (fresh baseline) go with."""
     from scipy.stats import rankdata
 
-    rows, there = face_rows(spec, scores.faces), scores.places
+    rows, there = face_rows(spec, scores.faces), scores.judged
     every = place_measures(spec)
     measures = PlaceMeasures(*(getattr(every, name)[rows] for name in MEASURES))
-    bound = scores.position_bound_fresh_mm[there]
+    bound = scores.position_bound_mm[there]
     weakest = bound >= np.quantile(bound, 0.9, method="lower")
     correlation: dict[Measure, float] = {}
     thirds: list[Third] = []
@@ -123,9 +123,9 @@ def _thirds(value: Float[np.ndarray, "n"]) -> list[Bool[np.ndarray, "n"]]:
 
 def save_weak_areas_csv(areas: WeakAreas, scores: PlaceScores, path: Path | str) -> None:
     """One row for every face and location that it has; `over_median` is the bound over the median's."""
-    bound, there = scores.position_bound_fresh_mm, scores.places
-    ratio, xy = bound / np.median(bound[there]), scores.grid.xy_mm
-    header = ["face", "place", "x_mm", "y_mm", *MEASURES, "position_bound_fresh_mm", "over_median"]
+    bound, there = scores.position_bound_mm, scores.places
+    ratio, xy = bound / np.median(bound[scores.judged]), scores.grid.xy_mm
+    header = ["face", "place", "x_mm", "y_mm", *MEASURES, "position_bound_mm", "over_median"]
     rows = (
         [
             scores.faces[row],

@@ -101,7 +101,8 @@ def batch_scores(
 
     Scorers of several forces: the geometric mean over them of the scores at each, so that every
     force counts alike, but for `task_loss`, which is the mean; false forces from presses nearest to
-    `CROSS_FACE_FORCE_N`, the largest counts from those of the largest force. With `start`, also
+    `CROSS_FACE_FORCE_N`, the largest counts and those that virtual objects keep to from those of the
+    largest force. With `start`, also
     `OVER_START`: the position bound over the start's, by `worst_ratio`.
     NaN where a score does not exist: pairs of tips that do not fit on a face, grasps without two
     opposite faces among those pressed.
@@ -126,7 +127,8 @@ def batch_scores(
     for name in each[forces.index(of_cross_face)]:
         values = torch.stack([scores[name] for scores in each if name in scores])
         found[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
-    found["largest_counts"] = torch.stack([face.largest_counts for face in places]).amax(dim=0)
+    for name in ("largest_counts", "kept_counts"):
+        found[name] = torch.stack([getattr(face, name) for face in places]).amax(dim=0)
     if start is not None:
         found[OVER_START] = _over_start([face.position_bound_mm for face in places], start)
     return found

@@ -10,16 +10,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from estimator.field.sources import Magnet
 from estimator.layouts.batch import Layouts
 from estimator.layouts.near_field import OTHER, OWN, Reach, field_of_size
 from estimator.layouts.placed import chips, other_magnets, own_magnets
-from estimator.layouts.presses.changes import by_motion_of_sensors, field_at, press_changes
+from estimator.layouts.presses.changes import (
+    by_motion_of_sensors,
+    counts_of_field,
+    field_at,
+    press_changes,
+)
 from estimator.layouts.presses.mixed_rows import mixed_rows
 from estimator.layouts.scorer import LayoutScorer, moving_bodies
+from estimator.signals.hall import full_scale_counts
+from estimator.signals.live import is_live
 
 CROSS_FACE_FORCE_N = 10.0
 """Of the presses whose disturbance is scored, as in `estimator.information.cross_face`."""
@@ -84,6 +91,7 @@ def neighbour_changes(
     """Whitened changes of each neighbour's own channels along columns of the bases; differentiable.
 
     On the paper's cube the median change over neighbours and places is 5 % off the full chain's.
+    Channels that are clipped at rest tell nothing; what the press adds there is small.
     """
     if scorer.sensors_move:
         return _of_moving_sensors(scorer, layouts, columns)
@@ -92,10 +100,12 @@ def neighbour_changes(
     found = []
     for number in range(len(scorer.presses.neighbours)):
         sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip, number)
-        change = sum(
+        parts = [
             _signals(face, sensor, OWN if face.index == 1 + number else OTHER) for face in moving
-        )
-        found.append((axes * scale @ change).flatten(1, 2))
+        ]
+        change, field = (torch.stack(of_faces).sum(0) for of_faces in zip(*parts, strict=True))
+        live = _live_at_rest(scorer, axes, field)
+        found.append((axes * scale @ change).flatten(1, 2) * live)
     return torch.stack(found, dim=1)
 
 
@@ -118,8 +128,19 @@ def _of_moving_sensors(
             for index, magnets in enumerate(faces)
         ]
         felt = axes * scale[:, None] @ by_motion_of_sensors(*fields)
-        found.append((felt @ rows[:, :, number] @ basis).flatten(1, 2))
+        field = torch.stack([one.field.sum(-1) for one in fields]).sum(0)
+        live = _live_at_rest(scorer, axes, field)
+        found.append((felt @ rows[:, :, number] @ basis).flatten(1, 2) * live)
     return torch.stack(found, dim=1)
+
+
+def _live_at_rest(
+    scorer: LayoutScorer,
+    axes: Float[Tensor, "layout sensor 3 3"],
+    field_t: Float[Tensor, "3 layout sensor"],
+) -> Bool[Tensor, "layout channel 1"]:
+    counts = counts_of_field(scorer, axes, field_t)[..., None]
+    return is_live(counts, torch.zeros_like(counts), full_scale_counts(scorer.spec.sensors))
 
 
 def _moving_faces(
@@ -148,10 +169,11 @@ def _moving_faces(
 
 def _signals(
     face: _MovingFace, sensor: Float[Tensor, "3 layout sensor"], reach: Reach
-) -> Float[Tensor, "layout sensor 3 column"]:
-    """Change of the field (T) at sensors by one face's magnets, in the pressed face's frame."""
+) -> tuple[Float[Tensor, "layout sensor 3 column"], Float[Tensor, "3 layout sensor"]]:
+    """Change of the field (T) at sensors by one face's magnets, and their field at rest, in the pressed
+    face's frame."""
     magnets = face.centre_mm, face.axis
     change = field_of_size(face.source, sensor, magnets, face.polarity, reach)
     by_motion = change.by_motion.permute(2, 3, 0, 4, 1).flatten(3)
     rows = face.rows.flatten(1, 2)[:, None]
-    return (by_motion @ rows) @ face.basis
+    return (by_motion @ rows) @ face.basis, change.field.sum(-1)

@@ -40,6 +40,7 @@ from estimator.layouts.task_loss import expected_loss, press_loss
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.localisation_bias import false_places_mm
+from estimator.tolerances.saturation import saturation
 from fem.candidates.tied_magnets import DEGREE, rigid_magnet_response
 from fem.linear.factorization import Factorization
 from fem.linear.response import ElasticSystem, ResponseOperator
@@ -75,6 +76,7 @@ class FidelityScore:
     compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
         (rms); the lowest fidelity level: of the shell without magnets
     saturation_margin : share of the sensors' range that stays free, at rest and in the deepest press
+    objects_margin : the same in 95 % of virtual objects (`estimator.tolerances.saturation`)
     position_bound_over_start : position bound over the start's at the same force and location, where
         it grew most (`against_start`); 1 against itself
     position_bounds_mm : position bound of every force, face and location that the face has, in
@@ -102,12 +104,15 @@ class FidelityScore:
     task_loss: float
     compliance_deviation: float
     saturation_margin: float
+    objects_margin: float
     position_bounds_mm: tuple[float, ...] = field(repr=False)
     position_bound_over_start: float = 1.0
 
 
 SCORE_NAMES = tuple(f.name for f in fields(FidelityScore) if f.name != "position_bounds_mm")
-LARGER_IS_BETTER = ("sensitivity_ratio", "saturation_margin")
+MARGINS = ("saturation_margin", "objects_margin")
+"""They may be negative."""
+LARGER_IS_BETTER = ("sensitivity_ratio", *MARGINS)
 
 
 def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> FidelityScore:
@@ -120,12 +125,16 @@ def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> 
     with torch.no_grad():
         scores = batch_scores(scorers, layouts, DEARER)
     found = {name: float(values) for name, values in scores.items()}
-    largest = found.pop("largest_counts")
+    range_counts = full_scale_counts(spec.sensors)
+    margins = {
+        margin: 1 - found.pop(name) / range_counts
+        for margin, name in zip(MARGINS, ("largest_counts", "kept_counts"), strict=True)
+    }
     return FidelityScore(
         **found,
         position_bounds_mm=_flat(position_bounds(scorers, layouts)),
         compliance_deviation=unevenness(spec, scorers),
-        saturation_margin=1 - largest / full_scale_counts(spec.sensors),
+        **margins,
     )
 
 
@@ -179,7 +188,8 @@ def score_signals(
             spec.search.compliance_mm_per_n, near.grid, 1 / near.stiffness_n_per_mm, near.places
         ),
         saturation_margin=saturation_margin(signals, spec),
-        position_bounds_mm=_flat(one.position_bound_fresh_mm[one.places] for one in places),
+        objects_margin=saturation(spec, signals, motions, deepest_alone=True).margin[-1],
+        position_bounds_mm=_flat(one.position_bound_mm[one.places] for one in places),
     )
 
 
@@ -189,23 +199,25 @@ def _at_force(
     """Scores of presses to `score.force_n`."""
     scores = score_places(spec, signals)
     false = false_places_mm(spec, forces, motions, SLIP_MM)
-    there = scores.places
-    bound, at_edge = scores.position_bound_fresh_mm[there], outermost_of_faces(scores)
+    there = scores.judged
+    bound, at_edge = scores.position_bound_mm[there], outermost_of_faces(scores) & there
     low, middle = np.percentile(scores.delta_raw[there], [5.0, 50.0])
     return {
         "worst_position_bound_mm": float(bound.max()),
         "percentile_99_position_bound_mm": float(np.percentile(bound, 99.0)),
         "percentile_95_position_bound_mm": float(np.percentile(bound, 95.0)),
         "median_position_bound_mm": float(np.median(bound)),
-        "worst_force_bound_n": float(scores.force_bound_fresh_n[there].max()),
+        "worst_force_bound_n": float(scores.force_bound_n[there].max()),
         **_two_contacts(spec, signals),
         "sensitivity_ratio": float(low / middle),
-        "edge_position_bound_mm": float(scores.position_bound_fresh_mm[at_edge].mean()),
+        "edge_position_bound_mm": float(
+            scores.position_bound_mm[at_edge if at_edge.any() else there].mean()
+        ),
         "task_loss": press_loss(
             spec.search.task,
             spec.score.force_n,
             torch.as_tensor(bound),
-            torch.as_tensor(scores.force_bound_fresh_n[there]),
+            torch.as_tensor(scores.force_bound_n[there]),
         ).mean(),
         "slip_place_mm": float(np.median(false["slip"])),
         "tolerance_place_mm": float(np.median(false["tolerance"])),
@@ -224,13 +236,16 @@ def bounds_by_press(
 
 
 def worse_share(start: FidelityScore, found: FidelityScore) -> float:
-    """Share of (force, face, location) whose position bound is larger than the start's."""
-    return float(np.mean(_over(start, found) > 1))
+    """Share of (force, face, location) whose position bound is larger than the start's, of those where
+    both reach the force."""
+    over = _over(start, found)
+    return float(np.mean(over[~np.isnan(over)] > 1))
 
 
 def against_start(start: FidelityScore, found: FidelityScore, but: float) -> FidelityScore:
     """The score with its position bound over the start's (`estimator.layouts.batch_scores.worst_ratio`)."""
-    ratio = torch.as_tensor(_over(start, found))[None]
+    over = _over(start, found)
+    ratio = torch.as_tensor(over[~np.isnan(over)])[None]
     return replace(found, position_bound_over_start=float(worst_ratio(ratio, but)))
 
 
@@ -262,13 +277,13 @@ def _two_contacts(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
 def gains(start: FidelityScore, found: FidelityScore) -> dict[str, float]:
     """How many times better each score is than the start's: above 1 is better.
 
-    Of `saturation_margin` the difference, as it may be negative.
+    Of `MARGINS` the differences, as these may be negative.
     """
     better = {}
     for name in SCORE_NAMES:
         before, after = getattr(start, name), getattr(found, name)
         ratio = after / before if name in LARGER_IS_BETTER else before / after
-        better[name] = after - before if name == "saturation_margin" else ratio
+        better[name] = after - before if name in MARGINS else ratio
     return better
 
 

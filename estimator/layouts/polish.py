@@ -17,6 +17,7 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
+from estimator.field.device import one_thread
 from estimator.layouts.batch_scores import OVER_START, PlaceBounds, batch_scores
 from estimator.layouts.limits.rules import broken_limits_mm
 from estimator.layouts.scorer import LayoutScorer, within_candidates
@@ -28,6 +29,11 @@ _MM_PER_EXCESS = 10.0
 """A score or channel beyond its limit by a tenth counts as a length broken by 1 mm."""
 _AFTER_ALL = 100.0
 """More than logarithms of bounds differ by; it has no slope."""
+ROUNDING_MM = 2e-3
+"""What breaks a limit by less is called to keep it. Walks and runs keep limits to the last bit; in another
+batch the same layout's places differ by 1e-5 mm, its position bounds by up to 1.2e-4 of themselves
+(`estimator.layouts.bounds`), which counts tenfold. Rules of places keep ten times as much free, `SLACK_MM`;
+scores and prices exceed their limits by 0.02 % at most."""
 _LEARNING_RATE = 0.03
 """Of the unit cube: 1 mm in a range of 30."""
 
@@ -55,7 +61,8 @@ Judge = Callable[[Float[Tensor, "layout variable"], Int[Tensor, "layout"]], "Jud
 class Judged:
     """What layouts are worth: every objective as something to minimise, above 0.
 
-    `broken_mm` is 0 where all limits are kept. `worse_mm` is above 0 where position bounds are larger
+    `broken` tells of every limit (`RULES`, those of scores, the structure's) by how much, 0 where it is
+    kept to the last bit. `worse_mm` is above 0 where position bounds are larger
     than `PlaceBounds.most` of the start's at more places than `PlaceBounds.but` (by `OVER_START`): the
     verdict refuses what is larger than the start's; as this level's bounds of single places are rough,
     that makes no layout one that breaks limits. `scores` are those of the lowest fidelity level, with the
@@ -64,17 +71,22 @@ class Judged:
     """
 
     objectives: Float[Tensor, "layout objective"]
-    broken_mm: Float[Tensor, "layout"]
+    broken: Float[Tensor, "layout limit"]
     worse_mm: Float[Tensor, "layout"]
     scores: dict[str, Float[Tensor, "layout"]]
     eased: Float[Tensor, "layout objective"]
+
+    @property
+    def broken_mm(self) -> Float[Tensor, "layout"]:
+        """By how much limits are broken, all together; 0 where all are kept, as far as rounding lets tell."""
+        return torch.where(self.broken > ROUNDING_MM, self.broken, 0).sum(dim=1)
 
     @property
     def penalties(self) -> Float[Tensor, "layout 2"]:
         """By what shares objectives grow for broken limits, and for worse places: each by itself, so that
         a limit is worth keeping though places are worse. Bounds a tenth over the start's double them,
         a tenth as steep as limits: the start lies at that border and must come away from it."""
-        return torch.stack([PENALTY_PER_MM * self.broken_mm, self.worse_mm], dim=1)
+        return torch.stack([PENALTY_PER_MM * self.broken.sum(dim=1), self.worse_mm], dim=1)
 
     @property
     def penalized(self) -> Float[Tensor, "layout objective"]:
@@ -84,7 +96,7 @@ class Judged:
     def loss(self, weights: Float[Tensor, "objective"]) -> Float[Tensor, "layout"]:
         """Weighted logarithms of penalised objectives, for walks: what breaks a limit, be it by a hair,
         comes after all that keep them."""
-        return self.penalized.log() @ weights + _AFTER_ALL * (self.broken_mm > 0)
+        return self.penalized.log() @ weights + _AFTER_ALL * (self.broken > 0).any(dim=1)
 
 
 @dataclass(frozen=True)
@@ -104,6 +116,7 @@ class LowestFidelity:
     start: PlaceBounds | None = None
 
 
+@one_thread()
 def judge(
     lowest: LowestFidelity,
     unit: Float[Tensor, "layout variable"],
@@ -125,14 +138,14 @@ def judge(
         scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
     told_at_once = bool(lowest.space.sensors)  # sensors that move: limits hold of all faces
     checked = list(laid.items())[: 1 if told_at_once else None]
-    broken = torch.stack(
-        [broken_limits_mm(lowest.space, one, face).sum(dim=1) for face, one in checked]
-    )
-    excess = torch.zeros_like(broken[0])
-    for name, most in lowest.at_most.items():
-        excess = excess + torch.relu(_to_minimize(name, scores) / most - 1)
-    broken = broken.amax(dim=0) + lowest.broken_mm + _MM_PER_EXCESS * excess
-    worse = torch.zeros_like(broken)
+    of_places = torch.stack([broken_limits_mm(lowest.space, one, face) for face, one in checked])
+    nothing = torch.zeros_like(of_places[0, :, 0])
+    of_scores = [
+        _MM_PER_EXCESS * torch.relu(_to_minimize(name, scores) / most - 1)
+        for name, most in lowest.at_most.items()
+    ]
+    others = torch.stack([*of_scores, nothing + lowest.broken_mm], dim=1)
+    broken, worse = torch.cat([of_places.amax(dim=0), others], dim=1), nothing
     if lowest.start is not None:
         worse = _MM_PER_EXCESS * torch.relu(scores[OVER_START] / lowest.start.most - 1)
     worth, eased = (
@@ -146,6 +159,7 @@ def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"
     return 1 / scores[name] if name in OBJECTIVES_TO_MAXIMIZE else scores[name]
 
 
+@one_thread()
 def polish(
     judge_at: Judge,
     unit: Float[Tensor, "layout variable"],
@@ -159,8 +173,8 @@ def polish(
     thousandth to all of it, so that early generations cross what later ones may not; what a few places
     decide gives way to the 95th percentile at first, whose slope is smoother. Runs that are too short for
     broad generations are plain CMA-ES. No point ends worth less than it began, but that what keeps all limits
-    goes before what breaks one by a hair, and none without a value is taken. Repeatable: a run's seed comes
-    from its point.
+    goes before what breaks one by a hair; none breaks a limit more than it began, and none without a value is
+    taken. Repeatable: a run's seed comes from its point.
     """
     sizes = populations(unit.shape[1], generations)
     runs = [_Evolution(row, unit[row], weights[row]) for row in range(len(unit))]
@@ -241,6 +255,7 @@ class _Evolution:
     ) -> None:
         self.row, self.begin, self.weights = row, begin, weights.cpu()
         self.best, self.least, self.whole = begin, np.inf, float(weights.sum())
+        self.begun: Tensor | None = None
         count = max(len(begin), 2)  # the package takes no single variable
         mean = np.full(count, 0.5)
         mean[: len(begin)] = begin.cpu().numpy()
@@ -269,9 +284,12 @@ class _Evolution:
         self.search.tell(list(zip(self._asked, now.tolist(), strict=True)))
 
     def keep_best(self, worth: _Worth) -> None:
-        """The best so far of those that keep all limits, before others, with all of the penalties."""
+        """The best so far of those that keep all limits, before others, with all of the penalties; none
+        that breaks a limit more than the run's own point, which is the first that is told."""
+        self.begun = worth.broken if self.begun is None else self.begun
         finally_worth = worth.value + self.whole * np.log1p(worth.penalties).sum(axis=1)
         finally_worth += _AFTER_ALL * (worth.penalties[:, 0] > 0)
+        finally_worth[_break_more(worth.broken, self.begun).numpy()] = np.inf
         leader = int(finally_worth.argmin())
         if finally_worth[leader] < self.least:
             self.best, self.least = worth.points[leader], float(finally_worth[leader])
@@ -279,12 +297,14 @@ class _Evolution:
 
 @dataclass(frozen=True)
 class _Worth:
-    """Of points of one run: weighted logarithms of the objectives, as they are and eased, and penalties."""
+    """Of points of one run: weighted logarithms of the objectives, as they are and eased, penalties, and
+    broken limits."""
 
     points: Float[Tensor, "layout variable"]
     value: Float[np.ndarray, "layout"]
     eased: Float[np.ndarray, "layout"]
     penalties: Float[np.ndarray, "layout 2"]
+    broken: Float[Tensor, "layout limit"]
 
 
 def _evolve(judge_at: Judge, runs: Sequence[_Evolution], sizes: Sequence[int]) -> None:
@@ -310,11 +330,11 @@ def _judged(
     rows = torch.tensor(np.repeat([run.row for run in runs], counts), device=points[0].device)
     with torch.no_grad():
         judged = judge_at(torch.cat(list(points)), rows)
-    parts = judged.objectives.log(), judged.eased.log(), judged.penalties.double()
+    parts = judged.objectives.log(), judged.eased.log(), judged.penalties.double(), judged.broken
     of_runs = (part.cpu().split(counts) for part in parts)
-    for run, at, *logs, penalty in zip(runs, points, *of_runs, strict=True):
+    for run, at, *logs, penalty, broken in zip(runs, points, *of_runs, strict=True):
         value, eased = ((log @ run.weights).double().nan_to_num(torch.inf).numpy() for log in logs)
-        yield run, _Worth(at, value, eased, penalty.numpy())
+        yield run, _Worth(at, value, eased, penalty.numpy(), broken)
 
 
 def _share_of_penalty(progress: float) -> float:
@@ -327,6 +347,39 @@ def _share_of_objective(progress: float) -> float:
     return min(1.0, 2 * progress)
 
 
+def _break_more(
+    broken: Float[Tensor, "layout limit"], begun: Float[Tensor, "_ limit"]
+) -> Bool[Tensor, "layout"]:
+    return (broken > begun).any(dim=1)
+
+
+@one_thread()
+def walk(
+    judged_at: Callable[[Tensor], Judged],
+    begin: Float[Tensor, "layout variable"],
+    weights: Float[Tensor, "objective"],
+    steps: int,
+    rate: float,
+    over: Callable[[], bool] = lambda: False,
+) -> Float[Tensor, "layout variable"]:
+    """As `descend`, by what layouts are worth; no point breaks a limit more than where its walk began.
+
+    The way may lead through broken limits. Where nothing on it keeps what the beginning kept, the beginning
+    is the end, however sums are rounded.
+    """
+    with torch.no_grad():
+        begun = judged_at(begin).broken
+
+    def loss(point: Float[Tensor, "layout variable"]) -> Float[Tensor, "layout"]:
+        judged = judged_at(point)
+        # infinity has no slope and is never the least
+        refused = torch.where(_break_more(judged.broken, begun), torch.inf, 0.0)
+        return judged.loss(weights) + refused
+
+    return descend(loss, begin, steps, rate, over)
+
+
+@one_thread()
 def descend(
     loss_at: Callable[[Tensor], Tensor],
     unit: Float[Tensor, "layout variable"],

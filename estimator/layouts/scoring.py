@@ -18,9 +18,10 @@ from torch import Tensor
 
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import bounds, percentile
-from estimator.layouts.presses.changes import PressChanges, press_changes
+from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.presses.counts import counts_when_pressed
 from estimator.layouts.scorer import LayoutScorer
+from estimator.layouts.spread import counts_kept
 
 _CHUNK = 512
 _FORCE_VARIANCE, _CURVE_VARIANCE = 1 / 8, 1 / 128
@@ -49,10 +50,11 @@ class LayoutScore:
 @dataclass(frozen=True)
 class PlaceInformation:
     """Bounds and δ (up to a factor that is the same everywhere) of every contact location; the largest
-    magnitude of any own channel in counts, at rest and in the deepest simulated presses.
+    magnitude of any own channel in counts, at rest and in the deepest simulated presses; and the counts
+    there that virtual objects keep to (`estimator.layouts.spread`), with all sensed faces like this one.
 
-    These are told by scorers of the largest force among those worked out together, the others tell those at
-    rest. The shell without magnets is pressed as deep, by the change with force at the basis's, and the
+    Counts are told by scorers of the largest force among those worked out together, the others tell those at
+    rest and 0. The shell without magnets is pressed as deep, by the change with force at the basis's, and the
     pressed face's magnets are where that moves them. The second fidelity level, whose presses reach the same
     depth with more force, had 1.02 to 1.11 times as many (fourteen layouts of the paper's cube) and 1.17
     times (one of a pear, whose presses took a third more force). With boards in the shell, which
@@ -63,6 +65,7 @@ class PlaceInformation:
     force_bound_n: Float[Tensor, "layout place"]
     sensitivity: Float[Tensor, "layout place"]
     largest_counts: Float[Tensor, "layout"]
+    kept_counts: Float[Tensor, "layout"]
 
 
 def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -> LayoutScore:
@@ -98,18 +101,16 @@ def places_information(
     for scorer, one in zip(scorers, layouts, strict=True):
         changes = press_changes(scorer, one)
         counts = changes.resting_counts.flatten(1).abs().amax(dim=1)
+        kept = torch.zeros_like(counts)
         if scorer.presses.force_n == largest_n:
-            counts = torch.maximum(counts, counts_when_pressed(scorer, one, changes))
-        found.append(_information(scorer, changes, counts))
+            pressed = counts_when_pressed(scorer, one, changes)
+            counts = torch.maximum(counts, pressed.counts.abs().amax(dim=1))
+            kept = counts_kept(pressed.counts, pressed.sigma, len(scorer.spec.body.sensed))
+        by_parameter = changes.by_parameter
+        position, force = bounds(by_parameter[:, :, :3])
+        sensitivity = _sensitivity(scorer, by_parameter)
+        found.append(PlaceInformation(position, force, sensitivity, counts, kept))
     return found
-
-
-def _information(
-    scorer: LayoutScorer, changes: PressChanges, largest_counts: Float[Tensor, "layout"]
-) -> PlaceInformation:
-    by_parameter = changes.by_parameter
-    position, force = bounds(by_parameter[:, :, :3])
-    return PlaceInformation(position, force, _sensitivity(scorer, by_parameter), largest_counts)
 
 
 def _sensitivity(

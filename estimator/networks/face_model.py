@@ -13,6 +13,7 @@ from jaxtyping import Float
 from torch import Tensor, nn
 
 from design.errors import DAMAGED_CONTENT, InputError, StoreError
+from estimator.field.device import one_thread
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import (
     HISTORY,
@@ -108,6 +109,7 @@ def predict_heatmaps(model: FaceModel, frames: FrameSet) -> Float[np.ndarray, "f
     return predict(model, frames).heatmap_n[:, -1]
 
 
+@one_thread()
 def read_counts(network: nn.Module, counts: Float[np.ndarray, "frame channel"]) -> Prediction:
     """Readings of an estimator, or of a member of it, in batches on its own device."""
     device = next(network.parameters()).device

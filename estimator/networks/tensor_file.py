@@ -11,17 +11,29 @@ from torch import Tensor
 
 from design.errors import StoreError
 from design.files import atomic_path
-from design.seal import SEAL, seal_file, sealed_content
+from design.seal import SEAL, sealed, sealed_content
 
 
 def save_tensors(tensors: Mapping[str, Tensor], described: Any, path: Path | str) -> None:
-    """Write copies of the tensors and what describes them."""
-    from safetensors.torch import save_file
+    """Write copies of the tensors and what describes them; the same give the same bytes."""
+    from safetensors.torch import save
 
     held = {name: value.detach().cpu().clone().contiguous() for name, value in tensors.items()}
+    content = save(held, {"instobj": json.dumps(described), "seal": SEAL})
     with atomic_path(path) as temporary:
-        save_file(held, temporary, metadata={"instobj": json.dumps(described), "seal": SEAL})
-        seal_file(temporary)
+        temporary.write_bytes(sealed(_in_order(content)))
+
+
+def _in_order(content: bytes) -> bytes:
+    """With the keys of the header sorted: the library writes the description's in any order.
+
+    The header is JSON, its length before it in 8 bytes, filled up with spaces to a multiple of 8;
+    places of tensors count from its end (format of safetensors).
+    """
+    start = 8 + int.from_bytes(content[:8], "little")
+    header = json.dumps(json.loads(content[8:start]), sort_keys=True).encode()
+    header += b" " * (-len(header) % 8)
+    return len(header).to_bytes(8, "little") + header + content[start:]
 
 
 def load_tensors(path: Path, advice: str) -> tuple[Any, dict[str, Tensor]]:

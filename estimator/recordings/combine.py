@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Bool
+from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from estimator.frames.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
-from estimator.recordings.checks.faults import Fault, jumped_channels
+from estimator.recordings.checks.faults import Fault, jumped_channels, rows_text
+from estimator.recordings.checks.readings import copied_rows, has_noise
 from estimator.recordings.contacts import Place
 from estimator.recordings.reading import Recording
 from estimator.recordings.table import channel_name
@@ -19,8 +20,8 @@ from estimator.recordings.table import channel_name
 def combine(recordings: Sequence[Recording]) -> FrameSet:
     """One data set with unique press, place and session ids.
 
-    Channels whose rest level jumped between the recordings (`jumps_between`) are NaN throughout;
-    lag and noise are medians over the recordings.
+    Channels whose rest level jumped between the recordings (`jumps_between`) are NaN throughout; frames
+    that an earlier recording has too are not valid; lag and noise are medians over the recordings.
 
     Raises
     ------
@@ -50,6 +51,7 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     joined = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in PER_FRAME_FIELDS
     }
+    joined["valid"] = joined["valid"] & ~_copied(joined["signal_counts"])[0]
     joined["signal_counts"][:, jumped] = np.nan
     errors = [part.zero_error for part in parts if part.zero_error is not None]
     return replace(
@@ -81,15 +83,33 @@ def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "5 sensor
     return np.any(jumped, axis=0)
 
 
-def jump_between_faults(recordings: Sequence[Recording]) -> list[Fault]:
-    """The channels of `jumps_between`, with their rest levels in each recording."""
+def _copied(
+    signal_counts: Float[np.ndarray, "frame 5 sensor 3"],
+) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
+    """Frames that were there before, by their whole steps from frame to frame (zeros differ)."""
+    steps = np.round(np.diff(signal_counts, axis=0))
+    if not has_noise(steps):
+        return np.zeros(len(signal_counts), bool), []
+    rows = np.asarray(copied_rows(steps)[0].any(axis=(1, 2, 3)))
+    copied = np.r_[rows, False] | np.r_[False, rows]
+    if not copied.any():
+        return copied, []
+    detail = f"{copied.sum()} of these frames are in an earlier recording, too, number for number"
+    where = f"{rows_text(np.flatnonzero(copied))} of all recordings together"
+    return copied, [Fault("copied rows", where, detail, "copies not used")]
+
+
+def faults_between(recordings: Sequence[Recording]) -> list[Fault]:
+    """The channels of `jumps_between`, with their rest levels in each recording, and copied frames, by
+    their rows of all recordings together."""
     levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]
     faults = []
     for index in np.argwhere(jumps_between(recordings)).tolist():
         shown = " → ".join(f"{level[tuple(index)]:.0f}" for level in levels)
         where = f"{channel_name(*index)}, between the recordings"
         faults.append(Fault("jumping channel", where, f"rest level {shown} counts", "set to NaN"))
-    return faults
+    together = np.concatenate([recording.frames.signal_counts for recording in recordings])
+    return faults + _copied(together)[1]
 
 
 def _renumbered(

@@ -15,36 +15,32 @@ from jaxtyping import Bool, Float, Int
 
 from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.recordings.checks.cells import check_rate, repaired_forces, wrong_forces
 from estimator.recordings.checks.faults import (
     Fault,
     axis_noise_counts,
-    channel_faults,
     correct_face_labels,
     dead_channels,
-    doubtful_presses,
+    dead_faults,
     jump_faults,
     mirror_faults,
     noisy_channels,
+    noisy_faults,
     press_responses,
     rest_noise_counts,
     stamp_faults,
     unread_faces,
 )
-from estimator.recordings.checks.labels import (
-    contacts_at_rest,
-    hidden_contacts,
-    place_label_faults,
-    pressed_faces,
-    restless_presses,
-    silent_presses,
-)
+from estimator.recordings.checks.labels import place_label_faults
 from estimator.recordings.checks.limits import (
     Limits,
     places_off_the_body,
     usual_limits,
     within_range,
 )
+from estimator.recordings.checks.readings import without_faults
 from estimator.recordings.checks.repeats import Repeats, repeat_faults, repeated_readings
+from estimator.recordings.checks.table import PRESSES, RESTS, Judged, judged, spoilt_channels
 from estimator.recordings.checks.turned import turned_channels, turned_forces
 from estimator.recordings.contacts import (
     Place,
@@ -107,7 +103,8 @@ class Recording:
 class _Presses:
     """A table after its force and labels were brought into line with its signals.
 
-    `hidden` marks frames at rest by the load cells in which the signals show a contact.
+    `doubtful` marks frames whose labels a check names, `hidden` those at rest by the load cells in which
+    the signals show a contact.
     """
 
     time_s: Float[np.ndarray, "frame"]
@@ -158,7 +155,7 @@ def read_recording(
         table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
     limits = limits or usual_limits(table)
     with naming(path):
-        table, unreachable = within_range(table, limits)
+        table, left_out, unreadable = _believed(table, limits)
         presses = _find_presses(table)
         zeros = rest_levels(
             table.counts,
@@ -172,7 +169,7 @@ def read_recording(
         presses.face, presses.tip_xy_mm, presses.force_n >= CONTACT_FORCE_N
     )
     session = np.unique(table.case, return_inverse=True)[1] if table.kind == "generic" else block
-    frames = _frames(table, presses, zeros, jumping, session, place)
+    frames = _frames(table, presses, zeros, jumping | left_out, session, place)
     turned, turns = turned_channels(frames)
     frames.signal_counts[:, turned] = np.nan
     off, off_faults = places_off_the_body(presses.tip_xy_mm, limits)
@@ -180,10 +177,9 @@ def read_recording(
     frames = replace(frames, valid=frames.valid & ~wrong & ~off)
     faults = (
         *stamp_faults(table),
-        *unreachable,
+        *unreadable,
         *repeat_faults(presses.repeats, presses.rate_hz),
-        *channel_faults(table.counts, presses.noise_counts),
-        *unread_faces(table.counts, presses.face),
+        *noisy_faults(presses.noise_counts),
         *jumps,
         *turns,
         *presses.faults,
@@ -195,6 +191,25 @@ def read_recording(
     return Recording(frames, report, zero)
 
 
+def _believed(
+    table: RawTable, limits: Limits
+) -> tuple[RawTable, Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+    """The table without readings that a check names, channels to leave out, and what was named."""
+    raw = table.counts
+    if not np.isfinite(raw).any():
+        raise RecordingError(
+            f"no channel has a reading in any of its {len(raw)} frames. Check the sensors' wiring (`instobj "
+            "bringup`) and record anew"
+        )
+    counts, faults = without_faults(raw)
+    if not np.isfinite(counts).any():
+        raise RecordingError(f"no reading is left: {'; '.join(map(str, faults[:3]))}")
+    spoilt, left_out = spoilt_channels(counts, np.isfinite(raw) & np.isnan(counts))
+    table, unreachable = within_range(replace(table, counts=counts), limits)
+    told = [*faults, *unreachable, *left_out, *dead_faults(raw), *unread_faces(raw, table.face)]
+    return table, spoilt | dead_channels(raw), told
+
+
 def _report(
     path: Path | str,
     table: RawTable,
@@ -204,6 +219,7 @@ def _report(
     zeroed_after: int,
     faults: tuple[Fault, ...],
 ) -> RecordingReport:
+    read = np.isfinite(table.counts).any(axis=(1, 2, 3))  # copied presses were read before
     return RecordingReport(
         path=str(path),
         kind=table.kind,
@@ -213,7 +229,9 @@ def _report(
         unused_frames=int(np.sum(~frames.valid)),
         faces_pressed=tuple(int(f) for f in np.unique(presses.face) if f != NO_FACE),
         tips=table.tip_xy_mm.shape[2],
-        presses=len(np.unique(presses.press[(presses.force_n >= CONTACT_FORCE_N).any(axis=1)])),
+        presses=len(
+            np.unique(presses.press[(presses.force_n >= CONTACT_FORCE_N).any(axis=1) & read])
+        ),
         sessions=len(np.unique(frames.session_id)),
         places=places,
         frame_rate_hz=presses.rate_hz,
@@ -235,9 +253,11 @@ def _find_presses(table: RawTable) -> _Presses:
     keys = np.column_stack([table.case, place_keys(label_face, tip_xy_mm)])
     stretch = stretches(table.time_s, keys)
     time_s, rate_hz = frame_times_s(table.time_s, stretch, NOMINAL_RATE_HZ)
+    check_rate(rate_hz)
     limit_n = REST_FORCE_N[table.kind]
     block = block_numbers(keys)
-    measured_n, turns = table.force_n, []
+    wrong, misread = wrong_forces(table.force_n)
+    measured_n, turns = repaired_forces(table.force_n, wrong), []
     if table.kind != "training":
         measured_n, turns = turned_forces(measured_n, table.counts, label_face, block, limit_n)
     force_n = tared(measured_n, no_contact, limit_n, signed=table.kind != "training")
@@ -249,23 +269,23 @@ def _find_presses(table: RawTable) -> _Presses:
     press = number_presses(force_n, stretch, limit_n)
     responses = press_responses(table.counts, force_n, press)
     face, corrected = correct_face_labels(table, press, responses)
-    doubtful, doubts = doubtful_presses(pressed_faces(face, force_n, press), press, responses)
     lag = estimate_lag(table.counts, force_n, face, press, stretch)
-    aligned_n = shifted_forces(force_n, stretch, lag.frames if lag.corrected else 0)
+    late = lag.frames if lag.corrected else 0
+    aligned_n = shifted_forces(force_n, stretch, late)
+    unsure = np.any(shifted_forces(wrong.astype(float), stretch, late) > 0, axis=1)
     rest = at_rest(aligned_n, limit_n)
     shear_n = np.zeros((*aligned_n.shape, 2))
     if table.shear_n is not None:
-        shear_n = shifted_shear(table.shear_n, stretch, lag.frames if lag.corrected else 0, rest)
+        shear_n = shifted_shear(table.shear_n, stretch, late, rest)
     repeats = repeated_readings(table.counts)
     noise = rest_noise_counts(table.counts, rest, repeats.stale)
-    unlabelled, denied = contacts_at_rest(force_n >= CONTACT_FORCE_N, no_contact, press)
-    hidden, concealed = hidden_contacts(table.counts, rest, stretch, block, noise)
-    silent, quiet = silent_presses(face, force_n, press, responses, noise)
-    restless = restless_presses(rest, np.any(force_n >= CONTACT_FORCE_N, axis=1), press)
+    case = Judged(
+        table, face, force_n, press, responses, no_contact, rest, stretch, block, noise
+    )  # fmt: skip
+    (named, found), (hidden, concealed) = judged(case, PRESSES), judged(case, RESTS)
     return _Presses(
-        time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm,
-        doubtful | unlabelled | hidden | silent, repeats, noise, lag,
-        (*restless, *turns, *corrected, *doubts, *denied, *concealed, *quiet),
+        time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm, named | hidden | unsure,
+        repeats, noise, lag, (*misread, *turns, *corrected, *found, *concealed),
     )  # fmt: skip
 
 
@@ -273,7 +293,7 @@ def _frames(
     table: RawTable,
     presses: _Presses,
     zeros: Zeros,
-    jumping: Bool[np.ndarray, "5 sensor 3"],
+    left_out: Bool[np.ndarray, "5 sensor 3"],
     session: Int[np.ndarray, "frame"],
     place: Int[np.ndarray, "frame"],
 ) -> FrameSet:
@@ -289,8 +309,9 @@ def _frames(
     else:
         zero, error = zeros.counts[presses.press], None
     signal = table.counts - zero
-    unusable = dead_channels(table.counts) | noisy_channels(presses.noise_counts) | jumping
+    unusable = noisy_channels(presses.noise_counts) | left_out
     gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table), axis=(1, 2, 3))
+    gap |= ~np.isfinite(table.counts).any(axis=(1, 2, 3))
     signal[:, unusable] = np.nan
     alone = table.kind == "generic"  # a gripper's jaws press together, other load cells may rest
     still = alone & (np.abs(presses.force_n) < REST_FORCE_N[table.kind])

@@ -63,6 +63,18 @@ def channel_name(face: int, sensor: int, axis: int) -> str:
     return f"F{FACES[face]}-{'XYZ'[axis]}{sensor + 1}"
 
 
+def channels_text(channels: list[tuple[int, ...]], live: Bool[np.ndarray, "5 sensor 3"]) -> str:
+    """Several channels in a few words: all, whole chips (F2-S1), or names, four at most."""
+    if len(channels) >= live.sum():
+        return f"all {len(channels)} channels"
+    chips = {channel[:2] for channel in channels}
+    whole = [chip for chip in sorted(chips) if all((*chip, axis) in channels for axis in range(3))]
+    names = [f"F{FACES[face]}-S{sensor + 1}" for face, sensor in whole]
+    names += [channel_name(*one) for one in sorted(channels) if one[:2] not in whole]
+    others = f" and {len(names) - 4} others" if len(names) > 4 else ""
+    return ", ".join(names[:4]) + others
+
+
 def check_plausible(table: RawTable) -> None:
     """Refuse values that can only come from another unit or from damage.
 
@@ -75,7 +87,7 @@ def check_plausible(table: RawTable) -> None:
         or more apart.
     """
     check_signals(table.time_s, table.counts)
-    _check_below("forces (N)", table.force_n, LARGEST_FORCE_N, "forces in N, not in g or mN")
+    check_forces(table.force_n)
     if table.shear_n is not None:
         _check_below("shear forces (N)", table.shear_n, LARGEST_FORCE_N, "forces in N")
     _check_below("places (mm)", table.tip_xy_mm, LARGEST_PLACE_MM, "places in mm")
@@ -144,6 +156,21 @@ def _exchanged(step: Float[np.ndarray, "step"]) -> Int[np.ndarray, "pair"]:
     before, after = np.r_[np.inf, step[:-1]], np.r_[step[1:], np.inf]
     long = np.minimum(before, after) > 1.5 * max(0.0, float(np.median(step)))
     return np.flatnonzero((step < 0) & long & (before + step >= 0) & (step + after >= 0))
+
+
+def check_forces(force_n: Float[np.ndarray, "frame cell"]) -> None:
+    """Refuse forces that many readings put beyond 1 kN; single ones are `checks.cells.wrong_forces`.
+
+    Raises
+    ------
+    RecordingError
+        More than a tenth of a load cell's readings.
+    """
+    if np.isinf(force_n).any():
+        raise RecordingError("forces (N) are infinite in some rows. Give forces in N there")
+    # an empty file has no quantile
+    often = np.quantile(np.abs(force_n), 0.9, axis=0, method="lower") if len(force_n) else force_n
+    _check_below("forces (N)", often, LARGEST_FORCE_N, "forces in N, not in g or mN")
 
 
 def _check_below(what: str, values: np.ndarray, limit: float, right: str) -> None:

@@ -48,7 +48,12 @@ class Scene:
     @property
     def bodies(self) -> int:
         """How many bodies move with the silicone."""
-        return len(self.sensors.face) if self.sensors_move else len(self.magnets.face)
+        return len(self.body_face)
+
+    @property
+    def body_face(self) -> Int[np.ndarray, "body"]:
+        """The face that each of them belongs to."""
+        return self.sensors.face if self.sensors_move else self.magnets.face
 
     def on_for(self, face: int) -> slice:
         """The magnets that are on while the sensors of a face are read."""

@@ -22,8 +22,11 @@ from design.spec.object import ObjectSpec
 from estimator.field.models import MagnetsModel, magnets_model
 from estimator.information.fisher import disturbance_counts, position_and_force_bounds
 from estimator.signals.field_setup import KnownField, counts, min_distance_mm, sensed_field
+from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import press_traces
+from estimator.signals.live import is_live, read_change
 from estimator.signals.press_states import PressStates, motions_as_signals, press_states
+from estimator.signals.presses import press_signals
 from estimator.tolerances.assembly import (
     CONTRIBUTIONS,
     Assembly,
@@ -35,6 +38,7 @@ from estimator.tolerances.assembly import (
     read_by,
 )
 from estimator.tolerances.result import REACH_SHARE, BoundRange, Robustness, Spread
+from estimator.tolerances.saturation import saturation
 from fem.presses.results import MagnetMotions, PressForces
 
 DRAWS = 200
@@ -46,8 +50,9 @@ _NEARER_MM = 1.0
 
 @dataclass(frozen=True)
 class Outcome:
-    """What one assembly shows: counts at rest; face by face the change in each press and its
-    derivatives in x, y, F, of live channels; the bounds of all presses."""
+    """What one assembly shows: counts at rest; face by face the change in each press, as chips tell it,
+    and its derivatives in x, y, F, of channels that work; 0 of those that its own chips clip
+    (`estimator.signals.live`). The bounds of all presses."""
 
     baseline: Float[np.ndarray, "sensor 3"]
     delta: tuple[Float[np.ndarray, "_ _"], ...]
@@ -103,6 +108,11 @@ def robustness(
     """The budget at `score.force_n`, with `score.channels`, from `tolerances`.
 
     Places that reach it only near the deepest press are judged at 0.7 of that press's force.
+
+    Raises
+    ------
+    InputError
+        Of `press_signals`.
     """
     say = progress or (lambda _: None)
     setting = setting_of(spec, forces, motions)
@@ -124,6 +134,7 @@ def robustness(
         draws,
         spec.score.force_n,
         *_bound_ranges(nominal, objects),
+        saturation=saturation(spec, press_signals(spec, forces, motions), motions, draws),
     )
 
 
@@ -181,8 +192,10 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
         values = counts(place, known.of(place, moved, model), spec)
         values = values.reshape(*motion.shape[:2], -1)[..., live]
         rest = baseline if own is None else baseline[assembly.scene.sensors.face == face]
-        deltas.append(values[0] - rest.ravel()[live])
-        jacobians.append(states.differentiate(values))
+        rest, most = rest.ravel()[live], full_scale_counts(spec.sensors)
+        change = values[0] - rest
+        deltas.append(read_change(rest, change, most))
+        jacobians.append(states.differentiate(values) * is_live(rest, change, most)[..., None])
         bounds.append(position_and_force_bounds(jacobians[-1], _sigma(spec, live)))
     return Outcome(
         baseline,
@@ -203,8 +216,7 @@ def _moved_aside(
     face: int,
 ) -> Float[np.ndarray, "7 press body 6"]:
     """Motions of the pressed face's bodies where they sit aside; all seven states change alike."""
-    place = assembly.scene
-    own = (place.sensors if place.sensors_move else place.magnets).face == face
+    own = assembly.scene.body_face == face
     if not assembly.aside_mm[own].any():
         return motion
     slope = states.slope_per_mm(motion)[:, :, own]

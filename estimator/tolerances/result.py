@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from design.files import atomic_path
+from estimator.tolerances.saturation import Saturation
 
 SEAT_ERROR = (
     "Presses are not simulated anew. A magnet that sits aside is moved as if the press lay as far "
@@ -66,7 +67,7 @@ class Robustness:
     `contributions` are each alone, to first order, in the order of their shares in the variances of
     false place and false force. `together` is their root sum of squares, `monte_carlo` all at once
     by `draws` objects. Bounds (mm, N) are freshly zeroed ones: that of the median place and that of
-    the worst.
+    the worst. `saturation` is how many of as many objects leave the range of a chip.
     """
 
     contributions: tuple[Spread, ...]
@@ -78,6 +79,7 @@ class Robustness:
     position_worst_mm: BoundRange
     force_median_n: BoundRange
     force_worst_n: BoundRange
+    saturation: Saturation
 
 
 def save_robustness(budget: Robustness, path: Path | str) -> None:
@@ -92,4 +94,6 @@ def load_robustness(path: Path | str) -> Robustness:
     ranges = {name: BoundRange(**content.pop(name)) for name in _RANGES}
     rows = tuple(Spread(**row) for row in content.pop("contributions"))
     whole = {name: Spread(**content.pop(name)) for name in ("together", "monte_carlo")}
-    return Robustness(contributions=rows, **whole, **ranges, **content)
+    lists = content.pop("saturation")
+    saturated = Saturation(lists.pop("objects"), **{name: tuple(v) for name, v in lists.items()})
+    return Robustness(contributions=rows, saturation=saturated, **whole, **ranges, **content)

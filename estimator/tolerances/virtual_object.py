@@ -8,7 +8,7 @@ lay as far aside the other way (`estimator.tolerances.result.SEAT_ERROR` says ho
 from __future__ import annotations
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.spec.object import ObjectSpec
 from estimator.field.models import MagnetsModel, magnets_model
@@ -81,20 +81,33 @@ def _moved_aside(
     assembly: Assembly, motions: MagnetMotions, index: int
 ) -> Float[np.ndarray, "place step body 6"]:
     """The table of one face with the face's own bodies where they sit."""
-    place, motion = assembly.scene, motions.motion[index]
-    own = (place.sensors if place.sensors_move else place.magnets).face == motions.faces[index]
+    own = assembly.scene.body_face == motions.faces[index]
     if not assembly.aside_mm[own].any():
-        return motion
-    lattice, pressed = motions.lattice, motions.pressed[index]
-    shape = (*lattice.shape, *motion.shape[1:])
-    moved = motion.copy() if pressed.all() else continued(motion, pressed, lattice.shape)
-    motion = moved.copy()
-    for axis, nodes in enumerate((lattice.x_mm, lattice.y_mm)):
-        slope = _slope(motion.reshape(shape)[..., own, :], nodes, axis).reshape(
-            len(motion), shape[2], -1, 6
-        )
-        moved[:, :, own] -= assembly.aside_mm[own, axis, None] * slope
+        return motions.motion[index]
+    moved = _whole(motions, index).copy()
+    slope = aside_slopes(motions, index, own)
+    # of every body its own two directions
+    moved[:, :, own] -= np.einsum("bk,kpsbc->psbc", assembly.aside_mm[own], slope)
     return moved
+
+
+def aside_slopes(
+    motions: MagnetMotions, index: int, own: Bool[np.ndarray, "body"]
+) -> Float[np.ndarray, "2 place step own 6"]:
+    """Change of some bodies' motions in one face's table with the press's x and y, per mm."""
+    lattice, motion = motions.lattice, _whole(motions, index)[:, :, own]
+    shape = (*lattice.shape, *motion.shape[1:])
+    slopes = [
+        _slope(motion.reshape(shape), nodes, axis).reshape(motion.shape)
+        for axis, nodes in enumerate((lattice.x_mm, lattice.y_mm))
+    ]
+    return np.stack(slopes)
+
+
+def _whole(motions: MagnetMotions, index: int) -> Float[np.ndarray, "place step body 6"]:
+    """One face's table, continued to places that the face has not."""
+    motion, pressed = motions.motion[index], motions.pressed[index]
+    return motion if pressed.all() else continued(motion, pressed, motions.lattice.shape)
 
 
 def _slope(values: np.ndarray, nodes_mm: np.ndarray, axis: int) -> np.ndarray:

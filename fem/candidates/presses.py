@@ -16,6 +16,7 @@ import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Bool, Float, Float32
 
+from design.files import reserve_room
 from design.layout.body import face_frame
 from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
@@ -106,9 +107,11 @@ def simulate_candidates(
     recorded, body, between = _record(spec, mesh, response, presses, lattices, tests, progress)
     modes = max(len(one.presses.T) for one in recorded)
     count = sum(len(lattice) for lattice in lattices)
+    motions_file = Path(folder) / MOTIONS_FILE
     by_candidate = np.lib.format.open_memmap(
-        Path(folder) / MOTIONS_FILE, "w+", np.float32, (count, len(recorded), modes, 6)
+        motions_file, "w+", np.float32, (count, len(recorded), modes, 6)
     )
+    reserve_room(motions_file, by_candidate.offset)
     mixed = np.zeros((*force.shape, modes), np.float32)
     strain = np.zeros((count, modes, 5), np.float32)
     for index, (own, one) in enumerate(zip(there, recorded, strict=True)):

@@ -12,10 +12,11 @@ from scipy.spatial import KDTree
 
 from design.errors import StoreError
 from design.layout.body import face_frame
+from design.processes import one_blas_thread
 from design.spec.object import ObjectSpec
 from fem.linear.response import ResponseOperator
 from fem.mesh.surfaces import surface_tolerance_mm
-from fem.presses.table import one_blas_thread, press_places, surface_weights_mm2
+from fem.presses.table import press_places, surface_weights_mm2
 
 
 def inward_motion_mm(

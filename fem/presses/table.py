@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
 from jaxtyping import Float
 from skfem.quadrature import get_quadrature
 from skfem.refdom import RefTri
-from threadpoolctl import ThreadpoolController
 
 from design.errors import InputError
 from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
 from design.layout.tips import footprint_mm, path_mm
+from design.processes import one_blas_thread
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import Contact, contact
@@ -149,17 +146,6 @@ def press_face(
     """
     with one_blas_thread():
         return _press_each(spec, response, face_index, xy_mm, depths_mm)
-
-
-def one_blas_thread() -> AbstractContextManager[Any]:
-    """A context in which NumPy's and SciPy's linear algebra takes one thread."""
-    return _loaded_libraries().limit(limits=1, user_api="blas")
-
-
-@functools.cache
-def _loaded_libraries() -> ThreadpoolController:
-    """Once: to look for them takes 8 ms."""
-    return ThreadpoolController()
 
 
 def _press_each(

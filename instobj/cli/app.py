@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import re
 import signal
 import sys
 import warnings
@@ -11,36 +13,56 @@ from typing import Annotated
 
 import typer
 
-from design.errors import InstobjError
+from design.errors import InputError, InstobjError
+from design.imports import missing_extra
+from design.processes import ONE_THREAD
+from instobj.cli import bench as cli_bench
 from instobj.cli import estimators as cli_estimators
-from instobj.cli import hardware as cli_hardware
 from instobj.cli import presses as cli_presses
 from instobj.cli import recorded as cli_recorded
-from instobj.cli import rig as cli_rig
 from instobj.cli import search as cli_search
 from instobj.cli.options import (
+    DESIGN,
     HERE,
-    AsBuilt,
+    JUDGE,
+    KEEP,
+    MEASURE,
+    TARGETS,
     AsJson,
     Out,
     Overrides,
-    Scheduler,
     Specs,
     Workers,
+    run_to,
     show,
-    with_as_built,
 )
+from instobj.cli.renamed import add_renamed
+from instobj.store.progress import show_progress
 
 app = typer.Typer(
     name="instobj",
-    help="Design, simulate and calibrate instrumented objects that feel how they are grasped.",
-    no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
 )
 
+FIRST_SESSION = """A first session:
+  instobj new my_object            write a specification, my_object.toml
+  instobj check my_object.toml     does everything fit?
+  instobj score my_object.toml     how well is a contact located, and where not?
+  instobj optimize my_object.toml  find a better layout of magnets and sensors
+  instobj build my_object.toml     parts and mould to print, and what to order
 
-@app.command()
+All commands: instobj --help. What one does: instobj COMMAND --help."""
+
+
+@app.callback(invoke_without_command=True)
+def first_session(context: typer.Context) -> None:
+    """Design, simulate and calibrate instrumented objects that feel how they are grasped."""
+    if context.invoked_subcommand is None:
+        typer.echo(FIRST_SESSION)
+
+
+@app.command(rich_help_panel=DESIGN)
 def new(
     name: Annotated[str, typer.Argument(help="Name of the object.")],
     kind: Annotated[
@@ -48,7 +70,7 @@ def new(
         typer.Option(help="Kind of body (see `instobj docs bodies`).", show_default=False),
     ] = None,
     size: Annotated[
-        tuple[float, float, float] | None,
+        str | None,
         typer.Option(metavar="X Y Z", help="Box around the body, mm.", show_default=False),
     ] = None,
     sensors: Annotated[
@@ -71,13 +93,14 @@ def new(
     out: Out = HERE,
 ) -> None:
     """Write a commented specification to start from, NAME.toml, with everything placed to fit."""
-    from instobj.commands.new import new_specification, request_of
+    from instobj.commands.new import new_specification, request_of, size_of
 
-    request = request_of(kind, size, sensors, magnets, file, unit, scale)
+    size_mm = None if size is None else size_of(size, kind)
+    request = request_of(kind, size_mm, sensors, magnets, file, unit, scale)
     typer.echo(f"wrote {new_specification(name, out, request)}")
 
 
-@app.command()
+@app.command(rich_help_panel=KEEP)
 def docs(
     page: Annotated[str | None, typer.Argument(help="Name of a page.", show_default=False)] = None,
 ) -> None:
@@ -87,7 +110,7 @@ def docs(
     typer.echo(page_text(page) if page else "\n".join(page_names()))
 
 
-@app.command()
+@app.command(rich_help_panel=DESIGN)
 def check(
     specs: Specs,
     fabrication: Annotated[
@@ -113,114 +136,48 @@ def check(
         raise typer.Exit(1)
 
 
-def _chain_command(name: str, stages: str, purpose: str) -> None:
-    """A command that brings specifications to a stage, or to several."""
-
-    def command(
-        specs: Specs,
-        out: Out = HERE,
-        as_json: AsJson = False,
-        overrides: Overrides = None,
-        as_built: AsBuilt = None,
-        workers: Workers = 1,
-        scheduler: Scheduler = None,
-    ) -> None:
-        from instobj.commands.run import run_chain
-
-        given = with_as_built(overrides, as_built)
-        show(run_chain(specs, tuple(stages.split()), out, given, workers, scheduler), as_json)
-
-    app.command(name, help=purpose)(command)
+@app.command(rich_help_panel=DESIGN)
+def build(
+    specs: Specs, out: Out = HERE, as_json: AsJson = False, overrides: Overrides = None
+) -> None:
+    """Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet."""
+    run_to("sheet", specs, out, as_json, overrides)
 
 
-for _name, _stages, _purpose in (
-    (
-        "build",
-        "sheet",
-        "Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet.",
-    ),
-    (
-        "mesh",
-        "mesh",
-        "Tetrahedral mesh of the sealed body with every magnet resolved, and its quality.",
-    ),
-    (
-        "simulate",
-        "signals discretisation",
-        "Mechanics of every press, and the signals of all sensors.",
-    ),
-    (
-        "compliance",
-        "compliance",
-        "Compliance map: indentation depth per newton on all faces, with and without magnets.",
-    ),
-    (
-        "identify",
-        "identify",
-        "How many simultaneous contacts are identifiable, by number of sensors.",
-    ),
-    (
-        "robustness",
-        "robustness",
-        "Effect of the tolerances of assembly, material and surroundings, ranked.",
-    ),
-    (
-        "pretrain",
-        "pretraining",
-        "Estimators trained on simulated virtual objects, to start `train --start` from.",
-    ),
-    (
-        "report",
-        "report",
-        "One self-contained report.html: go or no-go, tables, figures and provenance.",
-    ),
-    ("run", "report", "The whole chain, stage by stage; stored results are reused."),
-):
-    _chain_command(_name, _stages, _purpose)
+@app.command(rich_help_panel=JUDGE)
+def run(
+    specs: Specs,
+    to: Annotated[
+        str, typer.Option(help=f"Last stage: {', '.join(TARGETS)}.", show_default=True)
+    ] = "report",
+    workers: Workers = "1",
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """The whole chain, stage by stage, or up to one result; stored results are reused."""
+    if to not in TARGETS:
+        raise InputError(f"--to names no result: {to!r}. Choose one of {', '.join(TARGETS)}")
+    run_to(TARGETS[to], specs, out, as_json, overrides, workers)
 
 
-@app.command()
+@app.command(rich_help_panel=JUDGE)
 def score(
     specs: Specs,
-    hull: Annotated[
-        str | None,
-        typer.Option(
-            help="Method for the sensitivity δ: covariance, monte-carlo (any N) or exact (N ≤ 100)."
-        ),
-    ] = None,
-    hull_frames: Annotated[
-        int | None, typer.Option(help="Number N of frames in the convex hull.")
-    ] = None,
     shear: Annotated[
         bool, typer.Option("--shear", help="Also Cramér–Rao bounds of (x, y, F, Fx, Fy).")
     ] = False,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
-    as_built: AsBuilt = None,
 ) -> None:
-    """Sensitivity, Cramér–Rao bounds and maps of every contact location."""
-    chosen = {"score.hull": hull, "score.hull_frames": hull_frames}
-    more = [f"{key}={value}" for key, value in chosen.items() if value is not None]
-    more_scores = ("shear_scores",) if shear else ()
-    stages = ("scores", "weak_areas", *more_scores, "discretisation")
-    _chain(specs, stages, out, as_json, [*with_as_built(overrides, as_built), *more])
+    """Sensitivity, Cramér–Rao bounds and maps of every contact location; designs side by side."""
+    from instobj.commands.comparison import score_designs
+
+    show(score_designs(specs, shear, out, overrides or []), as_json)
 
 
-@app.command()
-def compare(
-    specs: Specs,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Two to four designs side by side: scores, and a page where one press goes to all of them."""
-    from instobj.commands.comparison import compare_designs
-
-    show(compare_designs(specs, out, overrides or []), as_json)
-
-
-@app.command()
+@app.command(rich_help_panel=KEEP)
 def store(
     verify: Annotated[
         bool, typer.Option("--verify", help="Read all files and compare them with their hashes.")
@@ -247,33 +204,30 @@ def store(
         raise typer.Exit(1)
 
 
-app.add_typer(cli_estimators.app)
-app.add_typer(cli_presses.app)
-app.add_typer(cli_hardware.app)
-app.add_typer(cli_recorded.app)
-app.add_typer(cli_rig.app)
-app.add_typer(cli_search.app)
-
-
-def _chain(
-    specs: list[Path],
-    stages: tuple[str, ...],
-    out: Path,
-    as_json: bool,
-    overrides: list[str] | None,
-) -> None:
-    from instobj.commands.run import run_chain
-
-    show(run_chain(specs, stages, out, overrides or []), as_json)
+for _commands in (cli_search, cli_estimators, cli_presses, cli_recorded):
+    app.add_typer(_commands.app)
+app.add_typer(cli_bench.app, name="bench", rich_help_panel=MEASURE)
+add_renamed(app, score)
 
 
 def main() -> None:
-    """Entry point: bad input ends with one error message and exit code 2, without a traceback."""
+    """Run the command line of `instobj`."""
+    run_command(app, with_joined_sizes(sys.argv[1:]))
+
+
+def run_command(command: typer.Typer, arguments: list[str] | None = None) -> None:
+    """Run a command line: bad input ends with one error and exit code 2, without a traceback.
+
+    Libraries take one thread, unless the environment says otherwise.
+    """
+    for name, count in ONE_THREAD.items():
+        os.environ.setdefault(name, count)
+    show_progress()
     interrupted = _note_interrupts()
     warnings.formatwarning = _warning_line
     code = 0
     try:
-        code = app(standalone_mode=False)
+        code = command(arguments, standalone_mode=False)
     except typer.BadParameter as error:
         error.show()
         sys.exit(2)
@@ -283,6 +237,10 @@ def main() -> None:
         _fail(f"the computation failed: {error}", 2)
     except InstobjError as error:
         _fail(str(error), 2)
+    except ModuleNotFoundError as error:
+        if interrupted or (advice := missing_extra(error)) is None:
+            raise
+        _fail(advice, 2)
     except MemoryError as error:
         _fail(f"out of memory: {error}. Use a larger mesh.edge_mm or mesh.surface_edge_mm", 2)
     except (KeyboardInterrupt, typer.Abort, ImportError):
@@ -292,6 +250,21 @@ def main() -> None:
         again = "the same command goes on from there (optimize: with --resume)"
         _fail(f"interrupted. Finished stages are kept: {again}", 130)
     sys.exit(code)
+
+
+def with_joined_sizes(words: list[str]) -> list[str]:
+    """The words of a command, the lengths after --size as one: an option takes a fixed number of them."""
+    joined: list[str] = []
+    for word in words:
+        after_size = len(joined) > 1 and joined[-2] == "--size"
+        if after_size and _LENGTH.fullmatch(word) and _LENGTH.match(joined[-1]):
+            joined[-1] += f" {word}"
+        else:
+            joined.append(word)
+    return joined
+
+
+_LENGTH = re.compile(r"[+-]?\.?\d[^ ]*")
 
 
 def _warning_line(

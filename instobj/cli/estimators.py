@@ -10,20 +10,16 @@ import typer
 from design.errors import InputError
 from instobj.cli.options import (
     HERE,
-    AsBuilt,
+    MEASURE,
     AsJson,
     Baud,
     Out,
     Overrides,
     Port,
-    Scheduler,
     Sources,
-    Specs,
-    Workers,
     ZeroFrames,
     ZeroMode,
     show,
-    with_as_built,
 )
 
 app = typer.Typer()
@@ -42,48 +38,8 @@ Twin = Annotated[
 ]
 
 
-@app.command()
-def frames(
-    specs: Specs,
-    kind: Annotated[
-        str | None,
-        typer.Option(
-            help="Kind of recording: paper (143 000 frames per face), grasp or continuous."
-        ),
-    ] = None,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-    as_built: AsBuilt = None,
-    workers: Workers = 1,
-    scheduler: Scheduler = None,
-) -> None:
-    """Simulated recordings as a data set: the paper's collection, grasps, or presses anywhere."""
-    from instobj.commands.run import simulate_recordings
-
-    chosen = [] if kind is None else [f"collection.kind={kind}"]
-    given = [*with_as_built(overrides, as_built), *chosen]
-    show(simulate_recordings(specs, out, given, workers, scheduler), as_json)
-
-
-@app.command()
+@app.command(rich_help_panel=MEASURE)
 def train(
-    sources: Sources,
-    start: Start = None,
-    twin: Twin = None,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Train a contact estimator per face, on simulated presses or on a data set.
-
-    With --set training.model=inversion: tables of the forward model, for contacts on all faces at once.
-    """
-    _estimate(sources, ("networks",), start, twin, out, as_json, overrides)
-
-
-@app.command()
-def evaluate(
     sources: Sources,
     start: Start = None,
     twin: Twin = None,
@@ -97,11 +53,17 @@ def evaluate(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """The paper's four metrics on held-out presses (trains first where nothing is stored)."""
-    _estimate(sources, ("networks", "metrics"), start, twin, out, as_json, overrides, on)
+    """Train contact estimators on simulated presses or a data set; judge them on held-out presses.
+
+    With --set training.model=inversion: tables of the forward model, for contacts on all faces at once.
+    """
+    from instobj.commands.run import run_estimator
+
+    stages = ("networks", "metrics")
+    show(run_estimator(sources, stages, out, overrides or [], start, twin, on), as_json)
 
 
-@app.command()
+@app.command(rich_help_panel=MEASURE)
 def export(
     models: Annotated[
         list[Path],
@@ -118,7 +80,7 @@ def export(
     show(export_models(models, out), as_json)
 
 
-@app.command()
+@app.command(rich_help_panel=MEASURE)
 def predict(
     model: Annotated[Path, typer.Argument(help="Exported estimator (.onnx), or contacts.nc.")],
     file: Annotated[
@@ -160,18 +122,3 @@ def predict(
     elif port is not None:
         for line in on_port(model, port, Zeroing(zero, zero_frames), frames, baud):
             typer.echo(line)
-
-
-def _estimate(
-    sources: list[Path],
-    stages: tuple[str, ...],
-    start: Path | None,
-    twin: Path | None,
-    out: Path,
-    as_json: bool,
-    overrides: list[str] | None,
-    on: Path | None = None,
-) -> None:
-    from instobj.commands.run import run_estimator
-
-    show(run_estimator(sources, stages, out, overrides or [], start, twin, on), as_json)

@@ -8,6 +8,8 @@ from typing import Annotated, Any, Literal
 
 import typer
 
+from design.errors import InputError
+
 Specs = Annotated[
     list[Path], typer.Argument(help="Specification files (TOML).", show_default=False)
 ]
@@ -29,16 +31,12 @@ Overrides = Annotated[
         help="Override a key of the specification, e.g. shell.thickness_mm=9; can be repeated.",
     ),
 ]
-AsBuilt = Annotated[
-    Path | None,
-    typer.Option(help="Measurements of the built object (default: SPEC.as_built.toml)."),
-]
 Workers = Annotated[
-    int, typer.Option(min=1, help="Number of processes on this machine that make stages.")
-]
-Scheduler = Annotated[
-    str | None,
-    typer.Option(help="Dask scheduler whose workers make stages, such as tcp://host:8786."),
+    str,
+    typer.Option(
+        metavar="N|ADDRESS",
+        help="Processes on this machine that make stages, or a Dask scheduler, tcp://host:8786.",
+    ),
 ]
 Port = Annotated[str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")]
 LoadPort = Annotated[
@@ -73,6 +71,13 @@ ZeroMode = Annotated[
 ]
 ZeroFrames = Annotated[int, typer.Option(min=5, help="Frames at rest that give the baseline.")]
 HERE = Path()
+DESIGN, JUDGE, MEASURE, KEEP = (
+    "Design",
+    "Judge a design",
+    "Measure and estimate",
+    "Results and pages",
+)
+"""Headings of `instobj --help`."""
 
 
 def show(result: dict[str, Any], as_json: bool) -> None:
@@ -85,7 +90,53 @@ def show(result: dict[str, Any], as_json: bool) -> None:
     print_result(result)
 
 
-def with_as_built(overrides: list[str] | None, as_built: Path | None) -> list[str]:
-    """Overrides with the file of measured positions among them."""
-    given = [] if as_built is None else [f"as_built={json.dumps(str(as_built.absolute()))}"]
-    return [*(overrides or []), *given]
+TARGETS = {
+    "mesh": "mesh",
+    "presses": "signals discretisation",
+    "scores": "scores weak_areas discretisation",
+    "compliance": "compliance",
+    "identify": "identify",
+    "robustness": "robustness",
+    "slip": "slip",
+    "frames": "frames",
+    "pretraining": "pretraining",
+    "report": "report",
+}
+"""Results that `instobj run --to` names, and the stages that make them."""
+
+
+def run_to(
+    stages: str,
+    specs: list[Path],
+    out: Path,
+    as_json: bool,
+    overrides: list[str] | None,
+    workers: str = "1",
+) -> None:
+    """Bring specifications to stages (separated by blanks) and print what came out."""
+    from instobj.commands.run import run_chain, simulate_recordings
+
+    number, scheduler = workers_and_scheduler(workers)
+    if stages == "frames":
+        show(simulate_recordings(specs, out, overrides or [], number, scheduler), as_json)
+    else:
+        chain = tuple(stages.split())
+        show(run_chain(specs, chain, out, overrides or [], number, scheduler), as_json)
+
+
+def workers_and_scheduler(workers: str) -> tuple[int, str | None]:
+    """Number of processes, and the address of a Dask scheduler where one is given.
+
+    Raises
+    ------
+    InputError
+        Neither a number above 0 nor an address.
+    """
+    if "://" in workers:
+        return 1, workers
+    if not workers.isdecimal() or int(workers) < 1:
+        raise InputError(
+            f"--workers must be a number of processes above 0, or the address of a Dask scheduler "
+            f"(tcp://host:8786); got {workers!r}"
+        )
+    return int(workers), None

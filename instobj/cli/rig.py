@@ -39,22 +39,18 @@ def rig(
             help="Newtons per unit of a load port that sends one number per line; 1 where lines name a unit."
         ),
     ] = None,
-    machine_baud: Annotated[
-        int, typer.Option(min=300, help="Bits per second of the machine's port.")
-    ] = 115_200,
     baud: Annotated[
         int, typer.Option(min=300, help="Bits per second of the ports of board and load cell.")
     ] = 115_200,
-    lost: Annotated[
-        float,
-        typer.Option(min=0.05, help="Time without data after which a port counts as lost, s."),
-    ] = 1.5,
     face: Annotated[
         list[int] | None, typer.Option(help="Face to press (poses: several, by default all).")
     ] = None,
     middle: Annotated[
         str | None,
-        typer.Option(metavar="X,Y", help="Middle of the face in the machine's frame, mm."),
+        typer.Option(
+            metavar="X,Y,Z",
+            help="Where the tip just touches the face's middle, in the machine's frame, mm.",
+        ),
     ] = None,
     turn: Annotated[
         float,
@@ -73,9 +69,6 @@ def rig(
         float | None,
         typer.Option(min=0, help="Dwell time at every stop, s (default: 0.5; --adaptive: 0.8)."),
     ] = None,
-    rest: Annotated[
-        float | None, typer.Option(min=0, help="Rest before every press, s (default: 1.5).")
-    ] = None,
     speed: Annotated[
         float | None, typer.Option(min=0.05, help="Speed of presses, mm/s (default: 1).")
     ] = None,
@@ -86,32 +79,8 @@ def rig(
             help="Load cycles per press, the tip lifted in between (default: 1; --adaptive: 9).",
         ),
     ] = None,
-    stroke_speed: Annotated[
-        float | None,
-        typer.Option(
-            min=0.05, help="Speed of load cycles after the first, mm/s (default: 4; --adaptive: 2)."
-        ),
-    ] = None,
-    pause: Annotated[
-        float | None,
-        typer.Option(
-            min=0.1, help="Pause between load cycles, tip lifted, s (default: 1; --adaptive: 1.5)."
-        ),
-    ] = None,
-    clearance: Annotated[
-        float | None,
-        typer.Option(
-            min=1, help="Height of the tip over the object between presses, mm (default: 5)."
-        ),
-    ] = None,
-    touch: Annotated[
-        float | None, typer.Option(help="Force that counts as touch, N (default: 0.2).")
-    ] = None,
     full: Annotated[
         float | None, typer.Option(help="Force that ends a press, N (default: 15).")
-    ] = None,
-    limit: Annotated[
-        float | None, typer.Option(help="Force that stops the machine, N (default: 20).")
     ] = None,
     repeats: Annotated[int, typer.Option(min=1, help="Presses per contact location.")] = 1,
     presses: Annotated[
@@ -129,9 +98,6 @@ def rig(
         int,
         typer.Option(min=0, help="Presses between returns to the middle location; 0: no returns."),
     ] = 10,
-    seed: Annotated[
-        int | None, typer.Option(help="Seed of the order of presses (default: the key seed).")
-    ] = None,
     resume: Annotated[
         bool, typer.Option("--resume", help="Resume the interrupted run with its plan.")
     ] = False,
@@ -148,17 +114,15 @@ def rig(
 
     ports = None
     if port is not None and board_port is not None:
-        ports = Ports(port, board_port, load_port, machine_baud, baud, load_scale, lost)
+        ports = Ports(port, board_port, load_port, baud, load_scale)
     given = {
-        "depths_mm": tuple(depth) if depth else None, "dwell_s": dwell, "rest_s": rest,
-        "speed_mm_s": speed, "strokes": strokes, "stroke_speed_mm_s": stroke_speed,
-        "pause_s": pause, "clearance_mm": clearance, "touch_n": touch, "full_n": full,
-        "limit_n": limit,
+        "depths_mm": tuple(depth) if depth else None, "dwell_s": dwell, "speed_mm_s": speed,
+        "strokes": strokes, "full_n": full,
     }  # fmt: skip
     settings = tuple((name, value) for name, value in given.items() if value is not None)
     options = RigOptions(
         spec, machine, out, ports, tuple(face or ()), _mounting(middle, turn), settings, repeats,
-        reference_every, presses, adaptive, seed, resume, tuple(overrides or ()),
+        reference_every, presses, adaptive, resume, tuple(overrides or ()),
     )  # fmt: skip
 
     def confirmed(plan: list[str]) -> bool:
@@ -175,9 +139,10 @@ def _mounting(middle: str | None, turn_deg: float) -> Mounting | None:
     if middle is None:
         return None
     try:
-        x, y = (float(part) for part in middle.split(","))
+        x, y, z = (float(part) for part in middle.split(","))
     except ValueError:
         raise InputError(
-            f"--middle {middle!r} is not X,Y in mm, such as --middle -150,-100"
+            f"--middle {middle!r} is not X,Y,Z in mm, such as --middle -150,-100,-42.5. Lower the tip "
+            "until it just holds a sheet of paper on the face's middle, and read MPos"
         ) from None
-    return Mounting((x, y), turn_deg)
+    return Mounting((x, y, z), turn_deg)

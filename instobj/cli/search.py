@@ -1,4 +1,4 @@
-"""Commands of the layout search and of experiments: studies of the design, the paper's experiments."""
+"""Commands of the layout search and of sweeps."""
 
 from __future__ import annotations
 
@@ -7,7 +7,18 @@ from typing import Annotated
 
 import typer
 
-from instobj.cli.options import HERE, AsJson, Out, Overrides, Scheduler, Spec, Workers, show
+from design.errors import InputError
+from instobj.cli.options import (
+    HERE,
+    JUDGE,
+    AsJson,
+    Out,
+    Overrides,
+    Spec,
+    Workers,
+    show,
+    workers_and_scheduler,
+)
 
 app = typer.Typer()
 
@@ -20,75 +31,50 @@ Storage = Annotated[
 ]
 
 
-@app.command()
+@app.command(rich_help_panel=JUDGE)
 def optimize(
     spec: Spec,
     resume: Annotated[bool, typer.Option("--resume", help="Resume the existing search.")] = False,
     storage: Storage = None,
-    workers: Workers = 1,
-    scheduler: Scheduler = None,
+    join: Annotated[
+        int | None,
+        typer.Option(
+            metavar="NUMBER", help="Work on the search in --storage, as worker NUMBER of several."
+        ),
+    ] = None,
+    workers: Workers = "1",
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
     """Search for a better layout, as the table `search` says; confirm it with the whole chain."""
-    from instobj.search.optimize import optimize as run
+    from design.search.space import search_space
+    from design.spec_io import load_spec
 
-    show(run(spec, out, overrides or [], resume, storage, workers, scheduler), as_json)
+    search_space(load_spec(spec, overrides or []))  # refused before the seconds that imports take
 
-
-@app.command()
-def worker(
-    spec: Spec,
-    storage: Annotated[str, typer.Option(help="Storage that all workers share.")],
-    number: Annotated[int, typer.Option(help="Worker number; seeds its random generator.")] = 1,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Work on a search together with others, on any number of machines."""
+    from instobj.search.optimize import optimize as search_layouts
     from instobj.search.optimize import work
 
-    show(work(spec, out, overrides or [], storage, number), as_json)
+    given = overrides or []
+    if join is None:
+        number, scheduler = workers_and_scheduler(workers)
+        show(search_layouts(spec, out, given, resume, storage, number, scheduler), as_json)
+    elif storage is None:
+        raise InputError("--join works on the search of others. Give its --storage too")
+    else:
+        show(work(spec, out, given, storage, join), as_json)
 
 
-@app.command()
+@app.command(rich_help_panel=JUDGE)
 def sweep(
     study: Annotated[Path, typer.Argument(help="Study (TOML).", show_default=False)],
-    workers: Workers = 1,
-    scheduler: Scheduler = None,
+    workers: Workers = "1",
     out: Out = HERE,
     as_json: AsJson = False,
 ) -> None:
     """Score many specifications: a grid, a Latin hypercube, or files."""
-    from instobj.sweep.sweep import sweep as run
+    from instobj.sweep.sweep import sweep as score_all
 
-    show(run(study, out, workers, scheduler), as_json)
-
-
-@app.command()
-def experiment(
-    name: Annotated[
-        str, typer.Argument(help="Name of the experiment; `instobj experiments` lists them.")
-    ],
-    spec: Spec,
-    quick: Annotated[
-        bool, typer.Option("--quick", help="Reduced resolution, for a preview only.")
-    ] = False,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Run an experiment on a specification: a table and a figure."""
-    from instobj.experiments.registry import run_study
-
-    show(run_study(name, spec, out, quick, overrides or []), as_json)
-
-
-@app.command()
-def experiments(as_json: AsJson = False) -> None:
-    """List the experiments."""
-    from instobj.experiments.registry import studies
-
-    rows = [{"experiment": study.name, "answers": study.help} for study in studies().values()]
-    show({"command": "experiments", "tables": {"experiments": rows}}, as_json)
+    number, scheduler = workers_and_scheduler(workers)
+    show(score_all(study, out, number, scheduler), as_json)

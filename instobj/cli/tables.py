@@ -14,9 +14,12 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.table import Table
 
+from instobj.report.summary import AREAS_TITLE
 from instobj.report.surroundings import surroundings_lines
 from instobj.store import readers
 
+HEADLINES = (("verdict", "not judged"), (AREAS_TITLE, "not judged", "discretisation error"))
+"""Titles of a summary that a terminal shows in place of all its tables; the rest is in `--json`."""
 _MOST_COLUMNS = 12
 _NOTHING = 1e-10
 """Magnitude below which a figure is a rounding error of what was added up."""
@@ -50,11 +53,13 @@ def print_result(result: dict[str, Any]) -> None:
         console.print(text)
     for item in result.get("objects", ()):
         console.rule(item["name"])
-        _print_summary(console, item["summary"])
+        _print_summary(console, _headlines(item["summary"]))
         _print_files(console, item["files"])
     if "comparison" in result:
         console.rule("comparison")
-        title = "medians over all contact locations, fresh baseline unless stated"
+        title = (
+            "medians over the contact locations that reach the force, fresh baseline unless stated"
+        )
         _print_rows(console, title, _turned(result["comparison"]["rows"]))
         _print_files(console, result["comparison"]["files"])
     for title, rows in result.get("tables", {}).items():
@@ -105,6 +110,14 @@ def _turned(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
         {first: key} | {head: row[key] for head, row in zip(heads, rows, strict=True)}
         for key in others
     ]
+
+
+def _headlines(summary: dict[str, Any]) -> dict[str, Any]:
+    """Return what decides something: the verdict, else the bounds by area, else all there is."""
+    for titles in HEADLINES:
+        if titles[0] in summary:
+            return {title: summary[title] for title in titles if title in summary}
+    return summary
 
 
 def _print_summary(console: Console, summary: dict[str, Any]) -> None:

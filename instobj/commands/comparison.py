@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from design.errors import InputError
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
@@ -20,20 +19,21 @@ MOST = 4
 """Designs on a page: each view is a picture in three dimensions."""
 
 
-def compare_designs(paths: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
-    """Bring each specification to its scores and its scene, and write `comparison.html`.
+def score_designs(
+    paths: list[Path], shear: bool, out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Bring each specification to its scores; two to four of them get `comparison.html` as well.
 
     Raises
     ------
     InputError
-        Fewer than two specifications, or more than fit on a page.
+        A bad specification, or two of one name.
     """
-    if not 2 <= len(paths) <= MOST:
-        raise InputError(
-            f"compare wants 2 to {MOST} specifications; got {len(paths)}. `instobj score` takes any "
-            "number, without the page"
-        )
-    result = run_chain(paths, ("scores", "scene"), out, overrides)
+    stages = ("scores", "weak_areas", *(("shear_scores",) if shear else ()), "discretisation")
+    compared = 1 < len(paths) <= MOST
+    result = run_chain(paths, (*stages, "scene") if compared else stages, out, overrides)
+    if not compared:
+        return result
     specs = [load_spec(path, overrides) for path in paths]
     scenes = [Run(spec).require("scene").folder for spec in specs]
     page = write_comparison_page(

@@ -5,19 +5,23 @@ from __future__ import annotations
 from pathlib import Path
 
 from design.errors import InputError
+from instobj.commands.specification_file import TEMPLATE
 
 _PACKAGE = Path(__file__).parents[1]
 _FOLDERS = (_PACKAGE / "docs", _PACKAGE.parent / "docs")
 """In an installed wheel, and in a checkout."""
+_KEYS = "specification"
+"""Name under which the template with every key is printed."""
 
 
 def page_names() -> list[str]:
     """Names of the pages, in order."""
-    return sorted(path.stem for path in _folder().glob("*.md") if path.stem != "index")
+    pages = {path.stem for path in _folder().glob("*.md")} - {"index"}
+    return sorted(pages | {_KEYS})
 
 
 def page_text(name: str) -> str:
-    """A page (Markdown).
+    """A page (Markdown), or all keys of a specification (TOML).
 
     Raises
     ------
@@ -26,6 +30,8 @@ def page_text(name: str) -> str:
     """
     if name not in page_names():
         raise InputError(f"no page is called {name!r}. Choose one of {', '.join(page_names())}")
+    if name == _KEYS:
+        return TEMPLATE.read_text(encoding="utf-8")
     return (_folder() / f"{name}.md").read_text(encoding="utf-8")
 
 

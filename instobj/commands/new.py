@@ -1,7 +1,8 @@
-"""A specification to start from: the template with its comments, and what was placed in it."""
+"""A specification to start from: what is asked for, placed so that it can be made."""
 
 from __future__ import annotations
 
+import difflib
 import re
 import warnings
 from collections.abc import Iterable, Iterator
@@ -14,7 +15,6 @@ from typing import Any
 import numpy as np
 
 from design.body.imported import body_of_file
-from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
 from design.errors import InputError
 from design.fabrication.finding import Finding
@@ -34,15 +34,8 @@ from design.placement.objects import Request, Tables, relaid, spec_of
 from design.placement.room import narrow_heads
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
+from instobj.commands.specification_file import specification_text
 
-_TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
-_HEADING = re.compile(r"\[([\w.]+)\]")
-_LINE = re.compile(r"(?:# )?(\w+) = ")
-_COMMENT = re.compile(r"\s+# .*$")
-_DEFAULTS = re.compile(r"^# Every value below is the default.*$", re.MULTILINE)
-_COLUMN = 28
-_NAME = '"NAME"'
-_OTHERS = "OTHER KINDS"
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
 """By which a mould's seam is turned, and how many turned ones are tried of a shell."""
@@ -52,30 +45,9 @@ _BED = "fits the bed"
 _OF_THE_BODY = {"undercut", _BED}
 """Checks that fail by the shape or size of a body, wherever its parts are."""
 
-BOX_ONLY = (
-    ".arrangement",
-    "magnets.depth_below_core_face_mm",
-    "mechanics.interface",
-    "mechanics.correction",
-    "mechanics.slip",
-)
-"""Keys and tables of the template that other bodies do not take."""
-_COMMENTS = {
-    "contact_grid.count": "as many as fit on each face; or x and y for all of them, such as [10, 10]",
-    "core.keys.positions_mm": "x, y on every sensed face of the core, beside recesses and wire hole",
-}
-"""Comments of placed objects, where the template's are the cube's."""
-_OF_BORED = {
-    "body.open_faces": "[6]: a bore through -z, by whose rod the core is held while it is cast in; []: none",
-    "body.bore_mm": "through the open face 6",
-}
-"""Those of bodies that open by a bore."""
-_BAY_MM, _BASE_BAY_MM = (10.0, 10.0, 10.0), (10.0, 8.0, 2.0)
-"""Bays small enough for most bodies, as examples: in a core, and in a rigid base."""
-
 
 def new_specification(name: str, out: Path, request: Request | None = None) -> Path:
-    """Write `NAME.toml`: the paper's cube, or what is requested, with every field commented.
+    """Write `NAME.toml`: the paper's cube, or what is requested, with the keys that matter first.
 
     Raises
     ------
@@ -90,9 +62,7 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
         )
     if target.exists():
         raise InputError(f"{target} is already there. Choose another name, or move it away")
-    text, named = _TEMPLATE.read_text(encoding="utf-8"), f'name = "{name}"'
-    text = text.replace(f"{'name = ' + _NAME:<{_COLUMN}}", f"{named:<{_COLUMN}}")
-    text = text.replace(_OTHERS, _other_kinds(request.kind if request else BodySpec().kind))
+    tables: Tables | None = None
     if request is not None:
         tables, failed = made(request)
         if any(finding.check != _BED for finding in failed):
@@ -101,9 +71,8 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
         if max(request.size_mm) > most_printed_mm():
             warnings.warn(_beyond_the_bed(request), stacklevel=2)
-        text = _filled(text, tables, KINDS[request.kind], out)
     with atomic_path(target) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+        temporary.write_text(specification_text(name, out, tables), encoding="utf-8")
     return target
 
 
@@ -287,7 +256,7 @@ def request_of(
         return None
     kind = kind or BodySpec().kind
     if kind not in KINDS:
-        raise InputError(f"--kind {kind} is not known. Choose one of {', '.join(KINDS)}")
+        raise InputError(f"--kind {kind} is not known. {_kind_that_is_meant(kind)}")
     if unit is not None and unit not in MM:
         raise InputError(f"--unit {unit} is not known. Choose one of {', '.join(MM)}")
     if scale is not None and not 0 < scale < inf:
@@ -311,6 +280,54 @@ def request_of(
     return replace(request, size_mm=tuple(read["size_mm"]), file=tuple(keys.items()))
 
 
+_MEANT = {
+    "cube": "box",
+    "cuboid": "box",
+    "block": "box",
+    "ball": "sphere",
+    "globe": "sphere",
+    "egg": "ellipsoid",
+    "can": "cylinder",
+    "tube": "cylinder",
+    "pill": "capsule",
+    "hemisphere": "dome",
+    "stl": "imported",
+    "step": "imported",
+}
+"""Words for shapes, and the kind of body that has them."""
+
+
+def _kind_that_is_meant(word: str) -> str:
+    kinds = f"Choose one of {', '.join(KINDS)}"
+    close = difflib.get_close_matches(word.lower(), [*KINDS, *_MEANT], n=1)
+    meant = _MEANT.get(close[0], close[0]) if close else None
+    return f"Did you mean {meant}? {kinds}" if meant in KINDS else kinds
+
+
+def size_of(text: str, kind: str | None) -> tuple[float, float, float]:
+    """The three edges (mm) that options give: apart, or joined as 60x60x85; one of a sphere or a cube.
+
+    Raises
+    ------
+    InputError
+        Another number of edges, or something that is no number.
+    """
+    words = re.split(r"[x×,; ]+", text.strip())
+    example = "write --size 70 50 35"
+    try:
+        edges = [float(word.removesuffix("mm")) for word in words]
+    except ValueError:
+        raise InputError(f"--size is three lengths in mm; got {text}: {example}") from None
+    if len(edges) == 1 and kind in ("sphere", "box"):
+        edges *= 3
+    if len(edges) != 3:
+        raise InputError(
+            f"--size is three lengths in mm, along x, y and z; got {len(edges)}: {text}. "
+            f"For instance, {example}"
+        )
+    return edges[0], edges[1], edges[2]
+
+
 def _refuse_alone(goes_with: str, **options: Any) -> None:
     """Refuse options that would otherwise be without effect."""
     for name, value in options.items():
@@ -318,52 +335,6 @@ def _refuse_alone(goes_with: str, **options: Any) -> None:
             raise InputError(
                 f"--{name} {value} goes {goes_with}; got it alone. Add that, or leave it out"
             )
-
-
-def _filled(text: str, tables: Tables, kind: type[BodyKind], out: Path) -> str:
-    """The template with what was placed, without what the kind does not take."""
-    values = {f"{t}.{k}": value for t, keys in tables.items() for k, value in keys.items()}
-    if kind.from_file:
-        del values["body.size_mm"]
-        values["body.file"] = _from(out, values["body.file"])
-    where, lines = "", []
-    for line in text.splitlines():
-        heading, key = _HEADING.match(line), _LINE.match(line)
-        where = heading[1] if heading else where
-        name = f"{where}.{key[1]}" if key else where
-        if _left_out(name, kind) or (name == "sensors.first_azimuth_deg"):
-            continue
-        if key and name in values:
-            line = _with_value(line, key[1], values.pop(name))
-        if name == "core.bay_mm":
-            bay = _BASE_BAY_MM if kind.on_base else _BAY_MM
-            line = _with_value(line, f"# {key[1] if key else ''}", bay)
-        comment = _comment(name, kind) if key or heading else None
-        lines.append(line if comment is None else _COMMENT.sub(f"{_gap(line)}# {comment}", line))
-    if values:
-        raise AssertionError(f"the template has no lines for {sorted(values)}")
-    whole = re.sub(r"\n{3,}", "\n\n", "\n".join(lines) + "\n")
-    return _DEFAULTS.sub(_about(kind), whole)
-
-
-def _comment(name: str, kind: type[BodyKind]) -> str | None:
-    """What stands beside a key or above a table of a placed object; None: the template's own words."""
-    bored = _OF_BORED if _bored(kind) else {}
-    return (_COMMENTS | bored | dict(kind.comments)).get(name)
-
-
-def _bored(kind: type[BodyKind]) -> bool:
-    return bool(kind.openable) and not kind.opens_sides
-
-
-def _other_kinds(kind: str) -> str:
-    return ", ".join(other for other in KINDS if other != kind)
-
-
-def _gap(line: str) -> str:
-    """The blanks before a line's comment."""
-    found = re.search(r"\s+(?=# [^#]*$)", line)
-    return found[0] if found else "  "
 
 
 def _left_out_faces(request: Request, sensed: list[int]) -> str:
@@ -382,52 +353,3 @@ def _beyond_the_bed(request: Request) -> str:
         f"moulds of bodies above {most_printed_mm():g} mm do not fit the printer's {bed} mm, which check "
         f"--fabrication will tell; this one is {max(request.size_mm):g} mm long. Give yours as printer.bed_mm"
     )
-
-
-def _about(kind: type[BodyKind]) -> str:
-    body = "body of a file" if kind.from_file else kind.name
-    return (
-        f"# Magnets, sensors, core and contact locations of this {body} were placed by `instobj new`;\n"
-        "# every other value is that of the cube of Knopke et al., RA-L 2024, and may be left out."
-    )
-
-
-def _left_out(name: str, kind: type[BodyKind]) -> bool:
-    """Whether a kind does not take a key, or a table with all that is in it."""
-    keys = {
-        "body.inside": len(kind.insides) > 1,
-        "body.sensed_faces": len(kind.faces) > 1,
-        "body.open_faces": bool(kind.openable),
-        "body.bore_mm": _bored(kind),
-        "body.file": kind.from_file,
-        "body.unit": kind.from_file,
-        "body.scale": kind.from_file,
-        "body.size_mm": not kind.from_file,
-        "sensors.first_azimuth_deg": False,
-        "shell.slits": kind.opens_sides,
-        "core.keys": kind.takes_keys,
-        "core.bay_mm": kind.opens_sides or kind.on_base,
-    } | dict.fromkeys(BOX_ONLY, kind.cuboid)
-    return any(
-        not takes and (name == key or name.startswith(f"{key}.")) for key, takes in keys.items()
-    )
-
-
-def _with_value(line: str, key: str, value: Any) -> str:
-    comment = _COMMENT.search(line)
-    written = f"{key} = {_toml(value)}"
-    past = "" if len(written) < _COLUMN else "    "
-    return f"{written:<{_COLUMN}}{past}{comment[0].strip()}" if comment else written
-
-
-def _toml(value: Any) -> str:
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_toml, value))}]"
-    return f'"{value}"' if isinstance(value, str) else repr(value)
-
-
-def _from(out: Path, file: str) -> str:
-    """A file as the specification in `out` names it."""
-    import os
-
-    return Path(os.path.relpath(file, out)).as_posix()

@@ -151,6 +151,11 @@ def run_chain(
     require_writable(out)
     for spec in loaded:
         _require_no_recording(spec, stages, out)
+        if "slip" in stages and not spec.mechanics.slip.slipped:
+            raise InputError(
+                f"{spec.name} has no slip of its core. Give one, such as "
+                "--set mechanics.slip.shift_mm=[1,0,0]"
+            )
     _make_by_workers(loaded, stages, workers, scheduler)
     result: dict[str, Any] = {
         "command": "chain",

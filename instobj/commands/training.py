@@ -44,7 +44,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
         A file that is no recording, or is given twice, or an invalid specification.
     """
     from estimator.frames.dataset import save_frames
-    from estimator.recordings.combine import combine, jump_between_faults
+    from estimator.recordings.combine import combine, faults_between
     from estimator.recordings.reading import read_recording
 
     require_writable(out)
@@ -58,7 +58,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
     frames, absent = (
         (frames, []) if recorded_object is None else _of_object(frames, recorded_object)
     )
-    between = jump_between_faults(found)
+    between = faults_between(found)
     target = run_folder(out, "+".join(path.stem for path in files)) / FRAMES.name
     save_frames(frames, target)
     return {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -51,8 +52,10 @@ def save_drawn(canvas: FigureCanvasAgg, path: Path | str) -> Path:
     picture = Image.fromarray(pixels)
     if pixels[..., 3].min() == 255:
         picture = picture.convert("RGB")
+    content = io.BytesIO()  # Pillow's encoder does not tell why a file cannot be written
+    picture.save(content, format="png", dpi=(dpi, dpi), compress_level=_COMPRESSION)
     with atomic_path(path) as temporary:
-        picture.save(temporary, format="png", dpi=(dpi, dpi), compress_level=_COMPRESSION)
+        temporary.write_bytes(content.getbuffer())
     return Path(path)
 
 

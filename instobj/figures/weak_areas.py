@@ -42,14 +42,14 @@ def draw_weak_areas(
     panels = figure.subplots(rows, columns, sharey=True, squeeze=False).ravel()
     for empty in panels[len(shown) :]:
         empty.set_axis_off()
-    bound = scores.position_bound_fresh_mm[scores.places]
+    bound = scores.position_bound_mm[scores.judged]
     known = bound[np.isfinite(bound)]
     top = 1.3 * float(known.max()) if len(known) else 1.0
     low = float(known.min()) / 1.3 if len(known) else 0.1
     for axes, name in zip(panels, shown, strict=False):
         axes.axhline(limit_mm, color="0.35", ls="--", lw=1)
         axes.set(yscale="log", ylim=(min(low, limit_mm / 1.3), max(top, limit_mm * 1.3)))
-        _draw_measure(axes, name, areas, scores.places, np.minimum(bound, top))
+        _draw_measure(axes, name, areas, scores.judged, np.minimum(bound, top))
     for axes in panels[::columns]:
         axes.set_ylabel("position bound, mm")
     panels[0].text(

@@ -108,7 +108,7 @@ def _row(chip: ChipOnBus) -> str:
 
 
 _HEADER = """\
-/* Sensors of {name}: written by instobj firmware. */
+/* Sensors of {name}: written by instobj bench firmware. */
 #pragma once
 #include <avr/io.h>
 #include <avr/pgmspace.h>

@@ -52,7 +52,7 @@ def plan_module(spec: ObjectSpec, plan: BusPlan) -> str:
     rows = [f"    {_place(chip)!r},  # {chip.label}" for chip in plan.chips]
     return "\n".join(
         [
-            f'"""Sensors of {spec.name}: written by instobj firmware."""',
+            f'"""Sensors of {spec.name}: written by instobj bench firmware."""',
             "",
             *lines,
             "PLACES = (  # bus, address after power-up, while read, multiplexer, channel, supply",

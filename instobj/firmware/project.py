@@ -20,7 +20,7 @@ from instobj.firmware.settings import family_of
 from instobj.store.readers import ORDERS
 
 _SOURCES = Path(__file__).parent
-_DRIVERS = {TMAG5273: "tmag5273", MLX90393: "mlx90393", TLE493D: "tle493d"}
+_DRIVERS = {chip.driver for chip in (TMAG5273, MLX90393, TLE493D)}
 
 
 def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
@@ -31,11 +31,11 @@ def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
     InputError
         Settings that the chip cannot take.
     """
-    driver = _DRIVERS[family_of(plan)]
+    driver = family_of(plan).driver
     files = {
         path.name: path.read_text(encoding="utf-8")
         for path in sorted((_SOURCES / plan.board.name).iterdir())
-        if path.is_file() and (path.stem == driver or path.stem not in _DRIVERS.values())
+        if path.is_file() and (path.stem == driver or path.stem not in _DRIVERS)
     }
     if plan.board is MEGA2560:
         files["plan.h"] = plan_header(spec, plan)
@@ -106,10 +106,10 @@ _INSTALL_PICO = """\
 _README = """\
 # Firmware of {name} for the {board}
 {count} sensors by {way}, {rate:g} frames per second, {baud} baud; pull-ups {pullup:g} kΩ on every bus line.
-Written by `instobj firmware`; `{plan}` holds all that belongs to this object.
+Written by `instobj bench firmware`; `{plan}` holds all that belongs to this object.
 
 {install}
-    instobj collect FIRST --port /dev/ttyACM0 --baud {baud}
+    instobj bench collect FIRST --port /dev/ttyACM0 --baud {baud}
 
 `wiring.svg` is the drawing; `wiring.csv` has every wire with colour and length in the order of soldering,
 `orders.csv` every part to buy.
@@ -135,7 +135,7 @@ def write_project(files: dict[str, str], folder: Path) -> list[Path]:
         The folder cannot be written.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    for name in {f"{driver}.c" for driver in _DRIVERS.values()} - files.keys():
+    for name in {f"{driver}.c" for driver in _DRIVERS} - files.keys():
         (folder / name).unlink(missing_ok=True)
     for name, text in files.items():
         with atomic_path(folder / name) as path:

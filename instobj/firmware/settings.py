@@ -62,7 +62,7 @@ def chip_settings(spec: ObjectSpec, plan: BusPlan) -> dict[str, int]:
         return {"TMAG_WIDE": int(wide), "TMAG_AVERAGING": sensors.averaging.bit_length() - 1}
     if family_of(plan) is TLE493D:
         return {"TLE_SHORT": int(selected is part.ranges[0])}
-    assert family_of(plan) is MLX90393
+    assert family_of(plan).driver == MLX90393.driver
     gain, resolution = _MLX_SETTINGS[selected.range_mt]
     return {"MLX_GAIN": gain, "MLX_RESOLUTION": resolution}
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Protocol
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from design.layout.body import face_frame, face_frames
@@ -18,6 +18,8 @@ from estimator.deploy.zeroing import ZeroMode
 from estimator.frames.face_data import Channel
 from instobj.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
+LeftOut = Bool[np.ndarray, "5 sensor 3"]
+"""Readings that are not believed."""
 _PRESENT = 0.5
 """Probability from which a face's estimator sees a contact."""
 
@@ -42,11 +44,15 @@ class Estimator(Protocol):
     every_frame: bool
     channels: tuple[Channel, ...]
 
-    def feed(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> Found | None:
+    def feed(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> Found | None:
         """What it reads in the next frame."""
         ...
 
-    def pass_by(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> None:
+    def pass_by(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> None:
         """Take a frame that is left out, of which the zero may learn."""
         ...
 
@@ -64,9 +70,11 @@ class InvertedContacts:
         self._spec, self._reader = spec, reader
         self.channels = reader.inversion.channels
 
-    def feed(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> Found | None:
+    def feed(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> Found | None:
         """What it reads in the next frame."""
-        found = self._reader.feed(raw_counts, time_s)
+        found = self._reader.feed(raw_counts, time_s, left_out)
         if found is None:
             return None
         radius, halfwidth = found.position_radius_mm[0], found.force_halfwidth_n[0]
@@ -81,9 +89,11 @@ class InvertedContacts:
         ]
         return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(found.explained[0]))
 
-    def pass_by(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> None:
+    def pass_by(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> None:
         """Take a frame that is left out: the zero follows it."""
-        self._reader.pass_by(raw_counts, time_s)
+        self._reader.pass_by(raw_counts, time_s, left_out)
 
     def rezero(self) -> None:
         """Take the zero anew from the frames that follow."""
@@ -101,11 +111,13 @@ class FaceContacts:
             dict.fromkeys(channel for one in readers for channel in one.model.channels)
         )
 
-    def feed(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> Found | None:
+    def feed(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> Found | None:
         """What they read in the next frame."""
         rows, explained = [], True
         for reader in self._readers:
-            found = reader.feed(raw_counts, time_s)
+            found = reader.feed(raw_counts, time_s, left_out)
             if found is None:
                 return None
             explained &= not found.novel[0]
@@ -119,7 +131,9 @@ class FaceContacts:
                 rows.append(placed_contact(self._spec, place, force, np.zeros(2)))
         return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(explained))
 
-    def pass_by(self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float) -> None:
+    def pass_by(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> None:
         """Leave a frame out, where too many wait."""
 
     def rezero(self) -> None:

@@ -93,7 +93,9 @@ async def _guard(request: web.Request, handler: Handler) -> web.StreamResponse:
     """Refuse names that are not ours (a foreign page may point its own name here), pages of other
     origins, and requests without the token."""
     page = request.app[_PAGE]
-    if is_loopback(page.address) and _name(request.host) not in _LOCAL_NAMES:
+    # The address itself as well: 127.0.0.2 is printed as 127.0.0.2, and a foreign name cannot be it.
+    names = (*_LOCAL_NAMES, page.address)
+    if is_loopback(page.address) and _name(request.host) not in names:
         raise web.HTTPForbidden(text=f"this server is not {request.host}\n")
     origin = request.headers.get("Origin")
     if origin is not None and origin != f"http://{request.host}":

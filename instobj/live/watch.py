@@ -21,6 +21,7 @@ from design.errors import InputError
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards.link import counts_of
+from estimator.recordings.checks.stream import SoundReadings
 from estimator.recordings.table import channel_name
 from instobj.live.contacts import Estimator, Found, placed_labels
 from instobj.live.health import WINDOW, channel_health, health_limits
@@ -55,13 +56,15 @@ def channel_names(spec: ObjectSpec) -> list[str]:
 
 @dataclass(frozen=True)
 class Row:
-    """One frame: its number, when it arrived, the board's time, raw counts and change."""
+    """One frame: its number, when it arrived, the board's time, raw counts and change, and which readings
+    are not believed."""
 
     number: int
     arrived_s: float
     time_s: float
     raw: Float[np.ndarray, "channel"]
     change: Float[np.ndarray, "channel"]
+    left_out: Bool[np.ndarray, "5 sensor 3"]
 
 
 @dataclass(frozen=True)
@@ -107,6 +110,7 @@ class Watch:
         self._places = np.zeros(0, int)
         self._next, self._read_to = 0, 0
         self._rezero_asked = False
+        self._sound = SoundReadings()
         self._start_zero()
 
     def take(self, message: bytes) -> None:
@@ -163,7 +167,7 @@ class Watch:
             "health": health,
             "zeroed": self._zero is not None,
             "explained": self.reading.found.explained,
-            "trouble": self._trouble,
+            "trouble": self._trouble or self._sound.text,
             "read": self._read_frames,
             "now_s": time.time(),
         }
@@ -175,8 +179,10 @@ class Watch:
         if self._zero is None:
             self._gather_zero(raw)
         change = raw * np.nan if self._zero is None else raw - self._zero
+        counts = counts_of(self._channels, tuple(raw[self._places].tolist()))
+        left_out = np.isnan(self._sound.known(counts)) & ~np.isnan(counts)
         with self._fresh:
-            self._rows.append(Row(self._next, arrived_s, time_s, raw, change))
+            self._rows.append(Row(self._next, arrived_s, time_s, raw, change, left_out))
             self._next += 1
             self._fresh.notify()
 
@@ -212,11 +218,11 @@ class Watch:
 
     def _pass_by(self, estimator: Estimator, row: Row) -> None:
         with suppress(InputError):  # told once it is read
-            estimator.pass_by(self._counts(row), row.time_s)
+            estimator.pass_by(self._counts(row), row.time_s, row.left_out)
 
     def _read(self, estimator: Estimator, row: Row) -> None:
         try:
-            found = estimator.feed(self._counts(row), row.time_s)
+            found = estimator.feed(self._counts(row), row.time_s, row.left_out)
         except InputError as error:
             self._trouble, self.reading = str(error), NOTHING
             time.sleep(_AGAIN_S)

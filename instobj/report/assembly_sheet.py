@@ -67,7 +67,7 @@ def assembly_sheet(
         pins=_pin_rows(pins),
         prints=[_print(part) for part in manifest.parts if part.printing is not None],
         steps=steps(spec, parts),
-        materials=_materials(spec, manifest),
+        materials=_materials(spec, manifest, plan),
         orders=[_order(line) for line in orders],
         cost=_cost(orders),
     )
@@ -196,7 +196,7 @@ def _route(chip: ChipOnBus) -> str:
     return f"{chip.part}, 0x{chip.multiplexer:02X} channel {chip.channel}"
 
 
-def _materials(spec: ObjectSpec, manifest: BuildManifest) -> list[list[str]]:
+def _materials(spec: ObjectSpec, manifest: BuildManifest, plan: BusPlan | None) -> list[list[str]]:
     return [
         [
             item.item,
@@ -205,7 +205,7 @@ def _materials(spec: ObjectSpec, manifest: BuildManifest) -> list[list[str]]:
             "" if item.mass_g is None else f"{item.mass_g:.1f}",
             item.note,
         ]
-        for item in bill_of_materials(spec, manifest)
+        for item in bill_of_materials(spec, manifest, plan)
     ]
 
 

@@ -146,7 +146,7 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
         *_sealed(spec),
         *([] if held else [core]),
         *([wires] if opening_of(spec) == "closed" else []),
-        "Read all sensors at rest and run `instobj selftest`: it finds flipped magnets and swapped "
+        "Read all sensors at rest and run `instobj bench selftest`: it finds flipped magnets and swapped "
         "channels.",
         "Put the object on its jig, align the jig's grooves with the machine, and calibrate."
         if "jig" in parts

@@ -31,7 +31,7 @@ from instobj.report.uncertainty import (
     modulus_text,
     travel_text,
 )
-from instobj.report.verdict import judge
+from instobj.report.verdict import judge, objects_text
 from instobj.report.weak_areas import weak_areas_section
 from instobj.store import readers
 from instobj.store.readers import BOUND_OVERVIEW, published_files
@@ -74,7 +74,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
     """Write the page from the folders of the stages it stands on."""
     scores = readers.SCORES.read(inputs["scores"])
     curves = readers.PRESS_CURVES.read(inputs["press_curves"])
-    verdict = judge(spec, scores, curves["saturation_margin"])
+    budget = readers.ROBUSTNESS.read(inputs["robustness"])
+    verdict = judge(spec, scores, curves["saturation_margin"], budget.saturation)
     protocol = readers.PROTOCOL.read(inputs["frames"])
     page = render(
         "report.html.j2",
@@ -158,10 +159,10 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
     from estimator.information.scores import summarize_areas
 
     columns = {
-        "position_bound_fresh_mm": "position bound, mm",
+        "position_bound_mm": "position bound, mm",
         "position_bound_drifted_mm": "after 15 min of drift, mm",
-        "force_bound_fresh_n": "force bound, N",
-        "detectable_force_fresh_n": "detectable force, N",
+        "force_bound_n": "force bound, N",
+        "detectable_force_n": "detectable force, N",
         "stiffness_n_per_mm": "N/mm",
     }
     areas = summarize_areas(scores)
@@ -170,7 +171,7 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
             area.area.replace("_", "-"),
             str(area.places),
             *(shown(area.medians[name]) for name in columns),
-            shown(area.ratio_to_centre["position_bound_fresh_mm"]),
+            shown(area.ratio_to_centre["position_bound_mm"]),
         ]
         for area in areas
     ]
@@ -208,6 +209,7 @@ def _robustness(inputs: Inputs) -> dict[str, Any]:
             for row in bound_rows(budget)
         ],
         "draws": budget.draws,
+        "saturation": f"{objects_text(budget.saturation).capitalize()}.",
         "budget_forces": forces_told(budget),
         "seat_error": SEAT_ERROR,
     }
@@ -286,12 +288,7 @@ def _files(inputs: Inputs) -> list[tuple[str, list[Link]]]:
 def _provenance(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
     records = {name: read_record(folder) for name, folder in inputs.items()}
     rows = [
-        [
-            name,
-            record["key"][:16],
-            f"{record['seconds']:.1f} s",
-            ", ".join(record["inputs"]["spec"]),
-        ]
+        [name, record["key"][:16], ", ".join(record["inputs"]["spec"])]
         for name, record in records.items()
     ]
     versions = next(iter(records.values()))["inputs"]["libraries"]

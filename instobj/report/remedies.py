@@ -13,7 +13,7 @@ from typing import Any
 from design.spec.object import ObjectSpec
 from instobj.report.verdict import beside_limit, judge, worst_ratio
 from instobj.store.content import StoredResult
-from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, SCORES
+from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES
 
 _SHOWN, _BEST = 3, 7
 """Remedies told in words, and in the table."""
@@ -76,7 +76,8 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
 def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[str, str]:
     """What the report's first lines say."""
     margin = PRESS_CURVES.read(results["press_curves"].folder)["saturation_margin"]
-    verdict = judge(spec, SCORES.read(results["scores"].folder), margin)
+    objects = ROBUSTNESS.read(results["robustness"].folder).saturation
+    verdict = judge(spec, SCORES.read(results["scores"].folder), margin, objects)
     rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
     return {
         "GO" if verdict.go else "NO-GO": f"for the use {spec.limits.use!r}",
@@ -84,6 +85,13 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         "limited by": verdict.limited_by,
         "what to change": decision(remedies(spec, rows), verdict.go),
     }
+
+
+def _above(ratio: float) -> str:
+    """Return by how much a figure is above its limit, rounded so that it is never nothing."""
+    if ratio >= 1.1:
+        return f"{ratio:.3g} times"
+    return f"{100 * (ratio - 1):.2g} % above"
 
 
 def decision(found: list[Remedy], go: bool) -> str:
@@ -97,7 +105,7 @@ def decision(found: list[Remedy], go: bool) -> str:
     if not found:
         return "None of the changes tried here fits"
     nearest = min(found, key=_order)
-    left = f"Nearest: {nearest.told}, with a figure still {nearest.ratio:.3g} times its limit"
+    left = f"Nearest: {nearest.told}, with a figure still {_above(nearest.ratio)} its limit"
     if not isfinite(nearest.ratio):
         left = "After each of them some locations stay blind up to the deepest press"
         if isfinite(nearest.bound_mm):
@@ -133,6 +141,7 @@ def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Rem
         row["weakest_bound_mm"],
         row["worst_detectable_n"],
         row["saturation_margin"],
+        row["objects_margin"],
     )
     added = (row[part] - start[part] for part in ("magnets", "sensors"))
     bound = row["weakest_bound_mm"]

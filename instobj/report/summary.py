@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from design.spec.object import ObjectSpec
+from instobj.report.core_section import comparison_rows
 from instobj.report.remedies import verdict_summary
 from instobj.report.uncertainty import robustness_summary
 from instobj.report.weak_areas import WEAK_TITLE, weak_rows
@@ -29,8 +30,11 @@ from instobj.store.readers import (
     RESPONSE_SIZE,
     SCORES,
     SHEAR_SCORES,
+    SLIP,
     ResultFile,
 )
+
+AREAS_TITLE = "bounds by area (medians over all faces, fresh zero)"
 
 
 def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) -> dict[str, Any]:
@@ -44,10 +48,12 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("response", "mechanics", _read(RESPONSE_SIZE)),
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
         ("discretisation", "discretisation error", _discretisation),
-        ("scores", "bounds by area (medians over all faces, fresh zero)", _areas),
+        ("scores", AREAS_TITLE, _areas),
+        ("scores", "not judged", _unreached),
         ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
+        ("slip", "cost of the core's slip, by both models of it", _slip),
         ("identify", _identify_title(spec), _identify),
         ("frames", "simulated presses", _read(PROTOCOL)),
         ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
@@ -75,6 +81,13 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     if spec and "report" in results:
         made = {"verdict": verdict_summary(spec, results)} | made
     return {title: values for title, values in made.items() if values}
+
+
+def _slip(result: StoredResult) -> list[dict[str, Any]]:
+    """Rows of both models; none where the core has not slipped."""
+    if not SLIP.path(result.folder).exists():
+        return []
+    return comparison_rows(SLIP.read(result.folder)["models"])
 
 
 def _identify_title(spec: ObjectSpec | None) -> str:
@@ -156,15 +169,21 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
         {
             "area": area.area,
             "places": area.places,
-            "place mm": area.medians["position_bound_fresh_mm"],
-            "force N": area.medians["force_bound_fresh_n"],
-            "detect N": area.medians["detectable_force_fresh_n"],
+            "place mm": area.medians["position_bound_mm"],
+            "force N": area.medians["force_bound_n"],
+            "detect N": area.medians["detectable_force_n"],
             "δ": area.medians["delta_raw"],
-            "/centre": area.ratio_to_centre["position_bound_fresh_mm"],
+            "/centre": area.ratio_to_centre["position_bound_mm"],
             "δ/centre": area.ratio_to_centre["delta_raw"],
         }
         for area in summarize_areas(scores)
     ]
+
+
+def _unreached(result: StoredResult) -> dict[str, str]:
+    """Nothing where every location reaches the force."""
+    told = SCORES.read(result.folder).unreached
+    return {"force": told} if told else {}
 
 
 def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
@@ -185,19 +204,21 @@ def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _shear(result: StoredResult) -> list[dict[str, Any]]:
+    from estimator.information.fisher import SUFFIXES
+
     every = SHEAR_SCORES.read(result.folder)
-    rows = [row for row in every if not math.isnan(float(row["position_bound_fresh_mm"]))]
+    rows = [row for row in every if not math.isnan(float(row["position_bound_mm"]))]
     return [
         {
             "zero": state,
-            "place mm": _median(rows, f"position_bound_{state}_mm"),
-            "normal N": _median(rows, f"normal_force_bound_{state}_n"),
-            "tangential N": _median(rows, f"tangential_force_bound_{state}_n"),
+            "place mm": _median(rows, f"position_bound{suffix}_mm"),
+            "normal N": _median(rows, f"normal_force_bound{suffix}_n"),
+            "tangential N": _median(rows, f"tangential_force_bound{suffix}_n"),
             "tangential N, largest": max(
-                float(row[f"tangential_force_bound_{state}_n"]) for row in rows
+                float(row[f"tangential_force_bound{suffix}_n"]) for row in rows
             ),
         }
-        for state in ("fresh", "drifted")
+        for state, suffix in SUFFIXES.items()
     ]
 
 

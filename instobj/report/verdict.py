@@ -10,6 +10,7 @@ from design.layout.places.coverage import covered_share
 from design.spec.learning import LimitsSpec
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, summarize_areas, weakest_place
+from estimator.tolerances.saturation import KEPT_BY, Saturation
 
 ENOUGH_COVERED = 0.8
 
@@ -51,22 +52,33 @@ class Verdict:
 
 
 def worst_ratio(
-    limits: LimitsSpec, position_bound_mm: float, detectable_force_n: float, margin: float
+    limits: LimitsSpec,
+    position_bound_mm: float,
+    detectable_force_n: float,
+    margin: float,
+    objects_margin: float,
 ) -> float:
     """The largest of an object's weakest figures over its limit; 1 and below passes."""
     return max(
         position_bound_mm / limits.position_bound_mm,
         detectable_force_n / limits.detectable_force_n,
-        (1 - margin) / (1 - limits.saturation_margin),
+        _range_ratio(limits, margin, objects_margin),
     )
 
 
-def judge(spec: ObjectSpec, scores: PlaceScores, saturation_margin: float) -> Verdict:
-    """Judge an object from its scores and the share of the sensors' range that stays free."""
+def _range_ratio(limits: LimitsSpec, margin: float, objects_margin: float) -> float:
+    return max((1 - margin) / (1 - limits.saturation_margin), 1 - objects_margin)
+
+
+def judge(
+    spec: ObjectSpec, scores: PlaceScores, saturation_margin: float, objects: Saturation
+) -> Verdict:
+    """Judge an object from its scores, the share of the sensors' range that stays free in the design, and
+    its virtual objects' chips."""
     checks = (
         _position(spec, scores),
         _detection(spec, scores),
-        _saturation(spec, saturation_margin),
+        _saturation(spec, saturation_margin, objects),
     )
     tightest = max(checks, key=lambda check: check.ratio)
     reason = f"{tightest.what}: {tightest.value} ({tightest.where}), limit {tightest.limit}"
@@ -85,12 +97,13 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
         f"≤ {limit:g} mm",
         weakest.position_bound_mm / limit,
         f"face {weakest.face} at ({weakest.x_mm:g}, {weakest.y_mm:g}) mm, worst along "
-        f"{weakest.direction_deg:.0f}° from x",
+        f"{weakest.direction_deg:.0f}° from x"
+        + (f". {scores.unreached}" if scores.unreached else ""),
     )
 
 
 def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
-    every = np.where(scores.places, scores.detectable_force_fresh_n, -np.inf)
+    every = np.where(scores.places, scores.detectable_force_n, -np.inf)
     face, place = np.unravel_index(np.argmax(every), every.shape)
     force = every[scores.places]
     x, y = scores.grid.xy_mm[place]
@@ -118,22 +131,35 @@ def _shown(value: float, limit: float, unit: str, unknown: str) -> str:
     return f"{beside_limit(value, limit)} {unit}" if np.isfinite(value) else unknown
 
 
-def _saturation(spec: ObjectSpec, margin: float) -> Check:
-    limit = spec.limits.saturation_margin
+def _saturation(spec: ObjectSpec, margin: float, objects: Saturation) -> Check:
     return Check(
-        "How strong: sensor range left free in the deepest press",
-        f"{100 * margin:.0f} %",
-        f"≥ {100 * limit:g} %",
-        (1 - margin) / (1 - limit),
-        f"{spec.sensors.part}, ±{spec.sensors.range_mt:g} mT",
+        "How strong: sensor range left free in the deepest press, by the design; virtual objects whose "
+        "chips all stay within it",
+        f"{100 * margin:.0f} %; {100 * (1 - objects.out_share[-1]):.1f} %",
+        f"≥ {100 * spec.limits.saturation_margin:g} %; ≥ {100 * KEPT_BY:g} %",
+        _range_ratio(spec.limits, margin, objects.margin[-1]),
+        f"{spec.sensors.part}, ±{spec.sensors.range_mt:g} mT; {objects_text(objects)}",
     )
+
+
+def objects_text(objects: Saturation) -> str:
+    """How many virtual objects leave the range, at rest and from depth to depth."""
+    shares = dict(zip(objects.depth_mm, objects.out_share, strict=True))
+    at_rest, *pressed = (
+        f"{100 * share:.1f} % {f'at {depth:g} mm' if depth else 'at rest'}"
+        for depth, share in shares.items()
+        if depth == int(depth)
+    )
+    return f"of {objects.objects} virtual objects out of range: {', '.join([at_rest, *pressed])}"
 
 
 def _edge_weakness(scores: PlaceScores) -> str:
     times = {
-        area.area: f"{area.ratio_to_centre['position_bound_fresh_mm']:.1f} times"
+        area.area: f"{area.ratio_to_centre['position_bound_mm']:.1f} times"
         for area in summarize_areas(scores)
     }
+    if "corner" not in times and "edge" not in times:
+        return "No location at the border reaches this force"
     if "corner" not in times:
         return f"The position bound is {times['edge']} the centre's at the outermost locations"
     if "mid_edge" not in times:

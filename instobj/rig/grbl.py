@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import time
+import math
+import re
 from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Protocol, runtime_checkable
 
 from design.errors import InputError
+from instobj.rig.clock import Clock, Listening
 from instobj.rig.grbl_lines import (
     ALARMS,
     ERRORS,
@@ -28,27 +30,8 @@ from instobj.rig.grbl_lines import (
 )
 
 GRBL_BAUD = 115_200
-
-
-_SLOWEST_LOOKS = 5
-"""Looks, at least, before anything is called silent."""
-
-
-class Listening:
-    """Seconds spent listening: a program that was kept from looking, by a busy or
-    suspended computer, heard nothing meanwhile, whoever spoke. From one look to the next passes a fifth
-    of `patience_s` at most."""
-
-    def __init__(self, patience_s: float) -> None:
-        self._most_s = patience_s / _SLOWEST_LOOKS
-        self._looked_s = self.now_s = time.monotonic()
-
-    def look(self) -> float:
-        """The time now."""
-        now_s = time.monotonic()
-        self.now_s += min(now_s - self._looked_s, self._most_s)
-        self._looked_s = now_s
-        return self.now_s
+"""That of every Grbl 1.1; grblHAL on USB takes any."""
+_HEIGHT = re.compile(r"Z(-?[0-9.]+)")
 
 
 class MachineFault(InputError):
@@ -69,8 +52,10 @@ class GrblLink:
     """Lines to a machine and its answers.
 
     A line is sent once it fits into what is free of the machine's receive buffer, lines that belong
-    together once all of them do. `states` counts the reports of its state, `state` is the last one;
-    `trusted` is False while alarms and refusals are expected (a reset, homing).
+    together once all of them do. No line that goes below `floor_mm` (machine's Z) is sent, whoever asks
+    for it; until a floor is set none that names a height is. `states` counts the reports of its state,
+    `state` is the last one; `trusted` is False while alarms and refusals are expected (a reset, homing);
+    `lost` is True once its position means nothing, until it is homed.
     """
 
     line: ByteLine
@@ -81,6 +66,10 @@ class GrblLink:
     alarm: int | None = None
     settings: dict[int, float] = field(default_factory=dict)
     trusted: bool = False
+    lost: bool = False
+    floor_mm: float = math.inf
+    clock: Clock = field(default_factory=Clock)
+    _resets: int = 0
     _reader: ReplyReader = field(default_factory=ReplyReader)
     _queue: deque[list[bytes]] = field(default_factory=deque)
     _sent: deque[bytes] = field(default_factory=deque)
@@ -96,7 +85,15 @@ class GrblLink:
             self.send_whole([line])
 
     def send_whole(self, lines: list[str]) -> None:
-        """Queue lines that are sent at once, when all of them fit."""
+        """Queue lines that are sent at once, when all of them fit.
+
+        Raises
+        ------
+        MachineFault
+            One goes below the floor; none of them is sent.
+        """
+        for line in lines:
+            self._require_above_floor(line)
         self._queue.append([f"{line}\n".encode() for line in lines])
         self._fill()
 
@@ -111,6 +108,7 @@ class GrblLink:
 
     def reset(self) -> None:
         """Empty the machine's buffers. While it moves, its position is lost by this."""
+        self._resets += 1
         self._write(SOFT_RESET)
         self.forget()
 
@@ -142,14 +140,30 @@ class GrblLink:
             self.alarm = reply.code
             self._fail(f"ALARM:{reply.code} ({ALARMS.get(reply.code, 'unknown')})")
         elif isinstance(reply, Greeting):
-            self.greetings += 1
-            self.forget()
-            self._fail("it was reset, or lost its supply")
+            self._take_greeting()
         elif isinstance(reply, Done | Refused):
             line = self._sent.popleft() if self._sent else b""
             if isinstance(reply, Refused):
                 why = ERRORS.get(reply.code, "unknown")
                 self._fail(f"error:{reply.code} ({why}) to {line.decode().strip()!r}")
+
+    def _take_greeting(self) -> None:
+        """A reset that nobody asked for may be a lost supply: the axes may have dropped meanwhile, and
+        some controllers then call the place where they are zero."""
+        self.greetings += 1
+        self.forget()
+        if self.trusted or self._resets <= 0:
+            self.lost = True
+        self._resets = max(self._resets - 1, 0)
+        self._fail("it was reset, or lost its supply")
+
+    def _require_above_floor(self, line: str) -> None:
+        match = _HEIGHT.search(line)
+        if match is not None and not float(match[1]) >= self.floor_mm:
+            raise MachineFault(
+                f"{self.where}: {line!r} goes below Z = {self.floor_mm:g} mm, the lowest height that is "
+                "safe now. It was not sent"
+            )
 
     def _fail(self, what: str) -> None:
         if self.trusted:
@@ -207,7 +221,7 @@ def until(
     MachineFault
         It was not, for `patience_s`.
     """
-    listening = Listening(patience_s)
+    listening = Listening(patience_s, link.clock)
     give_up_s = listening.now_s + patience_s
     while not met():
         if listening.look() > give_up_s:

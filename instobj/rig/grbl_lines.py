@@ -10,6 +10,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+import numpy as np
+
 STATUS, FEED_HOLD, SOFT_RESET = b"?", b"!", b"\x18"
 RECEIVE_BYTES = 127
 """Of its 128 bytes for lines that it has not read yet, those that are safe to fill."""
@@ -42,8 +44,12 @@ ERRORS = {
     33: "the target is no place",
     36: "unused words",
 }
-_STATUS_LINE = re.compile(r"<([A-Z][a-z]+)(?::(\d))?\|(.*)>")
+_STATUS_LINE = re.compile(r"<([A-Z][a-z]+)(?::(\d+))?\|(.*)>")
 _SETTING = re.compile(r"\$(\d+)=(-?\d+(?:\.\d+)?)")
+_GREETING = re.compile(r"(Grbl|GrblHAL) |.*for help\]$", re.IGNORECASE)
+"""Of Grbl and grblHAL; the end alone where the beginning was lost."""
+_AXES = 3
+"""Machines may have more, which they report behind X, Y and Z."""
 _NUMBERED = re.compile(r"(error|ALARM):(\d+)")
 
 
@@ -115,7 +121,7 @@ class ReplyReader:
     def _reply(self, text: str) -> Reply | None:
         if text == "ok":
             return Done()
-        if text.startswith("Grbl "):
+        if _GREETING.match(text):
             return Greeting()
         if match := _NUMBERED.fullmatch(text):
             return (Refused if match[1] == "error" else Alarm)(int(match[2]))
@@ -130,13 +136,15 @@ class ReplyReader:
         values = dict(field.split(":", 1) for field in fields if ":" in field)
         try:
             given = {
-                key: tuple(float(number) for number in values[key].split(","))
+                key: tuple(float(number) for number in values[key].split(","))[:_AXES]
                 for key in ("MPos", "WPos", "WCO")
                 if key in values
             }
         except ValueError:
             return None
-        if any(len(numbers) != 3 for numbers in given.values()):
+        if any(
+            len(numbers) != _AXES or not np.isfinite(numbers).all() for numbers in given.values()
+        ):
             return None
         self._offset_mm = given.get("WCO", self._offset_mm)
         position = given.get("MPos")

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import InputError, StoreError
+from design.files import write_whole
 from instobj.rig.mounting import Mounting
 from instobj.rig.plan import PressPlan, plan_of
 
@@ -91,8 +92,8 @@ def resumed_journal(path: Path) -> Journal:
     try:
         first, *rest = (json.loads(line) for line in content[:whole].splitlines())
         plan, where = plan_of(first["plan"]), first["mounting"]
-        x, y = where["middle_mm"]
-        mounting = Mounting((float(x), float(y)), float(where["turn_deg"]))
+        x, y, z = where["middle_mm"]
+        mounting = Mounting((float(x), float(y), float(z)), float(where["turn_deg"]))
         finished = {one["press"]: one for one in rest if one["event"] == "finished"}
         session = int(first["session"])
     except (ValueError, KeyError, TypeError) as error:
@@ -106,7 +107,7 @@ def _append(path: Path, document: dict[str, Any]) -> None:
     try:
         handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
         try:
-            os.write(handle, (json.dumps(document) + "\n").encode())
+            write_whole(handle, (json.dumps(document) + "\n").encode())
             os.fsync(handle)
         finally:
             os.close(handle)

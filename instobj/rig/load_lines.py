@@ -12,6 +12,8 @@ from estimator.recordings.boards.link import serial_chunks
 
 _NUMBER = re.compile(r"\s*([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)\s*(N|mN|g|kg)?\s*")
 _NEWTON_PER = {"N": 1.0, "mN": 1e-3, "g": 9.80665e-3, "kg": 9.80665}
+_ENDS = {float(end) for bits in (15, 16, 23, 24, 31, 32) for end in (2**bits - 1, -(2**bits))}
+"""Ends of signed and unsigned integers of 16, 24 and 32 bits; one sound number in 30 000 may be one."""
 
 
 @dataclass
@@ -33,10 +35,16 @@ class NumberLines:
         for line in lines:
             match = _NUMBER.fullmatch(line.decode("ascii", "replace"))
             if match:
-                found.append(float(match[1]) * (_NEWTON_PER[match[2]] if match[2] else self.scale))
+                found.append(self._force_n(float(match[1]), match[2]))
             elif line.strip():
                 self.damaged += 1
         return found
+
+    def _force_n(self, value: float, unit: str | None) -> float:
+        """NaN at the end of an integer scale, which is what amplifiers say that saturate or fail."""
+        if unit:
+            return value * _NEWTON_PER[unit]
+        return float("nan") if value in _ENDS else value * self.scale
 
 
 def forces_on(port: str, baud: int, scale: float | None) -> Generator[list[float]]:

@@ -25,16 +25,17 @@ _NEEDED = {22: 1, 20: 1, 13: 0}
 
 @dataclass(frozen=True)
 class Mounting:
-    """Where a face is in the machine's frame, seen from above."""
+    """Where the middle of a face is in the machine's frame (X, Y, Z at which the tip just touches it), and
+    how the face is turned, seen from above."""
 
-    middle_mm: tuple[float, float]
+    middle_mm: tuple[float, float, float]
     turn_deg: float
 
     def machine_mm(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 2"]:
         """X and Y of places of the face."""
         turn = np.deg2rad(self.turn_deg)
         axes = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
-        return np.asarray(xy_mm, float) @ axes + np.asarray(self.middle_mm)
+        return np.asarray(xy_mm, float) @ axes + np.asarray(self.middle_mm[:2])
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ class Surface:
     def height_mm(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
         """Machine Z at which places of the face are first touched."""
         xy = np.asarray(xy_mm, float)
-        return _relief_mm(self.spec, self.face, xy) + self.plane[0] + xy @ np.array(self.plane[1:])
+        return relief_mm(self.spec, self.face, xy) + self.plane[0] + xy @ np.array(self.plane[1:])
 
 
 def touched_surface(
@@ -69,7 +70,7 @@ def touched_surface(
         The heights leave a plane by more than 0.3 mm: another face, place or angle than stated.
     """
     columns = np.column_stack([np.ones(len(xy_mm)), xy_mm])
-    above = height_mm - _relief_mm(spec, face, xy_mm)
+    above = height_mm - relief_mm(spec, face, xy_mm)
     plane, *_ = np.linalg.lstsq(columns, above, rcond=None)
     uneven = float(np.abs(above - columns @ plane).max())
     if uneven > UNEVEN_MM:
@@ -119,7 +120,8 @@ def require_travel(settings: dict[int, float], corners_mm: Sequence[tuple[str, f
     missing = [f"${number}" for number in needed if number not in settings]
     if missing:
         raise InputError(f"the machine did not tell {', '.join(missing)}. Is it Grbl 1.1?")
-    wrong = [f"${number}={value}" for number, value in _NEEDED.items() if settings[number] != value]
+    # grblHAL packs further switches into higher bits of $20 and $22.
+    wrong = [f"${n}={value}" for n, value in _NEEDED.items() if int(settings[n]) & 1 != value]
     if wrong:
         raise InputError(
             f"set {', '.join(wrong)} on the machine: homing by limit switches ($22) and soft limits ($20) "
@@ -144,7 +146,7 @@ def safe_height_mm(settings: dict[int, float], wanted_mm: float) -> float:
     return float(min(np.floor(highest_mm(settings)), np.ceil(wanted_mm)))
 
 
-def _relief_mm(
+def relief_mm(
     spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "*n 2"]
 ) -> Float[np.ndarray, "*n"]:
     """Height of the surface over the plane that touches it in the face's middle."""

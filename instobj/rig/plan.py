@@ -12,15 +12,20 @@ from design.errors import InputError
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.spec.object import ObjectSpec
+from instobj.rig.contact_law import contact_law
 
 STOPS = 4
 """Depths per press, if none are given: a press and its retraction must fit into Grbl's buffer."""
+_LIMIT_SHARE = 4 / 3
+"""The limit over the force that ends a press: what a press gains within two frames at its speed."""
 _SHARE = 1 / STOPS
 _SHALLOWER = 0.85
 _MOST_STROKES = 100
 _FEW_SHARE = 0.75
 _OF_FEW: dict[str, Any] = {"strokes": 9, "stroke_speed_mm_s": 2.0, "dwell_s": 0.8, "pause_s": 1.5}
 _WAY_S = 2.0
+_LEAST_FULL_N = 1.0
+"""Above the three times the touch that finds a surface."""
 
 
 @dataclass(frozen=True)
@@ -39,9 +44,7 @@ class PressSettings:
     lift_mm : how far above
     clearance_mm : of the tip above the object between presses
     approach_mm : how far above the object the press begins to be slow
-    touch_n : force at which the object counts as touched, to find its height
     full_n : force at which a press ends before its deepest stop
-    limit_n : force that stops the machine and ends the run
     """
 
     depths_mm: tuple[float, ...]
@@ -54,9 +57,7 @@ class PressSettings:
     lift_mm: float = 0.5
     clearance_mm: float = 5.0
     approach_mm: float = 1.0
-    touch_n: float = 0.2
     full_n: float = 15.0
-    limit_n: float = 20.0
 
     def __post_init__(self) -> None:
         rising = all(a < b for a, b in zip((0.0, *self.depths_mm), self.depths_mm, strict=False))
@@ -65,18 +66,18 @@ class PressSettings:
                 f"--depth must grow from above 0, got {list(self.depths_mm)}. Give mm below the "
                 "height of first touch, such as --depth 1 --depth 2"
             )
-        if not 0 < self.touch_n < self.full_n < self.limit_n:
-            raise InputError(
-                f"forces must grow: --touch {self.touch_n:g}, --full {self.full_n:g}, --limit "
-                f"{self.limit_n:g} N. Raise --limit, or lower --full"
-            )
+        if not self.full_n >= _LEAST_FULL_N:
+            raise InputError(f"--full {self.full_n:g} N must be {_LEAST_FULL_N:g} or more")
         least_mm = max(self.approach_mm, self.lift_mm)
         if min(self.approach_mm, self.lift_mm) <= 0 or self.clearance_mm < least_mm:
-            raise InputError(
-                f"--clearance {self.clearance_mm:g} mm must be {least_mm:g} mm or more"
-            )
+            raise InputError(f"clearance {self.clearance_mm:g} mm must be {least_mm:g} mm or more")
         if not 1 <= self.strokes <= _MOST_STROKES:
             raise InputError(f"--strokes {self.strokes} must be 1 to {_MOST_STROKES}")
+
+    @property
+    def limit_n(self) -> float:
+        """Force that stops the machine and ends the run."""
+        return _LIMIT_SHARE * self.full_n
 
     @property
     def seconds(self) -> float:
@@ -104,11 +105,15 @@ class PressSettings:
 
     def after_full(self, full_mm: float, strokes: int) -> PressSettings:
         """For strokes where the full force was met at a depth: they stay above that."""
-        deepest_mm = round(_SHALLOWER * full_mm, 3)
+        shallower = self.down_to(_SHALLOWER * full_mm)
+        return replace(shallower, strokes=strokes, speed_mm_s=self.stroke_speed_mm_s)
+
+    def down_to(self, deepest_mm: float) -> PressSettings:
+        """With no stop below a depth."""
         depths = tuple(depth for depth in self.depths_mm if depth < deepest_mm)
         if len(depths) < len(self.depths_mm):
-            depths = (*depths, deepest_mm)
-        return replace(self, depths_mm=depths, strokes=strokes, speed_mm_s=self.stroke_speed_mm_s)
+            depths = (*depths, round(deepest_mm, 3))
+        return replace(self, depths_mm=depths)
 
 
 @dataclass(frozen=True)
@@ -145,19 +150,39 @@ def plan_of(document: dict[str, Any]) -> PressPlan:
     )
 
 
-def stops_of(spec: ObjectSpec) -> tuple[float, ...]:
-    """Four of the specification's depths, evenly down to its deepest."""
+def bounded_depths_mm(
+    spec: ObjectSpec, full_n: float = PressSettings.full_n
+) -> Float[np.ndarray, "depth"]:
+    """Depths of the specification at which less than the limit is expected, by `contact_law`.
+
+    Raises
+    ------
+    InputError
+        There is none.
+    """
+    deepest_mm = contact_law(spec).depth_mm(_LIMIT_SHARE * full_n)
     depths = np.asarray(spec.press.depths_mm)
+    if not (depths <= deepest_mm).any():
+        raise InputError(
+            f"at {depths[0]:g} mm, the least of press.depths_mm, more than {_LIMIT_SHARE * full_n:g} N are "
+            f"expected. Raise --full, or give --depth below {deepest_mm:.2f}"
+        )
+    return depths[depths <= deepest_mm]
+
+
+def stops_of(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> tuple[float, ...]:
+    """Four of the bounded depths, evenly down to the deepest."""
+    depths = bounded_depths_mm(spec, full_n)
     wanted = depths[-1] * np.arange(1, STOPS + 1) * _SHARE
     nearest = np.unique(np.abs(depths - wanted[:, None]).argmin(axis=1))
     return tuple(depths[nearest].tolist())
 
 
-def settings_of_few(spec: ObjectSpec) -> dict[str, Any]:
+def settings_of_few(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> dict[str, Any]:
     """How few places are pressed well: each in strokes to three quarters of the specification's deepest
     depth, so that every load has an unloaded level within two seconds (docs/rig.md, what it brings)."""
-    depths = np.asarray(spec.press.depths_mm)
-    deepest = depths[np.abs(depths - _FEW_SHARE * depths[-1]).argmin()]
+    depths, wanted = bounded_depths_mm(spec, full_n), _FEW_SHARE * spec.press.depths_mm[-1]
+    deepest = depths[np.abs(depths - wanted).argmin()]
     return {"depths_mm": (float(deepest),)} | _OF_FEW
 
 

@@ -1,9 +1,8 @@
-"""Board, load cell and machine heard side by side: frames recorded, forces and positions watched."""
+"""Board, load cell and machine heard side by side: frames recorded, and whatever must stop the run."""
 
 from __future__ import annotations
 
-import time
-from collections import deque
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
@@ -13,15 +12,24 @@ from design.errors import InputError
 from estimator.recordings.boards.growing import GrowingRecording
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Load
 from estimator.recordings.boards.link import BoardClock
-from instobj.rig.grbl import GrblLink, Listening, MachineFault
+from instobj.rig.clock import Listening
+from instobj.rig.grbl import GrblLink, MachineFault
 from instobj.rig.grbl_lines import State
+from instobj.rig.load_cell import LoadCell
+from instobj.rig.phases import DOWNWARD, Phase, require_following
+from instobj.rig.rows import Rows
+from instobj.rig.stop import lift
+from instobj.rig.witnesses import Witnesses
 
 ASIDE_MM = 0.1
 BELOW_MM = 0.05
 _NAP_S = 0.001
 _ASK_S = 0.05
-_RECENT = 200
-_GAP_S = 1.0
+_LATE_S = 0.5
+_MOST_CHUNKS = 1000
+"""Thrown away after a stop: more than 30 s of a line at its fastest."""
+_DEAF_MM = 1.0
+"""Of a way down without a reading: twice what the tip does in a frame at the fastest strokes."""
 
 
 class ForceBeyondLimit(InputError):
@@ -42,62 +50,12 @@ class Spot:
 
 
 @dataclass
-class LoadCell:
-    """Forces of the one load cell, counted from its tare (N), with the times of their readings (s)."""
-
-    tare_n: float = 0.0
-    tared: bool = False
-    readings: int = 0
-    heard_s: float = 0.0
-    recent_n: deque[float] = field(default_factory=lambda: deque(maxlen=_RECENT))
-    times_s: deque[float] = field(default_factory=lambda: deque(maxlen=_RECENT))
-
-    @property
-    def force_n(self) -> float:
-        return self.recent_n[-1] - self.tare_n if self.recent_n else float("nan")
-
-    def take(self, force_n: float, time_s: float) -> None:
-        """One reading, tare included."""
-        self.recent_n.append(force_n)
-        self.times_s.append(time_s)
-        self.readings += 1
-
-    def mean_n(self, readings: int) -> float:
-        """Mean of the last readings, with the tare."""
-        return float(np.mean(list(self.recent_n)[-readings:]))
-
-    def force_at(self, time_s: float) -> float | None:
-        """Force between the readings before and after a time (N): None until there is one after, NaN
-        where they are more than a second apart."""
-        if not self.times_s or self.times_s[-1] < time_s:
-            return None
-        after = next(k for k, reading_s in enumerate(self.times_s) if reading_s >= time_s)
-        before = max(after - 1, 0)
-        if self.times_s[after] - min(self.times_s[before], time_s) > _GAP_S:
-            return float("nan")
-        return float(np.interp(time_s, self.times_s, self.recent_n)) - self.tare_n
-
-
-@dataclass
-class _Row:
-    """A frame that waits for the machine's position and for the load cell."""
-
-    time_s: float
-    signals: list[float]
-    label: list[float]
-    travel_mm: float | None = None
-    force_n: float | None = None
-
-
-@dataclass
 class Station:
-    """All that a run listens to.
+    """All that a run listens to, and the phase that it is in.
 
-    The tip may be anywhere at or above `safe_mm`, and below only at `spot`, down to `lowest_mm`
-    (machine's Z): reports of other positions stop the feed. `watching` is False while the machine is
-    brought to a stop, when nothing may stand in the way of that. Rows wait for the machine's next
-    report and the load cell's next reading, so that every frame has its travel below `surface_mm` and
-    its force; those that the load cell left without are counted, not written.
+    The tip may be anywhere at or above `safe_mm`, and below only at `spot`, down to the machine's
+    floor: reports of other positions stop the feed. While the machine is stopped and the tip lifted
+    nothing but its own line is heard; what the others said meanwhile is thrown away.
     """
 
     machine: GrblLink
@@ -105,23 +63,21 @@ class Station:
     loads: Iterator[list[float]] | None
     limit_n: float
     lost_s: float
+    witnesses: Witnesses
+    phase: Phase = Phase.OFF
     safe_mm: float = 0.0
-    lowest_mm: float = 0.0
     surface_mm: float = float("nan")
     spot: Spot | None = None
     resting: bool = False
     recording: bool = False
-    watching: bool = True
     stopped: bool = False
-    growing: GrowingRecording | None = None
     channels: tuple[str, ...] = ()
     frames: int = 0
     frame_ms: int = 0
-    without_force: int = 0
-    cell: LoadCell = field(default_factory=LoadCell)
+    rows: Rows = field(default_factory=Rows)
     decoder: LineDecoder = field(default_factory=LineDecoder)
     clock: BoardClock = field(default_factory=BoardClock)
-    _rows: deque[_Row] = field(default_factory=deque)
+    _deaf_mm: dict[str, float] = field(default_factory=dict)
     _states: int = 0
     _board_s: float = 0.0
     _state_s: float = 0.0
@@ -129,11 +85,71 @@ class Station:
     _listening: Listening = field(init=False)
 
     def __post_init__(self) -> None:
-        self._listening = Listening(self.lost_s)
+        self._listening = Listening(self.lost_s, self.machine.clock)
+
+    @property
+    def growing(self) -> GrowingRecording | None:
+        """The recording, once it is open."""
+        return self.rows.growing
+
+    @property
+    def cell(self) -> LoadCell:
+        """The first witness of contact."""
+        return self.witnesses.cell
+
+    @property
+    def heard_s(self) -> float:
+        """Time spent listening."""
+        return self._listening.now_s
+
+    @property
+    def height_mm(self) -> float:
+        """The tip's by the machine's last report, NaN before the first."""
+        state = self.machine.state
+        return float("nan") if state is None else state.position_mm[2]
 
     def stop(self) -> None:
         """End as if a fault had come."""
         self.stopped = True
+
+    def enter(self, phase: Phase, floor_mm: float = math.inf) -> None:
+        """Go on with something else, down to a height at most (machine's Z); without one no move is sent."""
+        require_following(self.phase, phase)
+        self.phase, self.machine.floor_mm = phase, floor_mm
+        self._deaf_mm = {}
+        self.witnesses.begin()
+
+    def raise_tip(self) -> float:
+        """Stop the feed and lift the tip to the safe height; the height (mm) at which it was stopped.
+
+        Raises
+        ------
+        MachineFault
+            Where the tip is is not known.
+        """
+        self.enter(Phase.STOPPING, self.safe_mm)
+        try:
+            stopped_mm, interrupted = lift(self.machine, self.safe_mm)
+        except BaseException:
+            self.enter(Phase.LOST)
+            raise
+        self.stopped = self.stopped or interrupted
+        self.enter(Phase.ABOVE, self.safe_mm)
+        return stopped_mm
+
+    def listen_again(self, stopped_mm: float) -> None:
+        """Go on after the tip was lifted. Rows that waited have the travel at which it was stopped; what
+        board and load cell said meanwhile is thrown away, because its place is not known."""
+        self.rows.travelled(self.surface_mm - stopped_mm)
+        self.rows.close()
+        for _ in range(_MOST_CHUNKS):
+            if self.board is None or not next(self.board):
+                break
+        for _ in range(_MOST_CHUNKS):
+            if self.loads is None or not next(self.loads):
+                break
+        self.witnesses.chips.forget()
+        self.expect()
 
     def tick(self) -> None:
         """Take in what came from all three lines.
@@ -141,83 +157,64 @@ class Station:
         Raises
         ------
         InputError
-            A force beyond the limit (the feed is stopped already), a line that broke off or is silent,
-            a machine that faults or is where it may not be, or Ctrl-C.
+            A force beyond the limit (the feed is stopped already), readings that are none, witnesses of
+            contact that differ, a line that broke off or is silent, a machine that faults or is where
+            it may not be, or Ctrl-C.
         """
         self._listening.look()
         self._take_machine()  # reports that waited here are older than the frames that come now
         came = self._take_board() + self._take_loads()
         self._take_machine()
-        if self.watching:
-            self._watch()
-        now_s = time.monotonic()
+        self._watch()
+        now_s = self.machine.clock.now_s()
         if now_s - self._asked_s > _ASK_S:
             self._ask(now_s)
         if not came:
-            time.sleep(_NAP_S)
+            self.machine.clock.nap(_NAP_S)
 
     def expect(self) -> None:
         """Count silence from now on."""
         self._board_s = self.cell.heard_s = self._state_s = self._listening.now_s
-
-    @property
-    def waiting(self) -> bool:
-        """Whether rows wait for their travel or their force."""
-        return bool(self._rows)
-
-    def close_rows(self) -> None:
-        """Write rows whose travel never came without it; count those without a force."""
-        known = [row for row in self._rows if row.force_n is not None]
-        self.without_force += len(self._rows) - len(known)
-        for row in known:
-            row.travel_mm = float("nan") if row.travel_mm is None else row.travel_mm
-        self._rows = deque(known)
-        self._write_rows()
 
     def _ask(self, now_s: float) -> None:
         self._asked_s = now_s
         self.machine.ask()
 
     def _take_board(self) -> int:
-        messages = self.decoder.feed(self._heard(self.board))
+        messages = [] if self.board is None else self.decoder.feed(next(self.board))
         for message in messages:
             if isinstance(message, Load) and self.loads is None and message.cell == 1:
-                self._take_force(message.force_n, message.board_ms / 1000)
+                self._take_load(message)
             elif isinstance(message, Header):
                 self._take_header(message)
             elif isinstance(message, Frame):
                 self._take_frame(message)
         return len(messages)
 
-    def _heard(self, chunks: Iterator[bytes] | None) -> bytes:
-        try:
-            return b"" if chunks is None else next(chunks)
-        except InputError:
-            self.board = None
-            if self.watching:
-                raise
-            return b""
-
     def _take_loads(self) -> int:
-        try:
-            forces = [] if self.loads is None else next(self.loads)
-        except InputError:
-            self.loads = iter(lambda: [], None)
-            if self.watching:
-                raise
-            return 0
+        forces = [] if self.loads is None else next(self.loads)
         for force_n in forces:
-            self._take_force(force_n, time.monotonic())
+            self._take_force(force_n, self.machine.clock.now_s())
         return len(forces)
+
+    def _take_load(self, load: Load) -> None:
+        late_s = (self.frame_ms - load.board_ms) / 1000
+        if self.phase in DOWNWARD and _LATE_S < late_s < self.lost_s + _LATE_S:
+            raise Silence(
+                f"the load cell's readings are {late_s:.1f} s older than the frames beside them. A force "
+                "that comes late cannot stop a press; read the cell faster"
+            )
+        self._take_force(load.force_n, load.board_ms / 1000)
 
     def _take_force(self, force_n: float, time_s: float) -> None:
         self.cell.take(force_n, time_s)
         self.cell.heard_s = self._listening.now_s
-        self._label_rows()
-        if self.watching and abs(self.cell.force_n) > self.limit_n:
+        self._deaf_mm["load cell"] = self.height_mm
+        self.rows.loaded(self.cell)
+        if self.cell.tared and abs(self.cell.force_n) > self.limit_n:
             self.machine.hold()
             raise ForceBeyondLimit(
-                f"the load cell says {self.cell.force_n:.2f} N, more than --limit {self.limit_n:g} N"
+                f"the load cell says {self.cell.force_n:.2f} N, more than the limit of {self.limit_n:.3g} N"
             )
 
     def _take_header(self, header: Header) -> None:
@@ -226,18 +223,20 @@ class Station:
         self.channels = header.channels
 
     def _take_frame(self, frame: Frame) -> None:
+        self.witnesses.chips.take(frame.counts, frame.board_ms)
         self.frames, self.frame_ms = self.frames + 1, frame.board_ms
-        self._board_s, heard_s = self._listening.now_s, time.monotonic()
+        self._board_s, heard_s = self._listening.now_s, self.machine.clock.now_s()
         self._ask(heard_s)
+        self._deaf_mm["board"] = self.height_mm
+        self.witnesses.take_frame(self.height_mm, self._board_s)
         if not self.recording or self.growing is None or self.spot is None:
             return
-        time_s = self.clock.time_s(frame.board_ms, time.time())
+        time_s = self.clock.time_s(frame.board_ms, self.machine.clock.epoch_s())
         tips = [value for tip in self.spot.tips_mm for value in tip]
         head = [time_s, float(self.growing.session), float(self.resting)]
         at_s = frame.board_ms / 1000 if self.loads is None else heard_s
-        label = [float(self.spot.face), *tips]
-        self._rows.append(_Row(at_s, [*head, *frame.counts], label))
-        self._label_rows()
+        self.rows.add(at_s, [*head, *frame.counts], [float(self.spot.face), *tips])
+        self.rows.loaded(self.cell)
 
     def _take_machine(self) -> None:
         self.machine.poll()
@@ -245,29 +244,9 @@ class Station:
         if state is None or self.machine.states == self._states:
             return
         self._states, self._state_s = self.machine.states, self._listening.now_s
-        for row in self._rows:
-            if row.travel_mm is None:
-                row.travel_mm = self.surface_mm - state.position_mm[2]
-        self._write_rows()
-        if self.watching and self.machine.trusted:
+        self.rows.travelled(self.surface_mm - state.position_mm[2])
+        if self.machine.trusted:
             self._require_allowed(state)
-
-    def _label_rows(self) -> None:
-        """Forces of the rows that wait for one."""
-        for row in self._rows:
-            row.force_n = self.cell.force_at(row.time_s) if row.force_n is None else row.force_n
-
-    def _write_rows(self) -> None:
-        while self._rows and self.growing is not None:
-            row = self._rows[0]
-            if row.travel_mm is None or row.force_n is None:
-                return
-            self._rows.popleft()
-            if np.isnan(row.force_n):
-                self.without_force += 1
-                continue
-            last = [round(row.force_n, 4), *row.label, round(row.travel_mm, 4)]
-            self.growing.append([*row.signals, *last])
 
     def _require_allowed(self, state: State) -> None:
         x, y, z = state.position_mm
@@ -275,7 +254,7 @@ class Station:
             return
         at = (np.inf, np.inf) if self.spot is None else self.spot.machine_mm
         aside_mm = float(np.hypot(x - at[0], y - at[1]))
-        if aside_mm > ASIDE_MM or z < self.lowest_mm - BELOW_MM:
+        if aside_mm > ASIDE_MM or z < self.machine.floor_mm - BELOW_MM:
             self.machine.hold()
             raise MachineFault(
                 f"the tip is at ({x:g}, {y:g}, {z:g}) mm, where it was not sent. A character of a line "
@@ -283,12 +262,24 @@ class Station:
             )
 
     def _watch(self) -> None:
-        now_s = self._listening.now_s
         if self.stopped:
             raise InputError("stopped by the user")
         heard = {"board": self._board_s, "load cell": self.cell.heard_s}
         if self.machine.trusted:
             heard["machine"] = self._state_s
         for who, heard_s in heard.items():
-            if heard_s and now_s - heard_s > self.lost_s:
+            if heard_s and self.heard_s - heard_s > self.lost_s:
                 raise Silence(f"the {who} has said nothing for {self.lost_s:g} s. Check its cable")
+        if self.cell.tared:
+            self.cell.require_alive(self.height_mm, self.witnesses.touch_n)
+        if self.phase in DOWNWARD:
+            self._require_heard_on_the_way()
+            self.witnesses.require_agreement(self.surface_mm - self.height_mm)
+
+    def _require_heard_on_the_way(self) -> None:
+        """Stop a tip that goes on below the surface while nobody tells what it meets."""
+        for who, from_mm in self._deaf_mm.items():
+            if min(from_mm, self.surface_mm) - self.height_mm > _DEAF_MM:
+                raise Silence(
+                    f"the {who} has said nothing for {_DEAF_MM:g} mm of the way down. Check its cable"
+                )

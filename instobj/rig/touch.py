@@ -1,4 +1,4 @@
-"""Heights at which a tip first touches the object, measured by the load cell."""
+"""Heights at which a tip first touches the object, measured by the load cell near where it must be."""
 
 from __future__ import annotations
 
@@ -7,55 +7,70 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from instobj.rig.cycle import raise_tip, require_at, settle, take_tare, travel
+from instobj.rig.contact_law import LARGEST_RATIO, likely_unit
+from instobj.rig.cycle import raise_and_listen, require_at, settle, take_tare, travel
 from instobj.rig.grbl import until
-from instobj.rig.grbl_lines import TRAVEL_SETTINGS
 from instobj.rig.mounting import safe_height_mm
+from instobj.rig.phases import Phase
 from instobj.rig.plan import PressSettings
 from instobj.rig.station import Spot, Station
 
+BELOW_MM, ABOVE_MM = 1.0, 3.0
+"""How far from where the surface is expected it is looked for: a hand that sets a height by eye or by a
+sheet of paper is off by some tenths, and where it was pressed in already, by up to 2 mm upwards."""
 _COARSE_MM_S = 2.0
-_AHEAD_MM = 0.5
+_AHEAD_MM, _ARRIVED_MM = 0.5, 0.02
 _STEP_MM = 0.1
 _STEP_MM_S = 1.0
 _BACK_MM = 0.5
-_DEEPEST_MM = 2.5
 _FIRM = 3.0
 _FAINT = 0.4
 _FEWEST = 2
-_TARE_FRAMES = 5
+_TARE_FRAMES = 6
 _SETTLING, _AVERAGED = 2, 3
-_MARGIN_MM = 1.0
 _READ_S = 60.0
 
 
 def touched(
-    station: Station, spec: ObjectSpec, spots: list[Spot], settings: PressSettings
-) -> Float[np.ndarray, "touch"]:
-    """Machine Z (mm) at which the tip first touches the object at places.
+    station: Station,
+    spec: ObjectSpec,
+    spots: list[Spot],
+    expected_mm: Float[np.ndarray, "touch"],
+    settings: PressSettings,
+) -> tuple[Float[np.ndarray, "touch"], float]:
+    """Machine Z (mm) at which the tip first touches the object at places, and how many times as stiff as
+    expected the first one is.
 
     A first touch on a slow way down stops the feed; then small steps from above it, each with the mean
-    of three readings at rest, and the height at which their force law begins. From the first touch on
-    the tip travels `clearance_mm` above it.
+    of three readings at rest, and the height at which their force law begins. `expected_mm` are the
+    heights of the specification's surface where it was mounted; the way down ends `BELOW_MM` below
+    them, whatever the load cell says, and steps where the softest object would have been felt. From
+    the first touch on the tip travels `clearance_mm` above it, and the others are expected as much
+    higher or lower.
 
     Raises
     ------
     InputError
-        Nothing is touched down to the end of the machine's travel.
+        Nothing is touched where the surface is, or by a stiffness that is not the object's.
     """
-    heights_mm = []
-    for spot in spots:
+    heights_mm, ratio, off_mm = [], 1.0, 0.0
+    for spot, wanted_mm in zip(spots, expected_mm.tolist(), strict=True):
         travel(station, spot)
         take_tare(station, _TARE_FRAMES)
-        coarse_mm = _coarse(station, settings)
-        wanted_mm = min(station.safe_mm, coarse_mm + settings.clearance_mm)
-        station.safe_mm = safe_height_mm(station.machine.settings, wanted_mm)
-        steps = _steps(station, settings, min(coarse_mm + _BACK_MM, station.safe_mm))
+        station.surface_mm = wanted_mm + off_mm
+        coarse_mm = _coarse(station)
+        highest_mm = min(station.safe_mm, coarse_mm + settings.clearance_mm)
+        station.safe_mm = safe_height_mm(station.machine.settings, highest_mm)
+        steps = _steps(station, coarse_mm)
         station.machine.send(f"G53G0Z{station.safe_mm:g}")
         settle(station)
         require_at(station, (*spot.machine_mm, station.safe_mm))
-        heights_mm.append(first_touch_mm(*steps, settings.touch_n, spec.indenter.kind))
-    return np.array(heights_mm)
+        station.enter(Phase.ABOVE, station.safe_mm)
+        first_mm = first_touch_mm(*steps, station.witnesses.touch_n, spec.indenter.kind)
+        if not heights_mm:
+            off_mm, ratio = first_mm - wanted_mm, _stiffness(station, *steps, first_mm)
+        heights_mm.append(first_mm)
+    return np.array(heights_mm), ratio
 
 
 def first_touch_mm(
@@ -82,54 +97,69 @@ def felt_enough(forces_n: Float[np.ndarray, "step"], touch_n: float) -> bool:
     return bool(firm and felt_steps(forces_n, touch_n) >= _FEWEST)
 
 
-def _coarse(station: Station, settings: PressSettings) -> float:
+def _coarse(station: Station) -> float:
     """Height at which a slow move down was stopped by the object; the tip is up again.
 
     The machine never holds more than a millimetre of that move: it ends there if nobody speaks to it.
     """
-    link = station.machine
-    station.lowest_mm = bottom_mm = _MARGIN_MM - link.settings[TRAVEL_SETTINGS[2]]
+    link, bottom_mm = station.machine, station.surface_mm - BELOW_MM
+    station.enter(Phase.SEEKING, bottom_mm - 0.006)  # heights are sent with two digits
     target_mm = station.safe_mm
 
     def height_mm() -> float:
         return station.safe_mm if link.state is None else link.state.position_mm[2]
 
     def near() -> bool:
-        touches = station.cell.force_n >= settings.touch_n
-        return touches or height_mm() <= target_mm + _AHEAD_MM
+        ahead_mm = _AHEAD_MM if target_mm > bottom_mm else _ARRIVED_MM
+        return (
+            station.cell.force_n >= station.witnesses.touch_n or height_mm() <= target_mm + ahead_mm
+        )
 
-    while station.cell.force_n < settings.touch_n:
-        if height_mm() <= bottom_mm + _AHEAD_MM:
-            raise_tip(station)
+    while station.cell.force_n < station.witnesses.touch_n:
+        if height_mm() <= bottom_mm + _ARRIVED_MM:
             raise InputError(
-                f"the tip went down to Z = {bottom_mm:.1f} mm and touched nothing. Is the object below "
-                "the tip, and the load cell connected the right way round (--load-scale)?"
+                f"the tip went down to Z = {bottom_mm:.1f} mm, {BELOW_MM:g} mm below where --middle has the "
+                f"surface, and the load cell says {station.cell.force_n:.2g} N"
+                f"{station.witnesses.doubt(BELOW_MM)} Or is that Z too high?"
             )
         target_mm = max(target_mm - _AHEAD_MM, bottom_mm)
         link.send(f"G53G1Z{target_mm:.2f}F{60 * _COARSE_MM_S:g}")
         until(link, station.tick, near, "the way down", _READ_S)
-    touched_mm = raise_tip(station)
-    station.lowest_mm = touched_mm - _DEEPEST_MM
+    touched_mm = raise_and_listen(station)
+    if touched_mm > station.surface_mm + ABOVE_MM:
+        raise InputError(
+            f"something was touched at Z = {touched_mm:.1f} mm, more than {ABOVE_MM:g} mm above where "
+            f"--middle has the surface ({station.surface_mm:.1f} mm). Is it this object, and this face up?"
+        )
     return touched_mm
 
 
 def _steps(
-    station: Station, settings: PressSettings, first_mm: float
+    station: Station, coarse_mm: float
 ) -> tuple[Float[np.ndarray, "step"], Float[np.ndarray, "step"]]:
     """Heights and mean forces of steps down, until enough was felt."""
     heights, forces = [], []
+    firm_n = _FIRM * station.witnesses.touch_n
+    first_mm = min(coarse_mm + _BACK_MM, station.safe_mm)
+    softest_mm = station.witnesses.law.depth_mm(firm_n, 1 / LARGEST_RATIO)
+    lowest_mm = max(coarse_mm, station.surface_mm - BELOW_MM) - softest_mm
+    station.enter(Phase.SEEKING, lowest_mm)
     station.machine.send(f"G53G0Z{first_mm:.3f}")
-    while not felt_enough(np.array(forces), settings.touch_n):
+    while not felt_enough(np.array(forces), station.witnesses.touch_n):
         height_mm = first_mm - _STEP_MM * len(heights)
-        if height_mm < station.lowest_mm:
+        if height_mm < lowest_mm:
             raise InputError(
-                f"{_DEEPEST_MM:g} mm below its first touch the object gives less than "
-                f"{_FIRM * settings.touch_n:g} N. Does it move?"
+                f"{softest_mm:.1f} mm below its first touch the object gives less than {firm_n:.2g} N"
+                f"{station.witnesses.doubt(BELOW_MM)} Or does the object move?"
             )
         station.machine.send(f"G53G1Z{height_mm:.3f}F{60 * _STEP_MM_S:g}")
         settle(station)
         heights.append(height_mm)
         forces.append(_still_force_n(station))
+        if forces[0] < -station.witnesses.touch_n:
+            raise InputError(
+                f"above the object the load cell says {forces[0]:.2f} N: it drifts, or something pulls at it"
+            )
     return np.array(heights), np.array(forces)
 
 
@@ -137,3 +167,27 @@ def _still_force_n(station: Station) -> float:
     cell, last = station.cell, station.cell.readings + _SETTLING + _AVERAGED
     until(station.machine, station.tick, lambda: cell.readings >= last, "the load cell", _READ_S)
     return cell.mean_n(_AVERAGED) - cell.tare_n
+
+
+def _stiffness(
+    station: Station,
+    heights_mm: Float[np.ndarray, "step"],
+    forces_n: Float[np.ndarray, "step"],
+    first_mm: float,
+) -> float:
+    """Times what the specification lets expect.
+
+    Raises
+    ------
+    InputError
+        So many times that it is not the object but the load cell's scale.
+    """
+    ratio = station.witnesses.law.ratio(first_mm - heights_mm, forces_n)
+    if not 1 / LARGEST_RATIO <= ratio <= LARGEST_RATIO:
+        depth_mm = first_mm - heights_mm[-1]
+        raise InputError(
+            f"{depth_mm:.2f} mm below its first touch the load cell says {forces_n[-1]:.2g} N, and about "
+            f"{station.witnesses.law.force_n(depth_mm):.2g} N are expected{likely_unit(ratio)}. Correct "
+            "--load-scale or the load cell's figures in the specification; or is silicone's modulus wrong?"
+        )
+    return ratio

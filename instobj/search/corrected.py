@@ -15,12 +15,11 @@ from typing import Any
 
 import numpy as np
 import torch
-from jaxtyping import Float
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, unit_of
-from estimator.layouts.fidelity import bounds_by_press
-from estimator.layouts.polish import Judged, LowestFidelity, descend, judge
+from estimator.layouts.fidelity import MARGINS, bounds_by_press
+from estimator.layouts.polish import Judged, LowestFidelity, judge, walk
 from instobj.search.lowest_fidelity import StartScores, misfit_of, structure_fidelity
 from instobj.search.verdict import FIRST, SECOND, Promoted, score_at
 
@@ -53,20 +52,19 @@ def corrected_params(
     centre = torch.as_tensor(unit[free], dtype=torch.float32)
     poles = torch.tensor([polarities(lowest.space.structured, params)]).expand(len(_SPREAD), -1)
 
-    def judged_at(walk: torch.Tensor) -> Judged:
-        point = (centre + _REACH * (2 * walk - 1)).clamp(0, 1)
+    def judged_at(near: torch.Tensor) -> Judged:
+        point = (centre + _REACH * (2 * near - 1)).clamp(0, 1)
         return judge(lowest, point, poles[: len(point)], objectives)
 
-    def loss(walk: torch.Tensor) -> Float[torch.Tensor, "layout"]:
-        return judged_at(walk).loss(torch.ones(len(objectives)))
-
+    weights = torch.ones(len(objectives))
     rng = np.random.default_rng(space.spec.seed)
     away = np.array(_SPREAD)[:, None] * rng.normal(size=(len(_SPREAD), int(free.sum())))
     begin = torch.as_tensor(0.5 + 0.5 * away, dtype=torch.float32).clamp(0, 1)
-    walked = descend(loss, begin, _STEPS, _RATE, over)
+    walked = walk(judged_at, begin, weights, _STEPS, _RATE, over)
     with torch.no_grad():
-        broken, worth = judged_at(walked).broken_mm, loss(walked)
-        before = float(loss(torch.full_like(walked[:1], 0.5)))
+        judged = judged_at(walked)
+        broken, worth = judged.broken_mm, judged.loss(weights)
+        before = float(judged_at(torch.full_like(walked[:1], 0.5)).loss(weights))
     for row in worth.argsort().tolist():
         unit[free] = (centre + _REACH * (2 * walked[row] - 1)).clamp(0, 1).numpy()
         chosen = {v.name: params[v.name] for v in space.variables if v.choices}
@@ -91,9 +89,15 @@ def corrected_fidelity(
     return structure_fidelity(space, dict(params), before)
 
 
+_NEVER_WORSE_MM = 1e9
+
+
 def _counts_over_lowest(one: Promoted) -> float:
-    low, high = (1 - one.levels[level].saturation_margin for level in (FIRST, SECOND))
-    return _CHAIN_OVER_WALKED * high / low
+    low, high = (
+        np.array([1 - getattr(one.levels[level], name) for name in MARGINS])
+        for level in (FIRST, SECOND)
+    )
+    return _CHAIN_OVER_WALKED * float(np.max(high / low))
 
 
 def _corrected(name: str, start: Promoted, one: Promoted) -> float:
@@ -108,6 +112,10 @@ def _place_bounds(one: Promoted, start: Promoted) -> dict[tuple[float, int], tor
         for score in (one.levels[FIRST], one.levels[SECOND], start.levels[SECOND])
     )
     return {
-        key: torch.as_tensor(before[key] * low[key] / high[key], dtype=torch.float32)[None]
+        key: torch.as_tensor(
+            # a location that one of the two does not press so hard is never worse
+            np.nan_to_num(before[key] * low[key] / high[key], nan=_NEVER_WORSE_MM),
+            dtype=torch.float32,
+        )[None]
         for key in before
     }

@@ -43,7 +43,7 @@ def open_database(url: str) -> RDBStorage:
     except ImportError as error:
         raise InputError(
             f"the database {where} needs a driver: {first_line(error)}. `pip install "
-            "'instobj[postgresql]'` brings that of PostgreSQL"
+            "'instobj[cluster]'` brings that of PostgreSQL"
         ) from None
     except Exception as error:  # drivers raise errors that share no base class
         raise InputError(

@@ -181,4 +181,5 @@ def score_row(score: FidelityScore) -> dict[str, Any]:
         "task failed %": 100 * score.task_loss,
         "softness off": score.compliance_deviation,
         "free range": score.saturation_margin,
+        "free in 95 % of objects": score.objects_margin,
     }

@@ -50,12 +50,12 @@ from estimator.layouts.polish import (
     Judge,
     Judged,
     LowestFidelity,
-    descend,
     judge,
     polish,
     population,
     populations,
     runs_together,
+    walk,
 )
 from estimator.layouts.presses.basis import PressBasis, faces_differ, press_bases
 from estimator.layouts.scorer import LayoutScorer, layout_scorer
@@ -187,8 +187,9 @@ def structure_fidelity(
     )
     constants, broken = decided_by_structure(structured, every), broken_by_structure(structured)
     limits = structured.search.limits.times_start
-    most_counts = full_scale_counts(structured.sensors) * (1 - structured.limits.saturation_margin)
-    at_most = {"largest_counts": most_counts / start.counts_over_lowest} | {
+    most_counts = full_scale_counts(structured.sensors) / start.counts_over_lowest
+    free = structured.limits.saturation_margin
+    at_most = {"largest_counts": (1 - free) * most_counts, "kept_counts": most_counts} | {
         name: 1 / (factor * start.scores[name])
         if name in OBJECTIVES_TO_MAXIMIZE
         else factor * start.scores[name]
@@ -336,15 +337,13 @@ def _better(
     """The better of an end and of a walk from a beginning, both points of a trial."""
     end, begin = points
 
-    def loss(point: torch.Tensor) -> torch.Tensor:
-        rows = torch.full((len(point),), row)
-        return judge_at(point, rows).loss(weights)
+    def judged_at(point: torch.Tensor) -> Judged:
+        return judge_at(point, torch.full((len(point),), row))
 
     steps = min(search.polish_steps, _START_STEPS)
-    walked = descend(loss, begin[None], steps, _START_RATE)[0]
-    both = torch.stack([end, walked])
+    both = torch.cat([end[None], walk(judged_at, begin[None], weights, steps, _START_RATE)])
     with torch.no_grad():
-        return both[loss(both).nan_to_num(torch.inf).argmin()]
+        return both[judged_at(both).loss(weights).nan_to_num(torch.inf).argmin()]
 
 
 def _scored(

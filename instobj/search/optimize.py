@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from design.layout.body import body_of
 from design.layout.places.contact_places import shared_counts
 from design.layout.places.coverage import covered_share
 from design.search.faces import layout_groups
-from design.search.space import SearchSpace, start_params
+from design.search.space import SearchSpace, start_params, with_layout
 from design.search.structure import of_each_searched_size
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
@@ -23,9 +24,9 @@ from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.joined import joined, joining
 from instobj.search.loop import is_feasible, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
-from instobj.search.outcome.write import write_outcome
+from instobj.search.outcome.write import write_outcome, write_specification
 from instobj.search.possible import require_possible
-from instobj.search.promotion import Promotion, promote
+from instobj.search.promotion import Promotion, leaders, promote
 from instobj.search.study import KeptStudy, open_study
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
@@ -59,28 +60,69 @@ def optimize(
     spec, space = _prepared(path, out, overrides)
     folder = search_folder(out, spec)
     progress = ProgressLine()
-    kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
     limit = TimeLimit(spec.search.seconds)
-    progress.say(limit.plan)
-    progress.say(_mechanics_plan(spec, limit))
+    plans = limit.plan, _mechanics_plan(spec, limit)  # refuses before there is a study to resume
+    kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
+    for plan in plans:
+        progress.say(plan)
 
     def say(text: str) -> None:
         progress.step(f"{text}; {limit.left}")
 
-    with _kept_on_interrupt(kept, progress), limit.enforced():
+    keep_best = partial(first_look, space, kept, folder, path.parent)
+    with _kept_on_interrupt(kept, progress), limit.enforced(keep_best):
         _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), processes=workers)
         with progress.stage("promotion"), open_workers(workers, scheduler, progress) as others:
             found = promote(space, kept, folder, say, limit, others)
     if found is None:
-        raise InputError(
-            f"none of {len(kept.trials())} trials keeps every limit. Raise search.trials and go on with "
-            "--resume, or loosen [search.limits]"
-        )
+        return nothing_better(spec, kept, limit)
     with progress.stage("report"):
         files = write_outcome(
             space, kept, found, folder, path.parent, progress.step, limit.plain_engines_s
         )
     return _document(spec, kept, found, files)
+
+
+def nothing_better(spec: ObjectSpec, kept: KeptStudy, limit: TimeLimit) -> dict[str, Any]:
+    """What is said where no trial but the start itself keeps every limit.
+
+    Raises
+    ------
+    InputError
+        Not even the start does.
+    """
+    (*_, own), trials = [None, *filter(is_feasible, kept.finished())], kept.trials()
+    if own is None:
+        raise InputError(
+            f"none of {len(trials)} trials keeps every limit. Raise search.trials and go on with "
+            "--resume, or loosen [search.limits]"
+        )
+    verdict = (
+        f"Nothing better was found in {limit.searching_s - limit.left_s:.0f} s of search: of "
+        f"{len(trials)} trials, what keeps every limit is your own layout (trial {own.number}). Give "
+        f"search.seconds = {2 * limit.seconds:g} or more, or raise search.trials, and go on with --resume"
+    )
+    return {
+        "command": "optimize",
+        "name": spec.name,
+        "spec_hash": spec_hash(spec),
+        "better": False,
+        "verdict": verdict,
+        "tables": {verdict: [_trial_counts(kept)]},
+        "files": [],
+    }
+
+
+def first_look(space: SearchSpace, kept: KeptStudy, folder: Path, beside: Path) -> str:
+    """Write the best trial so far, which only the lowest level knows; where, in words, or nothing."""
+    best = leaders(space, kept, 1)
+    if not best:
+        return ""
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / "first_look.toml"
+    layout = with_layout(space.spec, best[0].params)
+    write_specification(layout, f"{space.spec.name}_first_look", path, beside)
+    return f" The best so far, by the lowest fidelity level alone, is {path}."
 
 
 def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:

@@ -33,7 +33,6 @@ from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.scorer import require_scorable
 from estimator.layouts.vectors import layout_space, layouts_at
-from estimator.networks.training.fitting import one_thread
 from fem.candidates.motions import candidate_lattices
 from instobj.search.lowest_fidelity import broken_by_structure, misfit_of
 
@@ -78,8 +77,7 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
     _require_mechanics(spec)
     _require_scores(spec)
     space = search_space(spec)
-    with one_thread():
-        return _possible(space)
+    return _possible(space)
 
 
 def _require_known_on(spec: ObjectSpec) -> None:

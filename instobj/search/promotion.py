@@ -19,9 +19,10 @@ from optuna.trial import FrozenTrial
 
 from design.errors import InputError
 from design.files import atomic_path
-from design.search.space import SearchSpace, unit_of, with_layout
+from design.search.space import SearchSpace, start_params, unit_of, with_layout
 from design.search.structure import structure_choices
 from design.spec.object import ObjectSpec
+from estimator.field.device import one_thread
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
     FidelityScore,
@@ -30,7 +31,6 @@ from estimator.layouts.fidelity import (
     rank_correlations,
 )
 from estimator.layouts.scorer import LayoutScorer
-from estimator.networks.training.fitting import one_thread
 from instobj.search.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
@@ -57,6 +57,8 @@ from instobj.store.readers import FINDINGS, METRICS, SECOND_FIDELITY, SIGNALS
 
 _APART = 0.05
 """Of the unit cube: leaders differ by at least that much in some variable."""
+_SAME = 1e-3
+"""Of the unit cube: as near the start a trial is the start, rounded."""
 _KEPT = {field.name for field in fields(FidelityScore)}
 _RIGID, _CHAIN = (SECOND_FIDELITY.stage,), (SIGNALS.stage,)
 _ALLOWANCE = 1.25
@@ -145,7 +147,8 @@ def promote(
     limit: TimeLimit,
     workers: Workers | None = None,
 ) -> Promotion | None:
-    """The search's leaders taken through all fidelity levels; None where no trial keeps every limit.
+    """The search's leaders taken through all fidelity levels; None where no trial but the start keeps
+    every limit.
 
     Tensors take one thread: two gain little here, and wait for each other where other programs run.
     The start goes first, to the highest level: what that takes is what a finalist will need, and it is
@@ -314,11 +317,18 @@ def _finalists(
 
 
 def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:
-    """The best trials within all limits that are not almost the same layout.
+    """The best trials within all limits that are not almost the same layout, nor the start.
 
     With several objectives, by their product: in the middle of the front.
     """
-    within = [trial for trial in kept.finished() if is_feasible(trial)]
+    start = start_params(space)
+    own = None if start is None else unit_of(space, start)
+    within = [
+        trial
+        for trial in kept.finished()
+        if is_feasible(trial)
+        and (own is None or abs(unit_of(space, trial.params) - own).max() > _SAME)
+    ]
     within.sort(key=lambda trial: float(np.log(trial.values).sum()))
     found: list[FrozenTrial] = []
     points: list[np.ndarray] = []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from math import ceil
@@ -19,6 +19,8 @@ _PAGE_SHARE = 0.06
 _OF_PLAIN_ENGINES = 2 / 3
 _CHAINS = 2
 """The start and a finalist."""
+_QUICKER = 2.0
+"""Than estimated, at most: estimates hold within half to twice."""
 _SHORTEST_S = 1e-3
 
 
@@ -67,7 +69,13 @@ class TimeLimit:
         )
 
     def mechanics_plan(self, lowest_s: float, chain_s: float) -> str:
-        """What of the time mechanics will take, in words; `lowest_s` 0 where those are stored."""
+        """What of the time mechanics will take, in words; `lowest_s` 0 where those are stored.
+
+        Raises
+        ------
+        InputError
+            The search would end without a result, were they twice as quick as estimated.
+        """
         if not lowest_s:
             return "mechanics of the lowest fidelity level are stored"
         text = (
@@ -78,17 +86,25 @@ class TimeLimit:
         needed_s = max(lowest_s / TRIALS_SHARE, 2 * whole_s) / (1 - _PAGE_SHARE)
         if needed_s <= self.seconds:
             return text
+        give = f"give about {100 * ceil(needed_s / 100)}"
+        if whole_s > _QUICKER * self.searching_s:
+            raise InputError(
+                f"search.seconds = {self.seconds:g} ends before a search has a result: {text}, and "
+                f"{_CHAINS} × {_in_words(chain_s)} for the chain of the start and of a finalist. Instead "
+                f"{give}"
+            )
         holds = (
             "not even the mechanics" if whole_s > self.searching_s else "mechanics, but few trials"
         )
         return (
-            f"{text}. search.seconds = {self.seconds:g} is likely to hold {holds}: give about "
-            f"{100 * ceil(needed_s / 100)}. What was made is kept, and --resume goes on from there"
+            f"{text}. search.seconds = {self.seconds:g} is likely to hold {holds}: {give}. What was "
+            "made is kept, and --resume goes on from there"
         )
 
     @contextmanager
-    def enforced(self) -> Iterator[None]:
-        """Break off what runs in here when the time is spent.
+    def enforced(self, first_look: Callable[[], str] = lambda: "") -> Iterator[None]:
+        """Break off what runs in here when the time is spent; `first_look` then keeps the best so far, and
+        says where.
 
         Work in compiled code ends first: a factorization of the default mesh takes seconds. Work that
         can be left out catches `TimeSpent`, once. On systems without interval timers (Windows) nothing
@@ -110,8 +126,8 @@ class TimeLimit:
         except TimeSpent:
             raise InputError(
                 f"the time of this search, search.seconds = {self.seconds:g}, was spent before there "
-                "was a result. Trials, finished stages and scored layouts are kept: go on with "
-                "--resume, and with more search.seconds"
+                f"was a result.{first_look()} Trials, finished stages and scored layouts are kept: go "
+                "on with --resume, and with more search.seconds"
             ) from None
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)

@@ -42,8 +42,11 @@ def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> di
 
     Where no place may be worse, each counts as one limit exceeded by as much again.
     """
-    lacking = one.spec.limits.saturation_margin - one.levels[level].saturation_margin
-    found = {"saturation_margin": lacking}
+    reached = one.levels[level]
+    found = {
+        "saturation_margin": one.spec.limits.saturation_margin - reached.saturation_margin,
+        "objects_margin": -reached.objects_margin,
+    }
     if search.limits.places_worse < 1:
         worse = worse_share(start.levels[level], one.levels[level])
         most = search.limits.places_worse
@@ -80,6 +83,11 @@ def objections(
             found.append(
                 f"{100 * free:.2g} % of the sensors' range stays free in the deepest press, less than "
                 f"limits.saturation_margin = {least:g}"
+            )
+        elif name == "objects_margin":
+            found.append(
+                f"chips leave their range by {100 * share:.2g} % in the deepest press of more than 5 % of "
+                "virtual objects"
             )
         else:
             found.append(f"{name} misses its limit by {100 * share:.2g} %")

@@ -6,11 +6,12 @@ import platform
 from dataclasses import dataclass, field, fields
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from design.errors import InputError
+from design.imports import missing_extra
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from instobj.stages.inputs import stage_inputs
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
 
 Content = TypeVar("Content")
 _LIBRARIES = ("instobj",)
+_WORTH_A_LINE_S = 0.5
+"""Time of a stage above which it gets a line of its own in a log, s."""
 _UNITS_BY_ENDING = {"n_per_mm": "N/mm", "mm": "mm", "n": "N", "deg": "deg"}
 _UNITS_BY_NAME = {
     "delta_raw": "count^d/N",
@@ -49,7 +52,7 @@ class Run:
 
     The store is that of the commands (`INSTOBJ_STORE`, by default `.instobj` in the current
     folder): what `instobj run` has made is read, and a run that was interrupted goes on from its
-    last complete stage. Progress is written to standard error.
+    last complete stage. Progress is not told, but by the command line.
 
     Parameters
     ----------
@@ -98,6 +101,11 @@ class Run:
     def __post_init__(self) -> None:
         if self.checked:
             check(self.spec, table=False)
+
+    def __getattr__(self, name: str) -> Any:
+        """Called for names that a run has not."""
+        known = [one for one in dir(type(self)) if not one.startswith("_")]
+        raise AttributeError(f"a Run has no {name!r}. It has {', '.join(known)}")
 
     def __repr__(self) -> str:
         asked = ", ".join(self.results) or "nothing asked for yet"
@@ -159,8 +167,10 @@ class Run:
         with self.progress.stage(stage.title):
             result = stored(self.root, name, inputs, make, self.progress.say)
         self.results[name] = self.found[key] = result
-        how = "reused, first made in" if result.reused else "made in"
-        self.progress.say(f"{stage.title}: {how} {result.seconds:.1f} s")
+        if result.reused:
+            self.progress.step(f"{stage.title}: reused")
+        elif result.seconds >= _WORTH_A_LINE_S:
+            self.progress.say(f"{stage.title}: made in {result.seconds:.1f} s")
         return result
 
     def _of(self, spec: ObjectSpec) -> Run:
@@ -188,12 +198,12 @@ class Run:
         rad). Variables: `force_n` (N), `contact_area_mm2` (mm²), `motion`; NaN at places that a
         face has not.
         """
-        import xarray as xr
+        from instobj.stages.named import Results
 
         forces, motions = self.read(readers.PRESSES)
         per_press = ("face", "place", "step")
         xy_mm = forces.lattice.xy_mm
-        return xr.Dataset(
+        return Results(
             {
                 "force_n": (per_press, forces.force_n, {"units": "N"}),
                 "contact_area_mm2": (per_press, forces.contact_area_mm2, {"units": "mm2"}),
@@ -218,9 +228,12 @@ class Run:
         """
         import xarray as xr
 
-        return xr.load_dataset(
+        from instobj.stages.named import Results
+
+        content = xr.load_dataset(
             self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
         )
+        return Results(content.data_vars, coords=content.coords, attrs=content.attrs)
 
     @property
     def scores(self) -> xr.Dataset:
@@ -231,15 +244,16 @@ class Run:
         `detectable_force_n` (N); further `delta_raw`, `delta_scaled` (convex-hull sensitivity),
         `weakest_direction_deg`, `force_at_score_n`, `reaches_score_force`, `depth_at_score_mm`,
         `stiffness_n_per_mm`. The coordinate `on_face` (face, place) tells which places of the grid a
-        face has; variables are NaN at the others. Source: `estimator.information.scores`.
+        face has; variables are NaN at the others; bounds and
+        δ also where no press `reaches_score_force`. Source: `estimator.information.scores`.
         """
-        import xarray as xr
+        from instobj.stages.named import Results
 
         scores = self.read(readers.SCORES)
         names = [field.name for field in fields(scores)][2:]
-        return xr.Dataset(
+        return Results(
             {
-                name.replace("_fresh", ""): (
+                name: (
                     ("face", "place"),
                     getattr(scores, name),
                     {"units": _unit(name)},
@@ -289,10 +303,8 @@ class Run:
         try:
             from instobj.report.widget import object_view
         except ModuleNotFoundError as error:
-            raise InputError(
-                f"the view in a notebook needs {error.name}, which is not installed. Run "
-                "pip install 'instobj[notebook]', or open report.html of `instobj run`"
-            ) from error
+            advice = missing_extra(error) or str(error)
+            raise InputError(f"{advice}. Or open report.html of `instobj run`") from error
         return object_view(self.spec.name, self.read(readers.SCENE).read_bytes())
 
 

@@ -77,21 +77,21 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=15,
+        version=16,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell"),
         make_sheet,
-        version=10,
+        version=11,
     ),
     "fabrication": Stage(
         "design: fabrication checks",
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=12,
+        version=13,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=3),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
@@ -191,14 +191,14 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=6
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=7
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=2,
+        version=3,
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -212,13 +212,14 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals", "shear"),
         ("score",),
         make_shear_scores,
+        version=2,
     ),
     "identify": Stage(
         "sensitivity: several simultaneous contacts",
         ("presses", "signals"),
         ("score", "limits.position_bound_mm", "seed"),
         make_identify,
-        version=2,
+        version=3,
     ),
     "robustness": Stage(
         "robustness: tolerances",
@@ -228,7 +229,7 @@ STAGES: dict[str, Stage] = {
             *("score.force_n", "score.channels", "tolerances", "seed"),
         ),
         make_robustness,
-        version=2,
+        version=3,
     ),
     "frames": Stage(
         "estimator: simulated presses",
@@ -298,7 +299,7 @@ STAGES: dict[str, Stage] = {
         (),
         (*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
         make_surroundings,
-        version=2,
+        version=3,
     ),
     "press_curves": Stage(
         "signals: curves of presses",
@@ -317,17 +318,17 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         (
             *(*_MAKING, "silicone", "score", "seed", "mechanics", "contact_grid", "press"),
-            *("environment", "as_built", "limits"),
+            *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=4,
+        version=5,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",
         (),
         ("name", "mechanics.slip", "score"),
         make_slip,
-        version=2,
+        version=3,
         of_others=objects_compared,
     ),
     "scene": Stage(
@@ -361,7 +362,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "search.prices", "silicone"),
         make_report,
-        version=16,
+        version=18,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from design.errors import InputError
-from design.processes import machine_memory_gib
+from design.processes import ONE_THREAD, machine_memory_gib
 from instobj.stages.tasks import StageTask, work
 from instobj.store.content import StoredResult
 from instobj.store.progress import NEWS_EVERY_S, ProgressLine
@@ -27,9 +27,8 @@ MEMORY = "instobj_gib"
 _RETRIES = 3
 _BETWEEN_LOOKS_S = 0.05
 _ANSWER_S = 10.0
-_ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 _LEAN = {
-    "distributed.nanny.pre-spawn-environ": _ONE_THREAD
+    "distributed.nanny.pre-spawn-environ": ONE_THREAD
     | {"MALLOC_ARENA_MAX": "1", "MALLOC_MMAP_MAX_": "0", "MALLOC_TRIM_THRESHOLD_": str(2**33)},
     "distributed.worker.profile.enabled": False,
 }
@@ -198,14 +197,9 @@ def _outcome(future: Any) -> dict[str, Any]:
 
 @contextmanager
 def _client(workers: int, scheduler: str | None) -> Iterator[Client]:
-    try:
-        from dask import config
-        from distributed import Client, LocalCluster
-    except ImportError:
-        raise InputError(
-            "several workers need Dask, which is not installed. Install instobj[dask], or leave "
-            "--workers and --scheduler out"
-        ) from None
+    from dask import config
+    from distributed import Client, LocalCluster
+
     if scheduler is not None:
         try:
             client = Client(scheduler, timeout=_ANSWER_S)

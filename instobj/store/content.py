@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import StoreError
+from design.files import full_disk_told
 from instobj.store.keys import stage_key
 from instobj.store.lease import hold_lease, remove_abandoned
 from instobj.store.progress import ProgressLine
@@ -180,21 +181,24 @@ def _set_aside(folder: Path, damage: DamagedResult, say: Say) -> None:
 def _temporary_folder(root: Path, stage: str, key: str) -> Iterator[Path]:
     """A folder to make a result in, removed afterwards."""
     try:
-        lease = hold_lease(root)
-        remove_abandoned(root, lease.now())
-        temporary = lease.temporary(root, f"{stage}-{key[:12]}")
+        with full_disk_told(root / stage, root):
+            lease = hold_lease(root)
+            remove_abandoned(root, lease.now())
+            temporary = lease.temporary(root, f"{stage}-{key[:12]}")
+    except StoreError:
+        raise
     except OSError as error:
         raise StoreError(
             f"cannot write the store {root}: {error.strerror}. Set INSTOBJ_STORE to a writable folder"
         ) from error
     try:
-        yield temporary
+        with full_disk_told(root / stage, temporary):
+            yield temporary
     except StoreError:
         raise
     except OSError as error:
         raise StoreError(
-            f"cannot keep results in the store {root}: {error}. Make room, or set INSTOBJ_STORE to "
-            "a writable folder"
+            f"cannot keep results in the store {root}: {error}. Set INSTOBJ_STORE to a writable folder"
         ) from error
     finally:
         shutil.rmtree(temporary, ignore_errors=True)

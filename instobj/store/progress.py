@@ -1,4 +1,4 @@
-"""Progress of long work on standard error: a live line on a terminal, plain lines elsewhere."""
+"""Progress of long work on standard error: a live line on a terminal, a line a stage elsewhere."""
 
 from __future__ import annotations
 
@@ -15,21 +15,34 @@ from rich.status import Status
 NEWS_EVERY_S = 4.0
 """For code that has news all the time."""
 _MOST_SILENT_S = 5.0
+"""Longest time without a change of the live line, s."""
+_LOG_EVERY_S = 60.0
+"""Least time between two steps that a log shows, s: a log is read afterwards, not watched."""
+_shown = Event()
+
+
+def show_progress() -> None:
+    """Let this process tell its progress, as the command line does; a library is silent."""
+    _shown.set()
 
 
 @dataclass
 class ProgressLine:
     """What the stage at work is doing now; `step` is handed to the stages.
 
-    Where a stage says nothing for 5 s, its last step is told again with the time it has taken.
+    On a terminal a stage that says nothing for 5 s shows its last step again with the time it has
+    taken. In a log a step is written once a minute at most.
     """
 
-    console: Console = field(default_factory=lambda: Console(stderr=True, highlight=False))
+    console: Console = field(
+        default_factory=lambda: Console(stderr=True, highlight=False, quiet=not _shown.is_set())
+    )
     _status: Status | None = None
     _title: str = ""
     _step: str = ""
     _started: float = 0.0
     _told: float = 0.0
+    _logged: float = field(default_factory=time.perf_counter)
 
     @contextmanager
     def stage(self, title: str) -> Iterator[None]:
@@ -54,14 +67,22 @@ class ProgressLine:
         line = f"{title} [dim]({elapsed:.0f} s)[/dim]" if self._title else message
         if self._status is not None:
             self._status.update(line)
-        else:
-            self.console.print(f"  … {line}", soft_wrap=True)  # a log has no columns to break at
-            sys.stderr.flush()
+        elif self._told - self._logged >= _LOG_EVERY_S:
+            self._log(f"  … {line}")
 
     def say(self, message: str) -> None:
         """A line that stays."""
         self._told = time.perf_counter()
-        self.console.print(message)
+        if self.console.is_terminal:
+            self.console.print(message)
+        else:
+            self._log(message)
+
+    def _log(self, line: str) -> None:
+        """Write a line of a log, which has no columns to break at."""
+        self._logged = time.perf_counter()
+        self.console.print(line, soft_wrap=True)
+        sys.stderr.flush()
 
     @contextmanager
     def _live_line(self, title: str) -> Iterator[None]:

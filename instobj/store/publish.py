@@ -111,15 +111,8 @@ def _copy(source: Path, target: Path) -> Path:
     before, now = source.stat(), target.stat() if target.exists() else None
     if now and (now.st_size, now.st_mtime_ns) == (before.st_size, before.st_mtime_ns):
         return target
-    try:
-        with atomic_path(target) as temporary:
-            shutil.copy2(source, temporary)
-    except StoreError:
-        raise
-    except OSError as error:
-        raise StoreError(
-            f"cannot write {target}: {error.strerror}. Make room or choose --out"
-        ) from error
+    with atomic_path(target) as temporary:
+        shutil.copy2(source, temporary)
     return target
 
 

@@ -137,7 +137,7 @@ def shared_store() -> SharedStore | None:
     except ImportError as error:
         raise StoreError(
             f"{URL} = {url} needs a package that is not installed ({error}). For s3:// install "
-            f"instobj[s3]; for {kind}:// the package of fsspec for it"
+            f"instobj[cluster]; for {kind}:// the package of fsspec for it"
         ) from None
     except ValueError as error:
         raise StoreError(

@@ -16,12 +16,14 @@ from pydantic import Field, ValidationError, model_validator
 
 from design.errors import InputError, SpecError
 from design.files import require_regular_file
-from design.spec.base import Count, Finite, SpecPart, complaints
+from design.spec.base import Count, SpecPart, complaints
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 
 MOST_VARIANTS = 10_000
 SweptStage = Literal["scores", "metrics", "frames", "pretraining"]
+End = Annotated[float, Field(ge=-1e8, le=1e8)]
+"""Of a range of any key."""
 Value = int | float | str | bool | list[Any]
 _NAME = r"^[A-Za-z0-9][A-Za-z0-9_.-]*$"
 
@@ -30,7 +32,7 @@ class LatinHypercubeSpec(SpecPart):
     """`count` points of a Latin hypercube over ranges of numbers; the seed makes it repeatable."""
 
     count: Count
-    ranges: Annotated[dict[str, tuple[Finite, Finite]], Field(min_length=1)]
+    ranges: Annotated[dict[str, tuple[End, End]], Field(min_length=1)]
     seed: Annotated[int, Field(ge=0)] = 1
 
     @model_validator(mode="after")

@@ -105,9 +105,9 @@ def test_own_sensors_see_most_and_every_score_is_finite(box):
     with (folder / "runs" / name / "scores.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 9 * len(BOXES[name][1])
-    for key in ("delta_scaled [1/N]", "position_bound_fresh_mm", "force_bound_fresh_n"):
+    for key in ("delta_scaled [1/N]", "position_bound_mm", "force_bound_n"):
         assert all(0 < float(row[key]) < np.inf for row in rows)
-    assert all(0 < float(row["position_bound_fresh_mm"]) < 3 for row in rows)
+    assert all(0 < float(row["position_bound_mm"]) < 3 for row in rows)
 
 
 def test_core_and_shell_are_closed_and_as_large_as_by_hand(box):

@@ -15,6 +15,7 @@ import tomllib
 from contextlib import contextmanager
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 import tomli_w
@@ -39,6 +40,7 @@ from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.table import LARGEST_FORCE_N
 from instobj.commands.hardware.readings import is_data_set
 from instobj.store.content import stored
+from tests.support.foreign_hdf5 import FOREIGN, sealed
 from tests.support.forked_reader import forking, said_in_fork
 from tests.support.mutations import damaged_bytes, damaged_tables, damaged_text
 from tests.support.recordings.generic_csv import write_generic_csv
@@ -253,6 +255,8 @@ def damaged_files(sound, rng):
             content = damaged_bytes(content, rng)
         if suffix == ".board" and rng.random() < 0.7:
             content = with_checksums(content)
+        if suffix == ".nc" and rng.random() < 0.3:
+            content = sealed(content)
         yield f"damaged_{case}{suffix}", content
 
 
@@ -263,6 +267,20 @@ def test_damaged_signals(suffix, tmp_path):
     digests = {digest(read_recording(path)) for path in sound} if suffix == ".nc" else None
     damaged = damaged_files(sound, np.random.default_rng([SEED, ord(suffix[2])]))
     assert_no_faults(tmp_path, itertools.islice(damaged, CASES), digests)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("make", FOREIGN, ids=lambda make: make.__name__)
+def test_recordings_that_reach_outside_of_their_file(make, tmp_path):
+    """In place of the forces of a sound recording, with a checksum as anybody can append it."""
+    recording, _ = sound_files(tmp_path, ".nc")
+    with h5py.File(recording, "a") as file:
+        del file["cell_force_n"]
+        make(file, tmp_path)
+    recording.write_bytes(sealed(recording.read_bytes()))
+    assert fault_of(recording) is None
+    with pytest.raises(InstobjError, match=FOREIGN[make]):
+        read_recording(recording)
 
 
 @pytest.mark.slow
@@ -295,6 +313,23 @@ def test_a_damaged_store_gives_the_same_results(tmp_path):
         target.write_bytes(damaged_bytes(target.read_bytes(), rng))
         again = stored(tmp_path, "stage", {"case": case % 7}, make)
         assert {name: (again.folder / name).read_bytes() for name in content} == content, case
+
+
+LONG_NUMBERS = {
+    "integer": "name = 'big'\nseed = " + "7" * 5000,
+    "float": "name = 'big'\n[shell]\nthickness_mm = " + "7" * 5000 + ".5",
+    "in an array": "name = 'big'\n[magnets]\npositions_mm = [[0, " + "7" * 5000 + "]]",
+    "beyond a machine's": "name = 'big'\nseed = " + "9" * 21,
+}
+
+
+@pytest.mark.parametrize("text", LONG_NUMBERS.values(), ids=LONG_NUMBERS)
+def test_numbers_of_thousands_of_digits(text, tmp_path):
+    """Python reads no integer of more than 4300 digits."""
+    (tmp_path / "big.toml").write_text(text)
+    assert fault_of(tmp_path / "big.toml") is None
+    with pytest.raises(InstobjError):
+        read_specification(tmp_path / "big.toml")
 
 
 @pytest.mark.parametrize("path", sorted(CORPUS.iterdir()), ids=lambda path: path.name)

@@ -98,7 +98,7 @@ class TableObject:
 def test_an_object_is_taken_from_firmware_to_predictions(tmp_path):
     (tmp_path / "walk.toml").write_text(SPEC)
     spec = load_spec(tmp_path / "walk.toml")
-    done("firmware", "walk.toml", "--board", "mega2560", "--json", cwd=tmp_path)
+    done("bench", "firmware", "walk.toml", "--board", "mega2560", "--json", cwd=tmp_path)
     plan, _ = choose_plan(spec, MEGA2560)
     channels = channels_of_firmware(tmp_path / "runs/walk/firmware_mega2560", plan)
     thing = TableObject(spec, channels)
@@ -106,11 +106,11 @@ def test_an_object_is_taken_from_firmware_to_predictions(tmp_path):
         arguments = ["--port", made.port, "--board-port", made.board_port, "--face", FACE]
         arguments += ["--middle", ",".join(f"{v:g}" for v in MIDDLE_MM), "--yes", "--json"]
         arguments += ["--depth", 1, "--depth", 2, "--depth", 2.5, "--speed", 2, "--repeats", 2]
-        pressed = done("rig", "walk.toml", *arguments, cwd=tmp_path)
+        pressed = done("bench", "rig", "walk.toml", *arguments, cwd=tmp_path)
     assert pressed["presses"] == 32 + 5
     assert np.ptp(pressed["reference_n"]) < 0.3
     done("recordings", "walk.nc", "--spec", "walk.toml", "--json", cwd=tmp_path)
-    done("evaluate", "runs/walk/frames.nc", *SETTINGS, "--json", cwd=tmp_path)
+    done("train", "runs/walk/frames.nc", *SETTINGS, "--json", cwd=tmp_path)
     done("export", f"runs/walk/face_{FACE}.safetensors", "--json", cwd=tmp_path)
     done("predict", f"runs/walk/face_{FACE}.onnx", "walk.nc", "--json", cwd=tmp_path)
     require_right_predictions(tmp_path)
@@ -168,13 +168,25 @@ def test_a_recording_of_the_rig_is_validated_and_trains_with_the_twin(tmp_path):
     """An object that senses one face, whose recording has room for the channels of five."""
     (tmp_path / "walk.toml").write_text(ONE_FACE)
     spec = load_spec(tmp_path / "walk.toml")
-    done("simulate", "walk.toml", "--json", cwd=tmp_path)
+    done("run", "walk.toml", "--to", "presses", "--json", cwd=tmp_path)
     thing = MeshedObject(spec, load_signals(tmp_path / "runs/walk/lattice_signals.nc"))
     channels = [f"F{FACE}-{axis}{sensor}" for sensor in (1, 2, 3) for axis in "XYZ"]
     with bench(law=thing.law, counts=thing.counts, channels=channels) as made:
         arguments = ["--port", made.port, "--board-port", made.board_port, "--face", FACE]
         arguments += ["--middle", ",".join(f"{v:g}" for v in MIDDLE_MM), "--yes", "--json"]
-        done("rig", "walk.toml", *arguments, "--depth", 1, "--depth", 2, "--speed", 2, cwd=tmp_path)
+        done(
+            "bench",
+            "rig",
+            "walk.toml",
+            *arguments,
+            "--depth",
+            1,
+            "--depth",
+            2,
+            "--speed",
+            2,
+            cwd=tmp_path,
+        )
     told = done("recordings", "walk.nc", "--spec", "walk.toml", "--json", cwd=tmp_path)
     assert told["reports"][0]["faults"] == []
     found = done("validate", "walk.toml", "walk.nc", "--json", cwd=tmp_path)["validation"]

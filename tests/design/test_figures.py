@@ -113,10 +113,10 @@ FIGURES = {
         "_RANGES_TO_STRETCH": (1.25, 1.5, 2.0, 3.0), "_LARGEST_CORRELATION": 0.95,
     },
     design.catalogue.tensile_files: {"FIT_TO_STRETCH": 2.0, "LEAST_POINTS": 6, "_LEAST_STRETCH": 1.1},
-    design.fabrication.assembly: {"TOUCHING_MM3": 1e-3},
+    design.fabrication.assembly: {"TOUCHING_MM3": 1e-3, "MATING_MM3": 1.0},
     design.fabrication.casting: {
         "CEILING_MM2": 100.0, "YIELD_SHARE": 0.02, "NEAR_MM": 0.15,
-        "OPEN_MM3": 1e-3, "MATING_MM3": 1.0,
+        "OPEN_MM3": 1e-3,
     },
     design.fabrication.check: {"SLIVER_MM3": 1.0},
     design.fabrication.printing: {"_TIGHT": 1.25, "SHARPEST_DEG": 40.0},
@@ -176,8 +176,8 @@ FIGURES = {
         "POST_HEIGHT_MM": 4.0, "POST_MM": 7.3, "BLOCK_MM": 10.0, "CHAMFER_MM": 3.0,
     },
     design.netcdf: {
-        "_LARGEST_CHUNK_BYTES": 2**30, "_SEAL_BYTES": 48, "FIRST_READING_S": 120.0,
-        "_FIRST_READING_BYTES_PER_S": 2e7,
+        "_LARGEST_CHUNK_BYTES": 2**30, "FIRST_READING_S": 120.0,
+        "_FIRST_READING_BYTES_PER_S": 2e7, "MEMORY_GIB": 8.0,
     },
     design.placement.asked: {
         "_GROWTH": 1.25, "_LARGEST_GROWTH": 8.0, "_LARGEST_BESIDE": 3.1, "_HALVINGS": 3, "_PLATE": 0.5,

@@ -1,6 +1,8 @@
 """A table is the same as a file and as text."""
 
-from design.tables import table_text, write_table
+import pytest
+
+from design.tables import table_text, write_records, write_table
 
 HEADER = ("place", "force_n")
 ROWS = [("edge", 1.5), ("face, upper", 2)]
@@ -13,3 +15,18 @@ def test_file_and_text_are_the_same(tmp_path):
 
 def test_fields_with_commas_are_quoted_and_lines_end_in_a_line_feed():
     assert table_text(HEADER, ROWS) == 'place,force_n\nedge,1.5\n"face, upper",2\n'
+
+
+@pytest.mark.parametrize("text", ["=1+2", "+cmd", "-2 and more", "@SUM(A1)", "\t=1", "\r=1"])
+def test_a_text_that_a_spreadsheet_would_work_out_begins_with_an_apostrophe(text, tmp_path):
+    """In rows, headers and records: all tables are written in one place."""
+    header, row = table_text([text, "b"], [[text, "c"]]).split("b\n", 1)
+    assert header.strip('"').startswith(f"'{text}")
+    assert row.strip('"').startswith(f"'{text}")
+    write_records(tmp_path / "records.csv", [{text: 1.0, "name": text}])
+    assert (tmp_path / "records.csv").read_text(encoding="utf-8").count("'") == 2
+
+
+def test_numbers_stay_numbers_also_as_text():
+    rows = [(-1.5, "-1.5", "+2e-3", "-inf", "a=b", "2 - 1")]
+    assert table_text("abcdef", rows).splitlines()[1] == "-1.5,-1.5,+2e-3,-inf,a=b,2 - 1"

@@ -86,15 +86,21 @@ def _unknown_in(snippet: str) -> list[str]:
     """Commands and options of `instobj` in a snippet that do not exist."""
     known = commands()
     words = snippet.split("#")[0].replace("`", " ").split()
+    if words[:3] == ["python", "-m", "studies"]:
+        known = commands("studies.__main__")
+        words = ["instobj", *words[3:]]
     if words and words[0] == "instobj":
         words = words[1:]
-        if words and re.fullmatch(r"[a-z][a-z-]*", words[0]) and words[0] not in known:
+        if words[:1] == ["bench"]:
+            words = [" ".join(words[:2]), *words[2:]]
+        if words and re.fullmatch(r"[a-z][a-z -]*", words[0]) and words[0] not in known:
             return [words[0]]
     options = [word.split("=")[0].rstrip(",.;)") for word in words if word.startswith("--")]
     if words and words[0] in known:
         allowed = option_names(known[words[0]])
     elif words and words[0].startswith("--"):
-        allowed = set().union(FOREIGN_OPTIONS, *map(option_names, known.values()))
+        every = [*known.values(), *commands("studies.__main__").values()]
+        allowed = set().union(FOREIGN_OPTIONS, *map(option_names, every))
     else:
         return []
     return [option for option in options if option not in allowed]

@@ -20,17 +20,14 @@ import estimator.bringup.diagnosis.levenberg_marquardt
 import estimator.bringup.diagnosis.poles
 import estimator.bringup.simulated
 import estimator.bringup.verdict
-import estimator.calibration.interfaces
 import estimator.calibration.known_travel.agreement
 import estimator.calibration.known_travel.bound
-import estimator.calibration.known_travel.cycles
 import estimator.calibration.known_travel.fit
 import estimator.calibration.known_travel.model
 import estimator.calibration.known_travel.places
 import estimator.calibration.known_travel.suspects
 import estimator.calibration.pose_fit
 import estimator.calibration.recorded_presses
-import estimator.calibration.resting_conventions
 import estimator.calibration.slip_recovery
 import estimator.calibration.twin.digital_twin
 import estimator.calibration.twin.discrepancy
@@ -121,6 +118,9 @@ import estimator.tolerances.localisation_bias
 import estimator.tolerances.result
 import estimator.tolerances.selftest
 import estimator.tolerances.virtual_object
+import studies.recorded.cycle_laws
+import studies.recorded.interface_fits
+import studies.recorded.resting_conventions
 from estimator.layouts.near_field import Reach
 from estimator.networks.defaults import Choice
 from estimator.networks.training.data import Augmentation
@@ -166,10 +166,10 @@ FIGURES = {
         "_STUCK_COUNTS": 128.0,
     },
     estimator.bringup.verdict: {"LEAST_HOLDS": 3, "_BEYOND_LINEAR": 0.3},
-    estimator.calibration.interfaces: {"DEPTHS_MM": (0.5, 1.0, 1.5, 2.0, 3.0, 4.0)},
+    studies.recorded.interface_fits: {"DEPTHS_MM": (0.5, 1.0, 1.5, 2.0, 3.0, 4.0)},
     estimator.calibration.known_travel.agreement: {"SMALLEST_MT": 0.03},
     estimator.calibration.known_travel.bound: {"NEIGHBOURS_MM": 4.5, "LEAST_NEIGHBOURS": 12},
-    estimator.calibration.known_travel.cycles: {
+    studies.recorded.cycle_laws: {
         "STEP_S": 0.1,
         "LAGS_S": [-0.5, -0.4, -0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9,
             1.0],
@@ -197,7 +197,7 @@ FIGURES = {
     estimator.calibration.recorded_presses: {
         "RECORDED_FACES": 5, "LOADED_SHARE": 0.5, "LEAST_FRAMES": 5,
     },
-    estimator.calibration.resting_conventions: {
+    studies.recorded.resting_conventions: {
         "COMMON": {"nothing": (), "strength": (0,), "depth": (1,), "strength, depth": (0, 1),
             "core": (2, 3, 4, 5, 6, 7), "all": (0, 1, 2, 3, 4, 5, 6, 7)},
         "PRIOR": [0.3, 1.0, 1.0, 1.0, 1.0, 3.0, 3.0, 3.0],

@@ -19,8 +19,6 @@ import fem.large_strain.single_press
 import fem.linear.core_interface
 import fem.linear.factorization
 import fem.linear.material
-import fem.loose_core.coulomb
-import fem.loose_core.press
 import fem.mesh.edge_lengths
 import fem.mesh.mesher
 import fem.mesh.quality
@@ -32,6 +30,8 @@ import fem.presses.discretisation
 import fem.presses.sticking
 import fem.presses.table
 import fem.presses.to_force
+import studies.loose_core.coulomb
+import studies.loose_core.press
 
 FIGURES = {
     fem.candidates.motions: {"_PITCH_MM": 2.0, "_DEPTH_STEP_MM": 1.0, "_MARGIN_MM": 1.5, "MM_PER_RAD": 4.0},
@@ -56,12 +56,12 @@ FIGURES = {
     fem.linear.core_interface: {"WALLS": ((0, 1), (0, -1), (1, 1), (1, -1), (2, 1))},
     fem.linear.factorization: {"_LARGEST_RESIDUAL": 1e-6},
     fem.linear.material: {"LARGEST_POISSON_RATIO": 0.499999},
-    fem.loose_core.coulomb: {"TOLERANCE": 1e-6, "_SITE_UNITS": 5.0},
-    fem.loose_core.press: {"HOLD": 0.001},
+    studies.loose_core.coulomb: {"TOLERANCE": 1e-6, "_SITE_UNITS": 5.0},
+    studies.loose_core.press: {"HOLD": 0.001},
     fem.mesh.edge_lengths: {
         "_STEP_MM": 2.0, "_STEP_AT_RIMS_MM": 1.0, "FINE_LAYER_MM": 0.5, "_RIM_GROWTH": 0.7,
     },
-    fem.mesh.mesher: {"SECONDS": 3600.0},
+    fem.mesh.mesher: {"SECONDS": (300.0, 3600.0)},
     fem.mesh.quality: {
         "MIN_DIHEDRAL_DEG": 4.0, "MAX_VOLUME_ERROR": 2e-3, "MAX_MAGNET_VOLUME_ERROR": 0.03,
     },

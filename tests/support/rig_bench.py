@@ -1,14 +1,11 @@
 """A press rig without hardware: Grbl machine, board and load cell on pseudo-terminals, one object below.
 
 Time runs as fast as the host answers: it asks the machine's state after every frame, and the bench
-waits until the frame was read and then asked for. So the host's own slowness costs no simulated time.
+waits until it was asked for. So the host's own slowness costs no simulated time.
 """
 
-import fcntl
 import os
 import select
-import sys
-import termios
 import threading
 import time
 import tty
@@ -54,11 +51,6 @@ class Line:
     def write(self, data):
         with suppress(BlockingIOError, OSError):
             os.write(self.master, data)
-
-    def unread(self):
-        """Bytes that the host has not taken yet."""
-        count = fcntl.ioctl(self.slave, termios.FIONREAD, b"\0" * 4)
-        return int.from_bytes(count, sys.byteorder)
 
     def close(self):
         os.close(self.master)
@@ -122,7 +114,8 @@ class Bench:
             line.write(data)
         if self.load_in_bursts:
             ms = round(1000 * (FRAME_S * self.frames + STEP_S * (len(self.readings) - 9)))
-            self.readings.append((max(ms, 0), self.contact()[2]))
+            noise = 0.01 * self.rng.standard_normal()
+            self.readings.append((max(ms, 0), self.contact()[2] + noise))
 
     def _frame(self, header):
         self.plan(self)
@@ -153,19 +146,17 @@ class Bench:
         self.frames += 1
 
     def _answered(self):
-        """Wait for what the host says to the machine once it has read a frame (what it says before is
-        answered too): some seconds at most, or nothing where it has been silent for three frames."""
+        """Wait for what the host says to the machine: some seconds at most, or nothing where it has been
+        silent for three frames. It reads the board at every word, unless it is stopping."""
         line, patience_s = self.lines["machine"], _PATIENCE_S if self.unanswered < 3 else 0.002
         until = time.monotonic() + patience_s
         self.unanswered += 1
         while time.monotonic() < until and not self._stop.is_set():
-            frame_read = not self.lines["board"].unread()
             if data := line.read():
                 self.machine.take(data)
                 line.write(self.machine.give())
                 self.unanswered = 0
-                if frame_read:
-                    return
+                return
             time.sleep(0.0002)
 
 

@@ -37,6 +37,8 @@ _AS_GOOD = 1e-4
 """Share of the surface by which an undercut may grow for a plane through the origin."""
 FLANGE_THICKNESS_MM = 4.0
 """Of the flanges along the seam, on either side of it."""
+DOWEL_DIAMETER_MM, BOLT_HOLE_MM = 4.0, 3.4
+"""Of what stands in the middle of the flanges."""
 _SLOPE = np.sin(np.deg2rad(2.0))
 """Undercuts below this slope are those of facets that the parting plane crosses."""
 
@@ -104,6 +106,12 @@ def mould_style(spec: ObjectSpec) -> Literal["one-piece", "split"]:
     if spec.mould.style is not None:
         return spec.mould.style
     return "one-piece" if opening_of(spec) == "open" else "split"
+
+
+def flange_wall_mm(spec: ObjectSpec) -> float:
+    """Wall of a flange on either side of a bolt's hole or a dowel's, whichever is wider."""
+    widest = max(BOLT_HOLE_MM, DOWEL_DIAMETER_MM + 2 * play_mm(spec))
+    return (spec.mould.flange_mm - widest) / 2
 
 
 @once

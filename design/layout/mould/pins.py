@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,7 +20,7 @@ from design.layout.body import face_frames
 from design.layout.core_hold import Locator, locators
 from design.layout.mould.closure import flange_span_mm
 from design.layout.mould.frame import mould_frame, parting, play_mm, thin_at_seam
-from design.layout.pockets import Body, Outline, Pocket, distance_of_segments_mm, shell_pockets
+from design.layout.pockets import Body, Outline, Pocket, near_pairs, shell_pockets
 from design.spec.worked_out import once
 
 if TYPE_CHECKING:
@@ -282,11 +281,12 @@ def _rim_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
     A wall is left between the rooms of two heads; where that would take the rims away the rooms
     run together.
     """
-    gaps = [
-        distance_of_segments_mm(a.head_axis_mm, b.head_axis_mm) - a.radius_mm - b.radius_mm
-        for a, b in combinations(pins, 2)
-    ]
-    gap, play, printer = min(gaps, default=np.inf), play_mm(spec), spec.printer
+    play, printer = play_mm(spec), spec.printer
+    # heads further apart than this leave all of the rim
+    enough = PIN_HEAD_RIM_MM + play + printer.wall_mm
+    near = near_pairs([pin.head_axis_mm for pin in pins], [pin.radius_mm + enough for pin in pins])
+    gaps = [away - pins[one].radius_mm - pins[other].radius_mm for one, other, away in near]
+    gap = min(gaps, default=np.inf)
     walled, merged = (gap - 2 * play - printer.wall_mm) / 2, (gap - play) / 2
     room = walled if walled >= least_rim_mm(spec) else merged
     return float(np.clip(room, 0.0, PIN_HEAD_RIM_MM))

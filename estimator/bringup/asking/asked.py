@@ -93,12 +93,12 @@ def require_bringup(spec: ObjectSpec) -> None:
         raise InputError(
             "bringup holds a magnet over chips in the core and watches magnets being put into the "
             f"shell; {spec.name} has arrangement = {spec.arrangement!r} and magnets.kind = "
-            f"{spec.magnets.kind!r}. Use `instobj selftest` for it"
+            f"{spec.magnets.kind!r}. Use `instobj bench selftest` for it"
         )
     if set(spec.sensors.axes) != set("XYZ"):
         raise InputError(
             f"bringup needs chips of three axes; sensors.axes = {list(spec.sensors.axes)}. Use "
-            "`instobj selftest` for this object"
+            "`instobj bench selftest` for this object"
         )
 
 

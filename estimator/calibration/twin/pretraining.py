@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from design.spec.object import ObjectSpec
+from design.spec.object import LARGEST_SEED, ObjectSpec
 from estimator.calibration.twin.digital_twin import CalibratedTwin
 from estimator.frames.collection import joined
 from estimator.frames.dataset import FrameSet
@@ -97,7 +97,7 @@ def _drawn(spec: ObjectSpec, number: int) -> ObjectSpec:
         frames_per_press=FRAMES_PER_PRESS,
         rest_frames_per_press=REST_FRAMES_PER_PRESS,
     )
-    return spec.changed(seed=spec.seed + _FIRST_SEED + number, protocol=protocol)
+    return spec.changed(seed=(spec.seed + _FIRST_SEED + number) % LARGEST_SEED, protocol=protocol)
 
 
 def _one_session(drawn: ObjectSpec, signals: Signals) -> FrameSet:

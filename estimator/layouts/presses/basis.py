@@ -30,6 +30,7 @@ from design.layout.places.contact_grid import (
 from design.layout.places.contact_places import contact_places
 from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
+from estimator.field.device import one_thread
 from estimator.information.scores import outermost_places
 from estimator.layouts.presses.compression import compressed, rms, with_ghosts, with_turns
 from estimator.layouts.surfaces import Surface, surfaces
@@ -159,6 +160,7 @@ def press_basis(
     return press_bases(spec, motions, face, forces_n, own_rank, other_rank, dtype)[0]
 
 
+@one_thread()
 def press_bases(
     spec: ObjectSpec,
     motions: CandidateMotions,

@@ -19,30 +19,34 @@ from estimator.layouts.placed import chips, other_magnets, own_magnets
 from estimator.layouts.presses.basis import PressBasis
 from estimator.layouts.presses.mixed_rows import mixed_rows
 from estimator.layouts.scorer import LayoutScorer
+from estimator.signals.hall import full_scale_counts
+from estimator.signals.live import is_live
 
 
 @dataclass(frozen=True)
 class ChannelChanges:
     """Counts of own channels at rest, and the change of whitened ones with the motion of each body in the
     silicone, whatever is pressed how hard: `by_own` and, of the faces that move, `by_other` magnets;
-    boards change their own channels alone. Besides, where the chips are, their axes and the other faces'
-    field (T) there."""
+    boards change their own channels alone. Besides, where the chips are, their axes and the fields of the
+    other faces' magnets there."""
 
     resting_counts: Float[Tensor, "layout sensor 3"]
     by_own: Float[Tensor, "layout channel motion"]
     by_other: Float[Tensor, "layout channel motion_of_others"]
     sensor_mm: Float[Tensor, "3 layout sensor"]
     axes: Float[Tensor, "layout sensor 3 3"]
-    others_t: Float[Tensor, "3 layout sensor"]
+    others: FieldChange
 
 
 @dataclass(frozen=True)
 class PressChanges:
-    """Whitened derivatives of own channels by x, y and force, and their change in the press itself; of what
-    moves with the silicone, which of a face's bodies (None: all), and how they move with the presses
-    of their size."""
+    """Whitened derivatives of own channels by x, y and force, and their change in the press itself, as
+    chips tell them: 0 of channels that are not live (`estimator.signals.live`); `unclipped` as of chips
+    without an end of range. Of what moves with the silicone, which of a face's bodies (None: all), and
+    how they move with the presses of their size."""
 
     by_parameter: Float[Tensor, "channel layout 4 place"]
+    unclipped: Float[Tensor, "channel layout 4 place"]
     channels: ChannelChanges
     motions: tuple[
         tuple[tuple[int, ...] | None, PressBasis, Float[Tensor, "layout body 6 rank"]], ...
@@ -76,9 +80,9 @@ def _channel_changes(
     if sensor_shift_mm is not None:
         sensor = sensor + sensor_shift_mm.permute(2, 0, 1)
     own, other = field_changes(scorer, layouts, sensor)
-    others_t = other.field.sum(-1)
-    counts = counts_of_field(scorer, axes, own.field.sum(-1) + others_t).unflatten(1, (-1, 3))
-    there = sensor, axes, others_t
+    field = own.field.sum(-1) + other.field.sum(-1)
+    counts = counts_of_field(scorer, axes, field).unflatten(1, (-1, 3))
+    there = sensor, axes, other
     whitened = axes * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
     if scorer.sensors_move:
         by_own = _each_its_own(whitened @ by_motion_of_sensors(own, other))
@@ -107,8 +111,26 @@ def _press_changes(
         ]
     mixed, basis = torch.cat([m for m, _ in moving], dim=-1), torch.cat([b for _, b in moving])
     change = mixed.transpose(0, 1).reshape(-1, len(basis)) @ basis
-    by_parameter = change.reshape(mixed.shape[1], len(layouts), 4, -1)
-    return PressChanges(by_parameter, channels, tuple(motions))
+    unclipped = change.reshape(mixed.shape[1], len(layouts), 4, -1)
+    told = _told(scorer, channels.resting_counts, unclipped)
+    return PressChanges(told, unclipped, channels, tuple(motions))
+
+
+def _told(
+    scorer: LayoutScorer,
+    resting_counts: Float[Tensor, "layout sensor 3"],
+    unclipped: Float[Tensor, "channel layout 4 place"],
+) -> Float[Tensor, "channel layout 4 place"]:
+    """What chips tell of changes."""
+    sigma = scorer.sigma_counts.repeat(resting_counts.shape[1])[:, None, None]
+    rest, change = resting_counts.flatten(1).T[..., None] / sigma, unclipped[:, :, 3]
+    most = full_scale_counts(scorer.spec.sensors) / sigma
+    live: Tensor = is_live(rest, change, most)
+    if live.all():
+        return unclipped
+    pressed = torch.minimum(torch.maximum(rest + change, -most), most)
+    told = torch.where(abs(rest) <= most, pressed - rest, 0.0)
+    return torch.cat([unclipped[:, :, :3] * live[:, :, None], told[:, :, None]], dim=2)
 
 
 def _of_bodies(

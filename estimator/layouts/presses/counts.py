@@ -1,31 +1,43 @@
-"""Largest counts of layouts in the deepest presses, where signals are far from linear in the motions."""
+"""Counts of layouts in the deepest presses, where signals are far from linear in the motions."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from estimator.field.gradient import FieldChange
 from estimator.layouts.batch import Layouts
 from estimator.layouts.near_field import PRESSED
 from estimator.layouts.placed import own_magnets
 from estimator.layouts.presses.basis import PressBasis
 from estimator.layouts.presses.changes import PressChanges, counts_of_field, field_at, field_changes
 from estimator.layouts.scorer import LayoutScorer
+from estimator.layouts.spread import channel_spread
+
+
+@dataclass(frozen=True)
+class PressedCounts:
+    """Counts of own channels, and their standard deviation between virtual objects."""
+
+    counts: Float[Tensor, "layout channel"]
+    sigma: Float[Tensor, "layout channel"]
 
 
 def counts_when_pressed(
     scorer: LayoutScorer, layouts: Layouts, changes: PressChanges
-) -> Float[Tensor, "layout"]:
-    """Largest of any channel, each sensor's in the deepest press at the place where signals that are linear
-    in the motions have most."""
-    _, _, by_force, in_press = changes.by_parameter.unbind(2)
+) -> PressedCounts:
+    """Of each sensor in the deepest press at the place where signals that are linear in the motions have
+    most."""
+    _, _, by_force, in_press = changes.unclipped.unbind(2)
     sigma = scorer.sigma_counts.repeat(len(by_force) // 3)[:, None, None]
     resting = changes.resting_counts.flatten(1).T[..., None]
     linear = resting + sigma * (in_press + by_force * _beyond_n(scorer))
     place = linear.abs().unflatten(0, (-1, 3)).amax(dim=1).argmax(dim=-1).T
     counts = _counts_of_pressed_boards if scorer.sensors_move else _counts_of_pressed_magnets
-    return counts(scorer, layouts, changes, place).abs().amax(dim=1)
+    return counts(scorer, layouts, changes, place)
 
 
 def _counts_of_pressed_magnets(
@@ -33,7 +45,7 @@ def _counts_of_pressed_magnets(
     layouts: Layouts,
     changes: PressChanges,
     place: Int[Tensor, "layout sensor"],
-) -> Float[Tensor, "layout channel"]:
+) -> PressedCounts:
     """Of every sensor, the pressed face's magnets where its own press has moved them: their fields grow
     faster than their motions."""
     channels, sensors = changes.channels, place.shape[1]
@@ -46,9 +58,16 @@ def _counts_of_pressed_magnets(
     turned = axis + torch.linalg.cross(turn, axis.expand_as(turn), dim=0)
     magnets = (centre + shift).flatten(1, 2), (turned / turned.norm(dim=0)).flatten(1, 2)
     polarity = layouts.polarity.repeat_interleave(sensors, dim=0)
-    own = field_at(scorer, channels.sensor_mm.flatten(1)[..., None], magnets, polarity, PRESSED)
-    field = own.field.sum(-1)[..., 0].unflatten(1, place.shape) + channels.others_t
-    return counts_of_field(scorer, channels.axes, field)
+    found = field_at(scorer, channels.sensor_mm.flatten(1)[..., None], magnets, polarity, PRESSED)
+    own = FieldChange(
+        found.field[:, :, 0].unflatten(1, place.shape),
+        found.by_motion[:, :, :, 0].unflatten(2, place.shape),
+    )
+    field = own.field.sum(-1) + channels.others.field.sum(-1)
+    return PressedCounts(
+        counts_of_field(scorer, channels.axes, field),
+        channel_spread(scorer, channels.sensor_mm, channels.axes, own, channels.others),
+    )
 
 
 def _deepest(scorer: LayoutScorer, presses: PressBasis) -> Float[Tensor, "rank place"]:
@@ -67,7 +86,7 @@ def _counts_of_pressed_boards(
     layouts: Layouts,
     changes: PressChanges,
     place: Int[Tensor, "layout sensor"],
-) -> Float[Tensor, "layout channel"]:
+) -> PressedCounts:
     """Of each board in the deepest press at a place of its own: signals of boards that come near magnets are
     far from linear."""
     ((_, presses, rows),) = changes.motions
@@ -76,7 +95,11 @@ def _counts_of_pressed_boards(
     own, other = field_changes(scorer, layouts, moved)
     field = (own.field.sum(-1) + other.field.sum(-1)).permute(1, 2, 0)
     felt = _turned_back(field, motion[..., 3:])
-    return counts_of_field(scorer, changes.channels.axes, felt.permute(2, 0, 1))
+    axes = changes.channels.axes
+    return PressedCounts(
+        counts_of_field(scorer, axes, felt.permute(2, 0, 1)),
+        channel_spread(scorer, moved, axes, own, other),
+    )
 
 
 def _turned_back(

@@ -20,7 +20,7 @@ from torch import nn
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
-from estimator.field.device import compute_device
+from estimator.field.device import compute_device, one_thread
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import (
     HISTORY,
@@ -48,7 +48,7 @@ from estimator.networks.training.data import (
     thinned,
     with_contacts,
 )
-from estimator.networks.training.fitting import Progress, Schedule, fit, one_thread
+from estimator.networks.training.fitting import Progress, Schedule, fit
 
 PAPER_BATCH_FRAMES = 2000
 PAPER_LEARNING_RATE = 1e-3

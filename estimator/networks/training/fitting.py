@@ -9,8 +9,7 @@ from __future__ import annotations
 import copy
 import math
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -29,17 +28,6 @@ _WARM_UP_EPOCHS = 2.0
 _LEAST_STEPS = 20
 _LEAST_BATCH_FRAMES = 16
 _SAVE_EVERY_S = 5.0
-
-
-@contextmanager
-def one_thread() -> Iterator[None]:
-    """A second thread of torch gains nothing on networks this small, and waits where cores are shared."""
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(before)
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from design.errors import RecordingError, StoreError
+from design.files import write_whole
 from estimator.recordings.formats.generic import cell_text, generic_columns
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 
@@ -54,7 +55,7 @@ class GrowingRecording:
             )
         line = ",".join(map(cell_text, values)) + "\n"
         try:
-            os.write(self._handle, line.encode())
+            write_whole(self._handle, line.encode())
             if time.monotonic() - self._synced_s > _SYNC_S:
                 os.fsync(self._handle)
                 self._synced_s = time.monotonic()
@@ -104,7 +105,7 @@ def _resume(handle: int, path: Path, columns: list[str]) -> tuple[int, int, floa
     header = ",".join(columns)
     if whole == 0 and header.encode().startswith(content):
         os.ftruncate(handle, 0)
-        os.write(handle, f"{header}\n".encode())
+        write_whole(handle, f"{header}\n".encode())
         return 0, 1, 0.0, len(content)
     first, *rows = content[:whole].decode("utf-8", "replace").splitlines() or [""]
     if first != header:

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 from binascii import crc_hqx
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from design.errors import InputError
 from estimator.recordings.formats.generic import CHANNEL, cell_text
@@ -82,12 +82,28 @@ _LARGEST_MV, _LARGEST_C = 60_000, 300.0
 
 @dataclass
 class LineStatistics:
-    """What came over a line: frames, damaged lines, frames lost (gaps of the sequence), restarts."""
+    """What came over a line: frames, damaged lines, frames lost (gaps of the sequence), restarts, and
+    readings left out because the chip's counts had wrapped round beyond its range."""
 
     frames: int = 0
     damaged_lines: int = 0
     lost_frames: int = 0
     restarts: int = 0
+    wrapped_readings: int = 0
+
+    @property
+    def wrapped_text(self) -> str:
+        """In words, empty where no counts wrapped."""
+        return _WRAPPED.format(self.wrapped_readings) if self.wrapped_readings else ""
+
+
+_WRAPPED = (
+    "{} readings left out: counts had wrapped round beyond the chip's range. Choose a wider "
+    "sensors.range_mt, or more room between magnet and chip"
+)
+_WRAP_COUNTS, _END_COUNTS = 49_152, 32_768
+"""Three quarters of 16 bits: from one end of a chip's scale to the other between two frames. A chip that
+saturates stays at an end; an MLX90393 goes on at the other one (esphome#7635)."""
 
 
 @dataclass
@@ -99,6 +115,8 @@ class LineDecoder:
     _channels: int | None = None
     _sensors: int | None = None
     _sequence: int | None = None
+    _last: list[float] = field(default_factory=list)
+    _turns: list[int] = field(default_factory=list)
 
     def feed(self, data: bytes) -> list[Message]:
         """Messages completed by `data`; frames before the first header are skipped.
@@ -133,7 +151,30 @@ class LineDecoder:
             self.statistics.damaged_lines += 1
         elif isinstance(message, Frame):
             self._count(message.sequence)
+            return self._unwrapped(message)
         return message
+
+    def _unwrapped(self, frame: Frame) -> Frame:
+        """With NaN for channels that left their range by one end and came in by the other, until they go
+        back."""
+        if len(self._last) != len(frame.counts):
+            self._last, self._turns = list(frame.counts), [0] * len(frame.counts)
+        for k, value in enumerate(frame.counts):
+            if value != value:
+                continue
+            # Chips of more bits have no end there.
+            sixteen = max(abs(value), abs(self._last[k])) <= _END_COUNTS
+            step = value - self._last[k] if sixteen else 0.0
+            self._turns[k] += (step < -_WRAP_COUNTS) - (step > _WRAP_COUNTS)
+            self._last[k] = value
+        if not any(self._turns):
+            return frame
+        found = [
+            float("nan") if turn else value
+            for turn, value in zip(self._turns, frame.counts, strict=True)
+        ]
+        self.statistics.wrapped_readings += sum(1 for turn in self._turns if turn)
+        return replace(frame, counts=tuple(found))
 
     def _count(self, sequence: int) -> None:
         seen, self._sequence = self._sequence, sequence
@@ -143,6 +184,7 @@ class LineDecoder:
         gap = (sequence - seen - 1) % _SEQUENCES
         if gap > _RESTART_GAP:
             self.statistics.restarts += 1
+            self._last = []
         else:
             self.statistics.lost_frames += gap
 

@@ -80,16 +80,18 @@ def axis_noise_counts(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Float[np
     return np.array([np.median(axis) if len(axis) else np.nan for axis in known])
 
 
-def channel_faults(
-    counts: Float[np.ndarray, "frame 5 sensor 3"], noise_counts: Float[np.ndarray, "5 sensor 3"]
-) -> list[Fault]:
-    """Dead and noisy channels, each as one fault."""
-    typical = axis_noise_counts(noise_counts)
-    faults = []
-    for index in np.argwhere(dead_channels(counts)).tolist():
-        faults.append(
-            Fault("dead channel", channel_name(*index), "no varying reading", "set to NaN")
-        )
+def dead_faults(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> list[Fault]:
+    """Dead channels, each as one fault."""
+    dead = np.argwhere(dead_channels(counts)).tolist()
+    return [
+        Fault("dead channel", channel_name(*index), "no varying reading", "set to NaN")
+        for index in dead
+    ]
+
+
+def noisy_faults(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> list[Fault]:
+    """Noisy channels, each as one fault."""
+    typical, faults = axis_noise_counts(noise_counts), []
     for face, sensor, axis in np.argwhere(noisy_channels(noise_counts)).tolist():
         sigma = noise_counts[face, sensor, axis]
         detail = f"σ {sigma:.0f} counts at rest, {typical[axis]:.0f} are typical of {'XYZ'[axis]}"

@@ -40,7 +40,7 @@ NEWTON_PER_GRAM_FORCE = 9.8e-3
 _FILE_FACES = (5, 3, 1, 2, 4)
 _HEAD = ("Time", "Left", "Right-blue")
 _CHANNELS = tuple(f"F{f}-{a}{s}" for f in _FILE_FACES for s in (1, 2, 3) for a in "XYZ")
-_OTHER_MARKS = {";": "semicolons", "\t": "tabs"}
+_OTHER_MARKS = {";": "semicolon", "\t": "tab"}
 _TRAINING_TIPS = {12: 1, 14: 2, 15: 3}
 
 
@@ -92,6 +92,7 @@ def _csv_table(content: bytes) -> RawTable:
     missing = missing_marker(rows)
     rows = rows if missing is None else rows[1:]
     header = [cell.strip() for cell in rows[0]]
+    _check_separator(rows)
     if missing is not None:
         return generic_table(rows, missing)
     if is_number(header[0]):
@@ -102,15 +103,19 @@ def _csv_table(content: bytes) -> RawTable:
         return generic_table(rows)
     if len(rows[1]) in _TRAINING_TIPS and len(rows[0]) == len(rows[1]):
         return _training_table(rows[1:], digest, first_line=2)
-    for mark, name in _OTHER_MARKS.items():
-        if is_generic_header([cell.strip() for cell in rows[0][0].split(mark)]):
-            raise RecordingError(
-                f"its cells are parted by {name}. Part them by commas, with points in decimal numbers"
-            )
     raise RecordingError(
         f"it is not a recording: its first column is {header[0][:40]!r}, expected 'Time', "
         f"'time_s' or a face number. {FORMATS}"
     )
+
+
+def _check_separator(rows: list[list[str]]) -> None:
+    for mark, name in _OTHER_MARKS.items():
+        parts = [cell.strip() for cell in rows[0][0].split(mark)]
+        if len(rows[0]) == 1 and len(parts) > 1 and (is_generic_header(parts) or "Time" in parts):
+            raise RecordingError(
+                f"the separator is a {name}. Use commas, and a decimal point in numbers"
+            )
 
 
 def _gripper_table(rows: list[list[str]], digest: str) -> RawTable:

@@ -38,7 +38,7 @@ CHANNEL = re.compile(r"F([1-5])-([XYZ])([1-9]\d?)")
 _GRAMS = re.compile(r"cell[1-9]_force_g")
 _NEWTON_PER_GRAM = 9.80665e-3
 _MISSING = re.compile(r"#\s*missing\s*=\s*(\S+)\s*")
-_FORCE = re.compile(r"cell([1-9])_force_n")
+_CELL = re.compile(r"cell([1-9])_(?:force_n|face)")
 _FACE = re.compile(r"cell([1-9])_face")
 _TIP = re.compile(r"cell([1-9])_x([1-9])_mm")
 _SHEAR = re.compile(r"cell[1-9]_shear_[xy]_n")
@@ -46,7 +46,20 @@ _SHEAR = re.compile(r"cell[1-9]_shear_[xy]_n")
 
 def is_generic_header(header: list[str]) -> bool:
     """Whether a CSV's first line is that of the generic format, perhaps with errors in it."""
-    return any(name == "time_s" or CHANNEL.fullmatch(name) for name in header)
+    return any(_meant(name) == "time_s" or CHANNEL.fullmatch(_meant(name)) for name in header)
+
+
+def _meant(name: str) -> str:
+    """The name of a column as this format spells it: `F1_X1`, `f1-x1` and `cell1_force [N]` are clear."""
+    letters = re.sub(r"[^a-z0-9]", "", name.lower())
+    channel = re.fullmatch(r"f([1-5])([xyz])([1-9]\d?)", letters)
+    if channel:
+        return f"F{channel[1]}-{channel[2].upper()}{channel[3]}"
+    spelt = ["time_s", "session", "rest", TRAVEL, *_cell_columns(1, 9), *_shear_columns(1)]
+    cell = re.match(r"cell([1-9])", letters)
+    alike = {re.sub(r"[^a-z0-9]", "", one): one for one in spelt}
+    found = alike.get("cell1" + letters[5:] if cell else letters, name)
+    return found.replace("cell1", f"cell{cell[1]}", 1) if cell else found
 
 
 def generic_columns(
@@ -202,27 +215,44 @@ def _check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     repeated = sorted({name for name in header if header.count(name) > 1})
     if repeated:
         raise RecordingError(f"it names {', '.join(repeated[:5])} twice. Name each column once")
-    cells = max((int(m[1]) for m in map(_FORCE.fullmatch, header) if m), default=0)
+    cells = max((int(m[1]) for m in map(_CELL.fullmatch, header) if m), default=0)
     tips = max((int(m[2]) for m in map(_TIP.fullmatch, header) if m), default=0)
-    known = {"time_s", "session", "rest", TRAVEL}
-    known |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
     shear = _shear_columns(cells) if any(map(_SHEAR.fullmatch, header)) else []
-    known |= set(shear)
-    unknown = [name for name in header if name not in known and not CHANNEL.fullmatch(name)]
-    if unknown:
-        raise RecordingError(
-            f"it has columns that are not known: {', '.join(map(repr, unknown[:5]))}. Units "
-            f"stand in the names (time_s, cell1_force_n, cell1_x1_mm); {FORMATS}"
-        )
     needed = [
         name for cell in range(1, max(cells, labelled) + 1) for name in _cell_columns(cell, 1)
     ]
+    known = {"time_s", "session", "rest", TRAVEL, *needed, *shear}
+    known |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
+    unknown = [name for name in header if name not in known and not CHANNEL.fullmatch(name)]
     missing = [name for name in ("time_s", *needed, *shear) if name not in header]
     if not any(CHANNEL.fullmatch(name) for name in header):
         missing.append("F1-X1 …")
+    if unknown:
+        raise RecordingError(_unknown_text(unknown, missing))
     if missing:
         raise RecordingError(f"it lacks the columns {', '.join(missing[:6])}. {FORMATS}")
     return cells, tips
+
+
+def _unknown_text(unknown: list[str], missing: list[str]) -> str:
+    """One sentence on the column whose name is most clearly wrong."""
+    nameless = [name for name in unknown if not name or name.startswith("Unnamed: ")]
+    if nameless:
+        return (
+            "a column has no name: written by pandas with its index? `to_csv(path, index=False)` leaves "
+            f"it out. {FORMATS}"
+        )
+    for name in unknown:
+        if (meant := _meant(name)) in missing:
+            return f"{meant} is missing (there is {name!r}). Name it {meant}; {FORMATS}"
+    for name in unknown:
+        if (meant := _meant(name)) != name:
+            return f"column {name!r} is not known: did you mean {meant}? {FORMATS}"
+    lacking = f"; it lacks {', '.join(missing[:6])}" if missing else ""
+    return (
+        f"it has columns that are not known: {', '.join(map(repr, unknown[:5]))}{lacking}. Units stand "
+        f"in the names (time_s, cell1_force_n, cell1_x1_mm); {FORMATS}"
+    )
 
 
 def _counts(

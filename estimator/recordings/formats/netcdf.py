@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from design.errors import RecordingError, StoreError
-from design.netcdf import FileKind, load_whole, write_netcdf
+from design.netcdf import FileKind, read_arrays, write_netcdf
 from estimator.recordings.formats.generic import content_digest, face_labels, tip_places
 from estimator.recordings.formats.text import FORMATS, check_complete, whole
 from estimator.recordings.table import FACES, RawTable
@@ -57,23 +57,23 @@ def read_generic_netcdf(path: Path) -> RawTable:
         Missing, damaged, or of another schema.
     """
     try:
-        data = load_whole(path)
+        data, attributes = read_arrays(path)
     except StoreError as error:
         raise RecordingError(f"it is not a NetCDF recording ({error}). {FORMATS}") from None
-    if "signal_counts" in data.variables:
+    if "signal_counts" in data:
         raise RecordingError(
             "it is a data set, already zeroed and labelled. Give it to `instobj train`"
         )
     needed = [name for name in _RECORDING.variables if name not in _RECORDING.optional]
-    missing = [name for name in needed if name not in data.variables]
+    missing = [name for name in needed if name not in data]
     _, schema = _RECORDING.schema
-    if missing or data.attrs.get("schema") != schema:
+    if missing or attributes.get("schema") != schema:
         raise RecordingError(
             f"it is not of schema {schema!r}: missing {', '.join(missing) or 'nothing'}, schema "
-            f"{data.attrs.get('schema')!r}. {FORMATS}"
+            f"{attributes.get('schema')!r}. {FORMATS}"
         )
-    present = [name for name in _RECORDING.variables if name in data.variables]
-    return _checked({name: np.asarray(data[name].values) for name in present})
+    present = [name for name in _RECORDING.variables if name in data]
+    return _checked({name: data[name].values for name in present})
 
 
 def _checked(in_file: dict[str, np.ndarray]) -> RawTable:

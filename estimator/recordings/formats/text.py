@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import csv
 import hashlib
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,6 +17,9 @@ from design.errors import InputError, RecordingError
 from design.files import require_regular_file
 
 FORMATS = "`instobj docs recordings` describes the formats that are read"
+_BINARY = set(range(32)) - set(b"\t\n\r\f\v")
+"""Bytes that no text holds, in Latin-1 neither."""
+_ISO = re.compile(r"\d{4}-\d\d-\d\d([ T].*)?")
 
 
 @contextmanager
@@ -37,10 +41,13 @@ def csv_rows(content: bytes) -> tuple[list[list[str]], str]:
     """
     try:
         text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
+    except UnicodeDecodeError as error:
         if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
             raise RecordingError("it is text in UTF-16. Save it as UTF-8") from None
-        raise RecordingError(f"it is not a text file. {FORMATS}") from None
+        if set(content) & _BINARY:
+            raise RecordingError(f"it is not a text file. {FORMATS}") from None
+        line = content[: error.start].count(b"\n") + 1
+        raise RecordingError(f"it is not UTF-8 (line {line}). Save it as UTF-8") from None
     if "\0" in text:
         raise RecordingError(f"it holds null characters, so it is not a text file. {FORMATS}")
     try:
@@ -109,6 +116,11 @@ def numbers(
 def _first_bad_cell(rows: list[list[str]], names: list[str], first_line: int) -> RecordingError:
     for number, row in enumerate(rows, start=first_line):
         for name, cell in zip(names, row, strict=True):
+            if _ISO.fullmatch(cell):
+                return RecordingError(
+                    f"{name} must be seconds; got ISO stamps such as {cell[:40]!r}. In pandas: "
+                    "(stamp - stamp.iloc[0]).dt.total_seconds()"
+                )
             if cell and not is_number(cell):
                 return RecordingError(
                     f"line {number}, column {name}: {cell[:40]!r} is not a number. Fix "

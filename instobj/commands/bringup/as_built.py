@@ -83,7 +83,7 @@ def _rounded(values: Sequence[float] | np.ndarray) -> list[float]:
 
 def write_as_built(found: AsBuiltSpec, path: Path, remarks: Sequence[str]) -> Path:
     """The file, with remarks on what it cannot say."""
-    lines = ["# Written by `instobj bringup`: measured deviations of one built object"]
+    lines = ["# Written by `instobj bench bringup`: measured deviations of one built object"]
     lines += [f"# {remark}" for remark in remarks]
     for table, entries in (("magnets", found.magnets), ("sensors", found.sensors)):
         for entry in entries:

@@ -1,4 +1,4 @@
-"""`instobj bringup`: from soldered chips to a closed object of which is known how it was built."""
+"""`instobj bench bringup`: from soldered chips to a closed object of which is known how it was built."""
 
 from __future__ import annotations
 

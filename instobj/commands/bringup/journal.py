@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from design.errors import InputError, StoreError
-from design.files import require_regular_file
+from design.files import require_regular_file, write_whole
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from estimator.bringup.asking.asked import Recording, asked_of, further_holds
@@ -25,7 +25,7 @@ from estimator.bringup.diagnosis.findings import channel_name
 from estimator.recordings.formats.generic import cell_text
 from estimator.tolerances.selftest import sensor_names
 
-_FORMAT = "# instobj bringup 1"
+_FORMAT = "# instobj bench bringup 1"
 _OWN = ("recording", "row", "rows", "sequence", "board_ms", "damaged_lines", "bus_errors")
 _SECTIONS = ("arrangement", "body", "shell", "core", "sensors", "magnets")
 
@@ -73,7 +73,7 @@ class Journal:
     def _write(self, text: str) -> None:
         try:
             with self.path.open("ab", buffering=0) as file:
-                file.write(text.encode())
+                write_whole(file.fileno(), text.encode())
                 os.fsync(file.fileno())
         except OSError as error:
             raise StoreError(f"cannot write {self.path}: {error.strerror}. Make room") from None

@@ -1,4 +1,4 @@
-"""`instobj collect`: a board's readings and their labels, into a recording that grows."""
+"""`instobj bench collect`: a board's readings and their labels, into a recording that grows."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from design.errors import InputError, StoreError
+from design.errors import InputError, RecordingError, StoreError
 from estimator.recordings.boards.growing import (
     GrowingRecording,
     finish_recording,
     growing_recording,
 )
 from estimator.recordings.boards.lines import Frame, Header, Load, Message, Status
-from estimator.recordings.boards.link import board_messages
+from estimator.recordings.boards.link import PATIENCE_S, board_messages
 from instobj.commands.hardware.board_state import status_row, status_text
 from instobj.commands.hardware.collect_options import (
     CollectOptions,
@@ -72,20 +72,26 @@ def collect(options: CollectOptions) -> dict[str, Any]:
         raise failure or InputError(
             f"no labelled frame came ({_counts_text(state)}). Give a load cell's lines, or --force"
         )
-    frames = finish_recording(options.csv_path, options.target)
+    try:
+        frames = finish_recording(options.csv_path, options.target)
+    except RecordingError as error:
+        raise InputError(
+            f"{_pace_text(state) or error} ({growing.rows_added} frames kept in {options.csv_path})"
+        ) from None
     if failure is not None:
         raise InputError(f"{failure} ({growing.rows_added} frames kept in {options.csv_path})")
     return _document(state, growing, frames)
 
 
 def _until_header(stream: Iterator[list[Message]], state: Collection) -> list[Message]:
-    """The messages among which the board names its channels."""
+    """The messages among which the board names its channels, which it does when asked."""
+    give_up_s = time.monotonic() + PATIENCE_S
     for messages in stream:
         headers = [message for message in messages if isinstance(message, Header)]
         if headers:
-            state.channels = headers[0].channels
+            state.channels, state.began_s = headers[0].channels, time.monotonic()
             return messages
-        if state.stopped:
+        if state.stopped or time.monotonic() > give_up_s:
             break
     raise InputError(f"{state.options.source} named no channels. Nothing was written")
 
@@ -111,7 +117,9 @@ def _run(
             if isinstance(message, Load):
                 take_load(message, state, state.clock)
             elif isinstance(message, Frame) and not _enough(state, growing):
-                time_s = state.clock.time_s(message.board_ms, time.time())
+                now_s = time.time()
+                time_s = state.clock.time_s(message.board_ms, now_s)
+                state.pace.take(time_s, now_s)
                 take_frame(message, time_s, state, growing)
             elif isinstance(message, Status):
                 state.status = message
@@ -151,7 +159,12 @@ def _obey(line: str, state: Collection, progress: ProgressLine) -> None:
 
 
 def _enough(state: Collection, growing: GrowingRecording) -> bool:
-    lasted_s = state.last_s - state.first_s if state.first_s is not None else 0.0
+    """By this computer's clock where a board sends: its own may be wrong, and frames may get no label. A
+    replay has the times of its recording."""
+    if state.options.replay is None:
+        lasted_s = time.monotonic() - state.began_s
+    else:
+        lasted_s = state.last_s - state.first_s if state.first_s is not None else 0.0
     return state.options.enough(growing.rows_added, lasted_s)
 
 
@@ -184,10 +197,15 @@ def _change_text(state: Collection) -> str:
     )
 
 
+def _pace_text(state: Collection) -> str:
+    return state.pace.text if state.options.replay is None else ""
+
+
 def _document(state: Collection, growing: GrowingRecording, frames: int) -> dict[str, Any]:
     csv_path, target = state.options.csv_path, state.options.target
     found = state.decoder.statistics
     texts = [_counts_text(state), f"{growing.rows_added} frames added, {frames} in the recording"]
+    texts += filter(None, (found.wrapped_text, _pace_text(state)))
     if state.status is not None:
         texts.append(status_text(state.status))
     if growing.cut_bytes:

@@ -1,4 +1,4 @@
-"""Input of `instobj collect`: options at its start, lines typed while it runs, and Ctrl-C."""
+"""Input of `instobj bench collect`: options at its start, lines typed while it runs, and Ctrl-C."""
 
 from __future__ import annotations
 

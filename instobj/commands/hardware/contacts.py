@@ -18,11 +18,13 @@ from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.storage import load_inversion
 from instobj.commands.hardware.readings import (
+    Stream,
     Zeroing,
     is_data_set,
     live_frames,
     prediction_path,
     recorded_frames,
+    recorded_stream,
     zeroed_data_set,
 )
 from instobj.store.progress import ProgressLine
@@ -53,12 +55,14 @@ def contacts_in_file(
     inversion = load_inversion(model_path)
     target = prediction_path("contacts.csv", path, out)
     judged: list[dict[str, Any]] = []
+    texts: list[str] = []
     if is_data_set(path):
         number, time_s, best, second, judged = _in_data_set(inversion, path, zeroing)
         unread = 0
     else:
-        number, time_s, best, unread = _in_recording(inversion, path, zeroing)
-        second = None
+        stream = recorded_stream(path)
+        number, time_s, best, unread = _in_recording(inversion, stream, zeroing)
+        second, texts = None, stream.texts
     rows = _rows(number, time_s, best, second)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     summary = {
@@ -72,7 +76,7 @@ def contacts_in_file(
     tables = {f"{path.name}, {model_path.name}": [summary]}
     if judged:
         tables["against the labels, means over frames"] = judged
-    return {"command": "predict", "tables": tables, "files": file_rows([target])}
+    return {"command": "predict", "texts": texts, "tables": tables, "files": file_rows([target])}
 
 
 def contacts_on_port(
@@ -130,12 +134,12 @@ def _require_same_object(inversion: Inversion, frames: FrameSet, path: Path) -> 
 
 
 def _in_recording(
-    inversion: Inversion, path: Path, zeroing: Zeroing
+    inversion: Inversion, stream: Stream, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets, int]:
     reader, progress = LiveContacts(inversion, *zeroing.of_raw), ProgressLine()
     read, unread = [], 0
-    with progress.stage(f"contacts in {path}"):
-        for one in recorded_frames(reader, inversion.channels, path, zeroing):
+    with progress.stage(f"contacts in {stream.path}"):
+        for one in recorded_frames(reader, inversion.channels, stream, zeroing):
             if one[2] is None:
                 unread += 1
                 continue

@@ -1,4 +1,4 @@
-"""`instobj firmware`: a bus plan for an object on a board, and the firmware that reads it."""
+"""`instobj bench firmware`: a bus plan for an object on a board, and the firmware that reads it."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def plan_texts(plan: BusPlan, asked_khz: float) -> list[str]:
             "capacitance rises too slowly for it"
         )
     if len(plan.board.bauds) > 1:
-        texts.append(f"read it with `instobj collect --baud {plan.baud}`")
+        texts.append(f"read it with `instobj bench collect --baud {plan.baud}`")
     return texts
 
 

@@ -22,6 +22,37 @@ PAUSE_S = 1.0
 _READINGS_KEPT = 200
 
 
+_CLOCK_SHARE, _CLOCK_S = 0.1, 3.0
+"""Of a board's clock against this computer's: quartzes and resonators are off by less than 1 %, lines wait in
+buffers for a second or two."""
+
+
+@dataclass
+class Pace:
+    """A board's clock beside this computer's, from its first frame on (s)."""
+
+    here_s: float = 0.0
+    board_s: float = 0.0
+    _first: tuple[float, float] | None = None
+
+    def take(self, board_s: float, here_s: float) -> None:
+        """Times of a frame."""
+        self._first = self._first or (board_s, here_s)
+        self.board_s, self.here_s = board_s - self._first[0], here_s - self._first[1]
+
+    @property
+    def text(self) -> str:
+        """What is wrong with the board's clock, in words; empty where nothing is."""
+        off_s = self.board_s - self.here_s
+        if abs(off_s) <= _CLOCK_S + _CLOCK_SHARE * self.here_s:
+            return ""
+        return (
+            f"the board's clock went {self.board_s:.4g} s in {self.here_s:.4g} s of this computer's, so the "
+            "times of the recording are wrong. A board must send whole milliseconds: does it send "
+            "microseconds, or did its clock jump?"
+        )
+
+
 @dataclass
 class Collection:
     """State between two lines.
@@ -35,6 +66,7 @@ class Collection:
     decoder: LineDecoder = field(default_factory=LineDecoder)
     clock: BoardClock = field(default_factory=BoardClock)
     load_clock: BoardClock = field(default_factory=BoardClock)
+    pace: Pace = field(default_factory=Pace)
     channels: tuple[str, ...] = ()
     loads: dict[int, tuple[float, Load]] = field(default_factory=dict)
     readings: dict[int, deque[tuple[float, float]]] = field(default_factory=dict)
@@ -42,6 +74,7 @@ class Collection:
     zero_counts: list[tuple[float, ...]] = field(default_factory=list)
     last_counts: tuple[float, ...] = ()
     steps_s: deque[float] = field(default_factory=lambda: deque(maxlen=500))
+    began_s: float = 0.0
     first_s: float | None = None
     last_s: float = 0.0
     unlabelled: int = 0

@@ -1,4 +1,4 @@
-"""`instobj live`: a board, a recording or a simulated object on a page, recorded as `collect` does."""
+"""`instobj bench live`: a board, a recording or a simulated object on a page, recorded as `collect` does."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def _read(session: _Session, options: LiveOptions, until_s: float, progress: Pro
                 _tell(session)
             if time.monotonic() - told_at_s > NEWS_EVERY_S:
                 told_at_s = time.monotonic()
-                progress.step(_counts_text(session))
+                progress.step(_counts_text(session, time.time()))
             if alive and not session.page.alive:
                 alive = False
                 progress.say("the page's server ended; reading and recording go on until Ctrl-C")
@@ -172,7 +172,7 @@ def _tell(session: _Session) -> None:
     found = session.state.decoder.statistics
     news = {
         "source": session.source.name,
-        "rate_hz": round(_rate_hz(session.arrivals_s), 2),
+        "rate_hz": round(_rate_hz(session.arrivals_s, time.time()), 2),
         "counted": {
             "frames": found.frames,
             "lost": found.lost_frames,
@@ -186,18 +186,17 @@ def _tell(session: _Session) -> None:
     session.page.send(NEWS + json.dumps(news).encode())
 
 
-def _rate_hz(arrivals_s: deque[float]) -> float:
-    """Frames per second over the last two seconds; 0 once none comes."""
-    now_s = time.time()
+def _rate_hz(arrivals_s: deque[float], now_s: float) -> float:
+    """Frames per second over two seconds until then; 0 once none comes."""
     recent = sum(now_s - arrived_s <= 2.0 for arrived_s in arrivals_s)
     lasted_s = min(2.0, now_s - arrivals_s[0]) if arrivals_s else 0.0
     return recent / lasted_s if lasted_s > 0 else 0.0
 
 
-def _counts_text(session: _Session) -> str:
+def _counts_text(session: _Session, until_s: float) -> str:
     found, recording = session.state.decoder.statistics, session.recorder.news()
     return (
-        f"{found.frames} frames at {_rate_hz(session.arrivals_s):.0f}/s, {found.lost_frames} lost, "
+        f"{found.frames} frames at {_rate_hz(session.arrivals_s, until_s):.0f}/s, {found.lost_frames} lost, "
         f"{found.damaged_lines} damaged lines, {recording['rows']} rows recorded"
     )
 
@@ -218,6 +217,10 @@ def _ended(session: _Session, failure: InstobjError | None) -> dict[str, Any]:
         "damaged_lines": found.damaged_lines,
         "frames_added": rows,
         "frames_without_force": session.state.unlabelled,
-        "texts": [_counts_text(session)],
+        # As long as frames came: the page stays for a while after the last one.
+        "texts": [
+            _counts_text(session, max(session.arrivals_s, default=0.0)),
+            *filter(None, [found.wrapped_text]),
+        ],
         "files": file_rows(files),
     }

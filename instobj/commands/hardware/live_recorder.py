@@ -1,4 +1,4 @@
-"""The recording that viewers of `instobj live` switch on and off."""
+"""The recording that viewers of `instobj bench live` switch on and off."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Source of `instobj live`: a board, a recording, a data set, or a simulated object of its own."""
+"""Source of `instobj bench live`: a board, a recording, a data set, or a simulated object of its own."""
 
 from __future__ import annotations
 
@@ -106,7 +106,9 @@ def live_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
     if options.demo:
         return _demo_source(options, progress)
     if options.spec is None:
-        raise InputError("give the specification of the object that is read: instobj live SPEC …")
+        raise InputError(
+            "give the specification of the object that is read: instobj bench live SPEC …"
+        )
     spec = load_spec(options.spec, list(options.overrides))
     for path in options.models:
         if not path.is_file():

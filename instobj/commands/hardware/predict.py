@@ -23,6 +23,7 @@ from instobj.commands.hardware.readings import (
     live_frames,
     prediction_path,
     recorded_frames,
+    recorded_stream,
     zeroed_data_set,
 )
 from instobj.store.publish import (
@@ -60,7 +61,8 @@ def predict_file(
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
     like a board's readings, by default by following rest; frames before the first zero are left out, and
-    so are, counted, frames that lack a reading of a channel which gives readings elsewhere.
+    so are, counted, frames that lack a reading of a channel which gives readings elsewhere, or have one that
+    checks do not believe.
 
     Raises
     ------
@@ -73,6 +75,7 @@ def predict_file(
     model = load_deployed(model_path)
     kind = f"{own}_" if (own := own_folder_of(model_path)) else ""
     target = prediction_path(f"prediction_{kind}face_{model.face}.csv", path, out)
+    texts: list[str] = []
     if is_data_set(path):
         frames = zeroed_data_set(path, zeroing)
         grid_mm = model.grid_x_mm, model.grid_y_mm
@@ -82,7 +85,8 @@ def predict_file(
         unread, before = int(np.sum(~told)), 0
     else:
         reader = LiveReader(model, *zeroing.of_raw)
-        read = list(recorded_frames(reader, model.channels, path, zeroing))
+        stream = recorded_stream(path)
+        read, texts = list(recorded_frames(reader, model.channels, stream, zeroing)), stream.texts
         rows = [_row(number, time_s, found) for number, time_s, found in read if found is not None]
         unread = len(read) - len(rows)
         before = read[0][0] if read else 0
@@ -100,6 +104,7 @@ def predict_file(
     }
     return {
         "command": "predict",
+        "texts": texts,
         "tables": {f"{path.name}, {model_path.name}": [summary]},
         "files": file_rows([target]),
     }

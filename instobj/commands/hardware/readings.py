@@ -47,7 +47,17 @@ class Reader(Protocol):
     """Takes raw counts frame by frame; None while there is no zero. `miss` tells of a frame that lacks a
     reading and is passed over."""
 
-    def feed(self, raw_counts: np.ndarray, time_s: float) -> Any: ...
+    @property
+    def leaves_out(self) -> bool:
+        """Whether it reads frames without some of its channels."""
+        ...
+
+    def feed(
+        self,
+        raw_counts: Float[np.ndarray, "5 sensor 3"],
+        time_s: float,
+        left_out: Bool[np.ndarray, "5 sensor 3"] | None,
+    ) -> Any: ...
 
     def miss(self) -> None: ...
 
@@ -59,7 +69,7 @@ class LiveFrame(NamedTuple):
     number: int
     time_s: float
     found: Any
-    line: dict[str, int]
+    line: dict[str, int | str]
 
 
 def zeroed_data_set(path: Path, zeroing: Zeroing) -> FrameSet:
@@ -78,8 +88,30 @@ def zeroed_data_set(path: Path, zeroing: Zeroing) -> FrameSet:
     return load_frames(path)
 
 
+@dataclass(frozen=True)
+class Stream:
+    """Readings of a recording without labels: stamps (s), raw counts, those of them not to believe
+    (`checks.readings.STREAM`), and what is said of them."""
+
+    path: Path
+    time_s: Float[np.ndarray, "stamp"]
+    raw: Float[np.ndarray, "frame 5 sensor 3"]
+    left_out: Bool[np.ndarray, "frame 5 sensor 3"]
+    texts: list[str]
+
+
+def recorded_stream(path: Path) -> Stream:
+    """The readings of any recording, checked; errors as `read_signals`."""
+    from estimator.recordings.checks.readings import STREAM, without_faults
+    from estimator.recordings.formats.files import read_signals
+
+    time_s, raw = read_signals(path)
+    known, faults = without_faults(raw, STREAM)
+    return Stream(path, time_s, raw, np.isnan(known) & ~np.isnan(raw), list(map(str, faults)))
+
+
 def recorded_frames(
-    reader: Reader, channels: tuple[Channel, ...], path: Path, zeroing: Zeroing
+    reader: Reader, channels: tuple[Channel, ...], stream: Stream, zeroing: Zeroing
 ) -> Iterator[tuple[int, float, Any]]:
     """Number, stamp (s) and what the reader finds of every frame of a recording after the first zero;
     None for frames that lack a reading, which are passed over.
@@ -87,14 +119,13 @@ def recorded_frames(
     Raises
     ------
     InputError
-        A bad file, readings of another object, or no zero in the whole file.
+        Readings of another object, or no zero in the whole file.
     """
-    from estimator.recordings.formats.files import read_signals
-
-    time_s, raw = read_signals(path)
+    path, raw = stream.path, stream.raw
     require_same_sensors(channels, raw, np.array(FACES), str(path))
-    time_s = time_s if len(time_s) else np.full(len(raw), np.nan)
-    lacking = lacks_readings(raw, channels)
+    time_s = stream.time_s if len(stream.time_s) else np.full(len(raw), np.nan)
+    partly = reader.leaves_out
+    lacking = lacks_readings(raw if partly else np.where(stream.left_out, np.nan, raw), channels)
     silent = lacking.all()
     read = 0
     for number, (now_s, counts) in enumerate(zip(time_s.tolist(), raw, strict=True)):
@@ -102,7 +133,7 @@ def recorded_frames(
             reader.miss()
             yield number, now_s, None
             continue
-        found = reader.feed(counts, now_s)
+        found = reader.feed(counts, now_s, stream.left_out[number])
         if found is not None:
             read += 1
             yield number, now_s, found
@@ -136,7 +167,8 @@ def live_frames(
 ) -> Iterator[LiveFrame]:
     """What the reader finds in the frames of a board, without end.
 
-    Frames that lack a reading are passed over and counted, `SILENT_FRAMES` on end at most.
+    Frames that lack a reading are passed over and counted, `SILENT_FRAMES` on end at most; so are those
+    of which a needed one is not believed (`checks.stream`). The state of the line names what is left out.
 
     Raises
     ------
@@ -145,17 +177,22 @@ def live_frames(
     """
     from estimator.recordings.boards.lines import LineDecoder
     from estimator.recordings.boards.link import board_readings
+    from estimator.recordings.checks.stream import SoundReadings
 
-    decoder = LineDecoder()
+    decoder, sound = LineDecoder(), SoundReadings()
+    partly = reader.leaves_out
     unread, on_end, heard = 0, 0, False
     for number, reading in enumerate(board_readings(port, baud, decoder)):
         if number == 0:
             require_same_sensors(channels, reading.counts[None], np.array(FACES), port)
-        if heard and on_end < SILENT_FRAMES and lacks_readings(reading.counts[None], channels)[0]:
+        believed = sound.known(reading.counts)
+        judged = reading.counts if partly else believed
+        if heard and on_end < SILENT_FRAMES and lacks_readings(judged[None], channels)[0]:
             unread, on_end = unread + 1, on_end + 1
             reader.miss()
             continue
-        found = reader.feed(reading.counts, reading.time_s)
+        left_out = np.isnan(believed) & ~np.isnan(reading.counts)
+        found = reader.feed(reading.counts, reading.time_s, left_out)
         on_end, heard = 0, True
         if found is not None:
             line = decoder.statistics
@@ -163,6 +200,7 @@ def live_frames(
                 "damaged_lines": line.damaged_lines,
                 "lost_frames": line.lost_frames,
                 "unread_frames": unread,
+                "left_out": sound.text,
             }
             yield LiveFrame(number, reading.time_s, found, told)
 

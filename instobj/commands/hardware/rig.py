@@ -1,4 +1,4 @@
-"""`instobj rig`: presses planned, done by a machine and recorded, or written for a robot arm."""
+"""`instobj bench rig`: presses planned, done by a machine and recorded, or written for a robot arm."""
 
 from __future__ import annotations
 
@@ -47,7 +47,6 @@ class RigOptions:
     reference_every: int = 10
     presses: int | None = None
     adaptive: bool = False
-    seed: int | None = None
     resume: bool = False
     overrides: tuple[str, ...] = ()
 
@@ -95,10 +94,14 @@ def _listed(spec: ObjectSpec, options: RigOptions) -> dict[str, Any]:
 
 
 def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
-    usual: dict[str, Any] = {"depths_mm": stops_of(spec)}
+    given = dict(options.settings)
+    full_n = given.get("full_n", PressSettings.full_n)
+    usual: dict[str, Any] = {}
     if options.adaptive:
-        usual = settings_of_few(spec)
-    settings = PressSettings(**(usual | dict(options.settings)))
+        usual = settings_of_few(spec, full_n)
+    elif "depths_mm" not in given:
+        usual = {"depths_mm": stops_of(spec, full_n)}
+    settings = PressSettings(**(usual | given))
     presses, order = options.presses, None
     if options.adaptive:
         from instobj.stages.run import Run
@@ -111,7 +114,7 @@ def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
         spec,
         face,
         settings,
-        spec.seed if options.seed is None else options.seed,
+        spec.seed,
         options.repeats,
         options.reference_every,
         presses,
@@ -127,19 +130,18 @@ def _pressed(
     journal = _journal(spec, options, recording)
     progress = ProgressLine()
     limit_n = journal.plan.settings.limit_n
-    with station_on(ports, limit_n) as station, stop_on_signals(station.stop):
+    with station_on(ports, spec, limit_n) as station, stop_on_signals(station.stop):
         plan_texts = check_plan(spec, journal, station.machine.settings)
         if not confirm(plan_texts):
             raise InputError("nothing was moved: the plan was not confirmed")
         with progress.stage("rig"):
             carry_out(station, spec, journal, recording, progress.step)
     line = station.decoder.statistics
-    return _document(
-        journal,
-        recording,
-        f"{line.lost_frames} frames lost, {line.damaged_lines} damaged lines, {station.without_force} "
-        "frames left out that had no force within a second",
+    losses = (
+        f"{line.lost_frames} frames lost, {line.damaged_lines} damaged lines, "
+        f"{station.rows.without_force} frames left out that had no force within a second"
     )
+    return _document(journal, recording, [losses, *filter(None, [line.wrapped_text])])
 
 
 def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
@@ -152,7 +154,7 @@ def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
     if not options.resume:
         if options.mounting is None:
             raise InputError(
-                "give --middle X,Y: where the face's middle is in the machine's frame, mm"
+                "give --middle X,Y,Z: where the tip just touches the face's middle in the machine's frame, mm"
             )
         return new_journal(recording, _plan(spec, face, options), options.mounting)
     journal = resumed_journal(journal_path(recording, face))
@@ -161,7 +163,7 @@ def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
     return journal
 
 
-def _document(journal: Journal, recording: Path, losses: str) -> dict[str, Any]:
+def _document(journal: Journal, recording: Path, losses: list[str]) -> dict[str, Any]:
     target = recording.with_suffix(".nc")
     frames = finish_recording(recording, target)
     plan = journal.plan
@@ -174,7 +176,7 @@ def _document(journal: Journal, recording: Path, losses: str) -> dict[str, Any]:
             f"reference place: {back[0]:.2f} N at first, {back[-1]:.2f} N at last, {min(back):.2f} to "
             f"{max(back):.2f} N over {len(back)} returns"
         )
-    texts.append(f"next: instobj recordings {target}")
+    texts += [*losses, f"next: instobj recordings {target}"]
     return {
         "command": "rig",
         "presses": len(journal.finished),

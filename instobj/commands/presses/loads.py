@@ -179,8 +179,7 @@ def require_no_slip(spec: ObjectSpec) -> None:
     """Raise InputError for a slipped core, which these presses do not know."""
     if spec.mechanics.slip.slipped:
         raise InputError(
-            "these presses know no slip of the core. Leave mechanics.slip out, or use `instobj slip` "
-            "or `instobj run`"
+            "these presses know no slip of the core. Leave mechanics.slip out, or use `instobj run --to slip`"
         )
 
 

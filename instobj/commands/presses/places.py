@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,8 @@ from design.spec.object import ObjectSpec
 if TYPE_CHECKING:
     from fem.presses.joint import Tip
 
+_DEPTH_MM = 2.0
+"""Depth of a press that names none, mm: that of the paper's collection."""
 _EXAMPLE = "Example: --at 3:5,-4 or, with its own depth, --at 3:5,-4,1.5"
 
 
@@ -45,23 +48,17 @@ class CheckedPlaces:
     refused: tuple[dict[str, Any], ...]
 
 
-def places_given(
-    face: int, xy_mm: tuple[float, float] | None, at: list[str], depth_mm: float
-) -> list[Place]:
-    """Places of `--xy` (with `--face`) and of every `--at FACE:X,Y[,DEPTH]`.
+def places_given(at: Sequence[str]) -> list[Place]:
+    """Places of every `--at FACE:X,Y[,DEPTH]`; without a depth they are pressed 2 mm deep.
 
     Raises
     ------
     InputError
         None is given, or one cannot be read.
     """
-    places = [] if xy_mm is None else [Place(face, *xy_mm, depth_mm)]
-    places += [_place_at(text, depth_mm) for text in at]
-    if not places:
-        raise InputError(
-            f"no contact location to press. Give --face N --xy X Y, or --at. {_EXAMPLE}"
-        )
-    return places
+    if not at:
+        raise InputError(f"no contact location to press. Give --at. {_EXAMPLE}")
+    return [_place_at(text, _DEPTH_MM) for text in at]
 
 
 def jaw_given(text: str) -> list[Place]:

@@ -13,6 +13,7 @@ import numpy as np
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
+from instobj.commands.presses.places import Place
 from instobj.figures.saving import save_figure
 from instobj.store.content import StoredResult, store_root, stored
 from instobj.store.progress import ProgressLine
@@ -31,14 +32,7 @@ _SHAPE_OF_BODY = ("arrangement", "body", "shell", "magnets", "sensors", "mesh")
 
 
 def press_specification(
-    path: Path,
-    face: int,
-    xy_mm: tuple[float, float],
-    depth_mm: float,
-    material_name: str,
-    constants: str,
-    out: Path,
-    overrides: list[str],
+    path: Path, place: Place, material_text: str, out: Path, overrides: list[str]
 ) -> dict[str, Any]:
     """Press one place; results go to `runs/<name>/press_<face>_<x>_<y>_<material>/`.
 
@@ -51,21 +45,21 @@ def press_specification(
     from fem.large_strain.single_press import require_modulus, require_press
 
     spec = load_spec(path, overrides, table=False)
-    material = material_of(spec, material_name, constants)
-    depths = _depths_mm(depth_mm)
-    require_press(spec, face, *xy_mm, depths)
+    material = material_of(spec, material_text)
+    depths, xy_mm = _depths_mm(place.depth_mm), (place.x_mm, place.y_mm)
+    require_press(spec, place.face, *xy_mm, depths)
     require_modulus(spec, material)
     require_writable(out)
-    mesh, press = _stored_press(spec, face, xy_mm, depths, material)
-    folder = f"press_{face}_{xy_mm[0]:g}_{xy_mm[1]:g}_{material.name}"
+    mesh, press = _stored_press(spec, place.face, xy_mm, depths, material)
+    folder = f"press_{place.face}_{place.x_mm:g}_{place.y_mm:g}_{material.name}"
     files = publish_to(run_folder(out, spec.name) / folder, press)
     return _document(spec, [mesh, press], files)
 
 
-def material_of(spec: ObjectSpec, name: str, constants: str) -> Hyperelastic:
-    """The named material: neo-Hookean from the specification, others from their constants in MPa.
+def material_of(spec: ObjectSpec, text: str) -> Hyperelastic:
+    """Return the material `NAME[:CONSTANTS]`: neo-Hookean from the specification, others in MPa.
 
-    Yeoh's are C1, C2, C3 (one to three), Ogden's are pairs μ1, α1, μ2, α2 and so on.
+    Yeoh's constants are C1, C2, C3 (one to three), Ogden's are pairs μ1, α1, μ2, α2 and so on.
 
     Raises
     ------
@@ -74,12 +68,13 @@ def material_of(spec: ObjectSpec, name: str, constants: str) -> Hyperelastic:
     """
     from fem.large_strain.hyperelastic import neo_hookean, ogden, yeoh
 
+    name, _, constants = text.partition(":")
     values = _numbers(constants)
     if name == "neo-hookean":
         if values:
             raise InputError(
-                "neo-hookean takes its modulus from the specification; got --constants "
-                f"{constants!r}. Leave them out, or --set silicone.youngs_modulus_mpa"
+                f"neo-hookean takes its modulus from the specification; got constants {constants!r}. "
+                "Leave them out, or --set silicone.youngs_modulus_mpa"
             )
         return neo_hookean(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio)
     if name == "yeoh" and 1 <= len(values) <= 3:
@@ -88,10 +83,10 @@ def material_of(spec: ObjectSpec, name: str, constants: str) -> Hyperelastic:
         return ogden(tuple(values[::2]), tuple(values[1::2]))
     if name in MATERIALS:
         raise InputError(
-            f"--constants {constants!r} do not make a {name} material. Give C1,C2,C3 in MPa for "
-            "yeoh (one to three), or μ1,α1,μ2,α2,… for ogden"
+            f"--material {text!r} does not make a {name} material. Give yeoh:C1,C2,C3 in MPa "
+            "(one to three constants), or ogden:μ1,α1,μ2,α2,…"
         )
-    raise InputError(f"no material is called {name!r}. Choose one of {', '.join(MATERIALS)}")
+    raise InputError(f"no material is called {name!r}. Choose linear, {', '.join(MATERIALS)}")
 
 
 def _numbers(text: str) -> list[float]:
@@ -99,17 +94,18 @@ def _numbers(text: str) -> list[float]:
         values = [float(part) for part in text.replace(",", " ").split()]
     except ValueError:
         raise InputError(
-            f"--constants must be numbers; got {text!r}. Example: --constants 0.07,-0.002,0.0001"
+            f"constants of a material must be numbers; got {text!r}. "
+            "Example: --material yeoh:0.07,-0.002,0.0001"
         ) from None
     if not all(map(math.isfinite, values)):
-        raise InputError(f"--constants must be finite; got {text!r}. Fix them")
+        raise InputError(f"constants of a material must be finite; got {text!r}. Fix them")
     return values
 
 
 def _depths_mm(depth_mm: float) -> list[float]:
     """Equal steps of at most 0.25 mm down to the depth."""
     if not (math.isfinite(depth_mm) and depth_mm > 0):
-        raise InputError(f"--depth must be positive; got {depth_mm:g}. Give it in mm")
+        raise InputError(f"the depth must be positive; got {depth_mm:g}. Give it in mm")
     count = math.ceil(depth_mm / _STEP_MM - 1e-9)
     return [round(depth_mm * step / count, 6) for step in range(1, count + 1)]
 

@@ -1,4 +1,4 @@
-"""`instobj selftest` and `instobj validate`: a specification against its built object."""
+"""`instobj bench selftest` and `instobj validate`: a specification against its built object."""
 
 from __future__ import annotations
 

@@ -32,13 +32,9 @@ class ScoreMap:
 
 
 SCORE_MAPS = (
-    ScoreMap(
-        "position_bound_fresh_mm", "position_bound", "Position bound", "mm", True, BOUND_COLOURS
-    ),
-    ScoreMap("force_bound_fresh_n", "force_bound", "Force bound", "N", True, BOUND_COLOURS),
-    ScoreMap(
-        "detectable_force_fresh_n", "detectable", "Detectable force", "N", True, BOUND_COLOURS
-    ),
+    ScoreMap("position_bound_mm", "position_bound", "Position bound", "mm", True, BOUND_COLOURS),
+    ScoreMap("force_bound_n", "force_bound", "Force bound", "N", True, BOUND_COLOURS),
+    ScoreMap("detectable_force_n", "detectable", "Detectable force", "N", True, BOUND_COLOURS),
     ScoreMap("delta_raw", "delta", "Convex-hull sensitivity δ", "", True, GAIN_COLOURS),
     ScoreMap(
         "stiffness_n_per_mm",
@@ -73,7 +69,7 @@ def draw_score_maps(
 
 
 def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
-    values = scores.position_bound_fresh_mm
+    values = scores.position_bound_mm
     weakest = weakest_place(scores)
     whose = "each face's own" if spec.score.channels == "own" else "all"
     draw_overview(
@@ -91,6 +87,7 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
             f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
             f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
             + (" ∞: blind, along the line." if np.isinf(values).any() else "")
+            + (f" {scores.unreached}." if scores.unreached else "")
         ),
     )
 
@@ -118,7 +115,7 @@ def draw_measure_maps(
     step: Callable[[str], None],
 ) -> None:
     """Overviews of the measures that vary over the object, its weakest tenth framed."""
-    bound, there = scores.position_bound_fresh_mm, scores.places
+    bound, there = scores.position_bound_mm, scores.judged
     weakest = there & (bound >= np.quantile(bound[there], 0.9, method="lower"))
     for name, stem, title, unit, factor, colours in _MEASURE_MAPS:
         if name not in areas.rank_correlation:
@@ -147,22 +144,22 @@ def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None
     """Overviews of the position and tangential-force bounds where both are unknown."""
     asked = f"location, normal and tangential force all unknown, {spec.score.force_n:g} N"
     draw_overview(
-        scores.position_bound_fresh_mm,
+        scores.position_bound_mm,
         scores.faces,
         spec,
         "Position bound with tangential force",
         "mm",
-        *finite_limits(scores.position_bound_fresh_mm),
+        *finite_limits(scores.position_bound_mm),
         folder / "position_bound_sheared_overview.png",
         note=f"Cramér–Rao bound √(σx² + σy²), fresh baseline: {asked}.",
     )
     draw_overview(
-        scores.tangential_force_bound_fresh_n,
+        scores.tangential_force_bound_n,
         scores.faces,
         spec,
         "Bound of the tangential force",
         "N",
-        *finite_limits(scores.tangential_force_bound_fresh_n),
+        *finite_limits(scores.tangential_force_bound_n),
         folder / "tangential_force_bound_overview.png",
         note=f"Cramér–Rao bound √(σFx² + σFy²), fresh baseline: {asked}.",
     )

@@ -15,8 +15,8 @@ from jaxtyping import Bool, Float, Int
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
+from estimator.field.device import one_thread
 from estimator.layouts.polish import Judged, LowestFidelity, judge
-from estimator.networks.training.fitting import one_thread
 from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
 from instobj.search.study import KeptStudy

@@ -15,8 +15,9 @@ from design.files import atomic_path
 from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
+from estimator.information.fisher import SUFFIXES
 from estimator.information.scores import on_places
-from estimator.layouts.fidelity import SCORE_NAMES, bounds_by_press
+from estimator.layouts.fidelity import MARGINS, SCORE_NAMES, bounds_by_press
 from instobj.report.pages import render, shown
 from instobj.search.fidelity import METRIC_LABELS
 from instobj.search.outcome.figures import (
@@ -137,15 +138,16 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
             np.concatenate([by_press[key] for key in own]) for by_press in (before, after, ratio)
         )
         for percent in (100, 99, 50):
-            pair = [float(np.percentile(bounds, percent)) for bounds in (old, new)]
+            pair = [float(np.nanpercentile(bounds, percent)) for bounds in (old, new)]
             row += [f"{pair[0]:.3g} → {pair[1]:.3g}", f"{pair[0] / pair[1]:.2f}"]
-        rows.append([*row, f"{100 * np.mean(over > 1):.1f} %"])
+        rows.append([*row, f"{100 * np.mean(over[~np.isnan(over)] > 1):.1f} %"])
     path = folder / "position_bound_over_start.png"
     largest = on_places(
         contact_places(spec),
-        [np.max([ratio[force, face] for force in forces], axis=0) for face in faces],
+        [np.fmax.reduce([ratio[force, face] for force in forces]) for face in faces],
     )
-    worse = np.mean(np.concatenate(list(ratio.values())) > 1)
+    every_ratio = np.concatenate(list(ratio.values()))
+    worse = np.mean(every_ratio[~np.isnan(every_ratio)] > 1)
     every = ", ".join(f"{force:g}" for force in forces)
     draw_overview(
         largest,
@@ -163,7 +165,7 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
 
 
 def _change(name: str, before: float, after: float) -> str:
-    if name == "saturation_margin":
+    if name in MARGINS:
         return f"{after - before:+.3f}"
     return f"× {after / before:.2f}"
 
@@ -182,7 +184,9 @@ def _maps(found: Promotion, results: ChainResults, folder: Path) -> list[tuple[s
     pair = {"before": found.start.spec, "after": found.best.spec}
     scores = {when: SCORES.read(one) for when, one in zip(pair, results.scores, strict=True)}
     baseline = found.start.spec.search.baseline
-    bounds = {when: getattr(one, f"position_bound_{baseline}_mm") for when, one in scores.items()}
+    bounds = {
+        when: getattr(one, f"position_bound{SUFFIXES[baseline]}_mm") for when, one in scores.items()
+    }
     every = np.concatenate([values.ravel() for values in bounds.values()])
     pictures = []
     for when, one in scores.items():

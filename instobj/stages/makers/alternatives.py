@@ -18,6 +18,7 @@ from design.spec.object import ObjectSpec
 from design.spec_io import check
 from estimator.information.scores import PlaceScores, score_places
 from estimator.signals.presses import Signals, press_signals, saturation_margin
+from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
 from instobj.report.verdict import worst_ratio
 from instobj.store.readers import ALTERNATIVES, PRESSES, SIGNALS
@@ -33,13 +34,15 @@ _WIDER = (0.0, 0.5, 0.6, 0.7)
 @dataclass(frozen=True)
 class Alternative:
     """Figures after no change, one or more: position bounds (mm), worst detectable force (N), share of the
-    sensors' range that stays free; magnets and sensors of the whole object."""
+    sensors' range that stays free, in the design and in 95 % of its virtual objects; magnets and sensors of
+    the whole object."""
 
     changes: tuple[str, ...]
     weakest_bound_mm: float
     median_bound_mm: float
     worst_detectable_n: float
     saturation_margin: float
+    objects_margin: float
     magnets: int
     sensors: int
 
@@ -61,7 +64,8 @@ def alternatives(
     A softer silicone scales every force by its modulus; more sensors and stronger magnets move no
     silicone. What the specification's own checks refuse is left out.
     """
-    known, rows = {_source(spec): signals}, list[Alternative]()
+    known = {_source(spec): (signals, _objects_margin(spec, signals, presses))}
+    rows = list[Alternative]()
     for size in range(len(CHANGES) + 1):
         if size > 2 and any(map(partial(_keeps_limits, spec), rows)):
             break
@@ -73,8 +77,10 @@ def alternatives(
                 other = check(_changed(spec, changes))
                 source = _source(other)
                 if source not in known:
-                    known[source] = press_signals(other, *load_presses(presses))
-                rows.append(_row(changes, other, _with_forces(spec, other, known[source])))
+                    read = press_signals(other, *load_presses(presses))
+                    known[source] = read, _objects_margin(other, read, presses)
+                read, margin = known[source]
+                rows.append(_row(changes, other, _with_forces(spec, other, read), margin))
             except ValueError:
                 if not changes:
                     raise
@@ -82,8 +88,8 @@ def alternatives(
 
 
 def _keeps_limits(spec: ObjectSpec, row: Alternative) -> bool:
-    figures = row.weakest_bound_mm, row.worst_detectable_n, row.saturation_margin
-    return worst_ratio(spec.limits, *figures) <= 1
+    margins = row.saturation_margin, row.objects_margin
+    return worst_ratio(spec.limits, row.weakest_bound_mm, row.worst_detectable_n, *margins) <= 1
 
 
 def _changed(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
@@ -178,16 +184,25 @@ def _with_forces(spec: ObjectSpec, other: ObjectSpec, signals: Signals) -> Signa
     return replace(signals, force_n=signals.force_n * ratio)
 
 
-def _row(changes: tuple[str, ...], spec: ObjectSpec, signals: Signals) -> Alternative:
+def _objects_margin(spec: ObjectSpec, signals: Signals, presses: Path) -> float:
+    """Of the deepest press, over all virtual objects but the few that may leave the range."""
+    _, motions = load_presses(presses)
+    return saturation(spec, signals, motions, deepest_alone=True).margin[-1]
+
+
+def _row(
+    changes: tuple[str, ...], spec: ObjectSpec, signals: Signals, objects_margin: float
+) -> Alternative:
     scores = _scores(spec, signals)
-    bound, there = scores.position_bound_fresh_mm, scores.places
+    bound, there = scores.position_bound_mm, scores.judged
     faces = len(spec.body.sensed)
     return Alternative(
         changes,
         float(bound[there].max()),
         float(np.median(bound[there])),
-        float(scores.detectable_force_fresh_n[there].max()),
+        float(scores.detectable_force_n[there].max()),
         saturation_margin(signals, spec),
+        objects_margin,
         faces * spec.magnets.count,
         faces * spec.sensors.count_per_face,
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -34,12 +33,8 @@ def make_collection(context: StageContext, folder: Path) -> None:
     mechanics = JointMechanics(
         RESPONSE.read(inputs["response"]), CORRECTION.read(inputs["large_strain"])
     )
-    started = time.perf_counter()
     frames = simulate_collection(spec, signals, context.key, mechanics, context.step, shear)
-    seconds = time.perf_counter() - started
-    write_json(
-        collection_summary(frames) | {"seconds": round(seconds, 1)}, COLLECTION_SUMMARY.path(folder)
-    )
+    write_json(collection_summary(frames), COLLECTION_SUMMARY.path(folder))
     context.step("writing the frames")
     save_frames(frames, collection_path(folder, spec.collection.kind))
 

@@ -54,8 +54,8 @@ def make_sheet(context: StageContext, folder: Path) -> None:
 
     spec, parts = context.spec, context.inputs["build"]
     manifest = BuildManifest.read(parts)
-    write_bom(bill_of_materials(spec, manifest), BOM.path(folder))
     plan = plan_or_none(spec, MEGA2560)
+    write_bom(bill_of_materials(spec, manifest, plan), BOM.path(folder))
     orders = order_list(spec, plan)
     write_orders(orders, ORDERS.path(folder))
     split = has_mould(spec) and mould_style(spec) == "split"

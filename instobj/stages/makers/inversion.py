@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from design.spec.object import LARGEST_SEED
 from instobj.stages.makers.collection import stored_shear
 from instobj.store.readers import (
     CONTACT_METRICS,
@@ -91,7 +92,9 @@ def _presses_anywhere(
         )  # fmt: skip
         protocol = spec.protocol.changed(frames_per_press=_FRAMES_A_PRESS, rest_frames_per_press=2)
         wanted = spec.changed(
-            collection=asked, protocol=protocol, seed=spec.seed + _OBJECT_SEED + contacts
+            collection=asked,
+            protocol=protocol,
+            seed=(spec.seed + _OBJECT_SEED + contacts) % LARGEST_SEED,
         )
         parts.append(simulate_collection(wanted, signals, context.key, mechanics, shear=shear))
     return joined(parts)

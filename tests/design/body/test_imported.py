@@ -12,7 +12,7 @@ import trimesh
 from numpy.testing import assert_allclose
 
 from design.body import sampled
-from design.body.imported import _united, body_of_file
+from design.body.imported import _united, body_of_file, read_surface
 from design.body.kinds.registry import KINDS
 from design.body.meshes import manifold_of
 from design.body.sampled import measured_distance_mm, sampled_core
@@ -165,6 +165,36 @@ def _finned(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     return trimesh.Trimesh(corners, np.vstack([surface.faces, [a, b, len(corners) - 1]]))
 
 
+def _jittered(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """Every triangle with corners of its own, up to 0.0007 mm from those of its neighbours."""
+    corners = surface.triangles.reshape(-1, 3)
+    moved = corners + np.random.default_rng(3).uniform(-2e-4, 2e-4, corners.shape)
+    return trimesh.Trimesh(moved, np.arange(len(moved)).reshape(-1, 3), process=False)
+
+
+def _apart(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """The same farther apart than corners are welded."""
+    corners = surface.triangles.reshape(-1, 3)
+    moved = corners + np.random.default_rng(3).uniform(-0.02, 0.02, corners.shape)
+    return trimesh.Trimesh(moved, np.arange(len(moved)).reshape(-1, 3), process=False)
+
+
+def _soup(_: trimesh.Trimesh) -> trimesh.Trimesh:
+    corners = np.random.default_rng(0).uniform(0, 50, (300, 3))
+    return trimesh.Trimesh(corners, np.arange(300).reshape(-1, 3), process=False)
+
+
+def _with_stray(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """A single triangle within the body's box."""
+    return surface + trimesh.Trimesh([[30, 15, 20], [32, 15, 20], [30, 17, 20]], [[0, 1, 2]])
+
+
+def _beside_its_twin(surface: trimesh.Trimesh) -> trimesh.Trimesh:
+    """Two boxes that share one edge."""
+    box = trimesh.creation.box(surface.extents)
+    return box + box.copy().apply_translation((*SIZE[:2], 0.0))
+
+
 def _without_numbers(surface: trimesh.Trimesh) -> trimesh.Trimesh:
     surface.vertices[9] = np.nan
     return surface
@@ -181,12 +211,31 @@ def _written(folder: Path, change, **options) -> Path:
         pytest.param(_holed, "closed small holes with 1 triangles", id="a small hole"),
         pytest.param(_inverted, "turned triangles outwards", id="inside out"),
         pytest.param(_some_inverted, "turned triangles outwards", id="some triangles inverted"),
+        pytest.param(_jittered, r"welded \d+ corners within 0\.001 mm", id="corners apart"),
+        pytest.param(_with_stray, "left out 1 flat pieces", id="a stray triangle"),
     ],
 )
 def test_what_can_be_repaired_is_with_a_warning(tmp_path, change, told):
     with pytest.warns(UserWarning, match=told):
         found = body_of_file(_written(tmp_path, change))
     assert_allclose(found["size_mm"], SIZE, rtol=1e-5)
+
+
+def test_a_triangle_of_no_height_that_closes_a_side_is_no_hole(tmp_path):
+    """One edge is split on one of its sides; its twin on the other side stays whole."""
+    box = trimesh.creation.box(SIZE)
+    a, b, c = box.faces[0]
+    corners = np.vstack([box.vertices, box.vertices[[a, b]].mean(axis=0)])
+    split = [[a, 8, c], [8, b, c], [a, b, 8]]
+    closed = trimesh.Trimesh(corners, np.vstack([box.faces[1:], split]), process=False)
+    assert closed.is_watertight
+    closed.export(tmp_path / "body.stl")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        surface = read_surface(str(tmp_path / "body.stl"))
+    assert surface.is_watertight
+    assert surface.area_faces.min() > 1.0
+    assert surface.volume == pytest.approx(np.prod(SIZE))
 
 
 def test_pieces_that_overlap_are_united_with_a_warning(tmp_path):
@@ -214,6 +263,9 @@ def test_a_piece_of_less_than_a_cubic_millimetre_is_united_too():
         pytest.param(_hollow, "2 separate surfaces.*without holes inside", id="a void inside"),
         pytest.param(_crossing, "crosses itself", id="crossing itself"),
         pytest.param(_dented, "crosses itself", id="crossing itself a little"),
+        pytest.param(_soup, "is open: 300 edges have a triangle on one side", id="a soup"),
+        pytest.param(_apart, r"is open: .* within 0\.001 mm count as one", id="corners far apart"),
+        pytest.param(_beside_its_twin, "is closed, but meets itself: 1 edges", id="a common edge"),
         pytest.param(_without_numbers, "is open", id="a corner that is no number"),
     ],
 )

@@ -34,8 +34,9 @@ NAMED = {
     "design/spec/mechanics.py": "the indenter's shape",
     "design/layout/tips.py": "the indenter's shape",
     "design/solids/probes.py": "the indenter's shape",
-    "instobj/experiments/weak_areas.py": "the objects of that study",
     "instobj/figures/weak_areas.py": "matplotlib's padding",
+    "instobj/commands/new.py": "everyday words for shapes, and kinds of one length",
+    "design/spec_io.py": "the kind that a file's keys stand for",
 }
 """Files outside the kinds that hold a word which is a kind's name, and what it says there."""
 

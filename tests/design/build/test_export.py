@@ -6,6 +6,7 @@ import sys
 import time
 from dataclasses import replace
 from importlib.metadata import version
+from pathlib import Path
 
 import cadquery as cq
 import pytest
@@ -92,6 +93,17 @@ def test_the_folder_holds_the_parts_and_the_manifest_only(build):
     steps = [f"{doing} {name}" for doing in ("building", "writing") for name in PART_NAMES]
     assert messages[:-2] == steps
     assert messages[-1] == f"wrote {folder / 'manifest.json'}"
+
+
+def test_a_second_build_is_the_same_byte_by_byte(build, tmp_path):
+    """In one process, whose kernel counts its models, and with temporary files of other names."""
+    folder, _, _ = build
+    build_object(PAPER, tmp_path)
+    names = sorted(path.name for path in folder.iterdir())
+    assert sorted(path.name for path in tmp_path.iterdir()) == names
+    assert {Path(name).suffix for name in names} >= {".step", ".stl", ".3mf", ".glb", ".json"}
+    for name in names:
+        assert (tmp_path / name).read_bytes() == (folder / name).read_bytes(), name
 
 
 def test_manifest_on_disk_is_the_one_returned(build):

@@ -129,6 +129,18 @@ def test_boards_that_overlap_and_wires_too_thick_are_found():
     assert found(findings, "wires in their hole").status == "fail"
 
 
+def test_all_wires_have_a_way_out():
+    """Six faces of 12 wires of 0.4 mm leave by two holes of 2 mm, which take 0.7 · (2 / 0.4)² = 17 each."""
+    core = {
+        "wires_per_sensor": 12,
+        "wire_hole_side_diameter_mm": 2.0,
+        "wire_hole_top_diameter_mm": 2.0,
+    }
+    spec = body_spec("closed_box", core=core)
+    way = found(check_electronics(spec, mesh_of(make_core(spec), spec)), "wires in their way out")
+    assert (way.status, way.value) == ("fail", 2 * 17 - 72)
+
+
 def test_boards_in_the_same_place_share_their_overlap():
     """Two boards of 6.6 × 6.2 × 1.6 mm, turned alike, 1.5 mm apart along their width or length."""
     sensors = PAPER.sensors.changed(positions_mm=[[[2.0, 0.0], [3.5, 0.0]]] * 5, count_per_face=2)
@@ -255,7 +267,9 @@ def test_features_are_told_with_their_places():
     assert places["wire hole, sides"] == (0.0, -13.0, 0.0)
     assert places["anti-slip key"][:2] == (11.4, 11.2)
     (wires,) = [
-        f for f in check_electronics(narrow, mesh_of(make_core(PAPER), PAPER)) if "wires" in f.check
+        f
+        for f in check_electronics(narrow, mesh_of(make_core(PAPER), PAPER))
+        if f.check == "wires in their hole"
     ]
     assert (wires.status, wires.place_mm) == ("fail", (0.0, -13.0, 0.0))
     assert "core.wire_hole_side_diameter_mm to" in wires.what

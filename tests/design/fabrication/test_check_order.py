@@ -30,6 +30,7 @@ def told(monkeypatch):
     for name in ("features", "inhibition", "pockets", "clearances"):
         monkeypatch.setattr(check, f"check_{name}", lambda spec, name=name: [name])
     monkeypatch.setattr(check, "check_electronics", lambda spec, core: [f"electronics {core}"])
+    monkeypatch.setattr(check, "check_tools", lambda spec, meshes: ["tools"])
     monkeypatch.setattr(check, "check_casting", lambda spec, meshes: [f"casting {sorted(meshes)}"])
     monkeypatch.setattr(
         check, "Checked", lambda findings, meshes: SimpleNamespace(findings=findings, meshes=meshes)
@@ -50,7 +51,7 @@ def test_all_that_is_found_is_told_in_the_order_of_the_parts(told):
     assert checked.findings == [
         "solid core", *found("core", told["core"]), "solid pieces",
         "solid jig", *found("jig", told["jig"]), *OF_SPEC,
-        "electronics core's mesh", "casting ['core', 'jig']",
+        "electronics core's mesh", "tools", "casting ['core', 'jig']",
     ]  # fmt: skip
     assert checked.meshes == {"core": told["core"], "jig": told["jig"]}
     assert said[:3] == ["checking core", "checking shell", "checking jig"]
@@ -62,5 +63,5 @@ def test_without_a_closed_core_its_electronics_are_left_out(told):
     checked = check.check_fabrication.__wrapped__(None)
     assert checked.findings == [
         "solid core", "solid pieces", "solid jig", *found("jig", told["jig"]), *OF_SPEC,
-        "casting ['jig']",
+        "tools", "casting ['jig']",
     ]  # fmt: skip

@@ -41,7 +41,7 @@ def test_parts_that_share_more_than_a_cubic_millimetre_do_not_close(deep, status
     assert (found.status, found.limit, found.part) == (status, 1.0, "mould")
     assert found.value == pytest.approx(100 * deep if deep else 0.002, rel=0.02)
     if deep:
-        assert "(mould_half_a and mould_half_b)" in found.what
+        assert "most: mould_half_a and mould_half_b" in found.what
         assert found.place_mm == pytest.approx((5, 5, 10 - deep / 2), abs=1e-3)
 
 

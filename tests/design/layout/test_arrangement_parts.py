@@ -187,11 +187,14 @@ def test_rotations_that_do_not_fit_are_refused(wrong, message):
 
 def test_the_bus_and_the_averaging_limit_the_frame_rate():
     sensors = parsed().sensors
-    assert_allclose(1 / fastest_frame_rate_hz(sensors), 25e-6 * 49 + 15 * 84 / 400e3, rtol=1e-12)
-    parsed(sensors={"frame_rate_hz": 220})
-    with pytest.raises(InputError, match=r"frame_rate_hz = 300 is beyond the 228.6 Hz"):
-        parsed(sensors={"frame_rate_hz": 300})
-    parsed(sensors={"frame_rate_hz": 300, "averaging": 1, "i2c_khz": 1000})
+    assert_allclose(1 / fastest_frame_rate_hz(sensors), 15 * 84 / 400e3, rtol=1e-12)
+    parsed(sensors={"frame_rate_hz": 310})
+    with pytest.raises(InputError, match=r"frame_rate_hz = 330 is beyond the 317.5 Hz"):
+        parsed(sensors={"frame_rate_hz": 330})
+    parsed(sensors={"frame_rate_hz": 330, "i2c_khz": 1000})
+    slow = {"part": "TMAG5273A1", "averaging": 32, "i2c_khz": 1000}
+    with pytest.raises(InputError, match=r"is beyond the 310.1 Hz"):  # 25 µs + 32 · 100 µs
+        parsed(sensors={**slow, "frame_rate_hz": 330})
 
 
 @pytest.mark.parametrize(

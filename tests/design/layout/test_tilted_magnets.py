@@ -10,7 +10,7 @@ import design.layout.places.positions
 import design.layout.pockets
 from design.layout.body import face_frames
 from design.layout.places.positions import magnet_layout
-from design.layout.pockets import distance_of_axes_mm, shell_pockets, tilted_frame
+from design.layout.pockets import distance_of_segments_mm, shell_pockets, tilted_frame
 from design.mould.one_piece import make_mould_box
 from design.solids.shell import make_shell
 from design.spec.object import BodySpec, MagnetSpec, ObjectSpec, ShellSpec
@@ -113,7 +113,8 @@ def test_the_distance_of_axes_is_that_of_many_points_on_them():
         (p, p_end), (q, q_end) = local[a].axis_ends_mm, local[b].axis_ends_mm
         first, second = p + share * (p_end - p), q + share * (q_end - q)
         sampled = np.linalg.norm(first[:, None] - second, axis=2).min()
-        assert_allclose(distance_of_axes_mm(local[a], local[b]), sampled, rtol=0, atol=1e-3)
+        distance = distance_of_segments_mm(local[a].axis_ends_mm, local[b].axis_ends_mm)
+        assert_allclose(distance, sampled, rtol=0, atol=1e-3)
 
 
 @pytest.mark.parametrize(

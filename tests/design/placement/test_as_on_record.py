@@ -151,8 +151,8 @@ def test_what_is_too_small_is_told_with_all_that_helps(monkeypatch):
     monkeypatch.setattr(asked, "every_fit", lambda *given: iter([]))
     said = _too_small(Request("imported", (24.0, 24.0, 24.0), 1, 3, (("file", "x"),)))
     assert said == (
-        "an imported body of 24 × 24 × 24 mm is too small for 1 sensor and 3 magnets per face, whatever "
-        "its size. Choose another shape"
+        "an imported body of 24 × 24 × 24 mm is too small for 1 sensor and 3 magnets per face, and no "
+        "size up to 8 times was found that works. Choose another shape"
     )
     assert (
         _told(Request("box", (1.0, 2.0, 3.0), faces=(2, 4)))

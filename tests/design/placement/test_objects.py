@@ -158,13 +158,13 @@ def test_the_pear_takes_two_sensors_on_every_face():
 
 
 def test_faces_that_are_too_small_are_not_sensed():
-    """A brick was refused as a whole, as its sides take no four sensors; nine of ten odd bodies too."""
+    """A brick was refused as a whole, as its short sides take no four sensors; nine of ten odd bodies too."""
     request = Request("box", (80.0, 60.0, 26.0), 4, 5)
     tables = placed(request)
     spec = spec_of(tables)
     assert problems_of(spec) == []
-    assert spec.body.sensed == (1,)
-    assert len(spec.magnets.positions_mm) == 5
+    assert spec.body.sensed == (1, 2, 4)
+    assert [len(face) for face in sensor_places(spec)] == [4] * 3
     assert first_fit(replace(request, faces=(1, 3))) is None
 
 
@@ -305,7 +305,7 @@ def test_a_body_that_nothing_helps_is_not_grown_beyond_what_a_body_may_measure(m
     for module in (objects, asked):
         monkeypatch.setattr(module, "roomy_faces", lambda _: ())
     with pytest.raises(
-        SpecError, match="too small for 3 sensors and a magnet per face, whatever its size"
+        SpecError, match="too small for 3 sensors and a magnet per face, and no size up to"
     ):
         placed(Request("dome", (500.0, 500.0, 260.0)))
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.placement.patterns import magnet_patterns, sensor_patterns
+from design.placement.patterns import along_longer_side, magnet_patterns, sensor_patterns
 
 
 def test_one_part_stands_in_the_middle():
@@ -48,3 +48,13 @@ def test_four_magnets_stand_in_the_corners_more_in_a_ring_and_odd_ones_in_the_mi
     assert_allclose(magnet_patterns(6)[0], ring, atol=1e-12)
     assert_allclose(magnet_patterns(7)[0], np.vstack([[0, 0], ring]), atol=1e-12)
     assert [len(one) for one in magnet_patterns(5)] == [5, 5, 5]
+
+
+def test_a_row_runs_along_the_longer_side_of_a_face():
+    upright = sensor_patterns(2)[0][0]
+    long, tall, square = np.array([35.0, 25.0]), np.array([25.0, 35.0]), np.array([25.0, 25.0])
+    assert np.ptp(along_longer_side(upright, long)[:, 0]) == 2
+    assert np.ptp(along_longer_side(upright, tall)[:, 1]) == 2
+    assert_allclose(along_longer_side(upright, square), upright)
+    ring = sensor_patterns(3)[0][0]
+    assert_allclose(along_longer_side(ring, long), ring)

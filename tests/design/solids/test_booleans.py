@@ -9,6 +9,7 @@ from design.body.meshes import one_closed_surface
 from design.errors import NotOneSolid
 from design.solids.booleans import (
     as_triangles,
+    as_written,
     cut,
     one_body,
     pieces_that_meet,
@@ -81,3 +82,19 @@ def test_offcuts_are_small_pieces_beside_a_large_one(form):
     """A sliver of 1.6 mm³ between the holes of a half of 75 000 mm³ made it two pieces."""
     assert_allclose(volume_mm3(without_offcuts(form(beside(1.5)), 1e-3)), 8000, rtol=1e-9)
     assert_allclose(volume_mm3(without_offcuts(form(beside(2.5)), 1e-3)), 8015.625, rtol=1e-9)
+
+
+def test_nothing_left_of_a_part_is_one_error():
+    """Cutting all of a half away ended in max() of nothing."""
+    nothing = without_offcuts(cq.Compound.makeCompound([]), 1e-3)
+    with pytest.raises(NotOneSolid, match="give 0"):
+        one_body(nothing, "mould_half_a")
+
+
+def test_a_surface_is_judged_as_its_file_holds_it():
+    """Corners 1e-7 mm apart are one in single precision; the surface still closes round its volume."""
+    box = trimesh.creation.box((20.0, 20.0, 20.0))
+    split = box.subdivide()
+    split.vertices[8:] += 1e-7
+    assert_allclose(as_written(split).volume, 8000, rtol=1e-6)
+    assert as_written(trimesh.Trimesh(box.vertices, box.faces[1:], process=False)) is None

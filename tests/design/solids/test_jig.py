@@ -2,7 +2,9 @@
 
 import numpy as np
 import pytest
+import trimesh
 
+from design.body.imported import body_of_file
 from design.body.meshes import manifold_of
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
@@ -48,6 +50,24 @@ def test_a_post_through_the_bore_carries_the_core_and_keeps_it_from_turning(name
     plate = jig.bounding_box()[2] + PLATE_MM
     lowest = float(body_of(spec).outer_surface().bounds[0, 2])
     assert lowest - plate == pytest.approx(CLEAR_MM, abs=0.05)
+
+
+def test_a_post_carries_a_core_that_is_lowest_beside_the_flats_middle(tmp_path):
+    """A ball whose lower end leans by 24°, along its flat: at the post's side the core is lower than in
+    the flat's middle, where alone the seat was looked for."""
+    ball = trimesh.creation.icosphere(4, 22.0)
+    ball.vertices[:, 2] += 0.45 * ball.vertices[:, 1]
+    ball.export(tmp_path / "lopsided.stl")
+    body = {"kind": "imported", **body_of_file(tmp_path / "lopsided.stl"), "bore_mm": 8.0}
+    sensors = {"positions_mm": [[0.0, 0.0]], "radius_mm": 4.0}
+    core = {"recess_inner_radius_mm": 1.5, "recess_outer_radius_mm": 6.5}
+    body["sensed_faces"] = [1]
+    spec = ObjectSpec.model_validate(
+        {"name": "lopsided", "body": body, "sensors": sensors, "core": core}
+    )
+    jig, core = manifolds(spec)
+    assert (jig ^ core).volume() < 0.02
+    assert (jig ^ core.translate((0, 0, -0.3))).volume() > 0.005, "the core rests on it"
 
 
 @pytest.mark.parametrize("name", ["sphere", "ellipsoid"])

@@ -52,7 +52,7 @@ def test_units_in_mm():
 def test_open_and_sensed_faces():
     assert BodySpec().opened == (6,)
     assert BodySpec().sensed == (1, 2, 3, 4, 5)
-    assert BodySpec(open_faces=(6, 3, 6)).opened == (3, 6)
+    assert BodySpec(open_faces=(6, 3)).opened == (3, 6)
     assert BodySpec(open_faces=()).sensed == (1, 2, 3, 4, 5, 6)
     assert BodySpec(sensed_faces=(4, 1)).sensed == (1, 4)
     refused("must name some of the closed faces", sensed_faces=(6,))

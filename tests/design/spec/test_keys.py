@@ -8,125 +8,245 @@ import pytest
 from pydantic import BaseModel, TypeAdapter, ValidationError, create_model
 
 from design.errors import SpecError
-from design.spec.base import LARGEST, Count, Finite, NonNegative, Positive, RecoilPermeability
+from design.spec.base import Count, Force, Length, Offset, RecoilPermeability, Remanence
 from design.spec.object import ObjectSpec
 
-SHARED = {"gt 0", "ge 0", f"le {LARGEST:g}", f"ge {-LARGEST:g}"}
-"""Of `Positive`, `NonNegative` and `Finite`."""
 WANTED = """
 name: most 80
+seed: ge 0, le 2.14748e+09
+body.size_mm: gt 0, le 1e+08
 body.open_faces: ge 1, le 6
 body.sensed_faces: ge 1, le 6
+body.bore_mm: gt 0, le 1000
+body.scale: ge 0.0001, le 10000
+shell.thickness_mm: ge 0.3, le 200
+shell.pocket_diameter_mm: gt 0, le 1000
+shell.pocket_depth_mm: gt 0, le 1000
+shell.seal_layer_mm: ge 0, le 1000
+shell.dent_mm: ge 0, le 1000
+shell.slits.width_mm: gt 0, le 1000
+shell.slits.depth_mm: ge 0, le 1000
+shell.slits.end_mm: ge 0, le 1000
+silicone.youngs_modulus_mpa: ge 0.001, le 50
+silicone.youngs_modulus_range_mpa: ge 0.001, le 50
 silicone.poisson_ratio: ge -0.3, le 0.5
+silicone.density_g_per_cm3: ge 0.005, le 20
+silicone.layers.thickness_mm: gt 0, le 1000
 silicone.layers.modulus_ratio: ge 0.001, le 1000
-silicone.prony.fraction: lt 1
-silicone.peel_share: le 1
-magnets.diameter_mm: least 1
-magnets.inner_diameter_mm: least 1
-magnets.size_mm: least 1
-magnets.height_mm: least 1
-magnets.remanence_t: least 1
+silicone.prony.fraction: gt 0, lt 1
+silicone.prony.time_s: ge 0.0001, le 1e+07
+silicone.mix_ratio: ge 0, gt 0, le 1000
+silicone.pot_life_min: ge 0.1, le 10000
+silicone.cure_h: ge 0.01, le 1000
+silicone.elongation_percent: ge 1, le 3000
+silicone.thinnest_wall_mm: ge 0.05, le 50
+silicone.peel_share: gt 0, le 1
+magnets.diameter_mm: gt 0, le 1000, least 1
+magnets.inner_diameter_mm: ge 0, le 1000, least 1
+magnets.size_mm: gt 0, le 1000, least 1
+magnets.height_mm: gt 0, le 1000, least 1
+magnets.remanence_t: ge 0.01, le 2, least 1
 magnets.recoil_permeability: ge 1, le 2
 magnets.temperature_c: ge -40, le 150
-magnets.turns: ge 1
-magnets.positions_mm: least 1
+magnets.turns: ge 1, le 100000
+magnets.current_a: ge -100, le 100
+magnets.depth_below_core_face_mm: ge 0, le 1000
+magnets.positions_mm: ge -1000, le 1000, least 1
+magnets.depth_mm: gt 0, le 1000
 magnets.tilt_deg: ge -30, le 30
-core.wires_per_sensor: ge 1
+core.wall_mm: ge 0.3, le 200
+core.recess_width_mm: gt 0, le 1000
+core.recess_inner_radius_mm: gt 0, le 1000
+core.recess_outer_radius_mm: gt 0, le 1000
+core.recess_depth_mm: gt 0, le 1000
+core.hub_radius_mm: gt 0, le 1000
+core.hub_depth_mm: gt 0, le 1000
+core.wire_hole_top_diameter_mm: gt 0, le 1000
+core.wire_hole_side_diameter_mm: gt 0, le 1000
+core.wire_channel_width_mm: ge 0, le 1000
+core.wire_channel_depth_mm: gt 0, le 1000
+core.wire_diameter_mm: ge 0.02, le 5
+core.wires_per_sensor: ge 1, le 20
+core.bay_mm: gt 0, le 1000
+core.keys.positions_mm: ge -1000, le 1000
+core.keys.size_mm: gt 0, le 1000
+core.keys.height_mm: gt 0, le 1000
 sensors.axes: least 1
 sensors.count_per_face: ge 1, le 12
-sensors.first_azimuth_deg: least 1
-sensors.positions_mm: least 1, most 12
-sensors.rotations_deg: least 1, most 12
-sensors.gain_tolerance: lt 0.5
-sensors.cross_axis_tolerance: lt 0.5
+sensors.radius_mm: gt 0, le 1000
+sensors.depth_below_core_face_mm: ge 0, le 1000
+sensors.first_azimuth_deg: ge -720, le 720, least 1
+sensors.positions_mm: ge -1000, le 1000, least 1, most 12
+sensors.package_mm: gt 0, le 1000
+sensors.chip_mm: gt 0, le 1000
+sensors.mount_rotation_deg: ge -720, le 720
+sensors.rotations_deg: ge -720, le 720, least 1, most 12
+sensors.counts_per_mt: ge 0.1, le 1e+06
+sensors.range_mt: ge 0.01, le 3000
+sensors.noise_counts: gt 0, le 32768
+sensors.gain_tolerance: ge 0, lt 0.5
+sensors.cross_axis_tolerance: ge 0, lt 0.5
+sensors.offset_tolerance_mt: ge 0, le 100
+sensors.zeroing_counts: ge 0, le 1e+06
+sensors.drift_counts: ge 0, le 1e+06
+sensors.frame_rate_hz: ge 0.01, le 100000
+sensors.i2c_khz: ge 1, le 5000
+load_cell.capacity_n: ge 0.1, le 10000
 load_cell.output_mv_per_v: ge -10, le 10
 load_cell.newtons_per_v: ge -500, le 500
-load_cell.zero_v: le 5
-environment.earth_field_ut: le 100
+load_cell.zero_v: ge 0, le 5
+environment.earth_field_ut: ge 0, le 100
+environment.earth_direction: ge -10000, le 10000
+environment.magnets.position_mm: ge -1000, le 1000
+environment.magnets.axis: ge -10000, le 10000
+environment.magnets.diameter_mm: gt 0, le 1000
+environment.magnets.height_mm: gt 0, le 1000
+environment.magnets.remanence_t: ge 0.01, le 2
 environment.magnets.recoil_permeability: ge 1, le 2
-environment.steel_plates.relative_permeability: ge 1
+environment.steel_plates.position_mm: ge -1000, le 1000
+environment.steel_plates.normal: ge -10000, le 10000
+environment.steel_plates.relative_permeability: ge 1, le 1e+12
 contact_grid.count: ge 2, le 100
-indenter.vertices_mm: least 4
+contact_grid.pitch_mm: gt 0, le 1000
+indenter.radius_mm: gt 0, le 1000
+indenter.length_mm: gt 0, le 1000
+indenter.size_mm: gt 0, le 1000
+indenter.fillet_mm: ge 0, le 1000
+indenter.vertices_mm: ge -1000, le 1000, least 4
+indenter.yaw_deg: ge -720, le 720
 indenter.tilt_deg: ge -45, le 45
 indenter.direction_deg: ge -60, le 60
-press.depths_mm: least 2
+indenter.tip_spacing_mm: gt 0, le 1000
+press.depths_mm: gt 0, le 1000, least 2
+mesh.edge_mm: ge 0.02, le 100
+mesh.surface_edge_mm: ge 0.02, le 100
 mesh.rim_edge_ratio: ge 0.1, le 1
+mesh.envelope_mm: ge 0.0001, le 5
 mesh.magnet_sides: ge 6, le 64
 mechanics.slip.shift_mm: ge -3, le 3
 mechanics.slip.rotation_deg: ge -10, le 10
-score.hull_frames: ge 12
-protocol.presses_per_place: ge 3
-protocol.frames_per_press: ge 4
-protocol.rest_frames_per_press: ge 2
-protocol.peak_force_spread: lt 0.9
+score.force_n: ge 0.001, le 500
+score.hull_frames: ge 12, le 1e+09
+protocol.presses_per_place: ge 3, le 1e+06
+protocol.frames_per_press: ge 4, le 1e+06
+protocol.rest_frames_per_press: ge 2, le 1e+06
+protocol.peak_force_n: ge 0.001, le 500
+protocol.peak_force_spread: ge 0, lt 0.9
+protocol.lateral_jitter_mm: ge 0, le 20
+protocol.force_noise_n: ge 0, le 20
 collection.faces: ge 1, le 6, least 1
-collection.frames_per_case: ge 4
-collection.non_contact_cases: ge 1
-collection.dual_poses: ge -360, ge -500, le 360, le 500
-collection.triple_poses: ge -360, ge -500, le 360, le 500
+collection.frames_per_case: ge 4, le 1e+08
+collection.non_contact_cases: ge 1, le 100000
+collection.dual_poses: ge -1000, ge -720, le 1000, le 720
+collection.triple_poses: ge -1000, ge -720, le 1000, le 720
 collection.grasp_faces: ge 1, le 6
-collection.presses: ge 1
+collection.grasp_force_n: ge 0.001, le 500
+collection.random_grasps: ge 0, le 100000
+collection.presses: ge 1, le 1e+09
 collection.contacts: ge 1, le 5
-collection.tangential_share: le 2
-collection.hysteresis: lt 0.5
-training.history_frames: le 100
-training.hidden_units: ge 1, least 1
-training.epochs: ge 1
-training.batch_size: ge 1
-training.patience_epochs: ge 1
+collection.tangential_share: ge 0, le 2
+collection.hysteresis: ge 0, lt 0.5
+training.history_frames: ge 0, le 100
+training.hidden_units: ge 1, le 1e+07, least 1, most 20
+training.epochs: ge 1, le 100000
+training.batch_size: ge 1, le 1e+06
+training.learning_rate: ge 1e-07, le 1
+training.patience_epochs: ge 1, le 100000
 training.ensemble: ge 1, le 20
-training.trees: le 500
-training.coverage: lt 1
+training.trees: ge 0, le 500
+training.coverage: gt 0, lt 1
 training.twins: ge 2, le 1000
 inversion.contacts: ge 1, le 8
-inversion.least_force_n: le 100
-inversion.model_error: lt 1
-inversion.window_frames: ge 1
-inversion.tangential_share: le 2
-limits.saturation_margin: lt 1
-tolerances.core_shift_mm: le 0.6
-tolerances.core_yaw_deg: le 2
+inversion.least_force_n: gt 0, le 100
+inversion.model_error: ge 0, lt 1
+inversion.drift_counts: ge 0, le 1e+06
+inversion.window_frames: ge 1, le 100000
+inversion.tangential_share: ge 0, le 2
+limits.position_bound_mm: ge 0.001, le 100
+limits.detectable_force_n: ge 0.001, le 500
+limits.saturation_margin: gt 0, lt 1
+tolerances.magnet_seat_mm: ge 0, le 5
+tolerances.magnet_seat_depth_mm: ge 0, le 5
+tolerances.magnet_tilt_deg: ge 0, le 30
+tolerances.remanence_relative: ge 0, le 0.5
+tolerances.sensor_seat_mm: ge 0, le 5
+tolerances.sensor_rotation_deg: ge 0, le 30
+tolerances.sensor_gain_relative: ge 0, le 0.5
+tolerances.sensor_offset_ut: ge 0, le 10000
+tolerances.core_shift_mm: ge 0, le 0.6
+tolerances.core_yaw_deg: ge 0, le 2
+tolerances.modulus_relative: ge 0, le 1
+tolerances.temperature_k: ge 0, le 60
+tolerances.earth_field_ut: ge 0, le 100
 as_built.magnets.face: ge 1, le 6
-as_built.magnets.magnet: ge 1
+as_built.magnets.magnet: ge 1, le 100000
+as_built.magnets.centre_mm: ge -1000, le 1000
+as_built.magnets.axis: ge -10000, le 10000
+as_built.magnets.remanence_t: ge 0.01, le 2
+as_built.magnets.dent_mm: ge 0, le 1000
 as_built.sensors.face: ge 1, le 6
-as_built.sensors.sensor: ge 1
+as_built.sensors.sensor: ge 1, le 100000
+as_built.sensors.position_mm: ge -1000, le 1000
+as_built.sensors.rotation_deg: ge -720, le 720
 search.objectives: least 1, most 4
-search.forces_n: most 8
-search.polish_steps: le 1000
-search.trials: ge 1
+search.forces_n: ge 0.001, le 500, most 8
+search.polish_steps: ge 0, le 1000
+search.trials: ge 1, le 1e+07
+search.seconds: gt 0, le 1e+08
+search.trial_seconds: gt 0, le 1e+08
 search.batch: ge 1, le 1024
-search.leaders: ge 1
-search.finalists: ge 1
-search.vary.magnet_count: ge 1, least 1, most 20
+search.leaders: ge 1, le 100000
+search.finalists: ge 1, le 10000
+search.compliance_mm_per_n: ge 0.0001, le 100
+search.vary.magnet_count: ge 1, le 100000, least 1, most 20
 search.vary.magnet_part: least 1, most 20
 search.vary.magnet_sizes: least 1, most 20
-search.vary.magnet_tilt_deg: le 30
+search.vary.magnet_reach_mm: gt 0, le 1000
+search.vary.magnet_depth_mm: ge -1000, le 1000
+search.vary.magnet_tilt_deg: gt 0, le 30
 search.vary.magnet_grade: least 1, most 20
 search.vary.sensor_count: ge 1, le 12, least 1, most 20
+search.vary.sensor_reach_mm: gt 0, le 1000
 search.vary.sensor_chip: least 1, most 20
-search.vary.sensor_turn_deg: least 1, most 20
-search.vary.sensor_range_mt: least 1, most 20
-search.vary.shell_thickness_mm: least 1, most 20
+search.vary.sensor_turn_deg: ge -720, le 720, least 1, most 20
+search.vary.sensor_range_mt: ge 0.01, le 3000, least 1, most 20
+search.vary.shell_thickness_mm: ge 0.3, le 200, least 1, most 20
 search.vary.silicone: least 1, most 20
-search.vary.core_size_mm: least 1, most 20
-search.limits.parts_per_face: ge 1
-search.limits.places_worse: le 1
-search.task.force_percent: le 100
-mould.wall_mm: le 100
-mould.play_mm: le 2
-mould.flange_mm: le 100
-mould.dowel_draft_deg: le 30
-mould.draft_deg: le 10
-mould.pour_mm: le 100
-mould.vent_mm: le 100
-mould.silicone_waste: le 2
-printer.wall_mm: le 100
-printer.feature_mm: le 100
-printer.hole_mm: le 100
-printer.clearance_mm: le 2
-printer.draft_deg: lt 45
+search.vary.core_size_mm: gt 0, le 1000, least 1, most 20
+search.limits.pocket_gap_mm: ge 0, le 1000
+search.limits.board_gap_mm: ge 0, le 1000
+search.limits.wiring_mm: gt 0, le 100000
+search.limits.parts_per_face: ge 1, le 100000
+search.limits.cost: gt 0, le 1e+06
+search.limits.build_minutes: gt 0, le 1e+06
+search.limits.places_worse: ge 0, le 1
+search.limits.times_start: gt 0, le 10000
+search.prices.magnet: ge 0, le 1e+06
+search.prices.sensor: ge 0, le 1e+06
+search.prices.magnet_minutes: ge 0, le 1e+06
+search.prices.sensor_minutes: ge 0, le 1e+06
+search.task.from_n: ge 0.001, le 500
+search.task.within_mm: gt 0, le 100
+search.task.force_percent: gt 0, le 100
+mould.wall_mm: ge 0.1, le 100
+mould.play_mm: ge 0.005, le 2
+mould.parting_azimuth_deg: ge -720, le 720
+mould.flange_mm: ge 0.1, le 100
+mould.dowel_draft_deg: ge 0, le 30
+mould.draft_deg: ge 0, le 10
+mould.pour_mm: ge 0.1, le 100
+mould.vent_mm: ge 0.1, le 100
+mould.silicone_waste: ge 0, le 2
+printer.bed_mm: ge 20, le 5000
+printer.wall_mm: ge 0.1, le 100
+printer.feature_mm: ge 0.1, le 100
+printer.hole_mm: ge 0.1, le 100
+printer.clearance_mm: ge 0.005, le 2
+printer.aspect: ge 0.5, le 100
+printer.draft_deg: ge 0, lt 45
+printer.density_g_per_cm3: ge 0.005, le 20
 export.mesh_tolerance_mm: ge 0.001, le 5
-export.mesh_angle_rad: le 1
+export.mesh_angle_rad: gt 0, le 1
 """
 DEFAULTS = """
 seed: 1
@@ -394,8 +514,21 @@ def keys(model, before=""):
 
 
 def test_every_key_has_its_limits():
-    found = {key: ", ".join(sorted(of - SHARED)) for key, of in keys(ObjectSpec)}
+    found = {key: ", ".join(sorted(of)) for key, of in keys(ObjectSpec)}
     assert [f"{key}: {text}" for key, text in found.items() if text] == WANTED.split("\n")[1:-1]
+
+
+def test_every_number_has_bounds_on_both_sides():
+    """A value of another unit or a slip of the keyboard lies beyond one of them."""
+    open_ended = []
+    for key, one in typed_numbers(ObjectSpec):
+        for value in (-9e12, 9e12, 10**13):
+            try:
+                one(value=value)
+            except SpecError:
+                continue
+            open_ended.append((key, value))
+    assert not open_ended
 
 
 def defaults(model, before=""):
@@ -453,11 +586,12 @@ def test_no_key_takes_a_number_that_is_none():
 @pytest.mark.parametrize(
     ("kind", "taken", "refused"),
     [
-        (Positive, [1e-9, 1e8], [0, -1e-9, 1.0001e8, float("inf")]),
-        (NonNegative, [0, 1e8], [-1e-9, 1.0001e8, float("inf")]),
-        (Finite, [-1e8, 0, 1e8], [-1.0001e8, 1.0001e8, -float("inf")]),
+        (Length, [1e-9, 1e3], [0, -1e-9, 1.0001e3, float("inf")]),
+        (Offset, [0, 1e3], [-1e-9, 1.0001e3, float("inf")]),
+        (Force, [0.001, 500], [0.0009, 501]),
+        (Remanence, [0.01, 2.0], [0.009, 2.01]),
         (RecoilPermeability, [1, 2], [0.999, 2.001]),
-        (Count, [1, 10**9], [0, -1, 1.5]),
+        (Count, [1, 10**5], [0, -1, 1.5, 10**5 + 1]),
     ],
 )
 def test_numbers_of_a_kind_end_at_its_limits(kind, taken, refused):

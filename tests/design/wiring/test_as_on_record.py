@@ -76,7 +76,7 @@ def test_bills_and_orders_are_as_on_record(name):
     plan = all_plans(spec, BOARDS["mega2560"]).plans[0]
     lines = [
         " | ".join(map(str, astuple(item)))
-        for item in bill_of_materials(spec, BuildManifest("worked", "", PARTS, {}))
+        for item in bill_of_materials(spec, BuildManifest("worked", "", PARTS, {}), plan)
     ]
     lines += [" | ".join(map(str, order_row(line)[:8])) for line in order_list(spec, plan)]
     assert_on_record("orders", name, lines)

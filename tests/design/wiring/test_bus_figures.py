@@ -7,6 +7,7 @@ from design.catalogue.bus_parts import MEGA2560, PICO, TLE493D, TMAG5273, bus_ch
 from design.catalogue.orders import BTA_ADAPTER, HX711, LOAD_CELL, RESISTOR, VERNIER
 from design.spec.load_cell import LoadCellSpec
 from design.spec.object import ObjectSpec
+from design.spec.sensors import fastest_frame_rate_hz
 from design.wiring.bus_limits import (
     FrameTime,
     frame_time,
@@ -191,3 +192,25 @@ def test_steps_of_a_load_cell_in_newtons():
     assert newtons_per_step(analog, PICO) == pytest.approx(-24.5 * 3.3 / 0.6 / 65536)
     assert zero_steps(analog, MEGA2560) == pytest.approx(511.5)
     assert zero_steps(analog, PICO) == pytest.approx(2.5 * 0.6 / 3.3 * 65536 - 0.5)
+
+
+def test_check_and_firmware_bound_a_slow_chip_alike():
+    """14.8 ms a conversion of the MLX90393: 67 Hz, whoever is asked."""
+    spec = ObjectSpec(
+        name="cube",
+        sensors={"part": "MLX90393", "range_mt": 4.9, "noise_counts": [10, 10, 16]},
+    )
+    plan, _ = choose_plan(spec, PICO)
+    stated = fastest_frame_rate_hz(spec.sensors, 5)
+    assert stated == pytest.approx(67.4, abs=0.1)
+    assert 0.95 * stated < plan.time.fastest_hz <= stated
+
+
+def test_boards_of_the_mlx90393_at_0x18_can_be_named():
+    sensors = {"part": "MLX90393-0x18", "range_mt": 4.9, "noise_counts": [10, 10, 16]}
+    spec = ObjectSpec(name="cube", sensors=sensors)
+    plan, _ = choose_plan(spec, PICO)
+    assert {chip.address for chip in plan.chips} == {0x18, 0x19, 0x1A, 0x1B}
+    usual, _ = choose_plan(ObjectSpec(name="cube", sensors={**sensors, "part": "MLX90393"}), PICO)
+    assert {chip.address for chip in usual.chips} == {0x0C, 0x0D, 0x0E, 0x0F}
+    assert plan.time == usual.time

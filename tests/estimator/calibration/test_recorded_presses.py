@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.spec.object import ObjectSpec
-from estimator.calibration import interfaces, recorded_presses, validation
+from estimator.calibration import recorded_presses, validation
 from estimator.calibration.recorded_presses import (
     MODULUS_RATIOS,
     PredictedMotions,
@@ -17,6 +17,7 @@ from estimator.calibration.recorded_presses import (
 from estimator.calibration.twin import grasp_twin, pressed_places
 from estimator.frames.dataset import FrameSet
 from fem.presses.joint import JointPress, Tip
+from studies.recorded import interface_fits as interfaces
 
 SPEC = ObjectSpec(name="cube")
 

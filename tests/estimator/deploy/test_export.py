@@ -254,6 +254,20 @@ def test_bad_files_give_one_clear_error(path, tmp_path, damage):
     assert len(str(raised.value)) < 400
 
 
+def test_tensors_in_other_files_are_refused(path, tmp_path, monkeypatch):
+    """In the folder where the command runs, which onnxruntime would read."""
+    monkeypatch.chdir(tmp_path)
+    graph = onnx.load(path)
+    onnx.save(graph, "face.onnx", save_as_external_data=True, size_threshold=0, location="weights")
+    with pytest.raises(InputError, match=r"in another file, which is not read. Give a file that"):
+        load_deployed("face.onnx")
+
+
+def test_a_second_export_is_the_same_byte_by_byte(certain, certain_path, tmp_path):
+    export_onnx(certain, tmp_path / "again.onnx")
+    assert (tmp_path / "again.onnx").read_bytes() == certain_path.read_bytes()
+
+
 def test_a_changed_byte_anywhere_in_an_exported_file_is_one_error(certain_path, tmp_path):
     bad, whole = tmp_path / "bad.onnx", certain_path.read_bytes()
     for at in np.random.default_rng(5).integers(len(whole), size=25).tolist():

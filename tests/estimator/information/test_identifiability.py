@@ -46,7 +46,7 @@ def pick(rows, contacts, sensors, channels):
 def test_one_contact_with_the_specified_sensors_has_the_bounds_of_the_scores(presses, rows):
     scores = score_places(SPEC, press_signals(SPEC, *presses))
     places = spread_places(SPEC)
-    bound = np.sort(scores.position_bound_fresh_mm[:, places].ravel())
+    bound = np.sort(scores.position_bound_mm[:, places].ravel())
     row = pick(rows, 1, 3, "own")
     assert row.sets == bound.size
     assert_allclose(row.bound_median_mm, np.quantile(bound, 0.5, method="inverted_cdf"))

@@ -57,7 +57,7 @@ def test_bounds_are_those_of_the_own_channels_at_the_score_force(signals, scores
 def test_the_ellipse_of_a_place_has_its_bound_and_its_weakest_direction(signals, scores):
     covariance = position_covariances_mm2(SPEC, signals, scores)
     bound = np.sqrt(np.trace(covariance, axis1=2, axis2=3))
-    assert_allclose(bound, scores.position_bound_fresh_mm)
+    assert_allclose(bound, scores.position_bound_mm)
     weakest = np.linalg.eigh(covariance)[1][..., 1]
     angle = np.deg2rad(scores.weakest_direction_deg)
     told = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
@@ -65,11 +65,11 @@ def test_the_ellipse_of_a_place_has_its_bound_and_its_weakest_direction(signals,
 
 
 def test_drift_and_fewer_channels_make_bounds_worse(signals, scores):
-    assert (scores.position_bound_drifted_mm > scores.position_bound_fresh_mm).all()
-    assert (scores.detectable_force_drifted_n > scores.detectable_force_fresh_n).all()
+    assert (scores.position_bound_drifted_mm > scores.position_bound_mm).all()
+    assert (scores.detectable_force_drifted_n > scores.detectable_force_n).all()
     every = score_places(coarse_spec(score={"force_n": 14.0, "channels": "all"}), signals)
-    assert (every.position_bound_fresh_mm < scores.position_bound_fresh_mm).all()
-    assert (every.force_bound_fresh_n < scores.force_bound_fresh_n).all()
+    assert (every.position_bound_mm < scores.position_bound_mm).all()
+    assert (every.force_bound_n < scores.force_bound_n).all()
     assert_allclose(every.delta_raw, scores.delta_raw)
 
 
@@ -139,15 +139,13 @@ def test_area_summary_gives_medians_and_ratios_to_the_centre(scores):
     bound = np.full((5, 20), 2.0)
     centre, edge = area_places(scores.grid, "centre"), area_places(scores.grid, "edge")
     bound[:, centre], bound[:, edge & ~centre] = 0.5, 3.0
-    summary = {
-        row.area: row for row in summarize_areas(replace(scores, position_bound_fresh_mm=bound))
-    }
-    assert summary["centre"].medians["position_bound_fresh_mm"] == 0.5
-    assert summary["corner"].ratio_to_centre["position_bound_fresh_mm"] == 4.0
+    summary = {row.area: row for row in summarize_areas(replace(scores, position_bound_mm=bound))}
+    assert summary["centre"].medians["position_bound_mm"] == 0.5
+    assert summary["corner"].ratio_to_centre["position_bound_mm"] == 4.0
     assert summary["corner"].places == 4
     bound[2] *= 7
-    third = summarize_areas(replace(scores, position_bound_fresh_mm=bound), face=3)
-    assert third[0].medians["position_bound_fresh_mm"] == 14.0
+    third = summarize_areas(replace(scores, position_bound_mm=bound), face=3)
+    assert third[0].medians["position_bound_mm"] == 14.0
 
 
 def test_areas_without_a_contact_location_are_left_out(scores):
@@ -168,16 +166,16 @@ def test_areas_without_a_contact_location_are_left_out(scores):
 
 def test_weakest_place_has_the_largest_bound(scores):
     weakest = weakest_place(scores)
-    bound = scores.position_bound_fresh_mm
+    bound = scores.position_bound_mm
     assert weakest.position_bound_mm == bound.max() == bound[weakest.face - 1, weakest.place]
     assert_allclose([weakest.x_mm, weakest.y_mm], scores.grid.xy_mm[weakest.place])
     assert 0 <= weakest.direction_deg <= 180
 
 
 def test_scores_survive_their_table(scores, tmp_path):
-    blind = scores.force_bound_fresh_n.copy()
+    blind = scores.force_bound_n.copy()
     blind[1, 3] = np.inf
-    scores = replace(scores, force_bound_fresh_n=blind)
+    scores = replace(scores, force_bound_n=blind)
     save_scores_csv(scores, tmp_path / "scores.csv")
     back = load_scores_csv(tmp_path / "scores.csv")
     for field in fields(scores)[2:]:
@@ -200,7 +198,7 @@ def test_500_places_are_scored_within_two_seconds():
     scores = score_places(spec, signals)
     assert time.process_time() - start < 2
     assert scores.delta_raw.shape == (5, 100)
-    assert np.isfinite(scores.position_bound_fresh_mm).all()
+    assert np.isfinite(scores.position_bound_mm).all()
 
 
 def test_scaled_sensitivity_counts_three_sigma_on_either_side_of_a_channels_range(signals, scores):
@@ -225,3 +223,37 @@ def test_a_place_whose_deepest_press_just_reaches_the_force_reaches_it(signals):
     assert exact.reaches_score_force[0, 0]
     beyond = score_places(coarse_spec(score={"force_n": float(largest) * 1.001}), signals)
     assert not beyond.reaches_score_force[0, 0]
+
+
+def _partly_reached(presses):
+    """A force that some locations reach and others do not, and the signals."""
+    signals = press_signals(coarse_spec(), *presses)
+    deepest = np.sort(signals.force_n[..., -1].ravel())
+    between = float(deepest[0] + deepest[-1]) / 2
+    return coarse_spec(score={"force_n": between}), signals
+
+
+def test_a_force_that_a_press_never_reaches_is_not_judged_under_its_name():
+    presses = synthetic_presses(coarse_spec())
+    spec, signals = _partly_reached(presses)
+    scores = score_places(spec, signals)
+    out = scores.places & ~scores.judged
+    assert out.any()
+    assert scores.judged.any()
+    for values in (scores.position_bound_mm, scores.force_bound_n, scores.delta_raw):
+        assert np.isnan(values[out]).all()
+        assert not np.isnan(values[scores.judged]).any()
+    assert (
+        f"{out.sum()} of {scores.places.sum()} contact locations do not reach" in scores.unreached
+    )
+    assert np.isfinite(weakest_place(scores).position_bound_mm)
+    for area in summarize_areas(scores):
+        assert np.isfinite(area.medians["position_bound_mm"])
+
+
+def test_a_force_that_no_press_reaches_is_refused_with_the_largest():
+    signals = press_signals(coarse_spec(), *synthetic_presses(coarse_spec()))
+    deepest = float(np.nanmax(signals.force_n))
+    with pytest.raises(InputError, match=f"gets to {deepest:.3g} N"):
+        score_places(coarse_spec(score={"force_n": 1.01 * deepest}), signals)
+    assert not score_places(coarse_spec(score={"force_n": 0.01}), signals).unreached

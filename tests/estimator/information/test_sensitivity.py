@@ -59,8 +59,8 @@ def test_equivalent_ranks_places_as_the_exact_hull_at_30_frames(place_traces):
 
 def test_scaled_delta_is_over_the_whole_change_of_every_channel(place_traces):
     peak = np.full(len(place_traces.force_n), 6.0)
-    found = _sensitivities(SPEC, place_traces, peak, 3, NOISE)
     press = periodic_press(place_traces, peak, _COVARIANCE_SAMPLES)
+    found = _sensitivities(SPEC, press, peak, 3, NOISE)
     raw = covariance_sensitivity(press, peak, NOISE, SPEC.score.hull_frames)
     assert_allclose(found["delta_scaled"], raw.scaled(np.ptp(press, axis=(0, 1)) + 6 * NOISE).delta)
 

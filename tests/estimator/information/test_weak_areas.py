@@ -61,7 +61,7 @@ def test_blind_locations_are_weak_and_the_table_keeps_them(pear, tmp_path):
     with (tmp_path / "weak.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == scores.places.sum()
-    assert {float(row["position_bound_fresh_mm"]) for row in rows} == {1.0, np.inf}
+    assert {float(row["position_bound_mm"]) for row in rows} == {1.0, np.inf}
     assert_allclose([float(row["border_mm"]) for row in rows], border[scores.places])
 
 

@@ -12,6 +12,8 @@ from estimator.deploy.live_contacts import LiveContacts, _of_one
 from estimator.inversion.model.noise import BLIND, MESH_ERROR, SUM_ERROR, design_error, disturbances
 from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
+from estimator.recordings.checks.stream import SoundReadings
+from estimator.signals.hall import full_scale_counts
 from tests.support.mechanics.inverted import SPEC, inverted, noisy_counts, presses
 
 
@@ -127,6 +129,24 @@ def test_the_zero_is_taken_from_rest(followed):
     assert last[-1].number[0] == 0
 
 
+def test_a_channel_at_the_end_of_its_range_says_nothing(followed):
+    """The channels of the chip that the press changes most begin 30 counts from the end of their range."""
+    _, _, counts, _, _ = followed
+    most = full_scale_counts(SPEC.sensors)
+    channel = 3 * (int(abs(counts[20]).argmax()) // 3) + np.arange(3)
+    raw = counts.copy()
+    raw[:, channel] += np.sign(counts[20, channel]) * (most - 30.0)
+    raw = np.clip(raw, -most, most)
+    assert np.any(abs(raw[20, channel]) == most)
+    reader = LiveContacts(inverted(), "first", 8)
+    read = [reader.feed(frame.reshape(5, 3, 3), row / 10) for row, frame in enumerate(raw)]
+    for row in (16, 18, 20, 22):
+        assert read[row].explained[0]
+        assert read[row].number[0] == 1
+        wanted = [-4 + 0.2 * (row - 8), 3.0]
+        assert np.linalg.norm(read[row].xy_mm[0, read[row].face[0] == 3][0] - wanted) < 2.0
+
+
 def test_a_still_level_and_its_opposite_are_read_each_by_itself():
     """The zero asks for both in turn: what one reads must not depend on the other."""
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
@@ -160,6 +180,43 @@ def test_readings_of_another_object_are_refused():
     missing[2, 1, 0] = np.nan
     with pytest.raises(InputError, match="F3-X2, which the model uses, gives no reading"):
         LiveContacts(inverted(), "none").feed(missing)
+
+
+def standing_chip(seed):
+    """Two seconds of rest, then a press of 5 N, in raw counts; chip F2-S2 keeps its first reading."""
+    frames = 60
+    face, contact = np.full((frames, 6), -1), np.zeros((frames, 6, 3))
+    face[30:, 0], contact[30:, 0] = 1, [2.0, -4.0, 5.0]
+    rng = np.random.default_rng(seed)
+    counts = noisy_counts(inverted(), face, contact, rng).reshape(frames, 5, 3, 3)
+    raw = np.round(counts + rng.uniform(-900, 900, (5, 3, 3)))
+    raw[:, 1, 1] = raw[0, 1, 1] + [400.0, -300.0, 250.0]
+    return raw
+
+
+def test_a_chip_that_stands_still_makes_no_contacts():
+    """It is left out as a recording's is: without that, the press that it does not feel makes ghosts."""
+    numbers = {}
+    for checked in (False, True):
+        found = []
+        for seed in range(3):
+            reader, sound = LiveContacts(inverted(), "first", 20), SoundReadings()
+            for raw in standing_chip(seed):
+                out = np.isnan(sound.known(raw))
+                found.append(reader.feed(raw, left_out=out if checked else None))
+        read = [one.number[0] for one in found if one is not None]
+        true = np.tile(np.repeat([0, 1], [10, 30]), 3)[: len(read)]
+        numbers[checked] = np.mean(np.array(read) == true)
+    assert numbers[True] >= 0.95 > numbers[False]
+
+
+def test_a_channel_that_stood_still_while_zeroed_waits_for_the_next_zero():
+    rng = np.random.default_rng(5)
+    raw = np.round(rng.normal(0, 20, (80, 5, 3, 3)) + rng.uniform(-900, 900, (5, 3, 3)))
+    raw[:40, 0, 0] = 0.0
+    reader, sound = LiveContacts(inverted(), "first", 20), SoundReadings()
+    found = [reader.feed(one, left_out=np.isnan(sound.known(one))) for one in raw]
+    assert max(one.number[0] for one in found if one is not None) == 0
 
 
 def test_a_file_gives_the_same_readings(tmp_path, followed):

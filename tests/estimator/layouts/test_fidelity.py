@@ -39,6 +39,7 @@ from estimator.signals.field_setup import sensed_field
 from estimator.signals.hall import counts_of_field, full_scale_counts
 from estimator.signals.presses import press_signals, saturation_margin
 from estimator.tolerances.budget import twin_bounds
+from estimator.tolerances.saturation import saturation
 from tests.support.mechanics.candidate_cases import (
     FACE,
     at_contacts,
@@ -185,10 +186,13 @@ def test_lowest_fidelity_score_pools_the_places_of_all_faces(spec, motions, scor
     assert_allclose(
         found.saturation_margin, 1 - largest / full_scale_counts(spec.sensors), rtol=1e-6
     )
+    kept = max(float(p.kept_counts) for p in places)
+    assert_allclose(found.objects_margin, 1 - kept / full_scale_counts(spec.sensors), rtol=1e-6)
+    assert found.objects_margin < found.saturation_margin
 
 
 def bounds_of(scores):
-    return scores.position_bound_fresh_mm, scores.force_bound_fresh_n
+    return scores.position_bound_mm, scores.force_bound_n
 
 
 def test_a_score_of_signals_is_that_of_its_parts():
@@ -196,9 +200,10 @@ def test_a_score_of_signals_is_that_of_its_parts():
     presses = synthetic_presses(spec)
     signals = press_signals(spec, *presses)
     found, scores = score_signals(spec, signals, *presses), score_places(spec, signals)
-    assert found.worst_position_bound_mm == scores.position_bound_fresh_mm.max()
-    assert found.worst_force_bound_n == scores.force_bound_fresh_n.max()
+    assert found.worst_position_bound_mm == scores.position_bound_mm.max()
+    assert found.worst_force_bound_n == scores.force_bound_n.max()
     assert found.saturation_margin == saturation_margin(signals, spec)
+    assert found.objects_margin == saturation(spec, signals, presses[1]).margin[-1]
     cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
     for name in ("median_false_force_n", "percentile_95_false_force_n"):
         assert getattr(found, name) == cross[name] > LEAST_FALSE_FORCE_N
@@ -211,7 +216,7 @@ def test_a_score_of_signals_is_that_of_its_parts():
     assert_allclose(found.sensitivity_ratio, ratio, rtol=1e-12)
     ring = np.ones(scores.grid.shape, bool)
     ring[1:-1, 1:-1] = False
-    at_edge = scores.position_bound_fresh_mm[:, ring.ravel()]
+    at_edge = scores.position_bound_mm[:, ring.ravel()]
     assert_allclose(found.edge_position_bound_mm, at_edge.mean(), rtol=1e-12)
     travel = scores.depth_at_score_mm / scores.force_at_score_n
     assert_allclose(found.compliance_deviation, travel.std() / travel.mean(), rtol=1e-9)
@@ -224,7 +229,7 @@ def test_a_range_of_forces_is_judged_by_geometric_means_but_the_task_by_the_mean
     signals = press_signals(spec, *presses)
     found = score_signals(spec, signals, *presses)
     each = [score_places(spec.changed(score=ScoreSpec(force_n=n)), signals) for n in forces]
-    bounds = np.array([one.position_bound_fresh_mm for one in each])
+    bounds = np.array([one.position_bound_mm for one in each])
     assert_allclose(found.position_bounds_mm, bounds.ravel(), rtol=1e-12)
     wanted = np.prod([np.percentile(one, 99) for one in bounds]) ** 0.5
     assert_allclose(found.percentile_99_position_bound_mm, wanted, rtol=1e-12)
@@ -263,6 +268,7 @@ START = FidelityScore(
     task_loss=0.3,
     compliance_deviation=0.1,
     saturation_margin=0.8,
+    objects_margin=0.4,
     position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
 )
 
@@ -271,13 +277,17 @@ def test_gains_are_above_one_where_a_layout_is_better():
     better = replace(
         START, worst_position_bound_mm=0.5, worst_force_bound_n=5.0, sensitivity_ratio=0.6
     )
-    found = gains(START, replace(better, grasp_position_bound_mm=0.25, saturation_margin=0.7))
+    found = gains(
+        START,
+        replace(better, grasp_position_bound_mm=0.25, saturation_margin=0.7, objects_margin=0.5),
+    )
     wanted = dict.fromkeys(SCORE_NAMES, 1.0) | {
         "worst_position_bound_mm": 3.0,
         "worst_force_bound_n": 0.5,
         "sensitivity_ratio": 2.0,
         "grasp_position_bound_mm": 4.0,
         "saturation_margin": -0.1,
+        "objects_margin": 0.1,
     }
     assert found == pytest.approx(wanted)
 
@@ -309,7 +319,7 @@ def test_twins_are_the_design_first_then_seeded_draws_of_its_tolerances():
     assert_allclose(found["position_mm"], twin_bounds(spec, *presses, 3)["position_mm"], rtol=0)
     assert np.ptp(found["position_mm"][1:].mean(axis=1)) > 1e-3
     signals = press_signals(spec, *presses)
-    design = score_places(spec, signals).position_bound_fresh_mm
+    design = score_places(spec, signals).position_bound_mm
     assert_allclose(found["position_mm"][0], design.ravel(), rtol=0.06)
     exact = dict.fromkeys(type(spec.tolerances).model_fields, 0.0)
     perfect = spec.model_copy(update={"tolerances": spec.tolerances.model_copy(update=exact)})
@@ -363,8 +373,8 @@ def test_locations_that_a_face_has_not_are_in_no_score():
     own = contact_places(spec)
     assert not own.all()
     assert all(np.isfinite(getattr(found, name)) for name in SCORE_NAMES)
-    assert found.position_bounds_mm == tuple(scores.position_bound_fresh_mm[own].tolist())
-    assert found.worst_position_bound_mm == pytest.approx(scores.position_bound_fresh_mm[own].max())
+    np.testing.assert_array_equal(found.position_bounds_mm, scores.position_bound_mm[own])
+    assert found.worst_position_bound_mm == pytest.approx(np.nanmax(scores.position_bound_mm[own]))
     travel = (scores.depth_at_score_mm / scores.force_at_score_n)[own]
     assert found.compliance_deviation == pytest.approx(travel.std() / travel.mean())
 
@@ -382,7 +392,7 @@ def test_compliance_is_of_the_press_whose_force_is_nearest_to_the_score_s(
         place = SimpleNamespace(
             force_at_score_n=force,
             stiffness_n_per_mm=force,
-            position_bound_fresh_mm=force,
+            position_bound_mm=force,
             places=np.ones(2, bool),
             grid=None,
         )
@@ -393,6 +403,8 @@ def test_compliance_is_of_the_press_whose_force_is_nearest_to_the_score_s(
     monkeypatch.setattr(fidelity, "_at_force", at_force)
     monkeypatch.setattr(fidelity, "_false_forces", lambda *given: {})
     monkeypatch.setattr(fidelity, "saturation_margin", lambda *given: 0.5)
+    drawn = SimpleNamespace(margin=(0.3, 0.2))
+    monkeypatch.setattr(fidelity, "saturation", lambda *given, **also: drawn)
     monkeypatch.setattr(fidelity, "compliance_deviation", lambda *given: float(given[2].min()))
     monkeypatch.setattr(fidelity, "FidelityScore", lambda **given: made.update(given))
     fidelity.score_signals.__wrapped__(spec, None, None, None)

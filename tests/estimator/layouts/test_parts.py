@@ -141,7 +141,10 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
         return scores
 
     monkeypatch.setattr(batch_scores, "_scores_at_one_force", at_one_force)
-    counts = [SimpleNamespace(largest_counts=tensor([n, 24.0])) for n in (3.0, 1.0, 12.0, 4.0)]
+    counts = [
+        SimpleNamespace(largest_counts=tensor([n, 24.0]), kept_counts=tensor([9 - n, n]))
+        for n in (3.0, 1.0, 12.0, 4.0)
+    ]
     monkeypatch.setattr(batch_scores, "places_information", lambda scorers, layouts: counts)
     spec = SimpleNamespace(search=SimpleNamespace(task=TaskSpec(from_n=2.0)))
     presses = [SimpleNamespace(force_n=n) for n in (4.0, 1.0, 12.0, 4.0)]
@@ -154,6 +157,7 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
     assert_allclose(found["slip_place_mm"], [mean, (2 * 5 * 13) ** (1 / 3)])
     assert_allclose(found["median_false_force_n"], [12, 13])
     assert_allclose(found["largest_counts"], [12, 24])
+    assert_allclose(found["kept_counts"], [8, 12])
     assert_allclose(found["task_loss"], [1 / 6, 1e-6])
     assert batch_scores.OVER_START not in found
 

@@ -264,7 +264,7 @@ def test_narrower_generations_come_from_the_same_distribution():
 
 
 def worth(objectives, broken_mm):
-    return Judged(objectives, broken_mm, torch.zeros(len(objectives)), {}, objectives)
+    return Judged(objectives, broken_mm[:, None], torch.zeros(len(objectives)), {}, objectives)
 
 
 def test_runs_that_are_judged_side_by_side_end_as_if_alone(monkeypatch):
@@ -337,7 +337,9 @@ def test_generations_are_told_what_is_eased_at_first_and_what_is_asked_in_the_en
     penalties = np.full((len(points), 2), [1.0, 0.0])
     kept = []
     run.search.tell = kept.extend
-    run.tell(polishing._Worth(points, value, eased, penalties), progress)
+    run.tell(
+        polishing._Worth(points, value, eased, penalties, torch.zeros(len(points), 1)), progress
+    )
     told = np.array([one for _, one in kept])
     own = {0.0: 0.0, 0.25: 0.5, 0.5: 1.0, 1.0: 1.0}[progress]
     share = polishing._share_of_penalty(progress)
@@ -374,7 +376,7 @@ def test_a_run_passes_by_what_only_the_eased_objective_sees_past(monkeypatch):
         away = ((point - 0.85) ** 2).sum(dim=1).sqrt()
         asked = torch.where(away < 0.15, 1 + away, 4 - away)
         broken = torch.zeros(len(point))
-        return Judged(asked[:, None], broken, broken, {}, (1 + away)[:, None])
+        return Judged(asked[:, None], broken[:, None], broken, {}, (1 + away)[:, None])
 
     begin = torch.full((1, 6), 0.1)
     end = polish(judge_at, begin, 60, torch.ones(1, 1))
@@ -447,7 +449,7 @@ def test_counts_beyond_a_limit_break_it(lowest, units):
 def made_judged(objectives, broken=0.0, worse=0.0):
     count = len(objectives)
     at = torch.tensor(objectives)
-    return Judged(at, torch.full((count,), broken), torch.full((count,), worse), {}, at)
+    return Judged(at, torch.full((count, 1), broken), torch.full((count,), worse), {}, at)
 
 
 def test_a_tenth_of_a_millimetre_doubles_every_objective_and_worse_places_add_their_share():
@@ -531,7 +533,7 @@ def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
     count = [one.presses.count for one in scorers]
     values = [rng.uniform(0.1, 9.0, (3, 1, n)) for n in count]
     places = [
-        PlaceInformation(*(torch.as_tensor(part) for part in value), torch.zeros(1))
+        PlaceInformation(*(torch.as_tensor(part) for part in value), *torch.zeros(2, 1))
         for value in values
     ]
     found = _scores_at_one_force(scorers, layouts, places, ())

@@ -253,6 +253,14 @@ def test_a_description_of_other_types_or_sizes_is_one_error(model, tmp_path, key
         load_model(path)
 
 
+def test_a_model_that_is_saved_again_is_the_same_byte_by_byte(model, tmp_path):
+    contents = set()
+    for number in range(8):  # the library takes any of two orders
+        save_model(model, tmp_path / f"{number}.safetensors")
+        contents.add((tmp_path / f"{number}.safetensors").read_bytes())
+    assert len(contents) == 1
+
+
 def test_a_model_may_look_back_a_hundred_frames(model, tmp_path):
     path = tmp_path / "m.safetensors"
     save_model(model, path)

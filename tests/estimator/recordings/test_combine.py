@@ -74,7 +74,7 @@ def test_channels_whose_rest_jumped_are_emptied_and_told():
     found = module.combine([one, two, three])
     assert np.isnan(found.signal_counts[:, 1, 0, 2]).all()
     assert np.isfinite(found.signal_counts).sum() == 6 * 14
-    (fault,) = module.jump_between_faults([one, two, three])
+    (fault,) = module.faults_between([one, two, three])
     assert str(fault) == (
         "jumping channel: F2-Z1, between the recordings: rest level 0 → 501 → 0 counts; set to NaN"
     )

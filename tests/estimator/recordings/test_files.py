@@ -80,8 +80,12 @@ def test_foreign_csv(tmp_path, text, words):
 @pytest.mark.parametrize(
     ("text", "encoding", "words"),
     [
-        ("time_s;F1-X1;cell1_force_n\n0,1;5;0,2\n", "utf-8", "parted by semicolons. Part them by"),
-        ("time_s\tF1-X1\tcell1_force_n\n0.1\t5\t0.2\n", "utf-8", "parted by tabs"),
+        (
+            "time_s;F1-X1;cell1_force_n\n0,1;5;0,2\n",
+            "utf-8",
+            "separator is a semicolon. Use commas",
+        ),
+        ("time_s\tF1-X1\tcell1_force_n\n0.1\t5\t0.2\n", "utf-8", "separator is a tab"),
         ("time_s,F1-X1\n0.1,5\n", "utf-16", "UTF-16. Save it as UTF-8"),
         ("time_s,F1-X1\n", "utf-8", "holds one line, too few"),
     ],

@@ -47,7 +47,7 @@ def test_a_channel_is_noisy_above_three_times_the_median_of_its_axis():
     assert_allclose(faults.axis_noise_counts(noise), [10.0, 20.0, 30.0])
     counts = np.arange(2.0)[:, None, None, None] + still(2)
     counts[:, 1, 0, 1] = 5.0
-    assert faults.channel_faults(counts, noise) == [
+    assert [*faults.dead_faults(counts), *faults.noisy_faults(noise)] == [
         Fault("dead channel", "F2-Y1", "no varying reading", "set to NaN"),
         Fault("noisy channel", "F5-Z2", "σ 91 counts at rest, 30 are typical of Z", "set to NaN"),
     ]

@@ -35,7 +35,6 @@ def with_value(name, value):
     ("name", "largest", "says"),
     [
         ("counts", 2.0**24, "raw counts of the sensors"),
-        ("force_n", 1000.0, "forces in N, not in g or mN"),
         ("shear_n", 1000.0, "forces in N"),
         ("tip_xy_mm", 300.0, "places in mm"),
     ],
@@ -46,6 +45,14 @@ def test_the_largest_value_is_taken_and_a_larger_one_refused(name, largest, says
     check_plausible(with_value(name, np.nan))
     with pytest.raises(RecordingError, match=says):
         check_plausible(with_value(name, sign * largest * 1.0001))
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_forces_of_another_unit_are_refused_and_single_ones_left_to_the_checks(sign):
+    check_plausible(with_value("force_n", sign * 8e4))
+    check_plausible(replace(SOUND, force_n=np.full(SOUND.force_n.shape, sign * 1000.0)))
+    with pytest.raises(RecordingError, match="forces in N, not in g or mN"):
+        check_plausible(replace(SOUND, force_n=np.full(SOUND.force_n.shape, sign * 1000.1)))
 
 
 def test_places_of_less_than_a_tenth_of_a_millimetre_are_metres():

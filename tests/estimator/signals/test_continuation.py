@@ -119,21 +119,24 @@ def test_scores_are_those_of_the_whole_table_and_missing_elsewhere(signals, tmp_
     scores = score_places(BOX, signals)
     there = contact_places(BOX)
     np.testing.assert_array_equal(scores.places, there)
-    for values in (scores.position_bound_fresh_mm, scores.delta_raw, scores.stiffness_n_per_mm):
-        assert np.isnan(values[~there]).all()
-        assert np.isfinite(values[there]).all()
+    assert scores.judged[there].mean() > 0.9
+    for values in (scores.position_bound_mm, scores.delta_raw):
+        assert np.isnan(values[~scores.judged]).all()
+        assert np.isfinite(values[scores.judged]).all()
+    assert np.isnan(scores.stiffness_n_per_mm[~there]).all()
+    assert np.isfinite(scores.stiffness_n_per_mm[there]).all()
     assert not scores.reaches_score_force[~there].any()
     weakest = weakest_place(scores)
-    assert weakest.position_bound_mm == scores.position_bound_fresh_mm[there].max()
+    assert weakest.position_bound_mm == scores.position_bound_mm[scores.judged].max()
     save_scores_csv(scores, tmp_path / "scores.csv")
     back = load_scores_csv(tmp_path / "scores.csv")
     np.testing.assert_array_equal(back.places, there)
     np.testing.assert_array_equal(back.delta_raw, scores.delta_raw)
     corner = {area.area: area for area in summarize_areas(scores)}["corner"]
-    assert corner.places_per_face == (4,) * 5
-    on_corners = [bound[area_places(scores.grid, "corner", own)]
-                  for bound, own in zip(scores.position_bound_fresh_mm, there, strict=True)]  # fmt: skip
-    assert corner.medians["position_bound_fresh_mm"] == np.median(np.concatenate(on_corners))
+    corners = np.stack([area_places(scores.grid, "corner", own) for own in there]) & scores.judged
+    assert corner.places_per_face == tuple(corners.sum(axis=1).tolist())
+    on_corners = [scores.position_bound_mm[corners]]
+    assert corner.medians["position_bound_mm"] == np.median(np.concatenate(on_corners))
 
 
 def test_a_missing_press_of_a_place_that_a_face_has_is_an_error(signals):

@@ -97,10 +97,10 @@ def test_the_design_is_that_of_the_scores():
     scores = score_places(spec, press_signals(spec, *presses))
     result = robustness(spec, *presses, draws=2)
     assert scores.reaches_score_force.all()
-    bound = scores.position_bound_fresh_mm
+    bound = scores.position_bound_mm
     assert_allclose(result.position_median_mm.design, np.median(bound), rtol=0.01)
     assert_allclose(result.position_worst_mm.design, bound.max(), rtol=0.01)
-    assert_allclose(result.force_worst_n.design, scores.force_bound_fresh_n.max(), rtol=0.01)
+    assert_allclose(result.force_worst_n.design, scores.force_bound_n.max(), rtol=0.01)
 
 
 SMALL = {
@@ -193,9 +193,7 @@ def test_dead_channels_and_all_channels_are_read_as_the_scores_do():
     presses = synthetic_presses(spec)
     scores = score_places(spec, press_signals(spec, *presses))
     result = robustness(spec, *presses, draws=2)
-    assert_allclose(
-        result.position_worst_mm.design, scores.position_bound_fresh_mm.max(), rtol=0.01
-    )
+    assert_allclose(result.position_worst_mm.design, scores.position_bound_mm.max(), rtol=0.01)
 
 
 def test_sizes_are_those_of_the_draws():

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-import fem.loose_core.coulomb
+import studies.loose_core.coulomb
 from fem.contact.half_space import Patches, traction_compliance
-from fem.loose_core.coulomb import LooseBody, SiteLaw, onto_cone, site_axes, untouched
-from fem.loose_core.response import CoreWalls
+from studies.loose_core.coulomb import LooseBody, SiteLaw, onto_cone, site_axes, untouched
+from studies.loose_core.response import CoreWalls
 
 FRICTION = 0.4
 
@@ -92,9 +92,9 @@ FAULTS = {
 @pytest.mark.parametrize("fault", FAULTS)
 def test_planted_faults_are_noticed(fault, monkeypatch):
     planted, check = FAULTS[fault]
-    monkeypatch.setattr(fem.loose_core.coulomb, "onto_cone", planted)
-    monkeypatch.setattr(fem.loose_core.coulomb, "_MAX_ITERATIONS", 2000)
-    with pytest.raises((AssertionError, fem.loose_core.coulomb.SolverError)):
+    monkeypatch.setattr(studies.loose_core.coulomb, "onto_cone", planted)
+    monkeypatch.setattr(studies.loose_core.coulomb, "_MAX_ITERATIONS", 2000)
+    with pytest.raises((AssertionError, studies.loose_core.coulomb.SolverError)):
         check()
 
 

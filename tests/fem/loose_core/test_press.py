@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-import fem.loose_core.coulomb
+import studies.loose_core.coulomb
 from design.errors import InputError
 from fem.linear.response import build_response
-from fem.loose_core.coulomb import site_axes
-from fem.loose_core.press import LooseCore, _Path, at_rest, press_loose
-from fem.loose_core.response import loose_shell
 from fem.presses.joint import Tip, press_tips
+from studies.loose_core.coulomb import site_axes
+from studies.loose_core.press import LooseCore, _Path, at_rest, press_loose
+from studies.loose_core.response import loose_shell
 from tests.support.objects.small_object import small_spec
 
 TIPS, DEPTHS_MM = [Tip(3, 4.0, -2.0), Tip(1, -5.0, 3.0)], np.array([1.5, 1.0])
@@ -69,7 +69,7 @@ def glued(trial_n, friction):
 
 
 def test_a_core_that_holds_every_force_is_the_bond(spec, shell, bonded, monkeypatch):
-    monkeypatch.setattr(fem.loose_core.coulomb, "onto_cone", glued)
+    monkeypatch.setattr(studies.loose_core.coulomb, "onto_cone", glued)
     *_, last = press_loose(spec, shell, LooseCore(0.0), TIPS, DEPTHS_MM[None])
     assert_allclose(last.joint.force_n, bonded.force_n, rtol=1e-4)
     scale = abs(bonded.motion).max(axis=0)

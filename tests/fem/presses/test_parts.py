@@ -9,12 +9,13 @@ from threadpoolctl import threadpool_info, threadpool_limits
 
 from design.errors import InputError
 from design.layout.places.contact_grid import PlaceGrid
+from design.processes import one_blas_thread
 from design.spec.object import IndenterSpec, ObjectSpec
 from fem.candidates import presses as candidates
 from fem.presses import discretisation, shape
 from fem.presses.joint import Tip, require_apart
 from fem.presses.results import MagnetMotions
-from fem.presses.table import one_blas_thread, require_on_face
+from fem.presses.table import require_on_face
 
 
 def test_up_to_five_rows_and_columns_are_spread_over_the_locations_that_a_face_has():

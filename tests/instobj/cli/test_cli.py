@@ -1,6 +1,8 @@
 """The command line as a user meets it: help, errors, interruption."""
 
 import json
+import os
+import re
 import signal
 import subprocess
 import sys
@@ -8,7 +10,10 @@ import time
 
 import pytest
 import tomli_w
+from typer.main import get_command
 
+from design.processes import ONE_THREAD
+from instobj.cli.app import app
 from tests.support.cli import CUBE, assert_one_clear_error, run, run_apart
 from tests.support.objects.body_cases import BODIES, CORE, GRID, ONE
 
@@ -28,20 +33,35 @@ def test_help_names_every_command_and_starts_quickly(tmp_path):
         "new",
         "check",
         "build",
-        "mesh",
-        "simulate",
         "score",
-        "identify",
-        "train",
-        "evaluate",
-        "report",
         "run",
+        "optimize",
+        "train",
         "recordings",
-        "collect",
-        "firmware",
+        "bench",
     ]:
         assert command in done.stdout
     assert time.perf_counter() - started < 5
+
+
+def test_libraries_take_one_thread_unless_the_user_asks_for_more():
+    """As the command's own process finds them, once it has answered."""
+    program = (
+        "import sys; from instobj.cli.app import main; sys.argv = ['instobj', '--help']\n"
+        "assert not {'numpy', 'torch'} & sys.modules.keys()\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "import scipy.linalg, threadpoolctl, torch\n"
+        "found = {one['num_threads'] for one in threadpoolctl.threadpool_info()}\n"
+        "print(found | {torch.get_num_threads()})"
+    )
+    bare = {name: value for name, value in os.environ.items() if name not in ONE_THREAD}
+    for asked, found in (({}, "{1}"), (dict.fromkeys(ONE_THREAD, "2"), "{2}")):
+        done = subprocess.run(
+            [sys.executable, "-c", program], env=bare | asked, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+        assert done.stdout.splitlines()[-1] == found
 
 
 def test_new_writes_a_specification_that_check_accepts(tmp_path):
@@ -57,7 +77,7 @@ def test_new_writes_a_specification_that_check_accepts(tmp_path):
     [
         ("shell.thicknes_mm=8", ("thickness_mm",)),
         ("shell.thickness_cm=0.8", ("thickness_mm",)),
-        ("shell.thickness_mm=-8", ("greater than 0", "-8")),
+        ("shell.thickness_mm=-8", ("greater than or equal to 0.3", "-8")),
         ("shell.thickness_mm=eight", ("shell.thickness_mm", "eight")),
         ("magnets.positions_mm=[[0,0],[19,0]]", ("outside the shell",)),
         ("magnets.positions_mm=[[0,0],[4,0]]", ("overlap",)),
@@ -112,12 +132,11 @@ def test_bad_recordings_end_with_one_clear_error(tmp_path, name):
     assert not list(tmp_path.glob("runs/**/*.nc"))
 
 
-@pytest.mark.parametrize("command", ["train", "evaluate"])
-def test_bad_data_sets_end_with_one_clear_error(tmp_path, command):
+def test_bad_data_sets_end_with_one_clear_error(tmp_path):
     (tmp_path / "frames.nc").write_text("not a data set")
-    assert_one_clear_error(run(command, "frames.nc", cwd=tmp_path), "frames.nc")
-    assert_one_clear_error(run(command, "none.nc", cwd=tmp_path), "none.nc")
-    wrong = run(command, "frames.nc", "--set", "shell.thickness_mm=9", cwd=tmp_path)
+    assert_one_clear_error(run("train", "frames.nc", cwd=tmp_path), "frames.nc")
+    assert_one_clear_error(run("train", "none.nc", cwd=tmp_path), "none.nc")
+    wrong = run("train", "frames.nc", "--set", "shell.thickness_mm=9", cwd=tmp_path)
     assert_one_clear_error(wrong)
 
 
@@ -128,10 +147,9 @@ def test_ctrl_c_keeps_finished_stages_and_the_next_run_goes_on(tmp_path):
     process = subprocess.Popen(
         command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
-    assert process.stderr is not None
-    for line in process.stderr:  # the first progress line: the stage is at work
-        if "building core" in line:
-            break
+    until = time.monotonic() + 60
+    while not any(tmp_path.glob(".instobj/.leases/*")) and time.monotonic() < until:
+        time.sleep(0.01)  # until the stage is at work
     process.send_signal(signal.SIGINT)
     output, errors = process.communicate(timeout=60)
     assert process.returncode == 130
@@ -152,3 +170,47 @@ def test_an_older_key_is_one_line_of_warning_beside_the_result(tmp_path):
     assert json.loads(done.stdout)["command"] == "check"
     (line,) = done.stderr.splitlines()
     assert line.startswith("warning: training.members is now called training.ensemble")
+
+
+def test_without_a_command_the_first_session_is_shown(tmp_path):
+    done = run_apart(cwd=tmp_path)
+    assert done.returncode == 0
+    named = re.findall(r"^  instobj (\w+)", done.stdout, re.MULTILINE)
+    assert named == ["new", "check", "score", "optimize", "build"]
+
+
+def test_at_most_sixteen_commands_stand_beside_the_bench():
+    group = get_command(app)
+    shown = [name for name, command in group.commands.items() if not command.hidden]
+    assert "bench" in shown
+    assert len(shown) <= 17
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("mesh", "run --to mesh"), ("selftest", "bench selftest"), ("evaluate", "train")],
+)
+def test_an_old_name_works_and_says_the_new_one(tmp_path, old, new):
+    done = run_apart(old, "missing.toml", "missing.csv", cwd=tmp_path)
+    assert done.returncode == 2
+    assert f"warning: `instobj {old}` is now `instobj {new}`" in done.stderr
+    assert "missing" in done.stderr.splitlines()[-1]
+
+
+def test_an_old_name_whose_arguments_changed_says_what_to_write(tmp_path):
+    done = run_apart("grasp", "cube.toml", "--jaw", "3:0,0", "--force", "4", cwd=tmp_path)
+    assert_one_clear_error(done, "instobj press SPEC --jaw")
+
+
+@pytest.mark.parametrize("workers", ["0", "two", "-1"])
+def test_workers_are_a_number_or_an_address(tmp_path, workers):
+    assert_one_clear_error(run("run", CUBE, "--workers", workers, cwd=tmp_path), "--workers")
+
+
+def test_a_result_that_does_not_exist_is_refused_with_those_that_do(tmp_path):
+    assert_one_clear_error(run("run", CUBE, "--to", "moon", cwd=tmp_path), "moon", "compliance")
+
+
+def test_a_cost_of_a_slip_wants_a_slip(tmp_path):
+    done = run("run", CUBE, "--to", "slip", cwd=tmp_path)
+    assert_one_clear_error(done, "mechanics.slip.shift_mm")

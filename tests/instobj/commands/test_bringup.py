@@ -1,4 +1,4 @@
-"""`instobj bringup` without hardware: pages and files, a board on a port, broken-off lines, bad inputs."""
+"""`instobj bench bringup` without hardware: files, a board on a port, broken-off lines, bad inputs."""
 
 import json
 import os
@@ -38,7 +38,7 @@ def done(tmp_path_factory):
     folder = tmp_path_factory.mktemp("bringup")
     (folder / "small.toml").write_text(SMALL_TEXT)
     planted = [word for fault in PLANTED for word in ("--fault", fault)]
-    result = run("bringup", "small.toml", "--simulated", *planted, "--json", cwd=folder)
+    result = run("bench", "bringup", "small.toml", "--simulated", *planted, "--json", cwd=folder)
     return folder, result
 
 
@@ -77,7 +77,7 @@ def test_a_replay_of_some_recordings_judges_those(done, tmp_path):
         "".join(whole[:2] + [w for w in whole if w.startswith("still,")])
     )
     (tmp_path / "small.toml").write_text(SMALL_TEXT)
-    result = run("bringup", "small.toml", "--replay", "some.csv", "--json", cwd=tmp_path)
+    result = run("bench", "bringup", "small.toml", "--replay", "some.csv", "--json", cwd=tmp_path)
     document = json.loads(result.stdout)
     assert document["recorded"] == 1
     assert document["left"] == [asked.name for asked in ASKED[1:]]
@@ -196,7 +196,7 @@ def test_journals_of_other_objects_and_damaged_ones_are_refused(tmp_path):
 )
 def test_bad_inputs_give_one_clear_error(tmp_path, arguments, words):
     (tmp_path / "small.toml").write_text(SMALL_TEXT)
-    assert_one_clear_error(run("bringup", "small.toml", *arguments, cwd=tmp_path), *words)
+    assert_one_clear_error(run("bench", "bringup", "small.toml", *arguments, cwd=tmp_path), *words)
 
 
 def test_a_replay_takes_every_further_hold_and_again_asks_one_anew(tmp_path):

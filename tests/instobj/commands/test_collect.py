@@ -1,4 +1,4 @@
-"""`instobj collect`: a dummy board on a pseudo-terminal, replays, interruptions and damage."""
+"""`instobj bench collect`: a dummy board on a pseudo-terminal, replays, interruptions and damage."""
 
 import os
 import signal
@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from estimator.recordings.boards.lines import Load, encode_header, encode_load
+from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
 from estimator.recordings.formats.files import read_table
 from instobj.commands.hardware.collect import collect
 from instobj.commands.hardware.collect_options import CollectOptions
@@ -46,7 +46,7 @@ def collected(tmp_path, monkeypatch):
 def started(tmp_path, port, *arguments):
     """A collection running beside the test, once it has written its first rows."""
     process = subprocess.Popen(
-        [sys.executable, "-m", "instobj", "collect", "cube", "--port", port, *arguments],
+        [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port, *arguments],
         cwd=tmp_path,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
@@ -125,7 +125,7 @@ def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
         return board_lines(k, loads=False)
 
     with dummy_board(bare) as port:
-        command = [sys.executable, "-m", "instobj", "collect", "cube", "--port", port]
+        command = [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port]
         command += ["--force", "9.81", "--place", "3:0,0", "--zero", "15", "--frames", "40"]
         process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE, text=True)
         while rows_of(tmp_path) < 15:
@@ -135,6 +135,53 @@ def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
         process.communicate("\n", timeout=30)
     table = read_table(tmp_path / "cube.nc")
     assert table.force_n[:, 0].tolist() == [0.0] * 15 + [9.81] * 25
+
+
+@pytest.mark.parametrize("ends", ["load lines", "frames"])
+def test_seconds_end_where_load_lines_or_frames_have_ended(tmp_path, collected, ends):
+    def silent(k):
+        if k < 60:
+            return board_lines(k)
+        return (
+            board_lines(k, loads=False)
+            if ends == "load lines"
+            else encode_load(Load(10 * k, 1, 0.0, None, ()))
+        )
+
+    with dummy_board(silent) as port:
+        began_s = time.monotonic()
+        found = collected(port=port, seconds=3.0, zero_frames=0)
+    assert time.monotonic() - began_s < 5.0
+    assert 40 <= found["frames_added"] <= 170
+    assert ends == "frames" or found["frames_without_force"] > 50
+
+
+@pytest.mark.parametrize(
+    ("clock_ms", "words"),
+    [
+        (lambda k: 10 * k, ""),
+        (lambda k: 10_000 * k, "does it send microseconds"),
+        (lambda k: 10 * k + 1_728_000_000 * (k > 50), "did its clock jump"),
+        (lambda k: k // 10, ""),
+    ],
+)
+def test_a_clock_that_is_wrong_is_told(tmp_path, collected, clock_ms, words):
+    """A right one; microseconds sent as milliseconds; 20 days ahead; one that crawls, too little to tell."""
+
+    def lines(k):
+        ms = clock_ms(k)
+        return encode_load(Load(ms, 1, 0.0, None, ())) + encode_frame(k, ms, counts_at(k))
+
+    with dummy_board(lines) as port:
+        began_s = time.monotonic()
+        try:
+            told = " ".join(collected(port=port, seconds=1.5, zero_frames=0)["texts"])
+        except InputError as error:  # times that no recording can have
+            told = str(error)
+    assert time.monotonic() - began_s < 4.0
+    assert rows_of(tmp_path) > 80
+    assert ("times of the recording are wrong" in told) == bool(words)
+    assert words in told
 
 
 def test_a_load_cell_on_a_port_of_its_own(tmp_path, collected):
@@ -179,7 +226,16 @@ def test_kill_loses_nothing_and_the_same_command_goes_on(tmp_path, collected):
 
 def test_a_board_that_is_unplugged_keeps_what_came(tmp_path):
     master, slave = os.openpty()
-    command = [sys.executable, "-m", "instobj", "collect", "cube", "--port", os.ttyname(slave)]
+    command = [
+        sys.executable,
+        "-m",
+        "instobj",
+        "bench",
+        "collect",
+        "cube",
+        "--port",
+        os.ttyname(slave),
+    ]
     process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)  # fmt: skip
     os.read(master, 10)
@@ -238,7 +294,7 @@ def test_another_board_does_not_append_to_the_file(tmp_path):
     """Through the command, which ends with one error."""
     (tmp_path / "cube.csv").write_text("time_s,session,rest,F1-X1,cell1_force_n,cell1_face\n")
     with dummy_board() as port:
-        done = run("collect", "cube", "--port", port, cwd=tmp_path)
+        done = run("bench", "collect", "cube", "--port", port, cwd=tmp_path)
     assert_one_clear_error(done, "other columns")
 
 
@@ -249,7 +305,7 @@ def test_a_board_without_force_is_told_so(tmp_path):
     asked = threading.Event()
     with dummy_board(bare, asked=asked) as port:
         process = subprocess.Popen(
-            [sys.executable, "-m", "instobj", "collect", "cube", "--port", port, "--zero", "0"],
+            [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port, "--zero", "0"],
             cwd=tmp_path, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
         assert asked.wait(60)

@@ -1,6 +1,6 @@
 """Layouts beside each other, from the tables that their runs wrote."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -10,8 +10,9 @@ from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, save_scores_csv
 from instobj.cli.tables import print_result
-from instobj.commands.compare import compare_scores
+from instobj.commands.compare import compare_scores, comparison_row
 from instobj.store.publish import run_folder
+from tests.support.objects.made_scores import scores_of
 
 
 def made_scores(spec, bound_mm):
@@ -20,7 +21,7 @@ def made_scores(spec, bound_mm):
     columns = {f.name: np.ones((5, len(grid))) for f in fields(PlaceScores)[2:]}
     bound = np.full((5, len(grid)), bound_mm)
     bound[3, 42] = 5 * bound_mm
-    columns |= {"position_bound_fresh_mm": bound, "position_bound_drifted_mm": 3 * bound}
+    columns |= {"position_bound_mm": bound, "position_bound_drifted_mm": 3 * bound}
     columns["reaches_score_force"] = np.ones((5, len(grid)), bool)
     return PlaceScores(np.arange(1, 6), grid, **columns)
 
@@ -47,3 +48,17 @@ def test_objects_are_compared_in_one_table_and_one_figure(tmp_path, capsys):
 def test_an_object_without_scores_is_named(tmp_path):
     with pytest.raises(StoreError, match=r"near/scores.csv is not a table of scores"):
         compare_scores([ObjectSpec(name="near")], tmp_path)
+
+
+def test_places_that_do_not_reach_the_force_are_in_no_figure_and_their_share_is_told():
+    spec = ObjectSpec(name="cube")
+    scores = scores_of(spec, 1.0)
+    reached = scores.reaches_score_force.copy()
+    reached[0] = False
+    bound = np.where(reached, scores.position_bound_mm, np.nan)
+    row = comparison_row(
+        spec, replace(scores, reaches_score_force=reached, position_bound_mm=bound)
+    )
+    assert row["places that reach it %"] == 80
+    assert row["place mm"] == row["weakest place mm"] == 1
+    assert row["on face"] != spec.body.sensed[0]

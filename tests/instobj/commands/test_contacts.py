@@ -76,6 +76,42 @@ def test_a_recording_is_zeroed_and_tracked(folder, tmp_path):
     assert sum(row["contacts"] == "2" for row in rows if int(row["frame"]) >= 10) >= 8
 
 
+def test_a_chip_that_stands_still_makes_no_contacts_in_a_recording(folder, tmp_path):
+    """62 frames at rest; it was believed, and ghosts were told in most of them."""
+    rng = np.random.default_rng(7)
+    face, contact = np.full((62, 6), -1), np.zeros((62, 6, 3))
+    counts = np.round(300 + noisy_counts(inverted(), face, contact, rng)).reshape(62, 5, 3, 3)
+    counts[30:, 2, 1] = [700, -200, 600]
+    rows = [
+        f"{k / 10}," + ",".join(f"{v:.0f}" for v in one.ravel()) for k, one in enumerate(counts)
+    ]
+    path = tmp_path / "rest.csv"
+    path.write_text("\n".join([",".join(["time_s", *CHANNELS]), *rows]) + "\n")
+    arguments = ["predict", folder / "contacts.nc", path, "--zero", "first", "--zero-frames", "20"]
+    document = told([*arguments, "--out", tmp_path])
+    assert any("standing still: F3-S2, rows 30–61" in text for text in document["texts"])
+    with (tmp_path / "runs" / "rest" / "contacts.csv").open() as file:
+        found = [int(row["contacts"]) for row in csv.DictReader(file)]
+    assert len(found) == 42
+    assert max(found) == 0
+
+
+def test_a_board_tells_which_chip_it_leaves_out(folder):
+    rng = np.random.default_rng(3)
+
+    def lines(number):
+        counts = 300 + rng.normal(0, 20, 45)
+        counts[9:12] = 777
+        return encode_frame(number, 10 * number, [float(round(value)) for value in counts])
+
+    arguments = ["predict", folder / "contacts.nc", "--zero", "first", "--frames", "30"]
+    with dummy_board(lines, channels=CHANNELS) as port:
+        done = CliRunner().invoke(app, [*map(str, arguments), "--port", port])
+    assert done.exit_code == 0, done.output
+    last = json.loads(done.stdout.splitlines()[-1])
+    assert last["left_out"].startswith("F2-S1: standing still")
+
+
 def test_a_board_is_read_live(folder):
     rng = np.random.default_rng(2)
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))

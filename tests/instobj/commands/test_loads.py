@@ -32,11 +32,10 @@ def joint(tips, depth, force):
     )
 
 
-def test_places_are_read_from_both_options():
-    places = places_given(2, (1.0, -3.5), ["3:5,-4", "1:0,2.5,0.7"], 1.5)
+def test_places_are_read_and_pressed_2_mm_deep_unless_told():
+    places = places_given(["3:5,-4", "1:0,2.5,0.7"])
     assert places == [
-        Place(2, 1.0, -3.5, 1.5),
-        Place(3, 5.0, -4.0, 1.5),
+        Place(3, 5.0, -4.0, 2.0),
         Place(1, 0.0, 2.5, 0.7),
     ]
     assert jaw_given("5:-7.5,0;7.5,1") == [Place(5, -7.5, 0.0, 0.0), Place(5, 7.5, 1.0, 0.0)]
@@ -45,12 +44,12 @@ def test_places_are_read_from_both_options():
 @pytest.mark.parametrize("text", ["3", "3:1", "x:1,2", "3:1,2,3,4", "3:nan,1", "3:1;2"])
 def test_places_that_cannot_be_read_are_refused(text):
     with pytest.raises(InputError, match="FACE:X,Y"):
-        places_given(1, None, [text], 1.0)
+        places_given([text])
 
 
 def test_no_place_at_all_is_refused():
-    with pytest.raises(InputError, match="--xy"):
-        places_given(1, None, [], 1.0)
+    with pytest.raises(InputError, match="--at"):
+        places_given([])
 
 
 @pytest.mark.parametrize(
@@ -154,11 +153,14 @@ def run(*arguments, cwd):
 
 def test_large_deformation_says_what_it_cannot(tmp_path):
     for arguments, words in (
-        (("--xy", 1, 2, "--force", 3), "--material linear"),
-        (("--xy", 1, 2, "--direction", 20, 0), "straight and without friction"),
-        (("--xy", 1, 2, "--set", "indenter.kind=flat"), "one hemisphere"),
+        (("--at", "1:1,2", "--force", 3), "--material linear"),
+        (
+            ("--at", "1:1,2", "--set", "indenter.direction_deg=[20,0]"),
+            "straight and without friction",
+        ),
+        (("--at", "1:1,2", "--set", "indenter.kind=flat"), "one hemisphere"),
     ):
-        done = run("press", CUBE, *arguments, cwd=tmp_path)
+        done = run("press", CUBE, "--material", "neo-hookean", *arguments, cwd=tmp_path)
         assert done.returncode == 2
         assert words in json.loads(done.stdout)["error"]
 
@@ -171,8 +173,8 @@ def folder(tmp_path_factory):
 @pytest.mark.slow
 def test_presses_together_with_one_refused(folder):
     done = run(
-        "press", CUBE, "--material", "linear", "--xy", 5, -4, "--depth", 1, "--at", "3:0,3,1.2",
-        "--at", "1:-8,4", "--at", "1:19,0", cwd=folder,
+        "press", CUBE, "--at", "1:5,-4,1", "--at", "3:0,3,1.2",
+        "--at", "1:-8,4,1", "--at", "1:19,0,1", cwd=folder,
     )  # fmt: skip
     assert done.returncode == 2
     document = json.loads(done.stdout)
@@ -191,7 +193,7 @@ def test_a_press_to_a_force_with_and_without_friction(folder):
     travel = []
     for friction in ("none", "sticking"):
         done = run(
-            "press", CUBE, "--material", "linear", "--xy", 5, -4, "--force", 3,
+            "press", CUBE, "--at", "1:5,-4", "--force", 3,
             "--set", f"indenter.friction={friction}", cwd=folder,
         )  # fmt: skip
         assert done.returncode == 0
@@ -204,7 +206,7 @@ def test_a_press_to_a_force_with_and_without_friction(folder):
 @pytest.mark.slow
 def test_a_grasp_with_flat_jaws(folder):
     jaws = ["--set", "indenter.kind=cuboid", "--set", "indenter.size_mm=[30, 24]"]
-    done = run("grasp", CUBE, "--jaw", "3:0,0", "--jaw", "5:0,0", "--force", 12, *jaws, cwd=folder)
+    done = run("press", CUBE, "--jaw", "3:0,0", "--jaw", "5:0,0", "--force", 12, *jaws, cwd=folder)
     assert done.returncode == 0
     summary = json.loads(done.stdout)["objects"][0]["summary"]
     assert_allclose([row["N"] for row in summary["presses"]], 12, rtol=1e-5)

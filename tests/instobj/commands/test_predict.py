@@ -44,7 +44,7 @@ FACE = 3
 ONE = {"history_frames": 0, "ensemble": 1, "trees": 0, "process": False}
 SMALL = TrainingSpec(hidden_units=(16,), epochs=2, batch_size=64, **ONE)
 SETTINGS = ["training.hidden_units=[16]", "training.epochs=2", "seed=1"] + [
-    f"training.{name}={value}" for name, value in ONE.items()
+    f"training.{name}={str(value).lower()}" for name, value in ONE.items()
 ]
 
 
@@ -345,7 +345,9 @@ class Heard:
     def __init__(self):
         self.fed = []
 
-    def feed(self, raw_counts, time_s):
+    leaves_out = False
+
+    def feed(self, raw_counts, time_s, left_out):
         channel_readings(raw_counts, ((3, 0, 1),))
         self.fed.append(time_s)
         return time_s

@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from instobj.commands.presses.places import Place
 from instobj.commands.presses.press import material_of, press_specification
 from tests.support import cli
 from tests.support.cli import CUBE
@@ -20,40 +21,37 @@ def run(*arguments, cwd):
 
 
 def test_materials_by_name_with_their_constants():
-    own = material_of(SPEC, "neo-hookean", "")
+    own = material_of(SPEC, "neo-hookean")
     assert_allclose(own.shear_modulus_mpa, 0.414 / (2 * 1.4999), rtol=1e-12)
-    yeoh = material_of(SPEC, "yeoh", "0.07, -0.002 0.0001")
+    yeoh = material_of(SPEC, "yeoh:0.07, -0.002 0.0001")
     assert yeoh.invariant_coefficients_mpa == (0.07, -0.002, 0.0001)
-    ogden = material_of(SPEC, "ogden", "0.1,1.5,-0.02,-2")
+    ogden = material_of(SPEC, "ogden:0.1,1.5,-0.02,-2")
     assert ogden.ogden_terms == ((0.1, 1.5), (-0.02, -2.0))
 
 
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"material_name": "rubber"}, "neo-hookean, yeoh, ogden"),
-        ({"constants": "0.1"}, "takes its modulus from the specification"),
-        ({"material_name": "yeoh"}, "C1,C2,C3"),
-        ({"material_name": "yeoh", "constants": "1,2,3,4"}, "one to three"),
-        ({"material_name": "ogden", "constants": "0.1,2,0.3"}, "μ1,α1"),
-        ({"material_name": "yeoh", "constants": "0.07;0.1"}, "must be numbers"),
-        ({"material_name": "yeoh", "constants": "inf"}, "finite"),
-        ({"material_name": "yeoh", "constants": "0.03"}, "E = 0.18 MPa .* is 0.414"),
-        ({"face": 6}, "face 6 is not sensed"),
-        ({"xy_mm": (17.0, 0.0)}, "hangs over the border"),
-        ({"depth_mm": 5.0}, "stay below the tip's radius"),
-        ({"depth_mm": -1.0}, "must be positive"),
-        ({"depth_mm": float("nan")}, "must be positive"),
+        ({"material_text": "rubber"}, "neo-hookean, yeoh, ogden"),
+        ({"material_text": "neo-hookean:0.1"}, "takes its modulus from the specification"),
+        ({"material_text": "yeoh"}, "C1,C2,C3"),
+        ({"material_text": "yeoh:1,2,3,4"}, "one to three"),
+        ({"material_text": "ogden:0.1,2,0.3"}, "μ1,α1"),
+        ({"material_text": "yeoh:0.07;0.1"}, "must be numbers"),
+        ({"material_text": "yeoh:inf"}, "finite"),
+        ({"material_text": "yeoh:0.03"}, "E = 0.18 MPa .* is 0.414"),
+        ({"place": Place(6, 5.0, -5.0, 1.0)}, "face 6 is not sensed"),
+        ({"place": Place(1, 17.0, 0.0, 1.0)}, "hangs over the border"),
+        ({"place": Place(1, 5.0, -5.0, 5.0)}, "stay below the tip's radius"),
+        ({"place": Place(1, 5.0, -5.0, -1.0)}, "must be positive"),
+        ({"place": Place(1, 5.0, -5.0, float("nan"))}, "must be positive"),
     ],
 )
 def test_presses_that_make_no_sense_are_refused_before_any_work(change, words, tmp_path):
     press = {
         "path": CUBE,
-        "face": 1,
-        "xy_mm": (5.0, -5.0),
-        "depth_mm": 1.0,
-        "material_name": "neo-hookean",
-        "constants": "",
+        "place": Place(1, 5.0, -5.0, 1.0),
+        "material_text": "neo-hookean",
         "out": tmp_path,
         "overrides": [],
     }
@@ -63,16 +61,16 @@ def test_presses_that_make_no_sense_are_refused_before_any_work(change, words, t
 
 
 def test_a_place_is_asked_for(tmp_path):
-    done = run("--depth", 1, cwd=tmp_path)
+    done = run(cwd=tmp_path)
     assert done.returncode == 2
-    assert "--xy" in done.stderr
+    assert "--at" in done.stderr
     assert "Traceback" not in done.stderr
 
 
 @pytest.mark.slow
 def test_a_press_shows_both_models_writes_its_files_and_is_reused(tmp_path):
     coarse = ["--set", "mesh.surface_edge_mm=2", "--set", "mesh.edge_mm=6", "--json"]
-    arguments = ["--face", 3, "--xy", "-5", "5.5", "--depth", 0.6, *coarse]
+    arguments = ["--at", "3:-5,5.5,0.6", "--material", "neo-hookean", *coarse]
     first, again = run(*arguments, cwd=tmp_path), run(*arguments, cwd=tmp_path)
     assert first.returncode == again.returncode == 0
     document = json.loads(first.stdout)

@@ -73,18 +73,26 @@ def test_silent_channels_are_named(tmp_path, rest):
 def test_bad_resting_signals_end_with_one_clear_error(tmp_path, content, words):
     if content is not None:
         (tmp_path / "rest.csv").write_text(content)
-    assert_one_clear_error(run("selftest", CUBE, "rest.csv", cwd=tmp_path), *words)
+    assert_one_clear_error(run("bench", "selftest", CUBE, "rest.csv", cwd=tmp_path), *words)
 
 
 def test_selftest_names_a_flip_and_passes_once_it_is_known(tmp_path, rest):
     (tmp_path / "unit.toml").write_text("[[magnets]]\nface = 5\nmagnet = 4\nflipped = true\n")
     flipped = load_spec(CUBE, [f"as_built={json.dumps(str(tmp_path / 'unit.toml'))}"])
     write_resting(tmp_path / "rest.csv", rest_counts(flipped).ravel())
-    done = run("selftest", CUBE, "rest.csv", "--json", cwd=tmp_path)
+    done = run("bench", "selftest", CUBE, "rest.csv", "--json", cwd=tmp_path)
     assert done.returncode == 1
     result = json.loads(done.stdout)
     assert result["hypotheses"][0]["hypothesis"] == "flipped magnet: magnet 4 of face 5"
-    known = run("selftest", CUBE, "rest.csv", "--as-built", "unit.toml", cwd=tmp_path)
+    known = run(
+        "bench",
+        "selftest",
+        CUBE,
+        "rest.csv",
+        "--set",
+        f"as_built='{tmp_path / 'unit.toml'}'",
+        cwd=tmp_path,
+    )
     assert known.returncode == 0, known.stdout + known.stderr
     assert "as specified" in known.stdout
 
@@ -96,7 +104,9 @@ def test_dead_channels_of_the_file_beside_the_specification(tmp_path):
     assert live_channels(load_spec(tmp_path / "cube.toml")).sum() == 42
     done = run("check", "cube.toml", cwd=tmp_path)
     assert done.returncode == 0
-    missing = run("robustness", "cube.toml", "--as-built", "none.toml", cwd=tmp_path)
+    missing = run(
+        "run", "cube.toml", "--to", "robustness", "--set", "as_built='none.toml'", cwd=tmp_path
+    )
     assert_one_clear_error(missing, "no as-built file")
 
 

@@ -1,6 +1,7 @@
-"""`instobj live`: sources, recording, and what outlives the page."""
+"""`instobj bench live`: sources, recording, and what outlives the page."""
 
 import os
+import re
 import signal
 import threading
 import time
@@ -21,6 +22,7 @@ from estimator.recordings.boards.lines import (
     LineDecoder,
     Load,
     encode_frame,
+    encode_header,
     encode_load,
 )
 from estimator.recordings.boards.link import replay_chunks, serial_chunks
@@ -190,3 +192,22 @@ def test_another_objects_board_is_refused(tmp_path, monkeypatch):
         source = source_of(port, tmp_path / "x")
         with pytest.raises(InputError, match="names channels that cube has not: F1-X9"):
             run_live(source, LiveOptions(None, source.readings, page_port=0), "", ProgressLine())
+
+
+def test_the_last_line_tells_the_rate_at_which_frames_came(tmp_path):
+    """They end a second before the page does."""
+
+    def chunks():
+        began_s = time.monotonic()
+        yield encode_header(["F1-X1", "F1-Y1", "F1-Z1", "F3-X1", "F3-Y1", "F3-Z1"])
+        for k in range(300):
+            while time.monotonic() - began_s < k / 200:
+                time.sleep(0.001)
+            yield numbered(k)
+
+    source = replace(source_of("board", tmp_path / "cube"), chunks=chunks())
+    options = LiveOptions(None, source.readings, page_port=0, seconds=3.0)
+    told = run_live(source, options, "", ProgressLine())
+    assert told["frames"] == 300
+    rate = int(re.search(r"frames at (\d+)/s", told["texts"][0])[1])
+    assert 180 <= rate <= 210

@@ -64,6 +64,19 @@ def test_foreign_names_and_foreign_pages_are_refused():
     assert answers(page_of(), ("/", {"Host": "localhost"}), ("/", {"Host": "[::1]:8"})) == [200] * 2
 
 
+@pytest.mark.parametrize(
+    ("address", "host"),
+    [("127.0.0.2", "127.0.0.2:8765"), ("127.9.9.9", "127.9.9.9"), ("::1", "[::1]:8")],
+)
+def test_the_loopback_address_that_is_printed_is_answered_and_no_other_name(address, host):
+    page, foreign = (
+        page_of("", address),
+        ("127.0.0.3:8765", "evil.example:8765", "127.0.0.2.evil.example"),
+    )
+    assert answers(page, ("/", {"Host": host})) == [200]
+    assert answers(page, *(("/", {"Host": name}) for name in foreign)) == [403] * 3
+
+
 def test_other_addresses_need_the_token_for_everything():
     page = page_of("secret", "192.168.0.5")
     paths = ("/", "/program.js", "/scene", "/stream")

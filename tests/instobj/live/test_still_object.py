@@ -32,12 +32,12 @@ class Sliding:
 
     every_frame, channels = False, ()
 
-    def feed(self, raw_counts, time_s):
+    def feed(self, raw_counts, time_s, left_out):
         places = ((3, 8 * np.sin(3 * time_s), 4.0), 6.0), ((5, 0.0, 0.0), 5.0)
         rows = [placed_contact(SPEC, at, (1.5, n, 0.3), np.zeros(2)) for at, n in places]
         return Found(np.array(rows), True)
 
-    def pass_by(self, raw_counts, time_s):
+    def pass_by(self, raw_counts, time_s, left_out):
         pass
 
     def rezero(self):

@@ -25,15 +25,16 @@ class Told:
     def __init__(self, every_frame):
         self.every_frame, self.seen, self.passed, self.zeroed = every_frame, [], [], 0
 
-    def feed(self, raw_counts, time_s):
+    def feed(self, raw_counts, time_s, left_out=None):
         self.seen.append(time_s)
+        self.left_out = left_out
         if np.isnan(raw_counts[1, 0, 2]):
             raise InputError("channel F2-Z1 gives no reading")
         pressed = raw_counts[0, 0, 0] > 500
         row = placed_contact(SPEC, (1, 3.0, -2.0), (0.5, 4.0, 0.2), np.zeros(2))
         return Found(np.array([row])[: int(pressed)], True)
 
-    def pass_by(self, raw_counts, time_s):
+    def pass_by(self, raw_counts, time_s, left_out=None):
         self.passed.append(time_s)
 
     def rezero(self):
@@ -113,6 +114,19 @@ def test_contacts_stand_on_the_body_and_push_inwards():
     np.testing.assert_allclose(row[9:12], [0, 0, 1])
     np.testing.assert_allclose(row[12:], [0, 0, -4.0])
     assert watch.reading.arrived_s == pytest.approx(100.025)
+
+
+def test_a_chip_that_stands_still_is_left_out_and_told():
+    reader = Told(True)
+    watch, rng = watching(reader), np.random.default_rng(0)
+    noise = rng.normal(0, 20, (40, len(NAMES))).round()
+    noise[20:, :3] = noise[20, :3]
+    feed(watch, noise)
+    watch.read_next()
+    assert NAMES[:3] == ["F1-X1", "F1-Y1", "F1-Z1"]
+    assert reader.left_out[0, 0].all()
+    assert reader.left_out.sum() == 3
+    assert watch.state()["trouble"].startswith("F1-S1: standing still or without an answer")
 
 
 def test_a_reading_that_fails_is_told_and_ends_with_its_cause(monkeypatch):

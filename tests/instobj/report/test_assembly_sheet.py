@@ -11,11 +11,13 @@ from numpy.testing import assert_allclose
 
 from design.build.bom import bill_of_materials, silicone_amount, write_bom
 from design.build.manifest import BuildManifest, PartManifest
+from design.build.order_list import order_list
 from design.catalogue.bus_parts import MEGA2560
 from design.layout.mould.pins import PinKind, loose_pins, pins_by_kind
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
-from design.wiring.bus_plan import plan_or_none
+from design.wiring.bus_plan import all_plans, plan_or_none
+from design.wiring.dealing import MIXED
 from instobj.render.exploded_view import draw_exploded
 from instobj.report.assembly_sheet import assembly_sheet
 from instobj.report.assembly_steps import steps
@@ -62,7 +64,7 @@ def test_silicone_by_hand():
 
 def test_the_bill_counts_everything(tmp_path):
     spec = parsed(magnets={"positions_mm": [[0, 0], [9, 8]], "north": ["outward", "inward"]})
-    write_bom(bill_of_materials(spec, MANIFEST), tmp_path / "bom.csv")
+    write_bom(bill_of_materials(spec, MANIFEST, None), tmp_path / "bom.csv")
     with (tmp_path / "bom.csv").open(encoding="utf-8") as stream:
         rows = {row["item"]: row for row in csv.DictReader(stream)}
     magnets = rows["disk magnet Ø6 × 1 mm"]
@@ -75,7 +77,21 @@ def test_the_bill_counts_everything(tmp_path):
     assert_allclose(float(pins["mass_g"]), 150 * 1.27, rtol=1e-6)
     assert "print shell" not in rows
     split = manifest_of(("mould_half_a", "printed", 1))
-    assert any("screw" in item.item for item in bill_of_materials(spec, split))
+    assert any("screw" in item.item for item in bill_of_materials(spec, split, None))
+
+
+def test_the_bill_and_the_orders_name_the_same_sensors(tmp_path):
+    """Four chips of a bus have four addresses, which four orderable variants have."""
+    spec = parsed()
+    plan = next(plan for plan in all_plans(spec, MEGA2560).plans if plan.way == MIXED)
+    bill = {i.item: i.count for i in bill_of_materials(spec, MANIFEST, plan) if "Hall" in i.item}
+    pieces = [l.pieces for l in order_list(spec, plan) if l.number.startswith("TMAG5273")]
+    assert sorted(bill.values()) == sorted(pieces)
+    assert len(bill) == 4
+    assert sum(bill.values()) == 15
+    save_dot(tmp_path / "picture.png")
+    page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png", (), plan)
+    assert all(f"<td>{name}</td>" in page for name in bill)
 
 
 def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
@@ -253,7 +269,7 @@ def test_every_grade_has_its_line_and_its_places():
         "remanence_t": [1.43, 1.2, 1.46],
     }
     spec = parsed(magnets=magnets)
-    bill = {item.item: item for item in bill_of_materials(spec, MANIFEST)}
+    bill = {item.item: item for item in bill_of_materials(spec, MANIFEST, None)}
     strong, weak = bill["disk magnet N52 Ø6 × 1 mm"], bill["disk magnet N35 Ø6 × 1 mm"]
     assert (strong.count, weak.count) == (10, 5)
     assert strong.note == (

@@ -57,6 +57,7 @@ def page_of(spec, tmp_path, **content):
     context |= {"estimators": [row], "held_out": tmp_path / "picture.png"}
     context |= {"parts_folder": "../../cad_out/a/", "files": []}
     context |= {"verdict": Verdict((check,), "bound", 0.5), "seat_error": SEAT_ERROR}
+    context["saturation"] = "Of 200 virtual objects out of range: 0.0 % at rest."
     context["budget_forces"] = "8 N or 0.7 of the deepest press"
     return render(
         "report.html.j2", spec=spec, papers_cube=is_papers_cube(spec), **context | content

@@ -15,13 +15,14 @@ SPEC = parse_spec(
 )
 
 
-def row(changes, bound_mm=1.0, force_n=1.0, margin=0.5, magnets=10, sensors=10):
+def row(changes, bound_mm=1.0, force_n=1.0, margin=0.5, of_objects=0.5, magnets=10, sensors=10):
     return {
         "changes": list(changes),
         "weakest_bound_mm": bound_mm,
         "median_bound_mm": bound_mm / 2,
         "worst_detectable_n": force_n,
         "saturation_margin": margin,
+        "objects_margin": of_objects,
         "magnets": magnets,
         "sensors": sensors,
     }
@@ -96,6 +97,11 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
 
 
+def test_a_figure_just_above_its_limit_is_told_as_above_it():
+    told = decision(remedies(SPEC, [START, row(("a",), bound_mm=2.004)]), go=False)
+    assert "0.2 % above its limit" in told
+
+
 def test_the_page_shows_what_the_object_itself_costs():
     section = remedies_section(SPEC, {"alternatives": [START, row(("a",), sensors=11)]}, go=False)
     specified, changed = section["alternatives"]
@@ -115,3 +121,9 @@ def test_minutes_by_hand_are_those_of_the_specification():
     spec = parse_spec({"name": "a", "search": {"prices": prices}}, "a")
     (found,) = remedies(spec, [START, row(("both",), magnets=12, sensors=11)])
     assert (found.price, found.minutes) == (5, 40)
+
+
+def test_a_change_is_not_enough_where_chips_of_virtual_objects_leave_their_range():
+    (found,) = remedies(SPEC, [START, row(("strong",), of_objects=-0.2)])
+    assert found.ratio == pytest.approx(1.2)
+    assert not found.turns

@@ -2,6 +2,7 @@
 
 from design.spec.object import ObjectSpec
 from estimator.tolerances.result import BoundRange, Robustness, Spread
+from estimator.tolerances.saturation import Saturation
 from instobj.report.uncertainty import (
     HEADER,
     error_note,
@@ -68,6 +69,7 @@ def test_bounds_within_tolerance_name_their_forces():
     """A report had two bounds of one design, 16.6 and 18.3 mm: the second at forces that are less."""
     lone = Spread("all", *[0.0] * 12)
     ranges = [BoundRange(design, 0.5 * design, 2 * design) for design in (1.0, 18.3, 2.0, 3.0)]
-    told = forces_told(Robustness((lone,), lone, lone, 200, 8.0, *ranges))
+    kept = Saturation(200, (0.0,), (0.0,), (0.5,))
+    told = forces_told(Robustness((lone,), lone, lone, 200, 8.0, *ranges, kept))
     assert told == "8 N or 0.7 of the deepest press"
     assert len(f"bounds within tolerance, fresh zero, at {told}") <= 80

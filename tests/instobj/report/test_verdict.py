@@ -1,9 +1,13 @@
 """What the first page says of the locations at the border of a face."""
 
+import numpy as np
 import pytest
 
-from estimator.information.scores import AREAS, AreaSummary
+from estimator.information.scores import AREAS, AreaSummary, score_places
+from estimator.signals.presses import press_signals
+from estimator.tolerances.saturation import Saturation
 from instobj.report import verdict
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 
 def test_the_verdict_names_areas_that_the_face_has(monkeypatch):
@@ -11,7 +15,7 @@ def test_the_verdict_names_areas_that_the_face_has(monkeypatch):
 
     def told(*areas):
         summaries = [
-            AreaSummary(area, (1,), {}, {"position_bound_fresh_mm": found[area]}) for area in areas
+            AreaSummary(area, (1,), {}, {"position_bound_mm": found[area]}) for area in areas
         ]
         monkeypatch.setattr(verdict, "summarize_areas", lambda scores: summaries)
         return verdict._edge_weakness(None)
@@ -31,3 +35,23 @@ def test_the_verdict_names_areas_that_the_face_has(monkeypatch):
 )
 def test_a_figure_that_fails_is_not_shown_as_its_limit(value, text):
     assert verdict.beside_limit(value, 1.5) == text
+
+
+@pytest.mark.parametrize(
+    ("out", "margin", "go"), [(0.045, 0.01, True), (0.06, -0.02, False), (0.3, -0.5, False)]
+)
+def test_chips_of_virtual_objects_decide_beside_the_design(out, margin, go):
+    """At most 5 % of the objects may have a chip out of range in the deepest press."""
+    limits = {"position_bound_mm": 100.0, "detectable_force_n": 100.0}
+    spec = coarse_spec(contact_grid={"count": (4, 4), "pitch_mm": 6.0}, limits=limits)
+    scores = score_places(spec, press_signals(spec, *synthetic_presses(spec)))
+    objects = Saturation(200, (0.0, 1.5, 2.0, 4.0), (0.0, 0.0, 0.01, out), (0.5, 0.4, 0.3, margin))
+    found = verdict.judge(spec, scores, 0.4, objects)
+    (strong,) = (check for check in found.checks if check.what.startswith("How strong"))
+    assert found.go == strong.passed == go
+    assert strong.value == f"40 %; {100 * (1 - out):.1f} %"
+    told = f"out of range: 0.0 % at rest, 1.0 % at 2 mm, {100 * out:.1f} % at 4 mm"
+    assert told in strong.where
+    crowded = verdict.judge(spec, scores, 0.05, objects)
+    assert not crowded.go, "the design's own margin still counts"
+    assert np.isclose(crowded.checks[2].ratio, max(0.95 / 0.9, 1 - margin))

@@ -53,7 +53,7 @@ def test_work_positions_need_their_offset_and_damaged_lines_are_counted():
 
 def test_lines_wait_until_the_machine_has_room_for_them():
     line = FakeLine()
-    link = GrblLink(line, "machine", trusted=True)
+    link = GrblLink(line, "machine", trusted=True, floor_mm=-200.0)
     sent = [f"G53G0X-{100 + k}.125" for k in range(20)]
     link.send(*sent)
     answered = 0
@@ -67,7 +67,7 @@ def test_lines_wait_until_the_machine_has_room_for_them():
 
 def test_lines_that_belong_together_are_sent_at_once_or_not_yet():
     line = FakeLine()
-    link = GrblLink(line, "machine", trusted=True)
+    link = GrblLink(line, "machine", trusted=True, floor_mm=-200.0)
     for _ in range(3):
         link.send_whole(["G53G1Z-112.35F120", "G4P0.3", "G53G0Z-109", "G4P0.9"])
     part = b"G53G1Z-112.35F120\nG4P0.3\nG53G0Z-109\nG4P0.9\n"
@@ -80,7 +80,7 @@ def test_lines_that_belong_together_are_sent_at_once_or_not_yet():
 
 def test_faults_are_told_with_the_line_that_was_refused():
     line = FakeLine()
-    link = GrblLink(line, "machine", trusted=True)
+    link = GrblLink(line, "machine", trusted=True, floor_mm=-200.0)
     link.send("G4P1", "G53G0Z-1")
     line.said = b"ok\r\nerror:33\r\n"
     with pytest.raises(MachineFault, match=r"error:33 \(the target is no place\) to 'G53G0Z-1'"):

@@ -18,9 +18,9 @@ from instobj.rig.mounting import Mounting
 from instobj.rig.run import Ports
 from tests.support.rig_bench import MIDDLE_MM, TOP_MM, bench, hertz, simple_counts
 
-LIMIT_N = 12.0
+LIMIT_N = 10.0 * 4 / 3
 SETTINGS = {"depths_mm": (1.0, 2.0), "dwell_s": 0.4, "rest_s": 0.5, "speed_mm_s": 4.0}
-SETTINGS |= {"full_n": 10.0, "limit_n": LIMIT_N, "clearance_mm": 3.0}
+SETTINGS |= {"full_n": 10.0, "clearance_mm": 3.0}
 
 LOST_S = 3.0
 """On a busy machine the bench itself falls silent for a second."""
@@ -35,7 +35,7 @@ def options(made, tmp_path, presses=2, numbers=False, **choice):
     ports = replace(ports, lost_s=choice.pop("lost_s", LOST_S))
     given = {
         "faces": (3,),
-        "mounting": Mounting(MIDDLE_MM, 0.0),
+        "mounting": Mounting((*MIDDLE_MM, TOP_MM), 0.0),
         "settings": tuple((SETTINGS | choice.pop("settings", {})).items()),
         "presses": presses,
         "reference_every": 0,
@@ -140,7 +140,7 @@ def test_strokes_after_a_full_force_go_less_deep(tmp_path):
     rows = rows_of(tmp_path)
     assert loads_in([row["travel_mm"] for row in rows]) == 3
     peaks = list(map(max, split_loads(rows)))
-    assert peaks[0] >= SETTINGS["full_n"]
+    assert peaks[0] >= 0.9 * SETTINGS["full_n"]  # the frame in which it is met may be cut off
     assert max(peaks[1:]) < SETTINGS["full_n"] < LIMIT_N
 
 
@@ -176,7 +176,7 @@ def split_loads(rows):
 def test_a_pull_beyond_the_limit_stops_the_feed(tmp_path):
     """The sign of the load cell is wrong, or its cable is torn: pressing reads as pulling."""
     with bench(law=lambda depth, xy: -10 * hertz(depth, xy)) as made:
-        with pytest.raises(InputError, match="more than --limit"):
+        with pytest.raises(InputError, match="more than the limit"):
             rig(options(made, tmp_path), yes)
         require_tip_up(made)
 
@@ -189,8 +189,10 @@ def by_place(rows):
 def test_a_load_beyond_the_limit_stops_the_feed_within_one_frame(tmp_path):
     harder = lambda depth, xy: hertz(depth, xy) * (1 + 9 * (depth > 1.5))  # noqa: E731
     with bench(law=harder) as made:
-        given = options(made, tmp_path, settings={"full_n": LIMIT_N - 0.1, "speed_mm_s": 1.0})
-        with pytest.raises(InputError, match=r"more than --limit 12 N.*The tip is up; --resume"):
+        given = options(made, tmp_path, settings={"full_n": 10.0, "speed_mm_s": 1.0})
+        with pytest.raises(
+            InputError, match=r"more than the limit of 13.3.*The tip is up; --resume"
+        ):
             rig(given, yes)
         require_tip_up(made)
         beyond = next(k for k, force in enumerate(made.forces) if force > LIMIT_N)
@@ -276,10 +278,18 @@ def test_after_a_fault_the_run_goes_on_without_pressing_twice(tmp_path, fault):
 
 def killed(made, given, when):
     """A run by the command line that is killed at a moment; then six seconds of the machine's time."""
-    arguments = ["rig", str(given.spec), "--port", made.port, "--board-port", made.board_port]
-    arguments += ["--out", str(given.out), "--face", "3", "--middle", "-150,-100", "--yes"]
+    arguments = [
+        "bench",
+        "rig",
+        str(given.spec),
+        "--port",
+        made.port,
+        "--board-port",
+        made.board_port,
+    ]
+    arguments += ["--out", str(given.out), "--face", "3", "--middle", "-150,-100,-8", "--yes"]
     arguments += ["--depth", "1", "--depth", "2", "--speed", "4", "--presses", "3"]
-    arguments += ["--rest", "0.5", "--reference-every", "0", "--clearance", "3"]
+    arguments += ["--reference-every", "0"]
     code = "from instobj.cli.app import main; main()"
     process = subprocess.Popen([sys.executable, "-c", code, *arguments])
     made.plan = once(lambda made: process.kill(), when)
@@ -332,7 +342,7 @@ def test_nothing_moves_before_the_plan_is_confirmed(tmp_path):
     ("change", "words"),
     [
         (
-            {"mounting": Mounting((-4.0, -100.0), 0.0)},
+            {"mounting": Mounting((-4.0, -100.0, TOP_MM), 0.0)},
             r"reaches X = 2\.0 mm; .* -300 to 0 \(\$130\)",
         ),
         ({"faces": (3, 4)}, "give one --face"),
@@ -352,5 +362,5 @@ def test_a_machine_without_homing_is_refused(tmp_path):
 
 
 def test_a_mounting_turns_places_with_the_face():
-    turned = Mounting((-100.0, -50.0), 90.0).machine_mm(np.array([[2.0, 0.0], [0.0, 3.0]]))
+    turned = Mounting((-100.0, -50.0, -8.0), 90.0).machine_mm(np.array([[2.0, 0.0], [0.0, 3.0]]))
     assert np.allclose(turned, [[-100.0, -48.0], [-103.0, -50.0]])

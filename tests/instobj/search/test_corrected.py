@@ -32,11 +32,14 @@ SPACE = search_space(
 PARAMS = params_at(SPACE, np.array([0.6, *np.tile([0.05, 0.95], 5)])) | {"magnet5_y_mm": 0.0}
 
 
-def score(worth=1.0, growth=None, free=0.5):
+def score(worth=1.0, growth=None, free=0.5, of_objects=0.5):
     bounds = np.full((len(FORCES), FACES, PLACES), worth)
     if growth is not None:
         bounds = bounds * growth
-    names = dict.fromkeys(SCORE_NAMES, worth) | {"saturation_margin": free}
+    names = dict.fromkeys(SCORE_NAMES, worth) | {
+        "saturation_margin": free,
+        "objects_margin": of_objects,
+    }
     return FidelityScore(**names, position_bounds_mm=tuple(bounds.ravel()))
 
 
@@ -55,7 +58,7 @@ def prepared(monkeypatch):
 
     def judge(lowest, unit, poles, objectives):
         worth = 1 + ((unit - 0.5) ** 2).sum(dim=1, keepdim=True)
-        return Judged(worth, torch.zeros(len(unit)), torch.zeros(len(unit)), {}, worth)
+        return Judged(worth, torch.zeros(len(unit), 1), torch.zeros(len(unit)), {}, worth)
 
     monkeypatch.setattr(corrected, "structure_fidelity", fidelity)
     monkeypatch.setattr(corrected, "judge", judge)
@@ -76,6 +79,10 @@ def test_the_start_is_corrected_place_by_place_and_score_by_score(prepared):
     assert before.scores == {"median_position_bound_mm": 2.5}
     assert before.counts_over_lowest == pytest.approx(1.07 * 0.9 / 0.4)
     assert before.over_start == 1.0
+    crowded = promoted(score(1.0, of_objects=0.1), score(2.0, of_objects=-0.8))
+    corrected.corrected_params(SPACE, PARAMS, start, crowded)
+    *_, (_, _, before) = prepared
+    assert before.counts_over_lowest == pytest.approx(1.07 * 1.8 / 0.9)
     assert (space, params) == (SPACE, PARAMS)
 
 

@@ -60,7 +60,7 @@ def server():
     programs = _programs()
     if programs is None:
         pytest.skip("PostgreSQL is not installed (no pg_config, nothing in /usr/lib/postgresql)")
-    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[cluster]")
     user = _user()
     identity = (
         {} if user is None else {"user": user.pw_uid, "group": user.pw_gid, "extra_groups": []}
@@ -140,7 +140,7 @@ def test_workers_share_one_search(server):
 
 
 def test_an_unreachable_database_is_one_clear_error_without_its_password():
-    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[cluster]")
     url = f"postgresql+psycopg://search:secret@127.0.0.1:{_free_port()}/postgres"
     with pytest.raises(InputError, match="cannot reach the database") as error:
         open_study(made_up_space().spec, url)
@@ -159,7 +159,7 @@ def test_an_unreachable_database_is_one_clear_error_without_its_password():
     ],
 )
 def test_no_password_is_ever_printed(url):
-    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[cluster]")
     assert "secret" not in without_secrets(url)
     with pytest.raises(InputError, match="cannot reach the database") as error:
         open_database(url)

@@ -1,6 +1,9 @@
 """`instobj optimize` as a user meets it: impossible searches, and one search up the whole ladder."""
 
 import json
+import re
+import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
@@ -8,7 +11,7 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from design.spec.search import VarySpec
+from design.spec.search import SearchSpec, VarySpec
 from design.spec_io import load_spec, parse_spec
 from instobj.search import possible
 from instobj.search.lowest_fidelity import pressed_faces
@@ -185,6 +188,45 @@ def test_a_written_layout_is_read_back(tmp_path):
     assert changed == {"name"}
 
 
+@pytest.mark.parametrize("example", ["paper_cube", "ball", "handle"])
+def test_an_empty_table_is_refused_with_lines_that_make_a_search_of_this_body(example):
+    """Of `new`'s and the examples' own wording; what it says is pasted."""
+    spec = load_spec(EXAMPLES / f"{example}.toml")
+    empty = spec.changed(search=SearchSpec())
+    with pytest.raises(InputError, match="nothing may change") as caught:
+        require_possible(empty)
+    lines = re.findall(r"(\w+_reach_mm) = ([\d.]+)", str(caught.value))
+    assert [key for key, _ in lines] == ["magnet_reach_mm", "sensor_reach_mm"]
+    vary = VarySpec(**{key: float(mm) for key, mm in lines})
+    space = require_possible(empty.changed(search=SearchSpec(vary=vary)))
+    assert len(space.variables) >= 2 * (spec.magnets.count + spec.sensors.count_per_face)
+
+
+def test_an_empty_table_is_refused_before_what_computes_is_loaded(tmp_path):
+    (tmp_path / "cube.toml").write_text('name = "cube"\n')
+    program = (
+        "import sys; from instobj.cli.app import main; sys.argv = ['instobj', 'optimize', 'cube.toml']\n"
+        "try: main()\n"
+        "finally: assert not {'torch', 'optuna', 'skfem'} & sys.modules.keys()"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert_one_clear_error(done, "magnet_reach_mm = 15 and sensor_reach_mm = 9.7")
+
+
+def test_too_little_time_is_refused_and_leaves_nothing_to_resume(tmp_path, monkeypatch):
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
+    for _ in range(2):
+        with pytest.raises(
+            InputError, match=r"search\.seconds = 20 ends before .* give about \d+$"
+        ):
+            optimize(path, tmp_path, ["search.seconds=20"], False, None)
+    assert not list((tmp_path / "runs").glob("**/journal.log"))
+
+
 def test_an_impossible_search_ends_with_one_error(tmp_path):
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
@@ -193,7 +235,7 @@ def test_an_impossible_search_ends_with_one_error(tmp_path):
 
 
 def test_an_unreachable_database_ends_with_one_error(tmp_path):
-    pytest.importorskip("psycopg", reason="the driver comes with instobj[postgresql]")
+    pytest.importorskip("psycopg", reason="the driver comes with instobj[cluster]")
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n[search.vary]\nmagnet_reach_mm = 14.0\n')
     url = "postgresql+psycopg://somebody:secret@127.0.0.1:1/none"

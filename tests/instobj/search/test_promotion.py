@@ -28,6 +28,7 @@ START = FidelityScore(
     task_loss=0.2,
     compliance_deviation=0.1,
     saturation_margin=0.8,
+    objects_margin=0.4,
     position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
 )
 BETTER = replace(START, worst_position_bound_mm=0.6, slip_place_mm=0.5)
@@ -56,6 +57,9 @@ FAULTS = {
     "sensitivity_ratio misses its limit by 1e+02 %": replace(BETTER, sensitivity_ratio=0.15),
     "1 % of the sensors' range stays free in the deepest press, less than limits.saturation_margin = 0.1": (
         replace(BETTER, saturation_margin=0.01)
+    ),
+    "leave their range by 3 % in the deepest press of more than 5 % of virtual objects": (
+        replace(BETTER, objects_margin=-0.03)
     ),
     "larger than the start's at 2.5 % of contact locations and forces, more than places_worse = 0.02": (
         replace(

@@ -7,10 +7,14 @@ from contextlib import contextmanager, suppress
 import pytest
 
 from design.errors import InputError
+from design.search.space import search_space, start_params
+from design.spec_io import load_spec, parse_spec
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.search import promotion
+from instobj.search.apart import Scored
 from instobj.search.fidelity import TwinRatio
 from instobj.search.loop import run_search
+from instobj.search.optimize import first_look, nothing_better
 from instobj.search.study import open_study
 from instobj.search.time_limit import TimeLimit, TimeSpent
 from tests.support.objects.search_cases import answering, made_up_score, made_up_space, searched
@@ -67,8 +71,23 @@ def test_mechanics_that_the_time_will_not_hold_are_announced():
     none = TimeLimit(319).mechanics_plan(180.0, 60.0)
     assert "not even the mechanics" in none
     assert "--resume" in none
-    assert "give about 1300" in TimeLimit(10).mechanics_plan(450.0, 60.0)
-    assert "about 50 s of one" in TimeLimit(10).mechanics_plan(50.0, 0.0)
+    assert "give about 1300" in TimeLimit(400).mechanics_plan(450.0, 60.0)
+    assert "about 50 s of one" in TimeLimit(40).mechanics_plan(50.0, 0.0)
+
+
+def test_time_that_holds_no_result_were_all_twice_as_quick_is_refused_with_what_is_needed():
+    """180 s of mechanics and twice 60 s of the chain, in 94 % of the time."""
+    assert "not even the mechanics" in TimeLimit(160).mechanics_plan(180.0, 60.0)
+    with pytest.raises(InputError, match=r"about 3 min.*2 × 60 s for the chain.*give about 700$"):
+        TimeLimit(159).mechanics_plan(180.0, 60.0)
+
+
+def test_the_best_so_far_is_kept_and_named_when_the_time_is_spent():
+    with (
+        pytest.raises(InputError, match=r"a result\. It is in first_look\.toml\. Trials"),
+        TimeLimit(0.01).enforced(lambda: " It is in first_look.toml."),
+    ):
+        time.sleep(5)
 
 
 def test_time_spent_before_is_counted(clock):
@@ -187,6 +206,39 @@ def promoted(tmp_path, monkeypatch, clock):
         return found, said
 
     return run
+
+
+@pytest.mark.parametrize("beside_mm", [0.0, 0.01, 1.0])
+def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path, beside_mm):
+    """One trial, of the start's layout or of one beside it, keeps every limit."""
+    search = {"vary": {"magnet_reach_mm": 14.0}, "trials": 1, "polish_steps": 0, "seconds": 900}
+    magnets = {"positions_mm": [[8.0, 8.0], [-8.0, -8.0]]}
+    spec = parse_spec({"name": "cube", "magnets": magnets, "search": search}, "made up")
+    space, kept = search_space(spec), open_study(spec, tmp_path / "journal.log", join=True)
+    start = start_params(space)
+
+    def score(trials, seconds):
+        layout = start | {"magnet1_x_mm": start["magnet1_x_mm"] - beside_mm}
+        scores = {"worst_position_bound_mm": 1.0}
+        return [Scored(layout, (1.0,), scores, 0.0, "", 1) for _ in trials]
+
+    run_search(space, kept, answering(score), lambda line: None, start)
+    assert len(promotion.leaders(space, kept, 5)) == (beside_mm == 1.0)
+    said = first_look(space, kept, tmp_path / "search", tmp_path)
+    path = tmp_path / "search" / "first_look.toml"
+    assert (str(path) in said) == path.is_file() == (beside_mm == 1.0)
+    if path.is_file():
+        assert load_spec(path).magnets.positions_mm[0] == (7.0, 8.0)
+    if beside_mm < 1.0:
+        limit = TimeLimit(spec.search.seconds)
+        assert promotion.promote(space, kept, tmp_path, lambda line: None, limit) is None
+        document = nothing_better(spec, kept, limit)
+        assert document["verdict"].startswith("Nothing better was found in 0 s of search")
+        assert (
+            "your own layout (trial 0). Give search.seconds = 1800 or more" in document["verdict"]
+        )
+        assert len(document["tables"]) == 1
+        assert not document["better"]
 
 
 def test_with_time_enough_everyone_asked_for_is_scored(promoted):

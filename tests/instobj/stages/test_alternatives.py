@@ -57,10 +57,11 @@ def test_one_more_sensor_finds_places_where_each_has_one(count):
 def test_larger_sets_are_tried_until_one_keeps_the_limits(needed, largest, monkeypatch):
     """Figures fall with every change; a set holds one or two more sensors, not both."""
 
-    def row(changes, spec, signals):
+    def row(changes, spec, signals, objects_margin):
         bound = 1.0 if len(changes) >= needed else 2.0
-        return Alternative(changes, bound, 0.5, 1.0, 0.5, 5, 3)
+        return Alternative(changes, bound, 0.5, 1.0, 0.5, objects_margin, 5, 3)
 
+    monkeypatch.setattr(alternatives, "_objects_margin", lambda spec, signals, presses: 0.2)
     monkeypatch.setattr(alternatives, "_row", row)
     spec = parse_spec({"name": "cube"}, "test")
     monkeypatch.setattr(alternatives, "_changed", lambda spec, changes: spec)

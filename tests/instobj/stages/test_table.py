@@ -122,7 +122,7 @@ DOWNSTREAM = {
     "score.force_n=6": {"candidates", "robustness", "scores", "shear_scores", "identify"},
     "protocol.presses_per_place=4": {"frames", "collection", "pulled_collection"},
     "collection.presses=5": {"collection", "pulled_collection"},
-    "tolerances.magnet_tilt_deg=1": {"robustness"},
+    "tolerances.magnet_tilt_deg=1": {"robustness", "alternatives"},
     "as_built.magnets=[{face=2, magnet=1, flipped=true}]": {"signals", "robustness"},
     "training.epochs=5": {"networks"},
     "limits.position_bound_mm=2": {"report", "identify", "weak_areas"},

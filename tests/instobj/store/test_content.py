@@ -212,7 +212,7 @@ def test_a_full_disk_leaves_nothing_and_says_what_to_do(tmp_path, monkeypatch):
 
     with monkeypatch.context() as patch:
         patch.setattr(os, "fsync", full)
-        with pytest.raises(StoreError, match="No space left"):
+        with pytest.raises(StoreError, match="no space left on its disk"):
             stored(tmp_path, "stage", {}, _make_files)
     assert _visible(tmp_path) == []
     assert not stored(tmp_path, "stage", {}, _make_files).reused

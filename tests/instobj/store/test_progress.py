@@ -11,6 +11,25 @@ from instobj.store import progress as module
 from instobj.store.progress import ProgressLine
 
 
+@pytest.fixture(autouse=True)
+def chatty_log(monkeypatch):
+    """Logs that show every step."""
+    monkeypatch.setattr(module, "_LOG_EVERY_S", 0.0)
+
+
+def test_a_log_shows_a_step_a_minute_at_most_and_every_result(monkeypatch):
+    monkeypatch.setattr(module, "_LOG_EVERY_S", 60.0)
+    written = io.StringIO()
+    progress = ProgressLine(Console(file=written, width=40, highlight=False))
+    with progress.stage("mesh"):
+        for number in range(100):
+            progress.step(f"trial {number}")
+    progress.say("mesh: made in 12.3 s, which is a line that is longer than the console is wide")
+    assert written.getvalue().splitlines() == [
+        "mesh: made in 12.3 s, which is a line that is longer than the console is wide"
+    ]
+
+
 def test_a_long_step_is_one_line_in_a_log():
     written = io.StringIO()
     progress = ProgressLine(Console(file=written, width=80, highlight=False))

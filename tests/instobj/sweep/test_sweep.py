@@ -11,6 +11,7 @@ from instobj.stages import workers
 from instobj.stages.run import Run
 from instobj.stages.tasks import tasks_of
 from instobj.stages.workers import Here, open_workers
+from instobj.store.progress import show_progress
 from instobj.store.readers import METRICS
 from instobj.store.shared import URL
 from instobj.sweep import outcome
@@ -61,6 +62,7 @@ def test_a_sweep_writes_what_single_runs_find_and_goes_on_where_it_was(
     lend_mechanics(tmp_path / "store")
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
     path = write_study(tmp_path, NOISE)
+    show_progress()
     found = sweep(path, tmp_path)
     assert "left out" in capfd.readouterr().err
     with (tmp_path / "runs/s/sweep/sweep.csv").open(encoding="utf-8") as file:

@@ -33,6 +33,7 @@ from fem.candidates.motions import (
     candidate_lattices,
 )
 from fem.candidates.presses import compressed
+from tests.support.disturbed_inputs import disturbed
 
 FACE = 3
 """Its x is −z and its y is +y: a mix-up of axes shows."""
@@ -74,7 +75,7 @@ def made_up_motions(spec, pitch_mm=2.0):
             [*(-0.35 * normal), 0, 0, 0],
         ]
         weights = np.stack([near * away[..., 0], near * away[..., 1], near], axis=-1)
-        motion.append(np.float32(weights @ np.array(ways)))
+        motion.append(np.float32(disturbed(weights @ np.array(ways), frame.number)))
     force = spec.score.force_n * np.ones((len(frames), len(places), 1)) * SHARES
     return table_of(spec, lattices, force, motion)
 

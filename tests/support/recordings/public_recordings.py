@@ -5,6 +5,6 @@ from pathlib import Path
 
 FOLDER = Path(
     os.environ.get("INSTOBJ_DATA")
-    or Path(__file__).parents[4].parent / "shared" / "data" / "inst-obj"
+    or Path(__file__).parents[3].parent / "shared" / "data" / "inst-obj"
 )
 NAMES = ("1probe.csv", "2probe.csv")

@@ -8,7 +8,8 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import quad
 
-from estimator.calibration.known_travel import agreement, cycles, suspects
+from estimator.calibration.known_travel import agreement, suspects
+from studies.recorded import cycle_laws as cycles
 
 TIME = np.arange(0, 12, 0.1)
 

@@ -265,3 +265,45 @@ def test_a_line_of_4096_bytes_is_waited_for_and_a_longer_one_dropped():
     assert decoder.feed(b"\n  \r\n") == []
     assert decoder.statistics.damaged_lines == 1
     assert len(decoder.feed(lines(1)[0].replace(b"\n", b"\r\n"))) == 1
+
+
+def counts_read(decoder, channel):
+    """What is read of one channel, frame by frame."""
+    read = []
+    for k, value in enumerate(channel):
+        (frame,) = decoder.feed(encode_frame(k, 100 * k, [value, 2, 3]))
+        assert frame.counts[1:] == (2.0, 3.0)
+        read.append(frame.counts[0])
+    return read
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_counts_that_wrap_round_are_left_out_until_they_come_back(sign):
+    """A field that grows beyond a chip of 16 bits and shrinks again, as an MLX90393 sends it."""
+    true = sign * np.concatenate([np.arange(0, 60_000, 3_000), np.arange(60_000, 0, -3_000)])
+    decoder = started()
+    read = np.array(counts_read(decoder, ((true + 32_768) % 65_536 - 32_768).tolist()))
+    beyond = (true > 32_767) | (true < -32_768)
+    assert np.array_equal(np.isnan(read), beyond)
+    assert np.array_equal(read[~beyond], true[~beyond])
+    assert decoder.statistics.wrapped_readings == beyond.sum()
+    assert "wrapped round beyond the chip's range" in decoder.statistics.wrapped_text
+
+
+def test_counts_that_saturate_or_belong_to_wider_chips_are_believed():
+    nan = float("nan")
+    saturated = [30_000.0, 32_767.0, 32_767.0, nan, 20_000.0, -28_000.0]
+    wide = [-40_000.0, 40_000.0, 2_000_000.0, -2_000_000.0]
+    for channel in (saturated, wide):
+        decoder = started()
+        assert np.array_equal(counts_read(decoder, channel), channel, equal_nan=True)
+        assert decoder.statistics.wrapped_text == ""
+
+
+def test_a_restart_forgets_how_often_counts_wrapped():
+    decoder = started()
+    decoder.feed(encode_frame(0, 0, [32_000, 2, 3]))
+    (frame,) = decoder.feed(encode_frame(1, 100, [-32_000, 2, 3]))
+    assert np.isnan(frame.counts[0])
+    (frame,) = decoder.feed(encode_frame(40_000, 200, [-32_000, 2, 3]))
+    assert frame.counts[0] == -32_000

@@ -1,0 +1,231 @@
+"""Commands of the bench: boards, machines and built objects, `instobj bench …`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from instobj.cli import rig as cli_rig
+from instobj.cli.options import (
+    HERE,
+    AsJson,
+    Baud,
+    Forces,
+    LoadPort,
+    Out,
+    Overrides,
+    Places,
+    Port,
+    ReplaySpeed,
+    Seconds,
+    Spec,
+    ZeroFrames,
+    ZeroMode,
+    show,
+)
+
+app = typer.Typer(help="Boards, machines and built objects.", no_args_is_help=True)
+app.add_typer(cli_rig.app)
+
+
+@app.command()
+def collect(
+    out: Annotated[
+        Path,
+        typer.Argument(
+            metavar="OUT", help="Recording: OUT.csv grows, OUT.nc is written at the end."
+        ),
+    ],
+    port: Port = None,
+    replay: Annotated[
+        Path | None, typer.Option(help="Recording to replay in place of a board.")
+    ] = None,
+    load_port: LoadPort = None,
+    place: Places = None,
+    force: Forces = None,
+    zero: Annotated[
+        int,
+        typer.Option(
+            min=0, help="Frames of the baseline, taken at the start with nothing touching."
+        ),
+    ] = 20,
+    seconds: Seconds = None,
+    frames: Annotated[int | None, typer.Option(min=1, help="Stop after this many frames.")] = None,
+    session: Annotated[
+        int | None, typer.Option(min=1, help="Session number (default: continue the last session).")
+    ] = None,
+    cells: Annotated[int | None, typer.Option(min=1, max=9, help="Number of load cells.")] = None,
+    tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips per load cell.")] = None,
+    baud: Baud = 115_200,
+    speed: ReplaySpeed = 1.0,
+    as_json: AsJson = False,
+) -> None:
+    """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
+    from instobj.commands.hardware.collect import collect as collect_frames
+    from instobj.commands.hardware.collect_options import CollectOptions
+
+    options = CollectOptions(
+        out, port, replay, load_port, baud, speed, tuple(place or ()), tuple(force or ()),
+        cells, tips, session, zero, seconds, frames,
+    )  # fmt: skip
+    show(collect_frames(options), as_json)
+
+
+@app.command()
+def firmware(
+    spec: Spec,
+    board: Annotated[str, typer.Option(help="Board that reads the sensors: mega2560 or pico.")],
+    way: Annotated[
+        str | None,
+        typer.Option(
+            help="How I²C chips are kept apart, e.g. multiplexers (default: the cheapest way)."
+        ),
+    ] = None,
+    lead: Annotated[
+        float,
+        typer.Option(min=0, max=5000, help="Length of the wires from the object to the board, mm."),
+    ] = 200.0,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Plan the sensors' buses on a board and write its firmware."""
+    from instobj.commands.hardware.firmware import write_firmware
+
+    show(write_firmware(spec, board, way, lead, out, overrides or []), as_json)
+
+
+@app.command()
+def live(
+    spec: Annotated[
+        Path | None,
+        typer.Argument(help="Specification (TOML); --demo brings one.", show_default=False),
+    ] = None,
+    model: Annotated[
+        list[Path] | None,
+        typer.Option(
+            help="Estimator: contacts.nc, or one exported face_<n>.onnx per face (repeat the option); "
+            "without it only channels are shown."
+        ),
+    ] = None,
+    port: Port = None,
+    replay: Annotated[
+        Path | None, typer.Option(help="Recording or data set to replay in place of a board.")
+    ] = None,
+    demo: Annotated[
+        bool,
+        typer.Option("--demo", help="A simulated object in a hand; no board and no files needed."),
+    ] = False,
+    record: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="OUT",
+            help="Record from the start, as collect does: OUT.csv grows, OUT.nc is written at the end "
+            "(default: <name>_live, once the page's button is pressed).",
+        ),
+    ] = None,
+    load_port: LoadPort = None,
+    place: Places = None,
+    force: Forces = None,
+    zero: ZeroMode = None,
+    zero_frames: ZeroFrames = 20,
+    page_port: Annotated[
+        int, typer.Option(min=0, max=65535, help="TCP port of the page; 0: any free one.")
+    ] = 8765,
+    address: Annotated[
+        str, typer.Option(help="Network address at which the page is served.")
+    ] = "127.0.0.1",
+    remote: Annotated[
+        bool,
+        typer.Option("--remote", help="Let other machines connect; an access token is printed."),
+    ] = False,
+    seconds: Seconds = None,
+    baud: Baud = 115_200,
+    speed: ReplaySpeed = 1.0,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Contacts, channels and their health on a page in the browser, while a board is read."""
+    from instobj.commands.hardware.collect_options import CollectOptions
+    from instobj.commands.hardware.live import live as show_live
+    from instobj.commands.hardware.live_source import LiveOptions
+    from instobj.commands.hardware.readings import Zeroing
+
+    readings = CollectOptions(
+        record or Path(f"{spec.stem if spec else 'demo'}_live"), port, replay, load_port, baud,
+        speed, tuple(place or ()), tuple(force or ()), zero_frames=zero_frames,
+    )  # fmt: skip
+    options = LiveOptions(
+        spec, readings, tuple(model or ()), demo, Zeroing(zero, zero_frames),
+        tuple(overrides or ()), address, page_port, remote,
+        record is not None, seconds,
+    )  # fmt: skip
+    show(show_live(options), as_json)
+
+
+@app.command()
+def bringup(
+    spec: Spec,
+    port: Port = None,
+    replay: Annotated[
+        Path | None, typer.Option(help="bringup.csv of an earlier bring-up, in place of a board.")
+    ] = None,
+    simulated: Annotated[
+        bool, typer.Option("--simulated", help="A simulated object in place of a board.")
+    ] = False,
+    fault: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="Fault planted in the simulated object, e.g. swap=F1-S2,F3-S1; can be repeated."
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the simulated object.")] = 1,
+    again: Annotated[
+        list[str] | None,
+        typer.Option(help="Step or recording to repeat, e.g. held or 'held F1-S2'."),
+    ] = None,
+    baud: Baud = 115_200,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Bring a newly soldered object up, question by question, and write how it was built."""
+    from instobj.commands.bringup.command import BringupOptions, bring_up
+
+    result = bring_up(
+        BringupOptions(
+            spec, out, port, replay, simulated, tuple(fault or ()), seed, tuple(again or ()),
+            baud, tuple(overrides or ()),
+        )
+    )  # fmt: skip
+    show(result, as_json)
+    if not result["passed"]:
+        raise typer.Exit(1)
+
+
+@app.command()
+def selftest(
+    spec: Spec,
+    resting: Annotated[
+        Path,
+        typer.Argument(help="Recording, or CSV of frames at rest.", show_default=False),
+    ],
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Flipped magnets, swapped or dead channels, from the resting signals of a built object."""
+    from instobj.commands.recorded.validate import self_test_of
+
+    result = self_test_of(spec, resting, overrides or [])
+    show(result, as_json)
+    if not result["passed"]:
+        raise typer.Exit(1)
+
+
+def commands() -> list[Callable[..., None]]:
+    """Functions of all commands of the bench."""
+    registered = (*app.registered_commands, *cli_rig.app.registered_commands)
+    return [command.callback for command in registered if command.callback is not None]

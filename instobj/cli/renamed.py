@@ -1,0 +1,85 @@
+"""Names of commands before 0.2.0: hidden, for one release, with the name that took their place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any
+
+import typer
+
+from design.errors import InputError
+from instobj.cli import bench as cli_bench
+from instobj.cli.estimators import train
+from instobj.cli.options import HERE, TARGETS, AsJson, Out, Overrides, Specs, Workers, run_to
+
+CHAIN = {
+    "mesh": "mesh",
+    "simulate": "presses",
+    "compliance": "compliance",
+    "identify": "identify",
+    "robustness": "robustness",
+    "pretrain": "pretraining",
+    "report": "report",
+}
+"""Old command → its value of `run --to`."""
+
+GONE = {
+    "frames": "instobj run SPEC --to frames --set collection.kind=KIND",
+    "grasp": "instobj press SPEC --jaw … --jaw … --force N",
+    "slip": "instobj run SPEC --to slip --set mechanics.slip.shift_mm=[1,0,0]",
+    "worker": "instobj optimize SPEC --storage URL --join NUMBER",
+    "experiment": "python -m studies NAME SPEC, in a checkout of the repository",
+    "experiments": "python -m studies --help, in a checkout of the repository",
+    "interfaces": "python -m studies interfaces, in a checkout of the repository",
+    "conventions": "python -m studies conventions, in a checkout of the repository",
+    "cycles": "python -m studies cycles, in a checkout of the repository",
+}
+"""Old commands whose arguments changed → what to write instead."""
+
+ANYTHING = {"allow_extra_args": True, "ignore_unknown_options": True}
+"""Settings of a command that takes whatever stands behind it."""
+
+
+def add_renamed(app: typer.Typer, score: Callable[..., None]) -> None:
+    """Add every old name to the command line, hidden."""
+    for name, target in CHAIN.items():
+        app.command(name, hidden=True)(_said(_chain(target), name, f"run --to {target}"))
+    for command in cli_bench.commands():
+        name = command.__name__
+        app.command(name, hidden=True)(_said(command, name, f"bench {name}"))
+    app.command("evaluate", hidden=True)(_said(train, "evaluate", "train"))
+    app.command("compare", hidden=True)(_said(score, "compare", "score"))
+    for name, instead in GONE.items():
+        app.command(name, hidden=True, context_settings=ANYTHING)(_refusal(name, instead))
+
+
+def _said(command: Callable[..., None], old: str, new: str) -> Callable[..., None]:
+    """The command of the new name, which says so first."""
+
+    @wraps(command)
+    def renamed(*arguments: Any, **options: Any) -> None:
+        typer.echo(f"warning: `instobj {old}` is now `instobj {new}`", err=True)
+        command(*arguments, **options)
+
+    return renamed
+
+
+def _chain(target: str) -> Callable[..., None]:
+    def command(
+        specs: Specs,
+        workers: Workers = "1",
+        out: Out = HERE,
+        as_json: AsJson = False,
+        overrides: Overrides = None,
+    ) -> None:
+        run_to(TARGETS[target], specs, out, as_json, overrides, workers)
+
+    return command
+
+
+def _refusal(old: str, instead: str) -> Callable[..., None]:
+    def command(context: typer.Context) -> None:
+        raise InputError(f"`instobj {old}` has moved. Write: {instead}")
+
+    return command

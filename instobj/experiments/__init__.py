@@ -1,1 +1,0 @@
-"""Studies of layouts, and the registry of experiments."""

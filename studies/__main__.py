@@ -1,0 +1,83 @@
+"""Command line of the studies: `python -m studies NAME INPUT`, in a checkout of the repository."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from instobj.cli.app import run_command
+from instobj.cli.options import HERE, AsJson, Out, Overrides, Recordings, Spec, show
+from studies.registry import run_study, studies
+
+app = typer.Typer(
+    name="python -m studies",
+    help="The paper's tables and figures, and studies of layouts: each writes a table and a figure.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+Exchanges = Annotated[int, typer.Option(min=1, help="Permutations for the null distribution.")]
+
+
+def _add_study(name: str, purpose: str) -> None:
+    """Add a study of a specification as a command of its name."""
+
+    def command(
+        spec: Spec,
+        quick: Annotated[bool, typer.Option("--quick", help="Coarse preview.")] = False,
+        out: Out = HERE,
+        as_json: AsJson = False,
+        overrides: Overrides = None,
+    ) -> None:
+        show(run_study(name, spec, out, quick, overrides or []), as_json)
+
+    app.command(name, help=purpose)(command)
+
+
+for _study in studies().values():
+    _add_study(_study.name, _study.help)
+
+
+@app.command()
+def interfaces(
+    spec: Spec,
+    recordings: Recordings,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Bonded, frictionless or friction at the core: what each predicts of recorded presses."""
+    from studies.recorded.interfaces import interfaces_on
+
+    show(interfaces_on(spec, recordings, out, overrides or []), as_json)
+
+
+@app.command()
+def conventions(
+    spec: Spec,
+    recordings: Recordings,
+    exchanges: Exchanges = 499,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Order of chips, labels and axes: searched on one recording, judged on the other."""
+    from studies.recorded.conventions import conventions_of
+
+    show(conventions_of(spec, recordings, exchanges, overrides or []), as_json)
+
+
+@app.command()
+def cycles(
+    recording: Annotated[Path, typer.Argument(help="Folder with sensor.csv and states.csv.")],
+    as_json: AsJson = False,
+) -> None:
+    """Loading cycles at one place: what elasticity, lag and relaxation explain of force and field."""
+    from studies.recorded.cycles import cycles_in
+
+    show(cycles_in(recording), as_json)
+
+
+if __name__ == "__main__":
+    run_command(app)
