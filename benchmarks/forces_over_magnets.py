@@ -1,8 +1,9 @@
 """Forces of a sphere over and beside magnets by an independent code: NGSolve and Netgen's own geometry.
 
-    python benchmarks/forces_over_magnets.py cube 0 --edge 0.45 --order 3
+    python benchmarks/forces_over_magnets.py cube 0 0 --edge 0.45 --order 3
 
-Half a cube, ball or capsule of the examples, cut at y = 0; the sphere of R 5 mm lands at (x, 0) of a face.
+Bodies of the examples, and a box with magnets at three depths; cut at y = 0 where magnets are alike on
+both sides. The sphere of R 5 mm lands at (x, y) of a face; round bodies count x along the surface.
 Taylor–Hood elements, curved; magnets are 3000 times as stiff as silicone. Pressure is P1 on the surface,
 not negative, without friction, and gaps are weak: one factorization, then non-negative least squares.
 Nothing is shared with `fem`. Needs `pip install ngsolve scipy`; 10 s to 10 min, by edge and order.
@@ -14,115 +15,286 @@ from __future__ import annotations
 import argparse
 from dataclasses import dataclass
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.interpolate import RBFInterpolator, RectBivariateSpline
 from scipy.optimize import nnls
 
 E_MPA, NU, TIP_MM, SHELL_MM = 0.414, 0.4999, 5.0, 8.0
 REACH_MM, STIFFER = 3.7, 3e3
-PLACES_MM = {"cube": (0.0, 3.0, 5.0), "ball": (0.0, 3.0, 4.5), "capsule": (0.0, 3.0, 5.0)}
 BULK_MM, RIM_MM = 3.0, 0.45
 RADIUS_MM, HALF_LENGTH_MM = {"ball": 25.0, "capsule": 22.0}, 16.0
 """Radii of the round bodies; half the straight part of the capsule."""
+PEAR = Path(__file__).parents[1] / "examples" / "bodies" / "pear.stl"
+PEAR_SIDE_MM, PEAR_REACH_MM, MID_MM = 16.0, 17.0, 2.5
+"""How far the pear is kept beside its face's middle, across and along; depth of magnets' mid-planes."""
+AZIMUTH_MM, AZIMUTHS = 24.0, np.radians(np.linspace(-80, 80, 41))
+HEIGHTS_MM = np.linspace(-24, 24, 49)
+"""Splines of the pear: a radius by which azimuths become lengths, and the grid."""
+TOUCHING_MM = 0.1
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A magnet: place on the face, depth of its mid-plane, rotation vector about x and y (degrees)."""
+
+    x_mm: float
+    y_mm: float
+    depth_mm: float = MID_MM
+    tilt_deg: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Flat:
+    """A flat face: half its edges, its magnets, their diameter and height."""
+
+    half_mm: tuple[float, float]
+    discs: tuple[Disc, ...]
+    diameter_mm: float = 6.0
+    height_mm: float = 1.0
+    whole: bool = False
+
+
+SIDE_MM = (21.0, 21.0)
+FLAT = {
+    "cube": Flat(SIDE_MM, tuple(Disc(x, y) for x, y in [(0, 0), (10, 10), (-10, 10)])),
+    "box": Flat((30.0, 23.0), (Disc(0, 0, 2.0), Disc(14, 0, 2.5), Disc(-14, 0, 3.5)), 5.0, 2.0),
+    "better_cube": Flat(
+        SIDE_MM,
+        (
+            Disc(8.71, 8.81, 1.61, (1.3, -0.9)),
+            Disc(-6.85, -8.86, 4.99, (-4.5, -6.9)),
+            Disc(-5.83, -0.41, 5.11, (6.3, 7.1)),
+            Disc(-5.58, 10.94, 4.4, (14.7, -4.5)),
+            Disc(10.25, -6.52, 4.7, (-2.2, -18.6)),
+        ),
+        whole=True,
+    ),
+}
+PLACES_MM = {
+    "cube": ((0, 0), (3, 0), (5, 0)),
+    "ball": ((0, 0), (3, 0), (4.5, 0)),
+    "capsule": ((0, 0), (3, 0), (5, 0)),
+    "box": tuple((x, 0) for x in (0, 2.5, 6, 14, 16.5, 20, -14, -16.5, -20)),
+    "better_cube": ((8.71, 8.81), (5.71, 8.81), (3.7, 8.81), (-5.58, 10.94)),
+    "pear": ((0, 0), (3, 0), (4.5, 0)),
+}
 
 
 @dataclass(frozen=True)
 class Body:
-    """Silicone and magnets about the face's middle, z outward; how far z reaches down."""
+    """Silicone and magnets with the place pressed at the origin, z outward; a point's distances from the
+    outer and the core's surface (negative inside)."""
 
     shell: Any
     magnets: list[Any]
+    outside_mm: Any
+    core_mm: Any
 
 
-def body(kind: str) -> Body:
-    """Upper part of an example's shell; it ends 16 mm or more beside the press, free."""
+def flat_body(face: Flat, x_mm: float, y_mm: float) -> Body:
+    """Upper part of a box's shell; it ends 20 mm below its face, free."""
     occ: Any = import_module("netgen.occ")
     point, z = occ.Pnt, occ.Z
-    half = occ.Box(point(-60, 0, -60), point(60, 60, 60))
-    disk = occ.Cylinder(point(0, 0, -3), z, 3, 1)
-    if kind == "cube":
-        shell = occ.Box(point(-21, 0, -20), point(21, 21, 0)) - occ.Box(
-            point(-13, 0, -20), point(13, 13, -8)
+    (a, b), far = face.half_mm, 60.0
+    inner_a, inner_b = a - SHELL_MM, b - SHELL_MM
+    shell = occ.Box(point(-a, -b, -20), point(a, b, 0))
+    shell -= occ.Box(point(-inner_a, -inner_b, -20), point(inner_a, inner_b, -SHELL_MM))
+    magnets = []
+    for one in face.discs:
+        disc = occ.Cylinder(
+            point(0, 0, -face.height_mm / 2), z, face.diameter_mm / 2, face.height_mm
         )
-        at = [(0, 0), (10, 10), (-10, 10)]
-        return Body(shell, [disk.Move(occ.Vec(a, b, 0)) * half for a, b in at])
-    radius = RADIUS_MM[kind]
-    half = half * occ.Box(point(-60, 0, -radius - 2), point(60, 60, 60))
-    if kind == "ball":
+        angle = float(np.hypot(*one.tilt_deg))
+        if angle:
+            axis = occ.Axis(point(0, 0, 0), occ.Vec(*one.tilt_deg, 0))
+            disc = disc.Rotate(axis, angle)
+        magnets.append(disc.Move(occ.Vec(one.x_mm, one.y_mm, -one.depth_mm)))
+    if not face.whole:
+        half = occ.Box(point(-far, 0, -far), point(far, far, far))
+        shell, magnets = shell * half, [m * half for m in magnets]
+    move = occ.Vec(-x_mm, -y_mm, 0)
+
+    def core(x: Any, y: Any, z: Any) -> Any:
+        beside = np.maximum(abs(x + x_mm) - inner_a, abs(y + y_mm) - inner_b)
+        return np.maximum(beside, z + SHELL_MM)
+
+    return Body(shell.Move(move), [m.Move(move) for m in magnets], lambda x, y, z: z, core)
+
+
+def round_body(kind: str, x_mm: float) -> Body:
+    """Half of an example's shell, cut at y = 0."""
+    occ: Any = import_module("netgen.occ")
+    point, radius = occ.Pnt, RADIUS_MM[kind]
+    half = occ.Box(point(-60, 0, -radius - 2 * (kind == "ball")), point(60, 60, 60))
+    disc = occ.Cylinder(point(0, 0, -3), occ.Z, 3, 1)
+    ball = kind == "ball"
+    length = 0.0 if ball else HALF_LENGTH_MM
+
+    def outside(x: Any, y: Any, z: Any) -> Any:
+        along = x - np.clip(x, -length - x_mm, length - x_mm) * (not ball)
+        return np.sqrt(along**2 + y**2 + (z + radius) ** 2) - radius
+
+    def core(x: Any, y: Any, z: Any) -> Any:
+        return outside(x, y, z) + SHELL_MM
+
+    if ball:
         centre = point(0, 0, -radius)
+        middle = occ.Axis(centre, occ.Y)
+        # magnets' places are told in the face's plane, 9 mm beside its middle
+        turns = np.degrees([0.0, np.arcsin(9 / radius), -np.arcsin(9 / radius)])
         shell = occ.Sphere(centre, radius) * half - occ.Sphere(centre, radius - SHELL_MM)
-        turns = [occ.Axis(centre, occ.Y)] * 3
-        angles = np.degrees(np.array([0.0, 9.0, -9.0]) / radius)
-        discs = [disk.Rotate(t, a) * half for t, a in zip(turns, angles, strict=True)]
-        return Body(shell, discs)
+        place = -float(np.degrees(x_mm / radius))
+        discs = [(disc.Rotate(middle, t) * half).Rotate(middle, place) for t in turns.tolist()]
+        return Body(shell.Rotate(middle, place), discs, outside, core)
 
     def capsule(r: float) -> Any:
-        ends = [point(s * HALF_LENGTH_MM, 0, -radius) for s in (-1, 1)]
-        side = occ.Cylinder(ends[0], occ.X, r, 2 * HALF_LENGTH_MM)
+        ends = [point(s * length, 0, -radius) for s in (-1, 1)]
+        side = occ.Cylinder(ends[0], occ.X, r, 2 * length)
         return side + occ.Sphere(ends[0], r) + occ.Sphere(ends[1], r)
 
-    shell = capsule(radius) * half - capsule(radius - SHELL_MM)
-    return Body(shell, [disk.Move(occ.Vec(a, 0, 0)) * half for a in (0, 10, -10)])
+    shell, move = capsule(radius) * half - capsule(radius - SHELL_MM), occ.Vec(-x_mm, 0, 0)
+    magnets = [(disc.Move(occ.Vec(x, 0, 0)) * half).Move(move) for x in (0, 10, -10)]
+    return Body(shell.Move(move), magnets, outside, core)
 
 
-def mesh_of(kind: str, x_mm: float, edge_mm: float) -> Any:
+class Polar:
+    """Radius about z over azimuth and z, as a cubic spline through scattered points of a surface."""
+
+    def __init__(self, points_mm: np.ndarray):
+        x, y, z = points_mm.T
+        at = np.column_stack([AZIMUTH_MM * np.arctan2(y, x), z])
+        near = abs(at[:, 0]) < AZIMUTH_MM * 2.2
+        scattered = RBFInterpolator(at[near], np.hypot(x, y)[near], neighbors=40)
+        grid = np.stack(np.meshgrid(AZIMUTH_MM * AZIMUTHS, HEIGHTS_MM, indexing="ij"), axis=-1)
+        radius = scattered(grid.reshape(-1, 2)).reshape(grid.shape[:2])
+        self.radius_mm = RectBivariateSpline(AZIMUTHS, HEIGHTS_MM, radius)
+
+    def beyond_mm(self, points_mm: np.ndarray) -> np.ndarray:
+        """How much farther from z points lie than the surface."""
+        x, y, z = points_mm.T
+        return np.hypot(x, y) - self.radius_mm.ev(np.arctan2(y, x), z)
+
+    def points_and_normals(self, azimuth: np.ndarray, z: np.ndarray) -> tuple[Any, Any]:
+        """Points of the surface and outward normals; normal is the gradient of `beyond_mm`."""
+        radius = self.radius_mm.ev(azimuth, z)
+        turn, rise = (self.radius_mm.ev(azimuth, z, **{d: 1}) for d in ("dx", "dy"))
+        cosine, sine = np.cos(azimuth), np.sin(azimuth)
+        slope = turn / radius
+        normal = np.stack([cosine + slope * sine, sine - slope * cosine, -rise], axis=-1)
+        normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+        return np.stack([radius * cosine, radius * sine, z], axis=-1), normal
+
+    def solid(self) -> Any:
+        """What lies inside the surface on the side +x."""
+        occ: Any = import_module("netgen.occ")
+        grid = np.meshgrid(AZIMUTHS, HEIGHTS_MM, indexing="ij")
+        face = occ.SplineSurfaceInterpolation(self.points_and_normals(*grid)[0])
+        return face.Extrude(occ.Vec(-60, 0, 0))
+
+
+def pear_body(x_mm: float) -> Body:
+    """Half of the pear's side +x, cut at y = 0; its core lies 8 mm below the surface."""
+    occ: Any = import_module("netgen.occ")
+    content = np.frombuffer(PEAR.read_bytes()[84:], np.dtype([("n", "<3f4"), ("v", "<9f4"), ("a", "<u2")]))
+    vertices = np.unique(content["v"].reshape(-1, 3).astype(float), axis=0)
+    outer = Polar(vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2)
+    grid = (g.ravel() for g in np.meshgrid(AZIMUTHS, HEIGHTS_MM, indexing="ij"))
+    points, normals = outer.points_and_normals(*grid)
+    core = Polar(points - SHELL_MM * normals)
+    a, b, c = -10.0, PEAR_SIDE_MM, PEAR_REACH_MM
+    half = occ.Box(occ.Pnt(a, 0, -c), occ.Pnt(60, b, c))
+    shell = outer.solid() * half - core.solid()
+
+    def on_profile(z: float) -> tuple[Any, Any]:
+        found = outer.points_and_normals(np.zeros(1), np.array([z]))
+        return found[0][0], found[1][0]
+
+    # the face's x is -z; lengths along the profile count from z = 0
+    profile = outer.points_and_normals(np.zeros(2001), np.linspace(10, -10, 2001))[0]
+    length = np.append(0, np.cumsum(np.linalg.norm(np.diff(profile, axis=0), axis=1)))
+    place, normal = on_profile(float(np.interp(x_mm + length[1000], length, profile[:, 2])))
+    magnets = []
+    for x in (0.0, 8.5, -8.5):
+        point, axis = on_profile(-x)
+        middle = point - MID_MM * axis
+        low = occ.Pnt(*(middle - axis / 2).tolist())
+        magnets.append(occ.Cylinder(low, occ.Vec(*axis.tolist()), 3, 1) * half)
+    turn = occ.Axis(occ.Pnt(0, 0, 0), occ.Y)
+    # the place's normal becomes z: a turn about y by minus its angle from z
+    angle = -float(np.degrees(np.arctan2(normal[0], normal[2])))
+    back = np.array([np.cross([0.0, 1, 0], normal), [0.0, 1, 0], normal])
+
+    def object_mm(x: Any, y: Any, z: Any) -> Any:
+        return place + np.column_stack([x, y, z]) @ back
+
+    def moved(shape: Any) -> Any:
+        return shape.Move(occ.Vec(*(-place).tolist())).Rotate(turn, angle)
+
+    return Body(
+        moved(shell),
+        [moved(m) for m in magnets],
+        lambda x, y, z: outer.beyond_mm(object_mm(x, y, z)),
+        lambda x, y, z: core.beyond_mm(object_mm(x, y, z)),
+    )
+
+
+def mesh_of(kind: str, x_mm: float, y_mm: float, edge_mm: float) -> Any:
     """Curved mesh with the place pressed at the origin; boundaries named top, held, cut."""
     occ: Any = import_module("netgen.occ")
     netgen: Any = import_module("netgen.meshing")
-    made = body(kind)
-    shell = made.shell
-    for magnet in made.magnets:
-        shell = shell - magnet
-    if kind == "ball":
-        middle = occ.Axis(occ.Pnt(0, 0, -RADIUS_MM[kind]), occ.Y)
-        turn = -float(np.degrees(x_mm / RADIUS_MM[kind]))
-        shell, *magnets = (s.Rotate(middle, turn) for s in (shell, *made.magnets))
+    if kind in FLAT:
+        body = flat_body(FLAT[kind], x_mm, y_mm)
     else:
-        shell, *magnets = (s.Move(occ.Vec(-x_mm, 0, 0)) for s in (shell, *made.magnets))
-    shell.mat("silicone")
-    for magnet in magnets:
+        body = pear_body(x_mm) if kind == "pear" else round_body(kind, x_mm)
+    shell = body.shell
+    for magnet in body.magnets:
+        shell = shell - magnet
         magnet.mat("magnet")
         for rim in magnet.edges:
             rim.maxh = RIM_MM
+    shell.mat("silicone")
     wanted = netgen.MeshingParameters(maxh=BULK_MM, grading=0.35)
+    around = 2 if is_whole(kind) else 1
     for r in (0.0, 1.2, 2.4, 3.2):
-        for angle in np.linspace(0, np.pi, max(2, int(4 * r) + 2)):
+        for angle in np.linspace(0, around * np.pi, around * max(2, int(4 * r) + 2)):
             at = (r * np.cos(angle), r * np.sin(angle), -0.02)
             wanted.RestrictH(x=at[0], y=at[1], z=at[2], h=edge_mm * (1.3 if r > 3 else 1.0))
-    mesh = occ.OCCGeometry(occ.Glue([shell, *magnets])).GenerateMesh(wanted)
+    mesh = occ.OCCGeometry(occ.Glue([shell, *body.magnets])).GenerateMesh(wanted)
     points = np.array([p.p for p in mesh.Points()])
     of_face: dict[int, list[int]] = {}
     for element in mesh.Elements2D():
         of_face.setdefault(element.index, []).extend(v.nr - 1 for v in element.vertices)
     for index, vertices in of_face.items():
-        mesh.SetBCName(index - 1, _name(kind, points[vertices], x_mm))
+        mesh.SetBCName(index - 1, _name(body, is_whole(kind), points[vertices]))
     curved = import_module("ngsolve").Mesh(mesh)
     curved.Curve(3)
     return curved
 
 
-def _name(kind: str, points: np.ndarray, x_mm: float) -> str:
-    """By the distance of a face's vertices from the outer surface, 0 or one shell."""
+def is_whole(kind: str) -> bool:
+    """Whether the body is not cut at y = 0."""
+    return kind in FLAT and FLAT[kind].whole
+
+
+def _name(body: Body, whole: bool, points: np.ndarray) -> str:
+    """By the distance of a face's vertices from the outer and the core's surface."""
     x, y, z = points.T
-    if abs(y).max() < 1e-6:
+    if not whole and abs(y).max() < 1e-6:
         return "cut"
-    if kind == "cube":
-        inside = np.maximum(abs(x + x_mm), y)
-        core = abs(np.maximum(inside - 13, z + 8)).max() < 1e-6
-        return "top" if abs(z).max() < 1e-6 else "held" if core else "free"
-    along = x - np.clip(x, -HALF_LENGTH_MM - x_mm, HALF_LENGTH_MM - x_mm) * (kind == "capsule")
-    depth = RADIUS_MM[kind] - np.sqrt(along**2 + y**2 + (z + RADIUS_MM[kind]) ** 2)
-    close = [abs(depth).max() < 1e-3, abs(depth - SHELL_MM).max() < 1e-3]
-    return "top" if close[0] else "held" if close[1] else "free"
+    if abs(body.outside_mm(x, y, z)).max() < TOUCHING_MM:
+        return "top"
+    return "held" if abs(body.core_mm(x, y, z)).max() < TOUCHING_MM else "free"
 
 
-def forces_n(mesh: Any, depths_mm: np.ndarray, order: int) -> np.ndarray:
-    """Force of the sphere at each depth; both halves."""
+def forces_n(mesh: Any, depths_mm: np.ndarray, order: int, halves: int) -> np.ndarray:
+    """Force of the sphere at each depth, of all halves of the body."""
     ng: Any = import_module("ngsolve")
     mu, lam = E_MPA / 2 / (1 + NU), E_MPA * NU / (1 + NU) / (1 - 2 * NU)
     stiff = mesh.MaterialCF({"magnet": STIFFER}, default=1.0)
-    space = ng.VectorH1(mesh, order=order, dirichlet="held", dirichlety="cut") * ng.H1(
+    space = ng.VectorH1(mesh, order=order, dirichlet="held", dirichlety="cut" if halves == 2 else "") * ng.H1(
         mesh, order=order - 1
     )
     (u, p), (v, q) = space.TnT()
@@ -166,7 +338,7 @@ def forces_n(mesh: Any, depths_mm: np.ndarray, order: int) -> np.ndarray:
         nnls(lower.T, np.linalg.solve(lower, depth * upright - lifted), maxiter=20000)[0]
         for depth in depths_mm
     ]
-    return np.array([2 * one @ upright for one in pressures])
+    return np.array([halves * one @ upright for one in pressures])
 
 
 def space_vector(ng: Any, space: Any) -> Any:
@@ -178,7 +350,7 @@ def main() -> None:
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("kind", choices=tuple(PLACES_MM))
-    parser.add_argument("x_mm", type=float, nargs="?", help="left out: three places")
+    parser.add_argument("xy_mm", type=float, nargs="*", help="left out: over, on the rim, beside")
     parser.add_argument("--edge", type=float, default=0.35, help="under the tip, mm")
     parser.add_argument("--order", type=int, default=2, help="of displacements")
     options = parser.parse_args()
@@ -186,11 +358,11 @@ def main() -> None:
         import_module("ngsolve").SetNumThreads(1)
     except ImportError:
         parser.exit(2, "NGSolve is not installed: pip install ngsolve\n")
-    depths = np.array([0.5, 1.0, 2.0])
-    for x in PLACES_MM[options.kind] if options.x_mm is None else (options.x_mm,):
-        found = forces_n(mesh_of(options.kind, x, options.edge), depths, options.order)
+    depths, halves = np.array([0.5, 1.0, 2.0]), 2 - is_whole(options.kind)
+    for x, y in [options.xy_mm] if options.xy_mm else PLACES_MM[options.kind]:
+        found = forces_n(mesh_of(options.kind, x, y, options.edge), depths, options.order, halves)
         told = ", ".join(f"{d:g} mm: {f:.3f} N" for d, f in zip(depths, found, strict=True))
-        print(f"{options.kind} at x = {x:g} mm: {told}", flush=True)
+        print(f"{options.kind} at ({x:g}, {y:g}) mm: {told}", flush=True)
 
 
 if __name__ == "__main__":

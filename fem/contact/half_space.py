@@ -22,9 +22,11 @@ import numpy as np
 from jaxtyping import Float, Int
 from scipy.special import i0e, i1e
 
-SQUARE_OWN, HAT_OWN = 0.9505, 0.983
-"""Own compliance over that of the Gaussian: squares so that a uniform pressure over many of them is
-right, hat functions so that a pressure over two to three edges is (alone a hat function has 0.9614)."""
+SQUARE_OWN, HAT_OWN = 0.9505, 0.9913
+"""Own compliance over that of the Gaussian. Squares: so that a uniform pressure over many of them is right.
+Hat functions: so that waves of six edges are, as under a contact three edges wide, by a sum over the
+reciprocal lattice of an equilateral triangulation; R 5 mm at 1 to 2 mm on edges of 1.7 mm is as wide. Alone a
+hat has 0.9615, waves of four edges 0.983, of ten 0.995, a uniform pressure 0.9967: 0.01 is 0.5 % of force."""
 
 
 @dataclass(frozen=True)

@@ -86,7 +86,7 @@ def refined_face(response: ResponseOperator, index: int, spec: ObjectSpec) -> Re
     wide = np.asarray(response.compliance[loads, loads]) - cells_compliance(hats, spec)
     frame, around = face_frame(spec, surface.number), Delaunay(surface.xy_mm)
     without = response.magnet_loads.start == len(response.compliance)
-    bases = () if without else rigid_bases(spec, frame, surface)
+    bases = () if without else rigid_bases(spec, frame, surface, hats)
     return RefinedFace(frame, surface, index, hats, wide, hat_narrowing(surface), around, bases)
 
 

@@ -105,7 +105,7 @@ def _surface(
     unused = np.zeros((0, 0))
     hats = hat_patches(surface)
     narrowing = hat_narrowing(surface)
-    around, bases = Delaunay(surface.xy_mm), rigid_bases(spec, frame, surface)
+    around, bases = Delaunay(surface.xy_mm), rigid_bases(spec, frame, surface, hats)
     face = RefinedFace(frame, surface, frame.number, hats, unused, narrowing, around, bases)
     return face, moments
 
