@@ -28,9 +28,9 @@ BULK_MM, RIM_MM = 3.0, 0.45
 RADIUS_MM, HALF_LENGTH_MM = {"ball": 25.0, "capsule": 22.0}, 16.0
 """Radii of the round bodies; half the straight part of the capsule."""
 PEAR = Path(__file__).parents[1] / "examples" / "bodies" / "pear.stl"
-PEAR_SIDE_MM, PEAR_REACH_MM, MID_MM = 16.0, 17.0, 2.5
-"""How far the pear is kept beside its face's middle, across and along; depth of magnets' mid-planes."""
-AZIMUTH_MM, AZIMUTHS = 24.0, np.radians(np.linspace(-80, 80, 41))
+PEAR_REACH_MM, MID_MM = 20.0, 2.5
+"""How far the pear is kept along its axis, both ways; depth of magnets' mid-planes."""
+AZIMUTH_MM, AZIMUTHS = 24.0, np.radians(np.linspace(-88, 88, 45))
 HEIGHTS_MM = np.linspace(-24, 24, 49)
 """Splines of the pear: a radius by which azimuths become lengths, and the grid."""
 TOUCHING_MM = 0.1
@@ -86,12 +86,13 @@ PLACES_MM = {
 @dataclass(frozen=True)
 class Body:
     """Silicone and magnets with the place pressed at the origin, z outward; a point's distances from the
-    outer and the core's surface (negative inside)."""
+    outer and the core's surface (negative inside); heights of the surface by (x, y) where they are not z."""
 
     shell: Any
     magnets: list[Any]
     outside_mm: Any
     core_mm: Any
+    height_mm: Any = None
 
 
 def flat_body(face: Flat, x_mm: float, y_mm: float) -> Body:
@@ -196,16 +197,21 @@ class Polar:
 
 
 def pear_body(x_mm: float) -> Body:
-    """Half of the pear's side +x, cut at y = 0; its core lies 8 mm below the surface."""
+    """Half of the pear's side +x, cut at y = 0; its core lies 8 mm below the surface.
+
+    Elastic on the smooth surface, pressed on the file's triangles, up to 0.03 mm below it.
+    """
     occ: Any = import_module("netgen.occ")
-    content = np.frombuffer(PEAR.read_bytes()[84:], np.dtype([("n", "<3f4"), ("v", "<9f4"), ("a", "<u2")]))
-    vertices = np.unique(content["v"].reshape(-1, 3).astype(float), axis=0)
-    outer = Polar(vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2)
+    content = np.frombuffer(
+        PEAR.read_bytes()[84:], np.dtype([("n", "<3f4"), ("v", "<9f4"), ("a", "<u2")])
+    )
+    corners = content["v"].reshape(-1, 3).astype(float)
+    corners -= (corners.min(axis=0) + corners.max(axis=0)) / 2
+    outer = Polar(np.unique(corners.round(6), axis=0))
     grid = (g.ravel() for g in np.meshgrid(AZIMUTHS, HEIGHTS_MM, indexing="ij"))
     points, normals = outer.points_and_normals(*grid)
     core = Polar(points - SHELL_MM * normals)
-    a, b, c = -10.0, PEAR_SIDE_MM, PEAR_REACH_MM
-    half = occ.Box(occ.Pnt(a, 0, -c), occ.Pnt(60, b, c))
+    half = occ.Box(occ.Pnt(2, 0, -PEAR_REACH_MM), occ.Pnt(60, 60, PEAR_REACH_MM))
     shell = outer.solid() * half - core.solid()
 
     def on_profile(z: float) -> tuple[Any, Any]:
@@ -230,6 +236,14 @@ def pear_body(x_mm: float) -> Body:
     def object_mm(x: Any, y: Any, z: Any) -> Any:
         return place + np.column_stack([x, y, z]) @ back
 
+    triangles = ((corners - place) @ back.T).reshape(-1, 3, 3)
+    triangles = triangles[
+        (abs(triangles[..., :2]) < 2 * TIP_MM).all((1, 2)) & (triangles[..., 2] > -TIP_MM).all(1)
+    ]
+
+    def height_mm(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        return heights_mm(triangles, x, y) - heights_mm(triangles, np.zeros(1), np.zeros(1))
+
     def moved(shape: Any) -> Any:
         return shape.Move(occ.Vec(*(-place).tolist())).Rotate(turn, angle)
 
@@ -238,11 +252,24 @@ def pear_body(x_mm: float) -> Body:
         [moved(m) for m in magnets],
         lambda x, y, z: outer.beyond_mm(object_mm(x, y, z)),
         lambda x, y, z: core.beyond_mm(object_mm(x, y, z)),
+        height_mm,
     )
 
 
-def mesh_of(kind: str, x_mm: float, y_mm: float, edge_mm: float) -> Any:
-    """Curved mesh with the place pressed at the origin; boundaries named top, held, cut."""
+def heights_mm(triangles_mm: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Greatest z of triangles (n, corner, 3) at places."""
+    a, b, c = (triangles_mm[:, k] for k in range(3))
+    turn = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+    dx, dy = x[:, None] - a[:, 0], y[:, None] - a[:, 1]
+    second = (dx * (c - a)[:, 1] - dy * (c - a)[:, 0]) / turn
+    third = (dy * (b - a)[:, 0] - dx * (b - a)[:, 1]) / turn
+    inside = (second > -1e-9) & (third > -1e-9) & (second + third < 1 + 1e-9)
+    z = a[:, 2] + second * (b - a)[:, 2] + third * (c - a)[:, 2]
+    return np.where(inside, z, -np.inf).max(axis=1)
+
+
+def mesh_of(kind: str, x_mm: float, y_mm: float, edge_mm: float) -> tuple[Any, Any]:
+    """Curved mesh with the place pressed at the origin, boundaries named top, held, cut; its heights."""
     occ: Any = import_module("netgen.occ")
     netgen: Any = import_module("netgen.meshing")
     if kind in FLAT:
@@ -271,7 +298,7 @@ def mesh_of(kind: str, x_mm: float, y_mm: float, edge_mm: float) -> Any:
         mesh.SetBCName(index - 1, _name(body, is_whole(kind), points[vertices]))
     curved = import_module("ngsolve").Mesh(mesh)
     curved.Curve(3)
-    return curved
+    return curved, body.height_mm
 
 
 def is_whole(kind: str) -> bool:
@@ -289,14 +316,16 @@ def _name(body: Body, whole: bool, points: np.ndarray) -> str:
     return "held" if abs(body.core_mm(x, y, z)).max() < TOUCHING_MM else "free"
 
 
-def forces_n(mesh: Any, depths_mm: np.ndarray, order: int, halves: int) -> np.ndarray:
+def forces_n(
+    mesh: Any, height_mm: Any, depths_mm: np.ndarray, order: int, halves: int
+) -> np.ndarray:
     """Force of the sphere at each depth, of all halves of the body."""
     ng: Any = import_module("ngsolve")
     mu, lam = E_MPA / 2 / (1 + NU), E_MPA * NU / (1 + NU) / (1 - 2 * NU)
     stiff = mesh.MaterialCF({"magnet": STIFFER}, default=1.0)
-    space = ng.VectorH1(mesh, order=order, dirichlet="held", dirichlety="cut" if halves == 2 else "") * ng.H1(
-        mesh, order=order - 1
-    )
+    space = ng.VectorH1(
+        mesh, order=order, dirichlet="held", dirichlety="cut" if halves == 2 else ""
+    ) * ng.H1(mesh, order=order - 1)
     (u, p), (v, q) = space.TnT()
     strain = ng.InnerProduct(ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v)))
     matrix = ng.BilinearForm(space, symmetric=True)
@@ -329,9 +358,13 @@ def forces_n(mesh: Any, depths_mm: np.ndarray, order: int, halves: int) -> np.nd
         form += value * test * ng.ds("top", bonus_intorder=6)
         return form.Assemble().vec.FV().NumPy()[chosen].copy()
 
+    surface = ng.z
+    if height_mm is not None:
+        surface = ng.GridFunction(hats)
+        surface.vec.FV().NumPy()[chosen] = height_mm(*points[chosen, :2].T)
     # along the surface's normal a gap along z is shorter by the normal's z
     square = TIP_MM**2 - ng.x**2 - ng.y**2
-    gap = TIP_MM - ng.sqrt(ng.IfPos(square, square, 0)) - ng.z
+    gap = TIP_MM - ng.sqrt(ng.IfPos(square, square, 0)) - surface
     upright, lifted = moments(normal[2]), moments(gap * normal[2])
     lower = np.linalg.cholesky((compliance + compliance.T) / 2)
     pressures = [
@@ -360,7 +393,8 @@ def main() -> None:
         parser.exit(2, "NGSolve is not installed: pip install ngsolve\n")
     depths, halves = np.array([0.5, 1.0, 2.0]), 2 - is_whole(options.kind)
     for x, y in [options.xy_mm] if options.xy_mm else PLACES_MM[options.kind]:
-        found = forces_n(mesh_of(options.kind, x, y, options.edge), depths, options.order, halves)
+        made = mesh_of(options.kind, x, y, options.edge)
+        found = forces_n(*made, depths, options.order, halves)
         told = ", ".join(f"{d:g} mm: {f:.3f} N" for d, f in zip(depths, found, strict=True))
         print(f"{options.kind} at ({x:g}, {y:g}) mm: {told}", flush=True)
 

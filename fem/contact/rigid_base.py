@@ -82,10 +82,10 @@ def widening_mm2(depth_mm: float, edge_mm: float, poisson_ratio: float) -> float
     wavenumber = np.pi / edge_mm
     alpha, kappa = wavenumber * depth_mm, 3 - 4 * poisson_ratio
     damped = np.exp(-2 * alpha)
-    # 1 − L, both parts times e^(−2α): without a difference of nearly equal numbers
-    kept = damped * (2 * kappa * damped + kappa**2 + (1 + 2 * alpha) ** 2)
+    # 1 − L times e^(2α), without a difference of nearly equal numbers or an underflow
+    kept = 2 * kappa * damped + kappa**2 + (1 + 2 * alpha) ** 2
     whole = kappa * (1 + damped**2) + (kappa**2 + 1 + 4 * alpha**2) * damped
-    return float(np.log(whole / kept) / wavenumber**2)
+    return float((2 * alpha + np.log(whole / kept)) / wavenumber**2)
 
 
 @functools.lru_cache(maxsize=32)

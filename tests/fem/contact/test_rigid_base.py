@@ -10,13 +10,17 @@ from design.layout.body import face_frame
 from design.layout.places.positions import shell_covers_mm
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import Patches, normal_compliance
-from fem.contact.rigid_base import rigid_bases
+from fem.contact.rigid_base import rigid_bases, widening_mm2
 from fem.linear.response import FaceSurface
 
 SPEC = ObjectSpec.model_validate({"name": "one", "magnets": {"positions_mm": [[0.0, 0.0]]}})
 CORNERS_MM = 20 * np.array([[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]])
 SURFACE = FaceSurface(1, CORNERS_MM, np.array([[0, 1, 2]]))
-(BASE,) = rigid_bases(SPEC, face_frame(SPEC, 1), SURFACE)
+EDGE_MM = 1.7
+HATS = Patches(np.ones(3), CORNERS_MM, np.full(3, EDGE_MM**2 / 8), 1.0)
+"""Of an equilateral triangulation."""
+
+(BASE,) = rigid_bases(SPEC, face_frame(SPEC, 1), SURFACE, HATS)
 E_MPA, NU = BASE.elastic
 
 
@@ -37,15 +41,23 @@ def on_a_layer(distance_mm, variance_mm2, depth_mm):
     return (1 - NU**2) / (np.pi * E_MPA) * quad(integrand, 0, 12, limit=200)[0]
 
 
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.4999])
+@pytest.mark.parametrize("depth_mm", [0.5, 2.0, 4.0])
+def test_the_share_taken_back_is_exact_for_waves_of_two_edges(depth_mm, nu):
+    k = np.pi / EDGE_MM
+    share = np.exp(-widening_mm2(depth_mm, EDGE_MM, nu) * k**2)
+    assert_allclose(share, 1 - layer_share(k * depth_mm, nu), rtol=1e-6)
+
+
 @pytest.mark.parametrize("depth_mm", [1.0, 2.0, 4.0])
-def test_what_is_left_is_a_bonded_layer_to_within_a_twelfth_of_the_half_space(depth_mm):
-    """The fitted width is smaller than that of a layer without end; both ends are exact."""
+def test_what_is_left_is_a_bonded_layer_within_a_share_of_the_half_space(depth_mm):
+    """Longer waves, which finite elements answer, are not exact: 4 % of the half-space's own is left."""
     at = np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]])
     patches = Patches(np.ones(4), at, np.full(4, 0.1), 1.0)
     half_space = normal_compliance(patches, patches, E_MPA, NU)
     left = half_space - BASE.taken_back(patches, depth_mm)
     exact = [on_a_layer(x, 0.1, depth_mm) for x in at[:, 0]]
-    assert_allclose(left[0], exact, atol=half_space[0, 0] / 12)
+    assert_allclose(left[0], exact, atol=half_space[0, 0] / 25)
     assert (np.linalg.eigvalsh(left) > 0).all()
 
 
@@ -53,7 +65,7 @@ def test_far_below_nothing_is_taken_back_and_at_the_surface_all():
     patches = Patches(np.ones(2), np.array([[0.0, 0.0], [0.5, 0.0]]), np.full(2, 0.1), 1.0)
     half_space = normal_compliance(patches, patches, E_MPA, NU)
     assert_allclose(BASE.taken_back(patches, 1e-3), half_space, rtol=1e-4)
-    assert (BASE.taken_back(patches, 1e3) < 1e-2 * half_space).all()
+    assert (BASE.taken_back(patches, 1e4) < 1e-2 * half_space).all()
 
 
 def test_a_magnet_counts_over_it_and_not_far_beside():
@@ -69,4 +81,4 @@ def test_a_magnet_counts_over_it_and_not_far_beside():
 
 def test_points_have_no_base():
     spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets="points"))
-    assert rigid_bases(spec, face_frame(spec, 1), SURFACE) == ()
+    assert rigid_bases(spec, face_frame(spec, 1), SURFACE, HATS) == ()
