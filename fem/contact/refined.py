@@ -66,13 +66,14 @@ class RefinedFace:
 class Spread:
     """Cells of unit pressure on one face, and the pressures of hats that stand for them.
 
-    `patches` lie on the face. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is
+    `patches` lie on the face, `in_plane` are the same in the plane that touches it. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is
     the face's own over the plane that touches it where the indenter lands, `cosine` that of how it
     leans there; both are NaN beside the patch.
     """
 
     face: RefinedFace
     patches: Patches
+    in_plane: Patches
     rows: Int[np.ndarray, "row"]
     matrix: Float[np.ndarray, "row cell"]
     height_mm: Float[np.ndarray, "cell"]
@@ -118,7 +119,7 @@ def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray
         height = height + np.sum(share * face.surface.height_mm[vertices], axis=1)
     beside = np.column_stack([patches.centre_mm, np.full(len(vertices), _FAR_MM)])
     lying = replace(patches, area_mm2=area, centre_mm=np.where(missed[:, None], beside, on_face))
-    return Spread(face, lying, rows, matrix, height, cosine)
+    return Spread(face, lying, patches, rows, matrix, height, cosine)
 
 
 def _narrowed(
@@ -175,9 +176,10 @@ def take_back(wide: Float[np.ndarray, "cell cell"], spread: Spread, base: RigidB
     (used,) = np.nonzero(matrix.any(axis=1))
     matrix = matrix[used]
     hats = base.taken_back(chosen(spread.face.hats, spread.rows[used]), depth)
-    near = base.taken_back_wherever(spread.patches, depth).take(cells, axis=0).take(cells, axis=1)
-    shared = near * np.multiply.outer(weight[cells], weight[cells])
-    wide[np.ix_(cells, cells)] += matrix.T @ hats @ matrix - shared
+    near = base.taken_back_wherever(spread.in_plane, depth).take(cells, axis=0).take(cells, axis=1)
+    # areas on the face are larger than in the plane, as in `place_compliance`
+    share = weight[cells] * spread.patches.area_mm2[cells] / spread.in_plane.area_mm2[cells]
+    wide[np.ix_(cells, cells)] += matrix.T @ hats @ matrix - near * np.multiply.outer(share, share)
 
 
 def place_compliance(

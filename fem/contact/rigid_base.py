@@ -71,7 +71,7 @@ class RigidBase:
     def taken_back_wherever(
         self, patches: Patches, depth_mm: float
     ) -> Float[np.ndarray, "patch patch"]:
-        """The same, kept: on a flat face an indenter's cells are the same at every place. Read-only."""
+        """The same, kept: in its plane an indenter's cells are the same at every place. Read-only."""
         away = patches.centre_mm - patches.centre_mm[0]
         pattern = np.column_stack([away, patches.area_mm2, patches.variance_mm2]).round(9)
         return _of_pattern(self.elastic, pattern.tobytes(), len(pattern), depth_mm, self.edge_mm)

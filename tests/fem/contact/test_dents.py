@@ -47,10 +47,12 @@ def over_a_dent(small_response):
 def test_a_sphere_in_a_dish_meets_more_silicone_than_on_a_plane(over_a_dent):
     """The hollow's curvature is taken off the tip's: stiffer in the dish, and the more the deeper.
 
-    In a dish of 0.3 mm by 0.7 % at the first depth: the magnet below leaves curvature little to say.
+    On this mesh's edges of 3.5 mm the dish of 6 mm is a few plane triangles, and a press of 0.5 mm lies in
+    one of them: 0.7 % stiffer in a dish of 0.3 mm; presses of 1 and 2 mm, which reach beyond, 2.6 %.
     """
     flat, shallow, deep = (force[0] for force in over_a_dent)
-    assert (shallow > 1.005 * flat).all()
+    assert shallow[0] > 1.005 * flat[0]
+    assert (shallow[1:] > 1.02 * flat[1:]).all()
     assert (deep > 1.01 * shallow).all()
     assert deep[0] < flat[0] / np.sqrt(1 - 5 * 2 * 0.6 / 9), "at most Hertz's"
 

@@ -9,7 +9,7 @@ from scipy.special import j0
 from design.layout.body import face_frame
 from design.layout.places.positions import shell_covers_mm
 from design.spec.object import ObjectSpec
-from fem.contact.half_space import Patches, normal_compliance
+from fem.contact.half_space import HAT_OWN, Patches, normal_compliance
 from fem.contact.rigid_base import rigid_bases, widening_mm2
 from fem.linear.response import FaceSurface
 
@@ -82,3 +82,19 @@ def test_a_magnet_counts_over_it_and_not_far_beside():
 def test_points_have_no_base():
     spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets="points"))
     assert rigid_bases(spec, face_frame(spec, 1), SURFACE, HATS) == ()
+
+
+def test_the_factor_of_hats_is_that_of_waves_of_six_edges():
+    """Sums over the reciprocal lattice: a hat's transform is A Π sinc(k·d/2) over the three edges d."""
+    edges = np.array([[1.0, 0.0], [0.5, np.sqrt(3) / 2], [-0.5, np.sqrt(3) / 2]])
+    area, variance = np.sqrt(3) / 2, 1 / 8
+    lattice = np.stack(np.meshgrid(*[np.arange(-40, 41)] * 2), axis=-1).reshape(-1, 2)
+    k = 2 * np.pi * lattice @ np.linalg.inv(edges[:2]).T + [2 * np.pi / 6, 0.0]
+    hats = area**2 * np.prod(np.sinc(k @ edges.T / (2 * np.pi)) ** 2, axis=1)
+    wave = np.linalg.norm(k, axis=1)
+    gaussians = area**2 * np.exp(-variance * wave**2)
+    # per hat, over what a Gaussian does to itself; both times the half-space's 2π/k
+    own = area**2 * np.sqrt(np.pi / 2 / (2 * variance))
+    assert_allclose(
+        1 + np.sum((hats - gaussians) * 2 * np.pi / wave) / area / own, HAT_OWN, atol=5e-4
+    )
