@@ -28,11 +28,11 @@ BULK_MM, RIM_MM = 3.0, 0.45
 RADIUS_MM, HALF_LENGTH_MM = {"ball": 25.0, "capsule": 22.0}, 16.0
 """Radii of the round bodies; half the straight part of the capsule."""
 PEAR = Path(__file__).parents[1] / "examples" / "bodies" / "pear.stl"
-PEAR_REACH_MM, MID_MM = 20.0, 2.5
-"""How far the pear is kept along its axis, both ways; depth of magnets' mid-planes."""
-AZIMUTH_MM, AZIMUTHS = 24.0, np.radians(np.linspace(-88, 88, 45))
-HEIGHTS_MM = np.linspace(-24, 24, 49)
-"""Splines of the pear: a radius by which azimuths become lengths, and the grid."""
+MID_MM = 2.5
+"""Depth of magnets' mid-planes."""
+AZIMUTHS = np.radians(np.linspace(-89, 89, 60))
+ELEVATIONS = np.radians(np.linspace(-86, 86, 58))
+"""Grid of the pear's splines."""
 TOUCHING_MM = 0.1
 
 
@@ -161,39 +161,47 @@ def round_body(kind: str, x_mm: float) -> Body:
     return Body(shell.Move(move), magnets, outside, core)
 
 
-class Polar:
-    """Radius about z over azimuth and z, as a cubic spline through scattered points of a surface."""
+class Star:
+    """Distance from the origin over azimuth and elevation, as a spline through points of a surface."""
 
     def __init__(self, points_mm: np.ndarray):
-        x, y, z = points_mm.T
-        at = np.column_stack([AZIMUTH_MM * np.arctan2(y, x), z])
-        near = abs(at[:, 0]) < AZIMUTH_MM * 2.2
-        scattered = RBFInterpolator(at[near], np.hypot(x, y)[near], neighbors=40)
-        grid = np.stack(np.meshgrid(AZIMUTH_MM * AZIMUTHS, HEIGHTS_MM, indexing="ij"), axis=-1)
-        radius = scattered(grid.reshape(-1, 2)).reshape(grid.shape[:2])
-        self.radius_mm = RectBivariateSpline(AZIMUTHS, HEIGHTS_MM, radius)
+        distance = np.linalg.norm(points_mm, axis=1)
+        scattered = RBFInterpolator(points_mm / distance[:, None], distance, neighbors=40)
+        self.grid = np.meshgrid(AZIMUTHS, ELEVATIONS, indexing="ij")
+        found = scattered(directions(*self.grid).reshape(-1, 3)).reshape(self.grid[0].shape)
+        self.distance_mm = RectBivariateSpline(AZIMUTHS, ELEVATIONS, found)
 
     def beyond_mm(self, points_mm: np.ndarray) -> np.ndarray:
-        """How much farther from z points lie than the surface."""
+        """How much farther from the origin points lie than the surface."""
         x, y, z = points_mm.T
-        return np.hypot(x, y) - self.radius_mm.ev(np.arctan2(y, x), z)
+        radius = np.linalg.norm(points_mm, axis=1)
+        return radius - self.distance_mm.ev(np.arctan2(y, x), np.arcsin(z / radius))
 
-    def points_and_normals(self, azimuth: np.ndarray, z: np.ndarray) -> tuple[Any, Any]:
-        """Points of the surface and outward normals; normal is the gradient of `beyond_mm`."""
-        radius = self.radius_mm.ev(azimuth, z)
-        turn, rise = (self.radius_mm.ev(azimuth, z, **{d: 1}) for d in ("dx", "dy"))
-        cosine, sine = np.cos(azimuth), np.sin(azimuth)
-        slope = turn / radius
-        normal = np.stack([cosine + slope * sine, sine - slope * cosine, -rise], axis=-1)
+    def points_and_normals(self, azimuth: np.ndarray, elevation: np.ndarray) -> tuple[Any, Any]:
+        """Points of the surface and outward normals, by differences."""
+
+        def points(azimuth: np.ndarray, elevation: np.ndarray) -> np.ndarray:
+            distance = self.distance_mm.ev(azimuth, elevation)
+            return distance[..., None] * directions(azimuth, elevation)
+
+        step = 1e-5
+        along = points(azimuth + step, elevation) - points(azimuth - step, elevation)
+        up = points(azimuth, elevation + step) - points(azimuth, elevation - step)
+        normal = np.cross(along, up)
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-        return np.stack([radius * cosine, radius * sine, z], axis=-1), normal
+        return points(azimuth, elevation), normal
 
     def solid(self) -> Any:
         """What lies inside the surface on the side +x."""
         occ: Any = import_module("netgen.occ")
-        grid = np.meshgrid(AZIMUTHS, HEIGHTS_MM, indexing="ij")
-        face = occ.SplineSurfaceInterpolation(self.points_and_normals(*grid)[0])
+        face = occ.SplineSurfaceInterpolation(self.points_and_normals(*self.grid)[0])
         return face.Extrude(occ.Vec(-60, 0, 0))
+
+
+def directions(azimuth: np.ndarray, elevation: np.ndarray) -> np.ndarray:
+    """Unit vectors."""
+    flat = np.cos(elevation)
+    return np.stack([flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)], axis=-1)
 
 
 def pear_body(x_mm: float) -> Body:
@@ -207,26 +215,26 @@ def pear_body(x_mm: float) -> Body:
     )
     corners = content["v"].reshape(-1, 3).astype(float)
     corners -= (corners.min(axis=0) + corners.max(axis=0)) / 2
-    outer = Polar(np.unique(corners.round(6), axis=0))
-    grid = (g.ravel() for g in np.meshgrid(AZIMUTHS, HEIGHTS_MM, indexing="ij"))
-    points, normals = outer.points_and_normals(*grid)
-    core = Polar(points - SHELL_MM * normals)
-    half = occ.Box(occ.Pnt(2, 0, -PEAR_REACH_MM), occ.Pnt(60, 60, PEAR_REACH_MM))
+    outer = Star(np.unique(corners.round(6), axis=0))
+    points, normals = (found.reshape(-1, 3) for found in outer.points_and_normals(*outer.grid))
+    core = Star(points - SHELL_MM * normals)
+    half = occ.Box(occ.Pnt(3, 0, -60), occ.Pnt(60, 60, 60))
     shell = outer.solid() * half - core.solid()
+    elevations = np.linspace(-0.7, 0.7, 4001)
+    profile, leans = outer.points_and_normals(np.zeros(4001), elevations)
 
     def on_profile(z: float) -> tuple[Any, Any]:
-        found = outer.points_and_normals(np.zeros(1), np.array([z]))
-        return found[0][0], found[1][0]
+        at = int(np.argmin(abs(profile[:, 2] - z)))
+        return profile[at], leans[at]
 
     # the face's x is -z; lengths along the profile count from z = 0
-    profile = outer.points_and_normals(np.zeros(2001), np.linspace(10, -10, 2001))[0]
     length = np.append(0, np.cumsum(np.linalg.norm(np.diff(profile, axis=0), axis=1)))
-    place, normal = on_profile(float(np.interp(x_mm + length[1000], length, profile[:, 2])))
+    middle = float(np.interp(0.0, profile[:, 2], length))
+    place, normal = on_profile(float(np.interp(middle - x_mm, length, profile[:, 2])))
     magnets = []
     for x in (0.0, 8.5, -8.5):
         point, axis = on_profile(-x)
-        middle = point - MID_MM * axis
-        low = occ.Pnt(*(middle - axis / 2).tolist())
+        low = occ.Pnt(*(point - (MID_MM + 0.5) * axis).tolist())
         magnets.append(occ.Cylinder(low, occ.Vec(*axis.tolist()), 3, 1) * half)
     turn = occ.Axis(occ.Pnt(0, 0, 0), occ.Y)
     # the place's normal becomes z: a turn about y by minus its angle from z

@@ -66,9 +66,9 @@ class RefinedFace:
 class Spread:
     """Cells of unit pressure on one face, and the pressures of hats that stand for them.
 
-    `patches` lie on the face, `in_plane` are the same in the plane that touches it. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is
-    the face's own over the plane that touches it where the indenter lands, `cosine` that of how it
-    leans there; both are NaN beside the patch.
+    `patches` lie on the face, `in_plane` are the same in the plane that touches it where the indenter
+    lands. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is the face's own over that
+    plane, `cosine` that of how it leans there; both are NaN beside the patch.
     """
 
     face: RefinedFace

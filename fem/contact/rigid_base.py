@@ -30,20 +30,21 @@ from fem.linear.response import FaceSurface
 
 _FADES, _REACHES = 1.0, 0.8
 """In depths: width of the fading, and how far outside the rim its middle lies. By forces of NGSolve over
-and beside magnets of Ø 6 mm, 2 mm deep; 0.6 and 0.4 instead change forces by 1 % at 1 mm at most. They hold
-for magnets 1 to 2.5 mm deep that are as wide as they are deep, or wider."""
+and beside magnets of Ø 6 mm, 2 mm deep; 0.6 and 0.4 instead change forces by 1 % at 1 mm at most. They
+were tried on magnets 1 to 2.5 mm deep that are twice as wide as deep, or wider."""
 _HAT_VARIANCE = 1 / 8
 """Of the hat function of an equilateral triangulation, per axis, over its edge squared."""
 LEAST_WEIGHT = 0.02
 """Cells that count less are left out: weights come in products, below 0.04 % of their compliance."""
-_LEAST_DEPTH_MM, _DEPTH_STEP_MM = 0.3, 0.05
-"""Depths are rounded, so that presses over a tilted magnet share what is kept: 0.1 % of force."""
+_LEAST_DEPTH_MM, _DEPTH_STEP_MM, _EDGE_STEP_MM = 0.3, 0.05, 0.1
+"""Depths and edges are rounded, so that presses over a tilted magnet, and magnets, share what is kept: 0.1 %
+of force."""
 
 
 @dataclass(frozen=True)
 class RigidBase:
     """A rigid body in the plane coordinates of its face: centre, axes as columns, outline, height; Young's
-    modulus (MPa) and Poisson's ratio of the silicone over it, and edges of the face's triangles."""
+    modulus (MPa) and Poisson's ratio of the silicone over it, and edges of the triangles there."""
 
     centre_mm: Float[np.ndarray, "3"]
     axes: Float[np.ndarray, "3 3"]
@@ -108,7 +109,6 @@ def rigid_bases(
     if spec.mechanics.magnets != "rigid":
         return ()
     layout, bases = shell_body_layout(spec), []
-    edge_mm = float(np.sqrt(np.median(hats.variance_mm2) / _HAT_VARIANCE))
     elastic = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
     for i in np.flatnonzero(layout.face == frame.number):
         centre, axes = frame.in_plane(layout.centre_mm[i]), frame.axes.T @ layout.frame[i]
@@ -116,5 +116,14 @@ def rigid_bases(
             from_there = np.linalg.norm(surface.xy_mm - surface.slip_mm - centre[:2], axis=1)
             centre[:2] += surface.slip_mm[np.argmin(from_there)]
         body = layout.bodies[i]
-        bases.append(RigidBase(centre, axes, body.outline, body.height_mm, elastic, edge_mm))
+        base = RigidBase(centre, axes, body.outline, body.height_mm, elastic, 0.0)
+        bases.append(replace(base, edge_mm=_edge_over_mm(base, hats)))
     return tuple(bases)
+
+
+def _edge_over_mm(base: RigidBase, hats: Patches) -> float:
+    """Median edge of the triangles over a body, finer at its rim; rounded as depths are."""
+    weight, _ = base.weights(hats.centre_mm)
+    over = weight >= min(0.5, weight.max())
+    edge = float(np.sqrt(np.median(hats.variance_mm2[over]) / _HAT_VARIANCE))
+    return max(round(edge / _EDGE_STEP_MM), 1) * _EDGE_STEP_MM

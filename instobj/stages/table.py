@@ -167,7 +167,7 @@ STAGES: dict[str, Stage] = {
             *("search.forces_n", "search.baseline", "search.compliance_mm_per_n", "search.task"),
         ),
         make_second_fidelity,
-        version=4,
+        version=5,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",

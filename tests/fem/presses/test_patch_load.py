@@ -19,8 +19,8 @@ from tests.support.mechanics.block_cases import (
 def test_a_disk_of_pressure_sinks_as_on_the_half_space(edge_mm, cells, within):
     """Mean displacement 16 p a/(3π E*) (Johnson, Contact Mechanics, 3.4), by block size 2 e₂ − e₁.
 
-    The factor of hats is that of waves of six edges: a disk of two edges, whose pressure ends in a step,
-    answers 2.3 % too stiffly, of four edges 0.4 %. With a single hat's own factor, 0.9615, it is 1.2 and
+    The factor of hats is that of waves of five edges: a disk of two edges, whose pressure ends in a step,
+    answers 2.2 % too stiffly, of four edges 0.4 %. With a single hat's own factor, 0.9615, it is 1.2 and
     0.3 %, but forces of a sphere over magnets are 1 to 2.5 % smaller at 1 mm.
     """
     nu, radius, pressure = 0.4999, 2.0, 0.01
