@@ -54,6 +54,8 @@ if TYPE_CHECKING:
     import trimesh
 
 CEILING_MM2 = 100.0
+PEEL_SHARE = 0.33
+"""Of the elongation at break that peeling out of a mould may take: a third, an estimate."""
 NEAR_MM = 0.15
 """Of the silicone's surface, within which a face touches it: triangles of both leave theirs by less."""
 OPEN_MM3 = 1e-3
@@ -157,7 +159,7 @@ def _draw(
     found = [_undercut(spec, draw, mesh, shell)]
     draft = least_draft_deg(mesh, draw.pull, against)
     if draft is not None:
-        limit = spec.printer.draft_deg
+        limit = spec.printer.process_figures.draft_deg
         found.append(
             Finding(
                 "draft",
@@ -201,7 +203,7 @@ def _undercut(
     found = undercut(mesh, draw.pull, _wetted(mesh, silicone))
     strain = found.depth_mm / spec.shell.thickness_mm
     room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
-    allowed = spec.silicone.peel_share * spec.silicone.elongation_percent / 100
+    allowed = PEEL_SHARE * spec.silicone.elongation_percent / 100
     if not found.depth_mm:
         status, text = "pass", "no undercut along the pull"
     elif found.depth_mm > room:

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
 from design.errors import InputError
 from estimator.frames.dataset import FrameSet
-from estimator.frames.face_data import FaceData, channel_counts, face_data, with_history
+from estimator.frames.face_data import (
+    FaceData,
+    channel_counts,
+    face_data,
+    live_channels,
+    with_history,
+)
 from estimator.frames.splits import Split
 from estimator.metrics.heatmaps import FaceMetrics, face_metrics, force_reference
-from estimator.networks.face_model import FaceModel, predict, predict_heatmaps, read_counts
-from estimator.networks.linear import fit_linear
+from estimator.networks.face_model import FaceModel, predict, predict_heatmaps
 from estimator.networks.prediction import ContactReadings, Prediction
-from estimator.networks.training.data import with_contacts
-from estimator.recordings.reading import Recording
+from estimator.networks.training.data import thinned, with_contacts
+
+RIDGE = 1e-3
+"""Penalty of ridge regression, a share of the mean square of its inputs."""
 
 
 @dataclass(frozen=True)
@@ -32,20 +38,6 @@ class IntervalReport:
     median_position_radius_mm: float
     calibration_presses: int
     tested_presses: int
-
-
-@dataclass(frozen=True)
-class RestOffsetBaseline:
-    """How well the contact case is guessed from the raw rest level alone, before any press.
-
-    Nearest case mean over the training presses, judged on the test presses. Whatever an estimator
-    scores on location must be read beside this: sessions, and with them places, have their own
-    rest levels. `chance` is 1 over the number of cases.
-    """
-
-    accuracy: float
-    chance: float
-    presses: int
 
 
 def evaluate_face(
@@ -123,10 +115,30 @@ def interval_errors(
 
 def linear_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
     """Linear (ridge) regression from signals in units of σ to the heatmap."""
-    member, channels = fit_linear(frames.select(split.train), frames.select(split.validation), face)
-    data = face_data(frames.select(split.test), face)
-    found = read_counts(member, channel_counts(data.frames, channels))
-    return _metrics(data, found.heatmap_n[:, -1], frames)
+    known, held_out = (
+        thinned(with_contacts(face_data(frames.select(part), face), name), 1)
+        for part, name in ((split.train, "training"), (split.validation, "validation"))
+    )
+    alive = live_channels(held_out)
+    channels = tuple(channel for channel in live_channels(known) if channel in alive)
+    tested = face_data(frames.select(split.test), face)
+    sigma = frames.noise_counts[[axis for *_, axis in channels]]
+    given, asked = (
+        np.column_stack([channel_counts(data.frames, channels) / sigma, np.ones(len(data))])
+        for data in (known, tested)
+    )
+    weights = ridge_weights(given, known.heatmap_n.reshape(len(known), -1))
+    return _metrics(tested, (asked @ weights).reshape(tested.heatmap_n.shape), frames)
+
+
+def ridge_weights(
+    given: Float[np.ndarray, "frame input"], wanted: Float[np.ndarray, "frame output"]
+) -> Float[np.ndarray, "input output"]:
+    """Weights of ridge regression in closed form."""
+    # (XᵀX + λ I) W = XᵀY; λ is a thousandth of the mean of XᵀX's diagonal, whatever the inputs' units.
+    normal = given.T @ given
+    penalty = RIDGE * np.trace(normal) / len(normal) * np.eye(len(normal))
+    return np.linalg.solve(normal + penalty, given.T @ wanted)
 
 
 def mean_map_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
@@ -134,53 +146,6 @@ def mean_map_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
     train, test = (face_data(frames.select(part), face) for part in (split.train, split.test))
     mean = train.heatmap_n[train.contact].mean(axis=0)
     return _metrics(test, np.broadcast_to(mean, test.heatmap_n.shape).copy(), frames)
-
-
-def rest_offset_baseline(
-    recordings: Sequence[Recording], seed: int, train_share: float = 0.6
-) -> RestOffsetBaseline:
-    """Contact case guessed from the raw counts at rest before each press.
-
-    Raises
-    ------
-    InputError
-        Some case has fewer than two presses.
-    """
-    level, case = _rest_levels(recordings)
-    rng = np.random.default_rng(seed)
-    train = np.zeros(len(case), dtype=bool)
-    for name in np.unique(case):
-        members = rng.permutation(np.flatnonzero(case == name))
-        if len(members) < 2:
-            raise InputError(
-                f"contact case {name} has one press; this baseline needs at least two of each. Add "
-                "recordings"
-            )
-        train[members[: min(len(members) - 1, max(1, round(train_share * len(members))))]] = True
-    names = np.unique(case)
-    means = np.array([level[train & (case == name)].mean(axis=0) for name in names])
-    distance = np.linalg.norm(level[~train, None] - means, axis=2)
-    guess = names[distance.argmin(axis=1)]
-    return RestOffsetBaseline(
-        float(np.mean(guess == case[~train])), 1 / len(names), int(np.sum(~train))
-    )
-
-
-def _rest_levels(
-    recordings: Sequence[Recording],
-) -> tuple[Float[np.ndarray, "press channel"], Int[np.ndarray, "press"]]:
-    """Raw rest level of each press with contacts, live channels only, and its contact case."""
-    places = sorted({place for recording in recordings for place in recording.report.places})
-    levels, cases = [], []
-    for recording in recordings:
-        frames = recording.frames
-        for press, level in enumerate(recording.rest_counts):
-            ids = frames.place_id[(frames.press_id == press) & (frames.place_id >= 0)]
-            if len(ids):
-                levels.append(level.ravel())
-                cases.append(places.index(recording.report.places[ids[0]]))
-    level = np.array(levels)
-    return level[:, np.isfinite(level).all(axis=0)], np.array(cases)
 
 
 def _metrics(

@@ -57,7 +57,6 @@ import design.placement.paths
 import design.placement.patterns
 import design.placement.room
 import design.search.faces
-import design.search.places
 import design.solids.booleans
 import design.solids.curved_template
 import design.solids.foreign
@@ -69,7 +68,6 @@ import design.solids.sampled
 import design.spec.body
 import design.spec.learning
 import design.spec.load_cell
-import design.spec.magnets
 import design.spec.object
 import design.spec_io
 import design.wiring.bus_limits
@@ -206,11 +204,6 @@ FIGURES = {
         "_FACING_DEG": 18.0, "_ROUND": 24, "_ALONG_MM": 0.25, "_EXACT_MM": 1e-6,
     },
     design.search.faces: {"_ALIKE": 0.1},
-    design.search.places: {
-        "_ONE": ((1, 0), (0, 1)), "_NONE": ((0, 0), (0, 0)),
-        "_MIRROR": ((-1, 0), (0, 1)), "_MIRROR_TURN": ((1, 0), (0, -1)),
-        "_ON_X0": ((0, 0), (0, 1)), "_ON_X0_TURN": ((1, 0), (0, 0)),
-    },
     design.solids.booleans: {"_FINENESS": (5e-3, 0.1)},
     design.solids.curved_template: {"RIM_MM": 6.0, "NOTCH_MM": 2.0, "_OVER_MM": 1.0, "_ALIKE_MM": 0.05},
     design.solids.foreign: {"_TOLERANCE_MM": 0.03, "_ANGLE_RAD": 0.2, "_LARGEST_MM": 2000.0},
@@ -233,7 +226,6 @@ FIGURES = {
     },
     design.spec.body: {"LONGEST_EDGE_MM": (5.0, 1000.0)},
     design.spec.learning: {
-        "LARGEST_EXACT_HULL_FRAMES": 100,
         "LIMITS_OF_USE": {
             "grasp": {"position_bound_mm": 1.5, "detectable_force_n": 5.0},
             "touch": {"position_bound_mm": 1.0, "detectable_force_n": 1.0},
@@ -241,7 +233,6 @@ FIGURES = {
         },
     },
     design.spec.load_cell: {"PINS_OF_KIND": {"none": 0, "hx711": 2, "analog": 1}},
-    design.spec.magnets: {"MU0_T_MM_PER_A": 1.25663706e-3},
     design.spec.object: {
         "LARGEST_RATIO_WITHOUT_PRESSURE": 0.4999, "LEAST_RATIO_WITH_PRESSURE": 0.01,
         "LARGEST_RATIO_OF_P2": 0.45,

@@ -7,6 +7,7 @@ beside the docstrings and the pages that explain them; who changes one changes t
 import numpy as np
 import pytest
 
+import benchmarks.rig.least_possible
 import estimator.bringup.asking.asked
 import estimator.bringup.asking.held_magnet
 import estimator.bringup.asking.hold_places
@@ -28,12 +29,10 @@ import estimator.calibration.known_travel.places
 import estimator.calibration.known_travel.suspects
 import estimator.calibration.pose_fit
 import estimator.calibration.recorded_presses
-import estimator.calibration.slip_recovery
 import estimator.calibration.twin.digital_twin
 import estimator.calibration.twin.discrepancy
 import estimator.calibration.twin.grasp_twin
 import estimator.calibration.twin.least_known
-import estimator.calibration.twin.least_possible
 import estimator.calibration.twin.like_forces
 import estimator.calibration.twin.pressed_cases
 import estimator.calibration.twin.pressed_places
@@ -43,8 +42,6 @@ import estimator.calibration.validation
 import estimator.deploy.export
 import estimator.deploy.zeroing
 import estimator.evaluation.baselines
-import estimator.evaluation.bayes_optimum
-import estimator.evaluation.false_alarms
 import estimator.field.models
 import estimator.field.sources
 import estimator.frames.collection_recipe
@@ -59,7 +56,6 @@ import estimator.information.cross_face
 import estimator.information.fisher
 import estimator.information.identifiability
 import estimator.information.shear
-import estimator.information.two_contacts
 import estimator.information.weak_areas
 import estimator.inversion.blind_start
 import estimator.inversion.inversion
@@ -78,7 +74,6 @@ import estimator.layouts.near_field
 import estimator.layouts.polish
 import estimator.layouts.presses.basis
 import estimator.layouts.presses.compression
-import estimator.layouts.robustness
 import estimator.layouts.scoring
 import estimator.metrics.contacts
 import estimator.metrics.heatmaps
@@ -114,10 +109,12 @@ import estimator.signals.hall
 import estimator.signals.press_states
 import estimator.signals.surroundings
 import estimator.tolerances.budget
-import estimator.tolerances.localisation_bias
 import estimator.tolerances.result
 import estimator.tolerances.selftest
 import estimator.tolerances.virtual_object
+import studies.paper.bayes_optimum
+import studies.paper.false_alarms
+import studies.paper.slip_recovery
 import studies.recorded.cycle_laws
 import studies.recorded.interface_fits
 import studies.recorded.resting_conventions
@@ -204,7 +201,7 @@ FIGURES = {
         "BOUNDS": [1.5, 3.0, 3.0, 3.0, 3.0, 10.0, 10.0, 10.0], "MOST_CANDIDATES": 500_000,
         "_SPREAD_COUNTS": 300.0,
     },
-    estimator.calibration.slip_recovery: {"_MODEL_ERROR": 0.1},
+    studies.paper.slip_recovery: {"_MODEL_ERROR": 0.1},
     estimator.calibration.twin.digital_twin: {
         "SIZES": (0.02, 0.05, 0.1, 0.2), "LENGTHS_MM": (6.0, 10.0, 16.0),
     },
@@ -213,7 +210,7 @@ FIGURES = {
         "SIZES": (0.02, 0.05, 0.1, 0.2, 0.5, 1.0), "_CLEAR": 25.0,
     },
     estimator.calibration.twin.least_known: {"SHARES": (0.5, 1.0)},
-    estimator.calibration.twin.least_possible: {"_POWER": 0.6},
+    benchmarks.rig.least_possible: {"_POWER": 0.6},
     estimator.calibration.twin.like_forces: {"STEADY_NOISES": 3.0},
     estimator.calibration.twin.pressed_cases: {"LEAST_CASES": 3},
     estimator.calibration.twin.pressed_places: {
@@ -241,10 +238,9 @@ FIGURES = {
         "MOST_FRAMES": 6000,
         "_NEIGHBOURS": 5, "_INTERVAL_PERCENT": (5.0, 95.0),
     },
-    estimator.evaluation.bayes_optimum: {"_ROUNDING_COUNTS": 12**-0.5},
-    estimator.evaluation.false_alarms: {"WANTED_RATE": 0.01},
+    studies.paper.bayes_optimum: {"_ROUNDING_COUNTS": 12**-0.5},
+    studies.paper.false_alarms: {"WANTED_RATE": 0.01},
     estimator.field.models: {"LOWEST_ORDER": 7, "HIGHEST_ORDER": 25, "HIGHEST_CHARGES": 8},
-    estimator.field.sources: {"_WINDING_SHEETS": 8},
     estimator.frames.collection_recipe: {"_PERIOD_SPREAD": 0.05},
     estimator.frames.contact_cases: {
         "GRASP_POSES": (((0.0, 0.0, 0.0), (-7.5, -7.5, 0.0), (7.5, -7.5, 0.0), (-7.5, 7.5, 0.0),
@@ -271,7 +267,6 @@ FIGURES = {
         "_SENSOR_COUNTS": (1, 2, 3, 4, 5), "CONTACT_COUNTS": (1, 2, 3),
     },
     estimator.information.shear: {"_STEP_N": 0.2},
-    estimator.information.two_contacts: {"PERCENT": 95.0},
     estimator.information.weak_areas: {"_DIGITS": 5},
     estimator.inversion.blind_start: {"FRAMES": 100, "_LEAST_FORCE_N": 0.1},
     estimator.inversion.inversion: {"KNOWN_FORCE_SPREAD": 0.3},
@@ -313,7 +308,6 @@ FIGURES = {
         "OWN_RANK_PER_PLACE": 1.3, "LEAST_OWN_RANK": 60, "MORE_RANK": 1.2, "STRAIN_RANK": 96,
     },
     estimator.layouts.presses.compression: {"TURN_RANK": 64},
-    estimator.layouts.robustness: {"_RIDGE": 1e-6, "SLIP_MM": 1.0},
     estimator.layouts.scoring: {"_FORCE_VARIANCE": 1 / 8, "_CURVE_VARIANCE": 1 / 128},
     estimator.metrics.contacts: {
         "FAR_MM": 5.0, "FORCE_BANDS_N": ((0.0, 1.0), (1.0, 4.0), (4.0, float("inf"))),
@@ -322,8 +316,7 @@ FIGURES = {
     estimator.networks.defaults: {
         "PLAIN": Choice(0, 1, 0, False), "SMALL": Choice(9, 4, 50, True), "SMALL_PRESSES": 60,
     },
-    estimator.networks.ensemble: {"PAPER_HIDDEN_UNITS": (600, 2000, 2000, 2000), "RIDGE": 0.001},
-    estimator.networks.face_model: {"MODEL_FORMAT": 5, "_LONGEST_HISTORY": 100},
+    estimator.networks.face_model: {"MODEL_FORMAT": 6, "_LONGEST_HISTORY": 100},
     estimator.networks.forest: {"LEAST_FRAMES_OF_LEAF": 2, "MOST_LEVELS": 14},
     estimator.networks.intervals.coverage: {
         "SIGMA_SPAN": 3.0, "KNOWN_SHARE": 0.95, "WHOLLY_NEW_FROM": 2.0,
@@ -343,8 +336,7 @@ FIGURES = {
             1.0, 0.0)},
     },
     estimator.networks.training.face: {
-        "FINE_TUNING_RATE": 0.3, "_WEIGHT_DECAY": 1e-3, "PAPER_BATCH_FRAMES": 2000,
-        "PAPER_LEARNING_RATE": 1e-3, "PAPER_WEIGHT_DECAY": 1e-4, "_OTHER_FACES": 0.5,
+        "FINE_TUNING_RATE": 0.3, "_WEIGHT_DECAY": 1e-3, "_OTHER_FACES": 0.5,
     },
     estimator.networks.training.fitting: {
         "_SAVE_EVERY_S": 5.0, "_WARM_UP_EPOCHS": 2.0, "_LEAST_BATCH_FRAMES": 16,
@@ -407,7 +399,6 @@ FIGURES = {
     estimator.signals.press_states: {"ASIDE_MM": 0.1, "_FORCE_STEP": 0.01},
     estimator.signals.surroundings: {"TYPICAL_EARTH_UT": 50.0},
     estimator.tolerances.budget: {"_NEARER_MM": 1.0, "_STEP": 0.05},
-    estimator.tolerances.localisation_bias: {"OBJECTS": 8, "_SPREAD_MM": 0.5},
     estimator.tolerances.result: {"REACH_SHARE": 0.7},
     estimator.tolerances.selftest: {
         "_NEARER_MM": 1.0, "_STEP": 0.05, "PRIOR_PROBABILITY": 1e-3, "POOR_FIT": 1e-3,

@@ -27,7 +27,7 @@ def told(monkeypatch):
     monkeypatch.setattr(check, "check_walls", lambda part, mesh, spec: [f"walls {mesh}"])
     monkeypatch.setattr(check, "check_edges", lambda part, mesh: [f"edges {mesh}"])
     monkeypatch.setattr(check, "check_bed", lambda part, mesh, spec: [f"bed {mesh}"])
-    for name in ("features", "inhibition", "pockets", "clearances"):
+    for name in ("features", "inhibition", "pockets"):
         monkeypatch.setattr(check, f"check_{name}", lambda spec, name=name: [name])
     monkeypatch.setattr(check, "check_electronics", lambda spec, core: [f"electronics {core}"])
     monkeypatch.setattr(check, "check_tools", lambda spec, meshes: ["tools"])
@@ -38,7 +38,7 @@ def told(monkeypatch):
     return closed
 
 
-OF_SPEC = ["features", "inhibition", "pockets", "clearances"]
+OF_SPEC = ["features", "inhibition", "pockets"]
 
 
 def found(name, mesh):

@@ -26,7 +26,7 @@ from design.layout.boards import (
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_hold import core_outlet, locators
 from design.layout.core_sockets import roomiest_sockets, socket_beside
-from design.layout.mould.frame import mould_frame, mould_style, parting, play_mm, thin_at_seam, up
+from design.layout.mould.frame import mould_frame, mould_style, parting, thin_at_seam, up
 from design.layout.places.positions import (
     board_places,
     cover_mm,
@@ -122,7 +122,9 @@ def of_mould(spec):
     frame, plane = mould_frame(spec), parting(spec)
     yield f"opening and style: {frame.opening}, {mould_style(spec)}, plugged {frame.plugged}"
     yield told("mould's axes", frame.axes.T)
-    yield told("mould's block", [*frame.low_mm, *frame.high_mm, frame.rim_mm, play_mm(spec)])
+    yield told(
+        "mould's block", [*frame.low_mm, *frame.high_mm, frame.rim_mm, spec.printer.clearance_mm]
+    )
     yield told("what passes through", frame.plug_mm)
     yield told("corners", frame.corners(frame.low_mm, frame.high_mm))
     yield told("up", up(spec))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from design.build.print_settings import layer_mm
-from design.fabrication.assembly import check_clearances, check_pockets
+from design.fabrication.assembly import check_pockets
 from design.fabrication.casting import _heads, _pour, draws
 from design.fabrication.layout import layout_findings
 from design.fabrication.printing import check_features, check_inhibition
@@ -17,7 +17,7 @@ from design.layout.mould.pins import (
 )
 from design.layout.template_marks import mark_places, pockets_by_face, thinnest_mark_wall_mm
 from design.mould.flange import flanges
-from design.mould.openings import mould_holes, seal_holes, sealed_round, vent_diameter_mm
+from design.mould.openings import mould_holes, seal_holes, sealed_round
 from design.mould.plug import pour_width_mm
 from design.mould.plug_flange import flange_span_mm
 from design.solids.magnet_template import template_faces
@@ -68,7 +68,7 @@ def test_pouring_holes_are_as_on_record(name):
         lines.append(
             told("sealed", [sealed_round(spec).volume, *sealed_round(spec).bounds.ravel()])
         )
-    assert_on_record("pouring", name, [*lines, told("vents", vent_diameter_mm(spec))])
+    assert_on_record("pouring", name, [*lines, told("vents", spec.printer.hole_mm)])
 
 
 def of_finding(finding):
@@ -83,7 +83,6 @@ def test_what_is_checked_without_a_solid_is_as_on_record(name):
     found = [
         *layout_findings(spec, recesses=recesses),
         *check_features(spec),
-        *check_clearances(spec),
         *check_inhibition(spec),
         *([] if recesses else check_pockets(spec)),
         _pour(spec),

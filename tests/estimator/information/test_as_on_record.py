@@ -8,19 +8,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from estimator.information.contact_sets import contact_sets, spread_pairs, spread_places
+from estimator.information.contact_sets import contact_sets, spread_places
 from estimator.information.cross_face import cross_face_disturbance
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
-from estimator.information.hull import (
-    exact_hull_volume,
-    ln_hull_factor,
-    monte_carlo_hull_volume,
-)
 from estimator.information.identifiability import jacobians_of, set_information
 from estimator.information.scores import score_places, summarize_areas, weakest_place
 from estimator.information.slip_cost import slip_cost
-from estimator.information.two_contacts import two_contact_bounds_mm
 from estimator.information.weak_areas import weak_areas
 from estimator.signals.interpolation import signal_gradient
 from tests.support.mechanics.odd_presses import SPEC, signals
@@ -73,7 +67,6 @@ def test_measures_of_scores_are_as_on_record(scores):
     lines = [
         told("covariances", position_covariances_mm2(SPEC, signals(), scores)),
         *told_whole("weak areas", weak_areas(SPEC, scores)),
-        *told_whole("two contacts", two_contact_bounds_mm(SPEC, signals())),
     ]
     on_record("measures", lines)
 
@@ -84,7 +77,6 @@ def test_what_sets_of_contacts_tell_is_as_on_record():
     sets = contact_sets(TIPS, places, 2)
     lines = [
         told("places", spread_places(TIPS)),
-        told("pairs", spread_pairs(TIPS)),
         told("sets", sets),
     ]
     for face in jacobians_of(TIPS, signals(), places)[1:4:2]:
@@ -111,13 +103,3 @@ def test_false_readings_are_as_on_record():
     for relation in ("adjacent", "opposite"):
         lines += told_whole(relation, crossed.summary(relation))
     on_record("false readings", lines)
-
-
-def test_volumes_are_as_on_record():
-    samples = np.random.default_rng(1).normal(size=(40, 4)) @ np.diag([1.0, 2, 0.5, 3])
-    lines = [
-        *told_whole("exact", exact_hull_volume(samples)),
-        *told_whole("drawn", monte_carlo_hull_volume(samples, np.random.default_rng(2))),
-        told("factors", [ln_hull_factor(40, 4), ln_hull_factor(17, 9)]),
-    ]
-    on_record("volumes", lines)

@@ -21,7 +21,7 @@ from estimator.signals.interpolation import (
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.press_states import motions_as_signals, press_states
 from estimator.signals.presses import press_signals, saturation_margin
-from estimator.signals.surroundings import counts_of_states, surroundings
+from estimator.signals.surroundings import surroundings
 from tests.support.mechanics.odd_presses import SPEC, presses, signals
 from tests.support.recorded_facts import assert_on_record, told, told_whole
 
@@ -97,16 +97,13 @@ def test_states_of_a_press_are_as_on_record():
 
 
 def test_chips_and_surroundings_are_as_on_record():
-    sensors = SPEC.sensors.changed(
-        gain_tolerance=0.05, cross_axis_tolerance=0.02, offset_tolerance_mt=0.3
-    )
+    sensors = SPEC.sensors.changed(gain_tolerance=0.05, cross_axis_tolerance=0.02)
     around = changed(environment={"earth_field_ut": 48.0})
     lines = [
         *told_whole("errors", chip_errors(sensors, 15, 7)),
         told("full scale", full_scale_counts(sensors)),
         told("margin", saturation_margin(signals(), SPEC)),
         *told_whole("around", surroundings(around)),
-        told("states", counts_of_states(around)),
     ]
     on_record("chips and surroundings", lines)
 

@@ -9,7 +9,6 @@ import numpy as np
 
 from estimator.tolerances.assembly import contribution_sizes, designed
 from estimator.tolerances.budget import robustness
-from estimator.tolerances.localisation_bias import false_places_mm
 from estimator.tolerances.selftest import rank, rest_model
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from tests.support.mechanics.odd_presses import SPEC, presses
@@ -65,9 +64,3 @@ def test_resting_levels_and_their_faults_are_as_on_record():
         *(f"{one.name}: {told('log odds, fit', [one.log_odds, one.fit])}" for one in found[:8]),
     ]
     on_record("rest", lines)
-
-
-def test_false_places_are_as_on_record():
-    forces, motions = synthetic_presses(FEW)
-    found = false_places_mm(FEW, forces, motions, 2.0)
-    on_record("false places", told_whole("false places", found))

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from design.layout.body import face_frames
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.tolerances import assembly, budget, localisation_bias, selftest, virtual_object
+from estimator.tolerances import assembly, budget, selftest, virtual_object
 from estimator.tolerances.budget import Spread
 
 SPEC = ObjectSpec(name="cube")
@@ -112,25 +112,6 @@ def test_steps_that_no_channel_shares_are_made_at_once():
         assert_allclose(budget._independent_steps.__wrapped__(setting, "magnet_seat"), np.eye(50))
 
 
-def test_false_places_are_root_mean_squares_of_what_the_calibrated_estimator_reads(monkeypatch):
-    """Two faces of one press each; estimators that read x and y from their own two channels."""
-
-    def out(*deltas):
-        return SimpleNamespace(
-            delta=tuple(np.array([one]) for one in deltas), jacobian=("a", "b"),
-        )  # fmt: skip
-
-    said = {0: out([0.0, 0], [1.0, 1]), 1: out([3.0, 4], [1.0, 1]), 2: out([0.0, 0], [2.0, 3])}
-    reads = {"a": np.eye(3)[None, :, :2], "b": 2 * np.eye(3)[None, :, :2]}
-    monkeypatch.setattr(localisation_bias, "outcome_of", lambda setting, one: said[one])
-    monkeypatch.setattr(
-        localisation_bias, "calibrated_estimator", lambda spec, jacobian, live: reads[jacobian]
-    )
-    setting = SimpleNamespace(design=0, spec=None, live=(None, None))
-    found = localisation_bias._false_places.__wrapped__(setting, [(0.5, 1), (0.5, 2)])
-    assert_allclose(found, [np.sqrt(25 / 2), np.sqrt((4 + 16) / 2)])
-
-
 def test_slopes_along_an_axis_are_those_of_cubics():
     nodes = np.array([0.0, 1.0, 2.5, 4.0, 5.0])
     values = np.stack([nodes**3, 2 * nodes], axis=1)[None, :, :, None] * [1.0, -1.0]
@@ -143,7 +124,7 @@ def test_slopes_along_an_axis_are_those_of_cubics():
 @pytest.mark.parametrize("arrangement", ["sensors-in-core", "sensors-in-shell"])
 def test_a_selftest_looks_at_the_object_whose_core_has_slipped(arrangement):
     """What sits in the core has shifted; what sits in the shell has not."""
-    slip = SPEC.mechanics.slip.changed(shift_mm=(0.5, -0.25, 0.1), model="sensors-only")
+    slip = SPEC.mechanics.slip.changed(shift_mm=(0.5, -0.25, 0.1))
     spec = SPEC.changed(arrangement=arrangement)
     slipped = spec.changed(mechanics=spec.mechanics.changed(slip=slip))
     straight, moved = (selftest._design(one)[0].scene for one in (spec, slipped))

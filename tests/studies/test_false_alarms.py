@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from estimator.evaluation.false_alarms import _noticed_from, false_alarms, fixed_threshold_n
+from studies.paper.false_alarms import _noticed_from, false_alarms, fixed_threshold_n
 
 
 def maps(*largest):
