@@ -167,7 +167,7 @@ STAGES: dict[str, Stage] = {
             *("search.forces_n", "search.baseline"),
         ),
         make_second_fidelity,
-        version=5,
+        version=6,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
