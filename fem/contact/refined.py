@@ -68,7 +68,8 @@ class Spread:
 
     `patches` lie on the face, `in_plane` are the same in the plane that touches it where the indenter
     lands. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is the face's own over that
-    plane, `cosine` that of how it leans there; both are NaN beside the patch.
+    plane, `cosine` that of how it leans there; both are NaN beside the patch. `above_mm` is how
+    far a slipped or dented face lies above the one at rest.
     """
 
     face: RefinedFace
@@ -78,6 +79,7 @@ class Spread:
     matrix: Float[np.ndarray, "row cell"]
     height_mm: Float[np.ndarray, "cell"]
     cosine: Float[np.ndarray, "cell"]
+    above_mm: Float[np.ndarray, "cell"]
 
 
 def refined_face(response: ResponseOperator, index: int, spec: ObjectSpec) -> RefinedFace:
@@ -115,11 +117,12 @@ def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray
     area = patches.area_mm2 / np.where(missed, 1, cosine)
     force = share * (area * ~missed)[:, None] / face.hats.area_mm2[vertices]
     rows, matrix = _narrowed(face, vertices, force)
+    above = np.zeros(len(vertices))
     if face.surface.height_mm is not None:
-        height = height + np.sum(share * face.surface.height_mm[vertices], axis=1)
+        above = np.sum(share * face.surface.height_mm[vertices], axis=1)
     beside = np.column_stack([patches.centre_mm, np.full(len(vertices), _FAR_MM)])
     lying = replace(patches, area_mm2=area, centre_mm=np.where(missed[:, None], beside, on_face))
-    return Spread(face, lying, patches, rows, matrix, height, cosine)
+    return Spread(face, lying, patches, rows, matrix, height + above, cosine, above)
 
 
 def _narrowed(
@@ -168,7 +171,10 @@ def take_back(wide: Float[np.ndarray, "cell cell"], spread: Spread, base: RigidB
 
     Weights are the cells' alone, so that hats still stand for each cell's force and place.
     """
-    weight, depth = base.weights(spread.patches.centre_mm)
+    points = spread.patches.centre_mm
+    if spread.face.surface.slip_mm is None:  # dents are nearer the body; it slips with its face
+        points = points + np.outer(spread.above_mm, [0.0, 0.0, 1.0])
+    weight, depth = base.weights(points)
     (cells,) = np.nonzero(weight > LEAST_WEIGHT)
     if not len(cells):
         return
