@@ -139,7 +139,9 @@ def condensed_compliance(
     return compliance_of_loads(system.matrix, rows_of([loads, padding])).matrix
 
 
-def half_space_compliance(spec: ObjectSpec, faces: Sequence[int], groups: Sequence[Patches]) -> np.ndarray:
+def half_space_compliance(
+    spec: ObjectSpec, faces: Sequence[int], groups: Sequence[Patches]
+) -> np.ndarray:
     """Compliance of patches on half-spaces, one for every face."""
     face = np.repeat(faces, [len(group.area_mm2) for group in groups])
     together, silicone = joined(groups), spec.silicone
