@@ -8,7 +8,7 @@ from typing import Any
 from design.errors import SpecError
 from design.spec.object import ObjectSpec
 
-_WOUND, _NETWORKS = ("coil",), ("compact", "whole-object")
+_NETWORKS = ("compact", "whole-object")
 _ROUND_TIPS, _SPLIT = ("hemisphere", "flat", "cylinder"), (None, "split")
 USES: dict[str, tuple[str, tuple[Any, ...]]] = {
     "indenter.radius_mm": ("indenter.kind", _ROUND_TIPS),
@@ -17,16 +17,9 @@ USES: dict[str, tuple[str, tuple[Any, ...]]] = {
     "indenter.fillet_mm": ("indenter.kind", ("flat", "cuboid")),
     "indenter.file": ("indenter.kind", ("stl",)),
     "indenter.tip_spacing_mm": ("indenter.tip_count", (2, 3)),
-    "magnets.turns": ("magnets.kind", _WOUND),
-    "magnets.current_a": ("magnets.kind", _WOUND),
-    "magnets.switching": ("magnets.kind", _WOUND),
-    "magnets.grade": ("magnets.kind", ("permanent",)),
-    "magnets.remanence_t": ("magnets.kind", ("permanent",)),
-    "magnets.recoil_permeability": ("magnets.kind", ("permanent",)),
     "magnets.depth_below_core_face_mm": ("arrangement", ("sensors-in-shell",)),
     "mould.parting_azimuth_deg": ("mould.style", _SPLIT),
     "mould.flange_mm": ("mould.style", _SPLIT),
-    "mould.dowel_draft_deg": ("mould.style", _SPLIT),
     "collection.frames_per_case": ("collection.kind", ("paper", "grasp")),
     "collection.non_contact_cases": ("collection.kind", ("paper",)),
     "collection.dual_poses": ("collection.kind", ("paper",)),
@@ -37,9 +30,7 @@ USES: dict[str, tuple[str, tuple[Any, ...]]] = {
     "collection.presses": ("collection.kind", ("continuous",)),
     "collection.contacts": ("collection.kind", ("continuous",)),
     "training.hidden_units": ("training.model", _NETWORKS),
-    "training.batch_size": ("training.model", _NETWORKS),
-    "training.learning_rate": ("training.model", _NETWORKS),
-    "training.epochs": ("training.model", (*_NETWORKS, "paper")),
+    "training.epochs": ("training.model", _NETWORKS),
 }
 """Key → key that decides, and its values with which the first is used."""
 
