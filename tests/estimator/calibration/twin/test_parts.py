@@ -5,7 +5,6 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.linalg import cho_solve
 from sklearn.gaussian_process.kernels import Matern
 
 from design.spec.object import ObjectSpec
@@ -13,7 +12,6 @@ from estimator.calibration.twin import (
     digital_twin,
     discrepancy,
     inverted_twin,
-    least_possible,
     pressed_cases,
     pressed_places,
 )
@@ -91,23 +89,6 @@ def test_the_evidence_is_that_of_the_sum_of_process_and_linear_numbers(monkeypat
         right[:, 0] @ np.linalg.solve(whole, right[:, 0]) + np.linalg.slogdet(whole)[1]
     )
     assert found == pytest.approx(wanted)
-
-
-def test_presses_made_so_many_times_tell_so_much_more():
-    rng = np.random.default_rng(3)
-    made = object.__new__(least_possible.__dict__[factor_class()])
-    made.__dict__["told"] = rng.normal(size=(3, 2, 4))
-    times = np.array([2.0, 0.0, 0.5])
-    rows = [np.sqrt(times[k]) * made.told[k] for k in (0, 2)]
-    information = np.eye(4) + sum(part.T @ part for part in rows)
-    wanted = np.linalg.inv(information)
-    assert_allclose(cho_solve(made._factor(times), np.eye(4)), wanted)
-
-
-def factor_class():
-    """The class of `least_possible` that weighs presses."""
-    (name,) = [name for name, one in vars(least_possible).items() if hasattr(one, "_factor")]
-    return name
 
 
 def test_the_presses_of_one_face_are_cut_out_of_all():
