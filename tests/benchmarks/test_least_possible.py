@@ -4,6 +4,7 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 from numpy.testing import assert_allclose
+from scipy.linalg import cho_solve
 
 from benchmarks.rig.least_possible import PressChoices, choices_of, least_possible
 from estimator.calibration.twin.least_known import doubt_beforehand, press_order
@@ -67,6 +68,13 @@ def test_slopes_are_those_of_the_variance_and_greedy_takes_the_best_next_press()
     first = min(range(PRESSES), key=lambda press: variance_by_hand(choices, (4, press)))
     second = min(range(PRESSES), key=lambda press: variance_by_hand(choices, (4, first, press)))
     assert_allclose(done, np.bincount([4, first, second], minlength=PRESSES))
+
+
+def test_presses_made_so_many_times_tell_so_much_more():
+    made, times = choices_from(3), np.array([2.0, 0.0, 0.5, 0.0, 0.0, 0.0])
+    rows = [np.sqrt(times[k]) * made.told[k] for k in (0, 2)]
+    wanted = np.linalg.inv(np.eye(UNKNOWNS) + sum(part.T @ part for part in rows))
+    assert_allclose(cho_solve(made._factor(times), np.eye(UNKNOWNS)), wanted)
 
 
 def test_no_choice_of_a_third_of_a_twins_presses_tells_what_all_of_them_tell():

@@ -16,7 +16,6 @@ from estimator.information.scores import (
     AREAS,
     area_places,
     load_scores_csv,
-    outermost_places,
     save_scores_csv,
     score_places,
     summarize_areas,
@@ -180,7 +179,7 @@ def test_a_border_of_steps_is_all_edge_and_a_rectangle_keeps_its_corners():
         [sum(disk[k] and abs(x[k] - a) + abs(y[k] - b) == 1 for k in range(81))
          for a, b in zip(x, y, strict=True)]
     )  # fmt: skip
-    np.testing.assert_array_equal(outermost_places(grid, disk), disk & (neighbours < 4))
+    np.testing.assert_array_equal(area_places(grid, "edge", disk), disk & (neighbours < 4))
     small = PlaceGrid(np.arange(7.0), np.arange(5.0))
     for area in AREAS:
         np.testing.assert_array_equal(

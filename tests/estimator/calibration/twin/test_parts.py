@@ -5,7 +5,6 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.linalg import cho_solve
 from sklearn.gaussian_process.kernels import Matern
 
 from design.spec.object import ObjectSpec
@@ -13,7 +12,6 @@ from estimator.calibration.twin import (
     digital_twin,
     discrepancy,
     inverted_twin,
-    least_possible,
     pressed_cases,
     pressed_places,
 )
@@ -58,23 +56,6 @@ def test_a_case_counts_the_frames_in_which_all_its_contacts_press_by_growing_for
     usable = np.array([True, True, False, True, True, True, True])
     found = pressed_cases.whole_case.__wrapped__(frames, usable, 4)
     assert found.tolist() == [6, 4, 1, 0]
-
-
-def test_presses_made_so_many_times_tell_so_much_more():
-    rng = np.random.default_rng(3)
-    made = object.__new__(least_possible.__dict__[factor_class()])
-    made.__dict__["told"] = rng.normal(size=(3, 2, 4))
-    times = np.array([2.0, 0.0, 0.5])
-    rows = [np.sqrt(times[k]) * made.told[k] for k in (0, 2)]
-    information = np.eye(4) + sum(part.T @ part for part in rows)
-    wanted = np.linalg.inv(information)
-    assert_allclose(cho_solve(made.factor_of(times), np.eye(4)), wanted)
-
-
-def factor_class():
-    """The class of `least_possible` that weighs presses."""
-    (name,) = [name for name, one in vars(least_possible).items() if hasattr(one, "factor_of")]
-    return name
 
 
 def test_the_presses_of_one_face_are_cut_out_of_all():
