@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import shutil
 import sys
-import tempfile
 import time
 from functools import partial
 from pathlib import Path
@@ -31,9 +30,10 @@ from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.dataset import FrameSet
 from estimator.frames.press_protocol import simulate_presses
 from estimator.frames.splits import Split, split_presses
-from estimator.networks.face_model import FaceModel, load_model, save_model
+from estimator.networks.defaults import filled
 from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.signals.presses import press_signals
+from studies.paper.network import fit_paper
 
 FACE, SEED = 3, 1
 PAPER_EPOCHS, PAPER_FRAMES = 1000, 85_800
@@ -68,20 +68,19 @@ def made_frames(quick: bool) -> FrameSet:
 
 
 def trained(name: str, frames: FrameSet, split: Split, budget_s: float, parts: Path) -> Result:
-    """One recipe within its budget, with the time of an epoch as measured; weights to `parts`."""
+    """One recipe within its budget, with the time of an epoch as measured; the network to `parts`."""
     model_name = name.split(",")[0]
     marks: list[float] = []
     epochs = PAPER_EPOCHS if model_name == "paper" else 60
-    training = TrainingSpec(model=model_name, epochs=epochs, patience_epochs=epochs)
-    settings = FitSettings(FACE, training, SEED, budget_s=budget_s)
+    training = filled(TrainingSpec(epochs=epochs))
+    settings = FitSettings(FACE, training, SEED, budget_s=budget_s, patience_epochs=epochs)
     known = frames.select(split.train), frames.select(split.validation)
     begin = time.perf_counter()
-    model = fit_estimator(
-        *known, settings, progress=lambda *_: marks.append(time.perf_counter() - begin)
-    )
+    fit = fit_paper if model_name == "paper" else fit_estimator
+    model = fit(*known, settings, progress=lambda *_: marks.append(time.perf_counter() - begin))
     whole = np.diff(marks[:-1]) if len(marks) > 2 else np.array(marks[:1])
     scores = evaluate_face(model, frames.select(split.test), frames)
-    save_model(model, parts / f"{name}.safetensors")
+    export_onnx(model, parts / f"{name}.onnx")
     return {
         "epochs": len(marks),
         "seconds": marks[-1],
@@ -102,14 +101,13 @@ def all_trained(frames: FrameSet, split: Split, whole_s: float, parts: Path) -> 
     }
 
 
-def inference(models: dict[str, FaceModel], quick: bool) -> Result:
+def inference(parts: Path, quick: bool) -> Result:
     """Milliseconds a frame through onnxruntime, one frame at a time, one thread."""
-    found: Result = {}
-    with tempfile.TemporaryDirectory() as folder:
-        for name, model in models.items():
-            path = Path(folder) / f"{name}.onnx"
-            export_onnx(model, path)
-            found[f"{name}_ms"] = frame_ms(load_deployed(path), 40 if quick else 400)
+    repeats = 40 if quick else 400
+    found: Result = {
+        f"{name}_ms": frame_ms(load_deployed(parts / f"{name}.onnx"), repeats)
+        for name in ("compact", "paper")
+    }
     found["times_faster"] = found["paper_ms"] / found["compact_ms"]
     return found
 
@@ -134,7 +132,6 @@ def measured(quick: bool, minutes: float, parts: Path) -> Result:
     split = split_presses(frames, SEED)
     whole_s = 6.0 if quick else 60.0 * minutes
     recipes = all_trained(frames, split, whole_s, parts)
-    models = {name: load_model(parts / f"{name}.safetensors") for name in ("compact", "paper")}
     share = PAPER_FRAMES / int(split.train.sum())
     epoch_s = recipes["paper"]["seconds_an_epoch"] * share
     return {
@@ -144,7 +141,7 @@ def measured(quick: bool, minutes: float, parts: Path) -> Result:
         "extrapolated_hours_of_the_papers_whole_recipe": PAPER_EPOCHS * epoch_s / 3600,
         "compact_short_over_long_E_f": recipes[SHORT]["E_f_percent"]
         / recipes["compact"]["E_f_percent"],
-        "inference": inference(models, quick),
+        "inference": inference(parts, quick),
     }
 
 

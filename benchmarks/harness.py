@@ -7,6 +7,7 @@ import json
 import os
 import platform
 import re
+import sys
 import time
 from collections.abc import Callable, Sequence
 from importlib.metadata import PackageNotFoundError, version
@@ -16,6 +17,8 @@ from typing import Any
 from design.files import atomic_path
 
 Result = dict[str, Any]
+# `studies` is not installed: it lies beside this folder.
+sys.path.append(str(Path(__file__).parents[1]))
 
 
 def best_seconds(call: Callable[[], Any], repeats: int) -> float:

@@ -74,9 +74,16 @@ def chosen_history(frames: FrameSet, face: int, seed: int, quick: bool) -> int:
     return HISTORIES[int(np.argmin(errors))]
 
 
-def _fitted(frames: FrameSet, split: Split, face: int, wanted: TrainingSpec, seed: int):
+def _fitted(
+    frames: FrameSet,
+    split: Split,
+    face: int,
+    wanted: TrainingSpec,
+    seed: int,
+    continuous: bool = False,
+):
     parts = frames.select(split.train), frames.select(split.validation)
-    return fit_estimator(*parts, FitSettings(face, wanted, seed))
+    return fit_estimator(*parts, FitSettings(face, wanted, seed, continuous=continuous))
 
 
 def one_seed(frames: FrameSet, face: int, seed: int, wanted: TrainingSpec) -> Result:
@@ -100,8 +107,7 @@ def unseen_place(frames: FrameSet, face: int, seed: int, wanted: TrainingSpec) -
     """Metrics at whole places held out, with heatmap and with position output."""
     split, found = split_places(frames, seed), {}
     for output in ("heatmap", "position"):
-        changes = wanted.model_dump() | {"output": output}
-        model = _fitted(frames, split, face, TrainingSpec.model_validate(changes), seed)
+        model = _fitted(frames, split, face, wanted, seed, output == "position")
         test = frames.select(split.test)
         metrics = evaluate_face(model, test, frames).summary()
         found[output] = {name: metrics[name] for name in _COLUMNS}

@@ -20,7 +20,6 @@ from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid, grid_places_in_lattice, press_lattice
 from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
-from estimator.information.hull import monte_carlo_hull_volume
 from estimator.information.scores import score_places
 from estimator.information.sensitivity import (
     channel_noise,
@@ -67,7 +66,7 @@ def on_the_contact_grid(
 
 
 def hull_seconds(spec: ObjectSpec, signals: Signals, quick: bool) -> dict[str, Any]:
-    """One place's δ: exact hull, Monte Carlo, and the covariance equivalent of a face's places."""
+    """One place's δ: exact hull, and the covariance equivalent of a face's places."""
     frames, places = (40, 1) if quick else (100, 3)
     grid = signals.lattice.xy_mm[:: len(signals.lattice) // 99][:100]
     traces = press_traces(signals, np.full(len(grid), 3), grid[:, 0], grid[:, 1])
@@ -80,11 +79,8 @@ def hull_seconds(spec: ObjectSpec, signals: Signals, quick: bool) -> dict[str, A
         press = periodic_press(traces, force, count)[:: len(grid) // places][:places]
         return (press + noise * rng.standard_normal(press.shape)) / noise
 
-    few, many = noisy(frames), noisy(1000)
+    few = noisy(frames)
     exact = best_seconds(lambda: [ConvexHull(f).volume for f in few], 1) / places
-    monte_carlo = best_seconds(
-        lambda: [monte_carlo_hull_volume(f, np.random.default_rng(2)) for f in many], 1
-    )
 
     def equivalent() -> None:
         covariance_sensitivity(periodic_press(traces, force, 64), force, noise, frames)
@@ -92,7 +88,6 @@ def hull_seconds(spec: ObjectSpec, signals: Signals, quick: bool) -> dict[str, A
     return {
         "frames": frames,
         "exact_s_per_place": exact,
-        "monte_carlo_1000_s_per_place": monte_carlo / places,
         "covariance_s_per_place": best_seconds(equivalent, 3) / len(grid),
     }
 
@@ -129,8 +124,7 @@ def report(result: dict[str, Any]) -> str:
             f"sensitivity, bounds and detectable force of 500 places: {times['scores_s']:.3f} s"
             f" (target {SCORES_TARGET_S:g} s)",
             f"exact hull of {hull['frames']} frames in 9 channels: {hull['exact_s_per_place']:.2f} s a"
-            f" place; Monte Carlo of 1000 frames {hull['monte_carlo_1000_s_per_place']:.3f} s;"
-            f" covariance equivalent {1e3 * hull['covariance_s_per_place']:.3f} ms",
+            f" place; covariance equivalent {1e3 * hull['covariance_s_per_place']:.3f} ms",
             f"500 exact hulls over all scores: {times['exact_hulls_over_scores']:.0f}"
             f" (target {HULL_TARGET:g} at 100 frames)",
         ]

@@ -37,7 +37,7 @@ from design.search.space import SearchSpace, params_at, search_space
 from design.spec.search import SearchSpec
 from design.spec_io import load_spec
 from estimator.layouts.polish import Judged, LowestFidelity, judge
-from instobj.search.engines import ask, sampling
+from instobj.search.loop import drawn_start
 from instobj.search.lowest_fidelity import score_trials, start_scores, structure_fidelity
 from instobj.search.outcome.history import plain_cma_es
 from instobj.stages.run import Run
@@ -114,9 +114,10 @@ class Meter:
 
 def tool(space: SearchSpace, lowest: LowestFidelity, seed: int) -> dict[str, Any]:
     """One trial as the tool scores it, of a random layout."""
-    (trial,) = ask(sampling("random", space.variables, 1, seed, 1), 1)
+    seeded = replace(space, spec=space.spec.changed(seed=seed))
+    start = drawn_start(seeded, 0)
     started = time.process_time()
-    (result,) = score_trials(space, lowest, [dict(trial.params)])
+    (result,) = score_trials(space, lowest, [start])
     best = result.scores[space.spec.search.objectives[0]]  # peers' best have no penalties either
     return {
         "best": best if result.feasible else None,
@@ -233,7 +234,7 @@ def report(result: dict[str, Any]) -> str:
 def main(arguments: list[str] | None = None) -> None:
     """Measure, write, print."""
     options = option_parser("Engines of a layout search").parse_args(arguments)
-    here = machine(1, ("torch", "numpy", "cmaes", "optuna"))
+    here = machine(1, ("torch", "numpy", "cmaes"))
     result = {"machine": here, "quick": options.quick, "figures": measure(options.quick)}
     conclude("search_engines", options, result, report)
 

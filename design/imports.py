@@ -18,7 +18,6 @@ EXTRAS = {
     "dask": "cluster",
     "distributed": "cluster",
     "fsspec": "cluster",
-    "psycopg": "cluster",
     "s3fs": "cluster",
     "anywidget": "notebook",
     "traitlets": "notebook",

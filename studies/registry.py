@@ -29,6 +29,7 @@ _MODULES: tuple[str, ...] = (
     "studies.paper.slipped",
     "studies.paper.force_vectors",
     "studies.layouts",
+    "studies.electromagnets",
     "studies.weak_areas",
 )
 

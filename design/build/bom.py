@@ -7,12 +7,15 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 from design.build.manifest import BuildManifest
+from design.layout.boards import WIRE_DIAMETER_MM
 from design.layout.places.positions import sensor_layout, shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from design.wiring.bus_plan import BusPlan
 
+SILICONE_WASTE = 0.15
+"""Share that is mixed beyond what the parts hold: what stays in the cup and on the mould, an estimate."""
 SCREWS = 4
 """Through the flanges of a mould's halves."""
 
@@ -35,7 +38,14 @@ class SiliconeAmount:
     volume_cm3: float
     mass_g: float
     mixed_g: float
-    parts_g: tuple[float, float]
+    parts_g: tuple[float, float] | None
+
+    @property
+    def mixing(self) -> str:
+        """Masses of both components, in words."""
+        if self.parts_g is None:
+            return "parts A and B as the maker says"
+        return "{:.1f} g A + {:.1f} g B".format(*self.parts_g)
 
 
 def silicone_amount(spec: ObjectSpec) -> SiliconeAmount:
@@ -43,7 +53,10 @@ def silicone_amount(spec: ObjectSpec) -> SiliconeAmount:
     bodies = shell_body_layout(spec)
     volume = (sealed_volume_mm3(spec) - float(bodies.volume_mm3.sum())) / 1e3
     mass = volume * spec.silicone.density_g_per_cm3
-    mixed, (a, b) = mass * (1 + spec.mould.silicone_waste), spec.silicone.mix_ratio
+    mixed, casting = mass * (1 + SILICONE_WASTE), spec.silicone.casting
+    if casting is None:
+        return SiliconeAmount(volume, mass, mixed, None)
+    a, b = casting.mix_ratio
     return SiliconeAmount(volume, mass, mixed, (mixed * a / (a + b), mixed * b / (a + b)))
 
 
@@ -79,7 +92,7 @@ def write_bom(items: list[Item], target: Path) -> None:
 def magnet_name(spec: ObjectSpec, first: int = 0) -> str:
     """A magnet as one would order it: a face's first, or that of another kind."""
     magnets = spec.magnets
-    kind = "coil" if magnets.kind == "coil" else f"{magnets.shape} magnet"
+    kind = f"{magnets.shape} magnet"
     grade = f" {magnets.grades[first]}" if magnets.grades else ""
     part = f"{magnets.parts[first]}, " if magnets.parts else ""
     return f"{part}{kind}{grade} {magnets.sizes[first].told}"
@@ -87,9 +100,6 @@ def magnet_name(spec: ObjectSpec, first: int = 0) -> str:
 
 def _magnets(spec: ObjectSpec) -> list[Item]:
     magnets, faces = spec.magnets, len(spec.body.sensed)
-    if magnets.kind == "coil":
-        note = f"{magnets.turns} turns, {magnets.current_a:g} A"
-        return [Item(magnet_name(spec), faces * magnets.count, note=note)]
     kinds, items = magnets.by_kind, []
     for which in kinds.values():
         remanences = [magnets.remanences_t[k] for k in which]
@@ -131,7 +141,7 @@ def _electronics(spec: ObjectSpec, plan: BusPlan | None) -> list[Item]:
         ),
         Item("sensor board", sensors, note=f"{board} mm"),
         Item(
-            f"wire Ø{core.wire_diameter_mm:g} mm",
+            f"wire Ø{WIRE_DIAMETER_MM:g} mm",
             sensors * core.wires_per_sensor,
             note="from each board through its face's hole; shared supply and bus may save most",
         ),
@@ -140,18 +150,16 @@ def _electronics(spec: ObjectSpec, plan: BusPlan | None) -> list[Item]:
 
 def _silicone(spec: ObjectSpec) -> Item:
     amount = silicone_amount(spec)
-    a, b = amount.parts_g
     mixed = (
         "not cast"
         if spec.silicone.cure == "none"
-        else f"mix {amount.mixed_g:.1f} g with {spec.mould.silicone_waste:.0%} of waste: "
-        f"{a:.1f} g A + {b:.1f} g B"
+        else f"mix {amount.mixed_g:.1f} g with {SILICONE_WASTE:.0%} of waste: {amount.mixing}"
     )
     return Item(spec.silicone.name, 1, amount.volume_cm3, amount.mass_g, mixed)
 
 
 def printed_items(spec: ObjectSpec, manifest: BuildManifest) -> list[Item]:
-    density = spec.printer.density_g_per_cm3
+    density = spec.printer.process_figures.density_g_per_cm3
     return [
         Item(
             f"print {part.name}",

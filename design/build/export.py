@@ -17,9 +17,8 @@ from design.build.scene import ASSEMBLY_NAME, assembly_scene, write_glb
 from design.build.slicer_file import write_3mf
 from design.errors import InputError
 from design.files import atomic_path
-from design.solids.booleans import as_triangles, as_written
+from design.solids.booleans import TRIANGLES, as_triangles, as_written
 from design.solids.kernel import cq
-from design.spec.fabrication import ExportSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
 
@@ -82,7 +81,7 @@ def write_part(
         return _write_triangles(part, solid, folder, spec)
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
-    mesh = _write_stl(_triangles(solid, spec.export), folder / f"{part.name}.stl")
+    mesh = _write_stl(as_triangles(solid, TRIANGLES, False), folder / f"{part.name}.stl")
     printing = _write_3mf(part, mesh, folder, spec)
     _write_step(solid, folder / f"{part.name}.step")
     manifest = PartManifest(
@@ -156,10 +155,6 @@ def _without_changing_marks(step: bytes) -> bytes:
     """STEP without the time in its header, and without the kernel's count of models of this process."""
     step = _STEP_TIME.sub(rb"\1'1980-01-01T00:00:00'", step, count=1)
     return _STEP_COUNT.sub(rb"\1 1'", step)
-
-
-def _triangles(solid: cq.Solid, export: ExportSpec) -> trimesh.Trimesh:
-    return as_triangles(solid, (export.mesh_tolerance_mm, export.mesh_angle_rad), False)
 
 
 def _write_stl(surface: trimesh.Trimesh, target: Path) -> trimesh.Trimesh:

@@ -125,9 +125,6 @@ def _sensors_alone(spec: ObjectSpec) -> OrderLine:
 def _magnets(spec: ObjectSpec) -> list[OrderLine]:
     """By a seller's number where the catalogue has one, else by shape, size and grade; a line each kind."""
     faces = len(spec.body.sensed)
-    if spec.magnets.kind == "coil":
-        line = _line(ORDERS["magnet"], faces * spec.magnets.count)
-        return [replace(line, part="coil", maker="your own", number=magnet_name(spec))]
     parts, lines = spec.magnets.parts, []
     for which in spec.magnets.by_kind.values():
         part = MAGNET_PARTS.get(parts[which[0]]) if parts else None

@@ -23,7 +23,6 @@ from design.layout.boards import (
 )
 from design.layout.body import body_of, face_frames
 from design.layout.core_hold import FLAT_SHARE, core_outlet, locators
-from design.layout.mould.frame import play_mm
 from design.layout.places.positions import cover_mm
 from design.layout.pockets import (
     Pocket,
@@ -306,13 +305,3 @@ def largest_common(check: str, part: str, pairs: list[tuple[Named, Named]], text
             place = place_of(np.reshape(common.bounding_box(), (2, 3)).mean(axis=0))
     status = "pass" if worst <= MATING_MM3 else "fail"
     return Finding(check, part, worst, MATING_MM3, "mm³", status, f"{text}{names}", place)
-
-
-def check_clearances(spec: ObjectSpec) -> list[Finding]:
-    """Play of what slides, against the printer's clearance."""
-    play, limit = play_mm(spec), spec.printer.clearance_mm
-    text = (
-        "play between the mould's sliding parts, jig and core. Below the limit: raise mould.play_mm to "
-        f"{limit:g}"
-    )
-    return [Finding("clearance", "mould", play, limit, "mm", at_least(play, limit), text)]

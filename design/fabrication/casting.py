@@ -57,6 +57,8 @@ if TYPE_CHECKING:
     import trimesh
 
 CEILING_MM2 = 100.0
+PEEL_SHARE = 0.33
+"""Of the elongation at break that peeling out of a mould may take: a third, an estimate."""
 NEAR_MM = 0.15
 """Of the silicone's surface, within which a face touches it: triangles of both leave theirs by less."""
 OPEN_MM3 = 1e-3
@@ -168,7 +170,7 @@ def check_draw(
 
 def draft_finding(spec: ObjectSpec, part: str, draft_deg: float, place: np.ndarray) -> Finding:
     """Of the least draft of a part's walls, at a place: too little of it is a warning."""
-    limit = spec.printer.draft_deg
+    limit = spec.printer.process_figures.draft_deg
     return Finding(
         "draft",
         part,
@@ -212,7 +214,7 @@ def undercut_finding(spec: ObjectSpec, draw: Draw, found: Undercut) -> Finding:
     """Whether silicone gives way to an undercut: it needs room, and strain that it bears."""
     strain = found.depth_mm / spec.shell.thickness_mm
     room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
-    allowed = spec.silicone.peel_share * spec.silicone.elongation_percent / 100
+    allowed = PEEL_SHARE * spec.silicone.elongation_percent / 100
     if not found.depth_mm:
         status, text = "pass", "no undercut along the pull"
     elif found.depth_mm > room:

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 from design.build.parts import parts_of
 from design.errors import NotOneSolid
 from design.fabrication.assembly import (
-    check_clearances,
     check_electronics,
     check_pockets,
     check_tools,
@@ -28,7 +27,7 @@ from design.fabrication.printing import (
     check_inhibition,
     check_walls,
 )
-from design.solids.booleans import as_triangles, as_written
+from design.solids.booleans import TRIANGLES, as_triangles, as_written
 from design.solids.kernel import cq
 from design.spec.object import ObjectSpec
 
@@ -70,7 +69,6 @@ def check_fabrication(
             findings += check_walls(part, mesh, spec)
             findings += [*check_edges(part, mesh), *check_bed(part, mesh, spec)]
     findings += [*check_features(spec), *check_inhibition(spec), *check_pockets(spec)]
-    findings += check_clearances(spec)
     if "core" in meshes:
         progress("checking boards, chips and wires")
         findings += check_electronics(spec, meshes["core"])
@@ -137,5 +135,5 @@ def _pieces(shape: cq.Shape | trimesh.Trimesh) -> list[tuple[float, Place]]:
 
 
 def mesh_of(shape: cq.Shape, spec: ObjectSpec) -> trimesh.Trimesh:
-    """Triangles of a shape at the specification's tolerance, as `build` writes them."""
-    return as_triangles(shape, (spec.export.mesh_tolerance_mm, spec.export.mesh_angle_rad), False)
+    """Triangles of a shape, as `build` writes them."""
+    return as_triangles(shape, TRIANGLES, False)

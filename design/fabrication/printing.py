@@ -17,7 +17,6 @@ from design.layout.body import face_frames
 from design.layout.core_hold import locators
 from design.layout.mould.frame import mould_style
 from design.layout.pockets import Pocket, shell_pockets
-from design.mould.openings import mould_holes
 from design.mould.whole import has_mould
 from design.spec.object import ObjectSpec
 
@@ -137,8 +136,8 @@ def _fins(spec: ObjectSpec) -> list[Finding]:
 
 
 def _holding(spec: ObjectSpec) -> list[Finding]:
-    """Pins that hold the core of a closed body, and vents."""
-    found = [
+    """Pins that hold the core of a closed body."""
+    return [
         _aspect(
             "locating pin",
             f"mould_locator_{k}",
@@ -149,11 +148,6 @@ def _holding(spec: ObjectSpec) -> list[Finding]:
         )
         for k, locator in enumerate(locators(spec), start=1)
     ]
-    if spec.mould.vent_mm is not None:
-        wide, vents = spec.mould.vent_mm, [h for h in mould_holes(spec) if h.use == "vent"]
-        place = vents[0].start_mm if vents else None
-        found.append(_feature("vent", "mould", wide, spec.printer.hole_mm, "mould.vent_mm", place))
-    return found
 
 
 def _bosses(spec: ObjectSpec) -> list[Finding]:
@@ -205,7 +199,7 @@ def _aspect(
     at_mm: Point,
     key: str = "",
 ) -> Finding:
-    limit, value = spec.printer.aspect, height / width
+    limit, value = spec.printer.process_figures.aspect, height / width
     status = "pass" if value <= limit else "warn"
     most = f" ({key} of {floor(100 * limit * width + 1e-6) / 100:g} or less)" if key else ""
     text = f"{what}: height over width. Beyond the limit it may break off: make it wider or lower{most}"

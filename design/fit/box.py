@@ -18,6 +18,7 @@ from design.layout.pockets import (
     sensor_places,
     shell_pockets,
 )
+from design.spec.body import HUB_DEPTH_MM
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -71,10 +72,10 @@ def _check_recesses(spec: ObjectSpec) -> Iterator[str]:
 
 def _check_wire_passages(spec: ObjectSpec) -> Iterator[str]:
     core, smallest = spec.core, min(spec.core_size_mm)
-    if core.hub_depth_mm >= core.wall_mm:
+    if core.wall_mm <= HUB_DEPTH_MM:
         yield (
-            f"core.hub_depth_mm must be below core.wall_mm = {core.wall_mm:g}; got "
-            f"{core.hub_depth_mm:g}. Make the hub recess shallower or the wall thicker"
+            f"core.wall_mm must be above the hub recess's depth of {HUB_DEPTH_MM:g} mm; got "
+            f"{core.wall_mm:g}. Make the wall thicker"
         )
     # The cavity is the narrowest across two walls; a side hole must also clear the top wall.
     room = smallest - 2 * core.wall_mm

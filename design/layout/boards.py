@@ -22,6 +22,8 @@ from design.layout.pockets import board_frame, sensor_places
 from design.spec.object import ObjectSpec
 from design.spec.worked_out import once
 
+WIRE_DIAMETER_MM = 0.4
+"""Of a wire with its insulation (AWG 30 wrapping wire has 0.5 mm, enamelled wire less)."""
 PACKING = 0.7
 """Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
 _AT_THE_HOLE_MM = 1e-3
@@ -121,12 +123,12 @@ def wire_bundle_mm(spec: ObjectSpec) -> float:
 
 def wires_through(diameter_mm: float, spec: ObjectSpec) -> int:
     """How many wires a round hole takes, loosely packed."""
-    return int(PACKING * (diameter_mm / spec.core.wire_diameter_mm) ** 2 + 1e-9)
+    return int(PACKING * (diameter_mm / WIRE_DIAMETER_MM) ** 2 + 1e-9)
 
 
 def hole_for_wires_mm(count: int, spec: ObjectSpec) -> float:
     """Diameter of the round hole that takes so many wires: that of their bundle."""
-    return spec.core.wire_diameter_mm * float(np.sqrt(count / PACKING))
+    return WIRE_DIAMETER_MM * float(np.sqrt(count / PACKING))
 
 
 def count_wires(spec: ObjectSpec) -> int:

@@ -1,6 +1,6 @@
 """Rigid bodies on a face and the pockets that take them, in the face's own frame.
 
-A body is a magnet, a coil or a sensor board. Its pocket is a prism of its outline along the body's
+A body is a magnet or a sensor board. Its pocket is a prism of its outline along the body's
 axis, from under it out through the face; both turn about the body's centre. Heights are above the
 face that the pocket opens to, so that everything here is below 0.
 """

@@ -10,7 +10,6 @@ from jaxtyping import Float
 
 from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
-from design.layout.mould.frame import play_mm
 from design.layout.pockets import Pocket, core_pockets, shell_pockets
 from design.spec.object import ObjectSpec
 
@@ -109,7 +108,7 @@ class _Plate:
     def __post_init__(self) -> None:
         radii = np.array([pocket.outline.radius_mm for pocket in self.pockets])
         centres = np.stack([hole_centre_mm(pocket) for pocket in self.pockets])
-        object.__setattr__(self, "radii", radii + play_mm(self.spec))
+        object.__setattr__(self, "radii", radii + self.spec.printer.clearance_mm)
         object.__setattr__(self, "centres", centres)
 
     def thinnest_mm(self, places: Places) -> float:

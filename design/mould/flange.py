@@ -13,7 +13,6 @@ from design.layout.mould.frame import (
     FLANGE_THICKNESS_MM,
     mould_frame,
     parting,
-    play_mm,
     seam_ends_mm,
 )
 from design.layout.mould.pins import Pin, loose_pins
@@ -80,7 +79,7 @@ def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
     """Of both ends of the seam, below the rim that a plug clips onto, as long as dowels and bolts need."""
     frame, wide = mould_frame(spec), spec.mould.flange_mm
     left, right = seam_ends_mm(spec)
-    lower = BELOW_RIM_MM + 2 * play_mm(spec) if frame.plugged else 0.0
+    lower = BELOW_RIM_MM + 2 * spec.printer.clearance_mm if frame.plugged else 0.0
     top = frame.rim_mm - lower
     bottom = min(float(frame.low_mm[2]), top - FLANGE_LENGTH_MM)
     ends, pins = ((left - wide, left), (right, right + wide)), loose_pins(spec)
@@ -140,7 +139,7 @@ def pierced_levels(
     spec: ObjectSpec, pin: Pin, low: float, high: float
 ) -> tuple[float, float] | None:
     """Between which levels a pin's head is drawn through a flange; None where it passes by."""
-    radius = pin.radius_mm + pin.rim_mm + play_mm(spec)
+    radius = pin.radius_mm + pin.rim_mm + spec.printer.clearance_mm
     return _levels_of_path(spec, pin.head_axis_mm[0], pin.way, radius, low, high)
 
 

@@ -18,7 +18,6 @@ from design.layout.mould.frame import (
     FLANGE_THICKNESS_MM,
     mould_frame,
     parting,
-    play_mm,
 )
 from design.layout.mould.pins import Pin, loose_pins
 from design.layout.mould.pouring import Hole
@@ -42,6 +41,8 @@ from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, tapered_rod
 from design.spec.object import ObjectSpec
 
+DOWEL_DRAFT_DEG = 10.0
+"""Dowels find their holes from 0.4 mm off and come out again without force."""
 DOWEL_HEIGHT_MM = 2.5
 _OFFCUT = 1e-3
 """Share of a half below which a piece that its holes cut off is left out: 1.6 of 75 000 mm³ between a
@@ -93,7 +94,7 @@ def _half(spec: ObjectSpec, side: int, room: Shape, walled: Shape, holes: list[c
 
 
 def _with_dowels(spec: ObjectSpec, side: int, half: Shape) -> Shape:
-    grown, ends = 0.0 if side > 0 else play_mm(spec), flanges(spec)
+    grown, ends = 0.0 if side > 0 else spec.printer.clearance_mm, flanges(spec)
     dowels = [dowel_solid(spec, *place, grown) for end in ends for place in end.places_mm[::2]]
     return join(half, *dowels) if side > 0 else cut(half, *dowels)
 
@@ -148,7 +149,7 @@ def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
 def dowel_solid(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Shape:
     """Cone from half A into half B, tapered by the draft."""
     root, height = DOWEL_DIAMETER_MM / 2 + grow_mm, DOWEL_HEIGHT_MM + grow_mm
-    tip = root - height * float(np.tan(np.deg2rad(spec.mould.dowel_draft_deg)))
+    tip = root - height * float(np.tan(np.deg2rad(DOWEL_DRAFT_DEG)))
     stem = tapered_rod(cq.Vector(across, level, OVERSHOOT_MM), cq.Vector(0, 0, -OVERSHOOT_MM), root)
     cone = tapered_rod(cq.Vector(across, level, 0), cq.Vector(0, 0, -height), root, tip)
     return stem.fuse(cone).moved(cq.Location(_parting_plane(spec)))

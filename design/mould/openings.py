@@ -59,12 +59,6 @@ def hole_solid(hole: Hole) -> cq.Solid:
     return cq.Solid.makeCylinder(hole.diameter_mm / 2, length, start, cq.Vector(*way))
 
 
-def vent_diameter_mm(spec: ObjectSpec) -> float:
-    """`mould.vent_mm`, else the narrowest hole that the printer keeps open."""
-    given = spec.mould.vent_mm
-    return spec.printer.hole_mm if given is None else given
-
-
 @once
 def mould_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
     """Pouring holes, then vents."""
@@ -132,7 +126,7 @@ def vent_for(
     seam, to a side of the flange or to another hole, if there is one; or None."""
     solid, found = manifold_of(shell), None
     for top, way in _ways_out(spec, solid, trap):
-        hole = hole_from(spec, "vent", top, way / np.linalg.norm(way), vent_diameter_mm(spec))
+        hole = hole_from(spec, "vent", top, way / np.linalg.norm(way), spec.printer.hole_mm)
         way = (hole.end_mm - hole.start_mm) / np.linalg.norm(hole.end_mm - hole.start_mm)
         start = top + _SKIN_MM * (way + trap.normal)
         if solid.ray_cast(tuple(start), tuple(hole.end_mm)) or not is_clear(hole, pins):

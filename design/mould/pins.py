@@ -6,7 +6,7 @@ Loose ones are drawn along their own axes; their numbers are those of `design.la
 from __future__ import annotations
 
 from design.layout.core_hold import LOCATOR_NOSE_MM, Locator
-from design.layout.mould.frame import parting, play_mm
+from design.layout.mould.frame import parting
 from design.layout.mould.pins import Pin, along_pull, key_of_pocket, met_pockets, places_of_pockets
 from design.mould.room import core_outside
 from design.solids.booleans import Shape, Solid, cut, join, one_body
@@ -50,7 +50,7 @@ def make_pin(spec: ObjectSpec, pin: Pin) -> Solid:
 
 def pin_holes(spec: ObjectSpec, pin: Pin) -> list[cq.Solid]:
     """Hole through the wall, and room for the head all the way out."""
-    play, draft, seat = play_mm(spec), spec.mould.draft_deg, pin.seat_mm
+    play, draft, seat = spec.printer.clearance_mm, spec.mould.draft_deg, pin.seat_mm
     out = 2 * max(spec.body.size_mm) + spec.mould.flange_mm
     holes = []
     for pocket in pin.pockets:
@@ -67,7 +67,7 @@ def _rod_and_nose(spec: ObjectSpec, locator: Locator) -> tuple[cq.Solid, cq.Soli
     start = -depth - OVERSHOOT_MM - locator.radius_mm * locator.rise_mm
     rod = cylinder_on_face(locator.frame, middle, locator.radius_mm, start, -depth / 4)
     tip = depth + min(LOCATOR_NOSE_MM, 0.8 * locator.hole_mm)
-    narrow = locator.radius_mm - play_mm(spec)
+    narrow = locator.radius_mm - spec.printer.clearance_mm
     sunk = OVERSHOOT_MM / 2
     nose = cylinder_on_face(locator.frame, middle, narrow, -tip, -depth + sunk)
     return rod, nose

@@ -14,7 +14,7 @@ import numpy as np
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
 from design.layout.mould.closure import flange_span_mm
-from design.layout.mould.frame import mould_frame, play_mm
+from design.layout.mould.frame import mould_frame
 from design.mould.openings import hole_solid, mould_holes, seal_holes
 from design.mould.plug_flange import flange_solids
 from design.mould.room import cast_room, core_outside
@@ -49,7 +49,7 @@ def make_mould_holder(spec: ObjectSpec) -> Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    outlet, play = core_outlet(spec), play_mm(spec)
+    outlet, play = core_outlet(spec), spec.printer.clearance_mm
     rod = rod_about_z(spec.body.bore_mm / 2, -mould_frame(spec).rim_mm, 0.5 * outlet.floor_mm)
     radius, low = outlet.radius_mm - play, outlet.floor_mm - OVERSHOOT_MM
     narrowing = float(np.tan(np.deg2rad(spec.mould.draft_deg)))
@@ -79,5 +79,5 @@ def pour_width_mm(spec: ObjectSpec) -> float:
 def rod_hole(spec: ObjectSpec) -> cq.Solid:
     """Hole in the mould's wall round the rod."""
     frame = mould_frame(spec)
-    radius = spec.body.bore_mm / 2 + play_mm(spec)
+    radius = spec.body.bore_mm / 2 + spec.printer.clearance_mm
     return rod_about_z(radius, -frame.rim_mm - OVERSHOOT_MM, 0.0)

@@ -5,8 +5,8 @@ the ends of `along` are raised by 2 mm under the flange and by 4 mm beside it, i
 between which the flange cannot slide. It is 10 mm high: a bridge of 2 mm between the walls; blocks
 10 mm long over them, with clips down to the rim outside; and between the blocks a gabled grip with
 chamfers of 3 mm where it meets them. Theirs has 0.05 mm of play along and 0.2 mm across, ours
-`play_mm` and twice that, so that parts of both sets fit each other. On a narrow flange the gable is
-lower, never steeper than 45°.
+`printer.clearance_mm` and twice that, so that parts of both sets fit each other. On a narrow flange
+the gable is lower, never steeper than 45°.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from design.layout.mould.closure import (
     clip_mm,
     flange_span_mm,
 )
-from design.layout.mould.frame import MouldFrame, mould_frame, mould_style, play_mm
+from design.layout.mould.frame import MouldFrame, mould_frame, mould_style
 from design.solids.booleans import common
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between
@@ -34,7 +34,7 @@ CHAMFER_MM = 3.0
 
 def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
     """Bridge, blocks with their clips, and grip, in the object's frame (mm)."""
-    frame, play = mould_frame(spec), play_mm(spec)
+    frame, play = mould_frame(spec), spec.printer.clearance_mm
     left, right = flange_span_mm(spec)
     wall = float(frame.high_mm[1])
     (start, end), inner = clip_mm(spec), grip_half_mm(frame)
@@ -57,7 +57,7 @@ def tabs(spec: ObjectSpec) -> list[cq.Solid]:
     frame = mould_frame(spec)
     if not frame.plugged:
         return []
-    (left, right), gap = flange_span_mm(spec), 2 * play_mm(spec)
+    (left, right), gap = flange_span_mm(spec), 2 * spec.printer.clearance_mm
     wall, end = spec.mould.wall_mm, float(frame.high_mm[1])
     low, high = frame.rim_mm - OVERSHOOT_MM, frame.rim_mm + POST_HEIGHT_MM
     corners = frame.low_mm[0], frame.high_mm[0]

@@ -15,7 +15,7 @@ from design.errors import InputError
 from design.layout.body import core_frames, face_frames
 from design.layout.pockets import core_pockets, magnet_bodies, sensor_places, shell_pockets
 from design.search.faces import group_labels, layout_groups
-from design.search.places import choices_of_magnets, generators, magnet_maps, sensor_maps
+from design.search.places import choices_of_magnets, magnet_maps, sensor_maps
 from design.search.structure import (
     SIZE,
     STRUCTURE,
@@ -168,10 +168,9 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
         for part, of_part in places.items():
             for k, (x, y) in enumerate(of_part, start=1):
                 found |= {f"{label}{part}{k}_x_mm": x, f"{label}{part}{k}_y_mm": y}
-    symmetries = {spec.search.magnet_symmetry, spec.search.sensor_symmetry}
     for variable in space.variables:
         found.setdefault(variable.name, middle_value(variable))  # of parts that the start lacks
-    if symmetries != {"free"} or not all(_holds(v, found[v.name]) for v in space.variables):
+    if not all(_holds(v, found[v.name]) for v in space.variables):
         return None
     return {v.name: found[v.name] for v in space.variables}
 
@@ -238,18 +237,16 @@ def _of_faces(spec: ObjectSpec, of_groups: list[Any]) -> Any:
 
 
 def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
-    vary, symmetry = spec.search.vary, spec.search.magnet_symmetry
-    counts = vary.magnet_count or (spec.magnets.count,)
+    vary, tilt = spec.search.vary, spec.search.vary.magnet_tilt_deg
     found: list[Variable] = []
-    for seat in generators(symmetry, counts):
-        name = f"magnet{seat.label}"
+    for number in range(1, max(vary.magnet_count or (spec.magnets.count,)) + 1):
+        name = f"magnet{number}"
         for label, reach in _reaches(spec, vary.magnet_reach_mm):
-            found += _pair(label + name, ("x_mm", "y_mm"), reach, seat.place)
+            found += _pair(label + name, ("x_mm", "y_mm"), reach)
         if vary.magnet_depth_mm is not None:
             found.append(Variable(f"{name}_depth_mm", *vary.magnet_depth_mm))
-        tilt = vary.magnet_tilt_deg
         turns = None if tilt is None else (tilt, tilt)
-        found += _pair(name, ("tilt_x_deg", "tilt_y_deg"), turns, seat.turn)
+        found += _pair(name, ("tilt_x_deg", "tilt_y_deg"), turns)
         if vary.magnet_sizes is not None:
             found.append(Variable(name + SIZE, choices=vary.magnet_sizes))
         if vary.magnet_north:
@@ -260,25 +257,15 @@ def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
 
 
 def _sensor_variables(spec: ObjectSpec) -> list[Variable]:
-    reach, symmetry = spec.search.vary.sensor_reach_mm, spec.search.sensor_symmetry
+    reach = spec.search.vary.sensor_reach_mm
     if reach is None:
         return []
     counts = spec.search.vary.sensor_count or (spec.sensors.count_per_face,)
-    if symmetry == "ring":
-        turn = 360.0 / min(counts)
-        return [
-            variable
-            for label, most in _reaches(spec, reach)
-            for variable in (
-                Variable(f"{label}sensor_radius_mm", 0.0, min(most or (reach, reach))),
-                Variable(f"{label}sensor_azimuth_deg", 0.0, turn),
-            )
-        ]
     return [
         variable
         for label, most in _reaches(spec, reach)
-        for seat in generators(symmetry, counts)
-        for variable in _pair(f"{label}sensor{seat.label}", ("x_mm", "y_mm"), most, seat.place)
+        for number in range(1, max(counts) + 1)
+        for variable in _pair(f"{label}sensor{number}", ("x_mm", "y_mm"), most)
     ]
 
 
@@ -298,26 +285,16 @@ def _reaches(spec: ObjectSpec, reach_mm: float | None) -> list[tuple[str, Reach]
     ]
 
 
-def _pair(name: str, axes: tuple[str, str], reach: Reach, matrix: Any) -> list[Variable]:
-    """Variables of two coordinates, without those that the seat's matrix drops."""
-    if reach is None:
-        return []
-    columns = zip(axes, reach, np.asarray(matrix).T, strict=True)
+def _pair(name: str, axes: tuple[str, str], reach: Reach) -> list[Variable]:
+    """Variables of two coordinates; none without a reach."""
     return [
-        Variable(f"{name}_{axis}", -most, most) for axis, most, column in columns if column.any()
+        Variable(f"{name}_{axis}", -most, most)
+        for axis, most in zip(axes, reach or (), strict=False)
     ]
 
 
 def _check(spec: ObjectSpec) -> None:
     vary: VarySpec = spec.search.vary
-    if spec.search.magnet_symmetry == "four-fold":
-        counts = vary.magnet_count or (spec.magnets.count,)
-        wrong = [count for count in counts if count % 4 > 1]
-        if wrong:
-            raise InputError(
-                f'search.magnet_symmetry = "four-fold" takes 4, 5, 8, 9 … magnets; got {wrong}. Change '
-                "search.vary.magnet_count, or the symmetry"
-            )
     for key in ("magnet_part", "magnet_sizes"):
         for name in getattr(vary, key) or ():
             if magnet_part(name).shape == "block":
@@ -347,11 +324,6 @@ def _check_sizes(vary: VarySpec, magnets: MagnetSpec) -> None:
             "search.vary.magnet_part chooses one magnet for all places, search.vary.magnet_sizes one for "
             "each. Leave one of the two out"
         )
-    if magnets.kind == "coil":
-        raise InputError(
-            "search.vary.magnet_sizes chooses among permanent magnets; got magnets.kind = 'coil'. Leave "
-            "it out"
-        )
     parts = [magnet_part(name) for name in vary.magnet_sizes]
     if len({part.shape for part in parts}) > 1:
         raise InputError(
@@ -370,11 +342,6 @@ def _check_grades(spec: ObjectSpec) -> None:
     vary, magnets = spec.search.vary, spec.magnets
     if vary.magnet_grade is None:
         return
-    if magnets.kind == "coil":
-        raise InputError(
-            "search.vary.magnet_grade chooses among permanent magnets; got magnets.kind = 'coil'. Leave "
-            "it out"
-        )
     for name in vary.magnet_part or ():
         if magnet_part(name).grade is not None:
             raise InputError(

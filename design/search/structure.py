@@ -19,11 +19,8 @@ STRUCTURE = (
     "magnet_part",
     "sensor_count",
     "sensor_chip",
-    "sensor_turn_deg",
-    "sensor_range_mt",
     "shell_thickness_mm",
     "silicone",
-    "core_size_mm",
 )
 """Choices between which places are not comparable; a batch is scored structure by structure."""
 SIZE = "_size"
@@ -104,13 +101,10 @@ def _with_magnets(spec: ObjectSpec, new: MagnetSpec) -> dict[str, Any]:
 
 
 def _with_sizes(spec: ObjectSpec, shell: Any, chosen: dict[str, Any]) -> dict[str, Any]:
-    if not {"shell_thickness_mm", "core_size_mm"} & chosen.keys():
+    thickness = chosen.get("shell_thickness_mm")
+    if thickness is None:
         return {"shell": shell}
-    thickness = chosen.get("shell_thickness_mm", shell.thickness_mm)
-    edges = spec.core_size_mm
-    if "core_size_mm" in chosen:
-        edges = (chosen["core_size_mm"],) * 3
-    size = tuple(edge + 2 * thickness for edge in edges)
+    size = tuple(edge + 2 * thickness for edge in spec.core_size_mm)
     return {
         "shell": shell.changed(thickness_mm=thickness),
         "body": spec.body.changed(size_mm=size),
@@ -129,12 +123,6 @@ def _with_sensors(spec: ObjectSpec, chosen: dict[str, Any]) -> SensorSpec:
         if chosen["sensor_chip"] != sensors.chip:
             depth = spec.core.recess_depth_mm - sensors.depth_below_core_face_mm
             content["depth_below_core_face_mm"] = depth
-    if "sensor_turn_deg" in chosen:
-        content["mount_rotation_deg"] = (0.0, 0.0, chosen["sensor_turn_deg"])
-    if "sensor_range_mt" in chosen:
-        for key in ("counts_per_mt", "noise_counts"):
-            del content[key]
-        content["range_mt"] = chosen["sensor_range_mt"]
     return SensorSpec.model_validate(content)
 
 
@@ -200,9 +188,6 @@ def structure_choices(spec: ObjectSpec) -> dict[str, Any]:
         "magnet_part": parts.pop() if len(parts) == 1 else None,
         "sensor_count": sensors.count_per_face,
         "sensor_chip": sensors.chip,
-        "sensor_turn_deg": sensors.mount_rotation_deg[2],
-        "sensor_range_mt": sensors.range_mt,
         "shell_thickness_mm": spec.shell.thickness_mm,
         "silicone": spec.silicone.name,
-        "core_size_mm": spec.core_size_mm[0],
     }

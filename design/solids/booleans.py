@@ -139,6 +139,11 @@ def without_offcuts(shape: Shape, share: float) -> Shape:
     return joined
 
 
+TRIANGLES = 0.05, 0.2
+"""How far triangles of STL, 3MF and GLB files may leave the solids (mm), and turn at a step (rad): on a
+sphere of 50 mm the first holds, on fillets of 1 mm the second."""
+
+
 def as_triangles(
     shape: Shape, fineness: tuple[float, float] = FINENESS, relative: bool = True
 ) -> trimesh.Trimesh:

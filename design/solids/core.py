@@ -22,6 +22,7 @@ from design.solids.primitives import (
     radial_box_on_face,
     single_solid,
 )
+from design.spec.body import HUB_DEPTH_MM
 from design.spec.object import ObjectSpec
 
 
@@ -102,7 +103,7 @@ def wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
     through = -_passage_mm(spec, frame) - OVERSHOOT_MM
     passage = [cylinder_on_face(frame, (0.0, 0.0), radius, through, OVERSHOOT_MM)]
     if core.hub_radius_mm > radius:
-        hub = (core.hub_radius_mm, -core.hub_depth_mm, OVERSHOOT_MM)
+        hub = (core.hub_radius_mm, -HUB_DEPTH_MM, OVERSHOOT_MM)
         passage.append(cylinder_on_face(frame, (0.0, 0.0), *hub))
     return passage
 

@@ -17,7 +17,6 @@ from jaxtyping import Float, Int
 from design.body.meshes import one_closed_surface
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block, block_surface
-from design.layout.mould.frame import play_mm
 from design.layout.pockets import Pocket
 from design.layout.template_marks import bars, mark_places, pockets_by_face
 from design.solids.magnet_template import MARK_DEPTH_MM, PLATE_MM
@@ -61,7 +60,7 @@ def make_curved_template(spec: ObjectSpec, face: int) -> trimesh.Trimesh:
     import trimesh
 
     frame, pockets = next(pair for pair in pockets_by_face(spec) if pair[0].number == face)
-    play, half = play_mm(spec), sheet_half_mm(frame, pockets)
+    play, half = spec.printer.clearance_mm, sheet_half_mm(frame, pockets)
     sheet = _sheet(frame, half, (play, play + PLATE_MM))
     tools = [_hole(frame, pocket, play) for pocket in pockets]
     places = mark_places(spec, pockets, half)

@@ -17,7 +17,6 @@ import numpy as np
 
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
-from design.layout.mould.frame import play_mm
 from design.solids.body import core_hollow
 from design.solids.booleans import Shape, Solid, cut, one_body
 from design.solids.kernel import cq
@@ -102,7 +101,7 @@ def _half_plate_mm(spec: ObjectSpec) -> float:
 def core_post(spec: ObjectSpec, top: float) -> tuple[cq.Solid, cq.Solid]:
     """Post that fills the core's cavity, and the passage through it (both mm)."""
     core = np.asarray(spec.core_size_mm)
-    across = core[:2] / 2 - spec.core.wall_mm - play_mm(spec)
+    across = core[:2] / 2 - spec.core.wall_mm - spec.printer.clearance_mm
     depth = min(POST_IN_CORE_MM, core[2] - spec.core.wall_mm - 1.0)
     reach = -core[2] / 2 + depth
     inside = np.maximum(across - POST_WALL_MM, across / 3)
@@ -114,7 +113,7 @@ def core_post(spec: ObjectSpec, top: float) -> tuple[cq.Solid, cq.Solid]:
 
 def _post_in_bore(spec: ObjectSpec, top: float) -> tuple[cq.Shape, cq.Solid]:
     """Post that carries the core on its outlet's flat, and the slot through it (both mm)."""
-    outlet, play = core_outlet(spec), play_mm(spec)
+    outlet, play = core_outlet(spec), spec.printer.clearance_mm
     seat = flat_seat_mm(spec)
     rod = rod_about_z(spec.body.bore_mm / 2 - play, top - 1.0, seat)
     radius, past = outlet.radius_mm - play, 2 * spec.body.bore_mm
@@ -130,7 +129,7 @@ def flat_seat_mm(spec: ObjectSpec) -> float:
     """Level below all of the core that stands over the post, beside its outlet: on a body that leans or is
     lopsided the core is lowest anywhere there, not at the flat's middle."""
     outlet, body = core_outlet(spec), body_of(spec)
-    radius = spec.body.bore_mm / 2 - play_mm(spec)
+    radius = spec.body.bore_mm / 2 - spec.printer.clearance_mm
     side = np.linspace(-radius, radius, _SEAT_LINES)
     x, y = (part.ravel() for part in np.meshgrid(side, side))
     away = np.hypot(x, y)
@@ -151,7 +150,7 @@ def flat_seat_mm(spec: ObjectSpec) -> float:
 
 def recess_solid(spec: ObjectSpec, top: float) -> cq.Solid:
     """Room for the lowest few millimetres of a body without a cavity for a post."""
-    play, body = play_mm(spec), body_of(spec)
+    play, body = spec.printer.clearance_mm, body_of(spec)
     if body.round_below:
         return rod_about_z(body.radius_mm + play, top - RECESS_MM, top + OVERSHOOT_MM)
     box = envelope(spec).BoundingBox()
@@ -164,7 +163,9 @@ def cup_solid(spec: ObjectSpec, top: float) -> trimesh.Trimesh:
     import trimesh
 
     body = body_of(spec)
-    points = np.asarray(body.outer_surface().vertices) * (1 + play_mm(spec) / body.half_mm)
+    points = np.asarray(body.outer_surface().vertices) * (
+        1 + spec.printer.clearance_mm / body.half_mm
+    )
     below = points[points[:, 2] < top + RECESS_MM]
     return trimesh.convex.convex_hull(np.vstack([below, below + 2 * _cup_mm(spec) * _UP]))
 

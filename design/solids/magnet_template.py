@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from design.layout.mould.frame import play_mm
 from design.layout.pockets import Pocket
 from design.layout.template_marks import (
     CORNER_MM,
@@ -46,7 +45,7 @@ def make_magnet_template(spec: ObjectSpec, face: int) -> cq.Solid:
     """
     frame, pockets = next(pair for pair in pockets_by_face(spec) if pair[0].number == face)
     half = frame.half_extents_mm
-    lip, drop, play = *LIP_MM, play_mm(spec)
+    lip, drop, play = *LIP_MM, spec.printer.clearance_mm
     body = box_between((-half[0] - play - lip, -half[1] - play - lip, 0.0), (*half, PLATE_MM))
     lips = [
         box_between((-half[0] - play - lip, -half[1] - play - lip, -drop), (-half[0] - play, *_end(half))),

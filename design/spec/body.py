@@ -224,6 +224,10 @@ class KeysSpec(SpecPart):
     height_mm: Length = 1.5
 
 
+HUB_DEPTH_MM = 0.5
+"""Depth of the recess round the wire hole in the core's faces, as in the authors' core."""
+
+
 class CoreSpec(SpecPart):
     """Rigid printed core that fills the shell's cavity down to the core's own height.
 
@@ -238,12 +242,10 @@ class CoreSpec(SpecPart):
     recess_outer_radius_mm: Length = 11.0
     recess_depth_mm: Length = 3.0
     hub_radius_mm: Length = 2.0
-    hub_depth_mm: Length = 0.5
     wire_hole_top_diameter_mm: Length = 2.0
     wire_hole_side_diameter_mm: Length = 4.0
     wire_channel_width_mm: Offset = 0.0
     wire_channel_depth_mm: Length = 1.0
-    wire_diameter_mm: Annotated[float, Field(ge=0.02, le=5)] = 0.4
     wires_per_sensor: Annotated[int, Field(ge=1, le=20)] = 4
     bay_mm: tuple[Length, Length, Length] | None = None
     keys: KeysSpec = KeysSpec()

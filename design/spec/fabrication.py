@@ -11,8 +11,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from design.catalogue.printers import Process, printer_preset
-from design.spec.base import Angle, Density, SpecPart
+from design.catalogue.printers import PRINTERS, Printer, Process, printer_preset
+from design.spec.base import Angle, SpecPart
 
 Gap = Annotated[float, Field(ge=0.005, le=2)]
 """Between printed parts (mm)."""
@@ -28,24 +28,20 @@ class MouldSpec(SpecPart):
     are two halves, pulled apart across a plane through z, with loose pins as bosses, drawn first,
     along their own axes (bosses that point along the pull stay on their half). Left out, the style
     is one piece where a side is open. The plane's normal has `parting_azimuth_deg` from x; left
-    out, it is chosen for the body's kind (`design.layout.mould.frame.parting`). `play_mm` is left between
-    parts that slide; left out, it is the printer's clearance. A closed mould is poured through a
-    hole of `pour_mm`; vents of `vent_mm` (left out: the printer's narrowest hole) stand where air
-    would be caught. `draft_deg` widens pins and rods from where they leave the silicone, dowels
-    have `dowel_draft_deg`; walls that shape silicone have the draft of the object's own.
-    `magnet_templates` are printed of flat faces; with "all", sheets that hug curved ones too.
+    out, it is chosen for the body's kind (`design.layout.mould.frame.parting`).
+    `printer.clearance_mm` is left between parts that slide. A closed mould is poured through a
+    hole of `pour_mm`; vents of `printer.hole_mm` stand where air would be caught. `draft_deg`
+    widens pins and rods from where they leave the silicone; walls that shape silicone have the
+    draft of the object's own. `magnet_templates` are printed of flat faces; with "all", sheets
+    that hug curved ones too.
     """
 
     style: Literal["one-piece", "split"] | None = None
     wall_mm: Thickness = 1.5
-    play_mm: Gap | None = None
     parting_azimuth_deg: Angle | None = None
     flange_mm: Thickness = 8.0
-    dowel_draft_deg: Annotated[float, Field(ge=0, le=30)] = 10.0
     draft_deg: Annotated[float, Field(ge=0, le=10)] = 0.0
     pour_mm: Thickness = 6.0
-    vent_mm: Thickness | None = None
-    silicone_waste: Annotated[float, Field(ge=0, le=2)] = 0.15
     magnet_templates: Literal["flat", "all"] = "flat"
 
 
@@ -53,8 +49,8 @@ class PrinterSpec(SpecPart):
     """What the printer of core, mould and probes can make; figures left out are those of `name`.
 
     In a file, `printer = "profile.toml"` takes this table from another one beside it. Walls,
-    features (pins, ribs) and holes below the given sizes fail, bosses more slender than
-    `aspect` (height over width) and walls with less draft than `draft_deg` are warned of.
+    features (pins, ribs) and holes below the given sizes fail; bosses too slender
+    and walls of too little draft for the `process` are warned of.
     """
 
     name: str = "fdm-0.4"
@@ -64,9 +60,11 @@ class PrinterSpec(SpecPart):
     feature_mm: Thickness = 0.8
     hole_mm: Thickness = 1.0
     clearance_mm: Gap = 0.1
-    aspect: Annotated[float, Field(ge=0.5, le=100)] = 4.0
-    draft_deg: Annotated[float, Field(ge=0, lt=45)] = 1.0
-    density_g_per_cm3: Density = 1.27
+
+    @property
+    def process_figures(self) -> Printer:
+        """Aspect, draft and density of what the process makes, as of the first printer of its kind."""
+        return next(one for one in PRINTERS.values() if one.process == self.process)
 
     @model_validator(mode="before")
     @classmethod
@@ -75,11 +73,4 @@ class PrinterSpec(SpecPart):
             return given
         own = set(cls.model_fields) - {"name"} <= set(given)
         preset = {} if own else asdict(printer_preset(given.get("name", "fdm-0.4")))
-        return {**preset, **given}
-
-
-class ExportSpec(SpecPart):
-    """How far the triangles of STL, 3MF and GLB files may leave the solids, and turn at a step."""
-
-    mesh_tolerance_mm: Annotated[float, Field(ge=1e-3, le=5)] = 0.05
-    mesh_angle_rad: Annotated[float, Field(gt=0, le=1)] = 0.2
+        return {key: value for key, value in preset.items() if key in cls.model_fields} | given

@@ -36,7 +36,6 @@ class CollectionSpec(SpecPart):
     `random_grasps` poses drawn by `seed`. "continuous": `presses` short presses of `contacts`
     tips at once anywhere on `faces`, with peaks and rest frames as `protocol` has them; with
     `tangential_share` above 0 each is also pulled sideways, by up to that share of its force.
-    `hysteresis` is the loop's width at half force over the peak, without rate.
     """
 
     kind: CollectionKind = "paper"
@@ -53,7 +52,6 @@ class CollectionSpec(SpecPart):
     presses: Annotated[int, Field(ge=1, le=1_000_000_000)] = 2000
     contacts: Annotated[int, Field(ge=1, le=5)] = 1
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0
-    hysteresis: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
 
     @model_validator(mode="after")
     def _faces_differ(self) -> CollectionSpec:
@@ -74,31 +72,14 @@ class CollectionSpec(SpecPart):
         return self
 
 
-HullForm = Literal["covariance", "exact", "monte-carlo"]
-LARGEST_EXACT_HULL_FRAMES = 100
-
-
 class ScoreSpec(SpecPart):
-    """At which force places are judged, from whose channels, and how the convex hull is measured.
+    """At which force places are judged, and from whose channels.
 
     `channels` says whose sensors the bounds read: the pressed face's own, or those of all faces.
-    `hull_frames` is N of the convex-hull sensitivity δ, which is always that of the own channels.
     """
 
     force_n: Force = 8.0
     channels: Literal["own", "all"] = "own"
-    hull: HullForm = "covariance"
-    hull_frames: Annotated[int, Field(ge=12, le=1_000_000_000)] = 1000
-
-    @model_validator(mode="after")
-    def _hull_is_feasible(self) -> ScoreSpec:
-        if self.hull == "exact" and self.hull_frames > LARGEST_EXACT_HULL_FRAMES:
-            raise ValueError(
-                f"score.hull = 'exact' takes at most {LARGEST_EXACT_HULL_FRAMES} frames; got "
-                f"score.hull_frames = {self.hull_frames}. Lower it (seconds per place at 100), or use "
-                "'monte-carlo' or 'covariance'"
-            )
-        return self
 
 
 class ProtocolSpec(SpecPart):
@@ -108,7 +89,6 @@ class ProtocolSpec(SpecPart):
     frames_per_press: Annotated[int, Field(ge=4, le=1_000_000)] = 40
     rest_frames_per_press: Annotated[int, Field(ge=2, le=1_000_000)] = 8
     peak_force_n: tuple[Force, Force] = (10.0, 20.0)
-    peak_force_spread: Annotated[float, Field(ge=0, lt=0.9)] = 0.1
     lateral_jitter_mm: Annotated[float, Field(ge=0, le=20)] = 0.3
     force_noise_n: Annotated[float, Field(ge=0, le=20)] = 0.12
 
@@ -125,7 +105,7 @@ class ProtocolSpec(SpecPart):
 class InversionSpec(SpecPart):
     """Contacts read by inverting the forward model, with `training.model = "inversion"`.
 
-    Up to `contacts` at once, each of at least `least_force_n`, anywhere on the sensed faces.
+    Up to `contacts` at once anywhere on the sensed faces.
     `probes`: "free" contacts stand and bear anyhow; "known" are the paper's probes, at most one a
     face, of one tip, two 15 mm or three 20 mm apart (farther for tips of more than 5 mm radius), which
     bear alike within 30 %. `jaws`: two of them press two faces alike (within 30 %), with as many tips
@@ -139,7 +119,6 @@ class InversionSpec(SpecPart):
     """
 
     contacts: Annotated[int, Field(ge=1, le=8)] = 6
-    least_force_n: Annotated[float, Field(gt=0, le=100)] = 0.2
     probes: Literal["free", "known"] = "free"
     jaws: bool = False
     model_error: Annotated[float, Field(ge=0, lt=1)] | None = None
@@ -151,65 +130,35 @@ class InversionSpec(SpecPart):
 class TrainingSpec(SpecPart):
     """Contact estimator, one per face.
 
-    `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that it
-    copes with presses on other faces; "paper" is the network and recipe of Knopke et al. (RA-L
-    2024), for which `hidden_units`, `batch_size` and `learning_rate` are its own; "linear" is ridge
-    regression; "inversion" is no network but the most probable contacts of the forward model
-    (`[inversion]`), for which nothing else here counts. `output`: a "heatmap" of any number of contacts,
-    or the "position" of one contact,
-    which contact locations that training never saw need (compact and whole-object only). `heatmap_axes`: 1
-    for the normal force, 3 for Fx, Fy, Fz. With `history_frames` the estimator also reads the change
-    over so many frames, which tells loading from unloading (hysteresis of the silicone). `ensemble`:
-    networks that are averaged, each stopped and calibrated by its own fold of the presses. `trees`:
-    extremely randomised trees beside each network, whose answers are weighed in. `process`: a
-    Gaussian process answers where a frame is novel (both compact and whole-object only). Left out,
-    these four follow from the data (`estimator.networks.defaults`).
-    `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects that
-    `instobj run --to pretraining` draws within `[tolerances]`, or `--twin` within what labelled presses leave
-    possible.
+    `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that
+    it copes with presses on other faces; "inversion" is no network but the most probable contacts
+    of the forward model (`[inversion]`), for which nothing else here counts. With
+    `history_frames` the estimator also reads the change over so many frames, which tells loading
+    from unloading (hysteresis of the silicone). `ensemble`: networks that are averaged, each
+    stopped and calibrated by its own fold of the presses. `trees`: extremely randomised trees
+    beside each network, whose answers are weighed in. `process`: a Gaussian process answers where
+    a frame is novel. Left out, these four follow from the data (`estimator.networks.defaults`).
+    `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects
+    that `instobj run --to pretraining` draws within `[tolerances]`, or `--twin` within what
+    labelled presses leave possible.
     """
 
-    model: Literal["compact", "whole-object", "paper", "linear", "inversion"] = "compact"
-    output: Literal["heatmap", "position"] = "heatmap"
-    heatmap_axes: Literal[1, 3] = 1
+    model: Literal["compact", "whole-object", "inversion"] = "compact"
     history_frames: Annotated[int, Field(ge=0, le=100)] | None = None
     hidden_units: Annotated[
         tuple[Annotated[int, Field(ge=1, le=10_000_000)], ...], Field(min_length=1, max_length=20)
     ] = (256, 256, 256)
     epochs: Annotated[int, Field(ge=1, le=100_000)] = 40
-    batch_size: Annotated[int, Field(ge=1, le=1_000_000)] = 512
-    learning_rate: Annotated[float, Field(ge=1e-7, le=1)] = 3e-3
-    patience_epochs: Annotated[int, Field(ge=1, le=100_000)] = 15
     ensemble: Annotated[int, Field(ge=1, le=20)] | None = None
     trees: Annotated[int, Field(ge=0, le=500)] | None = None
     process: bool | None = None
     coverage: Annotated[float, Field(gt=0, lt=1)] = 0.9
     twins: Annotated[int, Field(ge=2, le=1000)] = 10
 
-    @model_validator(mode="after")
-    def _what_stands_beside_heads(self) -> TrainingSpec:
-        for name, none in (("trees", 0), ("process", False)):
-            value = getattr(self, name)
-            if value and self.model in ("paper", "linear"):
-                raise ValueError(
-                    f"training.{name} works with training.model = 'compact' or 'whole-object'; got "
-                    f"{value} and {self.model!r}. Set {name} = {str(none).lower()}, or another model"
-                )
-        return self
-
     @model_validator(mode="before")
     @classmethod
     def _names_now(cls, given: Any) -> Any:
         return under_names_now("training", given)
-
-    @model_validator(mode="after")
-    def _output_of_model(self) -> TrainingSpec:
-        if self.output == "position" and self.model in ("paper", "linear"):
-            raise ValueError(
-                f"training.model = {self.model!r} draws heatmaps only; got training.output = "
-                "'position'. Use model 'compact' or 'whole-object', or output 'heatmap'"
-            )
-        return self
 
 
 Use = Literal["grasp", "touch", "presence"]

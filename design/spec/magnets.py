@@ -1,4 +1,4 @@
-"""The magnets in a specification: what they are, where they sit, and how coils are switched.
+"""The magnets in a specification: what they are and where they sit.
 
 Defaults are the paper's cube (Knopke et al., RA-L 2024); docs/units.md gives the source of each.
 """
@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import pi
 from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import Discriminator, Field, Tag, model_validator
@@ -28,9 +27,6 @@ from design.spec.base import (
     Remanence,
     SpecPart,
 )
-
-MU0_T_MM_PER_A = 4e-4 * pi
-"""Permeability of vacuum, T·mm/A."""
 
 Value = TypeVar("Value", float, str)
 
@@ -109,10 +105,8 @@ class MagnetSpec(SpecPart):
     `recoil_permeability` makes the polarization smaller than the remanence (docs/field.md); 1 takes the
     two as equal.
 
-    `kind = "coil"` puts air-core coils of the same outline in the magnets' place, wound from the
-    inner to the outer diameter with `turns` of `current_a`; only they can be switched on face by
-    face, each face while its own sensors are read. Where magnets sit in the core (`arrangement`),
-    their outer pole lies `depth_below_core_face_mm` below the core's face.
+    Where magnets sit in the core (`arrangement`), their outer pole lies `depth_below_core_face_mm`
+    below the core's face.
 
     `depth_mm` is that of the mid-plane's centre below the face, one for all magnets or one each;
     left out, magnets lie on the floor of pockets of `shell.pocket_depth_mm`. `tilt_deg` turns each
@@ -121,7 +115,6 @@ class MagnetSpec(SpecPart):
     """
 
     part: str | tuple[str, ...] | None = None
-    kind: Literal["permanent", "coil"] = "permanent"
     shape: MagnetShape = "disk"
     diameter_mm: Length | LengthOfEach = 6.0
     inner_diameter_mm: Offset | Annotated[tuple[Offset, ...], Field(min_length=1)] = 0.0
@@ -131,9 +124,6 @@ class MagnetSpec(SpecPart):
     remanence_t: Remanence | Annotated[tuple[Remanence, ...], Field(min_length=1)] = 1.43
     recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
     temperature_c: Annotated[float, Field(ge=-40, le=150)] = REFERENCE_TEMPERATURE_C
-    turns: Annotated[int, Field(ge=1, le=100_000)] = 50
-    current_a: Annotated[float, Field(ge=-100, le=100)] = 0.2
-    switching: Literal["all-on", "face-by-face"] = "all-on"
     depth_below_core_face_mm: Offset = 0.0
     positions_mm: PlacesOfFaces = (
         (0.0, 0.0),
@@ -253,11 +243,6 @@ class MagnetSpec(SpecPart):
         """Remanence of a face's first magnet at `temperature_c`."""
         return remanence_at_temperature_t(self.remanences_t[0], self.temperature_c)
 
-    @property
-    def winding_polarization_t(self) -> float:
-        """μ0 N I / L: the polarization of the body whose field is that of the winding."""
-        return MU0_T_MM_PER_A * self.turns * self.current_a / self.sizes[0].height_mm
-
     @model_validator(mode="before")
     @classmethod
     def _figures_of_part_and_grade(cls, given: Any) -> Any:
@@ -313,29 +298,9 @@ class MagnetSpec(SpecPart):
                     )
 
     def _check_shape(self) -> None:
-        hollow = self.shape == "ring" or self.kind == "coil"
+        hollow = self.shape == "ring"
         for size in self.distinct_sizes:
             self._check_hole(size, hollow)
-        if self.kind == "coil" and self.shape == "block":
-            raise ValueError(
-                "magnets.kind = 'coil' is wound round; got magnets.shape = 'block'. Choose shape = "
-                "'disk' (or 'ring', the same for a coil)"
-            )
-        if self.kind == "coil" and isinstance(self.remanence_t, tuple):
-            raise ValueError(
-                "magnets.kind = 'coil' has no remanence; got a list of magnets.grade or "
-                f"magnets.remanence_t = {list(self.remanence_t)}. Leave it out: all coils are wound alike"
-            )
-        if self.kind == "coil" and len(self.distinct_sizes) > 1:
-            raise ValueError(
-                "magnets.kind = 'coil' takes coils of one size; got "
-                f"{', '.join(size.told for size in self.distinct_sizes)}. Give one size for all"
-            )
-        if self.switching == "face-by-face" and self.kind != "coil":
-            raise ValueError(
-                "magnets.switching = 'face-by-face' needs magnets.kind = 'coil'; permanent magnets "
-                "cannot be switched off. Choose coils, or switching = 'all-on'"
-            )
 
     def _check_hole(self, size: MagnetSize, hollow: bool) -> None:
         if size.inner_diameter_mm >= size.diameter_mm and hollow:
@@ -349,7 +314,7 @@ class MagnetSpec(SpecPart):
             )
         if size.inner_diameter_mm and not hollow:
             raise ValueError(
-                f"magnets.inner_diameter_mm = {size.inner_diameter_mm:g} belongs to a ring or a coil; "
+                f"magnets.inner_diameter_mm = {size.inner_diameter_mm:g} belongs to a ring; "
                 f"magnets.shape is {self.shape!r}. Leave it out, or choose shape = 'ring'"
             )
 

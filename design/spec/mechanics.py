@@ -69,15 +69,13 @@ class SlipSpec(SpecPart):
     """Slip of the core against the bonded shell after casting, seen from the shell.
 
     The core has turned about the object's origin by the rotation vector `rotation_deg`, then
-    shifted by `shift_mm`. "fem" keeps the core still and lets the shell follow its interface;
-    "sensors-only" moves the sensors instead and leaves presses as they were, an approximation.
+    shifted by `shift_mm`: the core is kept still, and the shell follows its interface.
     `rim` "held" clamps the silicone's flat ring round the open face to the mounting plate, in
     every press.
     """
 
     shift_mm: tuple[Shift, Shift, Shift] = (0.0, 0.0, 0.0)
     rotation_deg: tuple[Turn, Turn, Turn] = (0.0, 0.0, 0.0)
-    model: Literal["fem", "sensors-only"] = "fem"
     rim: Literal["free", "held"] = "free"
 
     @property
@@ -86,23 +84,16 @@ class SlipSpec(SpecPart):
         return any(self.shift_mm) or any(self.rotation_deg)
 
 
-LOCKING_WARNING = (
-    'mechanics.element = "p1" locks in nearly incompressible silicone: the shell comes out several '
-    "times too stiff. It is there for teaching; take taylor-hood for figures to rely on"
-)
-
-
 class MechanicsSpec(SpecPart):
     """Finite element, the model of the magnets in the silicone, and its hold on the core.
 
     "taylor-hood" takes Poisson ratios from 0.01 to 0.5; "p2" is for foams and lattices, −0.3 to 0.45;
-    "p2-p0" (symmetric positive definite, a little too soft) up to 0.4999; "p1" locks and is for
-    teaching. On a "frictionless" core the
+    "p2-p0" (symmetric positive definite, a little too soft) up to 0.4999. On a "frictionless" core the
     shell slides but does not lift off. The correction "large-strain" presses a few places with
     large deformation and corrects all presses by a fit to them (minutes, once).
     """
 
-    element: Literal["taylor-hood", "p2-p0", "p2", "p1"] = "taylor-hood"
+    element: Literal["taylor-hood", "p2-p0", "p2"] = "taylor-hood"
     magnets: Literal["rigid", "points"] = "rigid"
     interface: Literal["bonded", "frictionless"] = "bonded"
     slip: SlipSpec = SlipSpec()

@@ -15,7 +15,7 @@ from design.spec.assembly import AsBuiltSpec, TolerancesSpec
 from design.spec.base import SpecPart
 from design.spec.body import BodySpec, CoreSpec, ShellSpec
 from design.spec.environment import EnvironmentSpec
-from design.spec.fabrication import ExportSpec, MouldSpec, PrinterSpec
+from design.spec.fabrication import MouldSpec, PrinterSpec
 from design.spec.learning import (
     CollectionSpec,
     InversionSpec,
@@ -28,7 +28,7 @@ from design.spec.load_cell import LoadCellSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.mechanics import ContactGridSpec, IndenterSpec, MechanicsSpec, MeshSpec, PressSpec
 from design.spec.search import SearchSpec
-from design.spec.sensors import FACES_OF_A_CUBE, SensorSpec, fastest_frame_rate_hz
+from design.spec.sensors import BUS_KHZ, FACES_OF_A_CUBE, SensorSpec, fastest_frame_rate_hz
 from design.spec.silicone import SiliconeSpec
 
 LARGEST_SEED = 2**31 - 1
@@ -74,7 +74,6 @@ class ObjectSpec(SpecPart):
     search: SearchSpec = SearchSpec()
     mould: MouldSpec = MouldSpec()
     printer: PrinterSpec = PrinterSpec()
-    export: ExportSpec = ExportSpec()
 
     @property
     def core_size_mm(self) -> tuple[float, float, float]:
@@ -144,8 +143,7 @@ class ObjectSpec(SpecPart):
             raise ValueError(
                 f"sensors.frame_rate_hz = {sensors.frame_rate_hz:g} is beyond the {fastest:.4g} Hz at "
                 f"which {faces * sensors.count_per_face} sensors with averaging = {sensors.averaging} "
-                f"can be read over one bus of {sensors.i2c_khz:g} kHz. Lower it or the averaging, or "
-                "raise i2c_khz"
+                f"can be read over one bus of {BUS_KHZ:g} kHz. Lower it or the averaging"
             )
         return self
 

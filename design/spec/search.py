@@ -13,53 +13,30 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, field_validator, model_validator
 
 from design.spec.base import (
-    Angle,
     Coordinate,
     Count,
     Distinct,
-    FieldRange,
     Force,
     Length,
-    Offset,
     SpecPart,
     Wall,
 )
 from design.spec.renamed import under_names_now
 
-Engine = Literal["tpe", "cma-es", "nsga-ii", "nsga-iii", "random"]
 Objective = Literal[
     "worst_position_bound_mm",
     "percentile_99_position_bound_mm",
-    "percentile_95_position_bound_mm",
     "median_position_bound_mm",
     "position_bound_over_start",
     "worst_force_bound_n",
     "median_false_force_n",
     "percentile_95_false_force_n",
     "sensitivity_ratio",
-    "edge_position_bound_mm",
-    "pair_own_position_bound_mm",
-    "pair_all_position_bound_mm",
-    "grasp_position_bound_mm",
-    "slip_place_mm",
-    "tolerance_place_mm",
-    "task_loss",
-    "compliance_deviation",
-    "cost",
-    "build_minutes",
 ]
 OBJECTIVES_TO_MAXIMIZE = ("sensitivity_ratio",)
-PARETO_ENGINES = ("tpe", "nsga-ii", "nsga-iii", "random")
 
-WantedCompliance = dict[
-    Literal["everywhere", "corner", "edge", "mid_edge", "centre"],
-    Annotated[float, Field(ge=1e-4, le=100)],
-]
-_SOFTENS = ("shell_thickness_mm", "silicone", "core_size_mm")
 Range = tuple[Coordinate, Coordinate]
 Some = Field(min_length=1, max_length=20)
-Price = Annotated[float, Field(ge=0, le=1e6)]
-"""In any currency; also minutes by hand."""
 
 
 class VarySpec(SpecPart):
@@ -68,10 +45,9 @@ class VarySpec(SpecPart):
     same on all. Where there are several, names of places in trials begin with `face` and the first face that
     has them. `magnet_part` are catalogued magnets for all places, `magnet_sizes` for each by itself.
 
-    A changed magnet keeps its pocket's clearance and the silicone above it; where thickness or core
-    change, the core's inside stays and the body grows or shrinks. A changed range takes the part's
-    gain and noise. `magnet_reach_mm` and `sensor_reach_mm` limit |x| and |y|, of sensors on a ring
-    the radius.
+    A changed magnet keeps its pocket's clearance and the silicone above it; where thickness
+    changes, the core stays and the body grows or shrinks. `magnet_reach_mm` and `sensor_reach_mm`
+    limit |x| and |y|.
     """
 
     layouts: Literal["one", "per size", "per face"] = "per size"
@@ -88,11 +64,8 @@ class VarySpec(SpecPart):
     ) = None
     sensor_reach_mm: Length | None = None
     sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some, Distinct] | None = None
-    sensor_turn_deg: Annotated[tuple[Angle, ...], Some, Distinct] | None = None
-    sensor_range_mt: Annotated[tuple[FieldRange, ...], Some, Distinct] | None = None
     shell_thickness_mm: Annotated[tuple[Wall, ...], Some, Distinct] | None = None
     silicone: Annotated[tuple[str, ...], Some, Distinct] | None = None
-    core_size_mm: Annotated[tuple[Length, ...], Some, Distinct] | None = None
 
     @model_validator(mode="after")
     def _is_possible(self) -> VarySpec:
@@ -114,22 +87,13 @@ class SearchLimitsSpec(SpecPart):
     """What every layout must keep, beyond what any specification must and what `check --fabrication`
     asks of layouts: `silicone.thinnest_wall_mm` round pockets, `printer.wall_mm` round recesses.
 
-    `pocket_gap_mm` and `board_gap_mm` are what is left between the pockets of two magnets and between
-    the recesses of two sensor boards, where that is more; `wiring_mm` is the length of straight wires
-    from a face's sensors to its centre; `parts_per_face` counts magnets and sensors; `cost` is that of
-    all faces, in the unit of the prices, `build_minutes` their time by hand. `times_start` says how many
+    `times_start` says how many
     times the starting specification's value a score may have at most (`sensitivity_ratio`: at least);
     `places_worse` is the share of (force, contact location) whose position bound may be larger than the
     start's. At rest and in the deepest press `limits.saturation_margin` of the sensors' range stays free,
     and 95 % of virtual objects keep every chip within it.
     """
 
-    pocket_gap_mm: Offset = 1.0
-    board_gap_mm: Offset = 0.0
-    wiring_mm: Annotated[float, Field(gt=0, le=1e5)] | None = None
-    parts_per_face: Count | None = None
-    cost: Annotated[float, Field(gt=0, le=1e6)] | None = None
-    build_minutes: Annotated[float, Field(gt=0, le=1e6)] | None = None
     places_worse: Annotated[float, Field(ge=0, le=1)] = 0.02
     times_start: dict[Objective, Annotated[float, Field(gt=0, le=1e4)]] = Field(
         default_factory=dict
@@ -141,49 +105,17 @@ class SearchLimitsSpec(SpecPart):
         return under_names_now("search.limits.times_start", given)
 
 
-class PricesSpec(SpecPart):
-    """Of one part, in any currency, and minutes by hand; sensors with their board.
-
-    A magnet's pole is found and it is pressed in; a sensor gets five wires and is tested and glued.
-    """
-
-    magnet: Price = 0.2
-    sensor: Price = 3.0
-    magnet_minutes: Price = 2.0
-    sensor_minutes: Price = 15.0
-
-    def cost(self, magnets: int, sensors: int) -> float:
-        """Of so many parts."""
-        return self.magnet * magnets + self.sensor * sensors
-
-    def build_minutes(self, magnets: int, sensors: int) -> float:
-        """By hand, of so many parts."""
-        return self.magnet_minutes * magnets + self.sensor_minutes * sensors
-
-
-class TaskSpec(SpecPart):
-    """What presses are read for: those of `from_n` and more are to be found, placed `within_mm`, and their
-    force told within `force_percent` of itself. `task_loss` is the share that fails in any of these."""
-
-    from_n: Force = 1.0
-    within_mm: Annotated[float, Field(gt=0, le=100)] = 3.0
-    force_percent: Annotated[float, Field(gt=0, le=100)] = 10.0
-
-
 class SearchSpec(SpecPart):
-    """A layout search: what may change, limits, objectives, engine and budget.
+    """A layout search: what may change, limits, objectives and budget.
 
     With several objectives the result is a Pareto front; the first names the layouts that the next
-    levels get. Every trial's continuous variables are improved by `polish_steps` generations of
-    CMA-ES, about a hundred scorings each; `trials` that choices, `batch` and processes do not need are
-    joined to fewer, of up to 600 generations each. `seconds` are those of a whole call, mechanics and
-    all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first. A trial
-    beyond `trial_seconds` is given up. `leaders` go to the second fidelity level (rigid magnets),
+    levels get. Every trial is a random start whose continuous variables are improved by `polish_steps`
+    generations of CMA-ES, about a hundred scorings each. `trials` that choices and processes do
+    not need are joined to fewer, of up to 600 generations each. `seconds` are those of a whole call,
+    mechanics and all fidelity levels: trials end at `trials` or after 40 % of the time, whichever is first.
+    A trial beyond `trial_limit_s` is given up. `leaders` go to the second fidelity level (rigid magnets),
     `finalists` to the last.
     Bounds are of a `baseline` just taken, or of one that has drifted by `sensors.drift_counts` since.
-    `compliance_mm_per_n` is indentation depth over force at `score.force_n` that
-    `compliance_deviation` is taken from, by area (later ones over earlier ones; "edge" without
-    corners); none: even.
     """
 
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1, max_length=4)] = (
@@ -191,21 +123,19 @@ class SearchSpec(SpecPart):
     )
     forces_n: Annotated[tuple[Force, ...], Field(max_length=8)] = (1.0, 3.5, 12.0)
     baseline: Literal["fresh", "drifted"] = "fresh"
-    engine: Engine = "tpe"
     polish_steps: Annotated[int, Field(ge=0, le=1000)] = 300
     trials: Annotated[int, Field(ge=1, le=10_000_000)] = 60
     seconds: Annotated[float, Field(gt=0, le=1e8)] = 2700.0
-    trial_seconds: Annotated[float, Field(gt=0, le=1e8)] = 900.0
-    batch: Annotated[int, Field(ge=1, le=1024)] = 1
     leaders: Annotated[int, Field(ge=1, le=100_000)] = 6
     finalists: Annotated[int, Field(ge=1, le=10_000)] = 2
-    magnet_symmetry: Literal["free", "mirrored", "four-fold"] = "free"
-    sensor_symmetry: Literal["free", "mirrored", "ring"] = "free"
-    compliance_mm_per_n: WantedCompliance = Field(default_factory=dict)
     vary: VarySpec = VarySpec()
     limits: SearchLimitsSpec = SearchLimitsSpec()
-    prices: PricesSpec = PricesSpec()
-    task: TaskSpec = TaskSpec()
+
+    @property
+    def trial_limit_s(self) -> float:
+        """Time of one trial: a quarter of an hour, or 3 s for each of its generations, ten times what they
+        take on one core."""
+        return max(900.0, 3.0 * self.polish_steps)
 
     @property
     def named(self) -> set[str]:
@@ -228,11 +158,6 @@ class SearchSpec(SpecPart):
             raise ValueError(
                 f"search.objectives names one twice: {list(self.objectives)}. Leave one out"
             )
-        if len(self.objectives) > 1 and self.engine not in PARETO_ENGINES:
-            raise ValueError(
-                f'search.engine = "{self.engine}" takes a single objective; got '
-                f"{len(self.objectives)}. Choose one of {', '.join(PARETO_ENGINES)}"
-            )
         if self.finalists > self.leaders:
             raise ValueError(
                 f"search.finalists = {self.finalists} come from search.leaders = {self.leaders}. Give "
@@ -244,24 +169,4 @@ class SearchSpec(SpecPart):
                 "locations; got places_worse = 1, which leaves out all of them. Give a share below 1, "
                 "such as 0.02"
             )
-        self._check_symmetry()
-        self._check_compliance()
         return self
-
-    def _check_compliance(self) -> None:
-        free = any(getattr(self.vary, name) is not None for name in _SOFTENS)
-        if "compliance_deviation" in self.objectives and not free:
-            raise ValueError(
-                'search.objectives has "compliance_deviation", which the lowest fidelity level takes of the '
-                f"shell without magnets: places of magnets and sensors do not change it. Free one of "
-                f"{', '.join(f'search.vary.{name}' for name in _SOFTENS)}; how magnets stiffen the "
-                "shell is scored at the second fidelity level, whatever the objectives"
-            )
-
-    def _check_symmetry(self) -> None:
-        for part, symmetry in (("magnet", self.magnet_symmetry), ("sensor", self.sensor_symmetry)):
-            if symmetry != "free" and getattr(self.vary, f"{part}_reach_mm") is None:
-                raise ValueError(
-                    f'search.{part}_symmetry = "{symmetry}" arranges {part}s anew and needs '
-                    f'search.vary.{part}_reach_mm. Add it, or use "free"'
-                )

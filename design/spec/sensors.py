@@ -29,6 +29,8 @@ Turns = Annotated[tuple[tuple[Angle, Angle, Angle], ...], Field(min_length=1, ma
 Axis = Literal["X", "Y", "Z"]
 Noise = Annotated[float, Field(gt=0, le=32_768)]
 """White noise of one axis (rms counts)."""
+BUS_KHZ = 400.0
+"""Clock of the one bus of all sensors: the I²C bus's fast mode (NXP UM10204)."""
 FACES_OF_A_CUBE = 5
 """Sensed faces of the default body, for which lists of places are filled up."""
 
@@ -47,7 +49,7 @@ class SensorSpec(SpecPart):
     `noise_counts` are those of `part` where they are left out; the default part's noise, gain and
     drift were measured on the recordings (16× averaging, ±40 mT). `averaging` is the number of
     conversions in a reading. With tolerances (rms) above 0, simulated chips are drawn with the
-    specification's seed: the gain of each axis, the share of other axes in it, and its offset.
+    specification's seed: the gain of each axis and the share of other axes in it.
     Where sensors sit in the shell (`arrangement`), each is a rigid board of `package_mm`
     (tangential, radial, thick) on its pocket's floor, sensing at its centre. `chip_mm` is the chip
     with its leads on the board (as `package_mm`), for the checks alone.
@@ -77,11 +79,9 @@ class SensorSpec(SpecPart):
     noise_counts: tuple[Noise, Noise, Noise] = (22.0, 22.0, 11.0)
     gain_tolerance: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
     cross_axis_tolerance: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
-    offset_tolerance_mt: Annotated[float, Field(ge=0, le=100)] = 0.0
     zeroing_counts: Counts = 10.0
     drift_counts: Counts = 60.0
     frame_rate_hz: Annotated[float, Field(ge=0.01, le=1e5)] = 10.5
-    i2c_khz: Annotated[float, Field(ge=1, le=5000)] = 400.0
 
     @property
     def places(self) -> tuple[tuple[tuple[float, float, float], ...], ...]:
@@ -150,7 +150,7 @@ def fastest_frame_rate_hz(sensors: SensorSpec, faces: int = FACES_OF_A_CUBE) -> 
     A part without a conversion time in the catalogue is limited by the bus alone. Firmware, line and
     multiplexers come on top: the paper's object ran at 10.5 Hz.
     """
-    read_ms = faces * sensors.count_per_face * _READ_BITS / sensors.i2c_khz
+    read_ms = faces * sensors.count_per_face * _READ_BITS / BUS_KHZ
     return 1e3 / frame_ms(conversion_ms(sensors.part, sensors.averaging), read_ms)
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
 from design.catalogue.silicones import (
     SILICONES,
+    Casting,
     ModulusEstimate,
     modulus_from_shore,
     silicone_preset,
@@ -17,7 +17,6 @@ from design.spec.base import Density, Length, SpecPart
 
 Modulus = Annotated[float, Field(ge=0.001, le=50)]
 """Young's modulus (MPa): of soft foams and gels 0.001, of printed TPU 17."""
-Share = Annotated[float, Field(gt=0, le=1000)]
 
 
 class PronyTermSpec(SpecPart):
@@ -45,10 +44,8 @@ class SiliconeSpec(SpecPart):
     the interval that the modulus may lie in, unknown where an explicit one lies outside its source's.
     0.414 MPa is Gent's (1958) relation at Shore A10; the public recordings fit 0.23 to 0.28 MPa.
 
-    `cure` is its chemistry (what is not cast, as printed TPU, has "none"), `mix_ratio` its parts by
-    mass; pot life and time to demould are the maker's at room temperature, unknown where neither
-    preset nor specification gives them. Walls below `thinnest_wall_mm` tear; it may be stretched by
-    `peel_share` of its elongation at break when it is peeled out of a mould.
+    `cure` is its chemistry (what is not cast, as printed TPU, has "none"), Walls below
+    `thinnest_wall_mm` tear.
 
     `layers` are others of its kind over the body, from the outer surface inwards: the closed skin of
     a printed lattice, a harder pour. They end at equal distances from the core.
@@ -66,12 +63,8 @@ class SiliconeSpec(SpecPart):
     layers: tuple[LayerSpec, ...] = ()
     prony: tuple[PronyTermSpec, ...] = ()
     cure: Literal["platinum", "tin", "none"] = "platinum"
-    mix_ratio: tuple[Share, Annotated[float, Field(ge=0, le=1000)]] = (1.0, 1.0)
-    pot_life_min: Annotated[float, Field(ge=0.1, le=10_000)] | None = 6.0
-    cure_h: Annotated[float, Field(ge=0.01, le=1000)] | None = 0.5
     elongation_percent: Annotated[float, Field(ge=1, le=3000)] = 970.0
     thinnest_wall_mm: Annotated[float, Field(ge=0.05, le=50)] = 1.0
-    peel_share: Annotated[float, Field(gt=0, le=1)] = 0.33
 
     @model_validator(mode="before")
     @classmethod
@@ -104,6 +97,11 @@ class SiliconeSpec(SpecPart):
     def surface_modulus_mpa(self) -> float:
         """Young's modulus right under the outer surface."""
         return self.youngs_modulus_mpa * (self.layers[0].modulus_ratio if self.layers else 1.0)
+
+    @property
+    def casting(self) -> Casting | None:
+        """Mixing ratio and times of the preset; None of a silicone of one's own: its maker's sheet tells."""
+        return SILICONES[self.name].casting if self.name in SILICONES else None
 
     @property
     def modulus_source(self) -> str:
@@ -152,10 +150,13 @@ def _estimate(name: str, shore: str | None) -> ModulusEstimate | None:
 
 def _of_preset(name: str) -> dict[str, Any]:
     if name not in SILICONES:
-        return {"pot_life_min": None, "cure_h": None}
+        return {}
     preset = SILICONES[name]
     figures = {
         "poisson_ratio": preset.poisson_ratio,
         "density_g_per_cm3": preset.density_g_per_cm3,
     }
-    return figures | ({} if preset.casting is None else asdict(preset.casting))
+    if preset.casting is not None:
+        figures |= {"cure": preset.casting.cure}
+        figures |= {"elongation_percent": preset.casting.elongation_percent}
+    return figures

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from design.catalogue.bus_parts import SELECT_BYTES, Board, BusChip, frame_ms
+from design.spec.sensors import BUS_KHZ
 
 _SINK_MA = 3.0
 _LOW_V = 0.4
@@ -12,7 +13,7 @@ _RISE = 0.8473
 """tr = 0.8473 R C between 30 and 70 % of the supply (UM10204, section 7.1)."""
 _E12 = (1.0, 1.2, 1.5, 1.8, 2.2, 2.7, 3.3, 3.9, 4.7, 5.6, 6.8, 8.2)
 _LARGEST_PF = 400.0
-STANDARD_KHZ, FAST_KHZ = 100.0, 400.0
+STANDARD_KHZ, FAST_KHZ = 100.0, BUS_KHZ
 
 
 def rise_time_ns(khz: float) -> float:

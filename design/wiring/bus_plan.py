@@ -207,18 +207,16 @@ def require_current(
 def _clock(
     spec: ObjectSpec, board: Board, chips: Sequence[ChipOnBus]
 ) -> tuple[float, float, float]:
-    """Bus clock (kHz), capacitance (pF) and pull-up (kΩ): the specified clock, else 100 kHz."""
+    """Bus clock (kHz), capacitance (pF) and pull-up (kΩ): 400 kHz, else 100 kHz."""
     pulled_v = board.logic_v if chips[0].multiplexer is not None else _CHIP_V
     capacitance = largest_line_pf(chips)
-    asked = min(spec.sensors.i2c_khz, FAST_KHZ)
-    for khz in sorted({asked, min(asked, STANDARD_KHZ)}, reverse=True):
+    for khz in (FAST_KHZ, STANDARD_KHZ):
         pullup = pullup_kohm(khz, pulled_v, capacitance)
         if pullup is not None and capacitance <= largest_capacitance_pf(khz, pulled_v):
             return khz, capacitance, pullup
-    slowest = min(asked, STANDARD_KHZ)
     raise CannotError(
         f"a line of the bus has {capacitance:.0f} pF, and may have "
-        f"{largest_capacitance_pf(slowest, pulled_v):.0f} pF even at {slowest:g} kHz"
+        f"{largest_capacitance_pf(STANDARD_KHZ, pulled_v):.0f} pF even at {STANDARD_KHZ:g} kHz"
     )
 
 

@@ -211,7 +211,7 @@ def parse_fault(text: str) -> PlantedFault:
     """
     match = _FAULT.fullmatch(text)
     if match is None:
-        raise InputError(f"--fault {text!r} is not known. Give one of {FAULTS}")
+        raise InputError(f"--simulated {text!r} is not known. Give one of {FAULTS}")
     return PlantedFault(match[1], tuple(match[2].split(",")), float(match[3] or 1.1))
 
 
@@ -242,7 +242,7 @@ def _with_fault(made: SimulatedObject, fault: PlantedFault) -> SimulatedObject:
     elif fault.kind == "silent":
         silent[rows] = True
     else:
-        raise InputError(f"--fault {fault.kind} does not go with {fault.where}. Give {FAULTS}")
+        raise InputError(f"--simulated {fault.kind} does not go with {fault.where}. Give {FAULTS}")
     return replace(made, matrix=matrix, position_mm=position, offset=offset, silent=silent)
 
 
@@ -257,13 +257,13 @@ def _with_channel_fault(
     elif fault.kind == "stuck":
         stuck[channel] = True
     else:
-        raise InputError(f"--fault {fault.kind} does not go with {fault.where}. Give {FAULTS}")
+        raise InputError(f"--simulated {fault.kind} does not go with {fault.where}. Give {FAULTS}")
     return replace(made, matrix=matrix, dead=dead, stuck=stuck)
 
 
 def _number(names: list[str], name: str, fault: PlantedFault) -> int:
     if name not in names:
         raise InputError(
-            f"--fault {fault.kind}: no {name!r} in this object. Give one of {', '.join(names)}"
+            f"--simulated {fault.kind}: no {name!r} in this object. Give one of {', '.join(names)}"
         )
     return names.index(name)

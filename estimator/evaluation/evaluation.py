@@ -10,14 +10,22 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError
 from estimator.frames.dataset import FrameSet
-from estimator.frames.face_data import FaceData, channel_counts, face_data, with_history
+from estimator.frames.face_data import (
+    FaceData,
+    channel_counts,
+    face_data,
+    live_channels,
+    with_history,
+)
 from estimator.frames.splits import Split
 from estimator.metrics.heatmaps import FaceMetrics, face_metrics, force_reference
-from estimator.networks.face_model import FaceModel, predict, predict_heatmaps, read_counts
-from estimator.networks.linear import fit_linear
+from estimator.networks.face_model import FaceModel, predict, predict_heatmaps
 from estimator.networks.prediction import ContactReadings, Prediction
-from estimator.networks.training.data import with_contacts
+from estimator.networks.training.data import thinned, with_contacts
 from estimator.recordings.reading import Recording
+
+RIDGE = 1e-3
+"""Penalty of ridge regression, a share of the mean square of its inputs."""
 
 
 @dataclass(frozen=True)
@@ -123,10 +131,30 @@ def interval_errors(
 
 def linear_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
     """Linear (ridge) regression from signals in units of σ to the heatmap."""
-    member, channels = fit_linear(frames.select(split.train), frames.select(split.validation), face)
-    data = face_data(frames.select(split.test), face)
-    found = read_counts(member, channel_counts(data.frames, channels))
-    return _metrics(data, found.heatmap_n[:, -1], frames)
+    known, held_out = (
+        thinned(with_contacts(face_data(frames.select(part), face), name), 1)
+        for part, name in ((split.train, "training"), (split.validation, "validation"))
+    )
+    alive = live_channels(held_out)
+    channels = tuple(channel for channel in live_channels(known) if channel in alive)
+    tested = face_data(frames.select(split.test), face)
+    sigma = frames.noise_counts[[axis for *_, axis in channels]]
+    given, asked = (
+        np.column_stack([channel_counts(data.frames, channels) / sigma, np.ones(len(data))])
+        for data in (known, tested)
+    )
+    weights = ridge_weights(given, known.heatmap_n.reshape(len(known), -1))
+    return _metrics(tested, (asked @ weights).reshape(tested.heatmap_n.shape), frames)
+
+
+def ridge_weights(
+    given: Float[np.ndarray, "frame input"], wanted: Float[np.ndarray, "frame output"]
+) -> Float[np.ndarray, "input output"]:
+    """Weights of ridge regression in closed form."""
+    # (XᵀX + λ I) W = XᵀY; λ is a thousandth of the mean of XᵀX's diagonal, whatever the inputs' units.
+    normal = given.T @ given
+    penalty = RIDGE * np.trace(normal) / len(normal) * np.eye(len(normal))
+    return np.linalg.solve(normal + penalty, given.T @ wanted)
 
 
 def mean_map_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:

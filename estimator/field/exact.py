@@ -16,7 +16,7 @@ from estimator.field.vectors import Vector
 
 
 def cylinder_field(offset_mm: Vector, axis: Vector, disk: DiskMagnet) -> Vector:
-    """Exact field of a disk, a ring (outer less inner cylinder) or a winding.
+    """Exact field of a disk or a ring (outer less inner cylinder).
 
     magpylib's axial solution (Derby and Olbert, Am. J. Phys. 78, 2010) works on lengths divided
     by the cylinder's radius. Three arrays, T.

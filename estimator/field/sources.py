@@ -1,8 +1,4 @@
-"""Sources of field that magnets and coils are: round ones and blocks, polarized along their height.
-
-A coil has the field of a uniformly polarized cylinder of J = μ0 N I / L (its current sheet is that
-body's surface current), a thick winding that of many such cylinders one in another.
-"""
+"""Sources of field that magnets are: round ones and blocks, polarized along their height."""
 
 from __future__ import annotations
 
@@ -17,36 +13,27 @@ from design.spec.magnets import MagnetSize, MagnetSpec
 from estimator.field.demagnetisation import of_block, of_cylinders
 from estimator.field.vectors import Vector, cross, dot, plus_product
 
-_WINDING_SHEETS = 8
-"""Gauss points over a winding's thickness: exact to 1e-9 outside it."""
-
 
 @dataclass(frozen=True)
 class DiskMagnet:
-    """A disk polarized along its axis, a ring of that outline, or a coil wound in it.
+    """A disk polarized along its axis, or a ring of that outline.
 
     Attributes
     ----------
     diameter_mm, height_mm : outline, mm
-    polarization_t : T, of a coil μ0 N I / L
-    inner_diameter_mm : of a ring's hole, or of the innermost turn
-    wound : whether turns fill it evenly from the inner to the outer diameter
+    polarization_t : T
+    inner_diameter_mm : of a ring's hole
     """
 
     diameter_mm: float
     height_mm: float
     polarization_t: float
     inner_diameter_mm: float = 0.0
-    wound: bool = False
 
     @cached_property
     def cylinders(self) -> tuple[tuple[float, float], ...]:
         """Radii (mm) and weights of the full cylinders of this height that sum to the source."""
         outer, inner = self.diameter_mm / 2, self.inner_diameter_mm / 2
-        if self.wound:
-            nodes, weights = np.polynomial.legendre.leggauss(_WINDING_SHEETS)
-            radii = inner + (outer - inner) * (1 + nodes) / 2
-            return tuple(zip(radii.tolist(), (weights / 2).tolist(), strict=True))
         return ((outer, 1.0), (inner, -1.0)) if inner else ((outer, 1.0),)
 
     @property
@@ -66,7 +53,7 @@ class DiskMagnet:
     @property
     def description(self) -> str:
         hole = f"/{self.inner_diameter_mm:g}" if self.inner_diameter_mm else ""
-        kind = "coil" if self.wound else "ring" if hole else "disk"
+        kind = "ring" if hole else "disk"
         return f"a {kind} of Ø{self.diameter_mm:g}{hole} × {self.height_mm:g} mm"
 
     def mean_solid_harmonics(self, count: int) -> Float[np.ndarray, "n"]:
@@ -130,7 +117,7 @@ _Body = TypeVar("_Body", DiskMagnet, BlockMagnet)
 
 
 def magnet_sources(magnets: MagnetSpec) -> tuple[Magnet, ...]:
-    """The magnets or coils that a specification describes, one of each of its `distinct_sizes`, at its
+    """The magnets that a specification describes, one of each of its `distinct_sizes`, at its
     temperature and working point.
 
     All are of a face's first magnet's grade; others have their fields times their `strengths`.
@@ -152,9 +139,6 @@ def magnet_source(magnets: MagnetSpec) -> Magnet:
 
 def _source(magnets: MagnetSpec, size: MagnetSize) -> Magnet:
     hole, height = size.inner_diameter_mm, size.height_mm
-    if magnets.kind == "coil":
-        winding_t = magnets.winding_polarization_t
-        return DiskMagnet(size.diameter_mm, height, winding_t, hole, wound=True)
     remanence_t, permeability = magnets.working_remanence_t, magnets.recoil_permeability
     if size.shape == "block":
         return at_working_point(BlockMagnet(size.edges_mm, height, 1.0), remanence_t, permeability)

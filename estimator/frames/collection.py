@@ -1,9 +1,8 @@
 """Simulated recordings whole: the paper's collection, parallel-jaw grasps, presses anywhere.
 
 Travel is periodic, a raised cosine. Signals follow it at once; the felt force follows
-`silicone.prony` and a loop without rate, F (1 ± 2h (1 − F/F_peak)), + while loading, which is
-h · F_peak wide at half force (h = `collection.hysteresis`). A case is zeroed once, with an error,
-and drifts from there; white noise, rounding, clipping and the load cells' noise come on top.
+`silicone.prony`. A case is zeroed once, with an error, and drifts from there; white noise,
+rounding, clipping and the load cells' noise come on top.
 """
 
 from __future__ import annotations
@@ -153,12 +152,9 @@ def pressed_tips(
     values = monotone_cubic(traces.force_n, both, total)
     channels = traces.counts.shape[2]
     elastic = values[..., channels:]
-    peak = force_at_travel(traces, recipe.peak_mm[part, None])
     felt = relaxed_force_n(
         total, np.arange(len(total[0])) / spec.sensors.frame_rate_hz, spec.silicone.prony
     )
-    way = np.where(turns % 1 < 0.5, 1.0, -1.0)
-    felt = felt * (1 + 2 * spec.collection.hysteresis * way * (1 - total / peak))
     ratio = np.divide(felt, total, out=np.zeros_like(felt), where=total > 0)
     counts = values[..., :channels]
     if recipe.pull is not None:

@@ -35,6 +35,8 @@ PLACE_ID_STRIDE = 1000
 """`place_id` of a contact frame = place + 1000 · face."""
 DRIFT_TIME_S = 900.0
 """The rms drift of a channel, `sensors.drift_counts`, is that after 15 minutes."""
+PEAK_FORCE_SPREAD = 0.1
+"""By which peak forces vary from press to press at one place, either way: an estimate."""
 LEAST_FORCE_NOISES = 2.5
 """Contact frames labelled below this many `force_noise_n` are invalid: neither contact nor rest."""
 
@@ -122,7 +124,7 @@ def plan_presses(spec: ObjectSpec, signals: Signals) -> PressPlan:
     face = signals.faces[face_index]
     jitter = rng.uniform(-1, 1, (len(face), 2)) * protocol.lateral_jitter_mm
     x, y = (grid.xy_mm[place] + jitter).T
-    spread = 1 + protocol.peak_force_spread * rng.uniform(-1, 1, len(face))
+    spread = 1 + PEAK_FORCE_SPREAD * rng.uniform(-1, 1, len(face))
     wanted = peaks.force_n[face_index, place] * spread
     reach = press_traces(signals, face, x, y).force_n[:, -1]
     clamped = (wanted > reach) | peaks.clamped[face_index, place]

@@ -26,12 +26,6 @@ def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
     return np.flatnonzero(np.outer(*chosen) & shared)
 
 
-def spread_pairs(spec: ObjectSpec) -> Int[np.ndarray, "pair 2"]:
-    """All pairs of the spread places (as rows into them) whose tips do not touch; may be none."""
-    apart = _apart(spec, spread_places(spec))
-    return np.stack(np.nonzero(np.triu(apart, 1)), axis=1)
-
-
 def contact_sets(
     spec: ObjectSpec, places: Int[np.ndarray, "place"], contacts: int
 ) -> Int[np.ndarray, "set contact"]:

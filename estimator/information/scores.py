@@ -17,7 +17,6 @@ from design.layout.places.contact_grid import PlaceGrid, contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
-from design.spec.search import WantedCompliance
 from design.tables import write_table
 from estimator.information.fisher import (
     SUFFIXES,
@@ -28,12 +27,11 @@ from estimator.information.fisher import (
 from estimator.information.sensitivity import (
     channel_noise,
     covariance_sensitivity,
-    hull_sensitivity,
     own_channels,
     periodic_press,
 )
 from estimator.signals.hall import full_scale_counts
-from estimator.signals.interpolation import Traces, depth_at_force, press_traces
+from estimator.signals.interpolation import depth_at_force, press_traces
 from estimator.signals.live import live_jacobian, read_change
 from estimator.signals.presses import Signals, require_finite
 
@@ -51,11 +49,10 @@ class PlaceScores:
 
     Attributes
     ----------
-    delta_raw, delta_scaled : convex-hull sensitivity of the face's own d channels (form
-        `score.hull`, N = `score.hull_frames`, white noise) for presses up to `force_at_score_n`, in
+    delta_raw, delta_scaled : convex-hull sensitivity of the face's own d channels
+        (N = 1000, white noise) for presses up to `force_at_score_n`, in
         counts^d/N and, with each channel divided by its range over the face (three sigma of noise
         at either end included), in 1/N
-    delta_raw_standard_error : of the Monte Carlo form; 0 for the others
     position_bound_mm, force_bound_n : Cramér–Rao bounds at `force_at_score_n`, freshly zeroed, and
         `…_drifted_…` (`estimator.information.fisher`); infinite where the signals cannot tell
     detectable_force_n : force at which the signal stands five sigma off rest
@@ -69,7 +66,6 @@ class PlaceScores:
     faces: Int[np.ndarray, "face"]
     grid: PlaceGrid
     delta_raw: Float[np.ndarray, "face place"]
-    delta_raw_standard_error: Float[np.ndarray, "face place"]
     delta_scaled: Float[np.ndarray, "face place"]
     position_bound_mm: Float[np.ndarray, "face place"]
     position_bound_drifted_mm: Float[np.ndarray, "face place"]
@@ -153,7 +149,7 @@ def score_places(
     places = contact_places(spec)[face_rows(spec, signals.faces)]
     for face, there in zip(signals.faces.tolist(), places, strict=True):
         if progress:
-            progress(f"face {face}: {there.sum()} places, hull form {spec.score.hull}")
+            progress(f"face {face}: {there.sum()} places")
         rows.append(_score_face(spec, signals, grid.xy_mm[there], face))
     columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
     require_reached(spec, columns["force_at_score_n"], columns["reaches_score_force"])
@@ -208,9 +204,9 @@ def _score_face(
     jacobian = live_jacobian(spec, signals, *where, force)[:, used]
     noise = channel_noise(spec.sensors, live.size)[own]
     rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
-    press = _periodic_press(spec, every.of_channels(own), force)
+    press = periodic_press(every.of_channels(own), force, COVARIANCE_SAMPLES)
     press = read_change(rest[own], press, most)
-    row: dict[str, Any] = sensitivities(spec, press, force, face, noise)
+    row: dict[str, Any] = sensitivities(press, force, noise)
     for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, live.size)[used]
         bounds = cramer_rao_bounds(jacobian, sigma)
@@ -229,30 +225,15 @@ def _score_face(
     }
 
 
-def _periodic_press(
-    spec: ObjectSpec, own: Traces, force_n: Float[np.ndarray, "place"]
-) -> Float[np.ndarray, "place frame channel"]:
-    form, frames = spec.score.hull, spec.score.hull_frames
-    return periodic_press(own, force_n, COVARIANCE_SAMPLES if form == "covariance" else frames)
-
-
 def sensitivities(
-    spec: ObjectSpec,
     press: Float[np.ndarray, "place frame channel"],
     force_n: Float[np.ndarray, "place"],
-    face: int,
     noise: Float[np.ndarray, "channel"],
 ) -> dict[str, Float[np.ndarray, "place"]]:
-    form, frames = spec.score.hull, spec.score.hull_frames
-    if form == "covariance":
-        raw = covariance_sensitivity(press, force_n, noise, frames)
-    else:
-        rng = np.random.default_rng([spec.seed, face])
-        raw = hull_sensitivity(press, force_n, noise, rng, form)
+    raw = covariance_sensitivity(press, force_n, noise)
     span = press.max(axis=(0, 1)) - press.min(axis=(0, 1)) + 6 * noise
     return {
         "delta_raw": raw.delta,
-        "delta_raw_standard_error": raw.standard_error,
         "delta_scaled": raw.scaled(span).delta,
     }
 
@@ -313,16 +294,10 @@ def outermost_places(
     return area_places(grid, "corner", places) | area_places(grid, "edge", places)
 
 
-def outermost_of_faces(scores: PlaceScores) -> Bool[np.ndarray, "face place"]:
-    """The outermost ring of every face."""
-    return np.stack([outermost_places(scores.grid, own) for own in scores.places])
-
-
 def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:
     """Medians per area over all faces, or over one; areas without a contact location are left out."""
     rows = slice(None) if face is None else scores.faces == face
     names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
-    names.remove("delta_raw_standard_error")
     names += ["detectable_force_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
     medians, counts = {}, {}
     for area in AREAS:
@@ -342,31 +317,8 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     )
 
 
-def compliance_deviation(
-    wanted_mm_per_n: WantedCompliance,
-    grid: PlaceGrid,
-    mm_per_n: Float[np.ndarray, "face place"],
-    places: Bool[np.ndarray, "face place"] | None = None,
-) -> float:
-    """Root mean square of compliance over the wanted one, less 1, over the places that have one.
-
-    Where nothing is wanted, even softness is: places are compared with their mean. Faces have all
-    places where `places` is left out.
-    """
-    there = np.ones(mm_per_n.shape, bool) if places is None else places
-    target = np.full(mm_per_n.shape, np.nan)
-    for area, value in wanted_mm_per_n.items():
-        for row, own in zip(target, there, strict=True):
-            row[own if area == "everywhere" else area_places(grid, area, own)] = value
-    if not wanted_mm_per_n:
-        target[there] = mm_per_n[there].mean()
-    counted = np.isfinite(target)
-    return float(np.sqrt(np.mean((mm_per_n[counted] / target[counted] - 1) ** 2)))
-
-
 _UNITS = {
     "delta_raw": "counts^d/N",
-    "delta_raw_standard_error": "counts^d/N",
     "delta_scaled": "1/N",
 }
 

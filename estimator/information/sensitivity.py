@@ -3,60 +3,46 @@
 δ = ConvexHullVolume(S ∈ R^(N×d)) / range(F), with S the signals of the face's own d channels in N
 frames of one place. The volume exists only because of noise: a noise-free press traces a curve.
 It also grows with N, 60-fold from 50 to 600 frames, so a δ is given with its N and its noise.
-Three forms: the exact hull of one noisy press (up to 100 frames; minutes and gigabytes beyond), its
-volume by Monte Carlo at any N (with a standard error), and the covariance equivalent
-δ_N = c(N, d) √det cov(S) / range(F), where c is the mean hull volume of N standard normal points.
-Presses are not normal: sizes agree within 45 % place by place (median ratio 0.92 to 1.05 at N = 30
-to 100), ranks within what one noisy hull repeats. Rank correlations: ≥ 0.95 with mean hulls of a
-synthetic object, N = 30 and 100 (tested); for the simulated cube 0.97 with the mean of six hulls at
-N = 40 and 0.92 with single hulls at N = 100.
+Here δ_N = c(N, d) √det cov(S) / range(F), where c is the mean hull volume of N standard normal points.
+Presses are not normal: beside exact hulls of noisy presses sizes agree within 45 % place by place
+(median ratio 0.92 to 1.05 at N = 30 to 100), ranks within what one noisy hull repeats. Rank
+correlations: ≥ 0.95 with mean hulls of a synthetic object, N = 30 and 100 (tested); for the simulated
+cube 0.97 with the mean of six hulls at N = 40 and 0.92 with single hulls at N = 100.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.spec.learning import HullForm
 from design.spec.object import SensorSpec
-from estimator.information.hull import (
-    exact_hull_volume,
-    ln_hull_factor,
-    monte_carlo_hull_volume,
-    no_volume_message,
-)
 from estimator.signals.interpolation import Traces, counts_at_force
 from estimator.signals.presses import Signals
+
+HULL_FRAMES = 1000
+"""N of δ, the frames of a contact case of Knopke et al."""
 
 
 @dataclass(frozen=True)
 class Sensitivity:
     """δ of places and all that it depends on.
 
-    `delta` (place,): counts^d/N, or 1/N where the signals were scaled. `standard_error` (place,) in
-    the same unit is that of the Monte Carlo; 0 for the other forms, which draw no directions.
-    `frames` is N; `noise_counts` (channel,) the white noise included.
+    `delta` (place,): counts^d/N, or 1/N where the signals were scaled. `frames` is N; `noise_counts`
+    (channel,) the white noise included.
     """
 
     delta: Float[np.ndarray, "place"]
-    standard_error: Float[np.ndarray, "place"]
     frames: int
     noise_counts: Float[np.ndarray, "channel"]
-    form: HullForm
 
     def scaled(self, span_counts: Float[np.ndarray, "channel"]) -> Sensitivity:
         """δ with every channel divided by its span: a volume divides by their product (exact)."""
         by = float(np.prod(span_counts))
-        return Sensitivity(
-            self.delta / by,
-            self.standard_error / by,
-            self.frames,
-            self.noise_counts / span_counts,
-            self.form,
-        )
+        return Sensitivity(self.delta / by, self.frames, self.noise_counts / span_counts)
 
 
 def own_channels(signals: Signals, sensors: SensorSpec, face: int) -> Int[np.ndarray, "channel"]:
@@ -83,50 +69,55 @@ def covariance_sensitivity(
     press_counts: Float[np.ndarray, "place sample channel"],
     force_range_n: Float[np.ndarray, "place"],
     noise_counts: Float[np.ndarray, "channel"],
-    frames: int,
+    frames: int = HULL_FRAMES,
 ) -> Sensitivity:
     """δ from the covariance of noise-free presses, with white noise added analytically.
 
     Parameters
     ----------
     press_counts : noise-free counts over whole periods (any number of samples)
-    frames : N for which c(N, d) is taken
+    frames : N for which c(N, d) is taken, more than d + 1
 
     Raises
     ------
     InputError
-        N does not exceed the number of channels, or signals without noise span no volume.
+        Signals without noise, which span no volume.
     """
     if not noise_counts.all():
-        raise InputError(no_volume_message(int(np.sum(noise_counts > 0)), len(noise_counts)))
+        raise InputError(
+            f"the signals span {np.sum(noise_counts > 0)} of {len(noise_counts)} dimensions, so their convex "
+            "hull has no volume: a noise-free press traces a curve. Include the sensors' noise "
+            "(sensors.noise_counts > 0)"
+        )
     about = press_counts - press_counts.mean(axis=1, keepdims=True)
     covariance = np.einsum("psc,psd->pcd", about, about) / about.shape[1]
     covariance = covariance + np.diag(noise_counts**2)
     log_volume = ln_hull_factor(frames, len(noise_counts)) + np.linalg.slogdet(covariance)[1] / 2
-    delta = np.exp(log_volume) / force_range_n
-    return Sensitivity(delta, 0 * delta, frames, noise_counts, "covariance")
+    return Sensitivity(np.exp(log_volume) / force_range_n, frames, noise_counts)
 
 
-def hull_sensitivity(
-    press_counts: Float[np.ndarray, "place frame channel"],
-    force_range_n: Float[np.ndarray, "place"],
-    noise_counts: Float[np.ndarray, "channel"],
-    rng: np.random.Generator,
-    form: HullForm = "exact",
-) -> Sensitivity:
-    """δ from the hull of one noisy realization of each press, exact or by Monte Carlo.
+def ln_hull_factor(frames: int, channels: int) -> float:
+    """ln c(N, d): mean hull volume of N standard normal points in d dimensions (exact).
 
-    N is the number of frames given. Raises as `exact_hull_volume` and `monte_carlo_hull_volume` do.
+    E V = κ_d (2π)^(−d/2) C(N, d+1) (d+1)/√π ∫ exp(−(d+1)x²) Φ(√2 x)^(N−d−1) dx: a Gaussian
+    polytope is a projection of the regular simplex (Affentranger, 1991; Baryshnikov and Vitale,
+    1994). It refers to the true covariance; with a sample's own one c is larger by the mean of
+    1/√det of that (Bartlett).
     """
-    noisy = press_counts + rng.standard_normal(press_counts.shape) * noise_counts
-    if form == "exact":
-        found = [exact_hull_volume(samples) for samples in noisy]
-    else:
-        found = [monte_carlo_hull_volume(samples, rng) for samples in noisy]
-    return Sensitivity(
-        np.array([hull.volume for hull in found]) / force_range_n,
-        np.array([hull.standard_error for hull in found]) / force_range_n,
-        noisy.shape[1],
-        noise_counts,
-        form,
-    )
+    from scipy.special import gammaln, log_ndtr, logsumexp
+
+    d = channels
+    x = np.linspace(-8, 12, 20001)
+    exponent = -(d + 1) * x**2 + (frames - d - 1) * log_ndtr(np.sqrt(2) * x)
+    ln_sum: Any = logsumexp(exponent)
+    ln_integral = ln_sum + np.log(x[1] - x[0])
+    ln_simplices = gammaln(frames + 1) - gammaln(d + 2) - gammaln(frames - d)
+    constants = np.log(d + 1) - np.log(np.pi) / 2 - d / 2 * np.log(2 * np.pi)
+    return float(ln_ball_volume(d) + ln_simplices + constants + ln_integral)
+
+
+def ln_ball_volume(dimensions: int) -> float:
+    """ln κ_d, the volume of the unit ball."""
+    from scipy.special import gammaln
+
+    return float(dimensions / 2 * np.log(np.pi) - gammaln(dimensions / 2 + 1))

@@ -26,6 +26,8 @@ from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
 
 _FRAMES_AT_ONCE, FRAMES_ON_A_CARD = 100, 1000
+LEAST_FORCE_N = 0.2
+"""Of a contact that is read: about what the paper's cube just detects."""
 MANY_FRAMES = 100
 """Frames from which on a graphics card is worth its calls."""
 KNOWN_FORCE_SPREAD = 0.3
@@ -179,7 +181,7 @@ def contact_priors(model: ContactModel) -> Priors:
         tuple(np.full(asked.contacts + 1, 1 / (asked.contacts + 1)).tolist()),
         faces,
         model.area_mm2,
-        (asked.least_force_n, float(high[2])),
+        (LEAST_FORCE_N, float(high[2])),
         radius,
         KNOWN_FORCE_SPREAD if known else None,
         probe_spacing_mm(radius / 2) if known else (),

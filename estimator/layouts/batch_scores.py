@@ -2,52 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-import numpy as np
 import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from design.spec.object import ObjectSpec
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N
-from estimator.information.scores import compliance_deviation, on_places
-from estimator.information.two_contacts import PERCENT
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import percentile
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n
-from estimator.layouts.robustness import slip_places_mm, tolerance_places_mm
 from estimator.layouts.scorer import LayoutScorer
 from estimator.layouts.scoring import PlaceInformation, places_information
-from estimator.layouts.task_loss import expected_loss, press_loss
-from estimator.layouts.two_contacts import grasps_mm, pairs_all_mm, pairs_own_mm
-
-_OfFaces = Callable[[Sequence[LayoutScorer], Sequence[Layouts]], Tensor]
-
-
-@dataclass(frozen=True)
-class PooledScores:
-    """Percentile of something over the places (or pairs of places) of all pressed faces."""
-
-    values: _OfFaces
-    percent: float
-
-    def score(
-        self, scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts]
-    ) -> Float[Tensor, "layout"]:
-        values = self.values(scorers, layouts)
-        if not values.shape[1]:
-            return torch.full_like(layouts[0].magnet_mm[:, 0, 0], torch.nan)
-        return percentile(values.sort(dim=1).values, self.percent)
-
-
-def _each_face(values: Callable[[LayoutScorer, Layouts], Tensor]) -> _OfFaces:
-    def pooled(scorers: Sequence[LayoutScorer], layouts: Sequence[Layouts]) -> Tensor:
-        pairs = zip(scorers, layouts, strict=True)
-        return all_faces(scorers, [values(*pair).flatten(1) for pair in pairs])
-
-    return pooled
 
 
 def all_faces(
@@ -59,23 +26,9 @@ def all_faces(
     )
 
 
-def _false_forces_n(scorer: LayoutScorer, layouts: Layouts) -> Tensor:
-    return false_forces_n(scorer, layouts).clamp(min=LEAST_FALSE_FORCE_N)
-
-
-_DEARER = {
-    "median_false_force_n": PooledScores(_each_face(_false_forces_n), 50.0),
-    "percentile_95_false_force_n": PooledScores(_each_face(_false_forces_n), 95.0),
-    "pair_own_position_bound_mm": PooledScores(_each_face(pairs_own_mm), PERCENT),
-    "pair_all_position_bound_mm": PooledScores(_each_face(pairs_all_mm), PERCENT),
-    "grasp_position_bound_mm": PooledScores(grasps_mm, PERCENT),
-    "slip_place_mm": PooledScores(_each_face(slip_places_mm), 50.0),
-    "tolerance_place_mm": PooledScores(_each_face(tolerance_places_mm), 50.0),
-}
-_CROSS_FACE = ("median_false_force_n", "percentile_95_false_force_n")
-OVER_START = "position_bound_over_start"
-DEARER = tuple(_DEARER)
+DEARER = ("median_false_force_n", "percentile_95_false_force_n")
 """Scores that are worked out only where they are named: they cost as much as all others or more."""
+OVER_START = "position_bound_over_start"
 
 
 @dataclass(frozen=True)
@@ -100,12 +53,10 @@ def batch_scores(
     """Scores over the places of all pressed faces, those of `DEARER` only where they are named.
 
     Scorers of several forces: the geometric mean over them of the scores at each, so that every
-    force counts alike, but for `task_loss`, which is the mean; false forces from presses nearest to
+    force counts alike; false forces from presses nearest to
     `CROSS_FACE_FORCE_N`, the largest counts and those that virtual objects keep to from those of the
     largest force. With `start`, also
     `OVER_START`: the position bound over the start's, by `worst_ratio`.
-    NaN where a score does not exist: pairs of tips that do not fit on a face, grasps without two
-    opposite faces among those pressed.
     """
     places = places_information(scorers, layouts)
     forces = sorted({scorer.presses.force_n for scorer in scorers})
@@ -113,7 +64,7 @@ def batch_scores(
     each: list[dict[str, Tensor]] = []
     for force in forces:
         here = [k for k, scorer in enumerate(scorers) if scorer.presses.force_n == force]
-        asked = {name for name in named if name not in _CROSS_FACE or force == of_cross_face}
+        asked = named if force == of_cross_face else ()
         each.append(
             scores_at_one_force(
                 [scorers[k] for k in here],
@@ -122,8 +73,7 @@ def batch_scores(
                 asked,
             )
         )
-    losses = {force: scores.pop("task_loss") for force, scores in zip(forces, each, strict=True)}
-    found = {"task_loss": expected_loss(scorers[0].spec.search.task, losses)}
+    found = {}
     for name in each[forces.index(of_cross_face)]:
         values = torch.stack([scores[name] for scores in each if name in scores])
         found[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
@@ -169,7 +119,6 @@ def scores_at_one_force(
         all_faces(scorers, [getattr(face, name) for face in places])
         for name in ("position_bound_mm", "force_bound_n", "sensitivity")
     )
-    force_n = scorers[0].presses.force_n
     ordered, sorted_mm = sensitivity.sort(dim=1).values, position.sort(dim=1).values
     found = {
         "worst_position_bound_mm": sorted_mm[:, -1],
@@ -178,29 +127,14 @@ def scores_at_one_force(
         "median_position_bound_mm": percentile(sorted_mm, 50.0),
         "worst_force_bound_n": force.amax(dim=1),
         "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
-        "task_loss": press_loss(scorers[0].spec.search.task, force_n, position, force).mean(dim=1),
-        "edge_position_bound_mm": _edge_mean(scorers, [face.position_bound_mm for face in places]),
     }
-    for name in _DEARER.keys() & set(named):
-        found[name] = _DEARER[name].score(scorers, layouts)
+    if {*DEARER} & {*named}:
+        pairs = zip(scorers, layouts, strict=True)
+        by_face = [false_forces_n(*pair).flatten(1) for pair in pairs]
+        false_n = all_faces(scorers, by_face).clamp(min=LEAST_FALSE_FORCE_N).sort(dim=1).values
+        found |= {
+            name: percentile(false_n, percent)
+            for name, percent in zip(DEARER, (50.0, 95.0), strict=True)
+            if name in named
+        }
     return found
-
-
-def _edge_mean(
-    scorers: Sequence[LayoutScorer], bounds_mm: Sequence[Float[Tensor, "layout _"]]
-) -> Float[Tensor, "layout"]:
-    found = [
-        bound[:, scorer.presses.outermost] for scorer, bound in zip(scorers, bounds_mm, strict=True)
-    ]
-    return all_faces(scorers, found).mean(dim=1)
-
-
-def unevenness(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> float:
-    """Deviation of compliance from what the search wants, at the force nearest to `score.force_n`."""
-    forces = {scorer.presses.force_n for scorer in scorers}
-    nearest = min(forces, key=lambda force: abs(force - spec.score.force_n))
-    at_it = [scorer.presses for scorer in scorers if scorer.presses.force_n == nearest]
-    there = np.stack([presses.there for presses in at_it])
-    compliance = on_places(there, [presses.mm_per_n for presses in at_it])
-    wanted = spec.search.compliance_mm_per_n
-    return compliance_deviation(wanted, at_it[0].places, compliance, there)

@@ -23,23 +23,18 @@ from jaxtyping import Float
 from design.layout.places.contact_places import contact_places
 from design.spec.object import ObjectSpec
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_disturbance
-from estimator.information.scores import compliance_deviation, outermost_of_faces, score_places
-from estimator.information.two_contacts import PERCENT, two_contact_bounds_mm
+from estimator.information.scores import score_places
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import (
     DEARER,
     batch_scores,
     position_bounds,
-    unevenness,
     worst_ratio,
 )
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N
-from estimator.layouts.robustness import SLIP_MM
 from estimator.layouts.scorer import LayoutScorer
-from estimator.layouts.task_loss import expected_loss, press_loss
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.presses import Signals, press_signals, saturation_margin
-from estimator.tolerances.localisation_bias import false_places_mm
 from estimator.tolerances.saturation import saturation
 from fem.candidates.tied_magnets import DEGREE, rigid_magnet_response
 from fem.linear.factorization import Factorization
@@ -62,19 +57,6 @@ class FidelityScore:
         channels alone, from presses of 10 N on an adjacent face; over pairs of faces and places, at
         least `LEAST_FALSE_FORCE_N`
     sensitivity_ratio : 5th over 50th percentile of δ over the places of all faces
-    edge_position_bound_mm : mean position bound over the outermost ring of places, corners included
-    pair_own_position_bound_mm, pair_all_position_bound_mm : 95th percentile of the position bound of
-        the worse of two contacts on one face, over pairs of places, from the face's own channels and
-        from those of all faces; NaN where two tips do not fit
-    grasp_position_bound_mm : the same of one contact on each of two opposite faces, from all
-        channels; NaN where no two sensed faces are opposite
-    slip_place_mm, tolerance_place_mm : place error (rms) of an estimator calibrated on the design
-        where the core has slipped by 1 mm, and over objects within tolerance; median over places
-    task_loss : share of presses that fail `search.task`, of estimates as good as the bounds
-        (`estimator.layouts.task_loss`); mean over locations and the judged forces that belong to it, NaN
-        where none does
-    compliance_deviation : of depth over force at `score.force_n` from what `search` wants, relative
-        (rms); the lowest fidelity level: of the shell without magnets
     saturation_margin : share of the sensors' range that stays free, at rest and in the deepest press
     objects_margin : the same in 95 % of virtual objects (`estimator.tolerances.saturation`)
     position_bound_over_start : position bound over the start's at the same force and location, where
@@ -83,8 +65,7 @@ class FidelityScore:
         this order
 
     Other scores of presses are geometric means over the forces like the bounds; false forces are of
-    10 N whatever the forces, compliance of the force nearest to
-    `score.force_n`.
+    10 N whatever the forces.
     """
 
     worst_position_bound_mm: float
@@ -95,14 +76,6 @@ class FidelityScore:
     median_false_force_n: float
     percentile_95_false_force_n: float
     sensitivity_ratio: float
-    edge_position_bound_mm: float
-    pair_own_position_bound_mm: float
-    pair_all_position_bound_mm: float
-    grasp_position_bound_mm: float
-    slip_place_mm: float
-    tolerance_place_mm: float
-    task_loss: float
-    compliance_deviation: float
     saturation_margin: float
     objects_margin: float
     position_bounds_mm: tuple[float, ...] = field(repr=False)
@@ -133,7 +106,6 @@ def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> 
     return FidelityScore(
         **found,
         position_bounds_mm=_flat(position_bounds(scorers, layouts)),
-        compliance_deviation=unevenness(spec, scorers),
         **margins,
     )
 
@@ -169,38 +141,27 @@ def score_signals(
     """
     spec = spec.as_judged
     each = [
-        _at_force(spec.changed(score=spec.score.changed(force_n=force)), signals, forces, motions)
+        _at_force(spec.changed(score=spec.score.changed(force_n=force)), signals)
         for force in spec.judged_forces_n
     ]
     places = [scores.pop("places") for scores in each]
-    losses = dict(
-        zip(spec.judged_forces_n, [scores.pop("task_loss") for scores in each], strict=True)
-    )
-    near = min(places, key=lambda one: abs(float(one.force_at_score_n.max()) - spec.score.force_n))
     means = {
         name: float(np.exp(np.mean([np.log(scores[name]) for scores in each]))) for name in each[0]
     }
     return FidelityScore(
         **means,
         **_false_forces(spec, signals),
-        task_loss=float(expected_loss(spec.search.task, losses)),
-        compliance_deviation=compliance_deviation(
-            spec.search.compliance_mm_per_n, near.grid, 1 / near.stiffness_n_per_mm, near.places
-        ),
         saturation_margin=saturation_margin(signals, spec),
         objects_margin=saturation(spec, signals, motions, deepest_alone=True).margin[-1],
         position_bounds_mm=_flat(one.position_bound_mm[one.places] for one in places),
     )
 
 
-def _at_force(
-    spec: ObjectSpec, signals: Signals, forces: PressForces, motions: MagnetMotions
-) -> dict[str, Any]:
+def _at_force(spec: ObjectSpec, signals: Signals) -> dict[str, Any]:
     """Scores of presses to `score.force_n`."""
     scores = score_places(spec, signals)
-    false = false_places_mm(spec, forces, motions, SLIP_MM)
     there = scores.judged
-    bound, at_edge = scores.position_bound_mm[there], outermost_of_faces(scores) & there
+    bound = scores.position_bound_mm[there]
     low, middle = np.percentile(scores.delta_raw[there], [5.0, 50.0])
     return {
         "worst_position_bound_mm": float(bound.max()),
@@ -208,19 +169,7 @@ def _at_force(
         "percentile_95_position_bound_mm": float(np.percentile(bound, 95.0)),
         "median_position_bound_mm": float(np.median(bound)),
         "worst_force_bound_n": float(scores.force_bound_n[there].max()),
-        **_two_contacts(spec, signals),
         "sensitivity_ratio": float(low / middle),
-        "edge_position_bound_mm": float(
-            scores.position_bound_mm[at_edge if at_edge.any() else there].mean()
-        ),
-        "task_loss": press_loss(
-            spec.search.task,
-            spec.score.force_n,
-            torch.as_tensor(bound),
-            torch.as_tensor(scores.force_bound_n[there]),
-        ).mean(),
-        "slip_place_mm": float(np.median(false["slip"])),
-        "tolerance_place_mm": float(np.median(false["tolerance"])),
         "places": scores,
     }
 
@@ -263,15 +212,6 @@ def _false_forces(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
     names = ("median_false_force_n", "percentile_95_false_force_n")
     found = {name: np.maximum(cross.get(name, np.nan), LEAST_FALSE_FORCE_N) for name in names}
     return {name: float(force_n) for name, force_n in found.items()}
-
-
-def _two_contacts(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
-    found = {}
-    for name, bounds in two_contact_bounds_mm(spec, signals).items():
-        part = name if name == "grasp" else f"pair_{name}"
-        score = np.percentile(bounds, PERCENT, method="inverted_cdf") if len(bounds) else np.nan
-        found[f"{part}_position_bound_mm"] = float(score)
-    return found
 
 
 def gains(start: FidelityScore, found: FidelityScore) -> dict[str, float]:

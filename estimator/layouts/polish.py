@@ -61,13 +61,12 @@ Judge = Callable[[Float[Tensor, "layout variable"], Int[Tensor, "layout"]], "Jud
 class Judged:
     """What layouts are worth: every objective as something to minimise, above 0.
 
-    `broken` tells of every limit (`RULES`, those of scores, the structure's) by how much, 0 where it is
-    kept to the last bit. `worse_mm` is above 0 where position bounds are larger
-    than `PlaceBounds.most` of the start's at more places than `PlaceBounds.but` (by `OVER_START`): the
-    verdict refuses what is larger than the start's; as this level's bounds of single places are rough,
-    that makes no layout one that breaks limits. `scores` are those of the lowest fidelity level, with the
-    objectives that the structure alone decides. `eased`: the objectives, with the 95th percentile for those
-    that fewer places decide.
+    `broken` tells of every limit (`RULES`, those of scores) by how much, 0 where it is kept to
+    the last bit. `worse_mm` is above 0 where position bounds are larger than `PlaceBounds.most`
+    of the start's at more places than `PlaceBounds.but` (by `OVER_START`): the verdict refuses
+    what is larger than the start's; as this level's bounds of single places are rough, that makes
+    no layout one that breaks limits. `scores` are those of the lowest fidelity level. `eased`:
+    the objectives, with the 95th percentile for those that fewer places decide.
     """
 
     objectives: Float[Tensor, "layout objective"]
@@ -101,18 +100,15 @@ class Judged:
 
 @dataclass(frozen=True)
 class LowestFidelity:
-    """Scorers of the pressed faces for one structure, and what the structure itself decides.
+    """Scorers of the pressed faces for one structure.
 
-    `constants` are scores that all its layouts share; `at_most` bounds what `batch_scores` tells
-    (`sensitivity_ratio` from below); `broken_mm` is what the structure breaks, in the currency of
-    mm; `start` are the bounds that layouts are held against place by place.
+    `at_most` bounds what `batch_scores` tells (`sensitivity_ratio` from below); `start` are the
+    bounds that layouts are held against place by place.
     """
 
     space: LayoutSpace
     scorers: tuple[LayoutScorer, ...]
-    constants: Mapping[str, float]
     at_most: Mapping[str, float]
-    broken_mm: float = 0.0
     start: PlaceBounds | None = None
 
 
@@ -134,8 +130,6 @@ def judge(
         named,
         lowest.start,
     )
-    for name, value in lowest.constants.items():
-        scores[name] = torch.full_like(scores["worst_position_bound_mm"], value)
     told_at_once = bool(lowest.space.sensors)  # sensors that move: limits hold of all faces
     checked = list(laid.items())[: 1 if told_at_once else None]
     of_places = torch.stack([broken_limits_mm(lowest.space, one, face) for face, one in checked])
@@ -144,8 +138,8 @@ def judge(
         MM_PER_EXCESS * torch.relu(_to_minimize(name, scores) / most - 1)
         for name, most in lowest.at_most.items()
     ]
-    others = torch.stack([*of_scores, nothing + lowest.broken_mm], dim=1)
-    broken, worse = torch.cat([of_places.amax(dim=0), others], dim=1), nothing
+    broken = torch.cat([of_places.amax(dim=0), *(one[:, None] for one in of_scores)], dim=1)
+    worse = nothing
     if lowest.start is not None:
         worse = MM_PER_EXCESS * torch.relu(scores[OVER_START] / lowest.start.most - 1)
     worth, eased = (

@@ -87,9 +87,6 @@ def _layouts(
         sensors = torch.as_tensor(fixed, dtype=values.dtype).expand(len(values), -1, -1)
     else:
         sensors = _places(space.sensors[group], values)
-    if space.sensors and space.sensors[group].polar:
-        azimuth = torch.deg2rad(sensors[..., 1])
-        sensors = sensors[..., :1] * torch.stack([azimuth.cos(), azimuth.sin()], dim=-1)
     below = torch.tensor([0.0, 0.0, magnets_below_mm(space.structured)], dtype=values.dtype)
     return Layouts(magnets[..., :3] + below, torch.deg2rad(magnets[..., 3:]), polarity, sensors)
 

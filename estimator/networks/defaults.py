@@ -17,6 +17,8 @@ import numpy as np
 from design.spec.object import TrainingSpec
 from estimator.frames.dataset import FrameSet
 
+BATCH_FRAMES, LEARNING_RATE, PATIENCE_EPOCHS = 512, 3e-3, 15
+"""Of training; within a factor of two they hardly matter to what a network of simulated presses reads."""
 SMALL_PRESSES = 60
 """Fewer presses with contact on the face make a recording small."""
 
@@ -47,10 +49,9 @@ def filled(training: TrainingSpec, choice: Choice = PLAIN) -> TrainingSpec:
 
 def filled_for(training: TrainingSpec, parts: tuple[FrameSet, FrameSet], face: int) -> TrainingSpec:
     """The settings for training and validation frames of a face."""
-    heads = training.model in ("compact", "whole-object")
     recorded = all(part.source == "recorded" for part in parts)
     presses = sum(_touched(part, face) for part in parts)
-    if not (heads and recorded and presses < SMALL_PRESSES):
+    if not (recorded and presses < SMALL_PRESSES):
         return filled(training)
     return filled(training, SMALL._replace(ensemble=max(1, min(SMALL.ensemble, presses))))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import torch
@@ -24,12 +24,12 @@ from estimator.frames.face_data import (
 )
 from estimator.networks.forest import Forest, ForestShape
 from estimator.networks.intervals.coverage import Coverage
-from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork
+from estimator.networks.network import ContactEstimator, HeadsNetwork
 from estimator.networks.prediction import Prediction
 from estimator.networks.process import Process, ProcessShape
 from estimator.networks.tensor_file import load_tensors, save_tensors
 
-MODEL_FORMAT = 5
+MODEL_FORMAT = 6
 _BATCH_FRAMES = 8192
 _LONGEST_HISTORY = 100
 """Frames, as specifications allow."""
@@ -43,7 +43,6 @@ class Architecture:
     training frames novelty is measured from.
     """
 
-    kind: Literal["heads", "heatmap"]
     hidden_units: tuple[int, ...]
     axes: int = 1
     continuous: bool = False
@@ -135,9 +134,7 @@ def empty_network(
     units, axes = architecture.hidden_units, architecture.axes
 
     def member() -> nn.Module:
-        if architecture.kind == "heads":
-            return HeadsNetwork(ones, *grids, units, 1.0, axes, architecture.continuous)
-        return HeatmapNetwork(ones, ones, *grids, units, 1.0, 1.0, axes)
+        return HeadsNetwork(ones, *grids, units, 1.0, axes, architecture.continuous)
 
     forest = None if architecture.forest is None else Forest(architecture.forest)
     coverage = Coverage(channels, architecture.references)

@@ -1,15 +1,13 @@
-"""Networks that read the contacts on one face from changes of Hall counts.
+"""The network that reads the contacts on one face from changes of Hall counts.
 
-Every network takes raw changes against rest (counts) and gives a `Reading` in N and mm: scaling and
-units are part of it, so that what is trained, saved, exported and used is one and the same.
+It takes raw changes against rest (counts) and gives a `Reading` in N and mm: scaling and units are
+part of it, so that what is trained, saved, exported and used is one and the same.
 
-- `HeadsNetwork`: a compact trunk on arcsinh(ΔS / 3σ) and ΔS / 30σ, σ the white noise of each
-  channel (small changes stay visible in the one, contacts add up in the other), with heads for the
-  share of force at each pixel (softmax), the total force, contact or none, the centre of
-  force in mm, and how far force and centre are likely to be off. Scaling by the noise keeps weak
-  and strong presses alike in range, which mattered more than width in comparisons.
-- `HeatmapNetwork`: pixels directly, from min–max scaled inputs: the network of Knopke et al. (RA-L
-  2024), or with no hidden layer linear regression.
+`HeadsNetwork` is a compact trunk on arcsinh(ΔS / 3σ) and ΔS / 30σ, σ the white noise of each
+channel (small changes stay visible in the one, contacts add up in the other), with heads for the
+share of force at each pixel (softmax), the total force, contact or none, the centre of force in
+mm, and how far force and centre are likely to be off. Scaling by the noise keeps weak and strong
+presses alike in range, which mattered more than width in comparisons.
 """
 
 from __future__ import annotations
@@ -51,8 +49,7 @@ class Reading(NamedTuple):
     heatmap_n : (frame, axis, nx, ny) N; axes are the normal, or with three axes x, y and normal
     force_n : (frame,) total normal force, N
     xy_mm : (frame, 2) centre of the normal force in the face's frame, mm
-    contact : (frame,) probability of a contact (of `HeatmapNetwork`: largest pixel over the
-        smallest contact force seen in training, at most 1)
+    contact : (frame,) probability of a contact
     force_halfwidth_n : (frame,) the interval is `force_n` ± this; NaN before calibration
     position_radius_mm : (frame,) the true centre lies within this radius of `xy_mm`; likewise
     novelty : (frame,) distance from what training covers; above 1 the frame is novel
@@ -111,7 +108,7 @@ class HeadsNetwork(nn.Module):
         self.axes, self.continuous = axes, continuous
         self.shape = (len(grid_x_mm), len(grid_y_mm))
         self.pixels = len(grid_x_mm) * len(grid_y_mm)
-        self.trunk = _trunk([2 * len(sigma_counts), *hidden_units], nn.SiLU)
+        self.trunk = _trunk([2 * len(sigma_counts), *hidden_units])
         self.heads = nn.Linear(hidden_units[-1], self.pixels + axes + 5)
         _buffer(self, "sigma_counts", sigma_counts)
         _buffer(self, "grid_mm", _pixel_centres_mm(grid_x_mm, grid_y_mm))
@@ -166,59 +163,6 @@ class HeadsNetwork(nn.Module):
         halfwidth = self.force_scale_n * heads.force_spread
         radius, none = heads.position_spread_mm, torch.zeros_like(contact)
         return Reading(heatmap, force_n[:, -1], heads.xy_mm, contact, halfwidth, radius, none)
-
-
-class HeatmapNetwork(nn.Module):
-    """Pixels from scaled inputs: (ΔS − offset) / span in, force over the scale out.
-
-    Widths of its intervals are the same in every frame.
-    """
-
-    offset_counts: Tensor
-    span_counts: Tensor
-    grid_mm: Tensor
-    force_scale_n: Tensor
-    smallest_contact_n: Tensor
-
-    def __init__(
-        self,
-        offset_counts: Float[np.ndarray, "channel"],
-        span_counts: Float[np.ndarray, "channel"],
-        grid_x_mm: Float[np.ndarray, "nx"],
-        grid_y_mm: Float[np.ndarray, "ny"],
-        hidden_units: Sequence[int],
-        force_scale_n: float,
-        smallest_contact_n: float,
-        axes: int = 1,
-    ) -> None:
-        super().__init__()
-        self.axes = axes
-        self.shape = (len(grid_x_mm), len(grid_y_mm))
-        pixels = axes * len(grid_x_mm) * len(grid_y_mm)
-        widths = [len(span_counts), *hidden_units]
-        self.trunk = _trunk(widths, nn.ReLU)
-        self.heads = nn.Linear(widths[-1], pixels)
-        _buffer(self, "offset_counts", offset_counts)
-        _buffer(self, "span_counts", span_counts)
-        _buffer(self, "grid_mm", _pixel_centres_mm(grid_x_mm, grid_y_mm))
-        _buffer(self, "force_scale_n", force_scale_n)
-        _buffer(self, "smallest_contact_n", smallest_contact_n)
-
-    def pixels_of(self, counts: Float[Tensor, "frame channel"]) -> Float[Tensor, "frame pixel"]:
-        """Training's view: force at each pixel of each axis, over the scale."""
-        return self.heads(self.trunk((counts - self.offset_counts) / self.span_counts))
-
-    def forward(self, counts: Float[Tensor, "frame channel"]) -> Reading:
-        heatmap = (self.force_scale_n * self.pixels_of(counts)).unflatten(1, (self.axes, -1))
-        normal = heatmap[:, -1]
-        largest = normal.amax(dim=1)
-        weight = torch.relu(normal - 0.5 * torch.relu(largest)[:, None]) + 1e-9
-        xy = (weight @ self.grid_mm) / weight.sum(dim=1, keepdim=True)
-        contact = (largest / self.smallest_contact_n).clamp(0.0, 1.0)
-        even = torch.ones_like(largest)
-        return Reading(
-            heatmap.unflatten(2, self.shape), normal.sum(dim=1), xy, contact, even, even, 0 * even
-        )
 
 
 class ContactEstimator(nn.Module):
@@ -314,10 +258,10 @@ def _pitch_mm(grid_mm: Float[np.ndarray, "n"]) -> float:
     return float(np.diff(grid_mm).mean()) if len(grid_mm) > 1 else 1.0
 
 
-def _trunk(widths: Sequence[int], activation: type[nn.Module]) -> nn.Sequential:
+def _trunk(widths: Sequence[int]) -> nn.Sequential:
     layers: list[nn.Module] = []
     for wide, narrow in pairwise(widths):
-        layers += [nn.Linear(wide, narrow), activation()]
+        layers += [nn.Linear(wide, narrow), nn.SiLU()]
     return nn.Sequential(*layers)
 
 

@@ -33,17 +33,13 @@ ones may be handed back to the system at every step, which costs three times the
 
 @dataclass(frozen=True)
 class Scene:
-    """Magnets and sensors at rest, which of them move, the chips' errors and the environment.
-
-    With `face_by_face` a sensor is read while only the magnets (coils) of its own face are on.
-    """
+    """Magnets and sensors at rest, which of them move, the chips' errors and the environment."""
 
     magnets: MagnetLayout
     sensors: SensorLayout
     chips: ChipErrors
     environment: Environment
     sensors_move: bool = False
-    face_by_face: bool = False
 
     @property
     def bodies(self) -> int:
@@ -54,13 +50,6 @@ class Scene:
     def body_face(self) -> Int[np.ndarray, "body"]:
         """The face that each of them belongs to."""
         return self.sensors.face if self.sensors_move else self.magnets.face
-
-    def on_for(self, face: int) -> slice:
-        """The magnets that are on while the sensors of a face are read."""
-        if not self.face_by_face:
-            return slice(None)
-        (own,) = np.nonzero(self.magnets.face == face)
-        return slice(int(own[0]), int(own[-1]) + 1)
 
 
 def scene(spec: ObjectSpec, core_slipped: bool = False) -> Scene:
@@ -80,7 +69,6 @@ def scene(spec: ObjectSpec, core_slipped: bool = False) -> Scene:
         chip_errors(spec.sensors, len(sensors.face), spec.seed),
         environment(spec),
         sensors_move,
-        spec.magnets.switching == "face-by-face",
     )
 
 
@@ -100,7 +88,7 @@ def sensed_field(
         rows = slice(start, start + chunk)
         moved = motion[rows].transpose(2, 1, 0).copy()
         magnets = _magnets(scene, moved, model)
-        group = 1 if scene.face_by_face else max(1, chunk // moved.shape[2])
+        group = max(1, chunk // moved.shape[2])
         for first in range(0, sensors, group):
             some = slice(first, first + group)
             parts = _at_sensors(scene, some, moved, magnets, model)
@@ -140,9 +128,9 @@ class KnownField:
     def _changed(
         self, scene: Scene, motion: Float[np.ndarray, "press body 6"]
     ) -> Bool[np.ndarray, "magnet"] | None:
-        """Magnets that differ; None where more does, or where sensors move or feel some magnets alone."""
+        """Magnets that differ; None where more does, or where sensors move."""
         old, around, was = self.scene.magnets, scene.environment, self.scene.environment
-        if scene.sensors_move or scene.face_by_face or motion.shape != self.motion.shape:
+        if scene.sensors_move or motion.shape != self.motion.shape:
             return None
         if around.strays is not was.strays or around.plates is not was.plates:
             return None
@@ -217,12 +205,11 @@ def _at_sensors(
     own = moved[:, some] if scene.sensors_move else None
     if own is not None:
         point = (point[0] + own[0], point[1] + own[1], point[2] + own[2])
-    on = scene.on_for(int(scene.sensors.face[some][0]))
-    centres, axes, sides = (_chosen(given, on) for given in magnets)
-    size = scene.magnets.size[on]
+    centres, axes, sides = (_among_sensors(given) for given in magnets)
+    size = scene.magnets.size
     if model.exact:
         check_sensor_clear(point, (centres, axes, sides), model, size)
-    strength, plates = scene.magnets.strength[on, None, None], scene.environment.plates
+    strength, plates = scene.magnets.strength[:, None, None], scene.environment.plates
     field = with_images(point, centres, axes, model, plates, sides, strength, size)
     around = scene.environment.field_at(point)
     field = (field[0] + around[0], field[1] + around[1], field[2] + around[2])
@@ -231,10 +218,10 @@ def _at_sensors(
     return [np.broadcast_to(part, shape) for part in field]
 
 
-def _chosen(vector: Vector, on: slice) -> Vector:
-    """Those that are on, with a dimension for sensors."""
+def _among_sensors(vector: Vector) -> Vector:
+    """With a dimension for sensors."""
     x, y, z = vector
-    return x[on, None], y[on, None], z[on, None]
+    return x[:, None], y[:, None], z[:, None]
 
 
 def check_sensor_clear(

@@ -64,7 +64,7 @@ def chip_errors(sensors: SensorSpec, count: int, seed: int) -> ChipErrors:
     diagonal = np.eye(3, dtype=bool)
     rms = np.where(diagonal, sensors.gain_tolerance, sensors.cross_axis_tolerance)
     matrix = np.eye(3) + rms * rng.standard_normal((count, 3, 3))
-    return ChipErrors(matrix, sensors.offset_tolerance_mt * rng.standard_normal((count, 3)))
+    return ChipErrors(matrix, np.zeros((count, 3)))
 
 
 def read_out(

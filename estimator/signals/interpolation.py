@@ -188,7 +188,9 @@ def _lattice_weights(
     wx, dx = _axis_weights(signals.lattice.x_mm, x_mm, "x")
     wy, dy = _axis_weights(signals.lattice.y_mm, y_mm, "y")
     pairs = ((wx, wy), (dx, wy), (wx, dy))
-    return tuple((a[:, :, None] * b[:, None, :]).reshape(len(a), -1) for a, b in pairs)
+    return tuple(
+        (a[:, :, None] * b[:, None, :]).reshape(len(a), a.shape[1] * b.shape[1]) for a, b in pairs
+    )
 
 
 def _axis_weights(

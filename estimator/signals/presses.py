@@ -128,7 +128,7 @@ def press_signals(
     InputError
         A sensor lies in a magnet (at rest or pressed) or saturates at rest.
     """
-    place = scene(spec, core_slipped=spec.mechanics.slip.model == "sensors-only")
+    place = scene(spec)
     check_sensors_outside_magnets(place.sensors, place.magnets, magnet_sources(spec.magnets))
     model = magnets_model(spec.magnets, min_distance_mm(place, motions.every))
     still = at_rest(place) if motions.rest is None else motions.rest[None]

@@ -1,12 +1,12 @@
-"""Effect of surroundings and switched coils on the resting signals, in counts.
+"""Effect of surroundings on the resting signals, in counts.
 
 A face's own estimator works on changes against a zero taken somewhere else, or a while ago: what
-turning the object, an approaching jaw or another set of coils adds to a channel looks like a press.
+turning the object, or an approaching jaw adds to a channel looks like a press.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -15,8 +15,7 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.spec.environment import SteelPlateSpec
 from design.spec.object import ObjectSpec
-from estimator.field.models import exact_model
-from estimator.signals.field_setup import at_rest, counts, scene, sensed_field
+from estimator.signals.field_setup import scene
 from estimator.signals.presses import rest_counts
 
 TYPICAL_EARTH_UT = 50.0
@@ -82,22 +81,3 @@ def jaw_change(spec: ObjectSpec, frame: FaceFrame, gap_mm: float) -> Float[np.nd
     plates = (*spec.environment.steel_plates, jaw)
     beside = spec.environment.changed(steel_plates=plates)
     return rest_counts(spec.changed(environment=beside)) - rest_counts(spec)
-
-
-def counts_of_states(spec: ObjectSpec) -> Float[np.ndarray, "state sensor 3"]:
-    """Resting counts of all sensors with the coils of one face on, face by face; the last state
-    has all of them on.
-
-    The environment is felt in every state. With permanent magnets the states show which face's
-    magnets a channel's baseline comes from.
-    """
-    whole = replace(scene(spec), face_by_face=False)
-    model = exact_model(spec.magnets)
-    states = []
-    for face in (*sensors_of_faces(spec).tolist(), None):
-        on = slice(None) if face is None else whole.magnets.face == face
-        parts = {f.name: getattr(whole.magnets, f.name)[on] for f in fields(whole.magnets)}
-        magnets = replace(whole.magnets, **parts)
-        here = replace(whole, magnets=magnets)
-        states.append(counts(here, sensed_field(here, at_rest(here), model)[0], spec))
-    return np.stack(states)

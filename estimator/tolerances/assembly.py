@@ -72,8 +72,7 @@ class Assembly:
 
 def designed(spec: ObjectSpec) -> Assembly:
     """The object of the specification, with `as_built` and its own environment."""
-    slips = spec.mechanics.slip.model == "sensors-only"
-    return undisturbed(scene(spec, core_slipped=slips))
+    return undisturbed(scene(spec))
 
 
 def undisturbed(place: Scene) -> Assembly:
@@ -223,7 +222,5 @@ def face_axes(spec: ObjectSpec, face: Int[np.ndarray, "part"]) -> Float[np.ndarr
 
 def temperature_ratio(spec: ObjectSpec, rise_k: float) -> float:
     """Remanence at a temperature above the design's, over that at the design's."""
-    if spec.magnets.kind == "coil":
-        return 1.0
     at_design = remanence_at_temperature_t(1.0, spec.magnets.temperature_c)
     return 1 + NDFEB_REMANENCE_PER_KELVIN * rise_k / at_design

@@ -21,6 +21,7 @@ from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.field.models import MagnetsModel, magnets_model
 from estimator.information.fisher import disturbance_counts, position_and_force_bounds
+from estimator.information.scores import require_reached
 from estimator.signals.field_setup import KnownField, counts, min_distance_mm, sensed_field
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import press_traces
@@ -73,7 +74,11 @@ class _Deviation:
 
 @dataclass(frozen=True)
 class Setting:
-    """What all assemblies share; `states` and `live` channels face by face."""
+    """What all assemblies share; `states` and `live` channels face by face.
+
+    `reached` tells of all contact locations, face by face, which reach `score.force_n`: `states` are of
+    those alone.
+    """
 
     spec: ObjectSpec
     design: Assembly
@@ -81,6 +86,12 @@ class Setting:
     states: tuple[PressStates, ...]
     live: tuple[Bool[np.ndarray, "_"], ...]
     model: MagnetsModel
+    reached: Bool[np.ndarray, "place"]
+
+    @property
+    def at_less(self) -> int:
+        """How many of the reached locations are judged at less, to leave room for softer silicone."""
+        return sum(int(np.sum(s.force_n < self.spec.score.force_n)) for s in self.states)
 
     def read_by(self, face: int) -> int | None:
         """The face whose own channels alone are read in presses on it; None for all."""
@@ -107,12 +118,13 @@ def robustness(
 ) -> Robustness:
     """The budget at `score.force_n`, with `score.channels`, from `tolerances`.
 
-    Places that reach it only near the deepest press are judged at 0.7 of that press's force.
+    Locations that do not reach it are left out; those that reach it only near the deepest press are
+    judged at 0.7 of that press's force, and counted.
 
     Raises
     ------
     InputError
-        Of `press_signals`.
+        Of `press_signals`, and where no press reaches the force.
     """
     say = progress or (lambda _: None)
     setting = setting_of(spec, forces, motions)
@@ -133,6 +145,7 @@ def robustness(
         _summary("monte_carlo", setting, nominal, deviations),
         draws,
         spec.score.force_n,
+        setting.at_less,
         *bound_ranges(nominal, objects),
         saturation=saturation(spec, press_signals(spec, forces, motions), motions, draws),
     )
@@ -144,7 +157,8 @@ def twin_bounds(
     """Bounds `position_mm` and `force_n` of the design, then of `twins` objects within tolerance.
 
     Twins are drawn with the specification's seed; presses run face by face, forces as in
-    `robustness`. NaN where softer silicone would be pressed deeper than was simulated.
+    `robustness`. NaN where the force is not reached, and where softer silicone would be pressed deeper
+    than was simulated.
     """
     setting, rng = setting_of(spec, forces, motions), np.random.default_rng((spec.seed, 7))
     objects = [setting.design, *(draw(spec, setting.design, rng) for _ in range(twins))]
@@ -152,28 +166,38 @@ def twin_bounds(
     valid = [
         np.concatenate([s.simulated(o.modulus_ratio) for s in setting.states]) for o in objects
     ]
-    return {
-        name: np.where(valid, [getattr(outcome, name) for outcome in found], np.nan)
-        for name in ("position_mm", "force_n")
-    }
+    bounds = {}
+    for name in ("position_mm", "force_n"):
+        bounds[name] = np.full((len(objects), len(setting.reached)), np.nan)
+        values = [getattr(outcome, name) for outcome in found]
+        bounds[name][:, setting.reached] = np.where(valid, values, np.nan)
+    return bounds
 
 
 def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) -> Setting:
     design, grid, working = designed(spec), contact_grid(spec), live_channels(spec)
     moving = motions_as_signals(forces, motions)
-    states, live = [], []
+    states, live, reaches = [], [], []
     places = contact_places(spec)[face_rows(spec, motions.faces)]
     for face, there in zip(motions.faces.tolist(), places, strict=True):
         xy = grid.xy_mm[there]
         where = np.full(len(xy), face)
         reach = press_traces(moving, where, *xy.T).force_n[:, -1]
+        reaches.append(reach)
+        enough = reach >= spec.score.force_n
         force = np.minimum(spec.score.force_n, REACH_SHARE * reach)
-        states.append(press_states(forces, motions, where, xy, force))
+        some = (part[enough] for part in (where, xy, force))
+        states.append(press_states(forces, motions, *some))
         own = design.scene.sensors.face == face
         live.append((working[own] if spec.score.channels == "own" else working).ravel())
     nearest = min_distance_mm(design.scene, motions.every)
+    reach = np.concatenate(reaches)
+    reached = reach >= spec.score.force_n
+    require_reached(spec, reach, reached)
     model = magnets_model(spec.magnets, nearest - _NEARER_MM)
-    return Setting(spec, design, tuple(motions.faces.tolist()), tuple(states), tuple(live), model)
+    return Setting(
+        spec, design, tuple(motions.faces.tolist()), tuple(states), tuple(live), model, reached
+    )
 
 
 def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
@@ -190,7 +214,7 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
         if motion is states.of_design:
             moved = known.motion  # which `known` need not compare
         values = counts(place, known.of(place, moved, model), spec)
-        values = values.reshape(*motion.shape[:2], -1)[..., live]
+        values = values.reshape(*motion.shape[:2], live.size)[..., live]
         rest = baseline if own is None else baseline[assembly.scene.sensors.face == face]
         rest, most = rest.ravel()[live], full_scale_counts(spec.sensors)
         change = values[0] - rest

@@ -36,7 +36,7 @@ from fem.linear.assembly import (
 from fem.linear.material import LameConstants
 from fem.linear.sparse import block_matrix, columns_of
 
-ElementName = Literal["taylor-hood", "p2-p0", "p2", "p1"]
+ElementName = Literal["taylor-hood", "p2-p0", "p2"]
 
 
 @dataclass(frozen=True)
@@ -105,8 +105,7 @@ def element_space(
     """The space of a named element on the given elements (all by default)."""
     if name == "taylor-hood":
         return taylor_hood(mesh, elements)
-    shape = ElementTetP1() if name == "p1" else ElementTetP2()
-    basis = Basis(mesh, shape, elements=elements, intorder=2)
+    basis = Basis(mesh, ElementTetP2(), elements=elements, intorder=2)
     return DisplacementSpace(basis, mean_divergence=name != "p2")
 
 

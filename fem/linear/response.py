@@ -7,7 +7,6 @@ reciprocity (A is symmetric), every magnet's motion under any pressure on any fa
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass, fields
 from pathlib import Path
 
@@ -20,7 +19,6 @@ from design.body.surface_chart import FaceFrame
 from design.files import atomic_path
 from design.layout.body import face_frames
 from design.layout.places.positions import shell_body_layout
-from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import (
     CoreContact,
@@ -112,10 +110,8 @@ def elastic_system(mesh: TetMesh, spec: ObjectSpec) -> ElasticSystem:
     """Assemble the silicone, hold what the core holds, tie the magnets.
 
     Unknowns: every free displacement (by component), six motions of every rigid magnet, then the
-    pressures (Taylor–Hood only). Warns where the element locks.
+    pressures (Taylor–Hood only).
     """
-    if spec.mechanics.element == "p1":
-        warnings.warn(LOCKING_WARNING, stacklevel=2)
     skfem_mesh = tet_mesh(mesh.points_mm, mesh.tets)
     rigid = spec.mechanics.magnets == "rigid"
     elements = np.flatnonzero(mesh.magnet == SILICONE) if rigid else None

@@ -36,7 +36,7 @@ from instobj.cli.options import (
     run_to,
     show,
 )
-from instobj.cli.renamed import add_renamed
+from instobj.cli.renamed import OPTIONS, add_renamed
 from instobj.store.progress import show_progress
 
 app = typer.Typer(
@@ -232,7 +232,7 @@ def run_command(command: typer.Typer, arguments: list[str] | None = None) -> Non
         error.show()
         sys.exit(2)
     except typer.TyperException as error:
-        _fail(str(error), 2)
+        _fail(str(error) + _instead_of(error), 2)
     except ArithmeticError as error:
         _fail(f"the computation failed: {error}", 2)
     except InstobjError as error:
@@ -250,6 +250,12 @@ def run_command(command: typer.Typer, arguments: list[str] | None = None) -> Non
         again = "the same command goes on from there (optimize: with --resume)"
         _fail(f"interrupted. Finished stages are kept: {again}", 130)
     sys.exit(code)
+
+
+def _instead_of(error: typer.TyperException) -> str:
+    """What to write in place of an option that went with 0.2.0; nothing for other errors."""
+    instead = OPTIONS.get(getattr(error, "option_name", ""))
+    return f" It went with 0.2.0: {instead}" if instead else ""
 
 
 def with_joined_sizes(words: list[str]) -> list[str]:

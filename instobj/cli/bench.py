@@ -8,23 +8,25 @@ from typing import Annotated
 
 import typer
 
+from design.errors import InputError
 from instobj.cli import rig as cli_rig
 from instobj.cli.options import (
     HERE,
     AsJson,
-    Baud,
     Forces,
     LoadPort,
     Out,
     Overrides,
     Places,
     Port,
-    ReplaySpeed,
+    Replay,
     Seconds,
     Spec,
-    ZeroFrames,
-    ZeroMode,
+    Zero,
+    port_and_baud,
+    replayed_file,
     show,
+    zero_and_frames,
 )
 
 app = typer.Typer(help="Boards, machines and built objects.", no_args_is_help=True)
@@ -40,9 +42,7 @@ def collect(
         ),
     ],
     port: Port = None,
-    replay: Annotated[
-        Path | None, typer.Option(help="Recording to replay in place of a board.")
-    ] = None,
+    replay: Replay = None,
     load_port: LoadPort = None,
     place: Places = None,
     force: Forces = None,
@@ -59,16 +59,16 @@ def collect(
     ] = None,
     cells: Annotated[int | None, typer.Option(min=1, max=9, help="Number of load cells.")] = None,
     tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips per load cell.")] = None,
-    baud: Baud = 115_200,
-    speed: ReplaySpeed = 1.0,
     as_json: AsJson = False,
 ) -> None:
     """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
     from instobj.commands.hardware.collect import collect as collect_frames
     from instobj.commands.hardware.collect_options import CollectOptions
 
+    serial_port, baud = port_and_baud(port)
+    file, speed = replayed_file(replay)
     options = CollectOptions(
-        out, port, replay, load_port, baud, speed, tuple(place or ()), tuple(force or ()),
+        out, serial_port, file, load_port, baud, speed, tuple(place or ()), tuple(force or ()),
         cells, tips, session, zero, seconds, frames,
     )  # fmt: skip
     show(collect_frames(options), as_json)
@@ -112,9 +112,7 @@ def live(
         ),
     ] = None,
     port: Port = None,
-    replay: Annotated[
-        Path | None, typer.Option(help="Recording or data set to replay in place of a board.")
-    ] = None,
+    replay: Replay = None,
     demo: Annotated[
         bool,
         typer.Option("--demo", help="A simulated object in a hand; no board and no files needed."),
@@ -130,21 +128,19 @@ def live(
     load_port: LoadPort = None,
     place: Places = None,
     force: Forces = None,
-    zero: ZeroMode = None,
-    zero_frames: ZeroFrames = 20,
-    page_port: Annotated[
-        int, typer.Option(min=0, max=65535, help="TCP port of the page; 0: any free one.")
-    ] = 8765,
-    address: Annotated[
-        str, typer.Option(help="Network address at which the page is served.")
-    ] = "127.0.0.1",
+    zero: Zero = None,
+    page: Annotated[
+        str,
+        typer.Option(
+            metavar="[ADDRESS:]PORT",
+            help="Where the page is served: TCP port (0: any free one), and network address.",
+        ),
+    ] = "127.0.0.1:8765",
     remote: Annotated[
         bool,
         typer.Option("--remote", help="Let other machines connect; an access token is printed."),
     ] = False,
     seconds: Seconds = None,
-    baud: Baud = 115_200,
-    speed: ReplaySpeed = 1.0,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
@@ -154,12 +150,16 @@ def live(
     from instobj.commands.hardware.live_source import LiveOptions
     from instobj.commands.hardware.readings import Zeroing
 
+    serial_port, baud = port_and_baud(port)
+    file, speed = replayed_file(replay)
+    mode, zero_frames = zero_and_frames(zero, 20)
+    address, page_port = _served_at(page)
     readings = CollectOptions(
-        record or Path(f"{spec.stem if spec else 'demo'}_live"), port, replay, load_port, baud,
+        record or Path(f"{spec.stem if spec else 'demo'}_live"), serial_port, file, load_port, baud,
         speed, tuple(place or ()), tuple(force or ()), zero_frames=zero_frames,
     )  # fmt: skip
     options = LiveOptions(
-        spec, readings, tuple(model or ()), demo, Zeroing(zero, zero_frames),
+        spec, readings, tuple(model or ()), demo, Zeroing(mode, zero_frames),
         tuple(overrides or ()), address, page_port, remote,
         record is not None, seconds,
     )  # fmt: skip
@@ -174,20 +174,17 @@ def bringup(
         Path | None, typer.Option(help="bringup.csv of an earlier bring-up, in place of a board.")
     ] = None,
     simulated: Annotated[
-        bool, typer.Option("--simulated", help="A simulated object in place of a board.")
-    ] = False,
-    fault: Annotated[
         list[str] | None,
         typer.Option(
-            help="Fault planted in the simulated object, e.g. swap=F1-S2,F3-S1; can be repeated."
+            metavar="FAULT",
+            help="A simulated object with this fault in place of a board, e.g. swap=F1-S2,F3-S1; none: "
+            "without; can be repeated.",
         ),
     ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of the simulated object.")] = 1,
     again: Annotated[
         list[str] | None,
         typer.Option(help="Step or recording to repeat, e.g. held or 'held F1-S2'."),
     ] = None,
-    baud: Baud = 115_200,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
@@ -195,12 +192,13 @@ def bringup(
     """Bring a newly soldered object up, question by question, and write how it was built."""
     from instobj.commands.bringup.command import BringupOptions, bring_up
 
+    serial_port, baud = port_and_baud(port)
+    faults = None if simulated is None else tuple(one for one in simulated if one != "none")
     result = bring_up(
         BringupOptions(
-            spec, out, port, replay, simulated, tuple(fault or ()), seed, tuple(again or ()),
-            baud, tuple(overrides or ()),
+            spec, out, serial_port, replay, faults, tuple(again or ()), baud, tuple(overrides or ())
         )
-    )  # fmt: skip
+    )
     show(result, as_json)
     if not result["passed"]:
         raise typer.Exit(1)
@@ -223,6 +221,17 @@ def selftest(
     show(result, as_json)
     if not result["passed"]:
         raise typer.Exit(1)
+
+
+def _served_at(page: str) -> tuple[str, int]:
+    """Network address and TCP port of `[ADDRESS:]PORT`."""
+    address, _, port = page.rpartition(":")
+    if not port.isdecimal() or int(port) > 65535:
+        raise InputError(
+            f"--page {page}: give a TCP port up to 65535, 0 for any free one, behind an address where not "
+            "this machine alone is served: 192.168.0.5:8765"
+        )
+    return address or "127.0.0.1", int(port)
 
 
 def commands() -> list[Callable[..., None]]:

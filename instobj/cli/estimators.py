@@ -12,14 +12,14 @@ from instobj.cli.options import (
     HERE,
     MEASURE,
     AsJson,
-    Baud,
     Out,
     Overrides,
     Port,
     Sources,
-    ZeroFrames,
-    ZeroMode,
+    Zero,
+    port_and_baud,
     show,
+    zero_and_frames,
 )
 
 app = typer.Typer()
@@ -87,12 +87,10 @@ def predict(
         Path | None, typer.Argument(help="Recording or data set.", show_default=False)
     ] = None,
     port: Port = None,
-    zero: ZeroMode = None,
-    zero_frames: ZeroFrames = 8,
+    zero: Zero = None,
     frames: Annotated[
         int | None, typer.Option(min=1, help="With --port: stop after this many frames.")
     ] = None,
-    baud: Baud = 115_200,
     out: Annotated[
         Path | None,
         typer.Option(
@@ -111,14 +109,16 @@ def predict(
     else:
         from instobj.commands.hardware.predict import predict_file as in_file
         from instobj.commands.hardware.predict import predict_port as on_port
-    if (file is None) == (port is None):
+    board, baud = port_and_baud(port)
+    zeroing = Zeroing(*zero_and_frames(zero, 8))
+    if (file is None) == (board is None):
         raise InputError("give either a file or --port, the serial port of a board")
     if file is not None and frames is not None:
         raise InputError(
             f"--frames stops reading a --port after {frames} frames; {file} is read whole. Leave it out"
         )
     if file is not None:
-        show(in_file(model, file, out, Zeroing(zero, zero_frames)), as_json)
-    elif port is not None:
-        for line in on_port(model, port, Zeroing(zero, zero_frames), frames, baud):
+        show(in_file(model, file, out, zeroing), as_json)
+    elif board is not None:
+        for line in on_port(model, board, zeroing, frames, baud):
             typer.echo(line)

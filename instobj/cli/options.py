@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 import typer
 
 from design.errors import InputError
 
+ZeroMode = Literal["rest", "first", "none"]
 Specs = Annotated[
     list[Path], typer.Argument(help="Specification files (TOML).", show_default=False)
 ]
@@ -38,13 +39,22 @@ Workers = Annotated[
         help="Processes on this machine that make stages, or a Dask scheduler, tcp://host:8786.",
     ),
 ]
-Port = Annotated[str | None, typer.Option(help="Serial port of the board, e.g. /dev/ttyACM0.")]
+Port = Annotated[
+    str | None,
+    typer.Option(
+        metavar="PORT[@BAUD]",
+        help="Serial port of the board, e.g. /dev/ttyACM0; 115200 bits per second without @BAUD.",
+    ),
+]
 LoadPort = Annotated[
     str | None, typer.Option(help="Separate serial port of a load cell or machine.")
 ]
-Baud = Annotated[int, typer.Option(min=300, help="Bits per second.")]
-ReplaySpeed = Annotated[
-    float, typer.Option(min=0, help="Speed of a replay: 1 as recorded, 0 as fast as possible.")
+Replay = Annotated[
+    str | None,
+    typer.Option(
+        metavar="FILE[@SPEED]",
+        help="Recording to replay in place of a board: @1 as recorded (default), @0 as fast as possible.",
+    ),
 ]
 Places = Annotated[
     list[str] | None,
@@ -63,13 +73,18 @@ Forces = Annotated[
     ),
 ]
 Seconds = Annotated[float | None, typer.Option(min=0, help="Stop after this many seconds.")]
-ZeroMode = Annotated[
-    Literal["rest", "first", "none"] | None,
+Zero = Annotated[
+    str | None,
     typer.Option(
-        help="Baseline: tracked at rest (default), from the first frames, or already subtracted."
+        metavar="MODE[:FRAMES]",
+        help="Baseline: rest, tracked at rest (default); first, of the first frames; none, already "
+        "subtracted. FRAMES at rest give it.",
     ),
 ]
-ZeroFrames = Annotated[int, typer.Option(min=5, help="Frames at rest that give the baseline.")]
+BAUD = 115_200
+"""Bits per second of a serial port, as firmware is written by default."""
+_FEWEST_FRAMES = 5
+"""Frames of a baseline, at least: fewer do not tell noise from rest."""
 HERE = Path()
 DESIGN, JUDGE, MEASURE, KEEP = (
     "Design",
@@ -122,6 +137,69 @@ def run_to(
     else:
         chain = tuple(stages.split())
         show(run_chain(specs, chain, out, overrides or [], number, scheduler), as_json)
+
+
+def port_and_baud(port: str | None) -> tuple[str | None, int]:
+    """Serial port and its bits per second, of `PORT[@BAUD]`.
+
+    Raises
+    ------
+    InputError
+        What follows the last @ is no number of 300 or more.
+    """
+    name, at, baud = (port or "").rpartition("@")
+    if not at:
+        return port, BAUD
+    if not baud.isdecimal() or int(baud) < 300:
+        raise InputError(
+            f"{port}: {baud!r} is no number of bits per second. Give PORT@BAUD, such as "
+            f"/dev/ttyACM0@{BAUD}"
+        )
+    return name, int(baud)
+
+
+def replayed_file(text: str | None) -> tuple[Path | None, float]:
+    """File and speed of a replay, of `FILE[@SPEED]`; a file whose own name holds the @ comes first.
+
+    Raises
+    ------
+    InputError
+        What follows the last @ is no speed of 0 or more.
+    """
+    if text is None or "@" not in text or Path(text).exists():
+        return (None if text is None else Path(text)), 1.0
+    name, _, speed = text.rpartition("@")
+    try:
+        value = float(speed)
+    except ValueError:
+        value = -1.0
+    if not 0 <= value < float("inf"):
+        raise InputError(
+            f"--replay {text}: {speed!r} is no speed. Give FILE@2 for twice as fast, FILE@0 for as fast "
+            "as possible"
+        )
+    return Path(name), value
+
+
+def zero_and_frames(text: str | None, frames: int) -> tuple[ZeroMode | None, int]:
+    """Mode and frames of a baseline, of `MODE[:FRAMES]`; `frames` where none are given.
+
+    Raises
+    ------
+    InputError
+        Another mode, or fewer than five frames.
+    """
+    if text is None:
+        return None, frames
+    mode, colon, given = text.partition(":")
+    many = int(given) if given.isdecimal() else 0 if colon else frames
+    for known in get_args(ZeroMode):
+        if mode == known and many >= _FEWEST_FRAMES:
+            return known, many
+    raise InputError(
+        f"--zero {text}: give rest, first or none, with :FRAMES of {_FEWEST_FRAMES} or more where "
+        f"{frames} are not wanted, such as rest:20"
+    )
 
 
 def workers_and_scheduler(workers: str) -> tuple[int, str | None]:

@@ -28,7 +28,7 @@ GONE = {
     "frames": "instobj run SPEC --to frames --set collection.kind=KIND",
     "grasp": "instobj press SPEC --jaw … --jaw … --force N",
     "slip": "instobj run SPEC --to slip --set mechanics.slip.shift_mm=[1,0,0]",
-    "worker": "instobj optimize SPEC --storage URL --join NUMBER",
+    "worker": "instobj optimize SPEC --workers tcp://SCHEDULER:8786 (its Dask workers do the trials)",
     "experiment": "python -m studies NAME SPEC, in a checkout of the repository",
     "experiments": "python -m studies --help, in a checkout of the repository",
     "interfaces": "python -m studies interfaces, in a checkout of the repository",
@@ -36,6 +36,19 @@ GONE = {
     "cycles": "python -m studies cycles, in a checkout of the repository",
 }
 """Old commands whose arguments changed → what to write instead."""
+
+OPTIONS = {
+    "--address": "--page ADDRESS:PORT",
+    "--baud": "--port PORT@BAUD",
+    "--fault": "--simulated FAULT",
+    "--join": "--workers tcp://SCHEDULER:8786",
+    "--page-port": "--page PORT",
+    "--seed": "--set seed=NUMBER",
+    "--speed": "--replay FILE@SPEED",
+    "--storage": "--out FOLDER",
+    "--zero-frames": "--zero MODE:FRAMES",
+}
+"""Options before 0.2.0 → what to write instead, or what holds now."""
 
 ANYTHING = {"allow_extra_args": True, "ignore_unknown_options": True}
 """Settings of a command that takes whatever stands behind it."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from instobj.cli.options import AsJson, LoadPort, Overrides, Spec, show
+from instobj.cli.options import AsJson, LoadPort, Overrides, Spec, port_and_baud, show
 
 if TYPE_CHECKING:
     from instobj.rig.mounting import Mounting
@@ -30,7 +30,11 @@ def rig(
     ] = None,
     port: Annotated[str | None, typer.Option(help="Serial port of the machine.")] = None,
     board_port: Annotated[
-        str | None, typer.Option(help="Serial port of the sensors' board.")
+        str | None,
+        typer.Option(
+            metavar="PORT[@BAUD]",
+            help="Serial port of the board; @BAUD is the load cell's too.",
+        ),
     ] = None,
     load_port: LoadPort = None,
     load_scale: Annotated[
@@ -39,9 +43,6 @@ def rig(
             help="Newtons per unit of a load port that sends one number per line; 1 where lines name a unit."
         ),
     ] = None,
-    baud: Annotated[
-        int, typer.Option(min=300, help="Bits per second of the ports of board and load cell.")
-    ] = 115_200,
     face: Annotated[
         list[int] | None, typer.Option(help="Face to press (poses: several, by default all).")
     ] = None,
@@ -113,8 +114,9 @@ def rig(
     from instobj.rig.run import Ports
 
     ports = None
-    if port is not None and board_port is not None:
-        ports = Ports(port, board_port, load_port, baud, load_scale)
+    board, baud = port_and_baud(board_port)
+    if port is not None and board is not None:
+        ports = Ports(port, board, load_port, baud, load_scale)
     given = {
         "depths_mm": tuple(depth) if depth else None, "dwell_s": dwell, "speed_mm_s": speed,
         "strokes": strokes, "full_n": full,

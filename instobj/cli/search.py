@@ -7,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from design.errors import InputError
 from instobj.cli.options import (
     HERE,
     JUDGE,
@@ -22,26 +21,11 @@ from instobj.cli.options import (
 
 app = typer.Typer()
 
-Storage = Annotated[
-    str | None,
-    typer.Option(
-        help="Journal file, or a database that many machines share: postgresql+psycopg://… "
-        "(default: runs/NAME/search/journal.log)."
-    ),
-]
-
 
 @app.command(rich_help_panel=JUDGE)
 def optimize(
     spec: Spec,
     resume: Annotated[bool, typer.Option("--resume", help="Resume the existing search.")] = False,
-    storage: Storage = None,
-    join: Annotated[
-        int | None,
-        typer.Option(
-            metavar="NUMBER", help="Work on the search in --storage, as worker NUMBER of several."
-        ),
-    ] = None,
     workers: Workers = "1",
     out: Out = HERE,
     as_json: AsJson = False,
@@ -54,16 +38,9 @@ def optimize(
     search_space(load_spec(spec, overrides or []))  # refused before the seconds that imports take
 
     from instobj.search.optimize import optimize as search_layouts
-    from instobj.search.optimize import work
 
-    given = overrides or []
-    if join is None:
-        number, scheduler = workers_and_scheduler(workers)
-        show(search_layouts(spec, out, given, resume, storage, number, scheduler), as_json)
-    elif storage is None:
-        raise InputError("--join works on the search of others. Give its --storage too")
-    else:
-        show(work(spec, out, given, storage, join), as_json)
+    number, scheduler = workers_and_scheduler(workers)
+    show(search_layouts(spec, out, overrides or [], resume, number, scheduler), as_json)
 
 
 @app.command(rich_help_panel=JUDGE)

@@ -14,48 +14,41 @@ if TYPE_CHECKING:
     from estimator.information.slip_cost import SlipCost
 
 _SMALLEST_SHOWN = 0.03
-_COLOURS = {"fem": "#1b6ca8", "sensors-only": "#c8553d"}
+_COLOUR = "#1b6ca8"
 
 
-def draw_slip(spec: ObjectSpec, costs: dict[str, SlipCost], path: Path, title: str) -> None:
+def draw_slip(spec: ObjectSpec, cost: SlipCost, path: Path, title: str) -> None:
     """Resting signal of every sensor, and shares of localisation and force errors (PNG)."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(11, 7), layout="constrained")
     grid = figure.add_gridspec(2, 2)
-    _draw_sensors(figure.add_subplot(grid[0, :]), spec, costs)
-    _draw_shares(figure.add_subplot(grid[1, 0]), costs, "place_mm", "localisation error (mm)")
-    _draw_shares(figure.add_subplot(grid[1, 1]), costs, "force_n", "force error (N)")
+    _draw_sensors(figure.add_subplot(grid[0, :]), spec, cost)
+    _draw_shares(figure.add_subplot(grid[1, 0]), cost, "place_mm", "localisation error (mm)")
+    _draw_shares(figure.add_subplot(grid[1, 1]), cost, "force_n", "force error (N)")
     figure.suptitle(f"{spec.name}: {title}", fontsize=13)
     save_figure(figure, path)
 
 
-def _draw_sensors(axes: Any, spec: ObjectSpec, costs: dict[str, SlipCost]) -> None:
+def _draw_sensors(axes: Any, spec: ObjectSpec, cost: SlipCost) -> None:
     from design.layout.places.positions import sensor_layout
 
     face = sensor_layout(spec).face
     place = np.arange(len(face)) + 0.6 * face
-    for offset, model in ((-0.2, "fem"), (0.2, "sensors-only")):
-        sigma = costs[model].baseline_sigma
-        axes.bar(place + offset, sigma, 0.4, color=_COLOURS[model], label=model)
+    axes.bar(place, cost.baseline_sigma, 0.8, color=_COLOUR)
     axes.set_xticks(
         place, [f"{f}·{index % spec.sensors.count_per_face + 1}" for index, f in enumerate(face)]
     )
     axes.set(xlabel="face · sensor", ylabel="change of baseline (σ of white noise)")
-    axes.legend(frameon=False, ncols=2)
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def _draw_shares(axes: Any, costs: dict[str, SlipCost], what: str, label: str) -> None:
+def _draw_shares(axes: Any, cost: SlipCost, what: str, label: str) -> None:
     """Share of contact locations with an error of at most a limit, with the old and a new baseline."""
-    for model, cost in costs.items():
-        for prefix, style, zero in (
-            ("rezeroed", "-", "new baseline"),
-            ("false", ":", "old baseline"),
-        ):
-            wrong = np.sort(getattr(cost, f"{prefix}_{what}")[cost.places])
-            share = 100 * (np.arange(len(wrong)) + 1) / len(wrong)
-            axes.plot(wrong, share, style, color=_COLOURS[model], label=f"{model}, {zero}")
+    for prefix, style, zero in (("rezeroed", "-", "new baseline"), ("false", ":", "old baseline")):
+        wrong = np.sort(getattr(cost, f"{prefix}_{what}")[cost.places])
+        share = 100 * (np.arange(len(wrong)) + 1) / len(wrong)
+        axes.plot(wrong, share, style, color=_COLOUR, label=zero)
     axes.set_xscale("log")
     axes.set(xlabel=label, ylabel="contact locations with error ≤ x (%)", ylim=(0, 102))
     axes.set_xlim(left=_SMALLEST_SHOWN)

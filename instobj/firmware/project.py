@@ -109,7 +109,7 @@ _README = """\
 Written by `instobj bench firmware`; `{plan}` holds all that belongs to this object.
 
 {install}
-    instobj bench collect FIRST --port /dev/ttyACM0 --baud {baud}
+    instobj bench collect FIRST --port /dev/ttyACM0@{baud}
 
 `wiring.svg` is the drawing; `wiring.csv` has every wire with colour and length in the order of soldering,
 `orders.csv` every part to buy.

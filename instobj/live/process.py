@@ -173,7 +173,7 @@ async def _serve(connection: Connection, settings: PageSettings, watch: Watch) -
     except OSError as error:
         where = f"{settings.address}:{settings.port}"
         raise InputError(
-            f"cannot listen on {where} ({error.strerror}). Give another --page-port or --address"
+            f"cannot listen on {where} ({error.strerror}). Give another --page"
         ) from None
     connection.send_bytes(_READY + str(runner.addresses[0][1]).encode())
     receiving = threading.Thread(target=_receive, args=(connection, watch), daemon=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from design.build.bom import numbered, silicone_amount
+from design.build.bom import SILICONE_WASTE, numbered, silicone_amount
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import mould_frame, mould_style, opening_of
@@ -28,23 +28,23 @@ def _casting_steps(spec: ObjectSpec) -> list[str]:
         return [f"Print the shell in {silicone.name}."]
     if why_no_mould(spec) is not None:
         return [f"No mould was built, so nothing can be cast: {why_no_mould(spec)}."]
-    a, b = amount.parts_g
-    pot = (
-        "see the maker's sheet"
-        if silicone.pot_life_min is None
-        else f"{silicone.pot_life_min:g} min"
-    )
-    cure = "see the maker's sheet" if silicone.cure_h is None else f"{silicone.cure_h:g} h"
+    known = silicone.casting
+    pot = _told(known and known.pot_life_min, "min")
+    cure = _told(known and known.cure_h, "h")
     return [
         *_core_first(spec),
         "Spray release agent thinly, on all that the silicone touches but the core"
         f"{_primed(spec)}. {_closed(spec)}",
-        f"Weigh {a:.1f} g of part A and {b:.1f} g of part B of {silicone.name} "
-        f"({amount.mixed_g:.1f} g, with {spec.mould.silicone_waste:.0%} more than the object holds); "
+        f"Weigh {amount.mixing} of {silicone.name} "
+        f"({amount.mixed_g:.1f} g, with {SILICONE_WASTE:.0%} more than the object holds); "
         f"keep a part of it for sealing. Mix; pot life {pot}. Take the air out under vacuum.",
         _poured(spec),
         f"Let it cure: {cure} at room temperature, longer when cold. Then {_opened(spec)}",
     ]
+
+
+def _told(duration: float | None, unit: str) -> str:
+    return "see the maker's sheet" if duration is None else f"{duration:g} {unit}"
 
 
 def _primed(spec: ObjectSpec) -> str:

@@ -11,7 +11,6 @@ from design.spec.object import ObjectSpec
 from instobj.report.pages import render
 from instobj.store import readers
 
-_MODELS = ("fem", "sensors-only")
 _ROWS = {
     "baseline change, median sensor, counts": "baseline_median_counts",
     "baseline change, worst sensor, counts": "baseline_largest_counts",
@@ -46,33 +45,20 @@ def core_section(spec: ObjectSpec, presses: Path, slip: Path) -> Markup:
     if not spec.mechanics.slip.slipped:
         return Markup()
     content = readers.SLIP.read(slip)
-    rows = comparison_rows(content["models"])
-    columns = ("fem", "sensors-only", "its error")
+    rows = slip_rows(content["figures"])
     return render(
         "core.html.j2",
         tension=None,
         slip=slip_title(content["slip"]),
-        model=spec.mechanics.slip.model,
         figure=readers.SLIP_PICTURE.path(slip),
         header=list(rows[0]),
-        rows=[[row["what"], *(f"{row[name]:.3g}" for name in columns)] for row in rows],
+        rows=[[row["what"], f"{row['value']:.3g}"] for row in rows],
     )
 
 
-def comparison_rows(numbers: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
-    """One row per figure, one column per model, and the error of moving the sensors alone."""
-    rows = []
-    for title, key in _ROWS.items():
-        fem, approximate = (numbers[model][key] for model in _MODELS)
-        rows.append(
-            {
-                "what": title,
-                "fem": fem,
-                "sensors-only": approximate,
-                "its error": approximate - fem,
-            }
-        )
-    return rows
+def slip_rows(figures: dict[str, float]) -> list[dict[str, Any]]:
+    """One row per figure."""
+    return [{"what": title, "value": figures[key]} for title, key in _ROWS.items()]
 
 
 def slip_title(slip: dict[str, Any]) -> str:

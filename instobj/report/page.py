@@ -11,7 +11,6 @@ from urllib.parse import quote
 from design.files import atomic_path
 from design.layout.places.contact_places import contact_places, grid_count
 from design.layout.places.coverage import covered_shares
-from design.spec.mechanics import LOCKING_WARNING
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
 from instobj.figures.maps.files import SCORE_MAPS, unit_of
@@ -241,11 +240,10 @@ def _mechanics(
 
 def _discretisation(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
     error = readers.DISCRETISATION.read(inputs["discretisation"])
-    locking = f"{LOCKING_WARNING}. " if spec.mechanics.element == "p1" else ""
     return {
         "discretisation_header": HEADER,
         "discretisation": error_rows(error),
-        "discretisation_note": locking + error_note(error),
+        "discretisation_note": error_note(error),
     }
 
 

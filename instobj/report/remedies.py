@@ -1,13 +1,14 @@
 """Remedies for a no-go: changes and sets of them against the limits, with their price.
 
-Price is that of magnets and sensors, build time that of setting and wiring them by hand
-(`search.prices`): what the changes differ in.
+Price is that of magnets and sensors, build time that of setting and wiring them by hand:
+what the changes differ in.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from math import isfinite
+from operator import mul
 from typing import Any
 
 from design.spec.object import ObjectSpec
@@ -15,6 +16,9 @@ from instobj.report.verdict import beside_limit, judge, worst_ratio
 from instobj.store.content import StoredResult
 from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES
 
+PRICES_EUR, MINUTES = (0.2, 3.0), (2.0, 15.0)
+"""Of a magnet and of a sensor on its board. A magnet's pole is found and it is pressed in; a sensor gets
+five wires and is tested and glued. Estimates, to compare changes by."""
 _SHOWN, _BEST = 3, 7
 """Remedies told in words, and in the table."""
 
@@ -65,7 +69,7 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
     rows = content["alternatives"]
     found = remedies(spec, rows)
     figures = {tuple(row["changes"]): _figures(spec, row) for row in rows}
-    price, minutes = price_and_minutes(spec, rows[0]["magnets"], rows[0]["sensors"])
+    price, minutes = price_and_minutes(rows[0]["magnets"], rows[0]["sensors"])
     table = [["as specified", *figures[()], f"{price:.0f}", f"{minutes:.0f}", ""]]
     for one in found[:_BEST]:
         more = [f"+{one.price:.0f}", f"+{one.minutes:.0f}", "pass" if one.turns else "FAIL"]
@@ -129,10 +133,10 @@ def _joined(changes: tuple[str, ...]) -> str:
     return f"{', '.join(others)} and {last}" if others else last
 
 
-def price_and_minutes(spec: ObjectSpec, magnets: int, sensors: int) -> tuple[float, float]:
-    """Of so many magnets and sensors: price, in the currency of `search.prices`, and time by hand."""
-    prices = spec.search.prices
-    return prices.cost(magnets, sensors), prices.build_minutes(magnets, sensors)
+def price_and_minutes(magnets: int, sensors: int) -> tuple[float, float]:
+    """Of so many magnets and sensors: price and time by hand."""
+    parts = (magnets, sensors)
+    return sum(map(mul, PRICES_EUR, parts)), sum(map(mul, MINUTES, parts))
 
 
 def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Remedy:
@@ -145,7 +149,7 @@ def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Rem
     )
     added = (row[part] - start[part] for part in ("magnets", "sensors"))
     bound = row["weakest_bound_mm"]
-    return Remedy(tuple(row["changes"]), ratio, bound, *price_and_minutes(spec, *added))
+    return Remedy(tuple(row["changes"]), ratio, bound, *price_and_minutes(*added))
 
 
 def _figures(spec: ObjectSpec, row: dict[str, Any]) -> list[str]:

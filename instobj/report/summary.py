@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from design.spec.object import ObjectSpec
-from instobj.report.core_section import comparison_rows
+from instobj.report.core_section import slip_rows
 from instobj.report.remedies import verdict_summary
 from instobj.report.uncertainty import robustness_summary
 from instobj.report.weak_areas import WEAK_TITLE, weak_rows
@@ -53,7 +53,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
-        ("slip", "cost of the core's slip, by both models of it", _slip),
+        ("slip", "cost of the core's slip", _slip),
         ("identify", identify_title(spec), _identify),
         ("frames", "simulated presses", _read(PROTOCOL)),
         ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
@@ -87,7 +87,7 @@ def _slip(result: StoredResult) -> list[dict[str, Any]]:
     """Rows of both models; none where the core has not slipped."""
     if not SLIP.path(result.folder).exists():
         return []
-    return comparison_rows(SLIP.read(result.folder)["models"])
+    return slip_rows(SLIP.read(result.folder)["figures"])
 
 
 def identify_title(spec: ObjectSpec | None) -> str:

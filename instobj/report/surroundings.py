@@ -1,4 +1,4 @@
-"""Surroundings, temperature and switched coils in words: what changes channels without a press."""
+"""Surroundings and temperature in words: what changes channels without a press."""
 
 from __future__ import annotations
 
@@ -22,17 +22,10 @@ def surroundings_lines(row: dict[str, Any]) -> list[str]:
         f"{_told(touching_others)} on others; {row['jaw_gap_mm'][1]:g} mm away {_told(near)} and "
         f"{_told(near_others)} (thick wide plate, an upper bound)",
     ]
-    if "baseline_counts_per_kelvin" in row:
-        lines.append(
-            f"magnets 1 K warmer: {100 * NDFEB_REMANENCE_PER_KELVIN:.2f} % of every signal, up to "
-            f"{_told(row['baseline_counts_per_kelvin'])} counts of a baseline"
-        )
-    else:
-        lines.append(
-            f"coils worth {row['coil_polarization_mt']:g} mT of polarization: up to "
-            f"{_told(row['own_coils_counts'])} counts on their own face's channels; those of the other faces "
-            f"add up to {_told(row['other_faces_coils_counts'])} where they are on too"
-        )
+    lines.append(
+        f"magnets 1 K warmer: {100 * NDFEB_REMANENCE_PER_KELVIN:.2f} % of every signal, up to "
+        f"{_told(row['baseline_counts_per_kelvin'])} counts of a baseline"
+    )
     lines.append(
         f"sensors can be read at up to {_told(row['fastest_frame_rate_hz'])} Hz over the bus"
     )

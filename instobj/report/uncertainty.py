@@ -128,10 +128,11 @@ def budget_rows(spec: ObjectSpec, budget: Robustness) -> list[dict[str, Any]]:
 
 
 def forces_told(budget: Robustness) -> str:
-    """The forces of a budget, which are below those of the scores where a location hardly reaches them."""
+    """The force of a budget, and at how many locations it is less as these hardly reach it."""
     from estimator.tolerances.result import REACH_SHARE
 
-    return f"{budget.force_n:g} N or {REACH_SHARE:g} of the deepest press"
+    less = f", {budget.at_less} places at {REACH_SHARE:g} of deepest press" * bool(budget.at_less)
+    return f"{budget.force_n:g} N{less}"
 
 
 def bound_rows(budget: Robustness) -> list[dict[str, Any]]:

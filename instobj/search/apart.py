@@ -4,38 +4,21 @@ from __future__ import annotations
 
 import multiprocessing
 import signal
+import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
+from functools import lru_cache
 from multiprocessing.process import BaseProcess
-from queue import SimpleQueue
 from typing import Any
 
 from design.errors import InputError
+from instobj.stages.workers import OnDask, Workers
 from instobj.store.progress import NEWS_EVERY_S
 
 _CLOSING_S = 5.0
-
-
-@dataclass(frozen=True)
-class Scored:
-    """What became of a trial: its polished variables, values to minimise and scores.
-
-    `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing;
-    `scorings` are the layouts that were scored for it.
-    """
-
-    params: dict[str, Any]
-    values: tuple[float, ...]
-    scores: dict[str, float]
-    broken_mm: float
-    misfit: str
-    scorings: int
-
-    @property
-    def feasible(self) -> bool:
-        return self.broken_mm == 0 and not self.misfit
+Prepare = Callable[[Any], Callable[[Any], Any]]
 
 
 class GivenUp(Exception):
@@ -49,7 +32,7 @@ class Apart:
     The process starts with the first question, and anew after one that was given up.
     """
 
-    prepare: Callable[[Any], Callable[[Any], Any]]
+    prepare: Prepare
     argument: Any
     _process: BaseProcess | None = field(default=None, init=False)
     _connection: Any = field(default=None, init=False)
@@ -110,46 +93,119 @@ class Apart:
         return self._process.exitcode
 
 
+Ask = Callable[[Sequence[Sequence[Any]], float], list[Any]]
+
+
 @contextmanager
-def side_by_side(
-    prepare: Callable[[Any], Callable[[Any], Any]],
+def answers(
+    prepare: Prepare,
     argument: Any,
-    count: int,
+    workers: Workers,
     waiting: Callable[[int], None] = lambda parts: None,
-) -> Iterator[Callable[[Sequence[Sequence[Any]], float], list[Any]]]:
-    """A function that answers questions of several parts by `count` processes, each whichever is free next.
+) -> Iterator[Ask]:
+    """A function that answers questions of several parts, by a separate process or by Dask's workers.
 
-    It gives an answer to each, or the error of `Apart.ask` in its place; meanwhile, every few seconds,
-    `waiting` gets the number of parts of all questions. Each may take the seconds that it is given.
+    It gives an answer to each, or in its place `GivenUp` or `InputError`; meanwhile, every few seconds,
+    `waiting` gets the number of parts of all questions. Each may take the seconds that it is given, and is
+    asked again where its worker was lost.
     """
-    processes = [Apart(prepare, argument) for _ in range(count)]
-    free: SimpleQueue[Apart] = SimpleQueue()
-    for one in processes:
-        free.put(one)
-    threads = ThreadPoolExecutor(count)
-
-    def answer(question: Sequence[Any], seconds: float) -> Any:
-        one = free.get()
+    if isinstance(workers, OnDask):
+        yield lambda questions, seconds: _Asked(prepare, argument, workers, waiting).answers(
+            questions, seconds
+        )
+        return
+    process = Apart(prepare, argument)
+    with ThreadPoolExecutor(1) as thread:
         try:
-            return one.ask(question, seconds)
+            yield lambda questions, seconds: _in_turn(process, thread, questions, seconds, waiting)
+        finally:
+            thread.shutdown(wait=False, cancel_futures=True)
+            process.close()  # the thread, where it still waits for an answer, ends with it
+
+
+def _in_turn(
+    process: Apart,
+    thread: ThreadPoolExecutor,
+    questions: Sequence[Sequence[Any]],
+    seconds: float,
+    waiting: Callable[[int], None],
+) -> list[Any]:
+    def answer(question: Sequence[Any]) -> Any:
+        try:
+            return process.ask(question, seconds)
         except (GivenUp, InputError) as error:
             return error
-        finally:
-            free.put(one)
 
-    def ask(questions: Sequence[Sequence[Any]], seconds: float) -> list[Any]:
-        jobs = [threads.submit(answer, question, seconds) for question in questions]
-        while wait(jobs, NEWS_EVERY_S).not_done:
-            waiting(sum(map(len, questions)))
-        return [job.result() for job in jobs]
+    jobs = [thread.submit(answer, question) for question in questions]
+    while wait(jobs, NEWS_EVERY_S).not_done:
+        waiting(sum(map(len, questions)))
+    return [job.result() for job in jobs]
 
-    try:
-        yield ask
-    finally:
-        threads.shutdown(wait=False, cancel_futures=True)
-        for one in processes:  # threads that still wait for an answer end with their process
-            one.close()
-        threads.shutdown()
+
+@dataclass
+class _Asked:
+    """Questions to Dask's workers, as many at a time as there are."""
+
+    prepare: Prepare
+    argument: Any
+    workers: OnDask
+    waiting: Callable[[int], None]
+
+    def answers(self, questions: Sequence[Sequence[Any]], seconds: float) -> list[Any]:
+        from distributed import wait as wait_for
+
+        found: dict[int, Any] = {}
+        left = dict(enumerate(questions))
+        at_work: dict[Any, tuple[int, float]] = {}
+        while left or at_work:
+            while left and len(at_work) < self.workers.count:
+                index = next(iter(left))
+                future = self.workers.client.submit(
+                    _answered, self.prepare, self.argument, left.pop(index), pure=False
+                )
+                at_work[future] = index, time.monotonic() + seconds
+            with suppress(TimeoutError):
+                wait_for(list(at_work), timeout=NEWS_EVERY_S, return_when="FIRST_COMPLETED")
+            for future, (index, ends) in list(at_work.items()):
+                if future.done():
+                    found[index] = _answer_of(future)
+                elif time.monotonic() > ends:
+                    self._give_up(future)
+                    found[index] = GivenUp(f"no result after {seconds:g} s")
+                if index in found:
+                    del at_work[future]
+            if at_work:
+                self.waiting(sum(map(len, questions)))
+        return [found[index] for index in range(len(questions))]
+
+    def _give_up(self, future: Any) -> None:
+        """End the process that is at it; its nanny starts another."""
+        client = self.workers.client
+        at: Any = client.processing()
+        client.cancel(future)
+        address = [worker for worker, keys in at.items() if future.key in keys]
+        client.restart_workers(address, raise_for_error=False)
+
+
+def _answered(prepare: Prepare, argument: Any, question: Any) -> Any:
+    return _prepared(prepare, argument)(question)
+
+
+@lru_cache(maxsize=1)
+def _prepared(prepare: Prepare, argument: Any) -> Callable[[Any], Any]:
+    """Of this process: mechanics are read once."""
+    return prepare(argument)
+
+
+def _answer_of(future: Any) -> Any:
+    if future.cancelled():
+        return GivenUp("it was cancelled")
+    error = future.exception()
+    if error is None:
+        return future.result()
+    if isinstance(error, InputError):
+        return error
+    return GivenUp(f"{type(error).__name__}: {error}")
 
 
 def _serve(connection: Any, prepare: Callable[[Any], Any], argument: Any) -> None:

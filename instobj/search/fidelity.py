@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import torch
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch_scores import OVER_START, worst_ratio
@@ -91,10 +91,11 @@ def twin_ratios(start: ObjectSpec, old: list[Bounds], new: list[Bounds]) -> dict
     """Bounds of toleranced twins of the start over those of a layout, each of `bounds_of_twins`.
 
     Twins share their design's mechanics; `tolerances` of each specification sizes their errors.
-    Geometric means over the judged forces. Places that reach a force only near the deepest press are
-    judged at less force, of both alike (`estimator.tolerances.budget`).
+    Geometric means over the judged forces. Places that do not reach a force are left out;
+    those that reach it only near the deepest press are judged at less, of both alike
+    (`estimator.tolerances.budget`).
     """
-    before, after = (_summaries(start, one) for one in (old, new))
+    before, after = (_summaries(one) for one in (old, new))
     ratios = {
         name: TwinRatio(
             float(before[name][0] / after[name][0]),
@@ -129,7 +130,7 @@ def _place_by_place(before: list[Bounds], after: list[Bounds], but: float) -> Tw
     return TwinRatio(float(better[0, 0]), *_interval(better[1:, 1:]))
 
 
-def _summaries(spec: ObjectSpec, bounds: list[Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
+def _summaries(bounds: list[Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
     each = []
     for at_force in bounds:
         position, force = at_force["position_mm"], at_force["force_n"]
@@ -139,20 +140,10 @@ def _summaries(spec: ObjectSpec, bounds: list[Bounds]) -> dict[str, Float[np.nda
                 "percentile_99_position_bound_mm": np.nanpercentile(position, 99, axis=1),
                 "percentile_95_position_bound_mm": np.nanpercentile(position, 95, axis=1),
                 "median_position_bound_mm": np.nanmedian(position, axis=1),
-                "edge_position_bound_mm": np.nanmean(position[:, _at_edges(spec)], axis=1),
                 "worst_force_bound_n": np.nanmax(force, axis=1),
             }
         )
     return {name: np.exp(np.mean([np.log(one[name]) for one in each], axis=0)) for name in each[0]}
-
-
-def _at_edges(spec: ObjectSpec) -> Bool[np.ndarray, "press"]:
-    from design.layout.places.contact_grid import contact_grid
-    from design.layout.places.contact_places import contact_places
-    from estimator.information.scores import outermost_places
-
-    grid = contact_grid(spec)
-    return np.concatenate([outermost_places(grid, own)[own] for own in contact_places(spec)])
 
 
 def _interval(ratios: Float[np.ndarray, "before after"]) -> tuple[float, float]:
@@ -172,14 +163,6 @@ def score_row(score: FidelityScore) -> dict[str, Any]:
         "false N": score.median_false_force_n,
         "false N, 95 %": score.percentile_95_false_force_n,
         "δ 5/50 %": score.sensitivity_ratio,
-        "edge mm": score.edge_position_bound_mm,
-        "pair own mm": score.pair_own_position_bound_mm,
-        "pair all mm": score.pair_all_position_bound_mm,
-        "grasp mm": score.grasp_position_bound_mm,
-        "slip mm": score.slip_place_mm,
-        "tolerance mm": score.tolerance_place_mm,
-        "task failed %": 100 * score.task_loss,
-        "softness off": score.compliance_deviation,
         "free range": score.saturation_margin,
         "free in 95 % of objects": score.objects_margin,
     }

@@ -29,13 +29,12 @@ def joined(space: SearchSpace, at_once: int) -> SearchSpace:
     if not search.polish_steps or len(search.objectives) > 1:
         return space
     combinations = prod(len(v.choices) for v in space.variables if v.choices)
-    fewest = max(combinations, search.batch, at_once)
+    fewest = max(combinations, at_once)
     times = max(1, min(_LONGEST // search.polish_steps, search.trials // fewest))
     return _with(
         space,
         trials=search.trials // times,
         polish_steps=search.polish_steps * times,
-        trial_seconds=search.trial_seconds * times,
     )
 
 

@@ -1,21 +1,24 @@
-"""A search's main loop: ask an engine for a batch, have it scored, keep what came of it."""
+"""Main loop of a search: draw starts, have them improved and scored, keep what came of them."""
 
 from __future__ import annotations
 
+import os
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from optuna.trial import FrozenTrial, Trial
 
 from design.errors import InputError
-from design.search.space import SearchSpace, structure_of
+from design.search.space import Params, SearchSpace, structure_of
 from design.spec.search import SearchSpec
-from instobj.search.apart import GivenUp, Scored
-from instobj.search.engines import Sampling, ask, sampling, tell, tell_failed
-from instobj.search.study import KeptStudy
+from estimator.field.device import SWITCH
+from instobj.search.apart import GivenUp
+from instobj.search.trials import KeptTrials, Scored, Trial, failed_trial
 
+PLAIN_BATCH, CARD_BATCH = 16, 64
+"""Layouts drawn and kept together where none is improved: scored at once they cost little more. On a
+graphics card runs of CMA-ES go on side by side, and 32 or more of them fill it."""
 _FAILURES_IN_A_ROW = 3
 """Batches without a single result after which a search is given up."""
 
@@ -27,131 +30,115 @@ Say = Callable[[str], None]
 
 def run_search(
     space: SearchSpace,
-    kept: KeptStudy,
+    kept: KeptTrials,
     score: Score,
     say: Say,
-    first: dict[str, Any] | None = None,
-    worker: int = 0,
+    first: Params | None = None,
     over: Callable[[], bool] = lambda: False,
-    processes: int = 1,
+    at_once: int = 1,
 ) -> None:
-    """Work on the study until its trials are done, or the time is `over` after a batch.
+    """Add trials until there are as many as asked for, or the time is `over` after a batch.
 
-    A batch has a trial for each of the `processes` at least. Trials that others keep meanwhile are
-    learned from. `first` is tried first in a new study.
+    A batch has `layouts_at_once`, scored in `at_once` places. `first` is tried first.
 
     Raises
     ------
     InputError
         Trials cannot be kept, or nothing but failures comes back.
     """
-    search = space.spec.search
-    past = kept.trials()
-    seed = _seed(space.spec.seed, len(past), worker)
-    engine = sampling(
-        search.engine, space.variables, len(search.objectives), seed, search.batch, past, first
-    )
-    seen, failed = len(past), 0
-    while seen < search.trials:
-        asked = ask(engine, min(max(search.batch, processes), search.trials - seen))
-        finished = _scored_batch(space, engine, asked, score, processes)
+    search, failed = space.spec.search, 0
+    together = layouts_at_once(search, at_once)
+    while (seen := len(kept.trials)) < search.trials:
+        count = min(together, search.trials - seen)
+        starts = [drawn_start(space, number, first) for number in range(seen, seen + count)]
+        finished = _scored_batch(space, seen, starts, score, at_once)
         kept.keep(finished)
-        for reason in sorted(set(_failures(finished))):
+        for reason in sorted({trial.failure for trial in finished} - {""}):
             say(f"no result, kept as failed: {reason}")
         failed = _count_failed(finished, failed)
-        seen = _learn_from_others(engine, kept, seen, len(finished))
-        say(_standing(kept, search, seen))
+        say(_standing(kept, search))
         if over():
             return
 
 
-def _scored_batch(
-    space: SearchSpace, engine: Sampling, asked: list[Trial], score: Score, processes: int
-) -> list[FrozenTrial]:
-    """All trials of the batch, finished: scored, or failed with a reason.
+def layouts_at_once(search: SearchSpec, processes: int) -> int:
+    """How many layouts a batch has: one for each process, more where they go on side by side."""
+    if os.environ.get(SWITCH, "").startswith("cuda"):
+        return max(processes, CARD_BATCH)
+    return processes if search.polish_steps else max(processes, PLAIN_BATCH)
 
-    Those of one structure are shared out to the processes.
+
+def drawn_start(space: SearchSpace, number: int, first: Params | None = None) -> Params:
+    """Draw the layout that trial `number` begins at: uniform in every range, choices by turns.
+
+    All choices of a list come once before one comes again, in an order that is new every time, so that few
+    trials leave none out; the first turn begins with those of `first`, which is trial 0.
     """
-    groups: dict[Any, list[Trial]] = defaultdict(list)
-    for trial in asked:
-        groups[structure_of(space, trial.params)].append(trial)
-    shares = [
-        trials[k::processes]
-        for trials in groups.values()
-        for k in range(min(processes, len(trials)))
-    ]
-    answers = score(
-        [[dict(trial.params) for trial in share] for share in shares],
-        space.spec.search.trial_seconds,
-    )
-    finished: list[FrozenTrial] = []
-    for share, answer in zip(shares, answers, strict=True):
-        if isinstance(answer, Exception):
-            finished += [tell_failed(engine, trial, str(answer)) for trial in share]
-            continue
-        finished += [
-            tell(engine, trial, result.params, result.values, _attributes(result))
-            for trial, result in zip(share, answer, strict=True)
-        ]
-    return finished
-
-
-def _attributes(result: Scored) -> dict[str, Any]:
+    if number == 0 and first is not None:
+        return dict(first)
+    rng = np.random.default_rng([space.spec.seed, number])
     return {
-        "scores": result.scores,
-        "broken_mm": result.broken_mm,
-        "misfit": result.misfit,
-        "scorings": result.scorings,
+        v.name: _choice(space, place, number, first or {})
+        if v.choices
+        else float(rng.uniform(v.low, v.high))
+        for place, v in enumerate(space.variables)
     }
 
 
-def _failures(finished: list[FrozenTrial]) -> list[str]:
-    return [t.user_attrs["failure"] for t in finished if "failure" in t.user_attrs]
+def _choice(space: SearchSpace, place: int, number: int, first: Params) -> Any:
+    variable = space.variables[place]
+    turn, index = divmod(number, len(variable.choices))
+    order = np.random.default_rng([space.spec.seed, place, turn]).permutation(len(variable.choices))
+    drawn = [variable.choices[k] for k in order]
+    if turn == 0 and first.get(variable.name) in drawn:
+        drawn.remove(first[variable.name])
+        drawn.insert(0, first[variable.name])
+    return drawn[index]
 
 
-def _count_failed(finished: list[FrozenTrial], before: int) -> int:
-    reasons = _failures(finished)
+def _scored_batch(
+    space: SearchSpace, seen: int, starts: Sequence[Params], score: Score, at_once: int
+) -> list[Trial]:
+    """All trials of the batch, finished: scored, or failed with a reason.
+
+    Those of one structure are shared out to what is scored at once.
+    """
+    groups: dict[Any, list[int]] = defaultdict(list)
+    for index, params in enumerate(starts):
+        groups[structure_of(space, params)].append(index)
+    shares = [
+        group[k::at_once] for group in groups.values() for k in range(min(at_once, len(group)))
+    ]
+    questions = [[dict(starts[index]) for index in share] for share in shares]
+    answers = score(questions, space.spec.search.trial_limit_s)
+    finished: dict[int, Trial] = {}
+    for share, answer in zip(shares, answers, strict=True):
+        for place, index in enumerate(share):
+            number = seen + index
+            finished[index] = (
+                failed_trial(number, dict(starts[index]), str(answer))
+                if isinstance(answer, Exception)
+                else Trial(**vars(answer[place]), number=number)
+            )
+    return [finished[index] for index in range(len(starts))]
+
+
+def _count_failed(finished: list[Trial], before: int) -> int:
+    reasons = [trial.failure for trial in finished if trial.failure]
     failed = before + 1 if len(reasons) == len(finished) else 0
     if failed >= _FAILURES_IN_A_ROW:
         raise InputError(
             f"the search gave up: {failed} batches in a row had no result. The last reason: "
-            f"{reasons[-1]}. Fix that, or raise search.trial_seconds, then go on with --resume"
+            f"{reasons[-1]}. Fix that, then go on with --resume"
         )
     return failed
 
 
-def _learn_from_others(engine: Sampling, kept: KeptStudy, seen: int, own: int) -> int:
-    """Add what other workers kept since; returns how many trials there are now."""
-    trials = kept.trials()
-    known = {_identity(t) for t in engine.study.get_trials(deepcopy=False)[-own:]} if own else set()
-    if len(trials) > seen + own:
-        engine.study.add_trials([t for t in trials[seen:] if _identity(t) not in known])
-    return len(trials)
-
-
-def _identity(trial: FrozenTrial) -> tuple[Any, ...]:
-    return tuple(sorted(trial.params.items(), key=lambda item: item[0]))
-
-
-def _standing(kept: KeptStudy, search: SearchSpec, seen: int) -> str:
-    feasible = [t for t in kept.finished() if is_feasible(t)]
+def _standing(kept: KeptTrials, search: SearchSpec) -> str:
+    feasible = [trial for trial in kept.finished if trial.feasible]
+    share = f"{len(kept.trials)} of {search.trials} trials"
     if not feasible:
-        return f"{_share(seen, search.trials)}, none within the limits yet"
-    best = min(feasible, key=lambda t: t.values[0])
+        return f"{share}, none within the limits yet"
+    best = min(feasible, key=lambda trial: trial.values[0])
     name = search.objectives[0]
-    return f"{_share(seen, search.trials)}, {name} {best.user_attrs['scores'][name]:.4g}"
-
-
-def _share(seen: int, asked: int) -> str:
-    """How far a search is; a resumed one may hold more trials than are asked for now."""
-    return f"{seen} of {asked} trials" if seen <= asked else f"{seen} trials ({asked} asked for)"
-
-
-def is_feasible(trial: FrozenTrial) -> bool:
-    """Whether a finished trial keeps every limit."""
-    return trial.user_attrs["broken_mm"] == 0 and not trial.user_attrs["misfit"]
-
-
-def _seed(seed: int, past: int, worker: int) -> int:
-    """Another stream for every continuation and worker, the same each time."""
-    return int(np.random.SeedSequence([seed, past, worker]).generate_state(1)[0])
+    return f"{share}, {name} {best.scores[name]:.4g}"

@@ -10,6 +10,7 @@ import json
 import time
 import zlib
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,6 @@ import torch
 
 from design.errors import InputError
 from design.fabrication.layout import failures, layout_findings
-from design.layout.boards import smallest_recess_wall_mm
 from design.layout.body import body_of, face_frames
 from design.search.places import polarities
 from design.search.space import (
@@ -44,7 +44,6 @@ from estimator.layouts.batch_scores import (
     PlaceBounds,
     batch_scores,
     position_bounds,
-    unevenness,
 )
 from estimator.layouts.polish import (
     Judge,
@@ -62,8 +61,8 @@ from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
-from instobj.search.apart import Scored
 from instobj.search.joined import in_time
+from instobj.search.trials import Scored
 from instobj.stages.run import Run
 
 _UNFIT_MM = 0.5
@@ -108,15 +107,17 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
 
     Of a specification as JSON, how many generations a trial has once trials are joined, and the seconds that
     are left to all trials: fewer generations where that is short (`in_time`). On the device that
-    `INSTOBJ_DEVICE` names, which all tensors of this process then lie on.
+    `INSTOBJ_DEVICE` names.
     """
     content, generations, left_s = question
     torch.set_num_threads(1)
     device = compute_device()
-    if device.type != "cpu":
-        torch.set_default_device(device)
     space = search_space(parse_spec(json.loads(content), "the specification"))
-    start = start_scores(space.spec)
+    there = (
+        nullcontext() if device.type == "cpu" else device
+    )  # a context that costs each call a little
+    with there:
+        start = start_scores(space.spec)
     by_structure: dict[Any, tuple[SearchSpace, LowestFidelity]] = {}
 
     def evaluate(trials: list[dict[str, Any]]) -> list[Scored]:
@@ -130,7 +131,11 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
             by_structure[structure] = timed, lowest
         return score_trials(*by_structure[structure], trials)
 
-    return evaluate
+    def evaluate_there(trials: list[dict[str, Any]]) -> list[Scored]:
+        with there:
+            return evaluate(trials)
+
+    return evaluate_there
 
 
 def seconds_per_generation(
@@ -155,7 +160,7 @@ def seconds_per_generation(
 
 
 def require_in_time(search: SearchSpec, generation_s: float, layouts: int) -> None:
-    """Layouts that are improved together fit into `search.trial_seconds`.
+    """Layouts that are improved together fit into `search.trial_limit_s`.
 
     Raises
     ------
@@ -163,13 +168,12 @@ def require_in_time(search: SearchSpec, generation_s: float, layouts: int) -> No
         They would take longer.
     """
     needed = generation_s * search.polish_steps * layouts
-    if needed > search.trial_seconds:
-        fits = int(search.trial_seconds / (generation_s * layouts))
+    if needed > search.trial_limit_s:
+        fits = int(search.trial_limit_s / (generation_s * layouts))
         raise InputError(
-            f"search.polish_steps = {search.polish_steps} generations for each of search.batch = "
-            f"{layouts} layouts would take {needed:.0f} s, longer than search.trial_seconds = "
-            f"{search.trial_seconds:g}. Set search.polish_steps to {fits} or less, or "
-            f"search.trial_seconds to {1.2 * needed:.0f}"
+            f"search.polish_steps = {search.polish_steps} generations of "
+            f"{layouts} layouts at once would take {needed:.0f} s, longer than "
+            f"{search.trial_limit_s:g} s. Set search.polish_steps to {fits} or less"
         )
 
 
@@ -185,7 +189,6 @@ def structure_fidelity(
         torch.cat([start.position_mm[force, face] for face in pressed[number]])
         for force, number in map(_pressed, every)
     )
-    constants, broken = decided_by_structure(structured, every), broken_by_structure(structured)
     limits = structured.search.limits.times_start
     most_counts = full_scale_counts(structured.sensors) / start.counts_over_lowest
     free = structured.limits.saturation_margin
@@ -198,16 +201,9 @@ def structure_fidelity(
     return LowestFidelity(
         layout_space(space, structured),
         every,
-        constants,
         at_most,
-        broken,
         None if share == 1 else PlaceBounds(before, share, start.over_start),
     )
-
-
-def decided_by_structure(spec: ObjectSpec, faces: tuple[LayoutScorer, ...]) -> dict[str, float]:
-    """Scores that all layouts of a structure share at the lowest fidelity level."""
-    return parts_scores(spec) | {"compliance_deviation": unevenness(spec, faces)}
 
 
 def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[LayoutScorer, ...]:
@@ -241,15 +237,14 @@ def _presses(spec: ObjectSpec, folder: Path, face: int) -> tuple[PressBasis, ...
 def pressed_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
     """Faces that are pressed, and those that each stands for, itself included.
 
-    On a cube whose sensors move, the side faces are alike. A grasp takes two opposite ones.
+    On a cube whose sensors move, the side faces are alike.
     """
     sensed = spec.body.sensed
     cube = body_of(spec).cuboid and len(set(spec.body.size_mm)) == 1
     alike = cube and not faces_differ(spec) and spec.search.vary.sensor_reach_mm is not None
-    few = (1, 3, 5) if "grasp_position_bound_mm" in spec.search.named else (1, 3)
-    if not alike or 6 in sensed or not {*few} <= {*sensed}:
+    if not alike or 6 in sensed or not {1, 3} <= {*sensed}:
         return each_alone(sensed)
-    return each_alone(few) | {3: tuple(face for face in sensed if face == 3 or face not in few)}
+    return {1: (1,), 3: tuple(face for face in sensed if face != 1)}
 
 
 def each_alone(faces: tuple[int, ...]) -> dict[int, tuple[int, ...]]:
@@ -266,8 +261,9 @@ def start_scores(spec: ObjectSpec) -> StartScores:
         bounds = position_bounds(found, layouts)
     own = {name: float(value) for name, value in scores.items()}
     by_press = {_pressed(one): bound for one, bound in zip(found, bounds, strict=True)}
-    scores = own | decided_by_structure(spec, found) | {OVER_START: 1.0}
-    return StartScores(scores, by_press, counts_over_lowest(spec), _PLACES_OVER_START)
+    return StartScores(
+        own | {OVER_START: 1.0}, by_press, counts_over_lowest(spec), _PLACES_OVER_START
+    )
 
 
 def counts_over_lowest(spec: ObjectSpec) -> float:
@@ -369,31 +365,7 @@ def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:
     failed = failures(layout_findings(found, recesses=moved))
     if failed:
         return "cannot be fabricated: " + "; ".join(failed)
-    least = spec.search.limits.board_gap_mm
-    wall = smallest_recess_wall_mm(found) if moved else least
-    if wall < least:
-        return f"{wall:.2f} mm of core between two recesses, less than board_gap_mm = {least:g}"
     return ""
-
-
-def parts_scores(spec: ObjectSpec) -> dict[str, float]:
-    """Cost and build time of the magnets and sensors of all faces: scores that every level shares."""
-    prices, faces = spec.search.prices, len(spec.body.sensed)
-    parts = faces * spec.magnets.count, faces * spec.sensors.count_per_face
-    return {"cost": prices.cost(*parts), "build_minutes": prices.build_minutes(*parts)}
-
-
-def broken_by_structure(spec: ObjectSpec) -> float:
-    """What counts, cost and build time exceed, one part or the whole of the others as 10 mm."""
-    limits, broken = spec.search.limits, 0.0
-    parts = spec.magnets.count + spec.sensors.count_per_face
-    if limits.parts_per_face is not None:
-        broken += 10.0 * max(parts - limits.parts_per_face, 0)
-    for name, value in parts_scores(spec).items():
-        most = getattr(limits, name)
-        if most is not None:
-            broken += 10.0 * max(value / most - 1, 0.0)
-    return broken
 
 
 def _weights(units: np.ndarray, spec: ObjectSpec) -> torch.Tensor:

@@ -1,4 +1,4 @@
-"""The commands `optimize` and `worker`: search, promotion of the leaders, results."""
+"""The command `optimize`: search, promotion of the leaders, results."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from estimator.field.device import compute_device
-from instobj.search.apart import side_by_side
+from instobj.search.apart import answers
 from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.joined import joined, joining
-from instobj.search.loop import is_feasible, run_search
+from instobj.search.loop import layouts_at_once, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
 from instobj.search.outcome.write import write_outcome, write_specification
 from instobj.search.possible import require_possible
 from instobj.search.promotion import Promotion, leaders, promote
-from instobj.search.study import KeptStudy, open_study
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
+from instobj.search.trials import KeptTrials, open_trials
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
 from instobj.stages.resources import search_seconds
 from instobj.stages.run import Run
-from instobj.stages.workers import open_workers
+from instobj.stages.workers import Workers, open_workers
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
 
@@ -42,19 +42,18 @@ def optimize(
     out: Path,
     overrides: list[str],
     resume: bool,
-    storage: str | None,
     workers: int = 1,
     scheduler: str | None = None,
 ) -> dict[str, Any]:
     """Search, then promote the leaders; files in `runs/<name>/search`.
 
-    Stages of the higher levels are made by as many processes, or the workers of a Dask scheduler;
-    trials by as many processes of this machine.
+    Trials and stages of the higher levels are made by as many processes of this machine, or by the workers
+    of a Dask scheduler.
 
     Raises
     ------
     InputError
-        Of `require_possible` and `open_study`; trials cannot be kept; the time is spent before there
+        Of `require_possible` and `open_trials`; trials cannot be kept; the time is spent before there
         is a result; or no trial keeps every limit.
     """
     spec, space = _prepared(path, out, overrides)
@@ -62,7 +61,7 @@ def optimize(
     progress = ProgressLine()
     limit = TimeLimit(spec.search.seconds)
     plans = limit.plan, _mechanics_plan(spec, limit)  # refuses before there is a study to resume
-    kept = open_study(spec, storage or folder / "journal.log", resume, say=progress.step)
+    kept = open_trials(spec, folder / "trials.jsonl", resume)
     for plan in plans:
         progress.say(plan)
 
@@ -70,9 +69,13 @@ def optimize(
         progress.step(f"{text}; {limit.left}")
 
     keep_best = partial(first_look, space, kept, folder, path.parent)
-    with _kept_on_interrupt(kept, progress), limit.enforced(keep_best):
-        _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), processes=workers)
-        with progress.stage("promotion"), open_workers(workers, scheduler, progress) as others:
+    with (
+        _kept_on_interrupt(kept, progress),
+        limit.enforced(keep_best),
+        open_workers(workers, scheduler, progress) as others,
+    ):
+        _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), others)
+        with progress.stage("promotion"):
             found = promote(space, kept, folder, say, limit, others)
     if found is None:
         return nothing_better(spec, kept, limit)
@@ -83,7 +86,7 @@ def optimize(
     return _document(spec, kept, found, files)
 
 
-def nothing_better(spec: ObjectSpec, kept: KeptStudy, limit: TimeLimit) -> dict[str, Any]:
+def nothing_better(spec: ObjectSpec, kept: KeptTrials, limit: TimeLimit) -> dict[str, Any]:
     """What is said where no trial but the start itself keeps every limit.
 
     Raises
@@ -91,7 +94,7 @@ def nothing_better(spec: ObjectSpec, kept: KeptStudy, limit: TimeLimit) -> dict[
     InputError
         Not even the start does.
     """
-    (*_, own), trials = [None, *filter(is_feasible, kept.finished())], kept.trials()
+    (*_, own), trials = [None, *(one for one in kept.finished if one.feasible)], kept.trials
     if own is None:
         raise InputError(
             f"none of {len(trials)} trials keeps every limit. Raise search.trials and go on with "
@@ -113,7 +116,7 @@ def nothing_better(spec: ObjectSpec, kept: KeptStudy, limit: TimeLimit) -> dict[
     }
 
 
-def first_look(space: SearchSpace, kept: KeptStudy, folder: Path, beside: Path) -> str:
+def first_look(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path) -> str:
     """Write the best trial so far, which only the lowest level knows; where, in words, or nothing."""
     best = leaders(space, kept, 1)
     if not best:
@@ -133,30 +136,14 @@ def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:
     return limit.mechanics_plan(missing * estimate.lowest, estimate.chain)
 
 
-def work(path: Path, out: Path, overrides: list[str], storage: str, worker: int) -> dict[str, Any]:
-    """Work on a study that others work on too, until its budget is spent.
-
-    Raises
-    ------
-    InputError
-        As `optimize`.
-    """
-    spec, space = _prepared(path, out, overrides)
-    progress = ProgressLine()
-    kept = open_study(spec, storage, join=True, say=progress.step)
-    limit = TimeLimit(spec.search.seconds)
-    _search(space, kept, progress, progress.step, lambda: limit.left_s, worker)
-    return {"command": "worker", "tables": {f"search of {spec.name}": [_trial_counts(kept)]}}
-
-
 @contextmanager
-def _kept_on_interrupt(kept: KeptStudy, progress: ProgressLine) -> Iterator[None]:
+def _kept_on_interrupt(kept: KeptTrials, progress: ProgressLine) -> Iterator[None]:
     """Say what an interrupt leaves behind."""
     try:
         yield
     except KeyboardInterrupt:
         progress.say(
-            f"kept: {len(kept.trials())} trials in {kept.where}, and every layout that a higher fidelity "
+            f"kept: {len(kept.trials)} trials in {kept.path}, and every layout that a higher fidelity "
             "level has scored. Go on with --resume"
         )
         raise
@@ -181,16 +168,15 @@ def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, 
 
 def _search(
     space: SearchSpace,
-    kept: KeptStudy,
+    kept: KeptTrials,
     progress: ProgressLine,
     say: Callable[[str], None],
     left_s: Callable[[], float],
-    worker: int = 0,
-    processes: int = 1,
+    workers: Workers,
 ) -> None:
     asked, content = space.spec.search, space.spec.model_dump_json()
-    space = joined(space, processes)
-    if len(kept.trials()) >= space.spec.search.trials:
+    space = joined(space, layouts_at_once(asked, workers.count))
+    if len(kept.trials) >= space.spec.search.trials:
         return
     if space.spec.search.trials < asked.trials:
         progress.say(joining(asked, space.spec.search))
@@ -202,13 +188,12 @@ def _search(
         say("1 trial at work" if trials == 1 else f"{trials} trials at work")
 
     question = (content, space.spec.search.polish_steps, left_s())
-    made = side_by_side(lowest_fidelity, question, processes, waiting)
-    with made as score, progress.stage("search"):
-        run_search(space, kept, score, say, first, worker, lambda: left_s() <= 0, processes)
+    with answers(lowest_fidelity, question, workers, waiting) as score, progress.stage("search"):
+        run_search(space, kept, score, say, first, lambda: left_s() <= 0, workers.count)
 
 
 def _document(
-    spec: ObjectSpec, kept: KeptStudy, found: Promotion, files: list[Path]
+    spec: ObjectSpec, kept: KeptTrials, found: Promotion, files: list[Path]
 ) -> dict[str, Any]:
     verdict = (
         f"{found.best.label} is better than the start, at the highest fidelity level"
@@ -275,11 +260,11 @@ def _rows(found: Promotion, level: str) -> list[dict[str, Any]]:
     ]
 
 
-def _trial_counts(kept: KeptStudy) -> dict[str, Any]:
-    trials, finished = kept.trials(), kept.finished()
+def _trial_counts(kept: KeptTrials) -> dict[str, Any]:
+    trials, finished = kept.trials, kept.finished
     return {
         "trials": len(trials),
-        "within all limits": sum(map(is_feasible, finished)),
+        "within all limits": sum(trial.feasible for trial in finished),
         "failed": len(trials) - len(finished),
-        "kept in": kept.where,
+        "kept in": str(kept.path),
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 import torch
@@ -27,14 +28,12 @@ from design.search.space import (
 )
 from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
-from estimator.information.contact_sets import spread_pairs
-from estimator.information.two_contacts import opposite_faces
 from estimator.layouts.limits.rules import RULES, broken_limits_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.scorer import require_scorable
 from estimator.layouts.vectors import layout_space, layouts_at
 from fem.candidates.motions import candidate_lattices
-from instobj.search.lowest_fidelity import broken_by_structure, misfit_of
+from instobj.search.lowest_fidelity import misfit_of
 
 _FEWEST_IN_A_ROW = 4
 """Of a cubic spline."""
@@ -83,13 +82,7 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
 def _require_known_on(spec: ObjectSpec) -> None:
     """What may vary on a body of this kind."""
     vary, kind = spec.search.vary, spec.body.kind
-    cuboid, edges = body_of(spec).cuboid, " × ".join(f"{edge:g}" for edge in spec.core_size_mm)
-    if vary.core_size_mm is not None and not (cuboid and len(set(spec.core_size_mm)) == 1):
-        raise InputError(
-            f"search.vary.core_size_mm is the edge of a cube; the core here is {edges} mm of body.kind = "
-            f"{kind!r}. Leave it out, or of a box vary shell_thickness_mm"
-        )
-    if vary.shell_thickness_mm is not None and not cuboid:
+    if vary.shell_thickness_mm is not None and not body_of(spec).cuboid:
         raise InputError(
             "search.vary.shell_thickness_mm makes the body grow round its core, which is known for boxes; "
             f"got body.kind = {kind!r}. Leave it out, and search once for each thickness"
@@ -144,32 +137,11 @@ def _require_scores(spec: ObjectSpec) -> None:
 
 def _lacking(spec: ObjectSpec) -> dict[str, str]:
     """Scores that do not exist for the specification, and why."""
-    found = {}
-    faces, opposite = len(spec.body.sensed), len(opposite_faces(spec))
-    sensed = f"body.sensed_faces = {list(spec.body.sensed)}"
-    if faces * (faces - 1) // 2 == opposite:
-        for name in ("median_false_force_n", "percentile_95_false_force_n"):
-            found[name] = f"{sensed} has no two adjacent faces"
-    task, forces_n = spec.search.task, spec.judged_forces_n
-    if max(forces_n) < task.from_n:
-        found["task_loss"] = (
-            f"search.task.from_n = {task.from_n:g} N is beyond all judged forces, {list(forces_n)}"
-        )
-    if not opposite:
-        found["grasp_position_bound_mm"] = f"{sensed} has no two opposite faces"
-    sensors = min(spec.search.vary.sensor_count or (spec.sensors.count_per_face,))
-    channels = sensors * len(spec.sensors.axes)
-    if channels < _UNKNOWNS:
-        found["pair_own_position_bound_mm"] = (
-            f"two contacts have {_UNKNOWNS} unknowns, and {sensors} sensors per face {channels} channels"
-        )
-    if not len(spread_pairs(spec)):
-        for name in ("pair_own_position_bound_mm", "pair_all_position_bound_mm"):
-            found[name] = (
-                f"two tips of indenter.radius_mm = {spec.indenter.radius_mm:g} do not fit on the "
-                f"contact grid of {contact_grid(spec).shape} locations"
-            )
-    return found
+    frames = face_frames(spec)
+    if any(a.normal @ b.normal > -0.5 for a, b in combinations(frames, 2)):
+        return {}
+    lacking = f"body.sensed_faces = {list(spec.body.sensed)} has no two adjacent faces"
+    return dict.fromkeys(("median_false_force_n", "percentile_95_false_force_n"), lacking)
 
 
 def _possible(space: SearchSpace) -> SearchSpace:
@@ -232,17 +204,9 @@ def _nearest(
     best = int(rules.sum(dim=1).argmin())
     unit = unit_of(space, params)
     unit[flags] = point[best].numpy()
-    by_structure = broken_by_structure(structured)
-    total = float(rules[best].sum()) + by_structure
     worst = int(rules[best].argmax())
-    if by_structure > float(rules[best].max()):
-        rule = (
-            "the count, cost or build time of the parts (search.limits.parts_per_face, cost, "
-            "build_minutes)"
-        )
-    else:
-        rule = f"{RULES[worst]}, by {float(rules[best, worst]):.3g} mm of all parts together"
-    return _Nearest(params | params_at(space, unit), total, rule)
+    rule = f"{RULES[worst]}, by {float(rules[best, worst]):.3g} mm of all parts together"
+    return _Nearest(params | params_at(space, unit), float(rules[best].sum()), rule)
 
 
 def _require_candidates(structured: ObjectSpec) -> None:

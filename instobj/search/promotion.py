@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from optuna.trial import FrozenTrial
 
 from design.errors import InputError
 from design.files import atomic_path
@@ -44,10 +43,9 @@ from instobj.search.fidelity import (
     second_seconds,
     twin_ratios,
 )
-from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import each_alone, scorers
-from instobj.search.study import KeptStudy, study_key
 from instobj.search.time_limit import TimeLimit, TimeSpent
+from instobj.search.trials import KeptTrials, Trial, search_key
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, merit, objections
 from instobj.stages.makers.magnet_free import forget_shell
 from instobj.stages.tasks import tasks_of
@@ -141,7 +139,7 @@ class _Ahead:
 @one_thread()
 def promote(
     space: SearchSpace,
-    kept: KeptStudy,
+    kept: KeptTrials,
     folder: Path,
     say: Say,
     limit: TimeLimit,
@@ -242,7 +240,7 @@ def _estimators(
 
 def _corrected(
     space: SearchSpace,
-    chosen: Sequence[FrozenTrial],
+    chosen: Sequence[Trial],
     scored: Sequence[Promoted],
     memo: Path,
     say: Say,
@@ -316,7 +314,7 @@ def _finalists(
     return finalists, None
 
 
-def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial]:
+def leaders(space: SearchSpace, kept: KeptTrials, count: int) -> list[Trial]:
     """The best trials within all limits that are not almost the same layout, nor the start.
 
     With several objectives, by their product: in the middle of the front.
@@ -325,12 +323,11 @@ def leaders(space: SearchSpace, kept: KeptStudy, count: int) -> list[FrozenTrial
     own = None if start is None else unit_of(space, start)
     within = [
         trial
-        for trial in kept.finished()
-        if is_feasible(trial)
-        and (own is None or abs(unit_of(space, trial.params) - own).max() > _SAME)
+        for trial in kept.finished
+        if trial.feasible and (own is None or abs(unit_of(space, trial.params) - own).max() > _SAME)
     ]
     within.sort(key=lambda trial: float(np.log(trial.values).sum()))
-    found: list[FrozenTrial] = []
+    found: list[Trial] = []
     points: list[np.ndarray] = []
     for trial in within:
         point = unit_of(space, trial.params)
@@ -365,7 +362,7 @@ def _score(
     left: list[Promoted] = []
     with scoring() as score:
         for one in layouts:
-            key = f"{level} {study_key(one.spec)}"
+            key = f"{level} {search_key(one.spec)}"
             if known.get(key, {}).keys() != _KEPT:
                 if len(left) > 1 and enough():
                     say(f"fidelity level {level}: {one.label} falls out: time runs short")
@@ -395,8 +392,8 @@ def _score_of(kept: dict[str, Any], start: Promoted, level: str) -> FidelityScor
     return score if but == 1 else against_start(start.levels.get(level, score), score, but)
 
 
-_SCORER = ("sensor_chip", "sensor_turn_deg", "sensor_range_mt")
-_SHELL = ("shell_thickness_mm", "silicone", "core_size_mm")
+_SCORER = ("sensor_chip",)
+_SHELL = ("shell_thickness_mm", "silicone")
 
 
 def _alike(spec: ObjectSpec, names: tuple[str, ...]) -> tuple[Any, ...]:

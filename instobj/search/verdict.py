@@ -10,7 +10,6 @@ from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from estimator.layouts.fidelity import FidelityScore, worse_share
 from instobj.search.fidelity import TwinRatio
-from instobj.search.lowest_fidelity import parts_scores
 
 FIRST, SECOND, LAST = "1", "2", "3"
 _EXCESS_WEIGHT = 10.0
@@ -112,6 +111,5 @@ def _over_start(name: str, one: Promoted, start: Promoted, level: str) -> float:
 
 
 def score_at(name: str, one: Promoted, level: str) -> float:
-    """A layout's score at a fidelity level; cost and build time are the same at all."""
-    of_parts = parts_scores(one.spec)
-    return of_parts[name] if name in of_parts else float(getattr(one.levels[level], name))
+    """A layout's score at a fidelity level."""
+    return float(getattr(one.levels[level], name))

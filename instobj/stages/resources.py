@@ -19,6 +19,7 @@ from design.layout.places.positions import shell_body_layout
 from design.layout.volumes import sealed_volume_mm3
 from design.processes import MEMORY_SWITCH, machine_memory_gib
 from design.spec.object import ObjectSpec
+from estimator.networks.defaults import BATCH_FRAMES
 from fem.mesh.edge_lengths import FINE_LAYER_MM
 
 _GIB = 2.0**30
@@ -28,7 +29,7 @@ _VERTICES_PER_RIM_EDGE = 8
 """About a magnet, for each edge along its outline; they dominate coarse meshes."""
 _MESHER_KB = 6.0
 """Within fTetWild, for a vertex; the response needs far more."""
-_NODES_PER_VERTEX = {"taylor-hood": 6.8, "p2-p0": 6.8, "p2": 6.8, "p1": 1.0}
+_NODES_PER_VERTEX = {"taylor-hood": 6.8, "p2-p0": 6.8, "p2": 6.8}
 _LOADS_PER_CELL = 1.25
 """Face pressures for an area of edge²; measured on the paper's cube."""
 _BYTES = 8
@@ -171,20 +172,15 @@ def _frames_gib(spec: ObjectSpec, frames: float) -> float:
     return _COPIES * _BYTES * frames * (channels + 12) / _GIB
 
 
-def _scores(spec: ObjectSpec) -> Need:
-    channels = 3 * spec.sensors.count_per_face
-    return Need(_COPIES * _BYTES * spec.score.hull_frames * channels / _GIB, "score.hull_frames")
-
-
 def _networks(spec: ObjectSpec) -> Need:
     training = spec.training
     channels = 2 * 3 * spec.sensors.count_per_face * len(spec.body.sensed)
-    pixels = training.heatmap_axes * prod(grid_count(spec))
+    pixels = prod(grid_count(spec))
     widths = (channels, *training.hidden_units, pixels)
     weights = sum(a * b for a, b in pairwise(widths))
-    batch = training.batch_size * sum(widths)
+    batch = BATCH_FRAMES * sum(widths)
     gib = _BYTES / 2 * (_ADAM_COPIES * weights + 4 * batch) * (training.ensemble or 1) / _GIB
-    return Need(gib, "training.hidden_units, training.ensemble or training.batch_size")
+    return Need(gib, "training.hidden_units or training.ensemble")
 
 
 _MESH_KEYS = "mesh.surface_edge_mm and mesh.edge_mm (larger), or body.size_mm (smaller)"
@@ -194,6 +190,5 @@ _ESTIMATES: dict[str, Callable[[ObjectSpec], Need]] = {
     **dict.fromkeys(("presses", "signals"), _signals),
     **dict.fromkeys(("collection", "pulled_collection"), _collection),
     "frames": _frames,
-    "scores": _scores,
     **dict.fromkeys(("networks", "pretraining"), _networks),
 }

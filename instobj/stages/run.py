@@ -40,7 +40,6 @@ _WORTH_A_LINE_S = 0.5
 _UNITS_BY_ENDING = {"n_per_mm": "N/mm", "mm": "mm", "n": "N", "deg": "deg"}
 _UNITS_BY_NAME = {
     "delta_raw": "count^d/N",
-    "delta_raw_standard_error": "count^d/N",
     "delta_scaled": "1/N",
     "reaches_score_force": "1",
 }

@@ -55,7 +55,7 @@ from instobj.store.stage import Stage
 _WHERE_THINGS_ARE = ("body", "shell", "magnets", "arrangement")
 _MAKING = (
     *(*_WHERE_THINGS_ARE, "core", "sensors", "indenter"),
-    *("mould", "printer", "export", "mesh.envelope_mm"),
+    *("mould", "printer", "mesh.envelope_mm"),
 )
 _SHAPE = ("body", "shell.thickness_mm", "shell.slits", "core.keys")
 _WHAT_IS_MESHED = (*_SHAPE, "shell_bodies", "mesh")
@@ -163,10 +163,10 @@ STAGES: dict[str, Stage] = {
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "silicone"),
             *(*_PRESSED, "mechanics", "score", "tolerances", "seed"),
-            *("search.forces_n", "search.baseline", "search.compliance_mm_per_n", "search.task"),
+            *("search.forces_n", "search.baseline"),
         ),
         make_second_fidelity,
-        version=4,
+        version=5,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
@@ -190,7 +190,7 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=7
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=8
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
@@ -228,7 +228,7 @@ STAGES: dict[str, Stage] = {
             *("score.force_n", "score.channels", "tolerances", "seed"),
         ),
         make_robustness,
-        version=3,
+        version=4,
     ),
     "frames": Stage(
         "estimator: simulated presses",
@@ -263,11 +263,11 @@ STAGES: dict[str, Stage] = {
         ("presses",),
         ("training", "seed"),
         make_pretraining,
-        version=5,
+        version=6,
         of_others=pretraining_twins,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=12
+        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=13
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5
@@ -325,7 +325,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", "mechanics.slip", "score"),
         make_slip,
-        version=3,
+        version=4,
         of_others=objects_compared,
     ),
     "scene": Stage(
@@ -357,9 +357,9 @@ STAGES: dict[str, Stage] = {
             "slip",
             "scene",
         ),
-        ("name", "limits", "search.prices", "silicone"),
+        ("name", "limits", "silicone"),
         make_report,
-        version=18,
+        version=19,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -107,7 +107,7 @@ def run_places(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
         split = split_paper_random_frames(chosen, recorded.spec.seed)
         label = {"places": name, "budget": budget}
         parts = (chosen.select(split.train | split.test), chosen.select(split.validation))
-        model = fitted(recorded, parts, face, label, output="position")
+        model = fitted(recorded, parts, face, label, continuous=True)
         rows.append(
             {"labelled": name, "places": _places(chosen), "frames": len(chosen)}
             | _anywhere_row(model, tested, recorded)

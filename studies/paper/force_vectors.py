@@ -41,7 +41,7 @@ def run_3d_force(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     frames = simulate_collection(
         asked, recorded.signals, recorded.key, recorded.mechanics, shear=shear_of(recorded)
     )
-    model, _, test = fitted_to_split(recorded, frames, split_presses, face, wanted, heatmap_axes=3)
+    model, _, test = fitted_to_split(recorded, frames, split_presses, face, wanted, axes=3)
     data = face_data(test, face)
     data = data.select(data.contact)
     true, found = (

@@ -92,7 +92,7 @@ def _face_row(recorded: SimulatedObject, face: int) -> tuple[dict[str, Any], Con
 
 def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     """Linear regression beside the network and chance, on the same frames of face 1."""
-    from estimator.evaluation.evaluation import mean_map_baseline
+    from estimator.evaluation.evaluation import linear_baseline, mean_map_baseline
     from estimator.frames.face_data import face_data
     from estimator.metrics.heatmaps import face_metrics, force_reference
 
@@ -102,13 +102,12 @@ def run_linear(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
     span = force_reference(face_data(frames, face).heatmap_n)
     label = {"collection": "paper", "faces": [face]}
     rows: list[dict[str, Any]] = []
-    for name in ("linear", "compact"):
-        model, _, test = fitted_to_split(
-            recorded, frames, split_paper_random_frames, face, label, model=name
-        )
-        metrics = face_metrics(face, *_pair(predict_face(model, test), span))
-        rows.append({"estimator": name} | _beside(metrics, LINEAR if name == "linear" else {}))
     split = split_paper_random_frames(frames, recorded.spec.seed)
+    linear = linear_baseline(frames, face, split)
+    rows.append({"estimator": "linear"} | _beside(linear, LINEAR))
+    model, _, test = fitted_to_split(recorded, frames, split_paper_random_frames, face, label)
+    metrics = face_metrics(face, *_pair(predict_face(model, test), span))
+    rows.append({"estimator": "compact"} | _beside(metrics, {}))
     chance = mean_map_baseline(frames, face, split)
     rows.append({"estimator": "always the mean map"} | _beside(chance, {}))
     draw_bars(

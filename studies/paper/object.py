@@ -52,7 +52,7 @@ _MANY_FRAMES = 10_000
 _LITTLE_OFFSET_COUNTS, _LITTLE_NOISE = 3.0, 0.4
 """Disturbances added to training frames where there are many, which hold noise of their own: on
 21 000 frames of the paper's cube E_f falls from 8.4 to 7.2 % (usual ones, 10 counts and 1 σ)."""
-_VERSION = 7
+_VERSION = 8
 
 
 @dataclass(frozen=True)
@@ -118,23 +118,26 @@ def fitted(
     face: int,
     label: dict[str, Any],
     start: FaceModel | None = None,
-    **training: Any,
+    continuous: bool = False,
+    axes: int = 1,
 ) -> FaceModel:
     """A face's estimator, from the store or fitted to training and validation frames.
 
-    `label` says, in JSON, which frames these are and what it starts from; `training` overrides the
-    specification's table.
+    `label` says, in JSON, which frames these are and what it starts from; `continuous` and `axes` are
+    those of `FitSettings`.
     """
     from estimator.networks.face_model import save_model
     from estimator.networks.training.data import Augmentation
     from estimator.networks.training.face import FitSettings, fit_estimator
 
-    settings = recorded.spec.training.model_validate(recorded.spec.training.model_dump() | training)
+    settings = recorded.spec.training
 
     def make(folder: Path) -> None:
-        many = len(parts[0]) > _MANY_FRAMES and settings.model == "compact"
+        many = len(parts[0]) > _MANY_FRAMES
         little = Augmentation(_LITTLE_OFFSET_COUNTS, _LITTLE_NOISE) if many else None
-        fit = FitSettings(face, settings, recorded.spec.seed, little)
+        fit = FitSettings(
+            face, settings, recorded.spec.seed, little, continuous=continuous, axes=axes
+        )
         save_model(fit_estimator(*parts, fit, start), EXPERIMENT_MODEL.path(folder))
 
     inputs = {
@@ -142,13 +145,14 @@ def fitted(
         "frames": label,
         "face": face,
         "training": settings.model_dump(mode="json"),
+        "output": [continuous, axes],
         "seed": recorded.spec.seed,
         "version": _VERSION,
     }
     return EXPERIMENT_MODEL.read(stored(store_root(), EXPERIMENT_MODEL.stage, inputs, make).folder)
 
 
-def pretrained(recorded: SimulatedObject, face: int, twins: int, **training: Any) -> FaceModel:
+def pretrained(recorded: SimulatedObject, face: int, twins: int, continuous: bool) -> FaceModel:
     """An estimator that has seen presses of `twins` objects of the design, none of this one."""
     from estimator.calibration.twin.pretraining import split_twins, twin_frames
 
@@ -157,7 +161,7 @@ def pretrained(recorded: SimulatedObject, face: int, twins: int, **training: Any
     frames = frames.select(np.isin(frames.press_id, on_face))
     split = split_twins(frames)
     parts = (frames.select(split.train), frames.select(split.validation))
-    return fitted(recorded, parts, face, {"twins": twins}, **training)
+    return fitted(recorded, parts, face, {"twins": twins}, continuous=continuous)
 
 
 def calibrated_parts(
@@ -183,7 +187,7 @@ def fitted_to_split(
     split: Callable[[FrameSet, int], Split],
     face: int,
     label: dict[str, Any],
-    **training: Any,
+    axes: int = 1,
 ) -> tuple[FaceModel, FrameSet, FrameSet]:
     """A fit to the split's training part; also its validation and test parts."""
     found = split(frames, recorded.spec.seed)
@@ -191,7 +195,7 @@ def fitted_to_split(
         frames.select(part) for part in (found.train, found.validation, found.test)
     )
     named = label | {"split": getattr(split, "__name__", str(split))}
-    model = fitted(recorded, (train, validation), face, named, **training)
+    model = fitted(recorded, (train, validation), face, named, axes=axes)
     return model, validation, test
 
 

@@ -99,12 +99,12 @@ def _models(
     """Estimators of all kinds for the same labelled frames."""
     label = {"collection": "paper", "faces": [face], "places": "seen", "twins": 0}
     models = {
-        output: fitted(recorded, parts, face, label, output=output)
+        output: fitted(recorded, parts, face, label, continuous=output == "position")
         for output in ("heatmap", "position")
     }
-    start = pretrained(recorded, face, twins, output="position")
+    start = pretrained(recorded, face, twins, continuous=True)
     tuned = label | {"twins": twins}
-    models["pre-trained"] = fitted(recorded, parts, face, tuned, start, output="position")
+    models["pre-trained"] = fitted(recorded, parts, face, tuned, start, continuous=True)
     wider = calibrated_parts(recorded, parts, face, twins)
     models["calibrated twin"] = fitted(recorded, wider, face, label | {"calibrated": twins})
     return models

@@ -28,15 +28,19 @@ def test_an_interrupted_run_goes_on_from_finished_trainings(tmp_path, monkeypatc
     estimators = importlib.import_module("estimators")
     frames = estimators.made_frames(True)
     split = estimators.split_presses(frames, 1)
-    fit, begun, stopped = estimators.fit_estimator, [], ["paper"]
+    begun, stopped = [], ["paper"]
 
-    def stoppable(train, validation, settings, progress):
-        begun.append(settings.training.model)
-        if begun[-1] in stopped:
-            raise KeyboardInterrupt
-        return fit(train, validation, settings, progress=progress)
+    def stoppable(name, fit):
+        def fitted(*given, **more):
+            begun.append(name)
+            if name in stopped:
+                raise KeyboardInterrupt
+            return fit(*given, **more)
 
-    monkeypatch.setattr(estimators, "fit_estimator", stoppable)
+        return fitted
+
+    for name, fit in (("compact", "fit_estimator"), ("paper", "fit_paper")):
+        monkeypatch.setattr(estimators, fit, stoppable(name, getattr(estimators, fit)))
     with pytest.raises(KeyboardInterrupt):
         estimators.all_trained(frames, split, 1.0, tmp_path)
     first = (tmp_path / "compact.json").read_text()

@@ -14,7 +14,7 @@ import xarray as xr
 from PIL import Image
 
 from design.spec.object import ObjectSpec
-from design.spec.search import PricesSpec, SearchLimitsSpec, VarySpec
+from design.spec.search import SearchLimitsSpec, VarySpec
 from design.spec_io import load_spec, parse_spec, spec_hash
 from estimator.information.scores import score_places
 from estimator.signals.presses import load_signals
@@ -319,14 +319,14 @@ def test_the_example_is_the_template_and_the_defaults():
     chosen = [("magnets", key) for key in ("grade", "part", "depth_mm", "tilt_deg", "north")]
     chosen += [("sensors", "positions_mm"), ("sensors", "rotations_deg"), ("core", "bay_mm")]
     chosen += [("body", "sensed_faces"), ("body", "file")]
-    chosen += [("mould", k) for k in ("style", "play_mm", "parting_azimuth_deg", "vent_mm")]
+    chosen += [("mould", k) for k in ("style", "parting_azimuth_deg")]
     chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
     chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
     chosen += [("training", key) for key in ("history_frames", "ensemble", "trees", "process")]
     chosen += [("inversion", "model_error"), ("load_cell", "pins")]
     optional = {where: switched_on[where[0]].pop(where[1]) for where in chosen}
     search = switched_on.pop("search")
-    for table, part in (("vary", VarySpec), ("limits", SearchLimitsSpec), ("prices", PricesSpec)):
+    for table, part in (("vary", VarySpec), ("limits", SearchLimitsSpec)):
         assert set(search[table]) == set(part.model_fields)
     assert parse_spec({"name": "all", "search": search}, "all lines").search.vary.magnet_count
     silicone = dict(switched_on["silicone"])

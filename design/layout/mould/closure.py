@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layout.body import body_of
-from design.layout.mould.frame import mould_frame, play_mm
+from design.layout.mould.frame import mould_frame
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -38,7 +38,7 @@ def flange_span_mm(spec: ObjectSpec) -> tuple[float, float]:
 def clip_mm(spec: ObjectSpec) -> tuple[float, float]:
     """Where a clip begins and ends along the mould, outside its wall."""
     wall = float(mould_frame(spec).high_mm[1])
-    return wall + play_mm(spec), wall + CLIP_MM
+    return wall + spec.printer.clearance_mm, wall + CLIP_MM
 
 
 def flange_corners_mm(
@@ -52,7 +52,7 @@ def flange_corners_mm(
     left, right = flange_span_mm(spec)
     start, end = clip_mm(spec)
     rim, seat, top = frame.rim_mm + np.array([0.0, SEAT_MM, FLANGE_HEIGHT_MM])
-    inner = start - 2 * play_mm(spec) - spec.mould.wall_mm
+    inner = start - 2 * spec.printer.clearance_mm - spec.mould.wall_mm
     boxes = [
         ((left, start, rim), (right, end, top)),
         ((left, -end, rim), (right, -start, top)),

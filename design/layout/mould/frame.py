@@ -90,12 +90,6 @@ class Parting:
     offset_mm: float
 
 
-def play_mm(spec: ObjectSpec) -> float:
-    """Gap between parts of the mould that slide: `mould.play_mm`, else the printer's clearance."""
-    given = spec.mould.play_mm
-    return spec.printer.clearance_mm if given is None else given
-
-
 def opening_of(spec: ObjectSpec) -> Opening:
     """How the core's cavity runs out of the silicone."""
     return body_of(spec).opening
@@ -110,7 +104,7 @@ def mould_style(spec: ObjectSpec) -> Literal["one-piece", "split"]:
 
 def flange_wall_mm(spec: ObjectSpec) -> float:
     """Wall of a flange on either side of a bolt's hole or a dowel's, whichever is wider."""
-    widest = max(BOLT_HOLE_MM, DOWEL_DIAMETER_MM + 2 * play_mm(spec))
+    widest = max(BOLT_HOLE_MM, DOWEL_DIAMETER_MM + 2 * spec.printer.clearance_mm)
     return (spec.mould.flange_mm - widest) / 2
 
 

@@ -19,7 +19,7 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.layout.core_hold import Locator, locators
 from design.layout.mould.closure import flange_span_mm
-from design.layout.mould.frame import mould_frame, parting, play_mm, thin_at_seam
+from design.layout.mould.frame import mould_frame, parting, thin_at_seam
 from design.layout.pockets import Body, Outline, Pocket, near_pairs, shell_pockets
 from design.spec.worked_out import once
 
@@ -151,7 +151,7 @@ def pins_thin_the_seam(spec: ObjectSpec) -> bool:
 def pin_holes(spec: ObjectSpec) -> Iterator[tuple[Pin, Float[np.ndarray, "2 3"], float]]:
     """Axes and radii of the mould's holes for pins and for their heads, which have none where they rest on
     the outside of its block."""
-    play = play_mm(spec)
+    play = spec.printer.clearance_mm
     for pin in loose_pins(spec):
         for axis, rim in ((pin.shank_axis_mm, 0.0), (pin.head_axis_mm, pin.rim_mm)):
             along = axis[1] - axis[0]
@@ -281,7 +281,7 @@ def common_rim_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
     A wall is left between the rooms of two heads; where that would take the rims away the rooms
     run together.
     """
-    play, printer = play_mm(spec), spec.printer
+    play, printer = spec.printer.clearance_mm, spec.printer
     # heads further apart than this leave all of the rim
     enough = PIN_HEAD_RIM_MM + play + printer.wall_mm
     near = near_pairs([pin.head_axis_mm for pin in pins], [pin.radius_mm + enough for pin in pins])
@@ -304,12 +304,14 @@ def rim_below_clips_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
     room = PIN_HEAD_RIM_MM
     for pin in pins:
         seat, top = pin.head_axis_mm @ frame.axes
-        beside = pin.radius_mm + PIN_HEAD_RIM_MM + play_mm(spec)
+        beside = pin.radius_mm + PIN_HEAD_RIM_MM + spec.printer.clearance_mm
         if abs(top[1]) > frame.high_mm[1] and ends[0] - beside < top[0] < ends[1] + beside:
             way = (top - seat) / np.linalg.norm(top - seat)
             rise = float(np.sqrt(max(1 - way[2] ** 2, _STEEP)))
             level = float(max(top[2], _leaving(seat, top, float(frame.high_mm[1]))[2]))
-            room = min(room, (frame.rim_mm - play_mm(spec) - level) / rise - pin.radius_mm)
+            room = min(
+                room, (frame.rim_mm - spec.printer.clearance_mm - level) / rise - pin.radius_mm
+            )
     return max(room, 0.0)
 
 

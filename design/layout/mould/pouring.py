@@ -21,7 +21,6 @@ from design.layout.mould.frame import (
     mould_frame,
     mould_style,
     parting,
-    play_mm,
     seam_ends_mm,
     thin_at_seam,
     thin_beside,
@@ -254,7 +253,7 @@ def _other_holes(
     spec: ObjectSpec, pins: tuple[Pin, ...]
 ) -> Iterator[tuple[Float[np.ndarray, "2 3"], float]]:
     """Axes and radii of those for the rod, and for pins and their heads."""
-    frame, play = mould_frame(spec), play_mm(spec)
+    frame, play = mould_frame(spec), spec.printer.clearance_mm
     if frame.opening == "bore":
         yield np.outer([0.0, frame.rim_mm], frame.out), spec.body.bore_mm / 2 + play
     for pin in pins:

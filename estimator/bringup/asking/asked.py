@@ -87,13 +87,13 @@ def require_bringup(spec: ObjectSpec) -> None:
     Raises
     ------
     InputError
-        Sensors in the shell, coils, or chips that measure fewer than three axes.
+        Sensors in the shell, or chips that measure fewer than three axes.
     """
-    if spec.arrangement != "sensors-in-core" or spec.magnets.kind == "coil":
+    if spec.arrangement != "sensors-in-core":
         raise InputError(
             "bringup holds a magnet over chips in the core and watches magnets being put into the "
-            f"shell; {spec.name} has arrangement = {spec.arrangement!r} and magnets.kind = "
-            f"{spec.magnets.kind!r}. Use `instobj bench selftest` for it"
+            f"shell; {spec.name} has arrangement = "
+            f"{spec.arrangement!r}. Use `instobj bench selftest` for it"
         )
     if set(spec.sensors.axes) != set("XYZ"):
         raise InputError(

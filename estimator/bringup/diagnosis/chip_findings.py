@@ -153,10 +153,7 @@ def _weighted(
 def earth_findings(spec: ObjectSpec, earth: EarthFound) -> Iterator[Finding]:
     """Offsets beyond tolerance, and a field that is not Earth's."""
     names, scale = sensor_names(sensor_layout(spec).face), spec.sensors.counts_per_mt
-    allowed = scale * np.hypot(
-        1e-3 * spec.tolerances.sensor_offset_ut, spec.sensors.offset_tolerance_mt
-    )
-    allowed = np.hypot(allowed, spec.sensors.drift_counts)
+    allowed = np.hypot(1e-3 * scale * spec.tolerances.sensor_offset_ut, spec.sensors.drift_counts)
     for c, a in np.argwhere(abs(earth.offset) > OFFSET * allowed):
         measured = f"{earth.offset[c, a]:+.0f} ± {earth.offset_interval[c, a]:.0f} counts"
         yield Finding("offset", channel_name(names[c], int(a)), measured)

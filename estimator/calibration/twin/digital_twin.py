@@ -164,10 +164,10 @@ def calibrate(
     InputError
         A core that slipped in the mechanics, or forces beyond the simulated depths.
     """
-    if spec.mechanics.slip.slipped and spec.mechanics.slip.model == "fem":
+    if spec.mechanics.slip.slipped:
         raise InputError(
             "a twin is calibrated on the shell as it was cast; mechanics.slip says that the core "
-            'slipped. Set it to 0, or model = "sensors-only"'
+            "slipped. Set it to 0"
         )
     unknowns = Unknowns(spec, (seen.face,))
     mechanics = PlaceMechanics(unknowns, forces, motions, seen)

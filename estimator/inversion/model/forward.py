@@ -229,9 +229,7 @@ class ContactModel:
     def plain(self) -> bool:
         """Whether nothing but moving magnets changes the field at resting sensors."""
         place = self.scene
-        return not (
-            place.sensors_move or place.face_by_face or place.environment.plates or self.field.exact
-        )
+        return not (place.sensors_move or place.environment.plates or self.field.exact)
 
     def _field_of(self, states: Float[Array, "state body 6"]) -> Float[Array, "state sensor 3"]:
         """Flux density (T) of the magnets alone, in a plain scene; tensors."""

@@ -9,7 +9,6 @@ from torch import Tensor
 from design.body.surface_chart import FaceFrame
 from design.layout.boards import passage_radius_mm
 from design.layout.body import core_frames, face_frames
-from design.layout.mould.frame import play_mm
 from design.layout.pockets import Outline, boards_depth_mm, sensor_boards
 from design.layout.template_marks import CORNER_MM
 from design.spec.object import ObjectSpec
@@ -87,7 +86,7 @@ def _past_edges(frame: FaceFrame, pockets: Pockets, wall_mm: float) -> Float[Ten
 def _magnets(spec: ObjectSpec, core: FaceFrame, pockets: Pockets) -> Float[Tensor, "layout"]:
     """Walls that pockets in the core lack: to the next side, round the wire hole and below; and in their
     template, whose holes have their play, between each other and beside its cut corner."""
-    wall, play = spec.printer.wall_mm, play_mm(spec)
+    wall, play = spec.printer.wall_mm, spec.printer.clearance_mm
     between = pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, wall + 2 * play)
     to_corner = sum(core.half_extents_mm) - CORNER_MM - pockets.top[:2].sum(0)
     corner = torch.relu(pockets.radius + play + wall + SLACK_MM - to_corner / 2**0.5)

@@ -6,7 +6,6 @@ decide (`design.fabrication.layout`, with its figures), and the search's own.
 
 from __future__ import annotations
 
-import numpy as np
 import torch
 from jaxtyping import Float
 from torch import Tensor
@@ -27,7 +26,6 @@ RULES = (
     "board gap",
     "boards near the edge",
     "board beside the wire hole",
-    "wiring",
     "chip near a magnet",
     "magnets in the core",
 )
@@ -42,21 +40,15 @@ def broken_limits_mm(
     differ, on the face that breaks a rule most.
     """
     spec = space.structured
-    limits = spec.search.limits
     every = list(layouts.by_face.values()) or [layouts]
-    wire = torch.stack([one.sensor_mm.norm(dim=-1).sum(dim=1) for one in every]).amax(dim=0)
-    longest = np.inf if limits.wiring_mm is None else limits.wiring_mm
-    pocket_gap, board_gap = (
-        max(limits.pocket_gap_mm, spec.silicone.thinnest_wall_mm),
-        max(limits.board_gap_mm, spec.printer.wall_mm),
-    )
+    pocket_gap, board_gap = spec.silicone.thinnest_wall_mm, spec.printer.wall_mm
     in_core = spec.arrangement == "sensors-in-core"
     broken = broken_on_surfaces_mm if faces_differ(spec) else broken_on_flat_faces_mm
     if in_core:
         found = broken(spec, layouts, face, pocket_gap, board_gap)
     else:
         found = broken_in_reverse_mm(spec, layouts, pocket_gap)
-    found["wiring"], nothing = torch.relu(wire - longest), torch.zeros_like(wire)
+    nothing = torch.zeros_like(layouts.sensor_mm[:, 0, 0])
     if space.sensors and in_core:
         beside = [boards_beside_hole_mm(spec, boards_of(spec, one)) for one in every]
         rule = "board beside the wire hole"

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 import torch
@@ -31,7 +30,6 @@ from design.layout.places.contact_places import contact_places
 from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
 from estimator.field.device import one_thread
-from estimator.information.scores import outermost_places
 from estimator.layouts.presses.compression import compressed, rms, with_ghosts, with_turns
 from estimator.layouts.surfaces import Surface, surfaces
 from estimator.signals.continuation import continued
@@ -135,15 +133,6 @@ class PressBasis:
     def count(self) -> int:
         """Contact locations that the face has."""
         return int(self.there.sum())
-
-    @cached_property
-    def outermost(self) -> Bool[Tensor, "place"]:
-        """Places of the face's outermost ring, corners included."""
-        return torch.as_tensor(outermost_places(self.places, self.there)[self.there])
-
-    def rows_of(self, places: Int[np.ndarray, "some"]) -> Int[np.ndarray, "some"]:
-        """Rows that places of the contact grid have among the face's own."""
-        return (np.cumsum(self.there) - 1)[places]
 
 
 def press_basis(

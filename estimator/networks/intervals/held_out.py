@@ -121,10 +121,12 @@ def assembled(
     return network, len(np.unique(held_out.press_id))
 
 
-def sharpened(member: nn.Module, held_out: FaceData, channels: tuple[Channel, ...]) -> nn.Module:
+def sharpened(
+    member: HeadsNetwork, held_out: FaceData, channels: tuple[Channel, ...]
+) -> HeadsNetwork:
     """The member with the sharpness and the limit of faint shares that do best on held-out contacts:
     dissimilarity plus relative error of force."""
-    if not isinstance(member, HeadsNetwork) or member.continuous:
+    if member.continuous:
         return member
     data = held_out.select(held_out.contact)
     reference = force_reference(data.heatmap_n)

@@ -13,10 +13,10 @@ import hashlib
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 import torch
-from torch import nn
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
@@ -30,12 +30,19 @@ from estimator.frames.face_data import (
     live_channels,
     with_history,
 )
-from estimator.networks.defaults import PLAIN, filled, filled_for
-from estimator.networks.ensemble import architecture_of, fit_ridge, new_member, sigma_counts
-from estimator.networks.face_model import FaceModel
+from estimator.networks.defaults import (
+    BATCH_FRAMES,
+    LEARNING_RATE,
+    PATIENCE_EPOCHS,
+    PLAIN,
+    filled,
+    filled_for,
+)
+from estimator.networks.ensemble import new_member, sigma_counts
+from estimator.networks.face_model import Architecture, FaceModel
 from estimator.networks.forest import fit_forest
 from estimator.networks.intervals.held_out import Fold, assembled, sharpened
-from estimator.networks.network import ContactEstimator, HeatmapNetwork
+from estimator.networks.network import ContactEstimator, HeadsNetwork
 from estimator.networks.process import fit_process
 from estimator.networks.training.data import (
     AUGMENTATION,
@@ -50,9 +57,6 @@ from estimator.networks.training.data import (
 )
 from estimator.networks.training.fitting import Progress, Schedule, fit
 
-PAPER_BATCH_FRAMES = 2000
-PAPER_LEARNING_RATE = 1e-3
-PAPER_WEIGHT_DECAY = 1e-4
 FINE_TUNING_RATE = 0.3
 """Learning rate of a network that goes on from `start`, over that of one that starts anew."""
 _WEIGHT_DECAY = 1e-3
@@ -71,6 +75,10 @@ class FitSettings:
         faces superposed for the whole-object model
     device : where the network is trained; by default what `INSTOBJ_DEVICE` names
     budget_s : limit of time over all members, s
+    continuous : the output is the position of one contact, also where training has no presses; otherwise
+        a heatmap of any number of contacts
+    axes : of the heatmap: 1 for the normal force, 3 for Fx, Fy, Fz
+    patience_epochs : a member stops after so many epochs without a better validation loss
     checkpoint : folder that keeps an unfinished training; it is resumed from there
     """
 
@@ -81,6 +89,15 @@ class FitSettings:
     device: str = field(default_factory=lambda: str(compute_device()))
     budget_s: float | None = None
     checkpoint: Path | None = None
+    continuous: bool = False
+    axes: int = 1
+    patience_epochs: int = PATIENCE_EPOCHS
+
+    @property
+    def architecture(self) -> Architecture:
+        """Of a fresh estimator."""
+        members = self.training.ensemble or 1
+        return Architecture(self.training.hidden_units, self.axes, self.continuous, members)
 
 
 @one_thread()
@@ -122,9 +139,10 @@ def fit_estimator(
     for number, (fitted, held_out) in enumerate(every):
         counted = None if progress is None else partial(_counted, progress, number, len(every))
         if start is None:
-            member = new_member(fitted, channels, training, seed + _NEXT_SEED * number)
+            member = new_member(fitted, channels, settings.architecture, seed + _NEXT_SEED * number)
         else:
-            member = copy.deepcopy(start.network.members[number % len(start.network.members)])
+            before = start.network.members[number % len(start.network.members)]
+            member = cast(HeadsNetwork, copy.deepcopy(before))
         _fit_member(
             member, number, fitted, held_out, channels, settings, start is not None, counted
         )
@@ -161,7 +179,7 @@ def _described(
     """The network with all that is needed to use it."""
     training = settings.training
     architecture = replace(
-        architecture_of(training),
+        settings.architecture,
         forest=None if network.forest is None else network.forest.shape,
         process=None if network.process is None else network.process.shape,
         references=len(network.coverage.reference),
@@ -209,7 +227,7 @@ def folds_of(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceDat
 
 def require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet) -> None:
     wanted = replace(
-        architecture_of(settings.training),
+        settings.architecture,
         members=start.architecture.members,
         forest=start.architecture.forest,
         process=start.architecture.process,
@@ -248,7 +266,7 @@ def common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Chan
 
 
 def _fit_member(
-    member: nn.Module,
+    member: HeadsNetwork,
     number: int,
     data: FaceData,
     held_out: FaceData,
@@ -257,23 +275,19 @@ def _fit_member(
     fine_tuned: bool,
     progress: Progress | None,
 ) -> None:
-    training, device = settings.training, settings.device
+    device = settings.device
     member.to(device)
     scale = float(member.get_buffer("force_scale_n"))
     train, validation = (
-        batch_of(part, channels, scale, training.heatmap_axes, device) for part in (data, held_out)
+        batch_of(part, channels, scale, settings.axes, device) for part in (data, held_out)
     )
-    if training.model == "linear":
-        assert isinstance(member, HeatmapNetwork)
-        fit_ridge(member, train.counts.cpu().numpy(), train.maps.cpu().numpy())
-        return
     schedule = schedule_of(settings, number, data.frames.source, fine_tuned)
     sigma = torch.as_tensor(sigma_counts(data, channels), dtype=torch.float32, device=device)
     elsewhere = elsewhere_counts(data, channels).to(device)
     zeroed = torch.tensor([float(face < HISTORY) for face, _, _ in channels], device=device)
     folder = settings.checkpoint
     path = None if folder is None else folder / f"member_{number}.safetensors"
-    mark = data_fingerprint(schedule, train.counts, train.maps, asdict(architecture_of(training)))
+    mark = data_fingerprint(schedule, train.counts, train.maps, asdict(settings.architecture))
     disturbances = Disturbances(sigma, zeroed, elsewhere)
     fit(member, train, validation, disturbances, schedule, progress, path, mark)
 
@@ -281,28 +295,16 @@ def _fit_member(
 def schedule_of(settings: FitSettings, number: int, source: str, fine_tuned: bool) -> Schedule:
     training, seed = settings.training, settings.seed + _NEXT_SEED * number
     budget = None if settings.budget_s is None else settings.budget_s / (training.ensemble or 1)
-    if training.model == "paper":
-        return Schedule(
-            epochs=training.epochs,
-            batch_frames=PAPER_BATCH_FRAMES,
-            learning_rate=PAPER_LEARNING_RATE,
-            weight_decay=PAPER_WEIGHT_DECAY,
-            patience_epochs=training.patience_epochs,
-            augmentation=None,
-            seed=seed,
-            constant_rate=True,
-            budget_s=budget,
-        )
     augmentation = settings.augmentation or AUGMENTATION[source]
     if settings.augmentation is None and training.model == "whole-object":
         augmentation = replace(augmentation, other_faces=_OTHER_FACES)
-    rate = training.learning_rate * (FINE_TUNING_RATE if fine_tuned else 1.0)
+    rate = LEARNING_RATE * (FINE_TUNING_RATE if fine_tuned else 1.0)
     return Schedule(
         epochs=training.epochs,
-        batch_frames=training.batch_size,
+        batch_frames=BATCH_FRAMES,
         learning_rate=rate,
         weight_decay=_WEIGHT_DECAY,
-        patience_epochs=training.patience_epochs,
+        patience_epochs=settings.patience_epochs,
         augmentation=augmentation,
         seed=seed,
         budget_s=budget,

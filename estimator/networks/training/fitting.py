@@ -15,12 +15,13 @@ from pathlib import Path
 from typing import Any
 
 import torch
-from torch import Tensor, nn
+from torch import Tensor
 
 from design.errors import InputError
+from estimator.networks.network import HeadsNetwork
 from estimator.networks.tensor_file import load_tensors, save_tensors
 from estimator.networks.training.data import Augmentation, Batch, Disturbances, disturbed
-from estimator.networks.training.losses import loss_of
+from estimator.networks.training.losses import heads_loss
 
 Progress = Callable[[int, int, float], None]
 """Called after each epoch with its number, the number of epochs and the validation loss."""
@@ -37,7 +38,6 @@ class Schedule:
     Attributes
     ----------
     patience_epochs : it stops after so many epochs without a better validation loss
-    constant_rate : no warm-up and no decay of the learning rate
     augmentation : None leaves frames as they are
     budget_s : it stops after so long, with the decay fitted to it; results then depend on the
         machine
@@ -50,7 +50,6 @@ class Schedule:
     patience_epochs: int
     augmentation: Augmentation | None
     seed: int
-    constant_rate: bool = False
     budget_s: float | None = None
 
 
@@ -65,7 +64,7 @@ class _State:
 
 
 def fit(
-    network: nn.Module,
+    network: HeadsNetwork,
     train: Batch,
     validation: Batch,
     disturbances: Disturbances,
@@ -83,8 +82,7 @@ def fit(
     InputError
         The checkpoint belongs to another training (its `fingerprint` differs).
     """
-    adam = torch.optim.Adam if schedule.constant_rate else torch.optim.AdamW
-    optimizer = adam(
+    optimizer = torch.optim.AdamW(
         network.parameters(), lr=schedule.learning_rate, weight_decay=schedule.weight_decay
     )
     state = _State(best=copy.deepcopy(network.state_dict()))
@@ -114,7 +112,7 @@ def is_stopped(state: _State, schedule: Schedule, started: float) -> bool:
 
 
 def one_epoch(
-    network: nn.Module,
+    network: HeadsNetwork,
     optimizer: torch.optim.Optimizer,
     train: Batch,
     disturbances: Disturbances,
@@ -139,14 +137,14 @@ def one_epoch(
         for group in optimizer.param_groups:
             group["lr"] = schedule.learning_rate * rate_factor(done, schedule)
         optimizer.zero_grad(set_to_none=True)
-        loss_of(network, counts[batch], train.rows(batch)).backward()
+        heads_loss(network, counts[batch], train.rows(batch)).backward()
         optimizer.step()
 
 
-def _loss_on(network: nn.Module, validation: Batch) -> float:
+def _loss_on(network: HeadsNetwork, validation: Batch) -> float:
     network.eval()
     with torch.no_grad():
-        return float(loss_of(network, validation.counts, validation))
+        return float(heads_loss(network, validation.counts, validation))
 
 
 def frames_of_batch(frames: int, wanted: int) -> int:
@@ -156,8 +154,6 @@ def frames_of_batch(frames: int, wanted: int) -> int:
 
 def rate_factor(epoch: float, schedule: Schedule) -> float:
     """Linear warm-up, then half a cosine down to 1 %."""
-    if schedule.constant_rate:
-        return 1.0
     warm = min(_WARM_UP_EPOCHS, schedule.epochs / 2)
     if epoch < warm:
         return max(epoch / warm, 0.02)
@@ -165,7 +161,7 @@ def rate_factor(epoch: float, schedule: Schedule) -> float:
 
 
 def _save(
-    path: Path, network: nn.Module, optimizer: torch.optim.Optimizer, state: _State, mark: str
+    path: Path, network: HeadsNetwork, optimizer: torch.optim.Optimizer, state: _State, mark: str
 ) -> None:
     tensors = {f"now.{name}": value for name, value in network.state_dict().items()}
     tensors |= {f"best.{name}": value for name, value in state.best.items()}
@@ -180,7 +176,9 @@ def _save(
     save_tensors(tensors, info, path)
 
 
-def _resume(path: Path, network: nn.Module, optimizer: torch.optim.Optimizer, mark: str) -> _State:
+def _resume(
+    path: Path, network: HeadsNetwork, optimizer: torch.optim.Optimizer, mark: str
+) -> _State:
     info, tensors = load_tensors(path, "Delete it: it belongs to an interrupted training")
     if info.get("fingerprint") != mark:
         raise InputError(

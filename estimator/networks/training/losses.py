@@ -1,29 +1,16 @@
-"""Training losses of both kinds of network."""
+"""Training loss of the network."""
 
 from __future__ import annotations
 
 import torch
 from torch import Tensor, nn
 
-from estimator.networks.network import HeadsNetwork, HeatmapNetwork
+from estimator.networks.network import HeadsNetwork
 from estimator.networks.training.data import Batch
 
 _FORCE_WEIGHT = 8.0
 _CENTRE_WEIGHT = 0.3
 _SPREAD_WEIGHT = 0.1
-
-
-def loss_of(network: nn.Module, counts: Tensor, target: Batch) -> Tensor:
-    """Mean loss of frames with the given (disturbed) counts."""
-    if isinstance(network, HeadsNetwork):
-        return heads_loss(network, counts, target)
-    assert isinstance(network, HeatmapNetwork)
-    return heatmap_loss(network, counts, target)
-
-
-def heatmap_loss(network: HeatmapNetwork, counts: Tensor, target: Batch) -> Tensor:
-    """Sum of squares over the pixels (Knopke et al., RA-L 2024)."""
-    return ((network.pixels_of(counts) - target.maps) ** 2).sum(dim=1).mean()
 
 
 def heads_loss(network: HeadsNetwork, counts: Tensor, target: Batch) -> Tensor:

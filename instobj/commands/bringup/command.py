@@ -41,9 +41,7 @@ class BringupOptions:
     out: Path
     port: str | None = None
     replay: Path | None = None
-    simulated: bool = False
-    faults: tuple[str, ...] = ()
-    seed: int = 1
+    faults: tuple[str, ...] | None = None
     again: tuple[str, ...] = ()
     baud: int = BAUD
     overrides: tuple[str, ...] = ()
@@ -76,20 +74,16 @@ def bring_up(options: BringupOptions) -> dict[str, Any]:
 
 
 def _require_one_source(options: BringupOptions) -> None:
-    given = [options.port is not None, options.replay is not None, options.simulated]
+    given = [options.port is not None, options.replay is not None, options.faults is not None]
     if sum(given) != 1:
         raise InputError(
             "give one of --port, --replay and --simulated: where the readings come from"
-        )
-    if options.faults and not options.simulated:
-        raise InputError(
-            "--fault is planted into simulated objects. Give --simulated, or leave it out"
         )
 
 
 def _journal(options: BringupOptions, design: ObjectSpec) -> Journal:
     """That of the object's board goes on; replays and simulated objects begin anew beside it."""
-    ending = "_simulated" if options.simulated else "_replayed" if options.replay else ""
+    ending = "_simulated" if options.faults is not None else "_replayed" if options.replay else ""
     path = run_folder(options.out, design.name) / f"bringup{ending}" / JOURNAL
     if options.replay is not None and options.replay.resolve() == path.resolve():
         raise InputError(f"{path} cannot be replayed into itself. Give another --out")
@@ -121,8 +115,8 @@ def _ask(options: BringupOptions, design: ObjectSpec, journal: Journal, again: s
     elif options.replay is not None:
         source = FromFile(read_journal(options.replay, design))
     else:
-        faults = tuple(parse_fault(text) for text in options.faults)
-        source = Simulated(simulated_object(design, options.seed, faults))
+        faults = tuple(parse_fault(text) for text in options.faults or ())
+        source = Simulated(simulated_object(design, design.seed, faults))
     with closing(chunks) if chunks is not None else nullcontext():
         try:
             through(design, source, journal, again)
@@ -151,7 +145,7 @@ def _write(
     before = AsBuiltSpec()
     if beside.is_file():
         before = load_spec(options.spec, options.overrides).as_built
-    target = folder / beside.name if options.simulated else beside
+    target = folder / beside.name if options.faults is not None else beside
     found = found_as_built(design, verdict, before)
     remarks = [str(finding) for finding in verdict.findings]
     return [*written, write_as_built(found, target, remarks)]

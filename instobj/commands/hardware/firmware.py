@@ -9,6 +9,7 @@ from design.build.order_list import OrderLine, cost_eur, order_list
 from design.catalogue.bus_parts import board_named
 from design.errors import InputError
 from design.spec_io import load_spec
+from design.wiring.bus_limits import FAST_KHZ
 from design.wiring.bus_plan import BusPlan, Choice, choose_plan
 from design.wiring.dealing import WAYS
 from instobj.firmware.project import project_files, write_project
@@ -37,7 +38,7 @@ def write_firmware(
         "command": "firmware",
         "board": plan.board.name,
         "way": plan.way,
-        "texts": [*plan_texts(plan, spec.sensors.i2c_khz), _cost_text(order_list(spec, plan))],
+        "texts": [*plan_texts(plan), _cost_text(order_list(spec, plan))],
         "tables": {"sensors": chip_rows(plan), "ways": way_rows(choice)},
         "files": file_rows(written),
     }
@@ -51,7 +52,7 @@ def _cost_text(lines: list[OrderLine]) -> str:
     )
 
 
-def plan_texts(plan: BusPlan, asked_khz: float) -> list[str]:
+def plan_texts(plan: BusPlan) -> list[str]:
     """The plan in words."""
     time = plan.time
     texts = [
@@ -67,13 +68,13 @@ def plan_texts(plan: BusPlan, asked_khz: float) -> list[str]:
             f"load cell: {plan.load.title}; up to {plan.load.lines_hz:g} lines `L` a second take "
             f"{plan.time.loads_ms:.0f} ms of it"
         )
-    if plan.khz < asked_khz:
+    if plan.khz < FAST_KHZ:
         texts.append(
-            f"the bus runs at {plan.khz:g} kHz, not at sensors.i2c_khz = {asked_khz:g}: that much "
-            "capacitance rises too slowly for it"
+            f"the bus runs at {plan.khz:g} kHz, not at {FAST_KHZ:g}: that much capacitance "
+            " rises too slowly for it"
         )
     if len(plan.board.bauds) > 1:
-        texts.append(f"read it with `instobj bench collect --baud {plan.baud}`")
+        texts.append(f"read it with `instobj bench collect OUT --port PORT@{plan.baud}`")
     return texts
 
 

@@ -70,7 +70,7 @@ class LiveOptions:
         if not self.remote:
             raise InputError(
                 f"{self.address} can be reached from other machines, which then see and zero the "
-                "readings. Add --remote if that is meant (a token is made), or leave --address out"
+                "readings. Add --remote if that is meant (a token is made), or give --page a port alone"
             )
         return secrets.token_urlsafe(16)
 

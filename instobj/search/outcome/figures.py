@@ -28,23 +28,12 @@ _MOST_SIDE_BY_SIDE = 3
 LABELS = {
     "worst_position_bound_mm": "worst location, position bound (mm)",
     "percentile_99_position_bound_mm": "99th percentile of locations, position bound (mm)",
-    "percentile_95_position_bound_mm": "95th percentile of locations, position bound (mm)",
     "median_position_bound_mm": "median location, position bound (mm)",
     "position_bound_over_start": "position bound over the start's, where it grew most",
     "worst_force_bound_n": "worst location, force bound (N)",
     "median_false_force_n": "false force by the next face (N), median",
     "percentile_95_false_force_n": "false force by the next face (N), 95th percentile",
     "sensitivity_ratio": "δ, 5th over 50th percentile",
-    "edge_position_bound_mm": "outermost locations, mean position bound (mm)",
-    "pair_own_position_bound_mm": "two contacts on a face, own channels, position bound (mm)",
-    "pair_all_position_bound_mm": "two contacts on a face, all channels, position bound (mm)",
-    "grasp_position_bound_mm": "contacts on two opposite faces, position bound (mm)",
-    "slip_place_mm": "localisation error by a core slip of 1 mm (mm)",
-    "tolerance_place_mm": "localisation error within tolerance (mm)",
-    "task_loss": "share of presses that fail the task",
-    "compliance_deviation": "deviation from the wanted compliance (relative)",
-    "cost": "cost of the parts",
-    "build_minutes": "build time by hand (min)",
 }
 
 

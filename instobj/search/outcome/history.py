@@ -17,9 +17,8 @@ from design.search.space import SearchSpace, params_at, structure_of
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from estimator.field.device import one_thread
 from estimator.layouts.polish import Judged, LowestFidelity, judge
-from instobj.search.loop import is_feasible
 from instobj.search.lowest_fidelity import StartScores, start_scores, structure_fidelity
-from instobj.search.study import KeptStudy
+from instobj.search.trials import KeptTrials
 
 MOST_SCORINGS = 33_600
 """Layouts that plain engines score, minutes at three forces."""
@@ -62,13 +61,13 @@ class History:
 
 
 @one_thread()
-def search_history(space: SearchSpace, kept: KeptStudy, seconds: float = np.inf) -> History:
+def search_history(space: SearchSpace, kept: KeptTrials, seconds: float = np.inf) -> History:
     """Collect the trials, and let random search and plain CMA-ES score as many layouts as the search did, up
     to 33 600, or as `seconds` hold."""
-    names, finished = space.spec.search.objectives, kept.finished()
+    names, finished = space.spec.search.objectives, kept.finished
     start = start_scores(space.spec)
     free = sum(not v.choices for v in space.variables)
-    each = np.array([trial.user_attrs["scorings"] for trial in finished])
+    each = np.array([trial.scorings for trial in finished])
     count = min(int(each.sum()), MOST_SCORINGS)
     engines = [random_search]
     if free > 1:  # CMA-ES knows no choices, and not a single number
@@ -76,8 +75,8 @@ def search_history(space: SearchSpace, kept: KeptStudy, seconds: float = np.inf)
     peers = [engine(space, start, count, seconds / len(engines)) for engine in engines]
     return History(
         names,
-        np.array([[trial.user_attrs["scores"][name] for name in names] for trial in finished]),
-        np.array([is_feasible(trial) for trial in finished]),
+        np.array([[trial.scores[name] for name in names] for trial in finished]),
+        np.array([trial.feasible for trial in finished]),
         np.array([start.scores[name] for name in names]),
         tuple(peers),
         each.cumsum(),

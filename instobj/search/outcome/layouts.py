@@ -17,11 +17,10 @@ from design.layout.pockets import magnet_bodies, sensor_places
 from design.search.space import SearchSpace, with_layout
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from instobj.search.loop import is_feasible
 from instobj.search.outcome.figures import LABELS, paired, pareto_front
 from instobj.search.outcome.history import History
 from instobj.search.promotion import Promotion
-from instobj.search.study import KeptStudy
+from instobj.search.trials import KeptTrials
 from instobj.search.verdict import FIRST, score_at
 from instobj.viewer.archive import pack
 from instobj.viewer.scene import Arrays, add_surface
@@ -40,10 +39,10 @@ class ShownLayout:
 
 
 def shown_layouts(
-    space: SearchSpace, kept: KeptStudy, found: Promotion, history: History
+    space: SearchSpace, kept: KeptTrials, found: Promotion, history: History
 ) -> list[ShownLayout]:
     """The start, the leaders with the best of them first, then the rest of the front."""
-    finished = kept.finished()
+    finished = kept.finished
     row_of = {trial.number: row for row, trial in enumerate(finished)}
     layouts = [ShownLayout(found.start.label, found.start.spec, tuple(history.start))]
     every = {one.label: one for one in (*found.finalists, *found.leaders)}
@@ -57,7 +56,7 @@ def shown_layouts(
             layouts.append(ShownLayout(one.label, one.spec, values))
     for row in _front_rows(history):
         trial = finished[row]
-        if trial.number not in promoted and is_feasible(trial):
+        if trial.number not in promoted and trial.feasible:
             spec = with_layout(space.spec, trial.params)
             layouts.append(ShownLayout(f"trial {trial.number}", spec, tuple(history.values[row])))
     return layouts

@@ -20,7 +20,7 @@ from instobj.search.outcome.history import search_history
 from instobj.search.outcome.layouts import shown_layouts
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.promotion import Promotion
-from instobj.search.study import KeptStudy
+from instobj.search.trials import KeptTrials
 from instobj.search.verdict import Promoted
 from instobj.stages.run import Run
 from instobj.store.stage import write_json
@@ -30,7 +30,7 @@ BEST = "best.toml"
 
 def write_outcome(
     space: SearchSpace,
-    kept: KeptStudy,
+    kept: KeptTrials,
     found: Promotion,
     folder: Path,
     beside: Path,

@@ -16,7 +16,7 @@ from design.layout.pockets import by_sensed_face
 from design.placement.patterns import sensor_patterns
 from design.spec.object import ObjectSpec
 from design.spec_io import check
-from estimator.information.scores import PlaceScores, score_places
+from estimator.information.scores import score_places
 from estimator.signals.presses import Signals, press_signals, saturation_margin
 from estimator.tolerances.saturation import saturation
 from fem.presses.results import load_presses
@@ -144,7 +144,6 @@ def _stronger(spec: ObjectSpec) -> ObjectSpec:
     stronger = {
         "grade": None,
         "remanence_t": _times(1.2, spec.magnets.remanence_t),
-        "current_a": 1.2 * spec.magnets.current_a,
     }
     magnets = spec.magnets.changed(**stronger)
     return spec.changed(magnets=magnets)
@@ -170,7 +169,7 @@ CHANGES: dict[str, Change] = {
     "four times the averaging (half the white noise)": _quieter,
     "one more sensor on every face": partial(_more_sensors, 1),
     "two more sensors on every face": partial(_more_sensors, 2),
-    "magnets 20 % stronger (grade; coils: current)": _stronger,
+    "magnets 20 % stronger (grade)": _stronger,
     "silicone 30 % softer (deeper presses)": _softer,
 }
 """Told as users read them."""
@@ -193,7 +192,7 @@ def least_objects_margin(spec: ObjectSpec, signals: Signals, presses: Path) -> f
 def alternative_of(
     changes: tuple[str, ...], spec: ObjectSpec, signals: Signals, objects_margin: float
 ) -> Alternative:
-    scores = _scores(spec, signals)
+    scores = score_places(spec, signals)
     bound, there = scores.position_bound_mm, scores.judged
     faces = len(spec.body.sensed)
     return Alternative(
@@ -206,8 +205,3 @@ def alternative_of(
         faces * spec.magnets.count,
         faces * spec.sensors.count_per_face,
     )
-
-
-def _scores(spec: ObjectSpec, signals: Signals) -> PlaceScores:
-    """With the quickest form of δ, which no figure here is made of."""
-    return score_places(spec.changed(score=spec.score.changed(hull="covariance")), signals)

@@ -45,11 +45,8 @@ def make_mesh(context: StageContext, folder: Path) -> None:
 
 def make_response(context: StageContext, folder: Path) -> None:
     """The response operator."""
-    from design.spec.mechanics import LOCKING_WARNING
     from fem.linear.response import build_and_keep_factor, build_response, save_response
 
-    if context.spec.mechanics.element == "p1":
-        context.step(LOCKING_WARNING)
     context.step("assembling, factoring and condensing")
     given = context.read(MESH), context.spec
     if "shapes" in context.call.asks_for:
@@ -101,7 +98,7 @@ def make_presses(context: StageContext, folder: Path) -> None:
 
     response, rest = context.read(RESPONSE), None
     slip = context.spec.mechanics.slip
-    if slip.slipped and slip.model == "fem":
+    if slip.slipped:
         context.step("the shell at rest on its slipped core")
         rest = resting_shell(context.read(MESH), context.spec)
     forces, motions = simulate_lattice(context.spec, response, context.step, rest)

@@ -1,4 +1,4 @@
-"""Cost of a slipped core as a stage: both models of the slip against the object as calibrated."""
+"""Cost of a slipped core as a stage: the slipped object against the object as calibrated."""
 
 from __future__ import annotations
 
@@ -9,12 +9,11 @@ import numpy as np
 
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
-from instobj.store.readers import PRESSES, SIGNALS, SLIP, SLIP_PICTURE
+from instobj.store.readers import SIGNALS, SLIP, SLIP_PICTURE
 from instobj.store.stage import StageContext, write_json
 
 if TYPE_CHECKING:
     from estimator.information.slip_cost import SlipCost
-    from estimator.signals.presses import Signals
 
 
 def with_slip(spec: ObjectSpec, slip: dict[str, Any]) -> ObjectSpec:
@@ -31,7 +30,7 @@ def with_slip(spec: ObjectSpec, slip: dict[str, Any]) -> ObjectSpec:
 
 
 def objects_compared(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
-    """Results that the stage needs of other objects: as calibrated, and slipped by finite elements.
+    """Results that the stage needs of the object as calibrated, and slipped.
 
     None where the core has not slipped. The object as calibrated has the same rim.
     """
@@ -39,44 +38,27 @@ def objects_compared(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
     if not slip.slipped:
         return {}
     calibrated = with_slip(spec, {"rim": slip.rim})
-    exact = with_slip(spec, slip.model_dump(mode="json") | {"model": "fem"})
     return {
-        "calibrated presses": ("presses", calibrated),
         "calibrated signals": ("signals", calibrated),
-        "fem signals": ("signals", exact),
+        "slipped signals": ("signals", spec),
     }
 
 
 def make_slip(context: StageContext, folder: Path) -> None:
     """`slip.json` and `slip.png`; nothing where the core has not slipped."""
+    from estimator.information.slip_cost import slip_cost
     from instobj.figures.slip import draw_slip
     from instobj.report.core_section import slip_title
 
     spec = context.spec
     if not spec.mechanics.slip.slipped:
         return
-    costs = slip_costs(context)
-    slip = spec.mechanics.slip.model_dump(mode="json", exclude={"model"})
-    numbers = {model: summary(cost) for model, cost in costs.items()}
-    content = {"slip": slip, "models": numbers, "sensors": sensor_rows(spec, costs)}
+    inputs, slip = context.inputs, spec.mechanics.slip.model_dump(mode="json")
+    before, after = (SIGNALS.read(inputs[f"{name} signals"]) for name in ("calibrated", "slipped"))
+    cost = slip_cost(spec, before, after)
+    content = {"slip": slip, "figures": summary(cost), "sensors": sensor_rows(spec, cost)}
     write_json(content, SLIP.path(folder))
-    draw_slip(spec, costs, SLIP_PICTURE.path(folder), slip_title(slip))
-
-
-def slip_costs(context: StageContext) -> dict[str, SlipCost]:
-    """Costs by both models against the object before its core slipped."""
-    from estimator.information.slip_cost import slip_cost
-    from estimator.signals.presses import press_signals
-
-    spec, inputs = context.spec, context.inputs
-    before = SIGNALS.read(inputs["calibrated signals"])
-    exact = SIGNALS.read(inputs["fem signals"])
-    context.step("signals with the sensors moved alone")
-    slip = spec.mechanics.slip.model_dump(mode="json") | {"model": "sensors-only"}
-    presses = PRESSES.read(inputs["calibrated presses"])
-    approximate = press_signals(with_slip(spec, slip), *presses, context.step)
-    signals: dict[str, Signals] = {"fem": exact, "sensors-only": approximate}
-    return {model: slip_cost(spec, before, after) for model, after in signals.items()}
+    draw_slip(spec, cost, SLIP_PICTURE.path(folder), slip_title(slip))
 
 
 def summary(cost: SlipCost) -> dict[str, float]:
@@ -104,15 +86,14 @@ def summary(cost: SlipCost) -> dict[str, float]:
     }
 
 
-def sensor_rows(spec: ObjectSpec, costs: dict[str, SlipCost]) -> list[dict[str, Any]]:
-    """Change of every sensor's resting counts (X, Y, Z) and its size in σ, by both models."""
+def sensor_rows(spec: ObjectSpec, cost: SlipCost) -> list[dict[str, Any]]:
+    """Change of every sensor's resting counts (X, Y, Z) and its size in σ."""
     from design.layout.places.positions import sensor_layout
 
-    exact, approximate = costs["fem"], costs["sensors-only"]
     rows = []
     faces = sensor_layout(spec).face.tolist()
     for index, face in enumerate(faces):
-        x, y, z = (round(float(value)) for value in exact.baseline_counts[index])
+        x, y, z = (round(float(value)) for value in cost.baseline_counts[index])
         rows.append(
             {
                 "face": face,
@@ -120,8 +101,7 @@ def sensor_rows(spec: ObjectSpec, costs: dict[str, SlipCost]) -> list[dict[str, 
                 "ΔX": x,
                 "ΔY": y,
                 "ΔZ": z,
-                "σ": float(exact.baseline_sigma[index]),
-                "sensors-only σ": float(approximate.baseline_sigma[index]),
+                "σ": float(cost.baseline_sigma[index]),
             }
         )
     return rows

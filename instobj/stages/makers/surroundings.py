@@ -1,4 +1,4 @@
-"""Effect of surroundings, temperature and switched coils on resting channels, as figures."""
+"""Effect of surroundings and temperature on resting channels, as figures."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _GAPS_MM = (0.0, 10.0)
 def surroundings_row(spec: ObjectSpec) -> dict[str, Any]:
     """Changes of resting channels in counts, worst over faces and channels, JSON-able."""
     from estimator.signals.presses import rest_counts
-    from estimator.signals.surroundings import counts_of_states, surroundings
+    from estimator.signals.surroundings import surroundings
 
     found = surroundings(spec, _GAPS_MM)
     row: dict[str, Any] = {
@@ -28,23 +28,9 @@ def surroundings_row(spec: ObjectSpec) -> dict[str, Any]:
         "jaw_other_faces_counts": _rounded(found.jaw_elsewhere_counts.max(axis=0)),
         "fastest_frame_rate_hz": round(fastest_frame_rate_hz(spec.sensors), 1),
     }
-    if spec.magnets.kind == "coil":
-        states = counts_of_states(spec)
-        own = states[scene_faces(spec) - 1, np.arange(states.shape[1])]
-        row["coil_polarization_mt"] = round(1e3 * spec.magnets.winding_polarization_t, 3)
-        row["own_coils_counts"] = round(float(abs(own).max()), 1)
-        row["other_faces_coils_counts"] = round(float(abs(states[-1] - own).max()), 1)
-    else:
-        baseline = float(abs(rest_counts(spec)).max())
-        row["baseline_counts_per_kelvin"] = round(NDFEB_REMANENCE_PER_KELVIN * baseline, 2)
+    baseline = float(abs(rest_counts(spec)).max())
+    row["baseline_counts_per_kelvin"] = round(NDFEB_REMANENCE_PER_KELVIN * baseline, 2)
     return row
-
-
-def scene_faces(spec: ObjectSpec) -> np.ndarray:
-    """The face of every sensor."""
-    from design.layout.places.positions import sensor_layout
-
-    return sensor_layout(spec).face
 
 
 def _rounded(values: np.ndarray) -> list[float]:

@@ -140,7 +140,7 @@ def require_settings(training: TrainingSpec) -> None:
     """
     from estimator.networks.defaults import PLAIN
 
-    wanted = {"model": "compact", "heatmap_axes": 1} | PLAIN._asdict()
+    wanted = {"model": "compact"} | PLAIN._asdict()
     asked = {
         name: getattr(training, name)
         for name, value in wanted.items()
@@ -150,8 +150,8 @@ def require_settings(training: TrainingSpec) -> None:
     if asked:
         texts = ", ".join(f"training.{name} = {value!r}" for name, value in asked.items())
         raise InputError(
-            f"--twin serves estimators that read single frames of the face's own sensors as normal "
-            f"force, one network each with nothing beside it; got {texts}. Leave these settings or --twin out"
+            f"--twin serves estimators that read single frames of the face's own sensors, "
+            f"one network each with nothing beside it; got {texts}. Leave these settings or --twin out"
         )
 
 

@@ -75,7 +75,7 @@ def test_sensors_without_a_bus_stand_by_their_name():
 
 
 def test_prints_are_counted_as_often_as_they_are_made_and_silicone_with_its_waste():
-    spec = ObjectSpec.model_validate({"name": "cube", "silicone": {"mix_ratio": [10.0, 1.0]}})
+    spec = ObjectSpec.model_validate({"name": "cube"})
     box = ((0.0, 0.0, 0.0), (1.0, 2.0, 3.0))
     parts = [
         PartManifest(name, volume, box, (0.0, 0.0, 0.0), 1, 1, volume, True, 8, material, count)
@@ -93,7 +93,7 @@ def test_prints_are_counted_as_often_as_they_are_made_and_silicone_with_its_wast
     assert amount.volume_cm3 == pytest.approx((sealed_volume_mm3(spec) - magnets) / 1e3)
     assert amount.mass_g == pytest.approx(1.07 * amount.volume_cm3)
     assert amount.mixed_g == pytest.approx(1.15 * amount.mass_g)
-    assert amount.parts_g == pytest.approx((amount.mixed_g * 10 / 11, amount.mixed_g / 11))
+    assert amount.parts_g == pytest.approx((amount.mixed_g / 2, amount.mixed_g / 2))
     assert SCREWS == 4
 
 

@@ -101,8 +101,8 @@ def test_a_hole_must_be_open_but_for_a_hundredth_of_its_section():
     ],
 )
 def test_undercuts_are_peeled_where_there_is_room_and_strain_left(depth, room, status, limit):
-    """Shell of 8 mm: 0.16 mm gives way on the spot; 25 % of strain, half of 50 %, are 2 mm of it."""
-    spec = CUBE.changed(silicone=CUBE.silicone.changed(elongation_percent=50.0, peel_share=0.5))
+    """Shell of 8 mm: 0.16 mm gives way on the spot; 25 % of strain, a third of 75.76 %, are 2 mm of it."""
+    spec = CUBE.changed(silicone=CUBE.silicone.changed(elongation_percent=25.0 / 0.33))
     place = np.array([1.0, 2.0, 3.0]) if depth else None
     measured = Undercut(7.0 * (depth > 0), depth, place)
     found = undercut_finding(spec, Draw("mould_box", DOWN, room), measured)

@@ -44,7 +44,6 @@ cube: core.wall_mm | 12.99 | 13.0 | larger than two core walls
 cube: core.recess_depth_mm | 4.49 | 4.5 | recess_depth_mm must be below
 cube: core.recess_outer_radius_mm | 12.99 | 13.0 | recess_outer_radius_mm < half
 cube: core.recess_inner_radius_mm | 10.99 | 11.0 | recess_outer_radius_mm < half
-cube: core.hub_depth_mm | 4.49 | 4.5 | hub_depth_mm must be below
 cube: core.hub_radius_mm | 12.99 | 13.0 | below half the core
 cube: core.hub_radius_mm | 4.48 | 4.495 | they would touch in a line
 cube: core.wire_hole_side_diameter_mm | 16.99 | 17.0 | below the core's cavity

@@ -19,7 +19,6 @@ box: body.size_mm=[24.5,40,50]
 box: core.recess_depth_mm=4.6
 box: core.recess_outer_radius_mm=15.2
 box: core.recess_inner_radius_mm=6.7
-box: core.hub_depth_mm=4.75
 box: core.wire_hole_side_diameter_mm=21.5
 box: core.wire_hole_top_diameter_mm=22.5
 closed box: core.hub_radius_mm=15.5

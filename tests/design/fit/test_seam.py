@@ -7,7 +7,7 @@ import pytest
 
 from design.fit import seam
 from design.fit.seam import seam_in_words
-from design.layout.mould.frame import hooked_depth_mm, mould_frame, play_mm, up
+from design.layout.mould.frame import hooked_depth_mm, mould_frame, up
 from design.layout.mould.pouring import pour_holes
 from design.spec.object import ObjectSpec
 
@@ -47,7 +47,7 @@ def test_a_thin_wall_beside_a_pin_is_told_with_its_place(away_mm, thin):
     """A pin of 3 mm, whose head rests on the outside, beside a seam across x, through the middle; one on it
     is cut in half, and of one that it cuts near its side wedges are left."""
     spec = cylinder([away_mm, 9.0])
-    wall = away_mm - 3.0 - play_mm(spec)
+    wall = away_mm - 3.0 - spec.printer.clearance_mm
     assert (0 < wall < spec.printer.wall_mm) is thin
     told = seam_in_words(spec)
     assert len(told) == thin

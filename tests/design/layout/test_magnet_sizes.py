@@ -156,12 +156,6 @@ REFUSED = {
     "diameter_mm needs one entry for each of the 3": {"part": None, "diameter_mm": [6.0, 5.0]},
     r"height_mm.*1.*greater than 0": {"part": None, "height_mm": [1.0, -2.0, 1.0]},
     "size_mm needs one entry for each of the 3": BLOCKS | {"size_mm": [[5, 3], [4, 6]]},
-    "'coil' takes coils of one size; got Ø6 × 1 mm, Ø5 × 1 mm": {
-        "part": None,
-        "grade": None,
-        "kind": "coil",
-        "diameter_mm": [6.0, 5.0, 6.0],
-    },
     "pocket_diameter_mm = 8.2 is narrower than the magnets of 10 mm": {
         "part": ["D10x2", "D4x1", "D4x2"]
     },

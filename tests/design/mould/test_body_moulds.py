@@ -281,7 +281,7 @@ def peanut(tmp_path_factory):
         "open_faces": [6],
         **body_of_file(path),
     }
-    return body_spec("ellipsoid", body=body, mesh={"envelope_mm": 0.2}, mould={"vent_mm": 1.5})
+    return body_spec("ellipsoid", body=body, mesh={"envelope_mm": 0.2}, printer={"hole_mm": 1.5})
 
 
 @pytest.mark.slow

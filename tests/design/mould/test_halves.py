@@ -143,15 +143,12 @@ def test_pins_that_are_alike_are_counted_once():
 
 def test_dowels_taper_by_their_draft():
     """Volume of a truncated cone of the stated draft on a stem, by formula."""
-    for draft_deg in (5.0, 9.0):
-        spec = parsed(0.0)
-        spec = spec.changed(mould=spec.mould.changed(dowel_draft_deg=draft_deg))
-        dowel = dowel_solid(spec, 3.0, 4.0, 0.0)
-        root, height = DOWEL_DIAMETER_MM / 2, DOWEL_HEIGHT_MM
-        tip = root - height * np.tan(np.deg2rad(draft_deg))
-        cone = np.pi * height / 3 * (root**2 + root * tip + tip**2)
-        stem = np.pi * root**2 * OVERSHOOT_MM
-        assert_allclose(dowel.Volume(), cone + stem, rtol=1e-6)
+    dowel = dowel_solid(parsed(0.0), 3.0, 4.0, 0.0)
+    root, height = DOWEL_DIAMETER_MM / 2, DOWEL_HEIGHT_MM
+    tip = root - height * np.tan(np.deg2rad(10.0))
+    cone = np.pi * height / 3 * (root**2 + root * tip + tip**2)
+    stem = np.pi * root**2 * OVERSHOOT_MM
+    assert_allclose(dowel.Volume(), cone + stem, rtol=1e-6)
 
 
 def test_bolts_go_through_both_flanges_at_every_second_place():

@@ -77,7 +77,7 @@ def test_mould_box_follows_the_docstrings_sum():
 
 def test_the_plug_is_the_authors():
     """Volume and corners read off their STEP file: x − 22.5, −(z + 22.5), and −21 − (y − 43.5)."""
-    plug = make_mould_plug(PAPER.changed(mould=PAPER.mould.changed(play_mm=0.05)))
+    plug = make_mould_plug(PAPER.changed(printer=PAPER.printer.changed(clearance_mm=0.05)))
     assert_allclose(plug.Volume(), 34454.65, rtol=1e-9)
     theirs = [(9.5, 9.5, -9.5), (35.5, 43.5, -35.5)]  # core
     theirs += [(7.5, y, z) for y, z in [(43.5, -1.55), (45.5, -1.55), (45.5, 0.05)]]  # seat

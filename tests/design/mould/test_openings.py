@@ -9,7 +9,7 @@ from design.body.meshes import Trap
 from design.layout.mould.frame import up
 from design.layout.mould.pouring import Hole
 from design.mould import openings
-from design.mould.openings import hole_solid, vent_diameter_mm, vent_for
+from design.mould.openings import hole_solid, vent_for
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.worked_objects import worked
 
@@ -120,7 +120,7 @@ def test_a_vent_goes_straight_up_where_nothing_is_above():
     assert_allclose(plain.top_mm, place)
     way = plain.end_mm - plain.start_mm
     assert_allclose(way / np.linalg.norm(way), upwards, atol=1e-12)
-    assert plain.diameter_mm == vent_diameter_mm(spec) == 1.0
+    assert plain.diameter_mm == spec.printer.hole_mm == 1.0
     assert_allclose(plain.start_mm, [0.0, 0.0, -9.0])
     covered = trimesh.util.concatenate([body, above])
     assert vent_for(spec, covered, (), Trap(place, upwards, 0.5)) is None

@@ -8,7 +8,7 @@ import pytest
 
 from design.layout.core_hold import core_outlet
 from design.layout.mould.closure import FLANGE_HEIGHT_MM, flange_span_mm
-from design.layout.mould.frame import mould_frame, play_mm
+from design.layout.mould.frame import mould_frame
 from design.mould.plug import make_mould_holder
 from design.mould.plug_flange import (
     CHAMFER_MM,
@@ -90,7 +90,9 @@ def test_a_holder_s_nose_narrows_by_the_mould_s_draft():
         widest = make_mould_holder(spec).intersect(tip).BoundingBox()
         low = outlet.floor_mm - OVERSHOOT_MM
         narrowing = np.tan(np.deg2rad(draft_deg)) * (outlet.nose_mm - low)
-        assert widest.ymax == pytest.approx(outlet.radius_mm - play_mm(spec) - narrowing, abs=0.02)
+        assert widest.ymax == pytest.approx(
+            outlet.radius_mm - spec.printer.clearance_mm - narrowing, abs=0.02
+        )
 
 
 def test_measures_are_those_of_the_authors_mould():

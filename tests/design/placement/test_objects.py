@@ -20,7 +20,6 @@ from design.layout.boards import (
     smallest_recess_wall_mm,
     wire_bundle_mm,
 )
-from design.layout.mould.frame import play_mm
 from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
@@ -396,7 +395,7 @@ def closed_cylinder(places):
 def test_heads_of_pins_that_stand_close_have_narrow_rims(apart_mm, narrow):
     """Half of what is left between two pockets of 6 mm and their pins' play, of 0.4 mm or more."""
     spec = closed_cylinder([[0.0, 6.0], [apart_mm, 6.0]])
-    assert ((apart_mm - 6.0 - play_mm(spec)) / 2 < 0.4) is narrow
+    assert ((apart_mm - 6.0 - spec.printer.clearance_mm) / 2 < 0.4) is narrow
     assert narrow_heads(spec) is narrow
     one_piece = spec.changed(mould={"style": "one-piece"}, body=spec.body.changed(open_faces=[6]))
     assert not narrow_heads(one_piece)

@@ -18,8 +18,6 @@ VARY = {
 }
 CASES = {
     "free": {"vary": VARY},
-    "mirrored": {"magnet_symmetry": "mirrored", "sensor_symmetry": "mirrored", "vary": VARY},
-    "four-fold": {"magnet_symmetry": "four-fold", "sensor_symmetry": "ring", "vary": VARY},
     "per face": {"vary": {"layouts": "per face", "magnet_reach_mm": 30.0, "sensor_reach_mm": 5.0}},
     "counts": {
         "vary": {
@@ -33,11 +31,8 @@ CASES = {
         "vary": {
             "magnet_part": ["D4x2", "MP 12x5x2 / N38"],
             "shell_thickness_mm": [8.0, 9.5],
-            "core_size_mm": [25.0, 27.0],
             "silicone": ["Ecoflex 00-30", "Dragon Skin 20"],
             "sensor_chip": ["inward", "outward"],
-            "sensor_turn_deg": [0.0, 30.0],
-            "sensor_range_mt": [40.0, 80.0],
         }
     },
 }
@@ -45,8 +40,7 @@ BODIES = {"per face": {"size_mm": [42.0, 50.0, 60.0], "sensed_faces": [1, 3]}}
 
 
 def spec_of(name):
-    count = 5 if name in ("four-fold", "mirrored") else 2
-    places = [[0, 0], [9, 9], [-9, 9], [-9, -9], [9, -9]][:count]
+    places = [[0, 0], [9, 9], [-9, 9], [-9, -9], [9, -9]][:2]
     magnets = {"positions_mm": places, "part": "D6x1"}
     body = BODIES.get(name, {"size_mm": [42.0] * 3})
     return ObjectSpec.model_validate(

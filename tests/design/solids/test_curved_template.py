@@ -7,7 +7,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
-from design.layout.mould.frame import play_mm
 from design.layout.template_marks import pockets_by_face
 from design.solids.curved_template import (
     curved_template_faces,
@@ -35,7 +34,7 @@ def ball():
 
 def test_a_template_of_a_ball_is_a_shell_of_its_radius(ball):
     assert curved_template_faces(ball) == {2: (2, 3)}
-    template, play = make_curved_template(ball, 2), play_mm(ball)
+    template, play = make_curved_template(ball, 2), ball.printer.clearance_mm
     middle = np.array([0.0, 0.0, -30.0])
     radius = np.linalg.norm(np.asarray(template.vertices) - middle, axis=1)
     at_hand = radius[(abs(radius - 30) < 0.5)]

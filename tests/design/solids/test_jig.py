@@ -8,7 +8,6 @@ from design.body.imported import body_of_file
 from design.body.meshes import manifold_of
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
-from design.layout.mould.frame import play_mm
 from design.solids.body import core_solid
 from design.solids.booleans import as_triangles
 from design.solids.core import make_core
@@ -98,7 +97,7 @@ def bounds(solid):
 def test_a_post_reaches_into_the_core_s_cavity_as_far_as_its_wall_lets_it(height, depth):
     """The core stands on its open face; the cavity ends a wall below its top."""
     spec = ObjectSpec(name="cube").changed(body={"size_mm": (42.0, 42.0, height)})
-    core, play, top = spec.core_size_mm, play_mm(spec), -height / 2
+    core, play, top = spec.core_size_mm, spec.printer.clearance_mm, -height / 2
     assert core == (26.0, 26.0, height - 16.0)
     post, passage = core_post(spec, top)
     across, reach = 13.0 - 4.5 - play, -core[2] / 2 + depth
@@ -140,11 +139,11 @@ def test_the_seat_of_a_bored_core_is_where_its_outlet_s_flat_ends():
 
 def test_a_recess_takes_the_lower_end_of_a_body_with_play_all_round():
     pad = body_spec("pad")
-    play, top = play_mm(pad), 5.0
+    play, top = pad.printer.clearance_mm, 5.0
     wanted = [-20 - play, 20 + play, -15 - play, 15 + play, top - RECESS_MM, top + OVERSHOOT_MM]
     assert bounds(recess_solid(pad, top)) == pytest.approx(wanted, abs=1e-6)
     dome = body_spec("dome_on_core")
-    radius = 20 + play_mm(dome)
+    radius = 20 + dome.printer.clearance_mm
     wanted = [-radius, radius] * 2 + [top - RECESS_MM, top + OVERSHOOT_MM]
     assert bounds(recess_solid(dome, top)) == pytest.approx(wanted, abs=1e-6)
 
@@ -155,7 +154,7 @@ def test_a_cup_leaves_play_round_the_lower_end_and_opens_straight_upwards(name):
     spec = worked(name)
     low, high = np.asarray(body_of(spec).outer_surface().bounds)
     top = low[2] + 6.0
-    found, play = np.asarray(cup_solid(spec, top).bounds), play_mm(spec)
+    found, play = np.asarray(cup_solid(spec, top).bounds), spec.printer.clearance_mm
     radius, depth = high[0], top + RECESS_MM - low[2]
     wide = np.sqrt(radius**2 - max(0.0, radius - depth) ** 2) + play
     assert (abs(found[:, :2]) < wide + 0.05).all()

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from design.layout.mould.frame import play_mm
 from design.layout.pockets import Body, Outline, Pocket, tilted_frame
 from design.layout.template_marks import (
     CORNER_MM,
@@ -97,7 +96,7 @@ def test_marks_make_room_for_each_other_where_magnets_stand_close():
         }
     )
     ((frame, pockets),) = pockets_by_face(spec)
-    half, radius = np.array(frame.half_extents_mm), 2.0 + play_mm(spec)
+    half, radius = np.array(frame.half_extents_mm), 2.0 + spec.printer.clearance_mm
     alone = np.array([mark_place(pockets, k, frame.half_extents_mm) for k in range(5)])
     assert thinnest_by_hand(centres, alone, half, radius) < 0.3
     places = mark_places(spec, pockets, frame.half_extents_mm)

@@ -12,7 +12,10 @@ CUBE = ObjectSpec(name="cube")
 def test_a_change_is_validated_like_a_new_specification():
     with pytest.raises(SpecError, match=r"thickness_mm: Input should be .* equal to 0\.3; got -1"):
         CUBE.shell.changed(thickness_mm=-1.0)
-    rubber, element = CUBE.silicone.changed(poisson_ratio=0.5), CUBE.mechanics.changed(element="p1")
+    rubber, element = (
+        CUBE.silicone.changed(poisson_ratio=0.5),
+        CUBE.mechanics.changed(element="p2-p0"),
+    )
     with pytest.raises(SpecError, match=r"takes silicone.poisson_ratio up to 0\.4999; got 0\.5"):
         CUBE.changed(silicone=rubber, mechanics=element)
     with pytest.raises(SpecError, match="no_such_field is not a key"):
@@ -63,4 +66,4 @@ def test_tables_of_parts_that_are_left_out_are_each_specification_s_own():
     ball.search.limits.times_start["worst_position_bound_mm"] = 0.5
     assert CUBE.search.limits.times_start == {}
     assert ObjectSpec(name="egg").search.limits.times_start == {}
-    assert CUBE.search != CUBE.search.changed(compliance_mm_per_n={"edge": 0.2})
+    assert CUBE.search != CUBE.search.changed(forces_n=(1.0,))

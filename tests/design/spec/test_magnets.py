@@ -1,8 +1,6 @@
 """Magnets as they are written: parts, grades, shapes and lists that agree, on both sides of each border."""
 
-import numpy as np
 import pytest
-from numpy.testing import assert_allclose
 
 from design.errors import SpecError
 from design.spec.magnets import MagnetSpec
@@ -16,15 +14,13 @@ def refused(message, **keys):
         MagnetSpec(**keys)
 
 
-def test_a_hole_belongs_to_rings_and_coils_and_is_smaller_than_they_are():
-    for hollow in ({"shape": "ring"}, {"kind": "coil"}):
+def test_a_hole_belongs_to_rings_and_is_smaller_than_they_are():
+    for hollow in ({"shape": "ring"},):
         assert MagnetSpec(inner_diameter_mm=5.99, **hollow).inner_diameter_mm == 5.99
         refused("must be below magnets.diameter_mm = 6; got 6", inner_diameter_mm=6.0, **hollow)
-    assert MagnetSpec(kind="coil").inner_diameter_mm == 0
     refused("needs magnets.inner_diameter_mm above 0", shape="ring")
     for solid in ({}, {"shape": "block"}):
-        refused("belongs to a ring or a coil", inner_diameter_mm=2.0, **solid)
-    refused("is wound round", kind="coil", shape="block")
+        refused("belongs to a ring", inner_diameter_mm=2.0, **solid)
 
 
 def test_a_part_and_a_grade_fill_in_what_is_not_given():
@@ -68,12 +64,6 @@ def test_places_are_of_all_faces_or_of_each():
     assert MagnetSpec(positions_mm=TWO, depth_mm=(2.5, 3.0)).depths_mm == (2.5, 3.0)
 
 
-def test_a_winding_is_worth_mu0_n_i_over_its_length():
-    """4π · 10⁻⁷ T m/A · 50 · 0.2 A / 2 mm."""
-    coil = MagnetSpec(kind="coil", turns=50, current_a=0.2, height_mm=2.0)
-    assert_allclose(coil.winding_polarization_t, 4e-7 * np.pi * 50 * 0.2 / 2e-3, rtol=1e-6)
-
-
 def test_remanence_falls_with_the_temperature():
     cold, warm = (MagnetSpec(temperature_c=t).working_remanence_t for t in (20.0, 70.0))
     assert cold == 1.43
@@ -85,11 +75,6 @@ def test_a_grade_holds_up_to_80_degrees_and_within_its_remanence():
     refused("lies outside grade N52", grade="N52", remanence_t=1.49)
     refused("exceeds the 80 °C", grade="N52", temperature_c=80.1)
     assert MagnetSpec(temperature_c=81.0).grade is None
-
-
-def test_only_coils_are_switched_face_by_face():
-    assert MagnetSpec(kind="coil", switching="face-by-face").switching == "face-by-face"
-    refused("needs magnets.kind = 'coil'", switching="face-by-face")
 
 
 @pytest.mark.parametrize(

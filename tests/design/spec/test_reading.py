@@ -14,6 +14,7 @@ from pydantic import ValidationError
 from design.errors import InputError, SpecError
 from design.spec.learning import TrainingSpec
 from design.spec.object import LARGEST_SEED, ObjectSpec
+from design.spec.renamed import REMOVED
 from design.spec_io import load_spec, parse_spec, spec_hash, with_overrides
 
 FILES = {
@@ -292,3 +293,13 @@ def test_a_mesh_that_the_body_has_no_room_for_is_refused(change, words):
         parse_spec(with_overrides({"name": "x"}, [change]), "x")
     fits = {"mesh.edge_mm": 42, "mesh.surface_edge_mm": 21, "mesh.envelope_mm": 1}[key]
     parse_spec(with_overrides({"name": "x"}, [f"{key}={fits}"]), "x")
+
+
+@pytest.mark.parametrize("removed", sorted(REMOVED))
+def test_what_was_removed_says_what_holds_in_its_place(removed, tmp_path):
+    path, (key, _, value) = tmp_path / "x.toml", removed.partition(" = ")
+    path.write_text('name = "x"')
+    with pytest.raises(InputError) as told:
+        load_spec(path, [f"{key}={value or 1}"])
+    assert f"was removed: {REMOVED[removed]}" in str(told.value)
+    assert key in str(told.value)

@@ -25,7 +25,7 @@ def test_a_name_gives_all_figures(name):
         preset.poisson_ratio,
         preset.density_g_per_cm3,
     )
-    assert (found.cure, found.pot_life_min) == (preset.casting.cure, preset.casting.pot_life_min)
+    assert (found.cure, found.casting) == (preset.casting.cure, preset.casting)
 
 
 @pytest.mark.parametrize(
@@ -62,7 +62,7 @@ def test_hardness_goes_before_the_name_and_an_unknown_name_needs_a_modulus():
         assert found.modulus_source == estimate.source
     with pytest.raises(ValueError, match="is not in the catalogue"):
         silicone(**OWN)
-    assert silicone(**OWN, youngs_modulus_mpa=0.4).pot_life_min is None
+    assert silicone(**OWN, youngs_modulus_mpa=0.4).casting is None
     with pytest.raises(ValueError, match="is read where a specification is loaded"):
         silicone(**OWN, tensile_data="a.csv")
 

@@ -27,10 +27,8 @@ FACE = 4
 SMALL = TrainingSpec(
     hidden_units=(24,),
     epochs=2,
-    batch_size=128,
     ensemble=2,
     history_frames=2,
-    heatmap_axes=3,
     trees=4,
     process=True,
 )
@@ -49,7 +47,7 @@ def model(frames):
     torch.set_num_threads(1)
     split = split_presses(frames, 1)
     parts = frames.select(split.train), frames.select(split.validation)
-    fitted = fit_estimator(*parts, FitSettings(FACE, SMALL))
+    fitted = fit_estimator(*parts, FitSettings(FACE, SMALL, axes=3))
     torch.set_num_threads(threads)
     assert fitted.network.forest is not None
     assert fitted.network.process is not None

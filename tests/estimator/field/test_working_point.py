@@ -107,12 +107,9 @@ def test_a_permeability_of_one_leaves_the_remanence():
     assert magnet_source(magnets).polarization_t == magnets.working_remanence_t
 
 
-def test_every_grade_and_part_demagnetises_itself_but_coils_do_not():
+def test_every_grade_and_part_demagnetises_itself():
     by_part = magnet_source(MagnetSpec.model_validate({"part": "MP 12x5x2 / N38"}))
     assert_allclose(by_part.polarization_t, 1.24 / (1 + 0.05 * 0.62809), rtol=1e-5)
-    coil = MagnetSpec.model_validate({"kind": "coil"})
-    assert magnet_source(coil).polarization_t == coil.winding_polarization_t
-    assert magnet_source(coil).wound
 
 
 def test_a_permeability_below_one_is_refused():

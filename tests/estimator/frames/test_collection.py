@@ -1,4 +1,4 @@
-"""Simulated recordings: what the paper's collection holds, joint contact, labels, hysteresis."""
+"""Simulated recordings: what the paper's collection holds, joint contact, labels, relaxation."""
 
 import numpy as np
 import pytest
@@ -213,27 +213,6 @@ def test_several_contacts_anywhere(signals, mechanics):
     for press in range(6):
         one = pressed.select(pressed.press_id == press)
         assert len(np.unique(one.contact_xy_mm, axis=0)) == 1
-
-
-@pytest.mark.parametrize("width", [0.0, 0.2])
-def test_the_loop_is_as_wide_as_asked_at_half_force(signals, mechanics, width):
-    spec = spec_of(
-        sensors=QUIET, protocol={"force_noise_n": 0.0, "frames_per_press": 80}, hysteresis=width
-    )
-    frames = simulate_collection(spec, signals, "hash", mechanics)
-    one = frames.select(frames.place_id == 5007)
-    signal = np.linalg.norm(one.signal_counts[:, 4].reshape(len(one), -1), axis=1)
-    force = one.true_force_n[:, 0, 2]
-    rising = np.gradient(signal) > 0
-    peak = force.max()
-    branches = []
-    for branch in (rising, ~rising):
-        kept = branch & (signal > 0.2 * signal.max())
-        order = np.argsort(signal[kept])
-        branches.append(np.interp(0.55 * signal.max(), signal[kept][order], force[kept][order]))
-    middle = np.mean(branches) / peak
-    expected = 4 * width * middle * (1 - middle) * peak
-    assert branches[0] - branches[1] == pytest.approx(expected, abs=0.02 * peak)
 
 
 def test_relaxation_lowers_the_felt_force_but_not_the_signals(signals, mechanics):

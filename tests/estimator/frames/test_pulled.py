@@ -35,20 +35,17 @@ def test_force_and_travel_are_each_other_s_inverse_up_to_the_deepest_press():
 
 
 def spec(**collected):
-    return ObjectSpec.model_validate({"name": "c", "collection": {"hysteresis": 0.05, **collected}})
+    return ObjectSpec.model_validate({"name": "c", "collection": collected})
 
 
-def test_a_press_goes_there_on_the_stiffer_side_of_its_loop_and_signals_keep_the_elastic_force():
-    """At half of the peak's force the loop is as wide as the hysteresis says, both ways alike."""
+def test_a_press_is_felt_with_the_elastic_force_that_its_signals_keep():
     made = traces()
     turns = np.array([[0.0, 0.25, 0.5, 0.75, 1.25]] * 2)
     peak = np.array([2.0, 3.0])
     recipe = SimpleNamespace(traces=made, turns=turns, peak_mm=peak, pull=None)
     felt, counts = collection.pressed_tips.__wrapped__(spec(), recipe, slice(0, 2))
     elastic = 2 * (peak[:, None] * [0, 0.5, 1, 0.5, 0.5]) ** 1.5
-    share = elastic / elastic[:, 2:3]
-    way = np.array([1, 1, -1, -1, 1])
-    wanted = elastic * (1 + 2 * 0.05 * way * (1 - share))
+    wanted = elastic
     assert_allclose(felt.sum(axis=2), wanted, rtol=1e-6)
     assert_allclose(felt[..., 0], 0.25 * wanted, rtol=1e-6)
     assert_allclose(counts, elastic[..., None] * [10.0, -5.0, 3.0], rtol=1e-6)

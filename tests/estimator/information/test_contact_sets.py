@@ -8,7 +8,7 @@ from numpy.testing import assert_array_equal
 
 from design.errors import InputError
 from design.spec.object import ContactGridSpec, IndenterSpec, ObjectSpec
-from estimator.information.contact_sets import contact_sets, spread_pairs, spread_places
+from estimator.information.contact_sets import contact_sets, spread_places
 
 
 def of_grid(count, radius_mm, pitch_mm=3.0):
@@ -32,13 +32,12 @@ def test_tips_side_by_side_do_not_touch():
     """15 places 3 mm apart: radii of 1.5 mm fit everywhere, a little more beside no neighbour."""
     fits, touches = of_grid((5, 3), 1.5), of_grid((5, 3), 1.51)
     neighbours = 4 * 3 + 5 * 2
-    assert len(spread_pairs(fits)) == comb(15, 2)
-    pairs = spread_pairs(touches)
+    places = np.arange(15)
+    assert len(contact_sets(fits, places, 2)) == comb(15, 2)
+    pairs = contact_sets(touches, places, 2)
     assert len(pairs) == comb(15, 2) - neighbours
     assert (pairs[:, 0] < pairs[:, 1]).all()
-    places = np.arange(15)
     assert len(contact_sets(fits, places, 3)) == comb(15, 3)
-    assert_array_equal(contact_sets(touches, places, 2), pairs)
     for one in contact_sets(touches, places, 3):
         xy = np.column_stack([one // 3, one % 3])
         away = np.abs(xy[:, None] - xy).sum(axis=-1)
@@ -48,4 +47,3 @@ def test_tips_side_by_side_do_not_touch():
 def test_more_tips_than_fit_are_refused():
     with pytest.raises(InputError, match=r"4 tips of radius 4.6 mm do not fit"):
         contact_sets(of_grid((3, 3), 4.6), np.arange(9), 4)
-    assert spread_pairs(of_grid((3, 3), 4.6)).shape == (0, 2)

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.layout.places.contact_grid import PlaceGrid
-from estimator.information import cross_face, fisher, hull, identifiability, scores, weak_areas
+from estimator.information import cross_face, fisher, identifiability, scores, weak_areas
 from estimator.information.fisher import cramer_rao_bounds
 from estimator.information.slip_cost import false_reading
 
@@ -62,22 +62,6 @@ def test_the_nearest_force_is_that_of_the_foot_on_the_nearest_curve():
     points = np.array([[3.0, -1.0], [6.0, 0.5], [-1.0, -1.0], [99.0, 0.0], [0.1, 1.0], [1.0, 2.5]])
     found = cross_face.nearest_force(points, curve, force)
     assert_allclose(found, [0.75, 3.0, 0.0, 5.0, 1.0, 4.0])
-
-
-def test_a_corner_is_replaced_so_that_the_cone_still_holds_its_direction():
-    """Cones of e1 and e2 about (2, 1): what enters takes the place of the corner that it outruns."""
-    corners = np.tile(np.eye(2), (3, 1, 1))
-    directions = np.tile([2.0, 1.0], (3, 1))
-    entering = np.array([[1.0, 1.0], [3.0, 1.0], [1.0, -1.0]])
-    assert hull.leaving_corner(corners, directions, entering).tolist() == [1, 0, 0]
-
-
-def test_frames_are_taken_about_their_mean_and_scaled_by_their_length():
-    samples = np.array([[0.0, 2], [4, 2], [2, 8], [2, -4]])
-    about, sizes = hull.about_the_mean(samples)
-    assert_allclose(about, samples - [2, 2])
-    assert_allclose(sizes, [np.sqrt(8), np.sqrt(72)])
-    assert hull.exact_hull_volume(samples).volume == pytest.approx(24.0)
 
 
 def test_columns_of_information_are_contact_by_contact():

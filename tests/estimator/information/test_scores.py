@@ -73,32 +73,6 @@ def test_drift_and_fewer_channels_make_bounds_worse(signals, scores):
     assert_allclose(every.delta_raw, scores.delta_raw)
 
 
-def test_hull_forms_are_chosen_by_the_specification_and_agree(signals, scores):
-    for form, frames in (("exact", 24), ("monte-carlo", 1000)):
-        spec = coarse_spec(score={"force_n": 14.0, "hull": form, "hull_frames": frames})
-        told: list[str] = []
-        some = replace(
-            signals,
-            faces=signals.faces[:1],
-            force_n=signals.force_n[:1],
-            delta_counts=signals.delta_counts[:1],
-        )
-        found = score_places(spec, some, told.append)
-        equivalent = score_places(spec_of_frames(frames), some)
-        assert_allclose(np.median(found.delta_raw / equivalent.delta_raw), 1, atol=0.3)
-        shown = (found.delta_raw_standard_error > 0).all()
-        assert shown == (form == "monte-carlo")
-        assert_allclose(np.ptp(np.log(found.delta_scaled / found.delta_raw)), 0, atol=1e-9)
-        assert told == [f"face 1: 20 places, hull form {form}"]
-        np.testing.assert_array_equal(score_places(spec, some).delta_raw, found.delta_raw)
-    with pytest.raises(ValueError, match=r"at most 100 frames; got score.hull_frames = 1000"):
-        coarse_spec(score={"hull": "exact"})
-
-
-def spec_of_frames(frames):
-    return coarse_spec(score={"force_n": 14.0, "hull_frames": frames})
-
-
 def test_channels_that_are_not_finite_are_named(signals):
     delta = signals.delta_counts.copy()
     delta[2, 5:8, 1, 4, 1] = np.nan
@@ -212,7 +186,7 @@ def test_scaled_sensitivity_counts_three_sigma_on_either_side_of_a_channels_rang
     noise = channel_noise(SPEC.sensors, 45)[18:27]
     highest = press.max(axis=(0, 1)) + 3 * noise
     lowest = press.min(axis=(0, 1)) - 3 * noise
-    raw = covariance_sensitivity(press, force, noise, SPEC.score.hull_frames)
+    raw = covariance_sensitivity(press, force, noise)
     expected = raw.scaled(highest - lowest).delta
     assert_allclose(scores.delta_scaled[face - 1], expected, rtol=1e-3)
 

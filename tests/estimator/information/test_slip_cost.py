@@ -9,16 +9,19 @@ from numpy.testing import assert_allclose
 from design.layout.places.positions import magnet_layout
 from estimator.information.fisher import disturbance_counts
 from estimator.information.slip_cost import false_reading, slip_cost
+from estimator.signals.field_setup import scene
 from estimator.signals.interpolation import signal_gradient
 from estimator.signals.presses import press_signals, rest_counts
+from estimator.tolerances.assembly import undisturbed
+from estimator.tolerances.virtual_object import twin_signals
 from fem.linear.core_slip import shell_motion, superposed
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SLIP = {"shift_mm": (0.7, -0.5, 0.3), "rotation_deg": (2.0, -1.5, 3.0)}
 
 
-def slipped_spec(model):
-    return coarse_spec(mechanics={"slip": SLIP | {"model": model}})
+def slipped_spec():
+    return coarse_spec(mechanics={"slip": SLIP})
 
 
 def rigid_rest(spec):
@@ -37,12 +40,13 @@ def calibrated():
 
 @pytest.fixture(scope="module")
 def sensors_only():
-    spec = slipped_spec("sensors-only")
-    return press_signals(spec, *synthetic_presses(spec))
+    spec = slipped_spec()
+    moved = undisturbed(scene(spec, core_slipped=True))
+    return twin_signals(spec, moved, *synthetic_presses(spec))
 
 
 def signals_of_the_moved_shell(motion_of_press):
-    spec = slipped_spec("fem")
+    spec = slipped_spec()
     forces, motions = synthetic_presses(spec)
     rest = rigid_rest(spec)
     moved = replace(motions, motion=motion_of_press(rest, motions.motion), rest=rest)
@@ -63,7 +67,7 @@ def test_moving_the_sensors_is_moving_the_shell_back(sensors_only, calibrated):
 
 
 def test_the_check_at_rest_sees_the_slip(sensors_only):
-    exact = rest_counts(slipped_spec("fem"))
+    exact = rest_counts(slipped_spec())
     assert_allclose(sensors_only.baseline_counts, exact, rtol=0, atol=2e-3 * abs(exact).max())
 
 

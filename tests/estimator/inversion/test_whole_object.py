@@ -35,11 +35,11 @@ def model(**changes):
 
 
 def test_any_number_of_contacts_is_as_likely_and_tips_stand_a_diameter_apart():
-    found = contact_priors(model(contacts=3, least_force_n=0.25, probes="free"))
+    found = contact_priors(model(contacts=3, probes="free"))
     assert_allclose(found.number, [0.25] * 4)
     assert (found.faces, found.most) == (3, 3)
     assert_allclose(found.area_mm2, 3 * 22 * 20)
-    assert found.force_n == (0.25, 8.0)
+    assert found.force_n == (0.2, 8.0)
     assert_allclose(found.apart_mm, 2 * CUBE.indenter.radius_mm)
     assert found.force_spread is None
     assert found.spacing_mm == ()
@@ -47,7 +47,7 @@ def test_any_number_of_contacts_is_as_likely_and_tips_stand_a_diameter_apart():
     assert_allclose(known.number, [1 / 3] * 3)
     assert known.force_spread == 0.3
     assert known.spacing_mm == probe_spacing_mm(CUBE.indenter.radius_mm)
-    paired = contact_priors(model(contacts=3, least_force_n=0.25, jaws=True))
+    paired = contact_priors(model(contacts=3, jaws=True))
     assert paired == replace(found, paired=True)
     assert not found.paired
     assert not known.paired

@@ -6,71 +6,15 @@ import numpy as np
 import pytest
 import torch
 from numpy.testing import assert_allclose
-from scipy.spatial.transform import Rotation
 
 from design.spec.object import ObjectSpec
-from design.spec.search import TaskSpec
-from estimator.layouts import batch_scores, cross_face, robustness
+from estimator.layouts import batch_scores, cross_face
 from estimator.layouts.batch_scores import PlaceBounds, worst_ratio
 from estimator.layouts.limits import curved
 
 
 def tensor(values):
     return torch.as_tensor(np.asarray(values, float))
-
-
-def test_another_object_is_read_by_weighted_least_squares():
-    rng = np.random.default_rng(0)
-    jacobian = rng.normal(size=(9, 2, 3, 4)) * np.array([1.0, 50.0, 0.02])[:, None]
-    change = rng.normal(size=(9, 2, 4))
-    found = robustness.read_places(tensor(jacobian), tensor(change)).numpy()
-    for layout in range(2):
-        for place in range(4):
-            wanted, *_ = np.linalg.lstsq(
-                jacobian[:, layout, :, place], change[:, layout, place], rcond=None
-            )
-            assert_allclose(found[layout, place], wanted, rtol=1e-4)
-
-
-def test_a_chip_that_turns_sees_the_field_turn_the_other_way():
-    turn = np.array([[1e-4, -2e-4, 3e-4], [0, 0, 5e-4]])
-    found = np.eye(3) + robustness.cross_products(tensor(turn)).numpy()
-    assert_allclose(found, Rotation.from_rotvec(-turn).as_matrix(), atol=2e-7)
-
-
-def test_signals_of_another_object_are_of_its_modulus_and_its_chips(monkeypatch):
-    """Chips mix counts, signals are in units of each axis's sigma; a softer object is pressed deeper, and a
-    uniform field comes with the press."""
-    rng = np.random.default_rng(1)
-    changes, sigma = rng.normal(size=(6, 2, 4, 5)), np.array([10.0, 20.0, 5.0])
-    chips, force, ratio = rng.normal(size=(2, 3, 3)), 3.0, 0.8
-    monkeypatch.setattr(
-        robustness, "press_changes",
-        lambda scorer, layouts, shift: SimpleNamespace(by_parameter=tensor(changes)),
-    )  # fmt: skip
-    axes, uniform_t = rng.normal(size=(2, 2, 3, 3)), rng.normal(size=3)
-    monkeypatch.setattr(robustness, "chips", lambda *_: (None, tensor(axes)))
-    scorer = SimpleNamespace(
-        presses=SimpleNamespace(force_n=force),
-        sigma_counts=tensor(sigma),
-        sensor_depth_mm=0.0,
-        chip=None,
-        counts_per_t=7.0,
-    )
-    other = SimpleNamespace(
-        layouts=None,
-        sensor_shift_mm=None,
-        chips=tensor(chips),
-        modulus_ratio=ratio,
-        uniform_t=tensor(uniform_t),
-    )
-    found = robustness.signals_of_object.__wrapped__(scorer, other).numpy()
-    signal = changes[:, :, 3] + changes[:, :, 2] * (force / ratio - force)
-    for sensor in range(2):
-        counts = signal[3 * sensor : 3 * sensor + 3] * sigma[:, None, None]
-        counts = counts + (7.0 * axes[:, sensor] @ uniform_t).T[..., None]
-        wanted = np.einsum("ab,blp->alp", chips[sensor], counts) / sigma[:, None, None]
-        assert_allclose(found[3 * sensor : 3 * sensor + 3], wanted)
 
 
 def test_a_false_force_is_that_of_the_own_press_that_is_nearest_up_to_twice_the_force(monkeypatch):
@@ -135,7 +79,6 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
         force = scorers[0].presses.force_n
         asked[force] = set(named)
         scores = {"median_position_bound_mm": tensor([1 / force, 2 / force])}
-        scores["task_loss"] = tensor([1 / force, 0.0])
         for name in named:
             scores[name] = tensor([force, force + 1])
         return scores
@@ -146,19 +89,16 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
         for n in (3.0, 1.0, 12.0, 4.0)
     ]
     monkeypatch.setattr(batch_scores, "places_information", lambda scorers, layouts: counts)
-    spec = SimpleNamespace(search=SimpleNamespace(task=TaskSpec(from_n=2.0)))
     presses = [SimpleNamespace(force_n=n) for n in (4.0, 1.0, 12.0, 4.0)]
-    scorers = [SimpleNamespace(spec=spec, presses=one) for one in presses]
-    names = {"median_false_force_n", "slip_place_mm"}
+    scorers = [SimpleNamespace(presses=one) for one in presses]
+    names = {"median_false_force_n"}
     found = batch_scores.batch_scores.__wrapped__(scorers, [None] * 4, names)
-    assert asked == {1.0: {"slip_place_mm"}, 4.0: {"slip_place_mm"}, 12.0: names}
+    assert asked == {1.0: set(), 4.0: set(), 12.0: names}
     mean = 48 ** (1 / 3)
     assert_allclose(found["median_position_bound_mm"], [1 / mean, 2 / mean])
-    assert_allclose(found["slip_place_mm"], [mean, (2 * 5 * 13) ** (1 / 3)])
     assert_allclose(found["median_false_force_n"], [12, 13])
     assert_allclose(found["largest_counts"], [12, 24])
     assert_allclose(found["kept_counts"], [8, 12])
-    assert_allclose(found["task_loss"], [1 / 6, 1e-6])
     assert batch_scores.OVER_START not in found
 
 

@@ -10,7 +10,6 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
-from design.layout.mould.frame import play_mm
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.layout.pockets import core_pockets, sensor_boards
 from design.layout.template_marks import CORNER_MM
@@ -174,7 +173,7 @@ def thinnest_of_template_mm(spec):
     found = []
     for core, pockets in zip(core_frames(spec), core_pockets(spec), strict=True):
         at = np.array([pocket.body.centre_mm[:2] for pocket in pockets])
-        radius = pockets[0].outline.radius_mm + play_mm(spec)
+        radius = pockets[0].outline.radius_mm + spec.printer.clearance_mm
         found += [np.hypot(*(a - b)) - 2 * radius for a, b in combinations(at, 2)]
         x, y = core.half_extents_mm
         found += [(x + y - CORNER_MM - place.sum()) / np.sqrt(2) - radius for place in at]

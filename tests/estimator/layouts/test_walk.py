@@ -44,9 +44,9 @@ class Start:
         held = PlaceBounds(tuple(before), 0.02)
         self.poles = torch.tensor([polarities(tensors.structured, params)])
         self.unit = torch.as_tensor(unit_of(space, params), dtype=torch.float32)
-        self.lowest = LowestFidelity(tensors, scorers, {}, {}, 0.0, held)
+        self.lowest = LowestFidelity(tensors, scorers, {}, held)
         median = float(self.judged(self.unit[None]).scores[MEDIAN])
-        self.lowest = LowestFidelity(tensors, scorers, {}, {MEDIAN: median}, 0.0, held)
+        self.lowest = LowestFidelity(tensors, scorers, {MEDIAN: median}, held)
 
     def judged(self, units):
         return judge(self.lowest, units, self.poles.expand(len(units), -1), OBJECTIVES)

@@ -18,7 +18,7 @@ from tests.support.recordings.synthetic_frames import synthetic_frames
 
 pytestmark = pytest.mark.usefixtures("statistics_in_full")
 FACE = 4
-TRAINING = TrainingSpec(hidden_units=(48,), epochs=20, batch_size=64, ensemble=2, trees=10)
+TRAINING = TrainingSpec(hidden_units=(48,), epochs=20, ensemble=2, trees=10)
 PLACES = (0, 2, 4, 5, 7, 9)
 """On one half of the face; the other half is new."""
 

@@ -34,8 +34,6 @@ def test_few_recorded_presses_get_history_an_ensemble_trees_and_a_process():
     [
         (TrainingSpec(), 16, "recorded"),
         (TrainingSpec(), 5, "simulated"),
-        (TrainingSpec(model="paper"), 5, "recorded"),
-        (TrainingSpec(model="linear"), 5, "recorded"),
     ],
 )
 def test_everything_else_gets_one_network_of_single_frames(training, presses, source):

@@ -18,7 +18,7 @@ from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
 FACE = 4
-QUICK = TrainingSpec(hidden_units=(64, 64), epochs=25, batch_size=128)
+QUICK = TrainingSpec(hidden_units=(64, 64), epochs=25)
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +64,7 @@ def test_one_network_covers_too_and_its_intervals_tell_sure_from_unsure(compact)
 def test_position_output_reaches_places_never_trained_on(frames):
     split = split_places(frames, 1)
     heatmap, test = fitted(frames, QUICK, split=split)
-    position, _ = fitted(frames, QUICK.model_copy(update={"output": "position"}), split=split)
+    position, _ = fitted(frames, QUICK, split=split, continuous=True)
     seen = [evaluate_face(model, test, frames).location_error_px for model in (position, heatmap)]
     assert seen[0] < seen[1]
     data = face_data(test, FACE)
@@ -105,7 +105,7 @@ def test_three_axes(frames):
     signal = frames.signal_counts.copy()
     signal[:, :, 0, 1] += 200 * np.nan_to_num(force[:, :1, 0])
     sheared = replace(frames, force_n=force, signal_counts=signal)
-    model, test = fitted(sheared, QUICK.model_copy(update={"heatmap_axes": 3}))
+    model, test = fitted(sheared, QUICK, axes=3)
     data = face_data(test, FACE)
     contact = data.select(data.contact)
     found = predict(model, contact.frames).heatmap_n
@@ -113,22 +113,6 @@ def test_three_axes(frames):
     true_x, found_x = (maps.sum(axis=(2, 3))[:, 0] for maps in (contact.force_maps_n, found))
     assert np.corrcoef(true_x, found_x)[0, 1] > 0.95
     assert np.abs(found[:, 1]).max() < 1.5
-
-
-@pytest.mark.parametrize("name", ["paper", "linear"])
-def test_baselines_by_name(name):
-    frames = synthetic_frames(faces=(FACE,), presses=3, loaded=8)
-    model, test = fitted(frames, TrainingSpec(model=name, epochs=1))
-    kind = model.architecture
-    assert kind.hidden_units == ((600, 2000, 2000, 2000) if name == "paper" else ())
-    assert np.isfinite(evaluate_face(model, test, frames).force_error_percent)
-    counts = model.network.members[0]
-    if name == "paper":
-        own = face_data(frames.select(split_presses(frames, 3).train), FACE)
-        low = own.frames.signal_counts[:, FACE - 1].reshape(-1, 9).min(axis=0)
-        assert (counts.offset_counts.numpy() >= low - 1e-3).all()
-        weights = sum(p.numel() for p in counts.parameters())
-        assert_allclose(weights, 9.25e6, rtol=0.01)
 
 
 def test_history_is_the_change_within_the_press(frames):
@@ -209,8 +193,9 @@ def test_an_interrupted_training_ends_as_if_it_had_not_been(frames, tmp_path, mo
 
 def test_a_budget_ends_training(frames):
     epochs = []
-    training = QUICK.model_copy(update={"epochs": 10_000, "patience_epochs": 10_000})
-    fitted(frames, training, progress=lambda *call: epochs.append(call[0]), budget_s=0.5)
+    training = QUICK.model_copy(update={"epochs": 10_000})
+    told = lambda *call: epochs.append(call[0])  # noqa: E731
+    fitted(frames, training, progress=told, budget_s=0.5, patience_epochs=10_000)
     assert 1 <= len(epochs) < 500
 
 

@@ -5,7 +5,7 @@ import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
 
-from design.errors import InputError, SpecError
+from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.face_data import channel_counts, face_data, live_channels
@@ -16,7 +16,7 @@ from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
 FACE = 4
-WITH_TREES = TrainingSpec(hidden_units=(32,), epochs=4, batch_size=64, ensemble=2, trees=10)
+WITH_TREES = TrainingSpec(hidden_units=(32,), epochs=4, ensemble=2, trees=10)
 
 
 @pytest.fixture(scope="module")
@@ -74,5 +74,3 @@ def test_trees_are_refused_where_they_cannot_be(frames):
     model, _ = fitted(frames, WITH_TREES.model_copy(update={"trees": 0}))
     with pytest.raises(InputError, match=r"training\.trees = 10 does not go with a start"):
         fitted(frames, WITH_TREES, start=model)
-    with pytest.raises(SpecError, match=r"training\.trees works with training\.model"):
-        TrainingSpec(model="paper", trees=3)

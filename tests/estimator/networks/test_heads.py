@@ -1,7 +1,5 @@
 """What the heads of a network say, its loss, and what an estimator makes of its members, by hand."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 import torch
@@ -10,9 +8,9 @@ from torch import nn
 
 from estimator.networks.intervals import coverage as coverage_module
 from estimator.networks.intervals.coverage import WHOLLY_NEW_FROM, Coverage, newness
-from estimator.networks.network import ContactEstimator, HeadsNetwork, HeatmapNetwork, Reading
+from estimator.networks.network import ContactEstimator, HeadsNetwork, Reading
 from estimator.networks.training.data import Batch
-from estimator.networks.training.losses import heads_loss, heatmap_loss
+from estimator.networks.training.losses import heads_loss
 
 GRID_X_MM, GRID_Y_MM = np.array([-0.5, 0.5]), np.array([-3.0, 0.0, 3.0])
 
@@ -87,57 +85,6 @@ def test_the_loss_of_heads_is_the_sum_of_its_parts():
     assert heads_loss(network, counts, target).item() == pytest.approx(placed, rel=1e-5)
     spot = heads_network([*LOGITS, 0.3, -0.7, 0.5, -1.0, 1.2, -0.4], continuous=True)
     assert heads_loss(spot, counts, target).item() == pytest.approx(wanted, rel=1e-5)
-
-
-def test_the_paper_s_loss_sums_squares_over_pixels_and_averages_frames():
-    network = HeatmapNetwork.__new__(HeatmapNetwork)
-    nn.Module.__init__(network)
-    network.pixels_of = lambda counts: torch.tensor([[1.0, 2.0], [0.0, 0.0]])
-    target = SimpleNamespace(maps=torch.tensor([[0.0, 0.0], [3.0, 0.0]]))
-    assert heatmap_loss.__wrapped__(network, None, target).item() == pytest.approx((5 + 9) / 2)
-
-
-def paper_network(biases, smallest_n, offset=(10.0, 0.0), span=(5.0, 1.0)):
-    """Without hidden layers; the first channel presses the fourth pixel alone."""
-    network = HeatmapNetwork(
-        np.array(offset), np.array(span), np.array(GRID_X_MM), np.array(GRID_Y_MM), (), 2.0,
-        smallest_n, axes=2,
-    )  # fmt: skip
-    with torch.no_grad():
-        network.heads.weight.zero_()
-        network.heads.weight[6 + 3, 0] = 1.0
-        network.heads.bias.copy_(torch.tensor([*np.arange(6) / 10, *biases]))
-    return network
-
-
-def test_a_heatmap_reads_the_centre_of_what_exceeds_half_its_largest_pixel():
-    """Normal forces 0, 2, 4, 8, 6, −2 N, and 4 N more on the fourth pixel for 10 counts more."""
-    network = paper_network([0.0, 1.0, 2.0, 4.0, 3.0, -1.0], 5.0)
-    pixels = np.array([(x, y) for x in GRID_X_MM for y in GRID_Y_MM])
-    reading = network(torch.tensor([[10.0, 3.0], [20.0, 0.0]]))
-    assert_allclose(reading.heatmap_n[0, 0].detach().ravel(), 2 * np.arange(6) / 10, rtol=1e-6)
-    assert_allclose(reading.heatmap_n[0, 1].detach().ravel(), [0, 2, 4, 8, 6, -2], rtol=1e-6)
-    assert_allclose(reading.force_n.detach(), [18.0, 22.0], rtol=1e-6)
-    centres = [(4 * pixels[3] + 2 * pixels[4]) / 6, pixels[3]]
-    assert_allclose(reading.xy_mm.detach(), centres, rtol=1e-5, atol=1e-6)
-    widths = torch.stack([reading.force_halfwidth_n, reading.position_radius_mm])
-    assert_allclose(widths.detach(), np.ones((2, 2)))
-    assert_allclose(reading.novelty.detach(), 0.0)
-
-
-@pytest.mark.parametrize(
-    ("largest", "smallest_n", "contact"),
-    [(4.0, 5.0, 1.0), (4.0, 16.0, 0.5), (4.0, 8.0, 1.0), (0.0, 5.0, 0.0), (-1.0, 5.0, 0.0)],
-)
-def test_a_heatmap_s_contact_is_its_largest_pixel_over_the_smallest_of_a_contact(
-    largest, smallest_n, contact
-):
-    network = paper_network([-2.0, -2.0, largest, -2.0, -2.0, -2.0], smallest_n)
-    reading = network(torch.tensor([[10.0, 0.0]]))
-    assert reading.contact.item() == pytest.approx(contact)
-    if largest < 0:  # nothing presses: the middle of the grid
-        middle = [np.mean(GRID_X_MM), np.mean(GRID_Y_MM)]
-        assert_allclose(reading.xy_mm.detach()[0], middle, atol=1e-6)
 
 
 class Said(nn.Module):

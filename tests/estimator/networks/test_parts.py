@@ -12,7 +12,7 @@ from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.frames.face_data import HISTORY, channel_label
 from estimator.networks import process
-from estimator.networks.ensemble import architecture_of, sigma_counts
+from estimator.networks.ensemble import sigma_counts
 from estimator.networks.forest import LEAST_FRAMES_OF_LEAF
 from estimator.networks.intervals import coverage, held_out
 from estimator.networks.intervals.coverage import Coverage, growth, newness
@@ -161,31 +161,22 @@ def test_a_process_answers_with_pushes_within_the_grid():
 
 
 def settings(source="recorded", **changes):
-    asked = {
-        "epochs": 7,
-        "patience_epochs": 3,
-        "batch_size": 50,
-        "learning_rate": 0.01,
-        "ensemble": 4,
-    }
-    return FitSettings(3, TrainingSpec(**{**asked, **changes}), seed=5, budget_s=40.0)
+    asked = TrainingSpec(**{"epochs": 7, "ensemble": 4} | changes)
+    return FitSettings(3, asked, seed=5, budget_s=40.0, patience_epochs=3)
 
 
 def test_members_have_their_own_seeds_shares_of_the_time_and_rates():
     first = training.schedule_of(settings(), 0, "recorded", False)
-    assert (first.epochs, first.batch_frames, first.patience_epochs) == (7, 50, 3)
-    assert (first.learning_rate, first.weight_decay, first.budget_s) == (0.01, 1e-3, 10.0)
+    assert (first.epochs, first.batch_frames, first.patience_epochs) == (7, 512, 3)
+    assert (first.learning_rate, first.weight_decay, first.budget_s) == (3e-3, 1e-3, 10.0)
     assert (first.seed, training.schedule_of(settings(), 2, "recorded", False).seed) == (5, 15843)
     assert first.augmentation.other_faces == training.AUGMENTATION["recorded"].other_faces
     tuned = training.schedule_of(settings(), 0, "recorded", True)
-    assert tuned.learning_rate == pytest.approx(0.003)
+    assert tuned.learning_rate == pytest.approx(0.0009)
     whole = training.schedule_of(settings(model="whole-object"), 0, "simulated", False)
     assert whole.augmentation == replace(training.AUGMENTATION["simulated"], other_faces=0.5)
     own = replace(settings(model="whole-object"), augmentation=training.AUGMENTATION["recorded"])
     assert training.schedule_of(own, 0, "simulated", False).augmentation == own.augmentation
-    paper = training.schedule_of(settings(model="paper"), 1, "recorded", True)
-    assert (paper.batch_frames, paper.learning_rate, paper.weight_decay) == (2000, 1e-3, 1e-4)
-    assert (paper.augmentation, paper.constant_rate, paper.seed) == (None, True, 7924)
     endless = replace(settings(ensemble=None), budget_s=None)
     assert training.schedule_of(endless, 0, "recorded", False).budget_s is None
     alone = training.schedule_of(settings(ensemble=None), 0, "recorded", False)
@@ -200,7 +191,7 @@ def test_a_fingerprint_tells_schedules_counts_maps_and_architectures_apart():
         training.data_fingerprint(replace(schedule, epochs=8), counts, maps, {}),
         training.data_fingerprint(schedule, counts + 1, maps, {}),
         training.data_fingerprint(schedule, counts, maps + 1, {}),
-        training.data_fingerprint(schedule, counts, maps, {"kind": "heads"}),
+        training.data_fingerprint(schedule, counts, maps, {"members": 2}),
     }
     assert len(marks) == 5
     assert training.data_fingerprint(schedule, counts, maps, {}) in marks
@@ -224,7 +215,7 @@ def test_trees_that_stand_behind_networks_average_two_frames_at_least():
 def test_training_starts_from_a_model_of_the_same_face_settings_and_grid_alone(change, fits):
     """How many members, trees and references it has is its own."""
     settings = FitSettings(3, TrainingSpec())
-    whole = replace(architecture_of(settings.training), members=7, references=3)
+    whole = replace(settings.architecture, members=7, references=3)
     start = SimpleNamespace(
         face=change.get("face", 3),
         architecture=replace(whole, hidden_units=change.get("hidden", whole.hidden_units)),

@@ -8,7 +8,7 @@ import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
 
-from design.errors import InputError, SpecError
+from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_intervals, interval_errors
 from estimator.frames.face_data import channel_counts, face_data, live_channels
@@ -26,9 +26,7 @@ CHECKERBOARD = (0, 2, 4, 6, 8, 10, 12, 14, 16, 18)
 INSIDE = (7, 11, 13)
 """Places of the grid of 4 × 5 between those of the checkerboard, 3 mm from each."""
 QUIET = {"faces": (FACE,), "loaded": 14, "noise": 0.1, "zero_error": 1.0}
-TRAINING = TrainingSpec(
-    hidden_units=(48,), epochs=15, batch_size=64, ensemble=2, trees=10, process=True
-)
+TRAINING = TrainingSpec(hidden_units=(48,), epochs=15, ensemble=2, trees=10, process=True)
 
 
 @pytest.fixture(scope="module")
@@ -220,5 +218,3 @@ def test_a_process_is_refused_where_it_cannot_be(frames):
     start = fitted(frames, plain)
     with pytest.raises(InputError, match=r"training\.process = True does not go with a start"):
         fitted(frames, plain.model_copy(update={"process": True}), start)
-    with pytest.raises(SpecError, match=r"training\.process works with training\.model"):
-        TrainingSpec(model="paper", process=True)

@@ -11,9 +11,8 @@ from safetensors.torch import load_file, save_file
 from design.errors import InputError, StoreError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face, linear_baseline, mean_map_baseline
-from estimator.frames.face_data import FaceData, channel_counts, face_data, live_channels
+from estimator.frames.face_data import FaceData, face_data, live_channels
 from estimator.frames.splits import split_places, split_presses
-from estimator.networks.ensemble import new_member
 from estimator.networks.face_model import (
     MODEL_FORMAT,
     description,
@@ -27,15 +26,15 @@ from estimator.networks.training import face as face_training
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
-QUICK = TrainingSpec(hidden_units=(96, 96), epochs=30, batch_size=128, learning_rate=3e-3)
+QUICK = TrainingSpec(hidden_units=(96, 96), epochs=30)
 SHORT = QUICK.model_copy(update={"epochs": 2})
 FACE = 4
 
 
-def train_face(frames, face, training, seed, progress=None, split=None):
+def train_face(frames, face, training, seed, progress=None, split=None, **more):
     split = split or split_presses(frames, seed)
     parts = frames.select(split.train), frames.select(split.validation)
-    return fit_estimator(*parts, FitSettings(face, training, seed), progress=progress)
+    return fit_estimator(*parts, FitSettings(face, training, seed, **more), progress=progress)
 
 
 @pytest.fixture(scope="module")
@@ -155,8 +154,8 @@ def test_the_network_learns_from_the_training_part(frames, split):
 
 def test_early_stopping_and_progress(frames, split):
     calls = []
-    spec = QUICK.model_copy(update={"patience_epochs": 2, "epochs": 200, "learning_rate": 2e-2})
-    train_face(frames, FACE, spec, 1, lambda *call: calls.append(call), split=split)
+    spec, told = QUICK.model_copy(update={"epochs": 200}), lambda *call: calls.append(call)
+    train_face(frames, FACE, spec, 1, told, split=split, patience_epochs=2)
     epochs, totals, scores = zip(*calls, strict=True)
     assert epochs == tuple(range(1, len(calls) + 1))
     assert set(totals) == {200}
@@ -309,18 +308,3 @@ def test_errors_of_the_user(frames, split, model):
     silent.signal_counts[:] = np.nan
     with pytest.raises(InputError, match="every channel of face"):
         live_channels(FaceData(FACE, silent, np.ones((2, 3, 4, 5)), np.zeros(2) > 0))
-
-
-def test_counts_of_the_paper_s_network_are_scaled_by_what_training_saw(frames):
-    """A channel that never changes is left as it is."""
-    quiet = replace(frames, signal_counts=frames.signal_counts.copy())
-    quiet.signal_counts[:, 3, 0, 0] = 7.0
-    data = face_data(quiet, FACE)
-    channels = live_channels(data)
-    found = new_member(data, channels, TrainingSpec(model="paper"), 1)
-    counts = channel_counts(data.frames, channels)
-    still = np.ptp(counts, axis=0) == 0
-    assert still.sum() == 1
-    assert_allclose(found.span_counts[~still], np.ptp(counts, axis=0)[~still], rtol=1e-6)
-    assert found.span_counts[still].item() == 1
-    assert_allclose(found.offset_counts, counts.min(axis=0), rtol=1e-6)

@@ -1,4 +1,4 @@
-"""Sensors in the shell, coils switched face by face, chips off nominal, and the chain's symmetries."""
+"""Sensors in the shell, chips off nominal, and the chain's symmetries."""
 
 from dataclasses import replace
 
@@ -16,14 +16,12 @@ from estimator.field.sources import magnet_source
 from estimator.signals.field_setup import at_rest, counts, scene, sensed_field
 from estimator.signals.hall import chip_errors
 from estimator.signals.presses import press_signals, rest_counts
-from estimator.signals.surroundings import counts_of_states
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 IN_CORE = {"positions_mm": [[8, 8], [-8, 8], [-8, -8], [8, -8]]}
 AROUND = {"earth_field_ut": 50, "earth_direction": [0.6, 0, -0.8]}
 REVERSE = coarse_spec(arrangement="sensors-in-shell", magnets=IN_CORE, environment=AROUND)
 POLARIZATION_T = 1.43 / (1 + 0.05 * 0.7145899)  # Ø6 × 1 mm: 1 less Nagaoka's coefficient
-COIL = {"kind": "coil", "inner_diameter_mm": 2.0, "turns": 80, "current_a": 0.3}
 
 
 @pytest.fixture(scope="module")
@@ -157,30 +155,6 @@ def test_counts_follow_an_object_that_is_turned_or_mirrored(mirror, shape, arran
     assert abs(untouched - still).max() > 1e-3 * abs(still).max()
 
 
-def test_switched_coils_leave_a_face_with_its_own_field_alone():
-    together = coarse_spec(magnets=COIL)
-    apart = coarse_spec(magnets={**COIL, "switching": "face-by-face"})
-    states = counts_of_states(apart)
-    face = sensor_layout(apart).face
-    own = np.stack([states[number - 1, index] for index, number in enumerate(face)])
-    assert_allclose(rest_counts(apart), own, atol=1e-9)
-    assert_allclose(states[:5].sum(axis=0), states[5], atol=1e-9)
-    assert_allclose(states[5], rest_counts(together), atol=1e-9)
-    presses = synthetic_presses(apart)
-    elsewhere = face != 3
-    alone, all_on = (
-        press_signals(spec, *presses).delta_counts[2][:, :, elsewhere] for spec in (apart, together)
-    )
-    assert np.sqrt(np.mean(alone**2)) < 0.6 * np.sqrt(np.mean(all_on**2))
-
-
-def test_a_winding_is_worth_its_turns_and_current():
-    coil = magnet_source(ObjectSpec.model_validate({"name": "c", "magnets": COIL}).magnets)
-    radii = np.linspace(1, 3, 4001)
-    moment_a_mm2 = 80 * 0.3 * np.pi * np.trapezoid(radii**2, radii) / 2
-    assert_allclose(coil.polarization_t * coil.volume_mm3, 4e-4 * np.pi * moment_a_mm2, rtol=1e-6)
-
-
 def test_chips_within_their_tolerances_have_the_stated_spread():
     sensors = ObjectSpec.model_validate(
         {
@@ -188,7 +162,6 @@ def test_chips_within_their_tolerances_have_the_stated_spread():
             "sensors": {
                 "gain_tolerance": 0.03,
                 "cross_axis_tolerance": 0.01,
-                "offset_tolerance_mt": 0.2,
             },
         }
     ).sensors
@@ -196,18 +169,17 @@ def test_chips_within_their_tolerances_have_the_stated_spread():
     diagonal = np.eye(3, dtype=bool)
     assert_allclose((chips.matrix - np.eye(3))[:, diagonal].std(), 0.03, rtol=0.03)
     assert_allclose(chips.matrix[:, ~diagonal].std(), 0.01, rtol=0.03)
-    assert_allclose(chips.offset_mt.std(), 0.2, rtol=0.03)
     nominal = chip_errors(ObjectSpec(name="c").sensors, 15, seed=3)
     assert_allclose(nominal.matrix, np.tile(np.eye(3), (15, 1, 1)), rtol=0)
     assert_allclose(nominal.offset_mt, 0, rtol=0)
 
 
 def test_real_chips_change_counts_as_their_matrix_says():
-    off = {"gain_tolerance": 0.05, "cross_axis_tolerance": 0.02, "offset_tolerance_mt": 0.3}
+    off = {"gain_tolerance": 0.05, "cross_axis_tolerance": 0.02}
     real, ideal = coarse_spec(sensors=off), coarse_spec()
     chips = chip_errors(real.sensors, 15, real.seed)
     nominal = rest_counts(ideal)
-    expected = np.einsum("sab,sb->sa", chips.matrix, nominal) + 820 * chips.offset_mt
+    expected = np.einsum("sab,sb->sa", chips.matrix, nominal)
     assert_allclose(rest_counts(real), expected, atol=1e-8)
     presses = synthetic_presses(ideal)
     delta = press_signals(ideal, *presses).delta_counts[3, 10, 4]

@@ -59,10 +59,8 @@ def test_counts_are_along_the_chips_own_axes_with_their_errors():
     assert_allclose(counts(made, flux, SPEC), wanted)
 
 
-def test_bodies_are_magnets_or_boards_and_coils_are_on_face_by_face():
+def test_bodies_are_magnets_or_boards():
     assert PLACE.bodies == 10
-    assert PLACE.on_for(3) == slice(None)
-    assert replace(PLACE, face_by_face=True).on_for(3) == slice(4, 6)
     assert replace(PLACE, sensors_move=True).bodies == 15
 
 

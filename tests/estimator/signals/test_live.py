@@ -10,7 +10,6 @@ from estimator.information.cross_face import cross_face_disturbance
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.identifiability import jacobians_of, set_information
 from estimator.information.scores import score_places
-from estimator.information.two_contacts import two_contact_bounds_mm
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.live import read_change
 from estimator.signals.presses import press_signals
@@ -51,7 +50,6 @@ def bounds_of(spec, signals):
         "position": scores.position_bound_mm,
         "force": scores.force_bound_drifted_n,
         "ellipse": position_covariances_mm2(spec, signals, scores),
-        **two_contact_bounds_mm(spec, signals),
         **{
             f"k = 1, face {face.face}": set_information(face.whitened).position_bound_mm
             for face in jacobians_of(spec, signals, np.arange(16))

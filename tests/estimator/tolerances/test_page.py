@@ -4,7 +4,6 @@ import numpy as np
 
 from estimator.tolerances.assembly import contribution_sizes, designed
 from estimator.tolerances.budget import robustness
-from estimator.tolerances.localisation_bias import false_places_mm
 from estimator.tolerances.selftest import rank, rest_model
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from tests.support.mechanics.odd_presses import SPEC, presses
@@ -34,8 +33,6 @@ def of_budget():
                 one.false_force_n,
             ],
         )
-    for name, false_mm in false_places_mm(FEW, forces, motions, 2.0).items():
-        yield f"false places of {name} (mm)", false_mm
 
 
 def of_drawn_object():

@@ -110,7 +110,7 @@ def test_slopes_along_an_axis_are_those_of_cubics():
 @pytest.mark.parametrize("arrangement", ["sensors-in-core", "sensors-in-shell"])
 def test_a_selftest_looks_at_the_object_whose_core_has_slipped(arrangement):
     """What sits in the core has shifted; what sits in the shell has not."""
-    slip = SPEC.mechanics.slip.changed(shift_mm=(0.5, -0.25, 0.1), model="sensors-only")
+    slip = SPEC.mechanics.slip.changed(shift_mm=(0.5, -0.25, 0.1))
     spec = SPEC.changed(arrangement=arrangement)
     slipped = spec.changed(mechanics=spec.mechanics.changed(slip=slip))
     straight, moved = (selftest.design_at_rest(one)[0].scene for one in (spec, slipped))

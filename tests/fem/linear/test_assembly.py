@@ -24,7 +24,7 @@ def minus_slope(a):
     return BilinearForm(lambda u, q, _: -u.grad[a] * q)
 
 
-@pytest.fixture(scope="module", params=["taylor-hood", "p2-p0", "p2", "p1"])
+@pytest.fixture(scope="module", params=["taylor-hood", "p2-p0", "p2"])
 def space(request):
     """Two thirds of a jiggled box, so that some nodes belong to no element."""
     mesh = box_mesh((4, 3, 5), (1.0, 1.4, 0.7), jiggle=0.2)
@@ -76,7 +76,6 @@ def test_pairs_of_nodes_beyond_32_bits():
         assert_allclose(column.reshape(3, 3), np.tile(tet, (3, 1)), rtol=0, atol=0)
 
 
-@pytest.mark.parametrize("name", ["p2-p0", "p1"])
-def test_an_element_without_pressure_refuses_an_incompressible_material(name):
+def test_an_element_without_pressure_refuses_an_incompressible_material():
     with pytest.raises(ValueError, match=r"at most 0\.4999"):
-        assemble(element_space(box_mesh((1, 1, 1)), name), LameConstants(0.1, 0.0))
+        assemble(element_space(box_mesh((1, 1, 1)), "p2-p0"), LameConstants(0.1, 0.0))

@@ -18,9 +18,8 @@ from tests.support.mechanics.fem_cases import (
 )
 from tests.support.objects.small_object import small_spec
 
-WITHOUT_PRESSURE = ("p2-p0", "p1")
+WITHOUT_PRESSURE = ("p2-p0",)
 """Those that take ratios up to 0.4999."""
-locking = pytest.mark.filterwarnings("ignore:mechanics.element:UserWarning")
 
 
 def with_element(spec, element, **other):
@@ -28,7 +27,6 @@ def with_element(spec, element, **other):
     return spec.model_copy(update={"mechanics": mechanics})
 
 
-@locking
 @pytest.mark.parametrize("element", WITHOUT_PRESSURE)
 @pytest.mark.parametrize(
     ("magnets", "interface"), [("rigid", "bonded"), ("points", "bonded"), ("rigid", "frictionless")]
@@ -52,11 +50,6 @@ def test_magnets_motions_by_the_operator_equal_a_direct_solve(
     assert_allclose(condensed, direct, rtol=0, atol=1e-9 * abs(direct).max())
 
 
-def test_p1_says_that_it_locks(small_mesh):
-    with pytest.warns(UserWarning, match="locks"):
-        elastic_system(small_mesh, with_element(small_spec(), "p1"))
-
-
 @pytest.mark.parametrize("element", WITHOUT_PRESSURE)
 def test_a_ratio_too_near_to_a_half_is_refused_without_pressure_unknowns(element):
     content = {"name": "a", "mechanics": {"element": element}}
@@ -72,9 +65,8 @@ def test_a_press_with_large_deformation_refuses_other_elements(element):
 
 
 @pytest.mark.slow
-@locking
 def test_shell_compliance_on_a_graded_mesh():
-    """Face 1's centre: −0.1 and +0.7 % on 20 000 nodes for the two elements that do not lock."""
+    """Face 1's centre: −0.1 and +0.7 % on 20 000 nodes for both elements."""
     spec = paper_cube("points", (0.9, 4.0))
     mesh = tetrahedralize_for_press(spec, 1, 0.0, 0.0)
     ratio = {}
@@ -85,5 +77,4 @@ def test_shell_compliance_on_a_graded_mesh():
         ratio[element] = compliance[0] / SHELL_COMPLIANCE_MM_PER_N[0.4999]
     assert_allclose(ratio["taylor-hood"], 1, rtol=0, atol=0.01)
     assert_allclose(ratio["p2-p0"], 1, rtol=0, atol=0.01)
-    assert ratio["p1"] < 0.5
     assert ratio["p2-p0"] > ratio["taylor-hood"]

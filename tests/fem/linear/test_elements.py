@@ -48,7 +48,6 @@ def energy_of_gradient(material, mixed):
 RATES = {
     ("p2-p0", 0.3): ([2, 1], 0.22, [1.8e-3, 0.1]),
     ("p2-p0", 0.4999): ([2, 1], 0.33, [2.6e-3, 0.12]),
-    ("p1", 0.3): ([2, 1], 0.15, [1.5e-2, 0.33]),
     ("p2", -0.2): ([3, 2], 0.1, [2e-4, 0.011]),
 }
 """Orders for u in L2 and its gradient; how far off they may be; bounds on 8³ bricks.
@@ -79,12 +78,6 @@ def test_lame_s_hollow_sphere_of_a_foam(poisson_ratio):
 def test_mixed_and_plain_quadratic_elements_agree_where_both_are_right():
     mixed, plain = (octant_displacement(0.05, 4, 4, name) for name in ("taylor-hood", "p2"))
     assert_allclose(mixed, plain, rtol=1e-3)
-
-
-def test_plain_linear_tetrahedra_lock():
-    """Right to 5 % at ν 0.3, they lose a fifth of the displacement at 0.49 and most at 0.4999."""
-    means = [octant_displacement(nu, 4, 4, "p1").mean() for nu in (0.3, 0.49, 0.4999)]
-    assert_allclose(means, [0.96, 0.79, 0.16], rtol=0, atol=0.03)
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.4999])

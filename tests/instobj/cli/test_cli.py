@@ -214,3 +214,20 @@ def test_a_result_that_does_not_exist_is_refused_with_those_that_do(tmp_path):
 def test_a_cost_of_a_slip_wants_a_slip(tmp_path):
     done = run("run", CUBE, "--to", "slip", cwd=tmp_path)
     assert_one_clear_error(done, "mechanics.slip.shift_mm")
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("bench collect out --port x --baud 9600", "--port PORT@BAUD"),
+        ("bench collect out --port x@fast", "PORT@BAUD"),
+        ("bench collect out --replay a.csv@-1", "FILE@2"),
+        ("bench live --demo --page far:http", "TCP port"),
+        ("bench live --demo --page-port 8000", "--page PORT"),
+        ("predict model.onnx a.csv --zero rest:2", "rest:20"),
+        ("predict model.onnx a.csv --zero always", "rest, first or none"),
+        ("optimize a.toml --storage b", "--out FOLDER"),
+    ],
+)
+def test_options_of_one_text_and_those_that_went_say_what_to_write(words, told, tmp_path):
+    assert_one_clear_error(run(*words.split(), cwd=tmp_path), told)

@@ -37,8 +37,8 @@ ASKED = asked_of(SMALL)
 def done(tmp_path_factory):
     folder = tmp_path_factory.mktemp("bringup")
     (folder / "small.toml").write_text(SMALL_TEXT)
-    planted = [word for fault in PLANTED for word in ("--fault", fault)]
-    result = run("bench", "bringup", "small.toml", "--simulated", *planted, "--json", cwd=folder)
+    planted = [word for fault in PLANTED for word in ("--simulated", fault)]
+    result = run("bench", "bringup", "small.toml", *planted, "--json", cwd=folder)
     return folder, result
 
 
@@ -186,12 +186,12 @@ def test_journals_of_other_objects_and_damaged_ones_are_refused(tmp_path):
     ("arguments", "words"),
     [
         ([], ["--port", "--replay", "--simulated"]),
-        (["--simulated", "--fault", "bent=F1-S1"], ["bent=F1-S1", "swap="]),
-        (["--simulated", "--fault", "turn=F9-S1"], ["F9-S1", "F1-S1"]),
-        (["--simulated", "--again", "poles"], ["poles", "held"]),
+        (["--simulated", "bent=F1-S1"], ["bent=F1-S1", "swap="]),
+        (["--simulated", "turn=F9-S1"], ["F9-S1", "F1-S1"]),
+        (["--simulated", "none", "--again", "poles"], ["poles", "held"]),
         (["--replay", "none.csv"], ["no bring-up at none.csv"]),
         (["--port", "/dev/nothing"], ["/dev/nothing", "0 recordings are kept"]),
-        (["--simulated", "--set", 'sensors.axes=["Z"]'], ["three axes", "selftest"]),
+        (["--simulated", "none", "--set", 'sensors.axes=["Z"]'], ["three axes", "selftest"]),
     ],
 )
 def test_bad_inputs_give_one_clear_error(tmp_path, arguments, words):

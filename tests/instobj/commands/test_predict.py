@@ -42,7 +42,7 @@ from tests.support.recordings.pressed_frames import made_frames
 
 FACE = 3
 ONE = {"history_frames": 0, "ensemble": 1, "trees": 0, "process": False}
-SMALL = TrainingSpec(hidden_units=(16,), epochs=2, batch_size=64, **ONE)
+SMALL = TrainingSpec(hidden_units=(16,), epochs=2, **ONE)
 SETTINGS = ["training.hidden_units=[16]", "training.epochs=2", "seed=1"] + [
     f"training.{name}={str(value).lower()}" for name, value in ONE.items()
 ]
@@ -407,7 +407,7 @@ def test_the_live_baud_rate_reaches_the_port(folder, monkeypatch):
         raise ValueError("no such rate")
 
     monkeypatch.setattr("serial.Serial", refused)
-    given = ["predict", str(folder / "robot" / "face_3.onnx"), "--port", "none", "--baud", "57600"]
+    given = ["predict", str(folder / "robot" / "face_3.onnx"), "--port", "none@57600"]
     result = CliRunner().invoke(app, given)
     assert "no such rate" in str(result.exception)
     assert asked == [("none", 57600)]

@@ -28,7 +28,7 @@ LATENCY_MS, PER_SECOND, MEASURED_S = 100.0, 30.0, 60.0
 def demo(tmp_path_factory):
     """A demo in a folder of its own, with its address; ended like a user ends it."""
     folder = tmp_path_factory.mktemp("demo")
-    command = [sys.executable, "-m", "instobj", "bench", "live", "--demo", "--page-port", "0"]
+    command = [sys.executable, "-m", "instobj", "bench", "live", "--demo", "--page", "0"]
     process = subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE, text=True)
     for line in process.stderr:
         if found := re.search(r"open (http://127\.0\.0\.1:\d+/)", line):

@@ -50,16 +50,16 @@ MANIFEST = manifest_of(
 
 
 def test_silicone_by_hand():
-    amount = silicone_amount(
-        parsed(mould={"silicone_waste": 0.2}, silicone={"mix_ratio": [10.0, 1.0]})
-    )
+    amount = silicone_amount(parsed())
     volume = (
         42**3 - 26 * 26 * 34 - 25 * np.pi * 9 * 1
     ) / 1e3  # pockets are filled over the magnets
     assert_allclose(amount.volume_cm3, volume, rtol=1e-12)
     assert_allclose(amount.mass_g, 1.07 * volume, rtol=1e-12)
-    assert_allclose(sum(amount.parts_g), 1.2 * 1.07 * volume, rtol=1e-12)
-    assert_allclose(amount.parts_g[0] / amount.parts_g[1], 10, rtol=1e-12)
+    assert_allclose(amount.parts_g, [1.15 * 1.07 * volume / 2] * 2, rtol=1e-12)
+    unknown = parsed(silicone={"name": "own", "youngs_modulus_mpa": 0.3})
+    assert silicone_amount(unknown).parts_g is None
+    assert "as the maker says" in silicone_amount(unknown).mixing
 
 
 def test_the_bill_counts_everything(tmp_path):

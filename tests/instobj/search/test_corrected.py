@@ -12,7 +12,6 @@ from design.spec_io import parse_spec
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from estimator.layouts.polish import Judged
 from instobj.search import corrected
-from instobj.search.lowest_fidelity import parts_scores
 from instobj.search.verdict import FIRST, SECOND, Promoted
 
 FORCES, FACES, PLACES = (2.0, 8.0), 5, 100
@@ -103,14 +102,3 @@ def test_nothing_is_returned_where_no_layout_nearby_is_better_or_fits(prepared, 
     assert corrected.corrected_params(SPACE, best, start, one) is None
     monkeypatch.setattr(corrected, "misfit_of", lambda spec, params: "does not fit")
     assert corrected.corrected_params(SPACE, PARAMS, start, one) is None
-
-
-def test_what_all_levels_share_needs_no_correction(prepared):
-    search = {"vary": {"magnet_reach_mm": 12.0}, "forces_n": FORCES}
-    search["limits"] = {"times_start": {"cost": 1.0, "build_minutes": 1.0}}
-    space = search_space(parse_spec({"name": "cube", "search": search}, "made up"))
-    start = promoted(score(4.0), score(5.0), space.spec)
-    one = promoted(score(), score(2.0), space.spec)
-    corrected.corrected_params(space, params_at(space, np.full(10, 0.6)), start, one)
-    (_, _, before), *_ = prepared
-    assert before.scores == parts_scores(space.spec)

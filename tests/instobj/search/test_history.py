@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose
 
 from estimator.layouts.polish import Judged
 from instobj.search.outcome import history
+from instobj.search.trials import Trial
 from tests.support.objects.search_cases import made_up_space
 
 OBJECTIVES = ("worst_position_bound_mm", "worst_force_bound_n")
@@ -38,15 +39,12 @@ def bowl(monkeypatch):
 
 def trial(value, feasible=True, scorings=3000):
     scores = dict.fromkeys(OBJECTIVES, value)
-    return SimpleNamespace(
-        user_attrs={"scores": scores, "feasible": feasible, "scorings": scorings}
-    )
+    return Trial({}, (value,), scores, 0.0 if feasible else 1.0, "", scorings, 0)
 
 
 def test_plain_engines_score_as_many_layouts_and_only_those_within_limits_count(bowl, monkeypatch):
-    monkeypatch.setattr(history, "is_feasible", lambda one: one.user_attrs["feasible"])
     monkeypatch.setattr(history, "MOST_SCORINGS", 3000)
-    kept = SimpleNamespace(finished=lambda: [trial(2.0), trial(1.5, False, 2000)])
+    kept = SimpleNamespace(finished=[trial(2.0), trial(1.5, False, 2000)])
     found = history.search_history(bowl, kept)
     assert found.scorings.tolist() == [3000, 5000]
     assert found.feasible.tolist() == [True, False]
@@ -63,8 +61,7 @@ def test_plain_engines_score_as_many_layouts_and_only_those_within_limits_count(
 
 
 def test_plain_engines_end_with_their_time_after_a_chunk_at_least(bowl, monkeypatch):
-    monkeypatch.setattr(history, "is_feasible", lambda one: True)
-    kept = SimpleNamespace(finished=lambda: [trial(2.0, True, 30_000)])
+    kept = SimpleNamespace(finished=[trial(2.0, True, 30_000)])
     drawn, evolved = history.search_history(bowl, kept, seconds=0.0).peers
     assert drawn.scored == 512
     assert 0 < evolved.scored < 40, "a generation"
@@ -79,12 +76,11 @@ def test_plain_cma_es_goes_down_where_random_search_does_not(bowl):
 
 
 def test_choices_alone_have_no_cma_es(bowl, monkeypatch):
-    monkeypatch.setattr(history, "is_feasible", lambda one: True)
     free = [v for v in bowl.variables if not v.choices]
     alone = SimpleNamespace(
         spec=bowl.spec, variables=[v for v in bowl.variables if v.choices] + free[:1]
     )
     monkeypatch.setattr(history, "params_at", lambda space, unit: {})
     monkeypatch.setattr(history, "structure_of", lambda space, params: ())
-    found = history.search_history(alone, SimpleNamespace(finished=lambda: [trial(2.0)]))
+    found = history.search_history(alone, SimpleNamespace(finished=[trial(2.0)]))
     assert [peer.name for peer in found.peers] == ["random search"]

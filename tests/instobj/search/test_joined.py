@@ -5,12 +5,13 @@ import pytest
 from design.search.space import search_space
 from design.spec.search import SearchSpec
 from instobj.search.joined import in_time, joined, joining
+from instobj.search.loop import layouts_at_once
 from tests.support.objects.search_cases import OBJECTIVES, made_up_spec
 
 
 def space_of(**search):
     """Two counts of magnets and two thicknesses unless `vary` says otherwise."""
-    return search_space(made_up_spec(**({"batch": 1, "polish_steps": 300} | search)))
+    return search_space(made_up_spec(**({"polish_steps": 300} | search)))
 
 
 def runs(space):
@@ -48,13 +49,12 @@ def test_generations_are_spent_in_runs_of_up_to_600(trials, steps, became):
         ({"trials": 24}, 1, (12, 600)),
         ({"trials": 7}, 1, (7, 300)),  # four combinations of choices
         ({"trials": 40, "polish_steps": 30}, 1, (4, 300)),
-        ({"trials": 24, "vary": LENGTHS, "batch": 16}, 1, (24, 300)),
         ({"trials": 3, "vary": LENGTHS}, 2, (3, 300)),
         ({"trials": 4, "vary": LENGTHS}, 2, (2, 600)),
         ({"trials": 24, "vary": LENGTHS, "objectives": list(OBJECTIVES)}, 1, (24, 300)),
     ],
 )
-def test_choices_batches_processes_and_fronts_keep_their_runs(search, at_once, became):
+def test_choices_processes_and_fronts_keep_their_runs(search, at_once, became):
     assert runs(joined(space_of(**search), at_once)) == became
 
 
@@ -74,10 +74,18 @@ def test_a_joined_run_is_shorter_where_time_is_short(generation_s, layouts, left
     asked = space_of(trials=4, vary=LENGTHS)
     space = joined(asked, 1)
     assert runs(space) == (2, 600)
-    assert space.spec.search.trial_seconds == 2 * asked.spec.search.trial_seconds
     assert runs(in_time(asked, 600, generation_s, layouts, left_s)) == (4, steps)
 
 
 def test_what_became_of_the_trials_is_said():
     said = joining(SearchSpec(trials=24, polish_steps=300), SearchSpec(trials=12, polish_steps=600))
     assert "24 trials of 300 generations are joined to 12 of 600" in said
+
+
+def test_a_batch_has_a_layout_for_each_process_and_more_where_they_go_on_side_by_side(monkeypatch):
+    improved, plain = SearchSpec(), SearchSpec(polish_steps=0)
+    monkeypatch.delenv("INSTOBJ_DEVICE", raising=False)
+    assert [layouts_at_once(improved, n) for n in (1, 3)] == [1, 3]
+    assert [layouts_at_once(plain, n) for n in (1, 40)] == [16, 40]
+    monkeypatch.setenv("INSTOBJ_DEVICE", "cuda:1")
+    assert layouts_at_once(improved, 2) == 64

@@ -35,9 +35,9 @@ def test_parts_lie_where_the_specification_has_them_and_know_what_they_were():
 
 def test_the_leaders_come_first_and_the_rest_of_the_front_after_them(tmp_path):
     space = made_up_space(objectives=list(OBJECTIVES), trials=48)
-    kept = searched(tmp_path / "journal.log", engine="random", score=made_up_scores,
+    kept = searched(tmp_path / "trials.jsonl", score=made_up_scores,
                     objectives=list(OBJECTIVES), trials=48)  # fmt: skip
-    trials = kept.finished()
+    trials = kept.finished
     values = np.array([trial.values for trial in trials])
     history = History(
         OBJECTIVES, values, np.ones(len(trials), bool), np.array([9.0, 9.0]), (),

@@ -11,12 +11,11 @@ from design.search.space import search_space, start_params
 from design.spec_io import load_spec, parse_spec
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.search import promotion
-from instobj.search.apart import Scored
 from instobj.search.fidelity import TwinRatio
 from instobj.search.loop import run_search
 from instobj.search.optimize import first_look, nothing_better
-from instobj.search.study import open_study
 from instobj.search.time_limit import TimeLimit, TimeSpent
+from instobj.search.trials import Scored, open_trials
 from tests.support.objects.search_cases import answering, made_up_score, made_up_space, searched
 
 
@@ -114,18 +113,18 @@ def test_shares_of_the_time(clock):
 
 
 def test_trials_end_with_the_batch_in_which_their_time_ends(tmp_path, clock):
-    space = made_up_space(engine="random", trials=100, batch=10)
-    limit = TimeLimit(30)
+    space = made_up_space(trials=100)
+    limit = TimeLimit(50)
 
     def slow(trials, seconds):
         clock.now_s += 2 * len(trials)  # a call takes those of one structure
         return made_up_score(trials, seconds)
 
-    kept = open_study(space.spec, tmp_path / "journal.log", join=True)
+    kept = open_trials(space.spec, tmp_path / "trials.jsonl")
     run_search(space, kept, answering(slow), lambda line: None, over=lambda: limit.left_s <= 0)
-    assert len(kept.trials()) == 20
+    assert len(kept.trials) == 32
     run_search(space, kept, answering(slow), lambda line: None, over=lambda: limit.left_s <= 0)
-    assert len(kept.trials()) == 30, "a call does at least one batch"
+    assert len(kept.trials) == 48, "a call does at least one batch"
 
 
 BROKEN_OFF_S = 400.0
@@ -135,8 +134,8 @@ BROKEN_OFF_S = 400.0
 @pytest.fixture
 def promoted(tmp_path, monkeypatch, clock):
     """Promotes a made-up search with so many seconds per layout at the second and highest level."""
-    kept = searched(tmp_path / "journal.log", "random", trials=60)
-    space = made_up_space(engine="random", trials=60, leaders=5, finalists=3)
+    kept = searched(tmp_path / "trials.jsonl", trials=60)
+    space = made_up_space(trials=60, leaders=5, finalists=3)
 
     def level(seconds):
         @contextmanager
@@ -218,7 +217,7 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
     search = {"vary": {"magnet_reach_mm": 14.0}, "trials": 1, "polish_steps": 0, "seconds": 900}
     magnets = {"positions_mm": [[8.0, 8.0], [-8.0, -8.0]]}
     spec = parse_spec({"name": "cube", "magnets": magnets, "search": search}, "made up")
-    space, kept = search_space(spec), open_study(spec, tmp_path / "journal.log", join=True)
+    space, kept = search_space(spec), open_trials(spec, tmp_path / "trials.jsonl")
     start = start_params(space)
 
     def score(trials, seconds):
@@ -328,9 +327,7 @@ def test_leaders_that_walked_on_are_ranked_among_the_others(promoted):
 
 def test_what_was_scored_before_counts_whatever_the_new_budget(promoted):
     promoted(1000, 10, 10)
-    more = made_up_space(
-        engine="random", trials=60, leaders=5, finalists=3, seconds=99.0, batch=8, polish_steps=0
-    )
+    more = made_up_space(trials=60, leaders=5, finalists=3, seconds=99.0, polish_steps=0)
     _, said = promoted(1000, 10, 10, space=more)
     assert not [line for line in said if line.startswith("fidelity level")]
 

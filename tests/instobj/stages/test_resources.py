@@ -34,7 +34,6 @@ def spec_with(**parts):
         ),
         ("collection", {"collection": {"frames_per_case": 10**7}}, "collection.frames_per_case"),
         ("frames", {"protocol": {"frames_per_press": 10**6}}, "protocol.frames_per_press"),
-        ("scores", {"score": {"hull_frames": 10**9}}, "score.hull_frames"),
         ("networks", {"training": {"hidden_units": [10**6, 10**6]}}, "training.hidden_units"),
     ],
 )

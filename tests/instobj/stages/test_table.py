@@ -129,7 +129,6 @@ DOWNSTREAM = {
     "core.wall_mm=4": {"build"},
     "mould.style=split": {"build"},
     "printer.name=resin": {"build"},
-    "export.mesh_tolerance_mm=0.1": {"build"},
     "shell.seal_layer_mm=0.5": {"build"},
     "shell.dent_mm=0.5": {"build", "presses", "shapes", "shear", "discretisation"},
     "as_built.magnets=[{face=2, magnet=1, dent_mm=0.5}]": {
@@ -247,7 +246,7 @@ MECHANICS = {"mesh", "response", "presses", "plain_mesh", "plain_response", "can
     [
         "sensors.radius_mm=8.0",
         "sensors.noise_counts=[9.0,9.0,9.0]",
-        "score.hull_frames=500",
+        "score.channels=all",
         "protocol.presses_per_place=4",
         "training.epochs=5",
         "limits.position_bound_mm=2",

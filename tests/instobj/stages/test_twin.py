@@ -196,7 +196,7 @@ def test_what_a_twin_does_not_serve_is_told_before_anything_is_simulated(frames,
     path.write_text('name = "synthetic"\n[contact_grid]\ncount = [4, 4]\npitch_mm = 6.0\n')
     with pytest.raises(InputError, match="Press more places one by one"):
         twin_of_data(path, few, SPEC.training)
-    for name, value in (("history_frames", 9), ("heatmap_axes", 3), ("model", "whole-object")):
+    for name, value in (("history_frames", 9), ("ensemble", 2), ("model", "whole-object")):
         asked = SPEC.training.model_copy(update={name: value})
         with pytest.raises(InputError, match=f"--twin serves .* training.{name} = "):
             twin_of_data(path, frames, asked)

@@ -14,7 +14,7 @@ GRADIENT = np.array([[0.3, -0.2, 0.5], [0.7, -0.4, 0.1], [-0.6, 0.8, 0.9]])
 """An asymmetric displacement gradient whose trace is not zero."""
 
 
-ELEMENTS = ("taylor-hood", "p2-p0", "p2", "p1")
+ELEMENTS = ("taylor-hood", "p2-p0", "p2")
 SIZE_MM = (1.0, 1.4, 0.7)
 
 WAVE = np.array([1.0, 0.5, -1.2])

@@ -19,14 +19,9 @@ VARY = {
 COUNT = 40
 
 
-def batch(seed=0, count=COUNT, sensors="free", magnets="free", wall_mm=0.8, **limits):
+def batch(seed=0, count=COUNT, wall_mm=0.8):
     """Random layouts of one structure: specification, space, tensors, variables, polarities, units."""
-    search = {
-        "vary": VARY,
-        "limits": limits,
-        "sensor_symmetry": sensors,
-        "magnet_symmetry": magnets,
-    }
+    search = {"vary": VARY}
     printer = {"wall_mm": wall_mm}
     spec = parse_spec({"name": "cube", "printer": printer, "search": search}, "made up")
     space = search_space(spec)

@@ -5,9 +5,9 @@ Processes of searches import it: nothing heavy in here.
 
 from design.search.space import search_space
 from design.spec_io import parse_spec
-from instobj.search.apart import GivenUp, Scored
+from instobj.search.apart import GivenUp
 from instobj.search.loop import run_search
-from instobj.search.study import open_study
+from instobj.search.trials import Scored, open_trials
 
 OBJECTIVES = ("worst_position_bound_mm", "worst_force_bound_n")
 
@@ -18,7 +18,7 @@ _KNOWN = {}
 
 def made_up_spec(name="cube", seed=1, reach=14.0, **search):
     vary = {"magnet_reach_mm": reach, "magnet_count": [1, 2], "shell_thickness_mm": [8.0, 9.0]}
-    content = {"trials": 300, "batch": 16, "polish_steps": 0, "vary": vary} | search
+    content = {"trials": 300, "polish_steps": 0, "vary": vary} | search
     key = f"{name} {seed} {content}"
     if key not in _KNOWN:
         _KNOWN[key] = parse_spec({"name": name, "seed": seed, "search": content}, "made up")
@@ -73,14 +73,14 @@ def answering(score):
     return answers
 
 
-def journal_records(path):
-    """Whole records of a journal, two of them before the first trial; each trial is one."""
+def kept_lines(path):
+    """Whole lines of a file of trials, one of them before the first trial; each trial is one."""
     return path.read_bytes().count(b"\n") if path.is_file() else 0
 
 
-def searched(path, engine="tpe", score=made_up_score, worker=0, **search):
-    """A search that was run to its end, kept in the journal `path`."""
-    space = made_up_space(engine=engine, **search)
-    kept = open_study(space.spec, path, join=True)
-    run_search(space, kept, answering(score), lambda line: None, worker=worker)
+def searched(path, score=made_up_score, **search):
+    """A search that was run to its end, or gone on with, kept in the file `path`."""
+    space = made_up_space(**search)
+    kept = open_trials(space.spec, path, resume=path.exists())
+    run_search(space, kept, answering(score), lambda line: None)
     return kept

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from design.layout.body import body_of
 from design.layout.mould import frame as frames
 from design.layout.mould.closure import clip_mm, flange_corners_mm
-from design.layout.mould.frame import mould_frame, mould_style, parting, play_mm, up
+from design.layout.mould.frame import mould_frame, mould_style, parting, up
 from design.spec.object import ObjectSpec
 
 AXES = {1: (0, 0, 1), 2: (0, -1, 0), 3: (1, 0, 0), 4: (0, 1, 0), 5: (-1, 0, 0), 6: (0, 0, -1)}
@@ -67,11 +67,6 @@ def test_the_plane_of_a_closed_box_runs_through_two_edges_and_it_stands_on_a_cor
     assert_allclose(given.normal, np.sqrt(0.75) * frame.across + 0.5 * frame.along, atol=1e-12)
 
 
-def test_the_printers_clearance_is_the_play_unless_one_is_given():
-    assert play_mm(box([6])) == 0.1
-    assert play_mm(box([6], play_mm=0.3)) == 0.3
-
-
 def test_a_file_s_box_of_twelve_triangles_parts_along_its_sides_not_across_its_corners():
     """Across them each triangle's middle lay on the right side of the plane; 5.3 mm hooked."""
     body = body_of(
@@ -85,7 +80,8 @@ def test_a_file_s_box_of_twelve_triangles_parts_along_its_sides_not_across_its_c
 
 def test_clips_stand_outside_the_walls_and_the_flange_between_and_over_them():
     """Box of 42 × 44 × 46 mm with walls of 2.2 mm and a play of 0.15 mm, open at −z."""
-    spec = box([6], wall_mm=2.2, play_mm=0.15)
+    spec = box([6], wall_mm=2.2)
+    spec = spec.changed(printer=spec.printer.changed(clearance_mm=0.15))
     along = mould_frame(spec).along
     wall = float(abs(along) @ [21.0, 22.0, 23.0]) + 2.2
     assert clip_mm(spec) == pytest.approx((wall + 0.15, wall + 2.5))

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 
 from design.layout.mould import pouring
 from design.layout.mould.closure import flange_span_mm
-from design.layout.mould.frame import mould_frame, play_mm, up
+from design.layout.mould.frame import mould_frame, up
 from design.layout.mould.pins import loose_pins
 from design.layout.mould.pouring import (
     Hole,
@@ -116,7 +116,7 @@ def test_a_hole_beside_that_of_a_pin_s_head_leaves_a_wall():
     spec = worked("closed capsule")
     (pin, *_), side = loose_pins(spec), np.array([0.0, 0.0, 1.0])
     side = np.cross(pin.way, side) / np.linalg.norm(np.cross(pin.way, side))
-    head = pin.radius_mm + pin.rim_mm + play_mm(spec)
+    head = pin.radius_mm + pin.rim_mm + spec.printer.clearance_mm
     for gap, thin in ((0.85, False), (0.75, True), (0.02, True), (-0.8, False)):
         top = pin.head_axis_mm[0] + (head + 0.5 + gap) * side
         hole = Hole("vent", top - pin.way, top, top + 50 * pin.way, 1.0)

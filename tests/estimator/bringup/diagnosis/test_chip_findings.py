@@ -117,9 +117,7 @@ def test_gains_of_holds_and_of_earths_field_count_by_their_precision():
 def test_offsets_and_a_field_that_is_not_earths_are_named():
     sensors, tolerances = SPEC.sensors, SPEC.tolerances
     allowed = np.hypot(
-        sensors.counts_per_mt
-        * np.hypot(1e-3 * tolerances.sensor_offset_ut, sensors.offset_tolerance_mt),
-        sensors.drift_counts,
+        sensors.counts_per_mt * 1e-3 * tolerances.sensor_offset_ut, sensors.drift_counts
     )
     offset = np.zeros((CHIPS, 3))
     offset[1, 2], offset[2, 0] = -5.001 * allowed, 4.999 * allowed

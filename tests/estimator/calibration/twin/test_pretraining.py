@@ -25,7 +25,7 @@ SPEC = coarse_spec(
         "peak_force_n": (6.0, 9.0),
     },
 )
-TRAINING = TrainingSpec(hidden_units=(64, 64), epochs=12, batch_size=128)
+TRAINING = TrainingSpec(hidden_units=(64, 64), epochs=12)
 FACE = 3
 
 

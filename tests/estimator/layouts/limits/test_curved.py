@@ -51,7 +51,7 @@ def spec_of(body):
         "sensors": {"positions_mm": [[6, 0], [-6, 0]]},
         "core": CORE,
         "contact_grid": {"count": "fill", "pitch_mm": 4.0},
-        "search": {"vary": VARY, "limits": {"pocket_gap_mm": 0.0}},
+        "search": {"vary": VARY},
         **BODIES[body],
     }
     return parse_spec(content, "made up")

@@ -1,0 +1,196 @@
+"""Finished trials of a search, kept in one file of JSON lines.
+
+The first line names the search. Each other line is a finished trial, written to the disk in one go:
+whatever happens to a process, at most the trials that it was working on are lost. A last line that a
+full disk or a power cut left unfinished is dropped when the file is opened again.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from instobj.store.keys import content_key
+
+_BUDGET = ("trials", "seconds", "leaders", "finalists", "polish_steps")
+"""Of `[search]`: may change while a search goes on."""
+_MATTERS_NOT = ("name", "as_built", "collection")
+"""The first line holds the name; the others change no score on any level."""
+
+
+@dataclass(frozen=True)
+class Scored:
+    """What became of a trial: its polished variables, values to minimise and scores.
+
+    `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing;
+    `scorings` are the layouts that were scored for it.
+    """
+
+    params: dict[str, Any]
+    values: tuple[float, ...]
+    scores: dict[str, float]
+    broken_mm: float
+    misfit: str
+    scorings: int
+
+    @property
+    def feasible(self) -> bool:
+        """Whether it has a result that keeps every limit."""
+        return bool(self.values) and self.broken_mm == 0 and not self.misfit
+
+
+@dataclass(frozen=True)
+class Trial(Scored):
+    """A finished trial: its place in the file, and why it has no result, or nothing."""
+
+    number: int
+    failure: str = ""
+
+
+def failed_trial(number: int, params: dict[str, Any], why: str) -> Trial:
+    """Return a trial that came to nothing."""
+    return Trial(params, (), {}, 0.0, "", 0, number, why)
+
+
+@dataclass
+class KeptTrials:
+    """Trials of a search in the file `path`, in the order in which they were kept."""
+
+    path: Path
+    trials: list[Trial] = field(default_factory=list)
+    _length: int = 0
+
+    @property
+    def finished(self) -> list[Trial]:
+        """Those that have values."""
+        return [trial for trial in self.trials if not trial.failure]
+
+    def keep(self, trials: Iterable[Trial]) -> None:
+        """Add finished trials.
+
+        Raises
+        ------
+        InputError
+            The file cannot be written, or another process adds trials to it.
+        """
+        new = list(trials)
+        self._append("".join(json.dumps(asdict(trial)) + "\n" for trial in new))
+        self.trials += new
+
+    def _append(self, lines: str) -> None:
+        try:
+            with self.path.open("ab") as stream:
+                if stream.tell() != self._length:
+                    raise InputError(
+                        f"another process works on the search in {self.path}. Wait for its end, then go "
+                        "on with --resume"
+                    )
+                stream.write(lines.encode())
+                stream.flush()
+                os.fsync(stream.fileno())
+        except OSError as error:
+            raise InputError(
+                f"cannot keep trials in {self.path}: {error.strerror}. What was kept before is safe: "
+                "make room, then go on with --resume"
+            ) from error
+        self._length += len(lines.encode())
+
+
+def open_trials(spec: ObjectSpec, path: Path, resume: bool = False) -> KeptTrials:
+    """Begin the file of this specification's search, or with `resume` read the one that is there.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read or written, or is no such file; there is a search already (or, to resume,
+        none), or it is one of another specification.
+    """
+    head = {"search": spec.name, "specification": search_key(spec)}
+    try:
+        known = path.is_file() and path.stat().st_size > 0
+        if known and not resume:
+            raise InputError(
+                f"{path} holds a search already. Go on with --resume, or give the specification another "
+                "name to start anew"
+            )
+        if resume and not known:
+            raise InputError(f"{path} holds no search to resume. Leave --resume out to start one")
+        if known:
+            return _read(path, head)
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(
+            f"cannot keep a search in {path}: {error.strerror}. Make room, or give another --out"
+        ) from error
+    kept = KeptTrials(path)
+    kept._append(json.dumps(head) + "\n")
+    return kept
+
+
+def search_key(spec: ObjectSpec) -> str:
+    """SHA-256 of what scores on any level depend on; only the budget of the search may change."""
+    alike = ObjectSpec.model_validate(spec.model_dump(mode="json"))  # defaults like what was read
+    content = alike.model_dump(mode="json")
+    for name in _BUDGET:
+        del content["search"][name]
+    del content["limits"]["use"]  # its figures stand beside it
+    return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
+
+
+def _read(path: Path, head: dict[str, str]) -> KeptTrials:
+    content = path.read_bytes()
+    whole = content.rfind(b"\n") + 1
+    lines = content[:whole].decode(errors="replace").splitlines()
+    found = [_record(path, number, line) for number, line in enumerate(lines, start=1)]
+    if not found or found[0].keys() != head.keys():
+        raise InputError(f"{path} is no file of a search. Move it away to start anew")
+    _require_same(path, found[0], head)
+    try:
+        trials = [_trial(**one) for one in found[1:]]
+    except TypeError as error:
+        raise InputError(
+            f"{path} holds a trial that cannot be read ({error}). Restore the file from a copy, or move "
+            "it away to start anew"
+        ) from None
+    if whole < len(content):
+        with path.open("r+b") as stream:
+            stream.truncate(whole)
+    return KeptTrials(path, trials, whole)
+
+
+def _trial(values: list[float], **others: Any) -> Trial:
+    return Trial(values=tuple(values), **others)
+
+
+def _record(path: Path, number: int, line: str) -> dict[str, Any]:
+    try:
+        found = json.loads(line)
+    except ValueError:
+        found = None
+    if not isinstance(found, dict):
+        raise InputError(
+            f"{path}, line {number}: no trial of a search. Restore the file from a copy, or move it away "
+            "to start anew"
+        )
+    return found
+
+
+def _require_same(path: Path, kept: dict[str, str], head: dict[str, str]) -> None:
+    if kept["search"] != head["search"]:
+        raise InputError(
+            f"{path} holds no search of {head['search']!r} but one of {kept['search']!r}. Leave --resume "
+            "out to start one elsewhere"
+        )
+    was, now = kept["specification"], head["specification"]
+    if was != now:
+        raise InputError(
+            f"{path} holds a search of another specification named {head['search']!r} ({was[:12]}, now "
+            f"{now[:12]}): its trials cannot be compared. Undo the change (only the budget of [search] "
+            "may change), or give the specification another name"
+        )
