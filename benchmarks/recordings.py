@@ -27,7 +27,6 @@ from estimator.evaluation.evaluation import (
     evaluate_intervals,
     linear_baseline,
     mean_map_baseline,
-    rest_offset_baseline,
 )
 from estimator.frames.collection import joined
 from estimator.frames.dataset import FrameSet
@@ -36,6 +35,7 @@ from estimator.frames.splits import Split, split_places, split_presses
 from estimator.networks.face_model import FaceModel
 from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.reading import read_recording
+from studies.recorded.rest_offset import rest_offset_baseline
 
 HISTORIES = (0, 3, 6, 9)
 FORCE_TARGET_PERCENT, QUIET_TARGET = 5.0, 0.98

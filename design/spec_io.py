@@ -22,6 +22,7 @@ from design.spec.body import BodySpec, ShellSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
 from design.spec.renamed import RENAMED, name_now, under_names_now
+from design.spec.uses import USES, require_used
 
 _DEEP_KEY = re.compile(r"(?:\.[\w-]{1,80}){100}")
 """A key of more than a hundred tables."""
@@ -44,10 +45,27 @@ def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = Tru
     """
     path = Path(path)
     content = _read_toml(path, f"no specification at {{}}. {_where_it_may_be(path)}")
-    content = _with_tensile_data(with_overrides(content, overrides), path.parent)
+    overrides = list(overrides)
+    _require_used(content, str(path))
+    content = with_overrides(content, overrides)
+    # a file may hold sizes of a kind that an override replaces; what is overridden must be used
+    _require_used(content, "--set", {one.partition("=")[0].strip() for one in overrides})
+    content = _with_tensile_data(content, path.parent)
     content = _with_printer(_with_indenter_corners(content, path.parent), path.parent)
     content = _with_imported_body(content, path.parent)
     return parse_spec(_with_as_built(content, path), str(path), table)
+
+
+def _require_used(content: dict[str, Any], source: str, keys: Iterable[str] = tuple(USES)) -> None:
+    try:
+        require_used(content, keys)
+    except SpecError as error:
+        raise SpecError(_listed(source, str(error).split("\n"))) from None
+
+
+def _listed(source: str, problems: list[str]) -> str:
+    lines = "\n".join(f"  - {problem}" for problem in problems)
+    return f"{source} is not a valid specification:\n{lines}"
 
 
 def _parsed(text: str) -> dict[str, Any]:
@@ -168,8 +186,7 @@ def parse_spec(content: dict[str, Any], source: str, table: bool = True) -> Obje
         problems = complaints(error, ObjectSpec)
     except SpecError as error:
         problems = str(error).split("\n")
-    listed = "\n".join(f"  - {problem}" for problem in problems)
-    raise SpecError(f"{source} is not a valid specification:\n{listed}")
+    raise SpecError(_listed(source, problems))
 
 
 def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:

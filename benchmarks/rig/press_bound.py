@@ -3,7 +3,7 @@
 The hidden objects of `press_orders`, linear about their true numbers, with the true prior and the true
 errors of every mean: noise of chips, of labelled forces, zeros and drift as the rig's own sessions leave
 them. `python -m benchmarks.rig.press_bound SPEC [PRESSES.nc]` prints predicted errors of orders and of all
-places, the bound below every choice of 40 presses (`estimator.calibration.twin.least_possible`), shares of
+places, the bound below every choice of 40 presses (`benchmarks.rig.least_possible`), shares of
 the error, and errors over bench minutes, all as means over the objects, into results/press_bound.json.
 """
 
@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float
 
+from benchmarks.rig.least_possible import PressChoices, least_possible
 from benchmarks.rig.press_orders import (
     EVERY,
     FACE,
@@ -33,7 +34,6 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.calibration.twin.digital_twin import PlaceMechanics
 from estimator.calibration.twin.discrepancy import Discrepancy
-from estimator.calibration.twin.least_possible import PressChoices, least_possible
 from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places
 from estimator.calibration.twin.unknowns import Unknowns, jacobian_of
 from fem.presses.results import MagnetMotions, PressForces

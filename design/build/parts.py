@@ -15,7 +15,7 @@ from design.mould.one_piece import make_mould_box, make_seal_mould
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder, make_mould_plug
 from design.mould.whole import has_mould
-from design.solids.booleans import exact_or_triangles
+from design.solids.booleans import TRIANGLES, exact_or_triangles
 from design.solids.core import make_core
 from design.solids.curved_template import curved_template_faces, make_curved_template
 from design.solids.jig import make_jig
@@ -37,7 +37,7 @@ class Part:
     """A part by its name; `make` builds it, in the object's frame unless it is a tool.
 
     A body that is known by its triangles gives triangles wherever its surface is; all else is exact, but
-    for moulds and jigs that the exact kernel fails on.
+    for what the exact kernel fails on, or whose triangles (`TRIANGLES`) it folds.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Part:
         NotOneSolid
             An InputError: the dimensions do not give one closed body.
         """
-        return exact_or_triangles(self.builder)
+        return exact_or_triangles(self.builder, TRIANGLES)
 
 
 def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:

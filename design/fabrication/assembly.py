@@ -30,10 +30,7 @@ from design.layout.pockets import (
     distance_of_segments_mm,
     shell_pockets,
 )
-from design.layout.template_marks import pockets_by_face
 from design.solids.body import core_hollow
-from design.solids.curved_template import curved_template_faces
-from design.solids.magnet_template import template_faces
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -254,42 +251,6 @@ def collisions(mounted: list[Mounted]) -> list[Finding]:
             place,
         )
     ]
-
-
-def check_tools(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
-    """The object on its jig, and templates on the faces that they serve, as far as these were built."""
-    body = [(name, meshes[name]) for name in ("core", "shell") if name in meshes]
-    found = list[Finding]()
-    if "jig" in meshes and body:
-        text = (
-            "largest common volume of the jig and the object on it. Above the limit the object stands too "
-            "high, or not at all: widen body.bore_mm, or turn the body in its file"
-        )
-        pairs = [(("jig", meshes["jig"]), other) for other in body]
-        found.append(largest_common("object on its jig", "jig", pairs, text))
-    frames = {frame.number: frame for frame, _ in pockets_by_face(spec)}
-    flat = all(frame.flat for frame in frames.values())
-    groups = template_faces(spec) if flat else curved_template_faces(spec)
-    if spec.arrangement == "sensors-in-shell":  # the magnets are set before the shell is cast
-        body = [(name, mesh) for name, mesh in body if name == "core"]
-    text = (
-        "largest common volume of a template and what it lies on. Above the limit it does not lie: leave "
-        "mould.magnet_templates out, or move magnets"
-    )
-    for first, numbers in groups.items():
-        name = "magnet_template" if len(groups) == 1 else f"magnet_template_face_{first}"
-        if name in meshes and body:
-            placed = [(name, _on_face(meshes[name], frames[number])) for number in numbers]
-            pairs = [(template, other) for template in placed for other in body]
-            found.append(largest_common("template on its face", name, pairs, text))
-    return found
-
-
-def _on_face(mesh: trimesh.Trimesh, frame: FaceFrame) -> trimesh.Trimesh:
-    """A part in a face's frame, moved to that face."""
-    pose = np.eye(4)
-    pose[:3, :3], pose[:3, 3] = frame.axes, frame.centre_mm
-    return mesh.copy().apply_transform(pose)
 
 
 def largest_common(check: str, part: str, pairs: list[tuple[Named, Named]], text: str) -> Finding:

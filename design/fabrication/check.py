@@ -16,7 +16,6 @@ from design.errors import NotOneSolid
 from design.fabrication.assembly import (
     check_electronics,
     check_pockets,
-    check_tools,
 )
 from design.fabrication.casting import check_casting
 from design.fabrication.finding import Finding, Place, at_least, place_of
@@ -27,6 +26,7 @@ from design.fabrication.printing import (
     check_inhibition,
     check_walls,
 )
+from design.fabrication.tools import check_tools
 from design.solids.booleans import TRIANGLES, as_triangles, as_written
 from design.solids.kernel import cq
 from design.spec.object import ObjectSpec

@@ -30,6 +30,13 @@ class Finding:
         """In a line."""
         return f"{self.part}, {self.check}: {self.value:.3g} {self.unit}, limit {self.limit:.3g}"
 
+    @classmethod
+    def from_dict(cls, given: dict[str, Any]) -> Finding:
+        """Return the finding that `as_dict` gave, also from JSON, where its place is a list."""
+        place = given["place_mm"]
+        values: dict[str, Any] = given | {"place_mm": None if place is None else place_of(place)}
+        return cls(**values)
+
     def as_dict(self) -> dict[str, Any]:
         return asdict(self)
 

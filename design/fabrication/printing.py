@@ -11,6 +11,7 @@ from jaxtyping import Float
 from design.body.meshes import sharpest_edge, thinnest_wall
 from design.build.parts import Part
 from design.fabrication.finding import Finding, at_least, place_of
+from design.fit.seam import better_azimuth
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import all_wire_channels, wire_holes
 from design.layout.body import face_frames
@@ -37,9 +38,10 @@ def check_walls(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Fin
     limit = spec.silicone.thinnest_wall_mm if cast else spec.printer.wall_mm
     advice = "move pockets and slits apart" if cast else "thicken it, or move what thins it"
     if part.name.startswith("mould_half"):
-        advice += (
-            ", or turn the seam (mould.parting_azimuth_deg) away from holes of pins that it grazes"
-        )
+        azimuth = better_azimuth(spec) if wall.thickness_mm < _TIGHT * limit else None
+        value = "" if azimuth is None else f" = {azimuth:g}"
+        turned = f"turn the seam (mould.parting_azimuth_deg{value})"
+        advice += f", or {turned} away from holes of pins that it grazes"
     return [
         Finding(
             "thinnest wall",

@@ -11,6 +11,7 @@ from design.fit.curved import check_body, check_body_core, check_curved_presses
 from design.fit.environment import check_environment
 from design.fit.mould import check_mould
 from design.fit.parts import check_mesh, check_parts
+from design.fit.roughness import check_roughness
 from design.layout.body import body_of
 
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ def _but_mould(spec: ObjectSpec, table: bool, ways: bool) -> Iterator[str]:
     yield from check_tips(spec)
     if table:
         yield from check_box_presses(spec) if cuboid else check_curved_presses(spec)
+    yield from check_roughness(spec)
     yield from check_environment(spec)
     yield from check_parts(spec)
     yield from check_mesh(spec)

@@ -46,18 +46,29 @@ def seam_in_words(spec: ObjectSpec) -> list[str]:
     """Thin walls between the seam and holes of pins, or beside holes to pour through, and halves or fins of
     slits that hook, with places and the nearest `mould.parting_azimuth_deg` that has none of them; of a
     specification that fits."""
-    if mould_style(spec) != "split" or spec.silicone.cure == "none" or why_no_mould(spec):
-        return []
-    wrong, hooking = [*_thin(spec), *_thin_pouring(spec), *_hooked(spec)], [*_hooking_fins(spec)]
+    wrong, hooking = _faults(spec)
     if not (wrong or hooking):
         return []
     better = _nearest_azimuth(spec)
     if better is None:
-        way = "No azimuth of the seam does without: move magnets, or choose another mould.style"
+        way = f"No azimuth of the seam does without: {_without_a_seam(spec)}"
         told = [f"{one}; {_FAILS}. {way}" for one in wrong]
         return told + [f"{one}; {_FAILS}. {_without_fins(spec)}" for one in hooking]
     way = f"A seam with mould.parting_azimuth_deg = {better:g} does without"
     return [f"{one}; {_FAILS}. {way}" for one in (*wrong, *hooking)]
+
+
+def better_azimuth(spec: ObjectSpec) -> float | None:
+    """Return the nearest `mould.parting_azimuth_deg` without the faults of this seam; None where it has
+    none, or no seam is without."""
+    return _nearest_azimuth(spec) if any(_faults(spec)) else None
+
+
+def _faults(spec: ObjectSpec) -> tuple[list[str], list[str]]:
+    """Return what is wrong with the seam, and which fins hook; nothing of a mould without a seam."""
+    if mould_style(spec) != "split" or spec.silicone.cure == "none" or why_no_mould(spec):
+        return [], []
+    return [*_thin(spec), *_thin_pouring(spec), *_hooked(spec)], [*_hooking_fins(spec)]
 
 
 def _thin(spec: ObjectSpec) -> Iterator[str]:
@@ -111,11 +122,19 @@ def _thin_pour_holes(spec: ObjectSpec) -> list[Hole]:
 
 def _hooked(spec: ObjectSpec) -> Iterator[str]:
     depth, room = hooked_depth_mm(spec), _room_mm(spec)
-    if not body_of(spec).from_file and depth > room:
+    if depth > room:
+        beside = "" if body_of(spec).from_file else ": the seam is not along the body's sides"
         yield (
             f"the mould's halves hook the body by about {depth:.2g} mm, and the silicone gives way by "
-            f"{room:.2g} mm: the seam is not along the body's sides"
+            f"{room:.2g} mm{beside}"
         )
+
+
+def _without_a_seam(spec: ObjectSpec) -> str:
+    """Return what else helps where the seam cannot be turned."""
+    if body_of(spec).from_file and hooked_depth_mm(spec) > _room_mm(spec):
+        return "turn the body in its file so that both halves come off level"
+    return "move magnets, or choose another mould.style"
 
 
 def _hooking_fins(spec: ObjectSpec) -> Iterator[str]:
@@ -151,10 +170,10 @@ def _room_mm(spec: ObjectSpec) -> float:
 
 
 def _nearest_azimuth(spec: ObjectSpec) -> float | None:
-    """The seam turned least that leaves walls, and hooks no deeper than the silicone, or this one, allows."""
+    """Return the seam turned least that leaves walls and hooks no deeper than the silicone allows."""
     plane, frame = parting(spec), mould_frame(spec)
     start = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
-    room = max(_room_mm(spec), hooked_depth_mm(spec) if body_of(spec).from_file else 0.0)
+    room = _room_mm(spec)
     away = abs((_AZIMUTHS_DEG - start + 90.0) % 180.0 - 90.0)
     for azimuth in _AZIMUTHS_DEG[np.argsort(away, kind="stable")].tolist():
         turned = spec.changed(mould=spec.mould.changed(parting_azimuth_deg=azimuth))

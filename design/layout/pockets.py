@@ -55,6 +55,14 @@ class Outline:
             return self.half_mm[0] * float(np.hypot(*across))
         return float(abs(across) @ np.asarray(self.half_mm))
 
+    def beyond_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
+        """Distance of points in the outline's plane to it, negative inside."""
+        if self.round:
+            return np.linalg.norm(xy_mm, axis=1) - self.half_mm[0]
+        beyond = abs(xy_mm) - np.asarray(self.half_mm)
+        outside = np.linalg.norm(np.clip(beyond, 0, None), axis=1)
+        return outside + np.clip(beyond.max(axis=1), None, 0)
+
     def corners_mm(self, sides: int) -> Float[np.ndarray, "corner 2"]:
         """Polygon of the outline's own area, counter-clockwise: `sides` corners where it is round."""
         if not self.round:

@@ -10,16 +10,19 @@ import numpy as np
 from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
 from design.errors import SpecError
+from design.fit.roughness import rough_patches
 from design.placement.hooking import trims_of, with_thinnest
 from design.placement.objects import (
     COARSE,
     SHARES,
     Request,
     Tables,
+    bare_tables,
     every_fit,
     fits_roughly,
     fitting,
     roomy_faces,
+    spec_of,
 )
 from design.spec.body import LONGEST_EDGE_MM
 from design.spec.object import ObjectSpec
@@ -27,6 +30,8 @@ from design.spec.object import ObjectSpec
 _GROWTH, _LARGEST_GROWTH, _LARGEST_BESIDE, _HALVINGS = 1.25, 8.0, 3.1, 3
 """Steps in which a larger size is looked for, how far, how far where longer short edges help, and how
 often the last step is halved."""
+_MARGIN = 1.05
+"""Step in which a size that fits roughly grows until it is placed."""
 _DIGITS = 4
 """Of a scale that is named."""
 _MOULD_MM = 30.0
@@ -73,11 +78,15 @@ def _too_small(request: Request) -> str:
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
+    bare = bare_tables(request, request.thinnest)
+    rough = rough_patches(spec_of(bare)) if request.file else []
     ways = [*_larger(request), *on_base(request), *_fewer(request)]
     if not ways:
-        sizes = f"no size up to {_LARGEST_GROWTH:g} times was found that works"
-        return f"{message}, and {sizes}. Choose another shape"
-    return f"{message}. {'; or '.join(ways)}"
+        longest = max(request.size_mm)
+        growth = _most_growth(longest)
+        sizes = f"no size up to {growth:.2g} times ({growth * longest:.4g} mm) was found that works"
+        return ". ".join([f"{message}, and {sizes}", *rough, "Choose another shape"])
+    return ". ".join([message, *rough, "; or ".join(ways)])
 
 
 def _larger(request: Request) -> Iterator[str]:
@@ -123,15 +132,31 @@ def smallest_working(
         larger = grown(request, growth)
         return _fitting_roughly(larger) if KINDS[larger.kind].takes_size(larger.size_mm) else None
 
-    low, high, found = 1.0, _GROWTH, None
-    largest = min(most, LONGEST_EDGE_MM[1] / edge_mm)
-    while high <= largest and (found := working(high)) is None:
-        low, high = high, high * _GROWTH
+    low, high, found = 1.0, 1.0, None
+    largest = _most_growth(edge_mm, most)
+    while found is None and high < largest:
+        low, high = high, min(high * _GROWTH, largest)
+        found = working(high)
     for _ in range(_HALVINGS if found else 0):
         middle = (low + high) / 2
         smaller = working(middle)
         low, high, found = (low, middle, smaller) if smaller else (middle, high, found)
+    # what fits roughly may not be placed when a user asks for it
+    while found is not None and not _is_placed(replace(found, faces=request.faces)):
+        high *= _MARGIN
+        found = working(high) if high <= largest else None
     return found
+
+
+def _most_growth(edge_mm: float, most: float = _LARGEST_GROWTH) -> float:
+    """Return how far sizes are looked for: no edge of a body may be longer than `LONGEST_EDGE_MM`."""
+    return min(most, LONGEST_EDGE_MM[1] / edge_mm)
+
+
+def _is_placed(request: Request) -> bool:
+    """Return whether everything is placed where a user asks for that size."""
+    request = with_thinnest(request)
+    return next(fitting(request, trims_of(request), SHARES), None) is not None
 
 
 def on_base(request: Request) -> Iterator[str]:

@@ -1,5 +1,7 @@
-"""Places of magnets and sensors in a search, linear in its variables: one map serves a single layout and
-a batch with gradients."""
+"""Places of magnets and sensors in a search, linear in its variables.
+
+One map thus serves a single layout and a batch with gradients.
+"""
 
 from __future__ import annotations
 

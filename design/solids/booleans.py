@@ -15,7 +15,7 @@ import trimesh
 from OCP.BRepMesh import BRepMesh_IncrementalMesh  # pyright: ignore[reportAttributeAccessIssue]
 from OCP.Standard import Standard_Failure  # pyright: ignore[reportAttributeAccessIssue]
 
-from design.body.meshes import boolean_of, one_closed_surface, signed_mm3
+from design.body.meshes import boolean_of, height_mm, one_closed_surface, signed_mm3
 from design.errors import NotOneSolid
 from design.solids.kernel import cq
 from design.solids.primitives import single_solid
@@ -28,12 +28,16 @@ FINENESS = (0.005, 0.1)
 """Tools leave their solids by 5 µm where they become triangles."""
 _TRIANGLES_ALONE = ContextVar("triangles alone", default=False)
 """Whether exact solids are made triangles in every operation."""
+_FOLD_DEG, _FILM_MM = 175.0, 1e-3
+"""Turn between neighbouring triangles beyond which they are a fold, and height below which a triangle
+is a film, whose normal says nothing."""
 
 
-def exact_or_triangles(make: Callable[[], Solid]) -> Solid:
-    """What `make` builds; where the exact kernel gives no valid solid, the same of triangles within 5 µm.
+def exact_or_triangles(make: Callable[[], Solid], fineness: tuple[float, float]) -> Solid:
+    """Return what `make` builds, exact where its triangles are sound, else of triangles within 5 µm.
 
-    The kernel fails where a cut grazes another, or a ball's pole.
+    The kernel fails where a cut grazes another, or a ball's pole: it finds no valid solid, or one whose
+    triangles (`fineness`, mm and rad) fold back on each other.
 
     Raises
     ------
@@ -41,18 +45,39 @@ def exact_or_triangles(make: Callable[[], Solid]) -> Solid:
         An InputError: triangles do not give one closed body either.
     """
     try:
-        return make()
+        solid = make()
     except (NotOneSolid, Standard_Failure):
-        before = _TRIANGLES_ALONE.set(True)
-        try:
-            return make()
-        except Standard_Failure as error:  # of what is exact throughout
-            raise NotOneSolid(
-                f"the kernel finds no solid ({error}). Move recesses, holes or pockets apart",
-                cq.Compound.makeCompound([]),
-            ) from None
-        finally:
-            _TRIANGLES_ALONE.reset(before)
+        return _of_triangles(make)
+    # of a copy: triangles that a solid keeps widen its box
+    if not isinstance(solid, cq.Shape) or not _is_folded(
+        as_triangles(solid.copy(), fineness, False)
+    ):
+        return solid
+    try:
+        surface = _of_triangles(make)
+    except NotOneSolid:
+        return solid
+    return solid if _is_folded(as_triangles(surface, fineness, False)) else surface
+
+
+def _of_triangles(make: Callable[[], Solid]) -> Solid:
+    before = _TRIANGLES_ALONE.set(True)
+    try:
+        return make()
+    except Standard_Failure as error:  # of what is exact throughout
+        raise NotOneSolid(
+            f"the kernel finds no solid ({error}). Move recesses, holes or pockets apart",
+            cq.Compound.makeCompound([]),
+        ) from None
+    finally:
+        _TRIANGLES_ALONE.reset(before)
+
+
+def _is_folded(surface: trimesh.Trimesh) -> bool:
+    """Return whether neighbouring triangles, films left out, lie on each other as those of a fold."""
+    turned = np.degrees(surface.face_adjacency_angles) > _FOLD_DEG
+    low = height_mm(surface)[surface.face_adjacency].min(axis=1) <= _FILM_MM
+    return bool((turned & ~low).any())
 
 
 def cut(body: Shape, *tools: Shape) -> Shape:
@@ -90,18 +115,29 @@ def volume_mm3(body: Shape) -> float:
     return float(body.volume) if len(body.faces) else 0.0
 
 
-def one_body(shape: Shape, part: str) -> Solid:
-    """The one closed body that a shape is made of, voids within it filled.
+def one_solid(shape: Shape, part: str) -> Solid:
+    """Return the one closed body that a shape is made of, with its voids.
 
     Raises
     ------
     NotOneSolid
         An InputError: several pieces, or a surface that is not closed.
     """
-    if isinstance(shape, cq.Shape):
-        solid = single_solid(shape, part)
-        return cq.Solid.makeSolid(solid.outerShell()) if solid.innerShells() else solid
-    surface = one_closed_surface(shape, part)
+    exact = isinstance(shape, cq.Shape)
+    return single_solid(shape, part) if exact else one_closed_surface(shape, part)
+
+
+def one_body(shape: Shape, part: str) -> Solid:
+    """Return the same with its voids filled.
+
+    Raises
+    ------
+    NotOneSolid
+        As `one_solid`.
+    """
+    surface = one_solid(shape, part)
+    if isinstance(surface, cq.Solid):
+        return cq.Solid.makeSolid(surface.outerShell()) if surface.innerShells() else surface
     pieces = surface.split(only_watertight=False)
     return surface if len(pieces) == 1 else next(piece for piece in pieces if piece.volume > 0)
 

@@ -12,6 +12,7 @@ from design.layout.core_hold import locators
 from design.layout.places.positions import board_places
 from design.layout.pockets import core_pockets
 from design.solids.body import core_hollow, core_solid
+from design.solids.booleans import Solid, cut, join, one_solid
 from design.solids.kernel import cq
 from design.solids.primitives import (
     OVERSHOOT_MM,
@@ -20,13 +21,12 @@ from design.solids.primitives import (
     cylinder_on_face,
     pocket_solid,
     radial_box_on_face,
-    single_solid,
 )
 from design.spec.body import HUB_DEPTH_MM
 from design.spec.object import ObjectSpec
 
 
-def make_core(spec: ObjectSpec) -> cq.Solid:
+def make_core(spec: ObjectSpec) -> Solid:
     """Core in the object's frame (mm), its cavity open towards −z.
 
     Raises
@@ -46,7 +46,7 @@ def make_core(spec: ObjectSpec) -> cq.Solid:
         cutters += [pocket_solid(frame, pocket) for pocket in pockets]
     body = core_solid(spec)
     keys = [block_solid(key) for key in core_keys(spec)]
-    return single_solid((body.fuse(*keys) if keys else body).cut(*cutters), "core")
+    return one_solid(cut(join(body, *keys), *cutters), "core")
 
 
 def _cavity(spec: ObjectSpec) -> list[cq.Solid]:

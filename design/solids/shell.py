@@ -12,18 +12,18 @@ from design.layout.body import face_frames
 from design.layout.core_hold import Locator, locators
 from design.layout.pockets import shell_pockets
 from design.solids.body import cast_outer_solid, cavity_solid, outer_solid
+from design.solids.booleans import Solid, cut, one_solid
 from design.solids.kernel import cq
 from design.solids.primitives import (
     OVERSHOOT_MM,
     block_solid,
     cylinder_on_face,
     pocket_solid,
-    single_solid,
 )
 from design.spec.object import ObjectSpec
 
 
-def make_shell(spec: ObjectSpec) -> cq.Solid:
+def make_shell(spec: ObjectSpec) -> Solid:
     """Shell as it leaves the mould, in the object's frame (mm), cavity open towards −z.
 
     Raises
@@ -37,7 +37,7 @@ def make_shell(spec: ObjectSpec) -> cq.Solid:
         *slit_fins(spec),
         *(locator_hole(locator) for locator in locators(spec)),
     )
-    return single_solid(cast_envelope(spec).cut(*removed), "shell")
+    return one_solid(cut(cast_envelope(spec), *removed), "shell")
 
 
 def envelope(spec: ObjectSpec) -> cq.Solid:

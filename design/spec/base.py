@@ -79,6 +79,13 @@ _UNITS = {
     "tolerance": ("", {"percent": 1e-2}),
 }
 """By the end of a key: its unit, and others in its unit that values are often given in."""
+_BOUNDS = {
+    "gt": "greater than",
+    "ge": "greater than or equal to",
+    "lt": "less than",
+    "le": "less than or equal to",
+}
+"""pydantic's names of bounds and its words, the lower ones first."""
 _OTHER_KIND = ("_type", "_parsing", "literal_error", "int_from_float")
 """Ends of pydantic's types of errors of a value that is not of the kind at all."""
 
@@ -245,8 +252,13 @@ def _complaint(problem: Any, model: type[BaseModel]) -> str:
         return f"{key} = {problem['input']!r} was removed: {removed}"
     for word, plain in _WORDS.items():
         message = message.replace(word, plain)
+    bounds = _bounds(problem, model)
+    if len(bounds) > 1:
+        message = _SHOULD_BE + " and ".join(
+            f"{_BOUNDS[kind]} {bounds[kind]:.10g}" for kind in bounds
+        )
     received = "" if isinstance(problem.get("input"), dict) else f"; got {_shown(problem)}"
-    return f"{where}: {message}{received}{_proposal(problem)}"
+    return f"{where}: {message}{received}{_proposal(problem, bounds)}"
 
 
 def _shown(problem: Any) -> str:
@@ -255,20 +267,55 @@ def _shown(problem: Any) -> str:
     return text if len(text) <= 80 else f"{text[:60]}…"
 
 
-def _proposal(problem: Any) -> str:
-    """Proposes brackets, or the unit in which a value beyond a bound would lie within it."""
+def _bounds(problem: Any, model: type[BaseModel]) -> dict[str, float]:
+    """Return both bounds of a number that lies beyond one of them, the lower first; {} of all else."""
+    broken = {kind: bound for kind, bound in problem.get("ctx", {}).items() if kind in _BOUNDS}
+    kinds, metadata = [model], []
+    for part in problem["loc"] if broken else ():
+        fields = [
+            kind.model_fields[part]
+            for kind in kinds
+            if isinstance(kind, type) and issubclass(kind, BaseModel) and part in kind.model_fields
+        ]
+        metadata += [list(field.metadata) for field in fields]
+        kinds = [
+            inner for field in fields for inner in _nested(field.annotation, metadata)
+        ] or kinds
+    for constraints in metadata:
+        found = {
+            kind: float(getattr(one, kind))
+            for kind in _BOUNDS
+            for one in constraints
+            if getattr(one, kind, None) is not None
+        }
+        if broken.items() <= found.items():
+            return found
+    return {kind: float(bound) for kind, bound in broken.items()}
+
+
+def _nested(annotation: Any, metadata: list[list[Any]]) -> list[Any]:
+    """Return all that an annotation is made of, and collect the constraints of its parts."""
+    if get_origin(annotation) is Annotated:
+        inner, *given = get_args(annotation)
+        metadata.append([one for each in given for one in getattr(each, "metadata", [each])])
+        return _nested(inner, metadata)
+    return [annotation, *(kind for one in get_args(annotation) for kind in _nested(one, metadata))]
+
+
+def _proposal(problem: Any, bounds: dict[str, float]) -> str:
+    """Proposes brackets, or the unit in which a value beyond a bound would lie within both."""
     key = next((part for part in reversed(problem["loc"]) if isinstance(part, str)), "")
     unit, others = _UNITS.get(key.rsplit("_", 1)[-1], ("", {}))
-    bounds, value = problem.get("ctx", {}), problem.get("input")
+    value = problem.get("input")
+    low, high = bounds.get("ge", bounds.get("gt", -inf)), bounds.get("le", bounds.get("lt", inf))
     if problem["type"] == "tuple_type" and isinstance(value, str) and "," in value:
         return f". Write it as [{', '.join(part.strip() for part in value.split(','))}]"
-    if not isinstance(value, int | float) or not value > 0:
+    if not isinstance(value, int | float) or not (bounds and value > 0):
         return ""
     for other, factor in others.items():
         changed = factor * value
-        if factor < 1 and changed <= bounds.get("le", -inf):
-            return f". In {other} it would be {f'{changed:g} {unit}'.strip()}"
-        if factor > 1 and changed >= bounds.get("ge", inf):
+        # a value that is too large is taken for one in a smaller unit, and the other way round
+        if (factor < 1) == (value >= high) and low <= changed <= high:
             return f". In {other} it would be {f'{changed:g} {unit}'.strip()}"
     return ""
 

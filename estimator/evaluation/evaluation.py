@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
 from design.errors import InputError
 from estimator.frames.dataset import FrameSet
@@ -22,7 +21,6 @@ from estimator.metrics.heatmaps import FaceMetrics, face_metrics, force_referenc
 from estimator.networks.face_model import FaceModel, predict, predict_heatmaps
 from estimator.networks.prediction import ContactReadings, Prediction
 from estimator.networks.training.data import thinned, with_contacts
-from estimator.recordings.reading import Recording
 
 RIDGE = 1e-3
 """Penalty of ridge regression, a share of the mean square of its inputs."""
@@ -40,20 +38,6 @@ class IntervalReport:
     median_position_radius_mm: float
     calibration_presses: int
     tested_presses: int
-
-
-@dataclass(frozen=True)
-class RestOffsetBaseline:
-    """How well the contact case is guessed from the raw rest level alone, before any press.
-
-    Nearest case mean over the training presses, judged on the test presses. Whatever an estimator
-    scores on location must be read beside this: sessions, and with them places, have their own
-    rest levels. `chance` is 1 over the number of cases.
-    """
-
-    accuracy: float
-    chance: float
-    presses: int
 
 
 def evaluate_face(
@@ -162,53 +146,6 @@ def mean_map_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
     train, test = (face_data(frames.select(part), face) for part in (split.train, split.test))
     mean = train.heatmap_n[train.contact].mean(axis=0)
     return _metrics(test, np.broadcast_to(mean, test.heatmap_n.shape).copy(), frames)
-
-
-def rest_offset_baseline(
-    recordings: Sequence[Recording], seed: int, train_share: float = 0.6
-) -> RestOffsetBaseline:
-    """Contact case guessed from the raw counts at rest before each press.
-
-    Raises
-    ------
-    InputError
-        Some case has fewer than two presses.
-    """
-    level, case = _rest_levels(recordings)
-    rng = np.random.default_rng(seed)
-    train = np.zeros(len(case), dtype=bool)
-    for name in np.unique(case):
-        members = rng.permutation(np.flatnonzero(case == name))
-        if len(members) < 2:
-            raise InputError(
-                f"contact case {name} has one press; this baseline needs at least two of each. Add "
-                "recordings"
-            )
-        train[members[: min(len(members) - 1, max(1, round(train_share * len(members))))]] = True
-    names = np.unique(case)
-    means = np.array([level[train & (case == name)].mean(axis=0) for name in names])
-    distance = np.linalg.norm(level[~train, None] - means, axis=2)
-    guess = names[distance.argmin(axis=1)]
-    return RestOffsetBaseline(
-        float(np.mean(guess == case[~train])), 1 / len(names), int(np.sum(~train))
-    )
-
-
-def _rest_levels(
-    recordings: Sequence[Recording],
-) -> tuple[Float[np.ndarray, "press channel"], Int[np.ndarray, "press"]]:
-    """Raw rest level of each press with contacts, live channels only, and its contact case."""
-    places = sorted({place for recording in recordings for place in recording.report.places})
-    levels, cases = [], []
-    for recording in recordings:
-        frames = recording.frames
-        for press, level in enumerate(recording.rest_counts):
-            ids = frames.place_id[(frames.press_id == press) & (frames.place_id >= 0)]
-            if len(ids):
-                levels.append(level.ravel())
-                cases.append(places.index(recording.report.places[ids[0]]))
-    level = np.array(levels)
-    return level[:, np.isfinite(level).all(axis=0)], np.array(cases)
 
 
 def _metrics(

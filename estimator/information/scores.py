@@ -1,4 +1,4 @@
-"""Scores of the contact locations: sensitivity δ, Cramér–Rao bounds and detectable forces."""
+"""Scores of the contact locations: sensitivity δ, bounds, errors of the place and detectable forces."""
 
 from __future__ import annotations
 
@@ -24,6 +24,8 @@ from estimator.information.fisher import (
     detectable_force_n,
     disturbance_counts,
 )
+from estimator.information.position_error import position_errors_mm
+from estimator.information.rival_presses import rival_presses
 from estimator.information.sensitivity import (
     channel_noise,
     covariance_sensitivity,
@@ -31,7 +33,11 @@ from estimator.information.sensitivity import (
     periodic_press,
 )
 from estimator.signals.hall import full_scale_counts
-from estimator.signals.interpolation import depth_at_force, press_traces
+from estimator.signals.interpolation import (
+    counts_at_force,
+    depth_at_force,
+    press_traces,
+)
 from estimator.signals.live import live_jacobian, read_change
 from estimator.signals.presses import Signals, require_finite
 
@@ -40,6 +46,8 @@ AREAS: tuple[Area, ...] = ("corner", "edge", "mid_edge", "centre")
 COVARIANCE_SAMPLES = 64
 _AT_FORCE = ("delta", "position", "force_bound", "weakest")
 """Beginnings of the names of scores that hold at `score.force_n` alone."""
+BEYOND_BOUND = 1.2
+"""Times the position bound from which on a position error is told."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +63,8 @@ class PlaceScores:
         at either end included), in 1/N
     position_bound_mm, force_bound_n : Cramér–Rao bounds at `force_at_score_n`, freshly zeroed, and
         `…_drifted_…` (`estimator.information.fisher`); infinite where the signals cannot tell
+    position_error_mm : root mean square distance of that press from where maximum likelihood reads it,
+        freshly zeroed (`estimator.information.position_error`); infinite where the bound is
     detectable_force_n : force at which the signal stands five sigma off rest
     weakest_direction_deg : direction of the largest position bound, 0 to 180° from x
     force_at_score_n : `score.force_n`, or the force of the deepest press where that is less: bounds
@@ -69,6 +79,7 @@ class PlaceScores:
     delta_scaled: Float[np.ndarray, "face place"]
     position_bound_mm: Float[np.ndarray, "face place"]
     position_bound_drifted_mm: Float[np.ndarray, "face place"]
+    position_error_mm: Float[np.ndarray, "face place"]
     force_bound_n: Float[np.ndarray, "face place"]
     force_bound_drifted_n: Float[np.ndarray, "face place"]
     detectable_force_n: Float[np.ndarray, "face place"]
@@ -99,6 +110,27 @@ class PlaceScores:
             f"{out.sum()} of {self.places.sum()} contact locations do not reach score.force_n; the least "
             f"gets to {self.force_at_score_n[out].min():.3g} N. They are not judged. Press deeper "
             "(press.depths_mm), or lower the force"
+        )
+
+    @property
+    def misread(self) -> Bool[np.ndarray, "face place"]:
+        """Where maximum likelihood errs by more than `BEYOND_BOUND` times the bound, fresh baseline."""
+        return self.judged & (self.position_error_mm > BEYOND_BOUND * self.position_bound_mm)
+
+    @property
+    def beyond_bound(self) -> str:
+        """In words, where a reader does worse than the bound; empty where it does nowhere."""
+        misread = self.misread
+        if not misread.any():
+            return ""
+        errors = np.where(misread, self.position_error_mm, -np.inf)
+        face, place = np.unravel_index(np.argmax(errors), errors.shape)
+        x, y = self.grid.xy_mm[place]
+        return (
+            f"At {misread.sum()} of {self.judged.sum()} contact locations maximum likelihood errs by more "
+            f"than {BEYOND_BOUND:g} times the bound, as signals fold or far places give nearly the same; "
+            f"most on face {self.faces[face]} at ({x:g}, {y:g}) mm: {errors[face, place]:.2g} mm, bound "
+            f"{self.position_bound_mm[face, place]:.2g} mm"
         )
 
 
@@ -217,6 +249,11 @@ def _score_face(
         if state == "fresh":
             x, y = bounds.weakest_direction.T
             row["weakest_direction_deg"] = np.rad2deg(np.arctan2(y, x)) % 180
+            rivals = rival_presses(spec, signals, face, used).whitened(sigma)
+            counts = read(counts_at_force(traces, force[:, None]).counts[:, 0])
+            known = np.isfinite(bounds.position_mm)
+            error = position_errors_mm(rivals, xy_mm, counts / sigma, jacobian / sigma[:, None])
+            row["position_error_mm"] = np.where(known, error, np.inf)
     return row | {
         "force_at_score_n": force,
         "reaches_score_force": reach >= spec.score.force_n,
@@ -285,13 +322,6 @@ def end_frames(there: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, 
     """Places that have no neighbour on one side or the other along an axis."""
     padded = np.pad(np.moveaxis(there, axis, 0), ((1, 1), (0, 0)))
     return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)
-
-
-def outermost_places(
-    grid: PlaceGrid, places: Bool[np.ndarray, "place"] | None = None
-) -> Bool[np.ndarray, "place"]:
-    """The outermost ring of a face, corners included."""
-    return area_places(grid, "corner", places) | area_places(grid, "edge", places)
 
 
 def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:

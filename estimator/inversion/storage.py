@@ -38,7 +38,7 @@ _KIND = FileKind(
     },
     optional=("shear", "shear_x_mm", "shear_y_mm"),
     attributes=("specification", "priors", "force_error", "nearest_mm"),
-    schema=("inversion_schema", 1),
+    schema=("inversion_schema", 2),
     origin="`instobj train SPEC --set training.model=inversion` makes one",
     remedy="Train it anew",
     others={

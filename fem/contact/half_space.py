@@ -10,7 +10,7 @@ K = √(π/2s),
     E[r_i r_j/r³] = K/2 ((I₀ + I₁) n_i n_j + (I₀ − I₁)(δ_ij − n_i n_j)) e⁻ᶻ.
 Against exact double integrals the compliance of two uniform squares comes out 1.4 % too large side by
 side, 0.2 % two edges apart. A factor for their shape sets right what patches do to themselves: of
-squares so that a uniform pressure over many of them is right, of hat functions their own.
+squares and of hat functions so that a smooth pressure over several of them is right.
 """
 
 from __future__ import annotations
@@ -19,11 +19,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from scipy.special import i0e, i1e
 
-SQUARE_OWN, HAT_OWN = 0.9505, 0.9614
-"""Own compliance over that of the Gaussian: uniform square, hat function on equal triangles."""
+SQUARE_OWN, HAT_OWN = 0.9505, 0.9884
+"""Own compliance over that of the Gaussian. Squares: so that a uniform pressure over many of them is right.
+Hat functions: so that waves of five edges are, as under a contact 2.5 edges wide, by a sum over the
+reciprocal lattice of an equilateral triangulation; R 5 mm at 1 mm on the default mesh is 2.4 to 2.9 edges
+wide. Alone a hat has 0.9615, waves of four edges 0.983, of ten 0.995, a uniform pressure 0.9967: 0.01 is
+0.5 to 1 % of force."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +45,13 @@ def normal_compliance(
     a: Patches, b: Patches, youngs_modulus_mpa: float, poisson_ratio: float
 ) -> Float[np.ndarray, "a b"]:
     """∫ u_n dA over each patch of `a` per unit pressure on each of `b`, mm³/MPa."""
-    _, spread, argument = _distances(a, b)
-    factor = (1 - poisson_ratio**2) / (np.pi * youngs_modulus_mpa)
-    return factor * _products(a, b) * np.sqrt(np.pi / 2 / spread) * i0e(argument)
+    spread = np.add.outer(a.variance_mm2, b.variance_mm2)
+    # |x − y|² by |x|² + |y|² − 2 x·y: a third of the time of differences
+    first, second = (np.einsum("pd,pd->p", one.centre_mm, one.centre_mm) for one in (a, b))
+    square = np.add.outer(first, second) - 2 * (a.centre_mm @ b.centre_mm.T)
+    factor = (1 - poisson_ratio**2) / (np.pi * youngs_modulus_mpa) * np.sqrt(np.pi / 2)
+    argument = np.clip(square, 0, None) / (4 * spread)
+    return factor * _products(a, b) * i0e(argument) / np.sqrt(spread)
 
 
 def traction_compliance(
@@ -73,6 +81,13 @@ def traction_compliance(
             sheared = (1 - poisson_ratio) * same * zeroth + poisson_ratio * turned
             result[1 + i, :, 1 + j] = scale * sheared
     return result
+
+
+def chosen(patches: Patches, index: Int[np.ndarray, "chosen"]) -> Patches:
+    """Some of the patches, in that order."""
+    return Patches(
+        patches.area_mm2[index], patches.centre_mm[index], patches.variance_mm2[index], patches.own
+    )
 
 
 def joined(patches: Sequence[Patches]) -> Patches:

@@ -5,6 +5,7 @@ cell of uniform pressure is therefore split in two: hat functions around it, of 
 the same place, whose response the finite elements know, and the difference to them, which is felt
 about one triangle deep and takes a half-space's compliance (as near forces in particle–mesh methods):
     C = Pᵀ (C_fem − H_hats) P + H_cells,      P = (2 − W⁻¹ M) B,      H of `fem.contact.half_space`.
+What a magnet close under the face takes back of the half-space's part is `fem.contact.rigid_base`.
 B shares a cell's force by barycentric weights; M is the mass matrix of the hats, W its row sums, and
 2 − W⁻¹ M narrows what B has spread. Sphere of R 5 mm on a bonded layer of 8 mm, ν = 0.5, surface
 edges of 2 and 1 mm: within 2 % of published forces at 0.25 to 2 mm depth. `fem.presses.table` has the
@@ -26,7 +27,8 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frame
 from design.layout.dents import sunk_mm
 from design.spec.object import ObjectSpec
-from fem.contact.half_space import HAT_OWN, Patches, normal_compliance
+from fem.contact.half_space import HAT_OWN, Patches, chosen, normal_compliance
+from fem.contact.rigid_base import LEAST_WEIGHT, RigidBase, rigid_bases
 from fem.linear.response import FaceSurface, ResponseOperator
 
 _FAR_MM = 1e3
@@ -35,7 +37,8 @@ _FAR_MM = 1e3
 
 @dataclass(frozen=True)
 class RefinedFace:
-    """One face with the part of its compliance that finite elements keep, C_fem − H_hats."""
+    """One face with the part of its compliance that finite elements keep, C_fem − H_hats, and the
+    rigid bodies under it."""
 
     frame: FaceFrame
     surface: FaceSurface
@@ -44,6 +47,7 @@ class RefinedFace:
     wide_compliance: Float[np.ndarray, "vertex vertex"]
     narrowing: sp.csc_matrix
     triangulation: Delaunay
+    bases: tuple[RigidBase, ...] = ()
 
     @cached_property
     def narrowing_by_vertex(
@@ -62,17 +66,20 @@ class RefinedFace:
 class Spread:
     """Cells of unit pressure on one face, and the pressures of hats that stand for them.
 
-    `patches` lie on the face. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is
-    the face's own over the plane that touches it where the indenter lands, `cosine` that of how it
-    leans there; both are NaN beside the patch.
+    `patches` lie on the face, `in_plane` are the same in the plane that touches it where the indenter
+    lands. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is the face's own over that
+    plane, `cosine` that of how it leans there; both are NaN beside the patch. `above_mm` is how
+    far a slipped or dented face lies above the one at rest.
     """
 
     face: RefinedFace
     patches: Patches
+    in_plane: Patches
     rows: Int[np.ndarray, "row"]
     matrix: Float[np.ndarray, "row cell"]
     height_mm: Float[np.ndarray, "cell"]
     cosine: Float[np.ndarray, "cell"]
+    above_mm: Float[np.ndarray, "cell"]
 
 
 def refined_face(response: ResponseOperator, index: int, spec: ObjectSpec) -> RefinedFace:
@@ -81,7 +88,9 @@ def refined_face(response: ResponseOperator, index: int, spec: ObjectSpec) -> Re
     hats = hat_patches(surface)
     wide = np.asarray(response.compliance[loads, loads]) - cells_compliance(hats, spec)
     frame, around = face_frame(spec, surface.number), Delaunay(surface.xy_mm)
-    return RefinedFace(frame, surface, index, hats, wide, hat_narrowing(surface), around)
+    without = response.magnet_loads.start == len(response.compliance)
+    bases = () if without else rigid_bases(spec, frame, surface, hats)
+    return RefinedFace(frame, surface, index, hats, wide, hat_narrowing(surface), around, bases)
 
 
 def with_dents(spec: ObjectSpec, response: ResponseOperator, index: int) -> FaceSurface:
@@ -108,11 +117,12 @@ def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray
     area = patches.area_mm2 / np.where(missed, 1, cosine)
     force = share * (area * ~missed)[:, None] / face.hats.area_mm2[vertices]
     rows, matrix = _narrowed(face, vertices, force)
+    above = np.zeros(len(vertices))
     if face.surface.height_mm is not None:
-        height = height + np.sum(share * face.surface.height_mm[vertices], axis=1)
+        above = np.sum(share * face.surface.height_mm[vertices], axis=1)
     beside = np.column_stack([patches.centre_mm, np.full(len(vertices), _FAR_MM)])
     lying = replace(patches, area_mm2=area, centre_mm=np.where(missed[:, None], beside, on_face))
-    return Spread(face, lying, rows, matrix, height, cosine)
+    return Spread(face, lying, patches, rows, matrix, height + above, cosine, above)
 
 
 def _narrowed(
@@ -148,9 +158,34 @@ def _onto_face(
 
 
 def wide_block(spread: Spread) -> Float[np.ndarray, "cell cell"]:
-    """Pᵀ (C_fem − H_hats) P: what H of the cells, the same wherever they lie, is added to."""
+    """Pᵀ (C_fem − H_hats) P, less what rigid bodies take back: what H of the cells is added to."""
     inner = spread.face.wide_compliance.take(spread.rows, axis=0).take(spread.rows, axis=1)
-    return spread.matrix.T @ inner @ spread.matrix
+    wide = spread.matrix.T @ inner @ spread.matrix
+    for base in spread.face.bases:
+        take_back(wide, spread, base)
+    return wide
+
+
+def take_back(wide: Float[np.ndarray, "cell cell"], spread: Spread, base: RigidBase) -> None:
+    """Add D (Pᵀ G_hats P − G_cells) D: D are the cells' weights, G is what the body takes back.
+
+    Weights are the cells' alone, so that hats still stand for each cell's force and place.
+    """
+    points = spread.patches.centre_mm
+    if spread.face.surface.slip_mm is None:  # dents are nearer the body; it slips with its face
+        points = points + np.outer(spread.above_mm, [0.0, 0.0, 1.0])
+    weight, depth = base.weights(points)
+    (cells,) = np.nonzero(weight > LEAST_WEIGHT)
+    if not len(cells):
+        return
+    matrix = spread.matrix[:, cells] * weight[cells]
+    (used,) = np.nonzero(matrix.any(axis=1))
+    matrix = matrix[used]
+    hats = base.taken_back(chosen(spread.face.hats, spread.rows[used]), depth)
+    near = base.taken_back_wherever(spread.in_plane, depth).take(cells, axis=0).take(cells, axis=1)
+    # areas on the face are larger than in the plane, as in `place_compliance`
+    share = weight[cells] * spread.patches.area_mm2[cells] / spread.in_plane.area_mm2[cells]
+    wide[np.ix_(cells, cells)] += matrix.T @ hats @ matrix - near * np.multiply.outer(share, share)
 
 
 def place_compliance(
@@ -178,14 +213,17 @@ def joint_compliance(
     for a in spreads:
         row = []
         for b in spreads:
-            if a.face.index == b.face.index:
+            if a is b:
+                block = wide_block(a) + cells_compliance(a.patches, spec)
+            elif a.face.index == b.face.index:
                 inner = a.face.wide_compliance[np.ix_(a.rows, b.rows)]
                 near = normal_compliance(a.patches, b.patches, *constants)
+                block = a.matrix.T @ inner @ b.matrix + near
             else:
                 first, second = (response.face_loads(s.face.index).start for s in (a, b))
                 inner = np.asarray(response.compliance[np.ix_(first + a.rows, second + b.rows)])
-                near = 0.0
-            row.append(a.matrix.T @ inner @ b.matrix + near)
+                block = a.matrix.T @ inner @ b.matrix
+            row.append(block)
         rows.append(np.hstack(row))
     matrix = np.vstack(rows)
     return (matrix + matrix.T) / 2

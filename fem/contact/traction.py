@@ -21,8 +21,15 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.layout.places.positions import shell_body_layout
 from design.spec.object import ObjectSpec
-from fem.contact.half_space import Patches, joined, traction_compliance
-from fem.contact.refined import RefinedFace, Spread, hat_narrowing, hat_patches, spread_cells
+from fem.contact.half_space import Patches, chosen, joined, traction_compliance
+from fem.contact.refined import (
+    RefinedFace,
+    hat_narrowing,
+    hat_patches,
+    spread_cells,
+    take_back,
+)
+from fem.contact.rigid_base import rigid_bases
 from fem.linear.factorization import compliance_of_loads
 from fem.linear.magnets import mean_motion_functionals
 from fem.linear.response import ElasticSystem, elastic_system, face_facets, face_surface
@@ -73,13 +80,18 @@ def traction_response(
         for direction in range(3)
     ]
     condensed = condensed_compliance(system, spec, mesh, columns_of(tractions))
-    hats = [rows_of_hats(spread) for spread in spreads]
+    hats = [chosen(spread.face.hats, spread.rows) for spread in spreads]
     count = 3 * sum(len(group.area_mm2) for group in hats)
     one = np.asarray(scipy.linalg.block_diag(*(spread.matrix for spread in spreads)))
     share = np.kron(np.eye(3), one)
     wide = condensed[:count, :count] - half_space_compliance(spec, faces, hats)
     compliance = share.T @ wide @ share + half_space_compliance(spec, faces, groups)
-    cells = share.shape[1] // 3
+    cells, first = share.shape[1] // 3, 0
+    for spread in spreads:
+        last = first + len(spread.patches.area_mm2)
+        for base in spread.face.bases:
+            take_back(compliance[first:last, first:last], spread, base)
+        first = last
     return TractionResponse(
         ((compliance + compliance.T) / 2).reshape(3, cells, 3, cells),
         (condensed[count:, :count] @ share).reshape(-1, 3, cells),
@@ -93,8 +105,9 @@ def refined_surface(
     unused = np.zeros((0, 0))
     hats = hat_patches(surface)
     narrowing = hat_narrowing(surface)
-    around = Delaunay(surface.xy_mm)
-    return RefinedFace(frame, surface, frame.number, hats, unused, narrowing, around), moments
+    around, bases = Delaunay(surface.xy_mm), rigid_bases(spec, frame, surface, hats)
+    face = RefinedFace(frame, surface, frame.number, hats, unused, narrowing, around, bases)
+    return face, moments
 
 
 def require_flat(frame: FaceFrame) -> None:
@@ -124,11 +137,6 @@ def condensed_compliance(
     loads = columns_of([system.motion_basis.T @ tractions, magnets])
     padding = sp.csr_matrix((unknowns - motions, shape_of(loads)[1]))
     return compliance_of_loads(system.matrix, rows_of([loads, padding])).matrix
-
-
-def rows_of_hats(spread: Spread) -> Patches:
-    hats, rows = spread.face.hats, spread.rows
-    return Patches(hats.area_mm2[rows], hats.centre_mm[rows], hats.variance_mm2[rows], hats.own)
 
 
 def half_space_compliance(

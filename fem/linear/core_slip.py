@@ -116,7 +116,9 @@ def slipped_response(
         response.surfaces, face_frames(spec), rest.face_shift_mm, strict=True
     ):
         local = shift @ frame.axes
-        surfaces.append(replace(surface, xy_mm=surface.xy_mm + local[:, :2], height_mm=local[:, 2]))
+        beside, above = local[:, :2], local[:, 2]
+        xy = surface.xy_mm + beside
+        surfaces.append(replace(surface, xy_mm=xy, height_mm=above, slip_mm=beside))
     return replace(response, surfaces=tuple(surfaces))
 
 

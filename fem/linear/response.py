@@ -54,7 +54,8 @@ class FaceSurface:
     """Triangulation of one sensed face: places (x, y) of its vertices and triangles.
 
     `relief_mm` is the height of a curved face at the vertices over its frame's plane; `height_mm` is
-    how far they lie above the face at rest, on a slipped shell. None where there is none.
+    how far they lie above the face at rest, `slip_mm` how far they lie beside it, on a slipped shell.
+    None where there is none.
     """
 
     number: int
@@ -62,6 +63,7 @@ class FaceSurface:
     triangles: Int[np.ndarray, "triangle 3"]
     height_mm: Float[np.ndarray, "vertex"] | None = None
     relief_mm: Float[np.ndarray, "vertex"] | None = None
+    slip_mm: Float[np.ndarray, "vertex 2"] | None = None
 
     @property
     def points_mm(self) -> Float[np.ndarray, "vertex 3"]:

@@ -64,14 +64,8 @@ def wall_distance_mm(layout: ShellBodies, points_mm: np.ndarray) -> np.ndarray:
     """Distance of points to the nearest side wall of a rigid body."""
     distance = np.full(len(points_mm), np.inf)
     for centre, frame, body in zip(layout.centre_mm, layout.frame, layout.bodies, strict=True):
-        half_mm = np.asarray(body.outline.half_mm)
         local = abs((points_mm - centre) @ frame)
-        if body.outline.round:
-            across = np.hypot(local[:, 0], local[:, 1]) - half_mm[0]
-        else:
-            beyond = local[:, :2] - half_mm
-            outside = np.linalg.norm(np.clip(beyond, 0, None), axis=1)
-            across = outside + np.clip(beyond.max(axis=1), None, 0)
+        across = body.outline.beyond_mm(local[:, :2])
         along = np.clip(local[:, 2] - body.height_mm / 2, 0, None)
         distance = np.minimum(distance, np.hypot(across, along))
     return distance

@@ -18,7 +18,10 @@ from instobj.report.summary import AREAS_TITLE
 from instobj.report.surroundings import surroundings_lines
 from instobj.store import readers
 
-HEADLINES = (("verdict", "not judged"), (AREAS_TITLE, "not judged", "discretisation error"))
+HEADLINES = (
+    ("verdict", "not judged"),
+    (AREAS_TITLE, "read worse than the bound", "not judged", "discretisation error"),
+)
 """Titles of a summary that a terminal shows in place of all its tables; the rest is in `--json`."""
 _MOST_COLUMNS = 12
 _NOTHING = 1e-10

@@ -19,6 +19,7 @@ from design.body.kinds.registry import KINDS
 from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.files import atomic_path
+from design.fit.roughness import roughness_in_words
 from design.layout.body import body_of
 from design.layout.mould.frame import (
     YIELD_SHARE,
@@ -67,6 +68,8 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
         tables, failed = made(request)
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
+        for text in roughness_in_words(spec_of(tables)) if request.file else ():
+            warnings.warn(text, stacklevel=2)
         if "sensed_faces" in tables["body"]:
             warnings.warn(_left_out_faces(request, tables["body"]["sensed_faces"]), stacklevel=2)
         if max(request.size_mm) > most_printed_mm():

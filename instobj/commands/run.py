@@ -11,6 +11,7 @@ from design.errors import InputError, InstobjError
 from design.spec.object import ObjectSpec
 from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
+from instobj.commands.buildable import require_makeable
 from instobj.commands.compare import compare_scores
 from instobj.stages.run import Run, with_needs
 from instobj.stages.tasks import tasks_of
@@ -84,6 +85,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
 def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
     """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
     from design.fit.boards import boards_across_edges
+    from design.fit.roughness import roughness_in_words
     from design.fit.seam import seam_in_words
     from design.layout.places.contact_places import contact_places
     from design.layout.places.coverage import cell_areas_mm2, covered_share
@@ -97,7 +99,7 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
         across = boards_across_edges(spec)
         if across is not None:
             warnings.warn(across, stacklevel=2)
-        for told in seam_in_words(spec):
+        for told in (*seam_in_words(spec), *roughness_in_words(spec)):
             warnings.warn(told, stacklevel=2)
         rows.append(
             {
@@ -156,6 +158,8 @@ def run_chain(
                 f"{spec.name} has no slip of its core. Give one, such as "
                 "--set mechanics.slip.shift_mm=[1,0,0]"
             )
+        if "sheet" in stages:
+            require_makeable(spec)
     _make_by_workers(loaded, stages, workers, scheduler)
     result: dict[str, Any] = {
         "command": "chain",

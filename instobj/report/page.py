@@ -159,6 +159,7 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
 
     columns = {
         "position_bound_mm": "position bound, mm",
+        "position_error_mm": "error of maximum likelihood, mm",
         "position_bound_drifted_mm": "after 15 min of drift, mm",
         "force_bound_n": "force bound, N",
         "detectable_force_n": "detectable force, N",

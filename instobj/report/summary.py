@@ -49,6 +49,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
         ("discretisation", "discretisation error", _discretisation),
         ("scores", AREAS_TITLE, _areas),
+        ("scores", "read worse than the bound", _beyond_bound),
         ("scores", "not judged", _unreached),
         ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
@@ -178,6 +179,12 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
         }
         for area in summarize_areas(scores)
     ]
+
+
+def _beyond_bound(result: StoredResult) -> dict[str, str]:
+    """Nothing where a reader reaches the bound everywhere."""
+    told = SCORES.read(result.folder).beyond_bound
+    return {"place": told} if told else {}
 
 
 def _unreached(result: StoredResult) -> dict[str, str]:

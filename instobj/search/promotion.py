@@ -30,7 +30,7 @@ from estimator.layouts.fidelity import (
     rank_correlations,
 )
 from estimator.layouts.scorer import LayoutScorer
-from instobj.search.buildable import why_unbuildable
+from instobj.commands.buildable import why_unbuildable
 from instobj.search.corrected import corrected_params
 from instobj.search.fidelity import (
     Bounds,

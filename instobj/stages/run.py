@@ -240,7 +240,8 @@ class Run:
 
         Dimensions: face, place (with `x_mm`, `y_mm` along the face's surface). Variables, each freshly
         tared and as `…_drifted_…` after 15 min: `position_bound_mm` (mm), `force_bound_n` (N),
-        `detectable_force_n` (N); further `delta_raw`, `delta_scaled` (convex-hull sensitivity),
+        `detectable_force_n` (N); further `position_error_mm` (mm, root mean square of what maximum
+        likelihood reads, freshly tared), `delta_raw`, `delta_scaled` (convex-hull sensitivity),
         `weakest_direction_deg`, `force_at_score_n`, `reaches_score_force`, `depth_at_score_mm`,
         `stiffness_n_per_mm`. The coordinate `on_face` (face, place) tells which places of the grid a
         face has; variables are NaN at the others; bounds and

@@ -77,7 +77,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=16,
+        version=17,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
@@ -91,7 +91,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=13,
+        version=14,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=3),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
@@ -115,13 +115,14 @@ STAGES: dict[str, Stage] = {
         ("mesh", "response"),
         _PRESSED,
         make_shapes,
+        version=2,
     ),
     "presses": Stage(
         "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
         (*_PRESSED, "mechanics.slip"),
         make_presses,
-        version=3,
+        version=4,
     ),
     "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=3),
     "plain_response": Stage(
@@ -135,7 +136,7 @@ STAGES: dict[str, Stage] = {
         ("plain_response",),
         ("contact_grid", "indenter", "press"),
         make_plain_presses,
-        version=2,
+        version=3,
     ),
     "compliance": Stage(
         "mechanics: compliance map",
@@ -155,7 +156,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_cylinder",
         ),
         make_candidates,
-        version=7,
+        version=8,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",
@@ -166,7 +167,7 @@ STAGES: dict[str, Stage] = {
             *("search.forces_n", "search.baseline"),
         ),
         make_second_fidelity,
-        version=5,
+        version=6,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
@@ -180,7 +181,7 @@ STAGES: dict[str, Stage] = {
         ("response", "coarse_response"),
         _PRESSED,
         make_discretisation,
-        version=2,
+        version=3,
     ),
     "signals": Stage(
         "signals: Hall sensors",
@@ -204,7 +205,7 @@ STAGES: dict[str, Stage] = {
         ("mesh", "response"),
         (*_PRESSED, "mechanics.slip"),
         make_shear,
-        version=2,
+        version=3,
     ),
     "shear_scores": Stage(
         "sensitivity: with tangential forces",
@@ -242,12 +243,14 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "signals"),
         ("collection", "protocol", "silicone.prony", "seed"),
         make_collection,
+        version=2,
     ),
     "pulled_collection": Stage(
         "estimator: simulated recordings with tangential forces",
         ("response", "large_strain", "presses", "signals", "shear"),
         ("collection", "protocol", "silicone.prony", "seed"),
         make_collection,
+        version=2,
     ),
     "twin_frames": Stage(
         "estimator: presses of a virtual object",
@@ -288,7 +291,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=4,
+        version=5,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

@@ -56,9 +56,9 @@ def run_general(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
 
 
 def _face_row(recorded: SimulatedObject, face: int) -> tuple[dict[str, Any], ContactErrors]:
-    from estimator.evaluation.false_alarms import false_alarms, fixed_threshold_n
     from estimator.frames.face_data import face_data
     from estimator.metrics.heatmaps import contact_errors, face_metrics, force_reference
+    from studies.paper.false_alarms import false_alarms, fixed_threshold_n
 
     label = {"collection": "paper", "faces": [face]}
     frames = recorded.collect(faces=[face])

@@ -120,6 +120,7 @@ def fitted(
     start: FaceModel | None = None,
     continuous: bool = False,
     axes: int = 1,
+    model: str = "compact",
 ) -> FaceModel:
     """A face's estimator, from the store or fitted to training and validation frames.
 
@@ -130,7 +131,7 @@ def fitted(
     from estimator.networks.training.data import Augmentation
     from estimator.networks.training.face import FitSettings, fit_estimator
 
-    settings = recorded.spec.training
+    settings = recorded.spec.training.changed(model=model)
 
     def make(folder: Path) -> None:
         many = len(parts[0]) > _MANY_FRAMES
@@ -188,6 +189,7 @@ def fitted_to_split(
     face: int,
     label: dict[str, Any],
     axes: int = 1,
+    model: str = "compact",
 ) -> tuple[FaceModel, FrameSet, FrameSet]:
     """A fit to the split's training part; also its validation and test parts."""
     found = split(frames, recorded.spec.seed)
@@ -195,8 +197,8 @@ def fitted_to_split(
         frames.select(part) for part in (found.train, found.validation, found.test)
     )
     named = label | {"split": getattr(split, "__name__", str(split))}
-    model = fitted(recorded, (train, validation), face, named, axes=axes)
-    return model, validation, test
+    estimator = fitted(recorded, (train, validation), face, named, axes=axes, model=model)
+    return estimator, validation, test
 
 
 def metric_row(metrics: FaceMetrics) -> dict[str, float | None]:

@@ -1,7 +1,7 @@
 """The bound of each metric: what Bayes' optimum reaches on the same frames, and Cramér–Rao.
 
 The optimum knows the object's own table of signals, all contact cases and their prior, and judges
-frames one by one (`estimator.evaluation.bayes_optimum`).
+frames one by one (`studies.paper.bayes_optimum`).
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from studies.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
-    from estimator.evaluation.bayes_optimum import Hypotheses
     from estimator.frames.contact_cases import ContactCase
     from estimator.frames.contact_traces import ContactTraces
     from estimator.frames.dataset import FrameSet
     from estimator.frames.face_data import FaceData
     from estimator.metrics.heatmaps import ForceReference
     from estimator.networks.face_model import FaceModel
+    from studies.paper.bayes_optimum import Hypotheses
 
 _MOST_FRAMES = 4000
 
@@ -67,9 +67,9 @@ def judged_frames(
     """
     from dataclasses import replace
 
-    from estimator.evaluation.bayes_optimum import disturbance_sigma, press_hypotheses
     from estimator.frames.collection_recipe import drift_rms_counts
     from estimator.frames.face_data import channel_counts, face_data, live_channels
+    from studies.paper.bayes_optimum import disturbance_sigma, press_hypotheses
 
     data = face_data(frames, face)
     if len(data) > _MOST_FRAMES:
@@ -107,8 +107,8 @@ def known_cases(
 
 def reference_row(judged: Judged, span: ForceReference) -> dict[str, float]:
     """Metrics of the best possible answers."""
-    from estimator.evaluation.bayes_optimum import best_answers
     from estimator.metrics.heatmaps import contact_errors
+    from studies.paper.bayes_optimum import best_answers
 
     found = best_answers(judged.hypotheses, judged.seen_counts, judged.sigma_counts)
     true, contact = judged.data.heatmap_n, judged.data.contact
@@ -132,7 +132,7 @@ def reference_row(judged: Judged, span: ForceReference) -> dict[str, float]:
 def interval_row(judged: Judged, model: FaceModel, label_noise_n: float) -> dict[str, float]:
     """Cover and median width of a model's intervals beside the posterior's, in the same frames."""
     from estimator.evaluation.evaluation import interval_errors
-    from estimator.evaluation.narrowest_intervals import best_intervals
+    from studies.paper.narrowest_intervals import best_intervals
 
     contact = judged.data.contact
     found, missed_n, away_mm = interval_errors(model, judged.data.select(contact))

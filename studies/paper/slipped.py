@@ -21,12 +21,12 @@ from studies.registry import Study, StudyResult
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
-    from estimator.calibration.slip_recovery import FoundSlip
     from estimator.frames.dataset import FrameSet
     from estimator.metrics.heatmaps import ForceReference
     from estimator.networks.face_model import FaceModel
     from estimator.signals.presses import Signals
     from fem.presses.results import MagnetMotions, PressForces
+    from studies.paper.slip_recovery import FoundSlip
 
 SLIP_MM = (0.7, -0.5, 0.5)
 """1 mm, along no axis."""
@@ -118,9 +118,9 @@ def _carried(
     recorded: SimulatedObject, frames: FrameSet, change_counts: np.ndarray
 ) -> tuple[FoundSlip, FrameSet]:
     """The slip that the resting signals show, as uncertain as two zeros are, and frames after it."""
-    from estimator.calibration.slip_recovery import carried_over, slip_from_rest
     from estimator.tolerances.assembly import designed
     from estimator.tolerances.virtual_object import twin_signals
+    from studies.paper.slip_recovery import carried_over, slip_from_rest
 
     design, presses = recorded.design, recorded.design_presses
     noise = np.sqrt(2) * design.sensors.zeroing_counts

@@ -178,7 +178,9 @@ def test_a_caller_can_tell_what_went_wrong(tmp_path):
         instobj.load_spec(tmp_path / "cube.toml")
     with pytest.raises(instobj.SpecError, match=r"shel is not a key\. Did you mean 'shell'"):
         instobj.ObjectSpec(name="cube", shel=3)
-    with pytest.raises(instobj.SpecError, match=r"greater than or equal to 0\.3; got -9"):
+    with pytest.raises(
+        instobj.SpecError, match=r"equal to 0\.3 and less than or equal to 200; got -9"
+    ):
         instobj.ObjectSpec(name="cube", shell={"thickness_mm": -9})
     (tmp_path / "press.csv").write_text("a,b\n1,2\n")
     with pytest.raises(instobj.RecordingError, match=r"press\.csv"):

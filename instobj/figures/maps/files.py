@@ -87,8 +87,10 @@ def _draw_overview(spec: ObjectSpec, scores: PlaceScores, path: Path) -> None:
             f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
             f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
             + (" ∞: blind, along the line." if np.isinf(values).any() else "")
+            + (f" {scores.beyond_bound} (framed)." if scores.beyond_bound else "")
             + (f" {scores.unreached}." if scores.unreached else "")
         ),
+        marked=scores.misread,
     )
 
 

@@ -1,11 +1,14 @@
 """Checks of fabrication at both sides of their limits, by boxes and made-up measures in place of parts."""
 
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
 
+from design.body.imported import body_of_file
 from design.body.meshes import Trap, Undercut
 from design.body.triangles import Block
 from design.build.parts import Part
@@ -14,6 +17,7 @@ from design.fabrication.casting import (
     Draw,
     ceiling_finding,
     check_blocked,
+    check_casting,
     check_closing,
     check_seal_mould,
     check_shared,
@@ -25,8 +29,17 @@ from design.fabrication.casting import (
 from design.fabrication.check import check_solid
 from design.fabrication.finding import at_least, worst
 from design.fabrication.printing import check_bed, check_edges, check_walls
+from design.fabrication.tools import check_tools
 from design.layout.boards import Mounted
+from design.layout.body import body_of, face_frames
 from design.layout.mould.pouring import Hole
+from design.solids.booleans import as_triangles
+from design.solids.core import make_core
+from design.solids.jig import make_jig
+from design.solids.magnet_template import template_faces
+from design.solids.probes import make_probe
+from design.solids.sampled import sampled_core_part
+from design.spec.object import ObjectSpec
 from tests.support.objects.worked_objects import worked
 
 CUBE = worked("closed box")
@@ -284,3 +297,116 @@ def test_a_core_that_is_cast_in_must_not_meet_its_mould(name, core):
 
 def test_without_the_parts_of_a_seal_mould_nothing_is_checked():
     assert not check_seal_mould(worked("cylinder"), {})
+
+
+def flange_of_a_ball(**mould):
+    """The finding on the walls of a ball's flange, beside its bolts."""
+    spec = worked("sphere").changed(mould=worked("sphere").mould.changed(**mould))
+    found = check_casting(spec, {})
+    return next(finding for finding in found if finding.check == "flange round its bolts")
+
+
+def test_a_flange_is_judged_by_the_walls_beside_its_bolts():
+    """Holes of Ø3.4, dowels of Ø4 in holes with play: what they leave of a flange's width, halved."""
+    spec = worked("sphere")
+    widest = max(3.4, 4.0 + 2 * spec.printer.clearance_mm)
+    assert flange_of_a_ball().value == pytest.approx((spec.mould.flange_mm - widest) / 2)
+    assert flange_of_a_ball().status == "pass"
+    narrow = flange_of_a_ball(flange_mm=2.0)
+    assert narrow.status == "fail"
+    assert narrow.value < 0, "the holes of the bolts are open"
+    least = float(re.search(r"raise mould\.flange_mm to ([\d.]+)", narrow.what)[1])
+    assert least == pytest.approx(widest + 2 * spec.printer.wall_mm, abs=0.1)
+    assert flange_of_a_ball(flange_mm=least).status == "pass", "the value that is named"
+    assert flange_of_a_ball(flange_mm=least - 0.1).status == "fail"
+
+
+def on_a_jig(spec, shift_mm=(0.0, 0.0, 0.0)):
+    """Findings on the jig of an object whose core is moved, as the wrong seat would move it."""
+    make = sampled_core_part if body_of(spec).sampled else make_core
+    core = as_triangles(make(spec)).copy()
+    core.apply_translation(shift_mm)
+    jig = as_triangles(make_jig(spec))
+    found = check_tools(spec, {"core": core, "jig": jig})
+    return {finding.check: finding for finding in found}["object on its jig"]
+
+
+def lopsided(folder):
+    """A ball of 44 mm whose lower end leans by 24°, from a file, on a bore of 8 mm."""
+    ball = trimesh.creation.icosphere(4, 22.0)
+    ball.vertices[:, 2] += 0.45 * ball.vertices[:, 1]
+    ball.export(folder / "lopsided.stl")
+    body = {"kind": "imported", "bore_mm": 8.0, "sensed_faces": [1]}
+    content = {"name": "lopsided", "body": body | body_of_file(folder / "lopsided.stl")}
+    content |= {"sensors": {"positions_mm": [[0.0, 0.0]], "radius_mm": 4.0}}
+    content |= {"core": {"recess_inner_radius_mm": 1.5, "recess_outer_radius_mm": 6.5}}
+    return ObjectSpec.model_validate(content)
+
+
+def test_the_jig_s_post_is_judged_in_the_core_of_a_lopsided_body(tmp_path):
+    """A post that is too high by a millimetre, as one by the flat's middle alone was, is found."""
+    spec = lopsided(tmp_path)
+    assert (on_a_jig(spec).status, on_a_jig(spec).value) == ("pass", 0.0)
+    sunk = on_a_jig(spec, (0.0, 0.0, -1.0))
+    assert (sunk.status, sunk.part) == ("fail", "jig")
+    assert sunk.value == pytest.approx(1.0, abs=0.5), "by so much it stands too high"
+    assert sunk.place_mm[2] < 0, "at the lower end"
+
+
+PEAR = Path("/work/shared/data/ycb/YcbPear_vhacd.obj")
+
+
+@pytest.mark.skipif(not PEAR.is_file(), reason=f"the scan {PEAR} is not on this machine")
+def test_a_real_pear_stands_on_its_jig():
+    """Its post ran 1.98 mm³ into the core, so that every press was 1.5 mm off in z."""
+    body = {"kind": "imported", "unit": "m", "sensed_faces": [1]} | body_of_file(PEAR, 1000.0)
+    spec = ObjectSpec.model_validate({"name": "pear", "body": body, "sensors": {"radius_mm": 7.5}})
+    stands = on_a_jig(spec)
+    assert (stands.status, stands.value) == ("pass", 0.0)
+    high = on_a_jig(spec, (0.0, 0.0, -1.5))
+    assert high.status == "fail"
+    assert high.value == pytest.approx(1.5, abs=0.5)
+
+
+def test_a_template_is_judged_on_the_face_that_it_serves():
+    """Of a cube with a bump of 2 × 2 × 2 mm under the middle of a template's sheet."""
+    spec = worked("box")
+    core = box([-13, -13, -13], [13, 13, 13])
+    (first, numbers), *_ = template_faces(spec).items()
+    frame = next(frame for frame in face_frames(spec) if frame.number == numbers[0])
+    template = box([-15, -15, 0], [15, 15, 3])
+    name = "magnet_template" if len(template_faces(spec)) == 1 else f"magnet_template_face_{first}"
+    outside = frame.centre_mm + 1.0 * frame.normal
+    bump = box(outside - 1, outside + 1)
+    found = check_tools(spec, {"core": core, "shell": bump, name: template})
+    worst_of = {finding.check: finding for finding in found}["template on its face"]
+    assert worst_of.status == "fail"
+    assert worst_of.value == pytest.approx(8.0, rel=1e-3)
+    assert worst_of.place_mm == pytest.approx(outside, abs=1e-3)
+    clear = check_tools(spec, {"core": core, name: template})
+    assert {finding.status for finding in clear} == {"pass"}
+
+
+def test_a_probe_is_judged_beside_the_jig_where_it_presses_lowest():
+    """By hand, of the paper's cube: at z = −13.5 a plate of 20 × 20 × 4 mm begins 15 − 4 mm outside the
+    face and ends at −23.5; the jig's, up to 16 mm outside, lies below −21."""
+    spec = ObjectSpec(name="cube").changed(press={"depths_mm": (1.0, 4.0)})
+    meshes = {"jig": as_triangles(make_jig(spec)), "probe_1": as_triangles(make_probe(spec, 1))}
+
+    def beside(**grid):
+        changed = spec.changed(contact_grid=grid)
+        found = {
+            finding.check: finding for finding in check_tools(changed, meshes | {"core": CORE})
+        }
+        return found["probes clear of the jig"]
+
+    lowest = beside(count=(10, 10), pitch_mm=3.0)
+    assert (lowest.status, lowest.part) == ("warn", "jig")
+    assert lowest.value == pytest.approx(20 * 4 * 2.5, rel=0.05)
+    assert "most: probe_1 and jig" in lowest.what
+    middle = beside(count=(2, 2), pitch_mm=3.0)
+    assert (middle.status, middle.value) == ("pass", 0.0)
+
+
+CORE = box([-5, -5, -5], [5, 5, 5])
+"""A core that touches no jig."""

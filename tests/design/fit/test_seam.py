@@ -4,7 +4,11 @@ import re
 
 import numpy as np
 import pytest
+import trimesh
 
+from design.body.imported import body_of_file
+from design.build.parts import Part
+from design.fabrication.printing import check_walls
 from design.fit import seam
 from design.fit.seam import seam_in_words
 from design.layout.mould.frame import hooked_depth_mm, mould_frame, up
@@ -58,6 +62,18 @@ def test_a_thin_wall_beside_a_pin_is_told_with_its_place(away_mm, thin):
         assert place[2] >= 23
         better = float(re.search(r"parting_azimuth_deg = (\d+)", text)[1])
         assert seam_in_words(cylinder([away_mm, 9.0], parting_azimuth_deg=better)) == []
+
+
+def test_a_thin_wall_of_a_half_names_the_seam_that_has_none():
+    """`check --fabrication` named the key alone."""
+    wall = trimesh.creation.box((20.0, 20.0, 0.4))
+    (thin,) = check_walls(Part("mould_half_a", lambda: None), wall, cylinder([3.7, 9.0]))
+    assert thin.status == "fail"
+    better = float(re.search(r"mould\.parting_azimuth_deg = (\d+)\)", thin.what)[1])
+    turned = cylinder([3.7, 9.0], parting_azimuth_deg=better)
+    assert seam_in_words(turned) == []
+    (alike,) = check_walls(Part("mould_half_a", lambda: None), wall, turned)
+    assert "(mould.parting_azimuth_deg)" in alike.what, "this seam is not why it is thin"
 
 
 def test_a_pouring_hole_that_leaves_a_thin_wall_wherever_it_goes_is_told_with_a_seam_that_does_not(
@@ -128,3 +144,28 @@ def test_fins_that_no_seam_frees_are_told_with_a_mould_that_does():
 def test_where_nothing_is_moulded_in_halves_nothing_is_told():
     assert seam_in_words(cylinder([3.7, 9.0], style="one-piece")) == []
     assert seam_in_words(cylinder([3.7, 9.0]).changed(silicone={"cure": "none"})) == []
+
+
+def tilted_block(folder, tilt_deg):
+    """A block of 50 × 40 × 60 mm from a file, turned in it about x and y, so that no level way frees it."""
+    block = trimesh.creation.box((50.0, 40.0, 60.0)).subdivide().subdivide()
+    for axis in ([1, 0, 0], [0, 1, 0]):
+        turn = trimesh.transformations.rotation_matrix(np.deg2rad(tilt_deg), axis)
+        block.apply_transform(turn)
+    block.export(folder / f"block_{tilt_deg:g}.stl")
+    body = {"kind": "imported", "sensed_faces": [3]}
+    body |= body_of_file(folder / f"block_{tilt_deg:g}.stl")
+    content = {"name": "block", "body": body, "magnets": {"positions_mm": [[0.0, 0.0]]}}
+    return ObjectSpec.model_validate(content)
+
+
+def test_a_file_s_body_that_every_seam_hooks_is_told_by_check(tmp_path):
+    """`check` called the foam brick valid; `check --fabrication` failed, and named a seam that it has not."""
+    spec = tilted_block(tmp_path, 20.0)
+    assert hooked_depth_mm(spec) > 1
+    (text,) = [one for one in seam_in_words(spec) if "hook the body" in one]
+    assert "check --fabrication fails on it" in text
+    assert "turn the body in its file" in text
+    assert "parting_azimuth_deg" not in text
+    straight = tilted_block(tmp_path, 0.0)
+    assert not [one for one in seam_in_words(straight) if "hook" in one]

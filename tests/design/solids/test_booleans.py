@@ -5,13 +5,16 @@ import pytest
 import trimesh
 from numpy.testing import assert_allclose
 
-from design.body.meshes import one_closed_surface
+from design.body.meshes import one_closed_surface, thinnest_wall
+from design.build.parts import Part
 from design.errors import NotOneSolid
 from design.solids.booleans import (
+    FINENESS,
     as_triangles,
     as_written,
     cut,
     one_body,
+    one_solid,
     pieces_that_meet,
     volume_mm3,
     without_offcuts,
@@ -82,6 +85,22 @@ def test_offcuts_are_small_pieces_beside_a_large_one(form):
     """A sliver of 1.6 mm³ between the holes of a half of 75 000 mm³ made it two pieces."""
     assert_allclose(volume_mm3(without_offcuts(form(beside(1.5)), 1e-3)), 8000, rtol=1e-9)
     assert_allclose(volume_mm3(without_offcuts(form(beside(2.5)), 1e-3)), 8015.625, rtol=1e-9)
+
+
+@pytest.mark.parametrize("away_mm", [4.06, 4.1, 4.155])
+def test_a_hole_beside_a_ball_s_pole_leaves_no_folded_triangles(away_mm):
+    """The kernel's triangles round the pole lay on each other: a wall of 0.0001 mm in a ball of 83 mm."""
+
+    def drilled():
+        ball = cq.Solid.makeSphere(41.43, cq.Vector(), cq.Vector(0, 0, 1), -90, 90, 360)
+        way = cq.Vector(away_mm, -0.21, 41.2).normalized()
+        hole = cq.Solid.makeCylinder(4.05, 9.0, cq.Vector(away_mm, -0.21, 41.2) - way * 6.0, way)
+        return one_solid(cut(ball, hole), "ball")
+
+    made = as_triangles(Part("ball", drilled).make(), FINENESS, False)
+    assert made.is_watertight
+    assert thinnest_wall(made).thickness_mm > 30
+    assert made.volume == pytest.approx(drilled().Volume(), rel=3e-3)
 
 
 def test_nothing_left_of_a_part_is_one_error():

@@ -116,8 +116,14 @@ def test_a_rule_takes_up_to_its_border(row):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ("magnets.depth_mm=-3", "magnets.depth_mm: Input should be greater than 0; got -3"),
-        ("magnets.depth_mm=[3,-1]", "magnets.depth_mm.1: Input should be greater than 0; got -1"),
+        (
+            "magnets.depth_mm=-3",
+            "magnets.depth_mm: Input should be greater than 0 and less than or equal to 1000; got -3",
+        ),
+        (
+            "magnets.depth_mm=[3,-1]",
+            "magnets.depth_mm.1: Input should be greater than 0 and less than or equal to 1000; got -1",
+        ),
         (
             "magnets.depth_mm='deep'",
             "magnets.depth_mm: Input should be a valid number or a list in brackets; got 'deep'",
@@ -133,7 +139,8 @@ def test_a_rule_takes_up_to_its_border(row):
         ),
         (
             "contact_grid.count=[1,5]",
-            "contact_grid.count.0: Input should be greater than or equal to 2; got 1",
+            "contact_grid.count.0: Input should be greater than or equal to 2 and less than or equal to "
+            "100; got 1",
         ),
         (
             "magnets.positions_mm=3",
@@ -186,6 +193,28 @@ UNLIKELY = {
 @pytest.mark.parametrize(("changes", "words"), UNLIKELY.items(), ids=UNLIKELY)
 def test_what_is_no_sense_is_refused_with_what_was_meant(changes, words):
     assert words in said_of(changes)
+
+
+@pytest.mark.parametrize(
+    ("change", "bounds"),
+    [
+        ("silicone.youngs_modulus_mpa=414", "or equal to 0.001 and less than or equal to 50; got"),
+        ("shell.thickness_mm=-8", "or equal to 0.3 and less than or equal to 200; got -8"),
+        ("magnets.height_mm=[1,-2,1,1,1]", "0 and less than or equal to 1000; got -2"),
+        ("magnets.tilt_deg=[[31,0]]", "or equal to -30 and less than or equal to 30; got 31"),
+        ("contact_grid.count=[1,5]", "or equal to 2 and less than or equal to 100; got 1"),
+        ("limits.saturation_margin=2", "0 and less than 1; got 2"),
+        ("seed=-1", "or equal to 0 and less than or equal to 2147483647; got -1"),
+    ],
+)
+def test_a_value_beyond_a_bound_is_told_with_both(change, bounds):
+    """In lists and in keys of several kinds too; the end that was kept was not told."""
+    assert f"Input should be greater than {bounds}" in said_of(change)
+
+
+def test_no_unit_is_proposed_that_would_lie_beyond_the_other_bound():
+    assert "In m it would be" not in said_of("shell.thickness_mm=0.29")
+    assert "In cm it would be 2.9 mm" in said_of("shell.thickness_mm=0.29")
 
 
 @pytest.mark.parametrize("changes", ["body.kind=sphere body.bore_mm=8", "inversion.jaws=true"])

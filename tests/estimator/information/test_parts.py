@@ -132,8 +132,6 @@ def test_areas_of_a_grid_of_seven_by_six():
     centre = np.zeros((7, 6), bool)
     centre[2:5, 1:5] = True
     assert_array_equal(area("centre"), centre)
-    outermost = scores.outermost_places(GRID).reshape(7, 6)
-    assert_array_equal(outermost, ring)
 
 
 def test_a_face_that_is_no_rectangle_has_edges_and_no_corners():

@@ -7,9 +7,9 @@ from scipy.spatial.distance import cosine
 from scipy.special import ndtri
 
 from estimator.calibration.known_travel import agreement
-from estimator.evaluation import narrowest_intervals
 from estimator.metrics.contacts import MatchedContacts, contact_rows
 from estimator.metrics.cross_correlation import align
+from studies.paper import narrowest_intervals
 
 NAN = np.nan
 MATCHED = MatchedContacts(

@@ -77,8 +77,9 @@ def test_hats_are_refined_to_cells_in_all_three_directions(monkeypatch):
 
     def spread_cells(face, patch, centre):
         assert_array_equal(centre, [0, 0])
+        surface = SimpleNamespace(hats=hats[face], bases=())
         return SimpleNamespace(
-            face=SimpleNamespace(hats=hats[face]), rows=np.array(rows[face]), matrix=spread[face]
+            face=surface, rows=np.array(rows[face]), matrix=spread[face], patches=patch
         )
 
     def condensed(system, spec, mesh, tractions):
@@ -99,7 +100,6 @@ def test_hats_are_refined_to_cells_in_all_three_directions(monkeypatch):
     )
     monkeypatch.setattr(traction, "spread_cells", spread_cells)
     monkeypatch.setattr(traction, "condensed_compliance", condensed)
-    monkeypatch.setattr(traction, "rows_of_hats", traction.rows_of_hats.__wrapped__)
     found = traction.traction_response.__wrapped__(SPEC, None, [5, 3], groups)
     (loads,) = asked
     for direction in range(3):

@@ -15,18 +15,24 @@ from tests.support.mechanics.block_cases import (
 )
 
 
-def test_a_disk_of_pressure_sinks_as_on_the_half_space():
-    """Mean displacement 16 p a/(3π E*) (Johnson, Contact Mechanics, 3.4), by block size 2 e₂ − e₁."""
+@pytest.mark.parametrize(("edge_mm", "cells", "within"), [(2.0, 3, 0.025), (1.0, 4, 0.008)])
+def test_a_disk_of_pressure_sinks_as_on_the_half_space(edge_mm, cells, within):
+    """Mean displacement 16 p a/(3π E*) (Johnson, Contact Mechanics, 3.4), by block size 2 e₂ − e₁.
+
+    The factor of hats is that of waves of five edges: a disk of two edges, whose pressure ends in a step,
+    answers 2.2 % too stiffly, of four edges 0.4 %. With a single hat's own factor, 0.9615, it is 1.2 and
+    0.3 %, but forces of a sphere over magnets are 1 to 2.5 % smaller at 1 mm.
+    """
     nu, radius, pressure = 0.4999, 2.0, 0.01
     exact = 16 * pressure * radius / (3 * np.pi * plane_strain_modulus_mpa(nu))
     errors = []
     for size in (20.0, 40.0):
-        block = known_block_response(nu, size, size)
+        block = known_block_response(nu, size, size, edge_mm, cells)
         patch = load_patches(spec_of(nu), block, [Tip(1, 0.6, -0.9)], radius, pressure)
         assert_allclose(patch.force_n, np.pi * radius**2 * pressure, rtol=0.003)
         errors.append(patch.sunk_mm[0] / exact - 1)
     assert errors[0] < errors[1] < 0
-    assert abs(2 * errors[1] - errors[0]) < 0.015
+    assert abs(2 * errors[1] - errors[0]) < within, 2 * errors[1] - errors[0]
 
 
 def test_patches_superpose_and_pull_as_they_push(rigid_spec, rigid_response):

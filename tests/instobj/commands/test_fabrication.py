@@ -11,6 +11,8 @@ from design.fabrication.check import Checked
 from design.fabrication.finding import Finding
 from instobj.cli.app import app
 from instobj.render.findings import marked_parts
+from tests.support.cli import assert_one_clear_error
+from tests.support.cli import run as command_line
 
 
 def finding(check, part, status, place=(1.0, 2.0, 3.0)):
@@ -56,6 +58,15 @@ def test_a_failure_ends_with_1_and_is_told_with_its_place(checked):
     shown = run(folder).stdout
     assert "1 of 4 checks pass" in shown
     assert "4.0, -5.0, 6.0" in shown
+
+
+def test_build_refuses_what_fabrication_fails_on_and_writes_nothing(checked):
+    """`build` made parts, with exit code 0, of what `check --fabrication` fails on."""
+    folder, _ = checked
+    done = command_line("build", folder / "cube.toml", cwd=folder)
+    assert_one_clear_error(done, "cube is not built", "core, thinnest wall: 0.38 mm", "thicken it")
+    assert "draft" not in done.stderr, "warnings do not stop a build"
+    assert not (folder / "cad_out").exists()
 
 
 def test_parts_that_ask_for_the_same_are_told_in_one_sentence(checked):

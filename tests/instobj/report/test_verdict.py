@@ -55,3 +55,13 @@ def test_chips_of_virtual_objects_decide_beside_the_design(out, margin, go):
     crowded = verdict.judge(spec, scores, 0.05, objects)
     assert not crowded.go, "the design's own margin still counts"
     assert np.isclose(crowded.checks[2].ratio, max(0.95 / 0.9, 1 - margin))
+
+
+def test_the_verdict_on_the_place_says_where_readers_do_worse_than_the_bound():
+    spec = coarse_spec(contact_grid={"count": (8, 8), "pitch_mm": 3.0}, score={"force_n": 4.0})
+    scores = score_places(spec, press_signals(spec, *synthetic_presses(spec)))
+    objects = Saturation(200, (0.0, 4.0), (0.0, 0.0), (0.5, 0.3))
+    place, *others = verdict.judge(spec, scores, 0.4, objects).checks
+    assert scores.beyond_bound
+    assert f". {scores.beyond_bound}" in place.where
+    assert not any("maximum likelihood" in check.where for check in others)

@@ -273,7 +273,7 @@ def _scored_slowly(argument):
 def test_a_search_on_several_machines_loses_nothing_and_does_nothing_twice(tmp_path):
     """Workers of a Dask scheduler, each killed and replaced while it has a trial at work."""
     path, wanted = tmp_path / "trials.jsonl", 24
-    space = made_up_space(trials=wanted)
+    space = made_up_space(trials=wanted, polish_steps=1)
     kept = open_trials(space.spec, path)
     killed = set()
     with open_workers(2) as workers:

@@ -15,5 +15,6 @@ def scores_of(spec, bound_mm):
     ones = np.where(there, 1.0, np.nan)
     values = {field.name: ones for field in fields(PlaceScores)[2:]}
     values |= {"reaches_score_force": there}
-    values |= {"position_bound_mm": np.where(there, bound_mm, np.nan)}
+    bound = np.where(there, bound_mm, np.nan)
+    values |= {"position_bound_mm": bound, "position_error_mm": bound}
     return PlaceScores(np.array(spec.body.sensed), contact_grid(spec), **values)

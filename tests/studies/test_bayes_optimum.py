@@ -5,17 +5,17 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.layout.places.contact_grid import contact_grid
-from estimator.evaluation.bayes_optimum import (
+from estimator.frames.contact_cases import ContactCase, paper_cases
+from estimator.frames.contact_traces import ContactTraces, contact_traces, force_at_travel
+from estimator.metrics.heatmaps import contact_errors, force_reference
+from estimator.signals.presses import press_signals
+from studies.paper.bayes_optimum import (
     Hypotheses,
     best_answers,
     disturbance_sigma,
     press_hypotheses,
 )
-from estimator.evaluation.narrowest_intervals import best_intervals
-from estimator.frames.contact_cases import ContactCase, paper_cases
-from estimator.frames.contact_traces import ContactTraces, contact_traces, force_at_travel
-from estimator.metrics.heatmaps import contact_errors, force_reference
-from estimator.signals.presses import press_signals
+from studies.paper.narrowest_intervals import best_intervals
 from tests.support.mechanics.synthetic_presses import coarse_spec, force_n, synthetic_presses
 
 SIGMA = np.array([2.0, 1.0, 3.0, 1.5])
@@ -267,7 +267,7 @@ def test_medians_are_those_of_every_pixel_and_of_the_total_force():
 def test_batches_of_frames_change_no_answer(monkeypatch):
     made, seen = made_hypotheses(), np.random.default_rng(2).normal(size=(7, 2))
     whole = best_answers(made, seen, np.ones(2))
-    monkeypatch.setattr("estimator.evaluation.bayes_optimum.CHUNK_BYTES", 8.0 * 12 * 2)
+    monkeypatch.setattr("studies.paper.bayes_optimum.CHUNK_BYTES", 8.0 * 12 * 2)
     parts = best_answers(made, seen, np.ones(2))
     for name in ("median_map_n", "case_map_n", "mean_map_n", "total_n", "rest_probability"):
         assert_allclose(getattr(parts, name), getattr(whole, name), rtol=1e-12)

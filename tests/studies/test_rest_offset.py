@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from estimator.evaluation.evaluation import rest_offset_baseline
 from estimator.recordings.reading import Recording
+from studies.recorded.rest_offset import rest_offset_baseline
 
 A, B, C = (((1, 0.0, 0.0),), ((1, 3.0, 0.0),), ((2, 0.0, 0.0),))
 

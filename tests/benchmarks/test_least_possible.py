@@ -5,8 +5,8 @@ from itertools import combinations_with_replacement
 import numpy as np
 from numpy.testing import assert_allclose
 
+from benchmarks.rig.least_possible import PressChoices, choices_of, least_possible
 from estimator.calibration.twin.least_known import doubt_beforehand, press_order
-from estimator.calibration.twin.least_possible import PressChoices, choices_of, least_possible
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 PRESSES, UNKNOWNS = 6, 8

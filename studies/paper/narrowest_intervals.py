@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from estimator.evaluation.bayes_optimum import Hypotheses, chunked_posterior
+from studies.paper.bayes_optimum import Hypotheses, chunked_posterior
 
 _NOISE_NODES = 41
 _HALVINGS = 30

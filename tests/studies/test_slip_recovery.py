@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from estimator.calibration.slip_recovery import FoundSlip, carried_over, slip_from_rest
 from estimator.frames.press_protocol import simulate_presses
 from estimator.tolerances.assembly import designed
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
+from studies.paper.slip_recovery import FoundSlip, carried_over, slip_from_rest
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 from tests.support.physics_pages import assert_page, chosen
 

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from estimator.evaluation.false_alarms import false_alarms, fixed_threshold_n, noticed_from
+from studies.paper.false_alarms import false_alarms, fixed_threshold_n, noticed_from
 
 
 def maps(*largest):
@@ -39,7 +39,7 @@ def test_rates_by_hand():
     assert false_alarms(predicted, true, rest, 10.0).summary()["noticed_from_n"] is None
 
 
-def test_a_force_is_noticed_from_where_nineteen_of_twenty_raise_the_alarm():
+def test_a_force_isnoticed_from_where_nineteen_of_twenty_raise_the_alarm():
     force = np.arange(40.0, 0, -1)
     alarm = np.ones(40, bool)
     alarm[19] = False  # of 21 N: nineteen of the twenty at least as strong are noticed

@@ -1,0 +1,86 @@
+"""Keys that only some kinds use: a key that was written for another kind is refused, not left unread."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from design.errors import SpecError
+from design.spec.object import ObjectSpec
+
+_WOUND, _NETWORKS = ("coil",), ("compact", "whole-object")
+_ROUND_TIPS, _SPLIT = ("hemisphere", "flat", "cylinder"), (None, "split")
+USES: dict[str, tuple[str, tuple[Any, ...]]] = {
+    "indenter.radius_mm": ("indenter.kind", _ROUND_TIPS),
+    "indenter.length_mm": ("indenter.kind", ("cylinder",)),
+    "indenter.size_mm": ("indenter.kind", ("cuboid",)),
+    "indenter.fillet_mm": ("indenter.kind", ("flat", "cuboid")),
+    "indenter.file": ("indenter.kind", ("stl",)),
+    "indenter.tip_spacing_mm": ("indenter.tip_count", (2, 3)),
+    "magnets.turns": ("magnets.kind", _WOUND),
+    "magnets.current_a": ("magnets.kind", _WOUND),
+    "magnets.switching": ("magnets.kind", _WOUND),
+    "magnets.grade": ("magnets.kind", ("permanent",)),
+    "magnets.remanence_t": ("magnets.kind", ("permanent",)),
+    "magnets.recoil_permeability": ("magnets.kind", ("permanent",)),
+    "magnets.depth_below_core_face_mm": ("arrangement", ("sensors-in-shell",)),
+    "mould.parting_azimuth_deg": ("mould.style", _SPLIT),
+    "mould.flange_mm": ("mould.style", _SPLIT),
+    "mould.dowel_draft_deg": ("mould.style", _SPLIT),
+    "collection.frames_per_case": ("collection.kind", ("paper", "grasp")),
+    "collection.non_contact_cases": ("collection.kind", ("paper",)),
+    "collection.dual_poses": ("collection.kind", ("paper",)),
+    "collection.triple_poses": ("collection.kind", ("paper",)),
+    "collection.grasp_faces": ("collection.kind", ("grasp",)),
+    "collection.grasp_force_n": ("collection.kind", ("grasp",)),
+    "collection.random_grasps": ("collection.kind", ("grasp",)),
+    "collection.presses": ("collection.kind", ("continuous",)),
+    "collection.contacts": ("collection.kind", ("continuous",)),
+    "training.hidden_units": ("training.model", _NETWORKS),
+    "training.batch_size": ("training.model", _NETWORKS),
+    "training.learning_rate": ("training.model", _NETWORKS),
+    "training.epochs": ("training.model", (*_NETWORKS, "paper")),
+}
+"""Key → key that decides, and its values with which the first is used."""
+
+
+def require_used(content: dict[str, Any], keys: Iterable[str] = tuple(USES)) -> None:
+    """Refuse those keys of a parsed specification that its kinds do not use.
+
+    A key that repeats its default says nothing wrong, and passes.
+
+    Raises
+    ------
+    SpecError
+        Which keys, and the values of another key with which they would be used.
+    """
+    unused = []
+    for key in keys:
+        deciding, values = USES.get(key, ("", ()))
+        if not deciding or _value(content, key) == _value({}, key):
+            continue
+        value = _value(content, deciding)
+        if value not in values:
+            wanted = " or ".join(repr(one) for one in values if one is not None)
+            unused.append(
+                f"{key} = {_value(content, key)!r} has no effect with {deciding} = {value!r}. Leave it out, "
+                f"or give {deciding} = {wanted}"
+            )
+    if unused:
+        raise SpecError("\n".join(unused))
+
+
+def _value(content: dict[str, Any], key: str) -> Any:
+    """Return what is written, or the default."""
+    table, _, name = key.partition(".")
+    default = ObjectSpec.model_fields[table].default
+    given = content.get(table, default)
+    if not name:
+        return given
+    written = isinstance(given, dict) and name in given
+    return _as_lists(given[name] if written else getattr(default, name))
+
+
+def _as_lists(value: Any) -> Any:
+    """Return tuples as the lists that TOML gives."""
+    return [_as_lists(one) for one in value] if isinstance(value, list | tuple) else value
