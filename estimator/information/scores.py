@@ -236,7 +236,7 @@ def _score_face(
     jacobian = live_jacobian(spec, signals, *where, force)[:, used]
     noise = channel_noise(spec.sensors, live.size)[own]
     rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
-    press = periodic_press(every.of_channels(own), force, _COVARIANCE_SAMPLES)
+    press = periodic_press(every.of_channels(own), force, COVARIANCE_SAMPLES)
     press = read_change(rest[own], press, most)
     row: dict[str, Any] = sensitivities(press, force, noise)
     for state, suffix in SUFFIXES.items():

@@ -59,8 +59,8 @@ def press_large_strain(
     rows: list[PressRow] = []
     state = undeformed(setting.problem)
     for depth, state in converged_states(setting, depths_mm, progress or (lambda _: None)):
-        rows.append(_row(setting, depth, state))
-    return _collected(setting, material, rows, state, depths_mm[-1])
+        rows.append(row_of_state(setting, depth, state))
+    return collected_press(setting, material, rows, state, depths_mm[-1])
 
 
 def converged_states(
@@ -88,7 +88,7 @@ def converged_states(
         yield depth, state
 
 
-def _row(setting: PressSetting, depth_mm: float, state: PressState) -> PressRow:
+def row_of_state(setting: PressSetting, depth_mm: float, state: PressState) -> PressRow:
     problem, face = setting.problem, setting.problem.face
     centre = sphere_centre_mm(setting, depth_mm)
     contact = contact_state(face, state.displacement_mm, centre, problem.radius_mm)
@@ -106,7 +106,7 @@ def _row(setting: PressSetting, depth_mm: float, state: PressState) -> PressRow:
     )
 
 
-def _collected(
+def collected_press(
     setting: PressSetting,
     material: Hyperelastic,
     rows: list[PressRow],
@@ -133,13 +133,13 @@ def _collected(
             setting.system.space,
             state.displacement_mm,
             state.pressure_mpa,
-            _under_the_tip(setting, state.contact_mpa),
+            vertices_under_the_tip(setting, state.contact_mpa),
         ),
         linear_shape=shape_of_unknowns(
             setting.system,
             setting.mesh,
             small.unknowns,
-            _under_the_tip(setting, small.contact_mpa),
+            vertices_under_the_tip(setting, small.contact_mpa),
         ),
     )
 
@@ -148,7 +148,7 @@ def _column(name: str, rows: list[PressRow]) -> np.ndarray:
     return np.array([getattr(row, name) for row in rows], float)
 
 
-def _under_the_tip(setting: PressSetting, contact_mpa: np.ndarray) -> FacePressure:
+def vertices_under_the_tip(setting: PressSetting, contact_mpa: np.ndarray) -> FacePressure:
     vertices = face_vertices(setting.system, setting.spec, setting.frame.number)
     pressure = np.zeros(len(vertices))
     pressure[setting.near] = contact_mpa

@@ -97,7 +97,7 @@ def press_setting(
     surface, moments = face_surface(system.space, facets, frame)
     radius = spec.indenter.radius_mm
     near = np.flatnonzero(np.linalg.norm(surface.xy_mm - xy_mm, axis=1) < radius)
-    problem = _problem(spec, mesh, system, material, frame, facets, near)
+    problem = press_problem(spec, mesh, system, material, frame, facets, near)
     return PressSetting(spec, system, mesh, frame, surface, moments, xy_mm, near, problem)
 
 
@@ -217,7 +217,7 @@ def _require_bonded(spec: ObjectSpec) -> None:
         )
 
 
-def _problem(
+def press_problem(
     spec: ObjectSpec,
     mesh: TetMesh,
     system: ElasticSystem,

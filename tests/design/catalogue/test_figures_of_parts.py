@@ -10,10 +10,7 @@ from design.catalogue.bus_parts import (
     MEGA2560,
     MLX90393,
     MUX_ADDRESSES,
-    MUX_CHANNELS,
     PICO,
-    PIN_PF,
-    WIRE_PF_PER_MM,
     bus_chip,
     conversion_ms,
 )
@@ -28,7 +25,6 @@ from design.catalogue.hall_sensors import (
 )
 from design.catalogue.magnets import GRADES, MAGNET_PARTS, MagnetGrade
 from design.catalogue.orders import ORDERS, Order
-from design.catalogue.printers import PRINTERS, printer_preset
 from design.catalogue.silicones import SILICONES, ModulusEstimate
 from design.errors import InputError
 
@@ -151,13 +147,6 @@ def test_boards_give_what_their_makers_say():
     assert (PICO.bauds, PICO.usb, MEGA2560.usb) == ((115_200,), True, False)
 
 
-def test_firmware_takes_the_time_that_was_simulated_or_measured():
-    """Around a transfer, of a character, of a line of a load cell (µs); pF of a pin and of a millimetre."""
-    times = [(board.call_us, board.byte_us, board.load_line_us) for board in (MEGA2560, PICO)]
-    assert times == [(170.0, 16.0, 600.0), (150.0, 15.0, 700.0)]
-    assert (PIN_PF, WIRE_PF_PER_MM, MUX_CHANNELS) == (10.0, 0.06, 8)
-
-
 def test_hall_sensors_have_the_ranges_of_their_data_sheets():
     """Steps in µT of MLX90393 at HALLCONF 0xC; bits of the TLE493D over ±160 mT."""
     ranges = {n: [(r.range_mt, r.counts_per_mt) for r in p.ranges] for n, p in HALL_PARTS.items()}
@@ -200,31 +189,6 @@ def test_a_range_that_just_holds_is_taken_and_a_wider_one_exceeds():
 def test_a_part_is_fine_where_all_of_its_ranges_are():
     for counts, fine in (((100.0,), True), ((99.9,), False), ((200.0, 50.0), False)):
         assert is_fine(HallPart("made up", tuple(SensorRange(1.0, one) for one in counts))) == fine
-
-
-def test_printers_print_nothing_smaller_than_their_nozzle_and_thin_walls_stand():
-    beds = {name: one.bed_mm for name, one in PRINTERS.items()}
-    assert beds == {
-        "fdm-0.4": (220, 220, 240), "fdm-0.25": (220, 220, 240),
-        "resin": (140, 80, 160), "sls": (300, 300, 300),
-    }  # fmt: skip
-    smallest = {
-        name: (
-            one.wall_mm,
-            one.feature_mm,
-            one.hole_mm,
-            one.clearance_mm,
-            one.aspect,
-            one.draft_deg,
-        )
-        for name, one in PRINTERS.items()
-    }
-    assert smallest == {
-        "fdm-0.4": (2 * 0.4, 2 * 0.4, 1.0, 0.1, 4, 1), "fdm-0.25": (2 * 0.25, 2 * 0.25, 0.8, 0.1, 4, 1),
-        "resin": (0.5, 0.3, 0.5, 0.1, 6, 1), "sls": (0.8, 0.8, 1.5, 0.2, 5, 1),
-    }  # fmt: skip
-    densities = [printer_preset(name).density_g_per_cm3 for name in PRINTERS]
-    assert densities == [1.27, 1.27, 1.15, 1.0], "PETG, PETG, acrylate, PA12"
 
 
 def test_rubbers_are_those_of_their_makers_bulletins():

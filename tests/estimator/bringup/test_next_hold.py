@@ -1,11 +1,17 @@
 """Further holds: asked for where gains are too uncertain, at places that narrow them, up to a limit."""
 
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
 from design.layout.body import core_frames
+from estimator.bringup import next_hold as chosen_holds
 from estimator.bringup.asking.asked import MOST_FURTHER, STILL_AGAIN, asked_of, further_holds
 from estimator.bringup.asking.hold_places import BETWEEN_MM, hold_places
+from estimator.bringup.diagnosis.channels import HeldReadings
 from estimator.bringup.diagnosis.chip_findings import wide_gains, widest_gain_sd
 from estimator.bringup.diagnosis.chip_fit import fitted
 from estimator.bringup.next_hold import information_of, next_hold
@@ -84,3 +90,51 @@ def test_candidates_judged_together_tell_what_each_tells_alone(held):
     for hold, told in zip(holds, together, strict=True):
         np.testing.assert_allclose(information_of(BOX, problem, [hold])[0], told, atol=1e-9)
     assert abs(together[0] - together[1]).max() > 0.1 * abs(together[0]).max()
+
+
+@dataclass(frozen=True)
+class Stated:
+    """An arrangement of which a hold's magnet and pose alone are asked."""
+
+    model: Any
+    pose: Any
+
+
+def test_holds_tell_of_chips_what_their_own_poses_leave_open(monkeypatch):
+    """Of each hold by itself the block of the inverse of the whole information, inverted: six readings,
+    two numbers of the pose with their prior, three of the chips; rows beyond count nothing."""
+    rng = np.random.default_rng(0)
+    alone = rng.normal(size=(2, 6, 5))
+    prior = np.diag([0.5, 2.0, 3.0, 0.25])
+    slope = np.zeros((2 * 6 + 4 + 3, 4 + 3))
+    for k in range(2):
+        slope[6 * k : 6 * k + 6, 2 * k : 2 * k + 2] = alone[k, :, :2]
+        slope[6 * k : 6 * k + 6, 4:] = alone[k, :, 2:]
+    slope[12:16, :4], slope[16:, 4:] = prior, rng.normal(size=(3, 3))
+    asked = []
+
+    class Fit:
+        poses, start = 4, np.arange(7.0)
+
+        def slopes(self, at):
+            assert at is self.start
+            return slope
+
+    monkeypatch.setattr(
+        chosen_holds,
+        "JointFit",
+        SimpleNamespace(of=lambda readings, found: asked.append(readings) or Fit()),
+    )
+    monkeypatch.setattr(chosen_holds, "held_magnet", lambda spec, parts: parts)
+    noise = np.array([[[3.0, 5, 7], [2, 9, 4]], [[4.0, 1, 8], [6, 3, 5]]])
+    readings = HeldReadings(np.ones((2, 2, 3)), noise, 0.05, 0.2)
+    known = np.array([[True, True, False], [True] * 3])
+    problem = SimpleNamespace(readings=readings, known=known, found=Stated(None, None))
+    holds = [SimpleNamespace(part=4), SimpleNamespace(part=1)]
+    told = information_of.__wrapped__(None, problem, holds)
+    for k in range(2):
+        rows = np.vstack([alone[k], np.eye(2, 5) * np.diag(prior)[2 * k : 2 * k + 2, None]])
+        assert np.allclose(told[k], np.linalg.inv(np.linalg.inv(rows.T @ rows)[2:, 2:]))
+    (given,) = asked
+    assert np.array_equal(given.counts, [[[0, 0, np.nan], [0, 0, 0]]] * 2, equal_nan=True)
+    assert given.noise_counts.tolist() == [[[3, 1, 7], [2, 3, 4]]] * 2

@@ -14,12 +14,10 @@ from tests.support.physics_pages import assert_page
 
 DISK = DiskMagnet(6.0, 1.5, 1.3)
 RING = DiskMagnet(8.0, 2.0, 1.3, inner_diameter_mm=4.0)
-COIL = DiskMagnet(6.0, 1.0, 0.0126, inner_diameter_mm=2.0, wound=True)
 BLOCK = BlockMagnet((8.0, 4.0), 2.0, -1.2)
 MODELS = {
     "disk": FieldModel(DISK, "exact"),
     "ring": FieldModel(RING, "multipole", 9),
-    "coil": FieldModel(COIL, "exact"),
     "block": FieldModel(BLOCK, "exact"),
     "block as charges": FieldModel(BLOCK, "charges", charges=3),
     "dipole": FieldModel(DISK, "dipole"),

@@ -1,5 +1,7 @@
 """Simulated recordings: what the paper's collection holds, joint contact, labels, relaxation."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -22,6 +24,7 @@ from estimator.frames.dataset import NO_FACE, load_frames, save_frames
 from estimator.information.shear import ShearSignals
 from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import press_signals
+from estimator.tolerances.assembly import designed
 from fem.presses.joint import Tip, press_tips
 from fem.presses.viscoelastic import relaxed_force_n
 from tests.support.mechanics.half_space_response import half_space_response
@@ -332,3 +335,18 @@ def test_what_cannot_be_simulated_is_refused(signals, mechanics):
         spec_of(faces=(1, 1))
     with pytest.raises(ValueError, match="tangential_share"):
         spec_of(tangential_share=0.3)
+
+
+def test_two_tips_at_once_bear_twice_the_force_on_an_object_of_twice_the_modulus(
+    signals, mechanics
+):
+    """At the same travel, as silicone is linear; counts are those of the same motions."""
+    spec = spec_of()
+    case = next(case for case in paper_cases(spec, 2) if len(case.face) == 2)
+    design = contact_traces(spec, signals, [case], mechanics)
+    stiff = replace(mechanics, assembly=replace(designed(spec), modulus_ratio=2.0))
+    found = contact_traces(spec, signals, [case], stiff)
+    assert_allclose(found.travel_mm, design.travel_mm)
+    assert_allclose(found.tip_force_n, 2 * design.tip_force_n, atol=1e-9)
+    assert design.force_n.max() > 1
+    assert_allclose(found.counts, design.counts, atol=1e-6)

@@ -3,10 +3,8 @@
 from dataclasses import replace
 
 import numpy as np
-from estimator.information.hull import exact_hull_volume, ln_hull_factor, monte_carlo_hull_volume
-from estimator.information.two_contacts import two_contact_bounds_mm
 
-from estimator.information.contact_sets import contact_sets, spread_pairs, spread_places
+from estimator.information.contact_sets import contact_sets, spread_places
 from estimator.information.cross_face import cross_face_disturbance
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
@@ -33,8 +31,6 @@ def of_scores():
     weak = weak_areas(SPEC, scores)
     yield "thirds by border, magnet and path (mm)", [third.bound_mm for third in weak.thirds]
     yield "bound's correlation with border, magnet, path", list(weak.rank_correlation.values())
-    for which, bounds in two_contact_bounds_mm(SPEC, signals()).items():
-        yield f"bounds of two contacts, {which} (mm)", bounds
 
 
 def of_bounds():
@@ -49,7 +45,7 @@ def of_bounds():
         yield f"{kind}, places (mm)", cramer_rao_bounds(jacobian, sigma).position_mm
     places = np.array([0, 4, 7, 15, 19])
     sets = contact_sets(TIPS, places, 2)
-    yield "places, pairs, sets", [len(spread_places(TIPS)), len(spread_pairs(TIPS)), len(sets)]
+    yield "places, sets", [len(spread_places(TIPS)), len(sets)]
     face = jacobians_of(TIPS, signals(), places)[1]
     whitened = face.whitened[sets].swapaxes(1, 2).reshape(len(sets), -1, 6)
     told = set_information(whitened[:, face.own])
@@ -68,13 +64,6 @@ def of_false_readings():
     yield from chosen(cost, "size_ratio", "false_place_mm", "rezeroed_place_mm", "rezeroed_force_n")
 
 
-def of_volumes():
-    samples = np.random.default_rng(1).normal(size=(40, 4)) @ np.diag([1.0, 2, 0.5, 3])
-    drawn = monte_carlo_hull_volume(samples, np.random.default_rng(2))
-    exact = exact_hull_volume(samples).volume
-    yield "hull, exact and drawn; its factor", [exact, drawn.volume, ln_hull_factor(40, 4)]
-
-
 def test_the_page_of_information():
-    parts = (of_scores, of_bounds, of_false_readings, of_volumes)
+    parts = (of_scores, of_bounds, of_false_readings)
     assert_page("estimator/information", [line for part in parts for line in part()])

@@ -1,7 +1,6 @@
 """Budgets, drawn objects and resting levels of a cube off its symmetries: a page that can be judged."""
 
 import numpy as np
-from estimator.tolerances.localisation_bias import false_places_mm
 
 from estimator.tolerances.assembly import contribution_sizes, designed
 from estimator.tolerances.budget import robustness
@@ -34,8 +33,6 @@ def of_budget():
                 one.false_force_n,
             ],
         )
-    for name, false_mm in false_places_mm(FEW, forces, motions, 2.0).items():
-        yield f"false places of {name} (mm)", false_mm
 
 
 def of_drawn_object():

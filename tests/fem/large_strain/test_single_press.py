@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import scipy.sparse as sp
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
@@ -17,6 +18,7 @@ from fem.large_strain.single_press import (
     sphere_centre_mm,
     with_modulus_of,
 )
+from fem.linear.response import FaceSurface
 
 SPEC = ObjectSpec(name="cube")
 MATERIAL = yeoh(0.06)
@@ -82,3 +84,76 @@ def test_magnets_are_rigid_where_the_specification_says_so(magnets):
     setting = object.__new__(single_press.PressSetting)
     setting.__dict__["spec"] = spec
     assert setting.rigid_magnets == (magnets == "rigid")
+
+
+@pytest.mark.parametrize("magnets", ["rigid", "points"])
+def test_the_large_problem_moves_free_nodes_and_presses_the_candidates(monkeypatch, magnets):
+    """Seven nodes; the third is held by the core, the last two are a magnet's, which moves as one where it
+    is rigid. Of the faces' vertices 5, 6, 8 and 9 the second and fourth are candidates."""
+    spec = SPEC.changed(mechanics=SPEC.mechanics.changed(magnets=magnets))
+    owner = np.array([-1, -1, -1, -1, -1, 0, 0])
+    asked = []
+    monkeypatch.setattr(single_press, "finite_strain_elements", lambda space: "elements")
+    monkeypatch.setattr(single_press, "magnet_of_nodes", lambda mesh, space: owner)
+    monkeypatch.setattr(
+        single_press,
+        "shell_body_layout",
+        lambda spec: SimpleNamespace(centre_mm=np.array([[1.0, 2.0, 3.0]])),
+    )
+    monkeypatch.setattr(single_press, "contact_face", lambda *given: asked.append(given) or "face")
+    monkeypatch.setattr(single_press, "PressProblem", lambda *given: given)
+    held = sp.csr_matrix(np.delete(np.eye(21), [2, 9, 16], axis=1))
+    compressibility = np.arange(49.0).reshape(7, 7)
+    system = SimpleNamespace(
+        space=SimpleNamespace(
+            node_count=7, pressure_nodes=np.array([0, 3, 4]), nodes_mm=np.arange(21.0).reshape(7, 3)
+        ),
+        motion_basis=held,
+        mesh=SimpleNamespace(facets=np.array([[5, 6, 9, 1], [6, 8, 8, 2], [8, 9, 5, 3]])),
+        operators=SimpleNamespace(compressibility=compressibility),
+    )
+    found = single_press.press_problem.__wrapped__(
+        spec, None, system, MATERIAL, "frame", np.array([0, 1, 2]), np.array([1, 3])
+    )
+    elements, material, softness, own, nodes, moved, of_magnet, centre, face, radius = found
+    assert (elements, material, face, radius) == ("elements", MATERIAL, "face", 5.0)
+    nu = SPEC.silicone.poisson_ratio
+    modulus = 2 * (1 + nu) * 0.12
+    assert_allclose(softness, (1 + nu) * (1 - 2 * nu) / (modulus * nu))
+    assert_allclose(own, compressibility[np.ix_([0, 3, 4], [0, 3, 4])])
+    assert_allclose(nodes, system.space.nodes_mm)
+    ((mesh, facets, vertices, frame),) = asked
+    assert mesh is system.mesh
+    assert (facets.tolist(), vertices.tolist(), frame) == ([0, 1, 2], [6, 9], "frame")
+    if magnets == "rigid":
+        assert moved.tolist() == [True, True, False, True, True, False, False]
+        assert of_magnet.tolist() == owner.tolist()
+        assert centre.tolist() == [[1, 2, 3]]
+    else:
+        assert moved.tolist() == [True, True, False, True, True, True, True]
+        assert of_magnet.tolist() == [-1] * 7
+        assert centre.shape == (0, 3)
+
+
+def test_candidates_lie_nearer_to_the_tip_than_its_radius(monkeypatch):
+    """On the face's own frame, with the material's modulus; a vertex exactly a radius away is none."""
+    xy = np.array([[3.0, 0.0], [7.99, 0.0], [8.0, 0.0], [3.0, 4.99], [3.0, -5.01], [0.0, 4.1]])
+    asked = {}
+    surface = FaceSurface(4, xy, np.array([[0, 1, 2]]))
+    monkeypatch.setattr(
+        single_press, "elastic_system", lambda mesh, spec: SimpleNamespace(mesh=spec, space=1)
+    )
+    monkeypatch.setattr(
+        single_press, "face_facets", lambda mesh, spec, frame: asked.update(mesh=mesh, frame=frame)
+    )
+    monkeypatch.setattr(
+        single_press, "face_surface", lambda space, facets, frame: (surface, "moments")
+    )
+    monkeypatch.setattr(single_press, "press_problem", lambda *given: given[-1])
+    monkeypatch.setattr(single_press, "PressSetting", lambda *given: given)
+    found = single_press.press_setting.__wrapped__(SPEC, None, 4, np.array([3.0, 0.0]), MATERIAL)
+    assert asked["frame"].number == 4
+    assert asked["mesh"].silicone.youngs_modulus_mpa == pytest.approx(
+        2 * (1 + SPEC.silicone.poisson_ratio) * 0.12
+    )
+    assert found[7].tolist() == found[8].tolist() == [0, 1, 3]
