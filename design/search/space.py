@@ -287,10 +287,10 @@ def _reaches(spec: ObjectSpec, reach_mm: float | None) -> list[tuple[str, Reach]
 
 def _pair(name: str, axes: tuple[str, str], reach: Reach) -> list[Variable]:
     """Variables of two coordinates; none without a reach."""
-    return [
-        Variable(f"{name}_{axis}", -most, most)
-        for axis, most in zip(axes, reach or (), strict=False)
-    ]
+    if reach is None:
+        return []
+    pairs = zip(axes, reach, strict=True)
+    return [Variable(f"{name}_{axis}", -most, most) for axis, most in pairs]
 
 
 def _check(spec: ObjectSpec) -> None:
