@@ -74,7 +74,7 @@ def test_presses_made_so_many_times_tell_so_much_more():
     made, times = choices_from(3), np.array([2.0, 0.0, 0.5, 0.0, 0.0, 0.0])
     rows = [np.sqrt(times[k]) * made.told[k] for k in (0, 2)]
     wanted = np.linalg.inv(np.eye(UNKNOWNS) + sum(part.T @ part for part in rows))
-    assert_allclose(cho_solve(made._factor(times), np.eye(UNKNOWNS)), wanted)
+    assert_allclose(cho_solve(made.factor_of(times), np.eye(UNKNOWNS)), wanted)
 
 
 def test_no_choice_of_a_third_of_a_twins_presses_tells_what_all_of_them_tell():

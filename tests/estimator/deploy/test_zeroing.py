@@ -156,7 +156,7 @@ def test_the_guide_to_built_objects_tells_every_baseline_and_its_numbers():
     assert [row[0] for row in rows] == list(get_args(zeroing.ZeroMode))
     assert [row[0] for row in rows if row[1]] == [LiveReader.__dataclass_fields__["zero"].default]
     told = (
-        f"({zeroing.ZERO_FRAMES}; {zeroing.LEAST_FRAMES} or more)",
+        f"the first {zeroing.ZERO_FRAMES} frames in a row (`rest:20`: 20; {zeroing.LEAST_FRAMES} or more)",
         f"less than {zeroing.RETURN_SHARE:.0%} of".replace("%", " %"),
         f"within the last {zeroing.SETTLE_S:g} s",
         f"at most {zeroing.DRIFT_COUNTS_PER_S:g} count per second",

@@ -278,10 +278,10 @@ class Watched(Tracker):
         self.window += 1
         return problems([0], [ONE], [next(self.given)])
 
-    def _faint(self, same):
+    def faint_contacts(self, same):
         return False
 
-    def _changed(self, seen, same):
+    def has_changed(self, seen, same):
         self.looked.append(self.window)
         return problems([0], [TWO if next(self.numbers) else ONE], [0.0]), np.ones(1)
 
