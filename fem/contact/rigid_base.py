@@ -1,4 +1,4 @@
-"""What rigid bodies close under a face take back of a half-space's compliance.
+"""Share of a half-space's compliance that rigid bodies close under a face take back.
 
 A bonded layer of depth h has a half-space's surface compliance times L(kh) at wavenumber k. With
 κ = 3 − 4ν, L(α) = (2κ sinh 2α − 4α)/(2κ cosh 2α + κ² + 1 + 4α²) (Dimitriadis et al., Biophys. J. 82

@@ -85,11 +85,12 @@ def force_n(folder: Path, name: str) -> np.ndarray:
 
 def test_presses_on_every_face_give_the_force_of_the_layer(box):
     """An R 5 mm sphere 2 mm deep in 8 mm of bonded silicone of 0.41 MPa: 7.6 N (5.5 N at 0.3 MPa),
-    more over magnets, less where the wall is free."""
+    less where the wall is free; over such magnets an independent code has 11.25 N
+    (`tests/fem/contact/test_forces_over_magnets.py`), and edges of 3.6 mm scatter by a tenth."""
     name, folder = box
     force = force_n(folder, name)
     assert (force > 6).all()
-    assert (force < 12).all()
+    assert (force < 1.15 * 11.25).all()
     if name == "closed":
         mean = force.mean(axis=1)  # single places scatter with the coarse mesh
         assert_allclose(mean[[0, 1, 2]], mean[[5, 3, 4]], rtol=0.1)
