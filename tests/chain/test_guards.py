@@ -12,7 +12,6 @@ ROOT = Path(__file__).parents[2]
 GUARDS = {"frozen": True, "strict": True, "allow_pickle": False, "allow_inf_nan": False}
 
 UNEQUAL = {
-    "design/search/space.py": 1,
     "design/spec/mechanics.py": 1,
     "estimator/frames/collection.py": 1,
     "estimator/information/fisher.py": 1,
