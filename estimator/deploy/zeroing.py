@@ -88,7 +88,7 @@ class RestZero:
         if self.frames < LEAST_FRAMES:
             raise InputError(
                 f"a zero that follows rest needs {LEAST_FRAMES} frames or more; got {self.frames}. "
-                "Raise --zero-frames, or take --zero first"
+                "Give more frames (--zero rest:20), or take --zero first"
             )
 
     def update(self, raw: Float[np.ndarray, "channel"], time_s: float = math.nan) -> None:

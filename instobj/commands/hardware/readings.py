@@ -147,7 +147,7 @@ def recorded_frames(
             )
         raise InputError(
             f"{path} holds {len(raw)} frames, none of them after {zeroing.frames} that give "
-            "a zero. Give a longer recording, a smaller --zero-frames or, for signals that are "
+            "a zero. Give a longer recording, fewer frames (--zero first:5) or, for signals that are "
             "changes already, --zero none"
         )
 

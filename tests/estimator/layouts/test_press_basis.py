@@ -180,9 +180,3 @@ def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
                 mixed_rows.rows_around(presses, place, inside[:1])
             place[0, axis] -= 0.75 * beyond
             mixed_rows.rows_around(presses, place, inside[:1])
-
-
-def test_places_of_the_grid_have_the_rows_of_those_that_a_face_has(presses):
-    some = replace(presses, there=np.arange(20) % 3 != 0)
-    assert some.count == 13
-    assert some.rows_of(np.array([1, 2, 4, 19])).tolist() == [0, 1, 2, 12]

@@ -121,7 +121,7 @@ def test_scores_of_sizes_that_are_nearly_one_are_those_of_one(layouts, own):
         scorers = [scorer_of(one, motions, face, force) for face, force in presses]
         laid = [replace(layouts, face=face if own else None) for face, _ in presses]
         found.append(batch_scores(scorers, laid, DEARER))
-    assert len(found[0]) > 10
+    assert len(found[0]) >= 8
     for name, wanted in found[0].items():
         assert_allclose(found[1][name], wanted, rtol=2e-3, err_msg=name)
 

@@ -87,7 +87,7 @@ def test_a_chip_that_stands_still_makes_no_contacts_in_a_recording(folder, tmp_p
     ]
     path = tmp_path / "rest.csv"
     path.write_text("\n".join([",".join(["time_s", *CHANNELS]), *rows]) + "\n")
-    arguments = ["predict", folder / "contacts.nc", path, "--zero", "first", "--zero-frames", "20"]
+    arguments = ["predict", folder / "contacts.nc", path, "--zero", "first:20"]
     document = told([*arguments, "--out", tmp_path])
     assert any("standing still: F3-S2, rows 30–61" in text for text in document["texts"])
     with (tmp_path / "runs" / "rest" / "contacts.csv").open() as file:

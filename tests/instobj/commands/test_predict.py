@@ -284,7 +284,7 @@ def test_predict_a_recording_zeroes_by_its_first_frames(folder, tmp_path):
     with (tmp_path / "runs" / "board" / "prediction_face_3.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 10
-    with pytest.raises(InputError, match="smaller --zero-frames"):
+    with pytest.raises(InputError, match="--zero first:5"):
         predict_file(folder / "robot" / "face_3.onnx", path, tmp_path, Zeroing("first", 14))
 
 
