@@ -1,6 +1,5 @@
 """Tables of presses that a batch of layouts can be scored on, and those that it cannot."""
 
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
