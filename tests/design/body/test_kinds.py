@@ -32,6 +32,7 @@ NAMED = {
     "design/solids/body.py": "exact solids, one entry per kind",
     "design/spec/body.py": "the default kind",
     "design/spec/mechanics.py": "the indenter's shape",
+    "design/spec/uses.py": "the indenter's shape",
     "design/layout/tips.py": "the indenter's shape",
     "design/solids/probes.py": "the indenter's shape",
     "instobj/figures/weak_areas.py": "matplotlib's padding",

@@ -155,7 +155,7 @@ def test_a_specification_without_valid_parts_leaves_the_folder_alone(tmp_path):
     unchecked = PAPER.model_copy(
         update={"core": CoreSpec(wire_hole_top_diameter_mm=60.0, wire_hole_side_diameter_mm=60.0)}
     )
-    with pytest.raises(InputError, match="core must be one valid solid"):
+    with pytest.raises(InputError, match="core must be one closed body"):
         build_object(unchecked, tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["manifest.json"]
 
