@@ -22,14 +22,15 @@ from estimator.field.device import compute_device
 from instobj.search.apart import answers
 from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.joined import joined, joining
+from instobj.search.levels import Levels
 from instobj.search.loop import layouts_at_once, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
 from instobj.search.outcome.write import write_outcome, write_specification
 from instobj.search.possible import require_possible
-from instobj.search.promotion import Promotion, leaders, promote
+from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
 from instobj.search.trials import KeptTrials, open_trials
-from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
+from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion
 from instobj.stages.resources import search_seconds
 from instobj.stages.run import Run
 from instobj.stages.workers import Workers, open_workers
@@ -76,7 +77,8 @@ def optimize(
     ):
         _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), others)
         with progress.stage("promotion"):
-            found = promote(space, kept, folder, say, limit, others)
+            levels = Levels(folder / "rungs.json", say, others)
+            found = Promoter(space, limit, levels).promote(kept)
     if found is None:
         return nothing_better(spec, kept, limit)
     with progress.stage("report"):
