@@ -58,7 +58,7 @@ def optimize(
         is a result; or no trial keeps every limit.
     """
     spec, space = _prepared(path, out, overrides)
-    folder = search_folder(out, spec)
+    folder = run_folder(out, spec.name) / "search"
     progress = ProgressLine()
     limit = TimeLimit(spec.search.seconds)
     plans = limit.plan, _mechanics_plan(spec, limit)  # refuses before there is a study to resume
@@ -78,14 +78,14 @@ def optimize(
         _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), others)
         with progress.stage("promotion"):
             levels = Levels(folder / "rungs.json", say, others)
-            found = Promoter(space, limit, levels).promote(kept)
-    if found is None:
+            promotion = Promoter(space, limit, levels).promote(kept)
+    if promotion is None:
         return nothing_better(spec, kept, limit)
     with progress.stage("report"):
         files = write_outcome(
-            space, kept, found, folder, path.parent, progress.step, limit.plain_engines_s
+            space, kept, promotion, folder, path.parent, progress.step, limit.plain_engines_s
         )
-    return _document(spec, kept, found, files)
+    return _document(spec, kept, promotion, files)
 
 
 def nothing_better(spec: ObjectSpec, kept: KeptTrials, limit: TimeLimit) -> dict[str, Any]:
@@ -149,11 +149,6 @@ def _kept_on_interrupt(kept: KeptTrials, progress: ProgressLine) -> Iterator[Non
             "level has scored. Go on with --resume"
         )
         raise
-
-
-def search_folder(out: Path, spec: ObjectSpec) -> Path:
-    """Where a search of this specification keeps its files."""
-    return run_folder(out, spec.name) / "search"
 
 
 def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, SearchSpace]:
