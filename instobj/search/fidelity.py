@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import torch
@@ -11,11 +11,9 @@ from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
 from estimator.layouts.batch_scores import OVER_START, worst_ratio
+from estimator.layouts.fidelity import FidelityScore, score_signals
 from instobj.stages.run import Run
 from instobj.store.readers import METRICS, PRESSES, SECOND_FIDELITY, SIGNALS
-
-if TYPE_CHECKING:
-    from estimator.layouts.fidelity import FidelityScore
 
 TWINS = 20
 METRIC_LABELS = {
@@ -30,20 +28,19 @@ METRIC_LABELS = {
 
 def second_score(spec: ObjectSpec) -> FidelityScore:
     """Second fidelity level: rigid magnets on the magnet-free shell, stored and reused."""
-    from estimator.layouts.fidelity import FidelityScore
+    return score_of(Run(spec).read(SECOND_FIDELITY))
 
-    kept: dict[str, Any] = Run(spec).read(SECOND_FIDELITY)
-    kept["position_bounds_mm"] = tuple(kept["position_bounds_mm"])
-    return FidelityScore(**kept)
+
+def score_of(content: dict[str, Any]) -> FidelityScore:
+    """Score that JSON kept, whose bounds came back as a list."""
+    score = FidelityScore(**content)
+    return replace(score, position_bounds_mm=tuple(score.position_bounds_mm))
 
 
 def chain_score(spec: ObjectSpec) -> FidelityScore:
     """Highest fidelity level: the score of the chain's own signals, its stages stored and reused."""
-    from estimator.layouts.fidelity import score_signals
-
     run = Run(spec)
-    signals = run.read(SIGNALS)
-    return score_signals(spec, signals, *run.read(PRESSES))
+    return score_signals(spec, run.read(SIGNALS), *run.read(PRESSES))
 
 
 def chain_seconds(spec: ObjectSpec) -> float:

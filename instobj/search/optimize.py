@@ -22,14 +22,15 @@ from estimator.field.device import compute_device
 from instobj.search.apart import answers
 from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.joined import joined, joining
+from instobj.search.levels import Levels
 from instobj.search.loop import layouts_at_once, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
 from instobj.search.outcome.write import write_outcome, write_specification
 from instobj.search.possible import require_possible
-from instobj.search.promotion import Promotion, leaders, promote
+from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
 from instobj.search.trials import KeptTrials, open_trials
-from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
+from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion
 from instobj.stages.resources import search_seconds
 from instobj.stages.run import Run
 from instobj.stages.workers import Workers, open_workers
@@ -57,7 +58,7 @@ def optimize(
         is a result; or no trial keeps every limit.
     """
     spec, space = _prepared(path, out, overrides)
-    folder = search_folder(out, spec)
+    folder = run_folder(out, spec.name) / "search"
     progress = ProgressLine()
     limit = TimeLimit(spec.search.seconds)
     plans = limit.plan, _mechanics_plan(spec, limit)  # refuses before there is a study to resume
@@ -76,14 +77,15 @@ def optimize(
     ):
         _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), others)
         with progress.stage("promotion"):
-            found = promote(space, kept, folder, say, limit, others)
-    if found is None:
+            levels = Levels(folder / "rungs.json", say, others)
+            promotion = Promoter(space, limit, levels).promote(kept)
+    if promotion is None:
         return nothing_better(spec, kept, limit)
     with progress.stage("report"):
         files = write_outcome(
-            space, kept, found, folder, path.parent, progress.step, limit.plain_engines_s
+            space, kept, promotion, folder, path.parent, progress.step, limit.plain_engines_s
         )
-    return _document(spec, kept, found, files)
+    return _document(spec, kept, promotion, files)
 
 
 def nothing_better(spec: ObjectSpec, kept: KeptTrials, limit: TimeLimit) -> dict[str, Any]:
@@ -147,11 +149,6 @@ def _kept_on_interrupt(kept: KeptTrials, progress: ProgressLine) -> Iterator[Non
             "level has scored. Go on with --resume"
         )
         raise
-
-
-def search_folder(out: Path, spec: ObjectSpec) -> Path:
-    """Where a search of this specification keeps its files."""
-    return run_folder(out, spec.name) / "search"
 
 
 def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, SearchSpace]:

@@ -29,6 +29,57 @@ class Promoted:
     corrected: bool = False
 
 
+@dataclass(frozen=True)
+class Promotion:
+    """Result of a promotion.
+
+    `correlations` are rank correlations of every score between a level and the next, by its number;
+    `ratios` of the best against the start at the highest fidelity level, with 95 % intervals between
+    toleranced twins. `estimators` holds what estimators trained for the start and for each finalist
+    achieve on simulated presses held out (`instobj.search.fidelity.estimator_errors`). `objections`
+    say why the highest fidelity level does not call the best one better than the start. `asked` are
+    the numbers of leaders and finalists that should have been scored.
+
+    Where the time ended before the chain had scored a finalist there is none, and the leaders begin
+    with the one that it had come to.
+    """
+
+    start: Promoted
+    leaders: tuple[Promoted, ...]
+    finalists: tuple[Promoted, ...]
+    correlations: dict[str, dict[str, float]]
+    ratios: dict[str, TwinRatio]
+    estimators: dict[str, dict[str, float]]
+    objections: tuple[str, ...]
+    asked: tuple[int, int]
+
+    @property
+    def shortened(self) -> str:
+        """How many were scored, in words, where that is fewer than asked for."""
+        scored = sum(not layout.corrected for layout in self.leaders), len(self.finalists)
+        if scored == self.asked:
+            return ""
+        return (
+            f"{scored[0]} of {self.asked[0]} leaders and {scored[1]} of {self.asked[1]} finalists were "
+            "scored: the others fell out for want of time, or could not be fabricated or scored"
+        )
+
+    @property
+    def better(self) -> bool:
+        """Verdict of the highest fidelity level: objectives' mean, all limits and 95 % of the twins."""
+        return not self.objections
+
+    @property
+    def best(self) -> Promoted:
+        """The finalist that the highest fidelity level puts first, or the first leader without one."""
+        return (self.finalists or self.leaders)[0]
+
+    @property
+    def level(self) -> str:
+        """The highest fidelity level that has scored the best one."""
+        return LAST if self.finalists else SECOND
+
+
 def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
     """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
     better, the start has 0."""

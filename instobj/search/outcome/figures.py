@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from instobj.search.outcome.history import History
-    from instobj.search.promotion import Promotion
+    from instobj.search.verdict import Promotion
 
 _INK, _PAPER, _GREY = "#1a1a1a", "#fdfdfb", "#9a968d"
 _BEST, _START = "#1f77d0", "#77736b"

@@ -19,9 +19,8 @@ from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from instobj.search.outcome.figures import LABELS, paired, pareto_front
 from instobj.search.outcome.history import History
-from instobj.search.promotion import Promotion
 from instobj.search.trials import KeptTrials
-from instobj.search.verdict import FIRST, score_at
+from instobj.search.verdict import FIRST, Promotion, score_at
 from instobj.viewer.archive import pack
 from instobj.viewer.scene import Arrays, add_surface
 from instobj.viewer.surface import shaded_part

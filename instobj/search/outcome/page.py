@@ -32,8 +32,7 @@ from instobj.store.readers import CROSS_FACE, MANIFEST, PARTS_PICTURE, SCORES
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
-    from instobj.search.promotion import Promotion
-    from instobj.search.verdict import Promoted
+    from instobj.search.verdict import Promoted, Promotion
 
 Say = Callable[[str], None]
 _LEVELS = {

@@ -19,9 +19,8 @@ from estimator.layouts.fidelity import SCORE_NAMES
 from instobj.search.outcome.history import search_history
 from instobj.search.outcome.layouts import shown_layouts
 from instobj.search.outcome.page import ChainResults, write_search_page
-from instobj.search.promotion import Promotion
 from instobj.search.trials import KeptTrials
-from instobj.search.verdict import Promoted
+from instobj.search.verdict import Promoted, Promotion
 from instobj.stages.run import Run
 from instobj.store.stage import write_json
 

@@ -18,8 +18,7 @@ from instobj.search.fidelity import METRIC_LABELS, TwinRatio
 from instobj.search.outcome import moves, page
 from instobj.search.outcome.layouts import ShownLayout
 from instobj.search.outcome.page import ChainResults, write_search_page
-from instobj.search.promotion import Promotion
-from instobj.search.verdict import Promoted
+from instobj.search.verdict import Promoted, Promotion
 from instobj.store.readers import CROSS_FACE
 from tests.support.markup import read
 from tests.support.objects.made_histories import made_up_history

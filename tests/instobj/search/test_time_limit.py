@@ -2,20 +2,23 @@
 
 import signal
 import time
-from contextlib import contextmanager, suppress
+from contextlib import nullcontext, suppress
 
+import numpy as np
 import pytest
 
 from design.errors import InputError
 from design.search.space import search_space, start_params
 from design.spec_io import load_spec, parse_spec
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
-from instobj.search import promotion
-from instobj.search.fidelity import TwinRatio
+from instobj.search.levels import LEVELS, Level, Levels
 from instobj.search.loop import run_search
 from instobj.search.optimize import first_look, nothing_better
+from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import TimeLimit, TimeSpent
 from instobj.search.trials import Scored, open_trials
+from instobj.search.verdict import FIRST, LAST, SECOND
+from instobj.stages.workers import Here
 from tests.support.objects.search_cases import answering, made_up_score, made_up_space, searched
 
 
@@ -131,49 +134,17 @@ BROKEN_OFF_S = 400.0
 """Of a step that the end of the time breaks off."""
 
 
+def bounds_between_twins(design, twin):
+    """Of a design and one twin of it, at one force and place."""
+    bounds = np.array([[design], [twin]])
+    return [{"position_mm": bounds, "force_n": bounds}]
+
+
 @pytest.fixture
-def promoted(tmp_path, monkeypatch, clock):
+def promoted(tmp_path, clock):
     """Promotes a made-up search with so many seconds per layout at the second and highest level."""
     kept = searched(tmp_path / "trials.jsonl", trials=60)
     space = made_up_space(trials=60, leaders=5, finalists=3)
-
-    def level(seconds):
-        @contextmanager
-        def scoring():
-            def score(spec):
-                clock.now_s += seconds
-                if spec is not space.spec and seconds == BROKEN_OFF_S:
-                    clock.now_s += 1e4
-                    raise TimeSpent
-                worth = 1.0 + 0.01 * len(spec.magnets.positions_mm)
-                return FidelityScore(
-                    **dict.fromkeys(SCORE_NAMES, worth), position_bounds_mm=(worth,)
-                )
-
-            yield score
-
-        return scoring
-
-    ratios = {"worst_position_bound_mm": TwinRatio(2.0, 1.1, 3.0)}
-
-    def twins(spec):
-        if spec is not space.spec and twins_end:
-            raise TimeSpent
-        return []
-
-    twins_end = []
-    monkeypatch.setattr(promotion, "bounds_of_twins", twins)
-    monkeypatch.setattr(promotion, "twin_ratios", lambda start, old, new: ratios)
-
-    def trained(spec):
-        clock.now_s += 30
-        if clock.now_s - 100.0 > took_out_of[0]:
-            raise TimeSpent
-        return {"similarity": 0.5}
-
-    took_out_of = [0.0]
-
-    monkeypatch.setattr(promotion, "estimator_errors", trained)
 
     def run(
         seconds,
@@ -185,28 +156,50 @@ def promoted(tmp_path, monkeypatch, clock):
         workers=None,
         twins_s=0.0,
     ):
-        twins_end[:] = [twins_s] * (twins_s == BROKEN_OFF_S)
-        asked, took_out_of[0] = iter(range(99)), seconds + clock.now_s - 100.0
-        monkeypatch.setattr(
-            promotion, "corrected_params", lambda space, params, start, one, over: walked(params)
-        )
-        monkeypatch.setattr(promotion, "chain_seconds", lambda spec: highest_s)
-        monkeypatch.setattr(promotion, "second_seconds", lambda spec: second_s)
-        monkeypatch.setattr(
-            promotion,
-            "why_unbuildable",
-            lambda found, start: "shell, seal: 0.4 mm" if next(asked) in unbuildable else "",
-        )
-        for name, took in (
-            ("lowest_scoring", 0),
-            ("second_scoring", second_s),
-            ("highest_scoring", highest_s),
-        ):
-            monkeypatch.setattr(promotion, name, level(took))
+        start, asked, end_s = space.spec, iter(range(99)), clock.now_s + seconds
+
+        def level(name, took_s):
+            def score(spec):
+                clock.now_s += took_s
+                if spec is not start and took_s == BROKEN_OFF_S:
+                    clock.now_s += 1e4
+                    raise TimeSpent
+                worth = 1.0 + 0.01 * len(spec.magnets.positions_mm)
+                return FidelityScore(
+                    **dict.fromkeys(SCORE_NAMES, worth), position_bounds_mm=(worth,)
+                )
+
+            stages = LEVELS[name].stages
+            return Level(lambda: nullcontext(score), stages, lambda spec: took_s)
+
+        def twins(spec):
+            if spec is start:
+                return bounds_between_twins(2.0, 1.1)
+            if twins_s == BROKEN_OFF_S:
+                raise TimeSpent
+            return bounds_between_twins(1.0, 1.0)
+
+        def errors(spec):
+            clock.now_s += 30
+            if clock.now_s > end_s:
+                raise TimeSpent
+            return {"similarity": 0.5}
+
         said = []
-        limit = TimeLimit(seconds)
-        found = promotion.promote(space, kept, tmp_path, said.append, limit, workers)
-        return found, said
+        took_s = {FIRST: 0, SECOND: second_s, LAST: highest_s}
+        table = {name: level(name, took_s[name]) for name in took_s}
+        promoter = Promoter(
+            space,
+            TimeLimit(seconds),
+            Levels(tmp_path / "rungs.json", said.append, workers or Here(), table),
+            walk=lambda space, params, start, leader, over: walked(params),
+            unbuildable=lambda spec, start: (
+                "shell, seal: 0.4 mm" if next(asked) in unbuildable else ""
+            ),
+            twins=twins,
+            errors=errors,
+        )
+        return promoter.promote(kept), said
 
     return run
 
@@ -226,7 +219,7 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
         return [Scored(layout, (1.0,), scores, 0.0, "", 1) for _ in trials]
 
     run_search(space, kept, answering(score), lambda line: None, start)
-    assert len(promotion.leaders(space, kept, 5)) == (beside_mm == 1.0)
+    assert len(leaders(space, kept, 5)) == (beside_mm == 1.0)
     said = first_look(space, kept, tmp_path / "search", tmp_path)
     path = tmp_path / "search" / "first_look.toml"
     assert (str(path) in said) == path.is_file() == (beside_mm == 1.0)
@@ -234,7 +227,8 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
         assert load_spec(path).magnets.positions_mm[0] == (7.0, 8.0)
     if beside_mm < 1.0:
         limit = TimeLimit(spec.search.seconds)
-        assert promotion.promote(space, kept, tmp_path, lambda line: None, limit) is None
+        levels = Levels(tmp_path / "rungs.json", lambda line: None)
+        assert Promoter(space, limit, levels).promote(kept) is None
         document = nothing_better(spec, kept, limit)
         assert document["verdict"].startswith("Nothing better was found in 0 s of search")
         assert (
@@ -340,7 +334,7 @@ def test_estimators_that_would_take_longer_than_is_left_are_left_out(promoted):
 
 def test_a_verdict_stands_though_the_time_is_spent_on_its_estimators(promoted):
     found, said = promoted(seconds=70, second_s=1, highest_s=10)
-    assert found.ratios["worst_position_bound_mm"].low == 1.1
+    assert found.ratios["worst_position_bound_mm"].low == pytest.approx(1.1)
     assert found.estimators == {}
     assert "the time is over" in said[-1]
 
