@@ -6,7 +6,14 @@ import pytest
 
 from tests.support.pages import DOCS
 
-PLAIN_PAGES = ("layout_search.md", "live.md", "presses.md", "rig.md")
+PLAIN_PAGES = (
+    "estimators.md",
+    "inversion.md",
+    "layout_search.md",
+    "live.md",
+    "presses.md",
+    "rig.md",
+)
 """How-to pages whose measured figures have moved to `docs/measured`."""
 MEAN_WORDS, MOST_WORDS, NUMBERS_A_SENTENCE = 17, 40, 0.4
 MOST_LINES = 150
