@@ -7,6 +7,7 @@ import pytest
 from tests.support.pages import DOCS
 
 PLAIN_PAGES = (
+    "bodies.md",
     "estimators.md",
     "inversion.md",
     "layout_search.md",
