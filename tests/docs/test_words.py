@@ -8,6 +8,7 @@ from tests.support.pages import DOCS
 
 PLAIN_PAGES = (
     "bodies.md",
+    "calibrate.md",
     "estimators.md",
     "inversion.md",
     "layout_search.md",
