@@ -14,7 +14,9 @@ PLAIN_PAGES = (
     "layout_search.md",
     "live.md",
     "presses.md",
+    "questions.md",
     "rig.md",
+    "sweeps.md",
 )
 """How-to pages whose measured figures have moved to `docs/measured`."""
 MEAN_WORDS, MOST_WORDS, NUMBERS_A_SENTENCE = 17, 40, 0.4
