@@ -2,8 +2,8 @@
 
 Hidden objects are pressed by the rig's own plans (`benchmarks.rig.sessions`), returns to the reference
 place counted, and calibrated in full. `python -m benchmarks.rig.press_orders SPEC [PRESSES.nc]` writes
-a table and a picture to benchmarks/results (the paper's cube: the picture of docs/rig.md); finished cases are
-kept under the specification's hash, and skipped when it runs again.
+a table and a picture to benchmarks/results (the paper's cube: the picture of docs/measured/rig.md);
+finished cases are kept under the specification's hash, and skipped when it runs again.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ hides below the noise. A still level becomes the zero
 
 The price: a hold that keeps less than 15 % of the force of the press before it, and a force that
 grows by less than about 0.02 N/s, are taken for rest. Measured on the public recording of one probe,
-which begins within a press, with models of its own training presses: docs/estimators.md.
+which begins within a press, with models of its own training presses: docs/measured/estimators.md.
 """
 
 from __future__ import annotations

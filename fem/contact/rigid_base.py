@@ -9,7 +9,7 @@ waves are theirs, so that on finer meshes what is taken back of cells and of the
 
 The magnet is no layer without end: beside its rim the share fades. Only that is set by forces, of NGSolve
 on a cube, a ball and a capsule; a box with other magnets at three depths and a pear came after
-(`benchmarks/forces_over_magnets.py`). What is left at 1 and 2 mm depth stands in docs/presses.md.
+(`benchmarks/forces_over_magnets.py`). What is left at 1 and 2 mm depth stands in docs/measured/presses.md.
 """
 
 from __future__ import annotations

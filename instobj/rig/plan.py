@@ -180,7 +180,7 @@ def stops_of(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> tuple[fl
 
 def settings_of_few(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> dict[str, Any]:
     """How few places are pressed well: each in strokes to three quarters of the specification's deepest
-    depth, so that every load has an unloaded level within two seconds (docs/rig.md, what it brings)."""
+    depth, so that every load has an unloaded level within two seconds (docs/measured/rig.md)."""
     depths, wanted = bounded_depths_mm(spec, full_n), _FEW_SHARE * spec.press.depths_mm[-1]
     deepest = depths[np.abs(depths - wanted).argmin()]
     return {"depths_mm": (float(deepest),)} | _OF_FEW

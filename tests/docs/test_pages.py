@@ -69,7 +69,7 @@ def test_pages_of_the_site_link_only_to_pages_of_the_site():
 
 
 def test_every_page_stands_in_the_index():
-    """A new page gets a line in one of the four lists of docs/index.md."""
+    """A new page gets a line in one of the lists of docs/index.md."""
     index = (DOCS / "index.md").read_text()
     listed = {
         line.strip()

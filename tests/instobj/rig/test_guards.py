@@ -162,7 +162,7 @@ def test_the_expected_force_is_hertz_on_a_thick_shell_and_boussinesq_under_a_fla
 
 
 def test_on_the_papers_cube_it_lies_in_the_upper_half_of_what_finite_elements_give():
-    """5 to 9 N over the places at 2 mm (docs/presses.md): a bound lies above the soft ones."""
+    """5 to 9 N over the places at 2 mm: a bound lies above the soft ones."""
     law = contact_law(ObjectSpec(name="cube"))
     assert 7.0 < law.force_n(2.0) < 9.0
     assert law.depth_mm(law.force_n(2.0)) == pytest.approx(2.0, abs=0.01)

@@ -106,8 +106,7 @@ def test_a_stage_that_runs_out_of_memory_is_named(monkeypatch, tmp_path):
 
 
 def test_mechanics_of_a_search_are_estimated_within_twice_of_what_was_measured():
-    """Processor time of docs/layout_search.md, other programs running: the cube with one force 144 s, the
-    pear with two 277 s."""
+    """Processor time with other programs running: the cube with one force 144 s, the pear with two 277 s."""
     cube = search_seconds(load_spec(EXAMPLES / "paper_cube.toml", ["search.forces_n=[]"]))
     assert 0.5 < cube.lowest / 144 < 2
     pear = search_seconds(load_spec(EXAMPLES / "pear.toml", ["search.forces_n=[2.0, 8.0]"]))
