@@ -301,9 +301,11 @@ def _is_closed_outwards(mesh: trimesh.Trimesh) -> bool:
 
 
 def signed_mm3(piece: trimesh.Trimesh) -> float:
-    """Volume, below 0 of a void; of nothing too, where trimesh divides by it."""
-    one, two, three = np.moveaxis(np.asarray(piece.triangles), 1, 0)
-    return float(np.einsum("ij,ij->", np.cross(one, two), three)) / 6
+    """Return the volume (mm³): below 0 for a void, 0 for no triangles (where trimesh would divide by 0)."""
+    # Divergence theorem: each triangle (a, b, c) and the origin span a tetrahedron of (a × b) · c / 6.
+    # i triangle, j coordinate
+    a, b, c = np.moveaxis(np.asarray(piece.triangles), 1, 0)
+    return float(np.einsum("ij,ij->", np.cross(a, b), c)) / 6
 
 
 def manifold_of(mesh: trimesh.Trimesh) -> Manifold:

@@ -65,6 +65,9 @@ def containing_tets(
                 continue
             near = np.asarray(tree.query(points_mm[some], min(count, len(inverse)))[1])
             offset = points_mm[some, None] - corner[0][near]
+            # Barycentric coordinates: p point, n near tet, j coordinate, i of three corners.
+            # Inside a tet
+            # all of them and 1 less their sum are ≥ 0.
             share = np.einsum("pnij,pnj->pni", inverse[near], offset)
             inside = np.minimum(share.min(axis=2), 1 - share.sum(axis=2))
             best = inside.argmax(axis=1)

@@ -333,6 +333,7 @@ def with_error(
     for lattice, points, end in zip(table.candidates, tests, ends, strict=True):
         for row in np.flatnonzero(table.faces == lattice.face).tolist():
             index, weight = table.weights(lattice.face, points)
+            # m test point, k of its 64 candidates, r mode, v of 6 motions
             found = np.einsum("mk,mkrv->mrv", weight, table.by_candidate[index, row])
             own = direct[row][end - len(points) : end]
             modes = table.presses[row].reshape(-1, table.presses.shape[-1])

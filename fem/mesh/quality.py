@@ -93,6 +93,8 @@ def dihedral_angles_deg(mesh: TetMesh) -> Float[np.ndarray, "tet 6"]:
         normal = np.cross(b - a, c - a)
         normals.append(normal / np.linalg.norm(normal, axis=1, keepdims=True))
     angles = [
+        # Dihedral angle: 180° less that of the outward normals. i tet, j coordinate. Clipped, as
+        # rounding may give a cosine beyond ±1.
         np.degrees(np.arccos(np.clip(-np.einsum("ij,ij->i", normals[i], normals[j]), -1, 1)))
         for i in range(4)
         for j in range(i + 1, 4)

@@ -54,13 +54,18 @@ from instobj.store.content import store_root
 from instobj.store.readers import FINDINGS, METRICS, SECOND_FIDELITY, SIGNALS
 
 _APART = 0.05
-"""Of the unit cube: leaders differ by at least that much in some variable."""
+"""Share of a variable's range by which two leaders differ, at least in one variable.
+
+Otherwise all leaders could be one optimum, scored many times.
+"""
 _SAME = 1e-3
-"""Of the unit cube: as near the start a trial is the start, rounded."""
+"""Share of a variable's range: a trial as near the start in all variables is the start, rounded."""
 _KEPT = {field.name for field in fields(FidelityScore)}
+"""Names of a stored score; one with other names is of an earlier version, and scored again."""
 _RIGID, _CHAIN = (SECOND_FIDELITY.stage,), (SIGNALS.stage,)
+"""Stages that the second and the highest fidelity level need."""
 _ALLOWANCE = 1.25
-"""A finalist takes the chain that much longer than the start did, with its checks of fabrication."""
+"""Time that a finalist may take in the chain, over the start's: its checks of fabrication come on top."""
 
 Say = Callable[[str], None]
 
@@ -91,8 +96,8 @@ class Promotion:
 
     @property
     def shortened(self) -> str:
-        """How many were scored, in words, where that is fewer than asked for."""
-        scored = sum(not one.corrected for one in self.leaders), len(self.finalists)
+        """Text on how many were scored, where that is fewer than asked for; else empty."""
+        scored = sum(not leader.corrected for leader in self.leaders), len(self.finalists)
         if scored == self.asked:
             return ""
         return (
@@ -130,9 +135,9 @@ class _Ahead:
         stages: tuple[str, ...],
         enough: Callable[[], bool] = lambda: False,
     ) -> None:
-        """What fails here is made again by whoever needs it, and told there."""
+        """Make the stages; one that fails is made again where it is needed, and reported there."""
         if self.workers.count > 1:
-            tasks, _ = tasks_of([one.spec for one in layouts], stages)
+            tasks, _ = tasks_of([layout.spec for layout in layouts], stages)
             self.workers.make(tasks, store_root(), self.say, enough)
 
 
@@ -145,8 +150,9 @@ def promote(
     limit: TimeLimit,
     workers: Workers | None = None,
 ) -> Promotion | None:
-    """The search's leaders taken through all fidelity levels; None where no trial but the start keeps
-    every limit.
+    """Take the search's leaders through all fidelity levels.
+
+    None where no trial but the start keeps every limit.
 
     Tensors take one thread: two gain little here, and wait for each other where other programs run.
     The start goes first, to the highest level: what that takes is what a finalist will need, and it is
@@ -164,30 +170,36 @@ def promote(
     ahead = _Ahead(workers or Here(), say)
     ahead.make([start], (*_CHAIN, *_RIGID))
     _score([start], LAST, highest_scoring, memo, say)
+    # What the start takes at the highest level, with its twins, is what one finalist will need.
     say("twins of the start within tolerance")
     began = time.monotonic()
     twins = bounds_of_twins(start.spec)
     needed_s = _ALLOWANCE * (chain_seconds(start.spec) + time.monotonic() - began)
 
     def short() -> bool:
+        """Return whether no more is left than one finalist needs: leaders then stop."""
         return limit.left_s <= needed_s
 
+    # Level 1, all leaders; level 2, the first leader whatever the time, others while there is some.
     everyone = _score([start, *named], FIRST, lowest_scoring, memo, say)
     ahead.make(everyone[1:2], _RIGID)
     ahead.make(everyone[2:], _RIGID, short)
     everyone = _score(everyone, SECOND, second_scoring, memo, say, short)
     needed_s += second_seconds(start.spec)  # who walks on is scored there again
     everyone += _corrected(space, chosen, everyone, memo, say, short, ahead)
-    ranked = sorted(everyone[1:], key=lambda one: merit(search, one, start, SECOND))
+    # Level 3, the chain: the best of level 2 in order, until there are enough or the time ends.
+    ranked = sorted(everyone[1:], key=lambda layout: merit(search, layout, start, SECOND))
     finalists, unfinished = _finalists(start, ranked, search.finalists, memo, say, limit, ahead)
-    finalists.sort(key=lambda one: merit(search, one, start, LAST))
-    ranked.sort(key=lambda one: one is not unfinished)
+    finalists.sort(key=lambda layout: merit(search, layout, start, LAST))
+    # False sorts before True: the one that the end of the time broke off comes first; order else kept.
+    ranked.sort(key=lambda layout: layout is not unfinished)
     correlations = {
         FIRST: _correlations(everyone, FIRST, SECOND),
         SECOND: _correlations([start, *finalists], SECOND, LAST),
     }
     ratios = _ratios(start, twins, finalists, say)
     estimators = _estimators((start, *finalists), say, limit, ahead)
+    # The verdict is on the best finalist, or on the first leader where there is no finalist.
     against = objections(search, (finalists or ranked)[0], start, ratios)
     return Promotion(
         start,
@@ -204,7 +216,7 @@ def promote(
 def _ratios(
     start: Promoted, twins: list[Bounds], finalists: Sequence[Promoted], say: Say
 ) -> dict[str, TwinRatio]:
-    """Of the best finalist; none where the time ends."""
+    """Return the ratios of the best finalist; none where the time ends."""
     if not finalists:
         return {}
     say("twins within tolerance")
@@ -218,24 +230,25 @@ def _ratios(
 def _estimators(
     layouts: Sequence[Promoted], say: Say, limit: TimeLimit, ahead: _Ahead
 ) -> dict[str, dict[str, float]]:
-    """By layout, for as long as there is time: the verdict stands without them."""
-    found: dict[str, dict[str, float]] = {}
-    took = 0.0
+    """Return estimators' errors by layout, while there is time: the verdict stands without them."""
+    errors: dict[str, dict[str, float]] = {}
+    longest_s = 0.0
     if limit.left_s <= 0:
-        return found
+        return errors
     try:
         ahead.make(layouts, (METRICS.stage,))
-        for one in layouts:
-            if took > limit.left_s:
-                say(f"estimators of {one.label} are left out: time runs short")
+        for layout in layouts:
+            # The next layout will take about as long as the slowest so far.
+            if longest_s > limit.left_s:
+                say(f"estimators of {layout.label} are left out: time runs short")
                 continue
-            say(f"estimators of {one.label}")
-            before = limit.left_s
-            found[one.label] = estimator_errors(one.spec)
-            took = max(took, before - limit.left_s)
+            say(f"estimators of {layout.label}")
+            left_before_s = limit.left_s
+            errors[layout.label] = estimator_errors(layout.spec)
+            longest_s = max(longest_s, left_before_s - limit.left_s)
     except TimeSpent:
         say("further estimators are left out: the time is over")
-    return found
+    return errors
 
 
 def _corrected(
@@ -247,23 +260,26 @@ def _corrected(
     short: Callable[[], bool],
     ahead: _Ahead,
 ) -> list[Promoted]:
-    """The best leaders once they have walked on, at most as many as finalists; none, where time is
-    short."""
+    """Return the best leaders after a walk with corrected scores (space mapping), scored up to level 2.
+
+    At most as many as finalists; none where time is short.
+    """
     search, start, new = space.spec.search, scored[0], []
     params = {trial.number: trial.params for trial in chosen}
-    ranked = sorted(scored[1:], key=lambda one: merit(search, one, start, SECOND))
-    for one in ranked[: search.finalists]:
+    ranked = sorted(scored[1:], key=lambda layout: merit(search, layout, start, SECOND))
+    for leader in ranked[: search.finalists]:
         if short():
-            say(f"{one.label} does not walk on: time runs short")
+            say(f"{leader.label} does not walk on: time runs short")
             break
-        say(f"{one.label} walks on, the lowest fidelity level corrected by the second")
-        assert one.trial is not None
-        walked = corrected_params(space, params[one.trial], start, one, short)
+        say(f"{leader.label} walks on, the lowest fidelity level corrected by the second")
+        assert leader.trial is not None  # only the start has none
+        walked = corrected_params(space, params[leader.trial], start, leader, short)
         if walked is None:
-            say(f"{one.label}: nothing near it is better")
+            say(f"{leader.label}: nothing near it is better")
             continue
         spec = with_layout(space.spec, walked)
-        new.append(Promoted(f"{one.label}, walked on", one.trial, spec, {}, corrected=True))
+        new.append(Promoted(f"{leader.label}, walked on", leader.trial, spec, {}, corrected=True))
+    # The start goes along: scores are stored against the first layout's.
     lower = _score([start, *new], FIRST, lowest_scoring, memo, say)
     ahead.make(lower[1:], _RIGID, short)
     return _score(lower, SECOND, second_scoring, memo, say, short)[1:]
@@ -278,8 +294,10 @@ def _finalists(
     limit: TimeLimit,
     ahead: _Ahead,
 ) -> tuple[list[Promoted], Promoted | None]:
-    """The first leaders that can be fabricated and the highest level can score; one, where the next may
-    take too long. Besides, the one that the end of the time broke off, where there are none.
+    """Return the first leaders that can be fabricated and that the highest level can score.
+
+    One alone where the next may take too long. Besides, where there is none: the leader at which the
+    time ended.
 
     Raises
     ------
@@ -287,23 +305,24 @@ def _finalists(
         None can be.
     """
     finalists: list[Promoted] = []
-    for number, one in enumerate(ranked):
-        began = limit.left_s
+    for number, leader in enumerate(ranked):
+        left_before_s = limit.left_s
         side_by_side = min(ahead.workers.count, count - len(finalists))
         try:
             ahead.make(ranked[number : number + side_by_side], (FINDINGS.stage, *_CHAIN))
-            say(f"fabrication checks of {one.label}")
-            why = why_unbuildable(one.spec, start.spec)
+            say(f"fabrication checks of {leader.label}")
+            why = why_unbuildable(leader.spec, start.spec)
             if why:
                 say(
-                    f"{one.label} falls out, the next takes its place: it cannot be fabricated: {why}"
+                    f"{leader.label} falls out, the next takes its place: it cannot be fabricated: {why}"
                 )
                 continue
-            finalists += _score([start, one], LAST, highest_scoring, memo, say)[1:]
+            finalists += _score([start, leader], LAST, highest_scoring, memo, say)[1:]
         except TimeSpent:
-            say(f"fidelity level {LAST} of {one.label} is left out: the time is over")
-            return finalists, None if finalists else one
-        took = began - limit.left_s
+            say(f"fidelity level {LAST} of {leader.label} is left out: the time is over")
+            return finalists, None if finalists else leader
+        took = left_before_s - limit.left_s
+        # Stop where the next one, if it takes as long, would use more than half of the time left.
         if len(finalists) == count or (finalists and took > limit.left_s / 2):
             break
     if not finalists:
@@ -315,32 +334,37 @@ def _finalists(
 
 
 def leaders(space: SearchSpace, kept: KeptTrials, count: int) -> list[Trial]:
-    """The best trials within all limits that are not almost the same layout, nor the start.
+    """Return the best trials within all limits that are not almost the same layout, nor the start.
 
     With several objectives, by their product: in the middle of the front.
     """
     start = start_params(space)
-    own = None if start is None else unit_of(space, start)
+    # Variables scaled to 0 … 1 of their ranges; distances are the largest of any variable.
+    origin = None if start is None else unit_of(space, start)
     within = [
         trial
         for trial in kept.finished
-        if trial.feasible and (own is None or abs(unit_of(space, trial.params) - own).max() > _SAME)
+        if trial.feasible
+        and (origin is None or abs(unit_of(space, trial.params) - origin).max() > _SAME)
     ]
     within.sort(key=lambda trial: float(np.log(trial.values).sum()))
-    found: list[Trial] = []
+    # Greedy, best first: each next trial must be apart from all that are chosen.
+    chosen: list[Trial] = []
     points: list[np.ndarray] = []
     for trial in within:
         point = unit_of(space, trial.params)
         if all(abs(point - other).max() >= _APART for other in points):
-            found.append(trial)
+            chosen.append(trial)
             points.append(point)
-        if len(found) == count:
+        if len(chosen) == count:
             break
-    return found
+    return chosen
 
 
 def _correlations(layouts: list[Promoted], lower: str, upper: str) -> dict[str, float]:
-    return rank_correlations(*([one.levels[level] for one in layouts] for level in (lower, upper)))
+    return rank_correlations(
+        *([layout.levels[level] for layout in layouts] for level in (lower, upper))
+    )
 
 
 Scoring = Callable[[], AbstractContextManager[Callable[[ObjectSpec], FidelityScore]]]
@@ -359,65 +383,72 @@ def _score(
     Once `enough`, what is neither on file nor the start or the first layout falls out too.
     """
     known = json.loads(memo.read_text(encoding="utf-8")) if memo.is_file() else {}
-    left: list[Promoted] = []
+    scored: list[Promoted] = []
     with scoring() as score:
-        for one in layouts:
-            key = f"{level} {search_key(one.spec)}"
+        for layout in layouts:
+            key = f"{level} {search_key(layout.spec)}"
             if known.get(key, {}).keys() != _KEPT:
-                if len(left) > 1 and enough():
-                    say(f"fidelity level {level}: {one.label} falls out: time runs short")
+                # The start and one more always: without both there is nothing to compare.
+                if len(scored) > 1 and enough():
+                    say(f"fidelity level {level}: {layout.label} falls out: time runs short")
                     continue
-                say(f"fidelity level {level}: {one.label}")
+                say(f"fidelity level {level}: {layout.label}")
                 try:
-                    known[key] = asdict(score(one.spec))
+                    known[key] = asdict(score(layout.spec))
                 except (ValueError, ArithmeticError) as error:
-                    if one.trial is None:
+                    # Without the start (no trial) no other score means anything.
+                    if layout.trial is None:
                         raise
-                    say(f"fidelity level {level}: {one.label} falls out: {error}")
+                    say(f"fidelity level {level}: {layout.label} falls out: {error}")
                     continue
                 with atomic_path(memo) as temporary:
                     temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
-            one.levels[level] = _score_of(known[key], layouts[0], level)
-            left.append(one)
-    return left
+            layout.levels[level] = _score_of(known[key], layouts[0], level)
+            scored.append(layout)
+    return scored
 
 
 def _score_of(kept: dict[str, Any], start: Promoted, level: str) -> FidelityScore:
-    """A score that JSON kept, against the start's once that is there."""
+    """Return the score that JSON kept, compared with the start's once that is there."""
     bounds_mm = tuple(kept["position_bounds_mm"])
     score = FidelityScore(
         **{name: kept[name] for name in SCORE_NAMES}, position_bounds_mm=bounds_mm
     )
-    but = start.spec.search.limits.places_worse
-    return score if but == 1 else against_start(start.levels.get(level, score), score, but)
+    # At 1 all places may be worse than the start's: nothing to compare. The start compares with itself.
+    worse_allowed = start.spec.search.limits.places_worse
+    if worse_allowed == 1:
+        return score
+    return against_start(start.levels.get(level, score), score, worse_allowed)
 
 
 _SCORER = ("sensor_chip",)
 _SHELL = ("shell_thickness_mm", "silicone")
+"""Structural choices that layouts must share to share a scorer of the lowest level."""
 
 
 def _alike(spec: ObjectSpec, names: tuple[str, ...]) -> tuple[Any, ...]:
-    """What layouts that share mechanics, or scorers, have in common."""
+    """Return the structural choices of these names: layouts that agree in them share a scorer."""
     choices = structure_choices(spec)
     return tuple(choices[name] for name in names)
 
 
 @contextmanager
 def lowest_scoring() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
-    found: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
+    """Yield the score of level 1; scorers are made once for all layouts that can share them."""
+    made: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
 
     def score(spec: ObjectSpec) -> FidelityScore:
         key = *_alike(spec, _SCORER + _SHELL), *spec.magnets.sizes
-        if key not in found:
-            found[key] = scorers(spec, each_alone(spec.body.sensed))
-        return lowest_fidelity_score(spec, found[key])
+        if key not in made:
+            made[key] = scorers(spec, each_alone(spec.body.sensed))
+        return lowest_fidelity_score(spec, made[key])
 
     yield score
 
 
 @contextmanager
 def second_scoring() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
-    """One factorization for all layouts of a shell that follow each other."""
+    """Yield the score of level 2; layouts of one shell that follow each other share a factorization."""
     try:
         yield second_score
     finally:
@@ -426,4 +457,5 @@ def second_scoring() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
 
 @contextmanager
 def highest_scoring() -> Iterator[Callable[[ObjectSpec], FidelityScore]]:
+    """Yield the score of level 3, the whole chain."""
     yield chain_score

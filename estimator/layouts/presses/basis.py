@@ -39,8 +39,8 @@ OWN_RANK_PER_PLACE, LEAST_OWN_RANK = 1.3, 60
 """Singular vectors of the pressed face's basis, for each contact location and at least.
 
 Chosen by what the bounds lose and what time they take. On the paper's cube (100 places, fourteen
-layouts, 2 and 12 N) the bounds are off by 1.4 % with 100 vectors (rms; 13 % at most; the worst one by 1.6 %), by 0.6 % with 130 (5 %; 1.2 %) and by
-0.3 % with 160 (3 %; 0.6 %). 200 cost 1.4 times as much as 130.
+layouts, 2 and 12 N) the bounds are off by 1.4 % with 100 vectors (rms; 13 % at most; the worst one by
+1.6 %), by 0.6 % with 130 (5 %; 1.2 %) and by 0.3 % with 160 (3 %; 0.6 %). 200 cost 1.4 times as much as 130.
 """
 OTHER_RANK = 40
 """Singular vectors of the other faces' basis, which move less.
