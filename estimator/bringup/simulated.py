@@ -88,6 +88,7 @@ class SimulatedObject:
     def recording(self, asked: Asked) -> Recording:
         """What the board sends while the user does as asked."""
         field_mt = self._field_mt(asked)
+        # c chip, b coordinate of the field, a channel; … frames
         counts = np.einsum("cab,...cb->...ca", self.matrix, field_mt) + self.offset
         step_ms = 1000 / self.spec.sensors.frame_rate_hz
         ms = self.clock_ms + np.round(step_ms * np.arange(asked.frames)).astype(int)

@@ -205,6 +205,7 @@ def set_information(whitened: Float[np.ndarray, "set channel parameter"]) -> Set
     with np.errstate(divide="ignore"):
         condition = np.where(full, singular[:, 0] / np.where(full, singular[:, -1], 1), np.inf)
     inverse = np.where(seen, singular, 1.0) ** -2.0
+    # Diagonal of (JᵀJ)⁻¹ = Σ_k v_k v_kᵀ/σ_k²: s set, k singular value, i parameter
     variance = np.einsum("sk,ski->si", inverse, right**2).reshape(sets, -1, 3)
     variance[~full] = np.inf
     return SetInformation(

@@ -121,5 +121,6 @@ def false_reading(
     size = np.linalg.norm(whitened, axis=1)
     scale = np.where(size > 0, size, 1.0)[:, None, :]
     inverse = np.linalg.pinv(whitened / scale, rcond=_RANK_TOLERANCE)
+    # Least-squares estimate J⁺ r: p press, c channel, k of (x, y, F)
     error = np.einsum("pkc,pc->pk", inverse, residual_counts / sigma_counts) / scale[:, 0]
     return np.hypot(error[:, 0], error[:, 1]), abs(error[:, 2])

@@ -181,5 +181,6 @@ class _Pointwise(torch.autograd.Function):
     @staticmethod
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor, None]:
         (slopes,) = ctx.saved_tensors
+        # Chain rule: n place, i input, o output; slopes are ∂output/∂input by central differences
         back = torch.einsum("ino,no->ni", slopes, grads[0].double())
         return back.to(grads[0].dtype), None

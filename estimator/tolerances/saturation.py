@@ -116,6 +116,7 @@ def _largest_counts(
     found = np.zeros(1 + len(motions.depth_mm))
     for presses in every:
         # a body aside moves as if the press lay as far aside the other way
+        # b body, k direction (x, y), p press, c of 6 motions
         moved = presses.motion - np.einsum("bk,kpbc->pbc", assembly.aside_mm, presses.slope_per_mm)
         moved = np.concatenate([rest_motion(motions)[None], moved])
         model = twin_model(spec, assembly, moved)

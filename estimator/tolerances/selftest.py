@@ -283,6 +283,7 @@ def quadratic_forms(
     """
     precision = np.linalg.inv(model.covariance)
     weighted = residual @ precision
+    # h hypothesis, c channel: rᵀ (K r)
     distance = np.einsum("hc,hc->h", residual, weighted)
     log_volume = np.zeros(len(residual))
     for row in np.flatnonzero(silent.any(axis=1)):

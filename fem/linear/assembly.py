@@ -156,8 +156,8 @@ def pressure_blocks(
     points, weights = get_quadrature(RefTet, _QUADRATURE_ORDER)
     slopes = _reference_values(displacement, points)[1]
     values = _reference_values(pressure, points)[0]
-    # c pressure shape, p displacement shape, k reference direction, x quadrature point; then a
-    # coordinate
+    # c pressure shape, p displacement shape, k reference direction, x quadrature point;
+    # below e tet, a coordinate
     mean = np.einsum("cx,pkx,x->kcp", values, slopes, weights / weights.sum()).reshape(3, -1)
     weight = np.einsum("eka,e->aek", elements.slopes, elements.volumes_mm3)
     return -(weight @ mean)

@@ -153,9 +153,8 @@ def next_state(
     for _ in range(_MAX_SWITCHES):
         wanted = np.vstack([reach, path + anchor])
         traction = tractions_of(setting, wanted, touching)
-        # Normal displacement of cell i by tractions in direction b (0 normal, then along) on cells
-        # j,
-        # per area, less the wanted depth: 0 in contact, above 0 where the tip is off.
+        # Mean normal displacement of cell i by tractions in directions b (normal, x, y) on cells j,
+        # less the wanted depth: 0 in contact, above 0 where the tip is off.
         gap = np.einsum("ibj,bj->i", setting.response.compliance[0], traction) / area - reach
         lifting = touching & (traction[0] <= 0)
         sinking = ~touching & (gap < -_TOLERANCE * depth_mm.max())

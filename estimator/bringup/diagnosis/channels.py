@@ -177,6 +177,7 @@ def with_polarities(
     costs = []
     for sign in (1.0, -1.0):
         turned = replace(model, polarity=np.full(len(pose), sign))
+        # h hold, c chip, b designed axis of its site, a its axis as it is turned
         predicted = np.einsum("cab,hcb->hca", turn, turned.counts(pose)[:, site])
         error = np.hypot(model_error(readings, model, pose)[:, site, None], readings.noise_counts)
         off = capped_misfit((readings.counts - predicted) / error)
@@ -196,6 +197,7 @@ def _poses_by_vectors(
     error = np.hypot(error, readings.noise_counts)
 
     def residuals(pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold residual"]:
+        # h hold, c chip, b designed axis of its site, a its axis as it is turned
         predicted = np.einsum("cab,hcb->hca", turn, model.counts(pose)[:, site])
         off = capped_misfit((readings.counts - predicted) / error)
         return np.concatenate([off.reshape(len(off), -1), model.off_prior(pose)], axis=1)
@@ -228,6 +230,7 @@ def misfit_of(
     turns: Float[np.ndarray, "turn 3 3"],
 ) -> Float[np.ndarray, "hold chip site turn"]:
     """−ln likelihood of each chip at each place in each way round, hold by hold."""
+    # Every chip may sit at any site s in any way round t: h hold, b designed axis, a turned axis
     predicted = np.einsum("tab,hsb->hsta", turns, model.counts(pose))
     error = model_error(readings, model, pose)
     parts = []

@@ -90,6 +90,7 @@ def from_earth(
         b, laid, gain, turn, offset, slope = np.split(unknown, sizes)
         laid = laid.reshape(-1, 3)
         gain, turn, offset, slope = (part.reshape(-1, 3) for part in (gain, turn, offset, slope))
+        # The room's field b in the object's frame, in each pose k as it was laid; then c chip, a channel
         field = np.einsum("kab,kb->ka", poses, Rotation.from_rotvec(laid).apply(b))
         seen = np.einsum("cab,kb->kca", axes, field)
         seen = seen + np.cross(turn, seen)
@@ -115,6 +116,8 @@ def first_field(
     scale: float,
 ) -> Float[np.ndarray, "3"]:
     """The room's field by least squares, gains 1 and ways exactly as asked for."""
+    # Linear in the field: k pose, c chip, a channel, b object coordinate, d coordinate of the room.
+    # Poses less their mean, as the changes are: offsets then drop out.
     slope = np.einsum("cab,kbd->kcad", axes, poses - poses.mean(axis=0))
     known = np.isfinite(change)
     return np.linalg.lstsq(scale * slope[known], change[known], rcond=None)[0]
