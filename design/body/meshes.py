@@ -29,6 +29,7 @@ SLIVER_MM = 0.01
 """Nor do triangles that are less high."""
 
 LEDGE_MM2 = 0.5
+"""Area below which a ledge counts as a flaw of the mesh, not as an undercut."""
 
 _STRIP_MM, _STRIPS = 1.0, 20
 """Of a wall that leans, along the pull: no narrower, and not more of them."""
@@ -45,6 +46,7 @@ _EQUAL_MM = 1e-6
 _MEETS_MM = 1e-9
 """By which a ray may pass beside a triangle's edge and meet it."""
 _LEVEL_MM = 1e-3
+"""Step to which heights are rounded, so that points of one level have one height."""
 
 
 @dataclass(frozen=True)

@@ -24,8 +24,11 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 _SUNK_MM = 0.5
+"""Step by which a block is sunk further."""
 _SINKING_STEPS = 4
+"""Steps of sinking, at most."""
 _RAY_STEPS = 4001
+"""Points of a ray from the middle to the surface."""
 
 
 @once

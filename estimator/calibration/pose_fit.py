@@ -40,8 +40,11 @@ GROUPS = {
 """What is freed by itself, as numbers of `PRIOR`."""
 _EVERY = tuple(range(len(PRIOR)))
 _FLOOR_COUNTS = 20.0
+"""Error of the model, at least."""
 _MODEL_ERROR = 0.2
+"""Error of the model over the signal: nominal mechanics are assumed."""
 _EVALUATIONS = 15
+"""Evaluations of a fit, at most."""
 
 
 @dataclass(frozen=True)

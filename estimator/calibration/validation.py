@@ -30,8 +30,11 @@ SIGNIFICANCE = 0.05
 SIZE_BAND = 1.25
 """A size or modulus within this factor counts as supported: hysteresis alone is about 10 %."""
 _SAMPLED_PERMUTATIONS = 5000
+"""Random permutations where all of them are too many."""
 _LARGEST_ENUMERATED = 8
+"""Number of things whose permutations are all tried."""
 _SIGN_SIGMAS = 3.0
+"""Signal over its noise from which its sign counts."""
 
 
 @dataclass(frozen=True)

@@ -29,8 +29,11 @@ from fem.presses.results import MagnetMotions, PressForces
 
 Channels = Literal["own", "all"]
 _SENSOR_COUNTS = (1, 2, 3, 4, 5)
+"""Numbers of sensors of a face that are compared, besides its own."""
 CONTACT_COUNTS = (1, 2, 3)
+"""Numbers of contacts that are asked for."""
 _RANK_TOLERANCE = 1e-9
+"""Share of the largest singular value below which one counts as 0."""
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,7 @@ from estimator.signals.live import live_jacobian
 from estimator.signals.presses import Signals
 
 _RANK_TOLERANCE = 1e-7
+"""Share of the largest singular value below which a direction counts as not seen."""
 
 
 @dataclass(frozen=True)

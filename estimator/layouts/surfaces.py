@@ -28,7 +28,9 @@ _STEP = 1e-4
 """Of central differences, mm: in double precision good to 1e-8 mm."""
 _WITHIN, _WELL_WITHIN = 1 - 1e-6, 0.98
 _AZIMUTHS, _BISECTIONS = 64, 20
+"""Directions in which a board's reach is found, and halvings of its interval."""
 _BEYOND_ALL_MM = 1e6
+"""Reach on a flat core, where no board is too far out for its surface."""
 
 _Function = Callable[[np.ndarray], np.ndarray]
 

@@ -24,6 +24,7 @@ from fem.presses.results import MagnetMotions
 KEPT_BY = 0.95
 """Share of virtual objects that are to keep within the range."""
 OBJECTS = 200
+"""Virtual objects that are drawn."""
 
 
 @dataclass(frozen=True)

@@ -43,6 +43,7 @@ _LEADERS = 20
 _NEARER_MM = 1.0
 """By which tolerances may bring a magnet nearer to a sensor."""
 _STEP = 0.05
+"""Step of the difference quotients, in standard deviations of a tolerance."""
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,11 @@ from design.errors import InputError
 from fem.linear.elements import DisplacementSpace
 
 _NEAREST = (8, 64, 512)
+"""Tets round a point that are tried, nearest first; more only for points that are not found."""
 _LOOKUPS = 500_000
+"""Pairs of point and tet that are compared at once: it bounds the memory."""
 _TOLERANCE = 1e-9
+"""Barycentric coordinate below 0 that is rounding."""
 
 
 def interpolate_at(

@@ -26,6 +26,7 @@ from fem.linear.elements import TaylorHood
 from fem.linear.sparse import columns_of
 
 _CHUNK = 2048
+"""Elements whose tangents are made at once: it bounds the memory."""
 
 
 class InvertedElementError(SolverError):

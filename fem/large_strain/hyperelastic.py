@@ -25,6 +25,7 @@ from jaxtyping import Float
 from design.errors import InputError
 
 _PAIRS = ((0, 1), (0, 2), (1, 2))
+"""Pairs of principal directions."""
 
 
 @dataclass(frozen=True)

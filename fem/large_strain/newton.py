@@ -38,8 +38,11 @@ from fem.linear.magnets import rigid_motion_basis
 from fem.linear.sparse import shape_of
 
 MAX_ITERATIONS = 12
+"""Newton iterations of a step; without equilibrium by then the step is shortened."""
 _MAX_HALVINGS = 5
+"""Halvings of a Newton step that does not lessen the residual, at most."""
 _TOLERANCE = 1e-6
+"""Relative residual of an equilibrium."""
 
 
 class StepDivergedError(SolverError):

@@ -21,6 +21,7 @@ from design.body.surface_chart import FaceFrame
 from fem.linear.sparse import columns_of
 
 _QUADRATURE_ORDER = 6
+"""Degree of polynomials that the quadrature over a facet integrates exactly."""
 _LEVI_CIVITA = np.zeros((3, 3, 3))
 for _i, _j, _k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
     _LEVI_CIVITA[_i, _j, _k], _LEVI_CIVITA[_i, _k, _j] = 1.0, -1.0

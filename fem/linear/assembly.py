@@ -23,6 +23,7 @@ UPPER_BLOCKS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 """Component blocks i ≤ j of a symmetric vector matrix; the others are their transposes."""
 
 _QUADRATURE_ORDER = 2
+"""Exact for products of two linear slopes, those of quadratic shapes."""
 
 
 @dataclass(frozen=True)

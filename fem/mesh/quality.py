@@ -17,8 +17,11 @@ from design.spec.object import ObjectSpec
 from fem.mesh.tetrahedra import SILICONE, TetMesh, tet_volumes_mm3
 
 MIN_DIHEDRAL_DEG = 4.0
+"""Smallest dihedral angle of a mesh that is accepted."""
 MAX_VOLUME_ERROR = 2e-3
+"""Relative error of the silicone's volume that is accepted, facets of curved faces apart."""
 MAX_MAGNET_VOLUME_ERROR = 0.03
+"""Relative error of the magnets' volume: their rims are polygons."""
 
 
 @dataclass(frozen=True)

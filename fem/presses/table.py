@@ -34,8 +34,11 @@ from fem.linear.response import FaceSurface, ResponseOperator
 from fem.presses.results import MagnetMotions, PressForces
 
 _QUADRATURE_ORDER = 8
+"""Degree that the quadrature over a triangle integrates exactly: a tip's profile is curved."""
 _BORDER_MM = 1e-3
+"""Rounding by which a tip may lie beyond the face."""
 _NEVER_MM = 1e3
+"""Gap of vertices beyond the face, far more than any depth: they never touch."""
 Progress = Callable[[str], None]
 
 

@@ -22,7 +22,9 @@ from estimator.field.vectors import components, rotate
 HAND_MM, HAND_RAD, TURNED_COUNTS_UT = 6.0, 0.5, 50.0
 """How far hands are off (standard deviations), and what turning the core in Earth's field changes."""
 _LOWEST_MM = 0.5
+"""Air between a held magnet and the core, at least: it cannot be inside."""
 _UNKNOWNS = 8
+"""Unknowns of a hold: shift (3, mm), tilt (2, rad), uniform field (3, counts)."""
 
 
 @dataclass(frozen=True)

@@ -29,9 +29,12 @@ from estimator.bringup.diagnosis.findings import HALF_95, ChipFound
 EARTH_UT = (25.0, 65.0)
 """At the surface (IGRF): from South America to the magnetic poles."""
 _LAID_RAD = np.deg2rad(8.0)
+"""Standard deviation of how an object is laid against what was asked for."""
 _OPEN_GAIN, _OPEN_TURN = 0.3, np.deg2rad(5.0)
 _DRIFT_S = 900.0
+"""Time in which offsets drift by `sensors.drift_counts`: 15 minutes."""
 _SETTLED = 1e-6
+"""Relative change of the unknowns at which the fit ends."""
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,9 @@ NOISY = 2.0
 """Times the noise of the specification; real chips differ by a quarter (docs/units.md)."""
 SLOW, LOST = 0.9, 0.01
 _BUS_ERRORS = 0.01
+"""Share of frames with errors of the bus above which it is reported."""
 _SEQUENCES = 65536
+"""Number of frames after which a frame's 16-bit number begins again."""
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,11 @@ import numpy as np
 from jaxtyping import Float
 
 _STEP = 1e-5
+"""Step of the difference quotients, in the unknowns' own units."""
 _WORTH = 0.02
+"""Gain in ½|r|² below which the fit ends."""
 _FIRST_DAMPING, _LEAST_DAMPING = 1e-2, 1e-9
+"""Damping at the start, and at least, as shares of the diagonal."""
 
 
 def many_most_probable(

@@ -17,6 +17,7 @@ from estimator.recordings.formats.travel import TravelRecording
 SMALLEST_MT = 0.03
 """Recorded changes below have no sign: about four times the noise of a reading."""
 ORDERS_OF_CHIPS = 120
+"""Random orders of chips that are compared where all orders are too many."""
 
 Changes = Float[np.ndarray, "press sensor 3"]
 

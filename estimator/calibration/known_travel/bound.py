@@ -21,8 +21,11 @@ from estimator.recordings.formats.travel import TravelRecording
 NEIGHBOURS_MM = 4.5
 """Places so near give the slopes, by a quadratic surface: 30 or so on a checkerboard of 1.4 mm."""
 LEAST_NEIGHBOURS = 12
+"""Presses near a place from which its scatter is taken, at least."""
 _ASIDE_MM = 0.1
+"""Half the distance of the presses whose difference quotient is a slope."""
 NULLS, _DRAWS = 1000, 20
+"""Permutations for the chance of a rank correlation, and draws of noise."""
 
 
 @dataclass(frozen=True)

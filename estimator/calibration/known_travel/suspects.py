@@ -30,7 +30,9 @@ from estimator.recordings.formats.travel import TravelRecording
 LEAN_RAD, TRAVEL_SHARE, CHIP_SHARE = 0.05, 0.2, 0.1
 """Prior standard deviations: machine against face, travel's scale, every entry of a chip's matrix."""
 _DRAWS = 500
+"""Bootstrap draws of an interval."""
 _ROUNDS = 15
+"""Evaluations of a fit, at most."""
 
 Changes = Float[np.ndarray, "press sensor 3"]
 Numbers = Float[np.ndarray, "number"]

@@ -40,9 +40,12 @@ from fem.presses.results import MagnetMotions, PressForces
 SIZES = (0.02, 0.05, 0.1, 0.2)
 """Of the process; meshes of one design differ by the least of them."""
 LENGTHS_MM = (6.0, 10.0, 16.0)
+"""Lengths of the discrepancy among which the evidence chooses."""
 _FIRST = Prior(0.02, 10.0)
 _DRAWS = 20
+"""Draws from the posterior by which its spread is found."""
 FOLDS = 5
+"""Folds of the cross-validation."""
 
 
 class PlaceMechanics:

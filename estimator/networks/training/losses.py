@@ -9,8 +9,11 @@ from estimator.networks.network import HeadsNetwork
 from estimator.networks.training.data import Batch
 
 _FORCE_WEIGHT = 8.0
+"""Weight of the missed force beside the touched cells."""
 _CENTRE_WEIGHT = 0.3
+"""Weight of the distance of the centre."""
 _SPREAD_WEIGHT = 0.1
+"""Weight of the spread of the touched cells."""
 
 
 def heads_loss(network: HeadsNetwork, counts: Tensor, target: Batch) -> Tensor:
