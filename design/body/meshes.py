@@ -29,7 +29,7 @@ SLIVER_MM = 0.01
 """Nor do triangles that are less high."""
 
 LEDGE_MM2 = 0.5
-"""Area below which a ledge counts as a flaw of the mesh, not as an undercut."""
+"""Area below which a ledge hooks nothing, as where a vent ends."""
 
 _STRIP_MM, _STRIPS = 1.0, 20
 """Of a wall that leans, along the pull: no narrower, and not more of them."""

@@ -41,6 +41,7 @@ _RELIEF_STEP_MM = 1.0
 _SLIVERS_MM = 0.01
 """Tolerance within which slivers among the triangles are merged."""
 _REACH_SHARE = 0.97
+"""Share of a body's half extents over which a face's relief is sampled."""
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ _RANGES_TO_STRETCH = (1.25, 1.5, 2.0, 3.0)
 _NORMAL_90 = 1.645
 """Half the 90 % interval of a normal distribution, in standard deviations."""
 _LARGEST_CORRELATION = 0.95
-"""Bound on the correlation of neighbouring residuals; at 1 the error would be infinite."""
+"""Bound on the correlation ρ of neighbouring residuals, as (1 + ρ)/(1 − ρ) has no value at 1."""
 
 
 @dataclass(frozen=True)

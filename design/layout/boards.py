@@ -27,7 +27,7 @@ WIRE_DIAMETER_MM = 0.4
 PACKING = 0.7
 """Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
 _AT_THE_HOLE_MM = 1e-3
-"""Distance from the wire hole below which a board stands on it and needs no channel."""
+"""Distance from the wire hole's middle below which a recess lies over it and needs no channel."""
 _TOP_FACE = 1
 """Number of the face that points along +z."""
 

@@ -20,7 +20,7 @@ _ARC_STEPS = 180
 _FILLET_STEPS = 10
 """Pieces into which a fillet's quarter circle is cut."""
 _BODY_MM = 20.0
-"""Height of a tip above its fillet: more than any press is deep."""
+"""Height of a tip's straight side above its fillet."""
 _LEVEL = 1e-9
 """Rounding within which points lie on one level, or on an outline, over the size."""
 _HALF_TURN = np.deg2rad(np.arange(180))

@@ -193,6 +193,7 @@ def per_press(
     """Cosine, share of right signs, and ln(recorded size / predicted size)."""
     size = np.linalg.norm(recorded, axis=1)[:, None]
     other = np.linalg.norm(predicted, axis=2)
+    # p press, k case, c channel
     cosine = np.einsum("pc,pkc->pk", recorded, predicted) / (size * other)
     right = (recorded[:, None] * predicted > 0) & clear[:, None]
     signs = right.sum(axis=2) / np.maximum(clear.sum(axis=1), 1)[:, None]

@@ -32,7 +32,7 @@ ModelName = Literal["dipole", "multipole", "charges", "exact"]
 LOWEST_ORDER = 7
 """Lowest order of the series that is tried (odd)."""
 HIGHEST_ORDER = 25
-"""Highest order that is tried; beyond it charges on the magnet's faces are cheaper."""
+"""Highest order that is tried; where it does not hold, the exact body is used."""
 HIGHEST_CHARGES = 8
 _REFERENCE_ORDER = 61
 """Order of the series that stands for the exact field."""

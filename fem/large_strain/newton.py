@@ -40,7 +40,7 @@ from fem.linear.sparse import shape_of
 MAX_ITERATIONS = 12
 """Newton iterations of a step; without equilibrium by then the step is shortened."""
 _MAX_HALVINGS = 5
-"""Halvings of a Newton step that does not lessen the residual, at most."""
+"""Halvings of a Newton step that turns elements inside out, at most."""
 _TOLERANCE = 1e-6
 """Relative residual of an equilibrium."""
 

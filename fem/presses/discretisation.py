@@ -30,7 +30,7 @@ ORDER = 2.0
 _PLACES_PER_AXIS = 5
 """Places along each axis of the grid that are compared."""
 ROTATION_ARM_MM = 3.0
-"""Arm at which rotations count as displacements: the radius of a disk of Ø 6 mm."""
+"""Arm at which rotations count as displacements (mm)."""
 _PATCH_RADIUS_MM = 5.0
 """Radius of the smooth patch of pressure that is pressed."""
 _PATCH_ORDER = 8

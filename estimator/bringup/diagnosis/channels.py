@@ -26,11 +26,11 @@ OTHER_PLACE, OTHER_TURN, MIRRORED, TURNED_OVER = 7.0, 7.0, 9.0, 5.0
 """What hypotheses cost, −ln of their prior odds: another place, turned, mirrored axes, and a magnet
 held the wrong way round. Estimates."""
 _ROBUST = 4.0
-"""Misfit in standard deviations from which it counts less than its square: outliers do not rule."""
+"""Misfit, in standard deviations, beyond which it grows as a logarithm: outliers do not rule."""
 _ROUNDS = 6
 """Rounds of assigning chips and fitting poses, at most."""
 _TREMOR_COUNTS = 0.01
-"""Least error of a prediction in counts: it keeps the misfit finite."""
+"""Relative error of a prediction that a hand's tremor adds."""
 
 
 def signed_permutations() -> Float[np.ndarray, "48 3 3"]:

@@ -24,6 +24,7 @@ _DEAD_SHARE = 0.3
 _TREMOR_SHARE = 0.004
 """What the hand's tremor leaves of a mean field, over the field."""
 _STEP, _SETTLED = 1e-4, 1e-6
+"""Step of the difference quotients, and relative change of the unknowns at which the fit ends."""
 
 
 def chips_found(readings: HeldReadings, found: Arrangement) -> list[ChipFound]:

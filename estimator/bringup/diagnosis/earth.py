@@ -31,6 +31,7 @@ EARTH_UT = (25.0, 65.0)
 _LAID_RAD = np.deg2rad(8.0)
 """Standard deviation of how an object is laid against what was asked for."""
 _OPEN_GAIN, _OPEN_TURN = 0.3, np.deg2rad(5.0)
+"""Standard deviations of a chip's gain (its logarithm) and turn (rad): wide, so that data decide."""
 _DRIFT_S = 900.0
 """Time in which offsets drift by `sensors.drift_counts`: 15 minutes."""
 _SETTLED = 1e-6

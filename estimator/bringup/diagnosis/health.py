@@ -17,6 +17,7 @@ from estimator.tolerances.selftest import sensor_names
 NOISY = 2.0
 """Times the noise of the specification; real chips differ by a quarter (docs/units.md)."""
 SLOW, LOST = 0.9, 0.01
+"""Share of the wanted rate below which frames are slow, and share of lost frames that is reported."""
 _BUS_ERRORS = 0.01
 """Share of frames with errors of the bus above which it is reported."""
 _SEQUENCES = 65536

@@ -24,7 +24,7 @@ WEAK, STRONG, ABSENT = 0.6, 1.6, 0.2
 _MARGIN = 10.0
 """ln of the odds by which another pocket must be likelier."""
 _ROBUST = 4.0
-"""Scale of the Student-like misfit, in standard deviations: outliers do not rule."""
+"""Scale of Cauchy's misfit, in standard deviations: outliers do not rule."""
 
 
 @dataclass(frozen=True)

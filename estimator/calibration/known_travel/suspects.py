@@ -114,6 +114,7 @@ def _freed(model: TravelModel, fitted: Fitted) -> dict[str, _Freed]:
 
     def read(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:
         matrix = np.eye(3) + numbers.reshape(sensors, 3, 3)
+        # s sensor, j axis as designed, i axis as freed, n press
         return np.einsum("sij,nsj->nsi", matrix, model.pressed(twin, tip))
 
     def moved(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:

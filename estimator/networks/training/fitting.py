@@ -28,7 +28,7 @@ Progress = Callable[[int, int, float], None]
 _WARM_UP_EPOCHS = 2.0
 """Epochs in which the learning rate rises, at most half of all."""
 _LEAST_STEPS = 20
-"""Steps of an epoch that batches leave, if they are not then below the least size."""
+"""Steps of an epoch that batches leave; small data sets get smaller batches for it."""
 _LEAST_BATCH_FRAMES = 16
 """Frames of a batch, at least."""
 SAVE_EVERY_S = 5.0

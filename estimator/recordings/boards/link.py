@@ -29,7 +29,7 @@ BAUD = 115_200
 PATIENCE_S = 10.0
 """Time without a sound line after which the board counts as silent."""
 _SLICE_S = 0.2
-"""Time of a wait, after which it is asked whether to go on."""
+"""Longest wait for bytes: an empty chunk then lets the caller go on."""
 _CLOCK = 2**32
 """Milliseconds after which a board's 32-bit clock begins again."""
 _DISORDER_MS = 1000
