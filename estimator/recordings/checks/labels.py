@@ -30,7 +30,7 @@ _LOADED_SHARE = 0.5
 """Share of the largest force from which frames are compared."""
 _OWN_DISTANCE = 0.4
 _DISTANCE_RATIO = 2.5
-"""Chord from its own case, at least, and over that to the nearest other case, from which a label is doubted."""
+"""Chord from its own case, and over that to the nearest other case, from which a label is doubted."""
 
 
 def pressed_faces(
