@@ -19,6 +19,7 @@ _NO_ROOM = {
     errno.EFBIG: "the system allows no file as large",
 }
 _BLOCK_BYTES = 2**24
+"""Bytes written at a time when room on the disk is taken beforehand."""
 
 
 @contextmanager

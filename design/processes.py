@@ -28,6 +28,7 @@ ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THRE
 """Environment of processes that compute, before they load what reads it: threads of a solver wait for each
 other where cores are shared. More processes (`--workers`) take more cores."""
 _GIB = 2.0**30
+"""Bytes in a GiB."""
 
 
 def one_blas_thread() -> AbstractContextManager[Any]:

@@ -24,6 +24,7 @@ SEAL = (_MARK + b"0" * _DIGITS).decode()
 _END = b"instobj sha256: "
 _END_BYTES = len(_END) + hashlib.sha256().digest_size
 _OTHERS_MAY_WRITE = 0o022
+"""Bits of a file's mode by which its group or all may write it."""
 
 
 def sealed(content: bytes) -> bytes:

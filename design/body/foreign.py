@@ -19,7 +19,9 @@ from design.processes import ChildFailed, ChildTooSlow, run_child
 STEP = (".step", ".stp")
 FORMATS = (".stl", ".obj", ".ply", ".off", *STEP)
 SECONDS = 180.0
+"""Time after which the reading of another person's file is stopped."""
 MEMORY_GIB = 8.0
+"""Memory that the process which reads it may take."""
 READER = "design.solids.foreign"
 
 

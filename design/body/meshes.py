@@ -29,6 +29,7 @@ SLIVER_MM = 0.01
 """Nor do triangles that are less high."""
 
 LEDGE_MM2 = 0.5
+"""Area below which a ledge hooks nothing, as where a vent ends."""
 
 _STRIP_MM, _STRIPS = 1.0, 20
 """Of a wall that leans, along the pull: no narrower, and not more of them."""
@@ -45,6 +46,7 @@ _EQUAL_MM = 1e-6
 _MEETS_MM = 1e-9
 """By which a ray may pass beside a triangle's edge and meet it."""
 _LEVEL_MM = 1e-3
+"""Step to which heights are rounded, so that points of one level have one height."""
 
 
 @dataclass(frozen=True)
@@ -301,9 +303,11 @@ def _is_closed_outwards(mesh: trimesh.Trimesh) -> bool:
 
 
 def signed_mm3(piece: trimesh.Trimesh) -> float:
-    """Volume, below 0 of a void; of nothing too, where trimesh divides by it."""
-    one, two, three = np.moveaxis(np.asarray(piece.triangles), 1, 0)
-    return float(np.einsum("ij,ij->", np.cross(one, two), three)) / 6
+    """Return the volume (mm³): below 0 for a void, 0 for no triangles (where trimesh would divide by 0)."""
+    # Divergence theorem: each triangle (a, b, c) and the origin span a tetrahedron of (a × b) · c / 6.
+    # i triangle, j coordinate
+    a, b, c = np.moveaxis(np.asarray(piece.triangles), 1, 0)
+    return float(np.einsum("ij,ij->", np.cross(a, b), c)) / 6
 
 
 def manifold_of(mesh: trimesh.Trimesh) -> Manifold:

@@ -33,10 +33,15 @@ _MOST_STEPS = 64
 """From the middle of a body to its side, of the core's grid and of a patch's: on larger bodies than
 128 mm the steps grow, or time and memory would, with the cube and the square of the size."""
 _MAX_TRACES = 80
+"""Steps of a ray along the distance field, at most."""
 _TRACED_MM = 1e-5
+"""Distance from the surface at which a ray has arrived."""
 _RELIEF_STEP_MM = 1.0
+"""Step along a face at which its relief is sampled, about."""
 _SLIVERS_MM = 0.01
+"""Tolerance within which slivers among the triangles are merged."""
 _REACH_SHARE = 0.97
+"""Share of a body's half extents over which a face's relief is sampled."""
 
 
 @dataclass(frozen=True)

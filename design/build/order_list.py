@@ -29,6 +29,7 @@ from design.wiring.bus_plan import BusPlan
 from design.wiring.wires import wire_length_m
 
 _WIRE_M_A_PACK = 10.0
+"""Wire in a pack as it is sold (m)."""
 CHECK = "price estimated; check number, price and stock before ordering"
 
 

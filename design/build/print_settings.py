@@ -25,6 +25,7 @@ _LEAST_OVERHANG_MM2 = 30.0
 _BED_MM2, _SLENDER = 60.0, 3.0
 """Parts with less on the bed, or taller by this than what they stand on is wide, get a brim."""
 _BRIM_MM = 4.0
+"""Width of the brim round parts that stand on little or are slender."""
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,7 @@ _MODEL = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 _PACKAGE = "http://schemas.openxmlformats.org/package/2006"
 _MODEL_TYPE = "application/vnd.ms-package.3dmanufacturing-3dmodel+xml"
 _FIRST_DATE = (1980, 1, 1, 0, 0, 0)
+"""Earliest date that a ZIP file can hold: the same for all, so that equal parts give equal files."""
 _XML = '<?xml version="1.0" encoding="UTF-8"?>'
 PRUSA, ORCA = "Metadata/Slic3r_PE_model.config", "Metadata/model_settings.config"
 _PRUSA_KEYS = (

@@ -17,6 +17,7 @@ from typing import Literal
 from design.errors import InputError
 
 _INCOMPRESSIBLE = 0.4999
+"""Poisson's ratio of silicone: nearly incompressible; at 0.5 the bulk modulus would be infinite."""
 
 
 @dataclass(frozen=True)

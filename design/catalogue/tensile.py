@@ -20,11 +20,17 @@ from design.catalogue.tensile_files import FIT_TO_STRETCH, LEAST_POINTS, Tensile
 from design.errors import InputError
 
 _STABLE_FROM_STRETCH = 0.5
+"""Least stretch at which a solid must be stable: presses compress, tensile tests do not."""
 _LARGEST_RESIDUAL_PERCENT = 10.0
+"""Residual above which a solid does not describe the material (% of the largest stress)."""
 _EXPONENTS = (0.1, 12.0)
+"""Exponents among which Ogden's is sought."""
 _RANGES_TO_STRETCH = (1.25, 1.5, 2.0, 3.0)
+"""Stretches up to which the modulus is fitted, to show how it depends on the range."""
 _NORMAL_90 = 1.645
+"""Half the 90 % interval of a normal distribution, in standard deviations."""
 _LARGEST_CORRELATION = 0.95
+"""Bound on the correlation ρ of neighbouring residuals, as (1 + ρ)/(1 − ρ) has no value at 1."""
 
 
 @dataclass(frozen=True)

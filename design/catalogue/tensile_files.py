@@ -16,8 +16,11 @@ from design.files import require_regular_file
 FIT_TO_STRETCH = 2.0
 """Points beyond it do not count for the modulus."""
 LEAST_POINTS = 6
+"""Points of a test, at least."""
 _LEAST_STRETCH = 1.1
+"""Stretch that a test must reach."""
 _HEADER_LINES = 100
+"""Lines of a file among which the line of titles is sought."""
 _STRETCH_COLUMNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "stretch": lambda value: value,
     "strain": lambda value: 1 + value,

@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 
 Point = Float[np.ndarray, "3"]
 _TIGHT = 1.25
+"""Factor of the limit up to which a wall that keeps it is still called tight."""
 SHARPEST_DEG = 40.0
+"""Angle of an edge below which there is a warning."""
 
 
 def check_walls(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Finding]:

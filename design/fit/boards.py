@@ -20,6 +20,7 @@ _TOUCHING_MM = 0.01
 _FLUSH_MM = 0.05
 """By which a board may stand above the core: offsets of triangles are known to that."""
 _EXACT_MM = 1e-6
+"""Rounding that is no violation."""
 
 
 def check_boards(spec: ObjectSpec) -> Iterator[str]:

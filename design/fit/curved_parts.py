@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 _STEPS = 25
+"""Points along a slit at which it is checked."""
 
 
 def check_curved_keys(spec: ObjectSpec) -> Iterator[str]:

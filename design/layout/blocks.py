@@ -24,8 +24,11 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 _SUNK_MM = 0.5
+"""Depth to which a key reaches into the core below its surface, so that both join."""
 _SINKING_STEPS = 4
+"""Rounds in which a key on a curved core is sunk until its corners are inside."""
 _RAY_STEPS = 4001
+"""Points of a ray from the middle to the surface."""
 
 
 @once

@@ -27,7 +27,9 @@ WIRE_DIAMETER_MM = 0.4
 PACKING = 0.7
 """Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
 _AT_THE_HOLE_MM = 1e-3
+"""Distance from the wire hole's middle below which a recess lies over it and needs no channel."""
 _TOP_FACE = 1
+"""Number of the face that points along +z."""
 
 
 @dataclass(frozen=True)
@@ -229,11 +231,16 @@ def _gaps_mm(one: Sequence[Block], other: Sequence[Block]) -> Float[np.ndarray, 
     half_a, half_b = (np.stack([block.half_mm for block in blocks]) for blocks in (one, other))
     between = np.stack([b.centre_mm - a.centre_mm for a, b in zip(one, other, strict=True)])
     normals_a, normals_b = axes_a.transpose(0, 2, 1), axes_b.transpose(0, 2, 1)
+    # Separating axis theorem for boxes: the 3 + 3 normals and their 9 cross products are enough
+    # (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996).
     crossed = np.cross(normals_a[:, :, None], normals_b[:, None]).reshape(len(one), -1, 3)
     directions = np.concatenate([normals_a, normals_b, crossed], axis=1)
     length = np.linalg.norm(directions, axis=2)
+    # Parallel edges have no cross product; the normals serve them.
     parallel = length <= 1e-9
     directions /= np.where(parallel, 1.0, length)[..., None]
+    # p pair of boxes, d direction, i coordinate, e half edge: the gap along a direction is the
+    # centres' distance less both half widths Σ |axis · direction| · half.
     apart = abs(np.einsum("pdi,pi->pd", directions, between))
     reach = sum(
         np.einsum("pde,pe->pd", abs(directions @ axes), half)

@@ -137,6 +137,7 @@ def ways_to_wires(spec: ObjectSpec) -> Ways:
         start, normal = frame.to_object(np.column_stack([xy, 0 * xy[:, 0]])), frame.axes_at(xy)
         way = start[:, None] - targets
         way = way / np.linalg.norm(way, axis=2, keepdims=True)
+        # Cosines of the ways with the normal and with wires: p place, t target, k coordinate, a wire
         rise = np.einsum("ptk,pk->pt", way, normal[:, :, 2])
         along = np.einsum("ptk,tak->pta", way, axes)
         along[:, 1:] = abs(along[:, 1:])  # in the middle wire holes end, elsewhere they pass

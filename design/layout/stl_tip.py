@@ -12,7 +12,9 @@ if TYPE_CHECKING:
     from trimesh import Trimesh
 
 _CONVEX_TO = 1e-3
+"""Share of its volume by which a tip's hull may exceed it; more, and it is not convex."""
 _MOST_CORNERS = 5000
+"""Corners of a tip's hull, at most."""
 
 
 def stl_tip_vertices_mm(path: Path) -> tuple[tuple[float, float, float], ...]:

@@ -16,9 +16,13 @@ from design.errors import InputError
 from design.spec.mechanics import IndenterSpec
 
 _ARC_STEPS = 180
+"""Corners by which a circle is drawn."""
 _FILLET_STEPS = 10
+"""Pieces into which a fillet's quarter circle is cut."""
 _BODY_MM = 20.0
+"""Height of a tip's straight side above its fillet."""
 _LEVEL = 1e-9
+"""Rounding within which points lie on one level, or on an outline, over the size."""
 _HALF_TURN = np.deg2rad(np.arange(180))
 
 

@@ -35,6 +35,7 @@ EDGE_MM = 3.0
 LEAST_STRETCH_MM = 4.0
 """Of flange between two notches; less is cut away."""
 _STEP_MM = 0.5
+"""Step along a round thing's way at which its levels beside a flange are found."""
 
 
 @dataclass(frozen=True)

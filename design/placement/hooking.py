@@ -30,6 +30,7 @@ _LOOKED_AT_MM = 60.0
 _SPARE, _EXACT_MM = 1.1, 1e-6
 """By which the mould's triangles may hook deeper."""
 _THICKEST_MM = 16.0
+"""Thickest shell that is proposed against a hooking seam."""
 _SILICONE_BELOW_MM = TRIMS[0].thickness_mm - TRIMS[0].pocket_depth_mm
 
 

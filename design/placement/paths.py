@@ -14,6 +14,7 @@ from design.spec.object import ObjectSpec
 _SHARES = np.linspace(-0.75, 0.75, 7)
 """Of a face's half extents, where paths are looked at: a tip reaches about so far."""
 _LONG = 0.9
+"""Quantile of the paths that stands for the long ones."""
 
 
 def long_path_mm(spec: ObjectSpec, sensors: SensorLayout) -> float:

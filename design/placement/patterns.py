@@ -7,6 +7,7 @@ from jaxtyping import Float
 
 Shares = Float[np.ndarray, "part 2"]
 _CORNERS_DEG = 45.0
+"""Azimuth of the first of four magnets: they stand towards the corners."""
 
 
 def sensor_patterns(count: int) -> tuple[list[Shares], list[Shares]]:

@@ -172,6 +172,8 @@ def thin_round_bore(spec: ObjectSpec) -> bool:
     points, outward, beyond = points[thin], outward[thin], beyond[thin]
     further = [beyond_core_mm(spec, points + _STEP_MM * way) for way in np.eye(3)]
     normal = np.column_stack(further) - beyond[:, None]
+    # Cosine between the core's outward normal (difference quotients of its distance) and the bore's
+    # (i point, j coordinate).
     facing = np.einsum("ij,ij->i", normal, outward) / np.linalg.norm(normal, axis=1)
     return bool(np.any(facing > np.cos(np.deg2rad(_FACING_DEG))))
 

@@ -22,8 +22,11 @@ from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
 from design.spec.object import ObjectSpec
 
 PLATE_MM = 3.0
+"""Thickness of the template's plate."""
 LIP_MM = (2.0, 3.0)
+"""Width of the lip over the shell's edges, and how far it reaches down."""
 MARK_DEPTH_MM = 0.8
+"""Depth of the marks in the plate."""
 
 
 def template_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:

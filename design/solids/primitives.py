@@ -20,6 +20,7 @@ from design.solids.kernel import cq
 OVERSHOOT_MM = 0.5
 """Cutters and bosses pass the surface they cross by this much: coplanar faces are never cut."""
 _LOOSE_MM = 1e-3
+"""Least tolerance of a shape's vertices and edges."""
 
 
 def box_between(

@@ -11,10 +11,15 @@ from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 
 SHAFT_LENGTH_MM = 10.0
+"""Length of the shaft between a tip and the plate."""
 PLATE_MM = 4.0
+"""Thickness of the plate that tips hang from."""
 PLATE_MARGIN_MM = 5.0
+"""Plate beyond the outermost tip."""
 _ABOVE_FILLET_MM = 4.0
+"""Height of a flat tip above its fillet."""
 _SHAFT_SHARE = 0.6
+"""Diameter of the shaft over the tip's smaller width."""
 _ORIGIN = cq.Vector(0, 0, 0)
 
 

@@ -10,6 +10,7 @@ from design.spec.base import SpecPart
 
 LoadCellKind = Literal["none", "hx711", "analog"]
 PINS_OF_KIND = {"none": 0, "hx711": 2, "analog": 1}
+"""Pins of the board that a load cell of each kind takes."""
 
 
 class LoadCellSpec(SpecPart):

@@ -12,8 +12,11 @@ _LOW_V = 0.4
 _RISE = 0.8473
 """tr = 0.8473 R C between 30 and 70 % of the supply (UM10204, section 7.1)."""
 _E12 = (1.0, 1.2, 1.5, 1.8, 2.2, 2.7, 3.3, 3.9, 4.7, 5.6, 6.8, 8.2)
+"""Values of a decade of the E12 series of resistors (IEC 60063)."""
 _LARGEST_PF = 400.0
+"""Largest capacitance of a bus in I²C's standard and fast modes (NXP UM10204)."""
 STANDARD_KHZ, FAST_KHZ = 100.0, BUS_KHZ
+"""Clocks of I²C's standard mode and of the bus as it is used."""
 
 
 def rise_time_ns(khz: float) -> float:

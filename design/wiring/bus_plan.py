@@ -33,7 +33,9 @@ from design.wiring.lengths import LEAD_MM
 from design.wiring.load_cell import LoadCellPlan, load_cell_plan
 
 _CHIP_V = 3.3
+"""Logic level of the chips; a board of another level needs a buffer."""
 _BUFFERS_A_PACKAGE = 6
+"""Buffers in one package."""
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ FACTORY, STARTED, MULTIPLEXED, MIXED = (
 )
 WAYS = (FACTORY, STARTED, MULTIPLEXED, MIXED)
 _FIRST_ADDRESS = 0x10
+"""First free I²C address that is dealt out; the last one is 0x6F."""
 
 
 class CannotError(Exception):

@@ -39,9 +39,13 @@ HAND_MM, HAND_DEG, HEIGHT_MM = 3.0, 15.0, (4.0, 15.0)
 """Of the simulated hand: sideways and tilt (standard deviations), height above the core where 10 mm
 are asked for; as much higher or lower in proportion elsewhere."""
 TREMOR_MM, TREMOR_DEG, LAID_DEG = 0.3, 1.0, 5.0
+"""Standard deviations of a hand: place and tilt of a held magnet, and how an object is laid."""
 EARTH_UT = (25.0, 65.0)
+"""Least and largest strength of the Earth's field at the surface."""
 _DRIFT_MS = 15 * 60 * 1000
+"""Time in which offsets drift by `sensors.drift_counts`: 15 minutes."""
 _STUCK_COUNTS = 128.0
+"""Reading at which a stuck channel stays."""
 _FAULT = re.compile(r"(swap|turn|twist|mirror|flip|dead|stuck|silent|gain)=([^=]+?)(?:=([\d.]+))?")
 FAULTS = (
     "swap=F1-S2,F3-S1, turn=F1-S2 (by 120° about its diagonal), twist=F1-S2 (by 120° about its Z), "
@@ -88,6 +92,7 @@ class SimulatedObject:
     def recording(self, asked: Asked) -> Recording:
         """What the board sends while the user does as asked."""
         field_mt = self._field_mt(asked)
+        # c chip, b coordinate of the field, a channel; … frames
         counts = np.einsum("cab,...cb->...ca", self.matrix, field_mt) + self.offset
         step_ms = 1000 / self.spec.sensors.frame_rate_hz
         ms = self.clock_ms + np.round(step_ms * np.arange(asked.frames)).astype(int)

@@ -40,8 +40,11 @@ GROUPS = {
 """What is freed by itself, as numbers of `PRIOR`."""
 _EVERY = tuple(range(len(PRIOR)))
 _FLOOR_COUNTS = 20.0
+"""Error of the model, at least."""
 _MODEL_ERROR = 0.2
+"""Error of the model over the rms of the recorded signal."""
 _EVALUATIONS = 15
+"""Evaluations of a fit, at most."""
 
 
 @dataclass(frozen=True)
@@ -265,4 +268,5 @@ def case_cosines(
     recorded: Float[np.ndarray, "some c"], predicted: Float[np.ndarray, "some c"]
 ) -> Float[np.ndarray, "some"]:
     size = np.linalg.norm(recorded, axis=1) * np.linalg.norm(predicted, axis=1)
+    # Cosine of each case p over its channels c; 1e-12 avoids 0/0 where nothing is recorded.
     return np.einsum("pc,pc->p", recorded, predicted) / np.maximum(size, 1e-12)

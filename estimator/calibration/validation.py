@@ -30,8 +30,11 @@ SIGNIFICANCE = 0.05
 SIZE_BAND = 1.25
 """A size or modulus within this factor counts as supported: hysteresis alone is about 10 %."""
 _SAMPLED_PERMUTATIONS = 5000
+"""Random permutations where all of them are too many."""
 _LARGEST_ENUMERATED = 8
+"""Number of things whose permutations are all tried."""
 _SIGN_SIGMAS = 3.0
+"""Signal over its noise from which its sign counts."""
 
 
 @dataclass(frozen=True)
@@ -190,6 +193,7 @@ def per_press(
     """Cosine, share of right signs, and ln(recorded size / predicted size)."""
     size = np.linalg.norm(recorded, axis=1)[:, None]
     other = np.linalg.norm(predicted, axis=2)
+    # p press, k case, c channel
     cosine = np.einsum("pc,pkc->pk", recorded, predicted) / (size * other)
     right = (recorded[:, None] * predicted > 0) & clear[:, None]
     signs = right.sum(axis=2) / np.maximum(clear.sum(axis=1), 1)[:, None]

@@ -45,7 +45,9 @@ LEAST_FRAMES = 5
 _FRAME_S = 0.1
 """Between frames without time stamps."""
 _WINDOW_S = 0.6
+"""Length of the stretch of frames that is judged."""
 _JUDGED_EVERY_S = 0.08
+"""Time between two judgements."""
 
 
 def is_still(window: Float[np.ndarray, "frame channel"]) -> bool:

@@ -29,9 +29,13 @@ MOST_FRAMES = 6000
 MOST_FRAMES_OF_PROCESS = 2000
 """The same for the Gaussian process, whose time grows with their cube."""
 FRAMES_OF_KERNEL = 400
+"""Frames from which the kernel method learns, at most: its cost grows with their cube."""
 _NEIGHBOURS, TREES, BOOSTS = 5, 200, 300
+"""Sizes of the baselines: nearest neighbours, trees of a forest, rounds of boosting."""
 _DRAWS = 2000
+"""Bootstrap draws of an interval."""
 _INTERVAL_PERCENT = (5.0, 95.0)
+"""Percentiles of a 90 % interval."""
 
 
 @dataclass(frozen=True)

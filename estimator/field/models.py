@@ -30,9 +30,12 @@ from estimator.field.vectors import Vector, dot, plus_product, plus_scaled
 
 ModelName = Literal["dipole", "multipole", "charges", "exact"]
 LOWEST_ORDER = 7
+"""Lowest order of the series that is tried (odd)."""
 HIGHEST_ORDER = 25
+"""Highest order that is tried; where it does not hold, the exact body is used."""
 HIGHEST_CHARGES = 8
 _REFERENCE_ORDER = 61
+"""Order of the series that stands for the exact field."""
 
 
 @dataclass(frozen=True)

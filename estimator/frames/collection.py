@@ -31,6 +31,7 @@ from estimator.signals.presses import Progress, Signals
 from fem.presses.viscoelastic import relaxed_force_n
 
 BLOCK_FRAMES = 20_000
+"""Frames simulated at once: it bounds the memory."""
 
 
 def simulate_collection(

@@ -14,6 +14,7 @@ from estimator.frames.heatmap import force_heatmaps
 Channel = tuple[int, int, int]
 """Face number, sensor and axis counted from 0; changes over time have `HISTORY` added to the face."""
 HISTORY = 100
+"""Added to the face's number for channels that are changes over time."""
 
 
 @dataclass(frozen=True)

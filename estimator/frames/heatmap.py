@@ -15,6 +15,7 @@ from estimator.frames.dataset import NO_FACE, FrameSet
 
 LABEL_GRID = (10, 10)
 LABEL_PITCH_MM = 3.0
+"""Distance of the labels' places."""
 NO_CONTACT_LABELS = (0, 101)
 
 

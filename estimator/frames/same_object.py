@@ -13,6 +13,7 @@ Grid = tuple[Float[np.ndarray, "nx"], Float[np.ndarray, "ny"]]
 AnyGrid = tuple[Float[np.ndarray, "_"], Float[np.ndarray, "_"]]
 """Two of them may differ in length."""
 _SAME_PLACE_MM = 1e-3
+"""Distance below which two places are one."""
 
 
 def require_same_object(

@@ -16,6 +16,7 @@ from design.errors import InputError
 from estimator.frames.dataset import FrameSet
 
 DEFAULT_SHARES = (0.6, 0.2, 0.2)
+"""Shares of the presses for training, validation and test."""
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from design.layout.places.contact_places import contact_places, grid_count
 from design.spec.object import ObjectSpec
 
 _PLACES_AN_AXIS = 5
+"""Places along each axis of a face from which sets are made."""
 
 
 def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:

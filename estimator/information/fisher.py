@@ -90,6 +90,8 @@ def cramer_rao_bounds(
     _, singular, right = np.linalg.svd(whitened / scale[:, None], full_matrices=False)
     seen = np.greater(singular, _RANK_TOLERANCE)
     inverse = np.where(seen, singular, np.inf) ** -2.0
+    # Σ_k v_k v_kᵀ/σ_k² = (JᵀJ)⁻¹: p press, k singular value, i and j parameters. Values that count as 0
+    # are left out (1/∞); parameters that they touch become infinite below.
     covariance = np.einsum("pk,pki,pkj->pij", inverse, right, right)
     covariance = covariance / (scale[:, :, None] * scale[:, None, :])
     variance = np.diagonal(covariance, axis1=1, axis2=2).copy()

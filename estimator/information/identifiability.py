@@ -29,8 +29,11 @@ from fem.presses.results import MagnetMotions, PressForces
 
 Channels = Literal["own", "all"]
 _SENSOR_COUNTS = (1, 2, 3, 4, 5)
+"""Numbers of sensors of a face that are compared, besides its own."""
 CONTACT_COUNTS = (1, 2, 3)
+"""Numbers of contacts that are asked for."""
 _RANK_TOLERANCE = 1e-9
+"""Share of the largest singular value below which one counts as 0."""
 
 
 @dataclass(frozen=True)
@@ -205,6 +208,7 @@ def set_information(whitened: Float[np.ndarray, "set channel parameter"]) -> Set
     with np.errstate(divide="ignore"):
         condition = np.where(full, singular[:, 0] / np.where(full, singular[:, -1], 1), np.inf)
     inverse = np.where(seen, singular, 1.0) ** -2.0
+    # Diagonal of (JᵀJ)⁻¹ = Σ_k v_k v_kᵀ/σ_k²: s set, k singular value, i parameter
     variance = np.einsum("sk,ski->si", inverse, right**2).reshape(sets, -1, 3)
     variance[~full] = np.inf
     return SetInformation(

@@ -90,6 +90,7 @@ def covariance_sensitivity(
             "(sensors.noise_counts > 0)"
         )
     about = press_counts - press_counts.mean(axis=1, keepdims=True)
+    # p press, s sample along it, c and d dimensions
     covariance = np.einsum("psc,psd->pcd", about, about) / about.shape[1]
     covariance = covariance + np.diag(noise_counts**2)
     log_volume = ln_hull_factor(frames, len(noise_counts)) + np.linalg.slogdet(covariance)[1] / 2

@@ -27,6 +27,7 @@ from estimator.signals.live import live_jacobian
 from estimator.signals.presses import Signals
 
 _RANK_TOLERANCE = 1e-7
+"""Share of the largest singular value below which a direction counts as not seen."""
 
 
 @dataclass(frozen=True)
@@ -121,5 +122,6 @@ def false_reading(
     size = np.linalg.norm(whitened, axis=1)
     scale = np.where(size > 0, size, 1.0)[:, None, :]
     inverse = np.linalg.pinv(whitened / scale, rcond=_RANK_TOLERANCE)
+    # Least-squares estimate J⁺ r: p press, c channel, k of (x, y, F)
     error = np.einsum("pkc,pc->pk", inverse, residual_counts / sigma_counts) / scale[:, 0]
     return np.hypot(error[:, 0], error[:, 1]), abs(error[:, 2])

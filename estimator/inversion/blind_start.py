@@ -41,8 +41,11 @@ from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
 FRAMES = 100
+"""Frames that are inverted."""
 _LEAST_FORCE_N = 0.1
+"""Least force of a contact that is sought."""
 _RESAMPLED = 1000
+"""Bootstrap draws of an interval."""
 
 
 @dataclass(frozen=True)

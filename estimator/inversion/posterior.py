@@ -31,13 +31,22 @@ from estimator.inversion.priors import Pairs, Priors, Quadratic, held_between
 from estimator.inversion.problems import Observed, Problems, identities
 
 _ROUNDS = 3
+"""Times, at most, that the interaction of contacts is computed again and the fit goes on."""
 _STEPS = 8
+"""Levenberg–Marquardt steps of a round, at most."""
 _SETTLED = 1e-3
-"""Of half χ²: no step that gains less is worth taking."""
+"""Gain of a step, in half χ², below which a problem has settled.
+
+Such a step moves contacts by 0.045 standard deviations of their posterior (½ z² = 0.001).
+"""
 _LONGEST = np.array([4.0, 4.0, 6.0])
-"""Of one step, mm, mm and N."""
+"""Largest step in x (mm), y (mm) and force (N); longer ones are cut, component by component."""
 _SAME_SIGMA = 0.02
-"""Of the noise: an interaction that changes by less is the same."""
+"""Change of the interaction, over a channel's noise, below which another round is not needed."""
+_FIRST_DAMPING = 1e-3
+"""Share of the curvature's diagonal that is added first: nearly a Gauss–Newton step."""
+_MOST_DAMPING = 1e2
+"""Damping at which a problem whose steps gain nothing is given up: steps are then 1 % of Newton's."""
 
 
 def most_probable(
@@ -51,10 +60,10 @@ def most_probable(
     rounds: int = _ROUNDS,
     steps: int = _STEPS,
 ) -> Problems:
-    """Contacts of the largest posterior near a start; faces stay.
+    """Return the contacts of the largest posterior near a start; faces stay.
 
-    `extra` is a first guess of the interaction, which each of the rounds works out anew. What is
-    seen decides on which device the work is done; `extra` and `curvature` stay there.
+    `extra` is a first guess of the interaction, which each round computes again. The readings'
+    device does the work; `extra` and `curvature` stay there.
     """
     slots, used = face.shape[1], used_slots(face)
     fit = _Fit(model, priors, seen, steps)
@@ -73,7 +82,7 @@ def refitted(
     rounds: int = _ROUNDS,
     steps: int = _STEPS,
 ) -> Problems:
-    """`most_probable` from where one round left problems: misfit and slope are known there."""
+    """Return `most_probable` from where one round left problems: misfit and slope are known there."""
     slots, used = problems.face.shape[1], used_slots(problems.face)
     parameters = slice(3 * used)
     at = Quadratic(
@@ -132,6 +141,7 @@ class _Fit:
         posterior = _posterior(self.model, self.priors, self.seen, *given)
         at = posterior.at(start.contact) if start.at is None else start.at
         contact, at = _descend(posterior, self.hold, start.contact, at, self.steps)
+        # One contact alone has no interaction.
         several = (start.face != NONE).sum(axis=1) > 1
         if rounds == 1 or not bool(several.any()):
             return contact, start.extra, at
@@ -141,21 +151,25 @@ class _Fit:
         if not len(going):
             return contact, extra, at
         again = _Start(*(part[going] for part in (start.frame, start.face, contact, extra)))
-        found = self._peak(again, rounds - 1)
+        later_contact, later_extra, later_at = self._peak(again, rounds - 1)
         if len(going) == len(contact):
-            return found
-        extra[going] = found[1]
-        contact, at = _put((contact, at), going, (found[0], found[2]))
+            return later_contact, later_extra, later_at
+        extra[going] = later_extra
+        contact, at = _put((contact, at), going, (later_contact, later_at))
         return contact, extra, at
 
 
 def used_slots(face: np.ndarray) -> int:
+    """Return how many slots hold a contact in some problem, at least one."""
     (used,) = np.nonzero(np.any(face != NONE, axis=0))
     return int(used[-1]) + 1 if len(used) else 1
 
 
 def widened_covariance(problems: Problems, slots: int) -> Problems:
-    """Empty contact slots added."""
+    """Return the problems with empty contact slots added, so that they have `slots` in all.
+
+    An empty slot has no slope and a curvature of 1: matrices stay invertible, and it never moves.
+    """
     some, used = problems.face.shape
     if used == slots:
         return problems
@@ -186,23 +200,26 @@ class HeldBounds:
 def _descend(
     posterior: _Posterior, hold: HeldBounds, contact: Array, at: Quadratic, steps: int
 ) -> tuple[Array, Quadratic]:
-    """Steps with the interaction held; rows that have settled are left alone."""
+    """Return contacts after damped steps with the interaction held, and the misfit there."""
     xp = library(contact)
     longest = like(contact, np.tile(_LONGEST, contact.shape[1]))
-    damping = zeros(contact, (len(contact),)) + 1e-3
-    every, rows = (contact, at), None
+    damping = zeros(contact, (len(contact),)) + _FIRST_DAMPING
+    every, rows = (contact, at), None  # of all problems; which of them still go on (None: all)
     for _ in range(steps):
         step = damped_step(at.slope, at.curvature, damping)
+        # Linear signals hold near the contact alone: cut long steps. `hold` keeps contacts on faces.
         step = xp.minimum(xp.maximum(step, -longest), longest).reshape(contact.shape)
         trial = hold(posterior.face, contact + step)
-        there = posterior.at(trial)
-        gain = at.misfit - there.misfit
+        at_trial = posterior.at(trial)
+        gain = at.misfit - at_trial.misfit
         better = gain > 0
-        contact, at = _chosen_of(better, (trial, there), (contact, at))
+        contact, at = _chosen_of(better, (trial, at_trial), (contact, at))
+        # A step that gains is followed by a bolder one; one that does not is undone and shortened.
         damping = damping * xp.where(better, 1 / 8, 8.0)
-        going = xp.where(better, gain > _SETTLED, damping < 1e2)
+        going = xp.where(better, gain > _SETTLED, damping < _MOST_DAMPING)
         if going.all():
             continue
+        # Settled problems are stored and dropped, so that later steps cost less.
         every = _put(every, rows, (contact, at))
         going = where_true(going)
         rows = going if rows is None else rows[going]
@@ -217,34 +234,38 @@ _State = tuple[Array, Quadratic]
 
 
 def _chosen_of(better: Array, new: _State, old: _State) -> _State:
-    """Contacts and their misfits, the new ones where they are better."""
+    """Return contacts and their misfits, the new ones where they are better."""
     if better.all():
         return new
     xp = library(better)
 
-    def pick(one: Array, other: Array) -> Array:
-        return xp.where(better.reshape(-1, *[1] * (one.ndim - 1)), one, other)
+    def pick(new_part: Array, old_part: Array) -> Array:
+        return xp.where(better.reshape(-1, *[1] * (new_part.ndim - 1)), new_part, old_part)
 
-    (contact, there), (before, at) = new, old
-    parts = (pick(*pair) for pair in zip(there.parts, at.parts, strict=True))
-    return pick(contact, before), Quadratic(*parts)
+    (new_contact, new_at), (old_contact, old_at) = new, old
+    parts = (pick(*pair) for pair in zip(new_at.parts, old_at.parts, strict=True))
+    return pick(new_contact, old_contact), Quadratic(*parts)
 
 
 def _put(every: _State, rows: Array | None, some: _State) -> _State:
-    """`some` in the given rows of all problems."""
+    """Write `some` into the given rows of all problems; None stands for all rows."""
     if rows is None:
         return some
-    (contact, at), (there, found) = every, some
-    for column, part in zip((contact, *at.parts), (there, *found.parts), strict=True):
+    (contact, at), (some_contact, some_at) = every, some
+    for column, part in zip((contact, *at.parts), (some_contact, *some_at.parts), strict=True):
         column[rows] = part
     return every
 
 
 def damped_step(slope: Array, curvature: Array, damping: Array) -> Array:
-    damped = curvature + 0.0
+    """Return the step −(H + μ diag H)⁻¹ g of each problem (Marquardt, J. SIAM 11, 1963).
+
+    Scaling by the diagonal makes the step independent of units: mm and N stand side by side.
+    """
+    damped = curvature + 0.0  # a copy: `diagonals` is a view
     diagonal = diagonals(damped)
     diagonal *= 1 + damping[:, None]
-    diagonal += 1e-9
+    diagonal += 1e-9  # a parameter that no channel sees gets step 0, not a singular matrix
     return -library(slope).linalg.solve(damped, slope[..., None])[..., 0]
 
 
@@ -284,10 +305,12 @@ class _Posterior:
 
     def at(self, contact: Float[Array, "problem contact 3"]) -> Quadratic:
         """Misfit and its derivatives at contacts."""
+        # Rows r, J: residual and its derivatives. One product gives ½ rᵀr, the slope Jᵀr and the
+        # Gauss–Newton curvature JᵀJ; second derivatives of the model are left out.
         white = self._white(contact)
         turned = white.swapaxes(1, 2)
         gram = white @ turned
-        found = Quadratic(
+        quadratic = Quadratic(
             0.5 * gram[:, 0, 0],
             gram[:, 1:, 0],
             gram[:, 1:, 1:],
@@ -295,17 +318,22 @@ class _Posterior:
         )
         if self.model.shear is not None:
             pulls = self.model.pulls(self.face, contact) * self.weight[:, None, None]
-            _loosen(found, turned, pulls.reshape(len(pulls), 2 * contact.shape[1], white.shape[2]))
+            _loosen(
+                quadratic, turned, pulls.reshape(len(pulls), 2 * contact.shape[1], white.shape[2])
+            )
+        # Frames without contacts have a noise of their own (no error of a model of presses).
         if self.nothing is not None:
-            for part, resting in zip((found.misfit, found.log_spread), self.resting, strict=True):
+            pairs = zip((quadratic.misfit, quadratic.log_spread), self.resting, strict=True)
+            for part, resting in pairs:
                 part[self.nothing] = resting[self.nothing]
-        self.pairs.add(found, contact)
-        diagonal = diagonals(found.curvature)
+        self.pairs.add(quadratic, contact)
+        # 1 on the diagonal of empty slots: the matrix stays invertible, and their step is 0.
+        diagonal = diagonals(quadratic.curvature)
         diagonal += self.unused
-        return found
+        return quadratic
 
     def _white(self, contact: Array) -> Float[Array, "problem row channel"]:
-        """What is left, and its derivatives, in standard deviations."""
+        """Return residuals (row 0) and their derivatives by x, y, force of each slot, over the noise."""
         singles = self.model.singles(self.face, contact) * self.weight[:, None, None]
         problems, slots, _, channels = singles.shape
         white = zeros(singles, (problems, 1 + 3 * slots, channels))
@@ -326,6 +354,7 @@ def _posterior(
         Pairs(priors, face),
         weight,
         (seen.counts[frame] - extra) * weight,
+        # (problem, 3 · contact): each slot's flag for x, y and force
         float64(chosen(face == NONE, like(face, np.arange(3 * face.shape[1]) // 3))),
         nothing if some else None,
         seen.resting(frame) if some else (),
@@ -333,8 +362,12 @@ def _posterior(
 
 
 def _loosen(found: Quadratic, turned: Array, pulls: Array) -> None:
-    """Tangential forces integrated out: linear in the signals, normal a priori, they widen the noise
-    along `pulls` (Woodbury's identity)."""
+    """Integrate tangential forces out of the misfit, in place.
+
+    They are linear in the signals, r + Pᵀ t, and normal a priori, t ~ N(0, 1): so the noise's covariance
+    is 1 + PᵀP with P = `pulls`. By Woodbury's identity its inverse is 1 − Pᵀ (1 + PPᵀ)⁻¹ P, and by
+    Sylvester's its determinant is that of 1 + PPᵀ: small matrices, two rows for each contact.
+    """
     xp = library(pulls)
     spread = pulls @ pulls.swapaxes(1, 2) + identities(pulls, len(pulls), pulls.shape[1])
     along = pulls @ turned
@@ -352,7 +385,8 @@ def curvature_at(
     face: Int[np.ndarray, "problem contact"],
     contact: Float[np.ndarray, "problem contact 3"],
 ) -> Float[np.ndarray, "problem parameter parameter"]:
-    """Fisher information of contacts, without priors; ones on the diagonal of empty slots."""
+    """Return the Fisher information of contacts, without priors; 1 on the diagonal of empty slots."""
+    # Without distances, spreads or jaws `Pairs` adds no term: the curvature is that of signals alone.
     nothing = Priors((1.0,), len(model.signals.faces), 1.0, (0.0, 1.0))
     extra = np.zeros((len(frame), model.channels))
     return _posterior(model, nothing, seen, frame, face, extra).at(contact).curvature
@@ -361,7 +395,7 @@ def curvature_at(
 def strict_misfit(
     model: ContactModel, priors: Priors, seen: Observed, problems: Problems
 ) -> Float[np.ndarray, "problem"]:
-    """Misfit of problems around the strict deviations instead of the true ones."""
+    """Return the misfit of problems with the strict standard deviations instead of the true ones."""
     strict = replace(seen, sigma=seen.strict)
     given = problems.frame, problems.face, problems.extra
     return _posterior(model, priors, strict, *given).at(problems.contact).misfit

@@ -39,6 +39,7 @@ def other_magnets(
         )
         return centre, axis
     centre, axis = own_magnets(presses, layouts)
+    # g other face, j axis of its frame, i axis of this one's, b layout, m magnet
     turned = torch.einsum("gij,jbm->ibmg", presses.turn, centre)
     centres = turned + presses.shift_mm.T[:, None, None]
     return centres, torch.einsum("gij,jbm->ibmg", presses.turn, axis)

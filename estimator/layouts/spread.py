@@ -83,7 +83,7 @@ def channel_spread(
     Left out are the seats of other faces' magnets, which are further away.
     """
     sizes = scorer.spec.tolerances
-    # change of channel a of sensor s with motion j of magnet m
+    # Change of channel a of sensor s with motion j of magnet m, in layout l; i is the field's coordinate.
     of_own = torch.einsum("lsai,ijlsm->lsajm", axes, own.by_motion)
     by_magnet = torch.einsum("lsai,ilsm->lsam", axes, own.field)
     seat, tilt = sizes.magnet_seat_mm, float(np.deg2rad(sizes.magnet_tilt_deg))

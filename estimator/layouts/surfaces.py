@@ -28,7 +28,9 @@ _STEP = 1e-4
 """Of central differences, mm: in double precision good to 1e-8 mm."""
 _WITHIN, _WELL_WITHIN = 1 - 1e-6, 0.98
 _AZIMUTHS, _BISECTIONS = 64, 20
+"""Directions in which a board's reach is found, and halvings of its interval."""
 _BEYOND_ALL_MM = 1e6
+"""Reach on a flat core, where no board is too far out for its surface."""
 
 _Function = Callable[[np.ndarray], np.ndarray]
 
@@ -181,5 +183,6 @@ class _Pointwise(torch.autograd.Function):
     @staticmethod
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor, None]:
         (slopes,) = ctx.saved_tensors
+        # Chain rule: n place, i input, o output; slopes are ∂output/∂input by central differences
         back = torch.einsum("ino,no->ni", slopes, grads[0].double())
         return back.to(grads[0].dtype), None

@@ -97,4 +97,5 @@ def _places(
     matrix, constant = (
         torch.as_tensor(part, dtype=values.dtype) for part in (places.matrix, places.constant)
     )
+    # p part, c column (x, y, …), v variable, l layout
     return constant + torch.einsum("pcv,lv->lpc", matrix, values)

@@ -14,6 +14,7 @@ from jaxtyping import Float
 _TIE = 1e-9
 """Correlations this close are equal: the shortest displacement among them is taken."""
 CHUNK_FRAMES = 4096
+"""Frames correlated at once: it bounds the memory."""
 
 
 @dataclass(frozen=True)

@@ -37,8 +37,11 @@ face alike: E_f of one tip 7.1 instead of 7.5 %, of two 8.5 instead of 13.0, of 
 SPLAT_PITCHES = 0.3
 """Standard deviation, in pitches of the grid, of the spot that a continuous position draws."""
 _LEAST_SPREAD = 1e-3
+"""Least standard deviation of an output: the likelihood stays finite."""
 _LEAST_WEIGHT = 1e-12
+"""Added to every weight, so that their sum is never 0."""
 _LEAST_FORCE_N = 1e-6
+"""Force that stands for 0 where it divides."""
 
 
 class Reading(NamedTuple):

@@ -10,6 +10,7 @@ from estimator.frames.dataset import NO_FACE
 Place = tuple[tuple[int, float, float], ...]
 """A contact case: face, x and y (mm) of every tip, sorted."""
 _NOWHERE = 1e6
+"""Coordinate of tips that are not there: equal to each other, unlike any place."""
 
 
 def place_keys(

@@ -30,6 +30,7 @@ _TOUCH_FRAMES = 2
 _LEAST_NOISE_COUNTS = 0.3
 """Of whole numbers."""
 _UNKNOWN_COUNTS2 = 1e8
+"""Variance of an offset of which nothing is known."""
 
 
 @dataclass(frozen=True)

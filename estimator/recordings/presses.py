@@ -23,6 +23,7 @@ _STEADY_REST_N = 0.15
 LAG_FRAMES = 3 * max(LAGS)
 """More are needed to tell a lag."""
 _CURVE_DEGREE = 3
+"""Degree of the polynomial in the force that follows a signal."""
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,9 @@ from design.errors import RecordingError
 from estimator.recordings.checks.faults import known_mean
 
 ZERO_FRAMES = 20
+"""Frames at rest whose mean is the zero, at most."""
 LEAST_ZERO_FRAMES = 5
+"""Frames at rest, at least."""
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,9 @@ from estimator.signals.presses import Signals
 _STEP = 1e-30
 """Imaginary step of complex-step differentiation: exact to rounding, no cancellation."""
 _LEAST_RISE_N = 1e-6
+"""Rise over the force of all shallower steps, at least: a press with less is not resolved."""
 _ON_EDGE_MM = 1e-6
+"""Step to either side of a place: one on an edge belongs to the cells on both sides."""
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,11 @@ from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
 
 ASIDE_MM = 0.1
+"""Half the distance of the presses whose difference quotient is ∂/∂x or ∂/∂y."""
 _FORCE_STEP = 0.01
+"""Half that distance for ∂/∂F, over the force."""
 SIDES_MM = ASIDE_MM * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)])
+"""Steps in x and y of the five presses."""
 
 
 @dataclass(frozen=True)

@@ -188,6 +188,7 @@ def _moved_magnets(
     lateral = tolerances.magnet_seat_mm * numbers["magnet_seat"].reshape(-1, 2)
     depth = tolerances.magnet_seat_depth_mm * numbers["magnet_depth"]
     tilt = np.deg2rad(tolerances.magnet_tilt_deg) * numbers["magnet_tilt"].reshape(-1, 2)
+    # Drawn in the face's frame, wanted in the object's: m magnet, j axis of the face, i coordinate
     shift = np.einsum("mij,mj->mi", axes, np.column_stack([lateral, depth]))
     turn = np.einsum("mij,mj->mi", axes[:, :, :2], tilt)
     stronger = 1 + tolerances.remanence_relative * numbers["remanence"]
@@ -209,6 +210,7 @@ def moved_sensors(
     turn = np.deg2rad(tolerances.sensor_rotation_deg) * numbers["sensor_rotation"].reshape(-1, 3)
     return replace(
         sensors,
+        # s sensor, j axis of its face, i object coordinate
         position_mm=sensors.position_mm + np.einsum("sij,sj->si", axes, seat),
         axes=rotate(sensors.axes, np.einsum("sij,sj->si", axes, turn)[:, None].repeat(3, axis=1)),
     )

@@ -245,6 +245,7 @@ def moved_aside(
         return motion
     slope = states.slope_per_mm(motion)[:, :, own]
     moved = motion.copy()
+    # b body, k direction (x, y), p press, c of 6 motions; all seven states alike
     moved[:, :, own] -= np.einsum("bk,kpbc->pbc", assembly.aside_mm[own], slope)
     return moved
 
@@ -306,7 +307,9 @@ def _summary(
     total.append(np.zeros(places))
     for deviation in deviations:
         false = [
-            np.einsum("pkc,pc->pk", e, d) for e, d in zip(estimators, deviation.delta, strict=True)
+            # p press, k of (x, y, F), c channel: what an estimator makes of a false change
+            np.einsum("pkc,pc->pk", e, d)
+            for e, d in zip(estimators, deviation.delta, strict=True)
         ]
         size = [np.sum(d**2, axis=1) for d in deviation.delta]
         parts = (deviation.baseline, deviation.position, deviation.force, np.concatenate(false))

@@ -24,6 +24,7 @@ from fem.presses.results import MagnetMotions
 KEPT_BY = 0.95
 """Share of virtual objects that are to keep within the range."""
 OBJECTS = 200
+"""Virtual objects that are drawn."""
 
 
 @dataclass(frozen=True)
@@ -116,6 +117,7 @@ def _largest_counts(
     found = np.zeros(1 + len(motions.depth_mm))
     for presses in every:
         # a body aside moves as if the press lay as far aside the other way
+        # b body, k direction (x, y), p press, c of 6 motions
         moved = presses.motion - np.einsum("bk,kpbc->pbc", assembly.aside_mm, presses.slope_per_mm)
         moved = np.concatenate([rest_motion(motions)[None], moved])
         model = twin_model(spec, assembly, moved)

@@ -43,6 +43,7 @@ _LEADERS = 20
 _NEARER_MM = 1.0
 """By which tolerances may bring a magnet nearer to a sensor."""
 _STEP = 0.05
+"""Step of the difference quotients, in standard deviations of a tolerance."""
 
 
 @dataclass(frozen=True)
@@ -283,6 +284,7 @@ def quadratic_forms(
     """
     precision = np.linalg.inv(model.covariance)
     weighted = residual @ precision
+    # h hypothesis, c channel: rᵀ (K r)
     distance = np.einsum("hc,hc->h", residual, weighted)
     log_volume = np.zeros(len(residual))
     for row in np.flatnonzero(silent.any(axis=1)):

@@ -87,6 +87,7 @@ def _moved_aside(
     moved = _whole(motions, index).copy()
     slope = aside_slopes(motions, index, own)
     # of every body its own two directions
+    # b body, k direction (x, y), p place, s step, c of 6 motions
     moved[:, :, own] -= np.einsum("bk,kpsbc->psbc", assembly.aside_mm[own], slope)
     return moved
 

@@ -13,6 +13,7 @@ from jaxtyping import Bool, Float, Int
 from design.errors import InputError
 
 _ON_BORDER = 1e-9
+"""Share of a step beyond the border that is rounding."""
 
 
 def axis_weights(

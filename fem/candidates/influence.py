@@ -25,7 +25,9 @@ from fem.candidates.rigid_body import RigidBody, Tied, candidate_rows
 from fem.linear.elements import DisplacementSpace
 
 _STEP_MM = 1.0
+"""Step of the distances between two magnets, from contact of their rims on."""
 _DIRECTIONS = np.deg2rad([0.0, 90.0, 180.0, 270.0])
+"""Directions from the middle of a face to the other magnet, along the face's x and y."""
 _ALONG, _ACROSS = np.ix_([0, 2, 4], [0, 1, 3]), np.ix_([1, 3, 5], [2, 4])
 """Motions and strains that a mirror through both magnets leaves as they are, and those that it turns over."""
 
@@ -62,6 +64,9 @@ def influence(
             fields = np.stack([sources[at].field @ strains_turned(angle) for at in known])
             moved = np.stack([rows @ field for field in fields])
             moved = moved.reshape(len(known), len(beside.centre_mm), 2, 3, 5)
+            # Into the pair's frame: b body beside, d depth of the tied one, t displacement or
+            # rotation,
+            # j object coordinate, i axis of the pair's frame, s strain
             local = np.einsum("bji,dbtjs->dbtis", beside.along, moved)
             found.append(local.reshape(len(known), beside.distances, len(depth), 6, 5))
     most = max((one.shape[1] for one in found), default=1)
@@ -70,8 +75,11 @@ def influence(
         table[:, distance] = np.mean(
             [one[:, distance] for one in found if distance < one.shape[1]] or [0.0], axis=0
         )
+    # A mirror through both magnets forbids the other entries: they are noise of the mesh.
     kept = np.zeros((6, 5))
     kept[_ALONG] = kept[_ACROSS] = 1.0
+    # From the tied depths d to all depths e by a parabola; r distance, z depth of the body beside,
+    # i motion, j strain
     values = np.einsum("ed,drzij->ezrij", _parabolas(np.array(known), depth), table) * kept
     return Influence(depth, first, _STEP_MM, values.astype(np.float32))
 

@@ -27,9 +27,13 @@ MM_PER_RAD = 4.0
 """Weight of rotations beside displacements: both then change a magnet's field about alike."""
 _TABLE_FILE = "candidates.npz"
 _PITCH_MM = 2.0
+"""Largest distance of candidates along a face."""
 _DEPTH_STEP_MM = 1.0
+"""Largest distance of candidates in depth."""
 _MARGIN_MM = 1.5
+"""Silicone between the candidates and either skin of the shell."""
 _RIM_POINTS = 24
+"""Points on a magnet's rim at which it may stand out of a curved face."""
 
 
 @dataclass(frozen=True)
@@ -136,6 +140,7 @@ class CandidateMotions:
     ) -> Float[np.ndarray, "face place step magnet 6"]:
         """Motions of magnets anywhere among one face's candidates, in all presses of all faces."""
         index, weight = self.weights(face, np.column_stack([xy_mm, depth_mm]))
+        # m magnet, k of its 64 candidates, f pressed face, r mode, v of 6 motions; p place, s step
         mixed = np.einsum("mk,mkfrv->mfrv", weight, self.by_candidate[index])
         return np.einsum("fpsr,mfrv->fpsmv", self.presses, mixed, optimize=True)
 
@@ -225,6 +230,7 @@ def stands_out_mm(spec: ObjectSpec, lattice: FaceCandidates) -> float:
     turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
     rim = first.outline.radius_mm * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
     centre = frame.to_object(np.column_stack([plane, np.full(len(plane), -lattice.depth_mm[0])]))
+    # p place, r point of the rim, j own axis (columns), i object coordinate
     points = centre[:, None] + np.einsum("pij,rj->pri", frame.axes_at(plane), rim)
     return float(np.nanmax(frame.from_object(points)[..., 2]))
 

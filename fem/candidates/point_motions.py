@@ -15,8 +15,11 @@ from design.errors import InputError
 from fem.linear.elements import DisplacementSpace
 
 _NEAREST = (8, 64, 512)
+"""Tets round a point that are tried, nearest first; more only for points that are not found."""
 _LOOKUPS = 500_000
+"""Pairs of point and tet that are compared at once: it bounds the memory."""
 _TOLERANCE = 1e-9
+"""Barycentric coordinate below 0 that is rounding."""
 
 
 def interpolate_at(
@@ -65,6 +68,9 @@ def containing_tets(
                 continue
             near = np.asarray(tree.query(points_mm[some], min(count, len(inverse)))[1])
             offset = points_mm[some, None] - corner[0][near]
+            # Barycentric coordinates: p point, n near tet, j coordinate, i of three corners.
+            # Inside a tet
+            # all of them and 1 less their sum are ≥ 0.
             share = np.einsum("pnij,pnj->pni", inverse[near], offset)
             inside = np.minimum(share.min(axis=2), 1 - share.sum(axis=2))
             best = inside.argmax(axis=1)

@@ -52,7 +52,9 @@ _LEAST_MODE = 3e-4
 """Of the largest mode of what candidates do: the others change position bounds by less than 0.1 % (rms over
 places of fourteen layouts of the paper's cube; 1.5 % at most), those below 1e-3 by 0.24 % (3 %)."""
 _TEST_POINTS_PER_FACE = 60
+"""Random points of each face at which the interpolation is tested."""
 _CHUNK = 128
+"""Right-hand sides solved at once: it bounds the memory."""
 
 Progress = Callable[[str], None]
 
@@ -333,6 +335,7 @@ def with_error(
     for lattice, points, end in zip(table.candidates, tests, ends, strict=True):
         for row in np.flatnonzero(table.faces == lattice.face).tolist():
             index, weight = table.weights(lattice.face, points)
+            # m test point, k of its 64 candidates, r mode, v of 6 motions
             found = np.einsum("mk,mkrv->mrv", weight, table.by_candidate[index, row])
             own = direct[row][end - len(points) : end]
             modes = table.presses[row].reshape(-1, table.presses.shape[-1])

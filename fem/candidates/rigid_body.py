@@ -41,11 +41,20 @@ from fem.linear.factorization import Factorization
 from fem.linear.response import ElasticSystem, displacements
 
 CIRCLES, AROUND = 2, 8
+"""Circles on a magnet's flat sides, and points on each: exact for polynomials of degree 3 (`quadrature`).
+
+8 and 24 move magnets otherwise by 3.6 % at most (tests); rows would have nine times as many points.
+"""
 _OF_THE_COVER = 0.8
-"""Share of the silicone over the uppermost candidates that their upper half may take."""
+"""Share of the silicone over the uppermost candidates that their upper half may take.
+
+Below 1, so that all points of a magnet's skin stay inside the silicone.
+"""
 _TOLD_APART = 1e-4
-"""Of the largest flexibility: means that yield less are told apart by a few elements alone, those that
-the magnet lies in, and would get weights that suit no other place."""
+"""Share of the largest flexibility below which a mean gets no weight.
+
+Such means differ only in the few elements that the magnet lies in: their weights would suit no other place.
+"""
 
 
 STRAINS = np.array(
@@ -57,7 +66,10 @@ STRAINS = np.array(
         [[0, 1, 0], [1, 0, 0], [0, 0, 0]],
     ]
 )
-"""All strains of a material that keeps its volume: along the axis z, shears xz and yz, in the plane."""
+"""The five strains of a material that keeps its volume (trace 0), as symmetric matrices (strain, 3, 3).
+
+Along the axis z with the plane shrinking; shears xz and yz; stretch and shear in the plane.
+"""
 
 
 @dataclass(frozen=True)
@@ -75,6 +87,8 @@ class RigidBody:
         """Share λ of strain E in how it turns, ½ curl u − λ n × E n with n its axis (Jeffery, Proc. R. Soc.
         A 102 (1922) 161): 1 for a thin disk, which turns with the plane it lies in, 0 for a sphere. In a
         shell of 8 mm a disk of 6 × 1 mm has 0.64."""
+        # Displace the skin by u = E r, E = e_y e_zᵀ + e_z e_yᵀ, n = e_z: ω = −λ n × E n has ω_x = λ.
+        # The same E with x for y has ω_y = −λ. The mean of both serves a body that is not round.
         x, y, z = self.points_mm.T
         about_x, about_y = self.weights[3], self.weights[4]
         return float(about_x[1] @ z + about_x[2] @ y - about_y[0] @ z - about_y[2] @ x) / 2
@@ -111,23 +125,28 @@ def tied_magnets(
     places = [place for lattice in lattices for place in _middle_places(spec, lattice)]
     whole, _ = skin_quadrature(body.outline, height)
     around = np.concatenate([centre + whole @ axes.T for *_, centre, axes in places])
+    # Ties lie a little inside the skin (why: `fem.candidates.tied_magnets`).
     inset = min(INSET * edge_mm(system.space, around), MOST_INSET * height)
     outline, between = body.outline.inset(inset), height - 2 * inset
     points, weights = skin_quadrature(outline, between, CIRCLES, AROUND)
+    # Functionals ∫ ψ_k u_c dS, component by component: psi (point, k) holds ψ_k times the quadrature's
+    # weights; `rigid` and `strained` are their values for rigid motions and for u = E r.
     psi = polynomials(points, weights, DEGREE) * weights[:, None]
     rigid = np.concatenate([psi.T @ part for part in rigid_motions(points)])
-    strained = np.stack([(psi.T @ (points @ one.T)).T.ravel() for one in STRAINS], axis=1)
+    strained = np.stack([(psi.T @ (points @ strain.T)).T.ravel() for strain in STRAINS], axis=1)
     tied = []
     for face, depth, centre, axes in places:
         means = sp.csr_matrix(psi.T) @ interpolate_at(system.space, centre + points @ axes.T)
+        # axesᵀ takes displacements from the object's frame to the magnet's own.
         functionals = sp.csr_matrix(sp.kron(axes.T, means))
         tied.append(
             Tied(
                 face, depth, centre, axes, *_resisting(system, factor, functionals, rigid, strained)
             )
         )
+    # One mean of all faces and depths serves everywhere (how wrong that is: the module's docstring).
     motion, strain = (
-        np.mean([getattr(one, of) for one in tied], axis=0) for of in ("motion", "strain")
+        np.mean([getattr(magnet, of) for magnet in tied], axis=0) for of in ("motion", "strain")
     )
     of_points = (part.reshape(len(part), 3, -1) @ psi.T for part in (motion, strain))
     return RigidBody(points, *of_points), tied
@@ -146,6 +165,8 @@ def candidate_rows(
     """
     each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
     local = body.weights.reshape(2, 3, 3, -1)
+    # b body, t displacement or rotation, k own axis of the motion, m own axis of u, p point;
+    # i and j the same two in the object's frame
     turned = np.einsum("bik,tkmp,bjm->btijp", each, local, each, optimize=True)
     return _weighted_rows(space, centres_mm, each, body, turned.reshape(len(each), 6, 3, -1))
 
@@ -159,6 +180,7 @@ def strain_rows(
     """Strains round bodies at these places, in their own frames as shares of `STRAINS`, that the silicone
     would have without them; (5·body, 3·node)."""
     each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
+    # s strain, in the body's own frame; m own axis of u, j the same in the object's frame
     turned = np.einsum("smp,bjm->bsjp", body.strain_weights, each, optimize=True)
     return _weighted_rows(space, centres_mm, each, body, turned)
 
@@ -174,10 +196,11 @@ def _weighted_rows(
     count, points = len(centres_mm), len(body.points_mm)
     at = centres_mm[:, None] + body.points_mm @ np.swapaxes(axes, 1, 2)
     values = interpolate_at(space, at.reshape(-1, 3))
-    ends, every = np.arange(0, count * points + 1, points), np.arange(count * points)
+    # CSR by hand: row b holds the weights of the points of body b, which follow each other.
+    ends, columns = np.arange(0, count * points + 1, points), np.arange(count * points)
 
     def mean(weights: Float[np.ndarray, "body point"]) -> sp.csr_matrix:
-        rows = sp.csr_matrix((weights.ravel(), every, ends), shape=(count, count * points))
+        rows = sp.csr_matrix((weights.ravel(), columns, ends), shape=(count, count * points))
         return sp.csr_matrix(rows @ values)
 
     rows = weights.shape[1]
@@ -185,6 +208,7 @@ def _weighted_rows(
         sp.hstack([mean(weights[:, row, component]) for component in range(3)])
         for row in range(rows)
     ]
+    # From (row, body) to (body, row): all rows of a body together.
     order = np.arange(rows * count).reshape(rows, count).T.ravel()
     return sp.csr_matrix(sp.vstack(blocks))[order]
 
@@ -216,14 +240,19 @@ def _resisting(
 ]:
     """Weights of the functionals in a magnet's motion and in the strain round it, at one place, and the
     displacements that it adds where the silicone round it would be strained."""
+    # F = Φᵀ A⁻¹ Φ, and its inverse K without modes that the mesh cannot tell apart. The mean with the
+    # transpose removes rounding, as `eigh` reads one triangle alone.
     field = displacements(system, factor, functionals.T.toarray())
     flexibility = functionals @ field
     size, mode = np.linalg.eigh((flexibility + flexibility.T) / 2)
     kept = size > _TOLD_APART * size[-1]
     stiffness = (mode[:, kept] / size[kept]) @ mode[:, kept].T
+    # Motion in a field u: (Rᵀ K R)⁻¹ Rᵀ K Φᵀ u, without force or torque on the magnet.
     held = stiffness @ rigid
     motion = np.linalg.solve(rigid.T @ held, held.T)
+    # A strain less the motion that the magnet follows is what it resists, with the tractions T = K (…).
+    # The strain round it is (Eᵀ T)⁻¹ Tᵀ Φᵀ u: 1 for its own field E, 0 for rigid motions.
     without_motion = strained - rigid @ (motion @ strained)
     resisted = stiffness @ without_motion  # tractions without force or torque
     strain = np.linalg.solve(strained.T @ resisted, resisted.T)
-    return motion, strain, -field @ resisted
+    return motion, strain, -field @ resisted  # what it adds to u is −A⁻¹ Φ T

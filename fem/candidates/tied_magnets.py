@@ -47,9 +47,13 @@ from fem.linear.response import ElasticSystem, ResponseOperator, face_pressure_l
 from fem.linear.sparse import rows_of, shape_of
 
 DEGREE = 2
+"""Degree of the polynomials across a magnet: 36 functionals for a disk (the table above)."""
 INSET, MOST_INSET = 0.035, 0.2
+"""Depth of the ties inside the skin: mean edge lengths, and at most this share of the height."""
 _CHUNK = 128
+"""Right-hand sides solved at once: it bounds the memory."""
 _INDEPENDENT = 1e-6
+"""Share of the largest singular value below which polynomials depend on each other."""
 
 
 def rigid_magnet_response(

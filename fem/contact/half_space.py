@@ -47,9 +47,13 @@ def normal_compliance(
     """∫ u_n dA over each patch of `a` per unit pressure on each of `b`, mm³/MPa."""
     spread = np.add.outer(a.variance_mm2, b.variance_mm2)
     # |x − y|² by |x|² + |y|² − 2 x·y: a third of the time of differences
-    first, second = (np.einsum("pd,pd->p", one.centre_mm, one.centre_mm) for one in (a, b))
+    # (p patch, d coordinate)
+    first, second = (
+        np.einsum("pd,pd->p", patches.centre_mm, patches.centre_mm) for patches in (a, b)
+    )
     square = np.add.outer(first, second) - 2 * (a.centre_mm @ b.centre_mm.T)
     factor = (1 - poisson_ratio**2) / (np.pi * youngs_modulus_mpa) * np.sqrt(np.pi / 2)
+    # Rounding may make a square a little less than 0.
     argument = np.clip(square, 0, None) / (4 * spread)
     return factor * _products(a, b) * i0e(argument) / np.sqrt(spread)
 

@@ -12,9 +12,13 @@ from design.spec.mechanics import IndenterSpec
 from fem.contact.half_space import Patches
 
 CELLS = 150
+"""Cells under a tip, about, before those at its outline are halved."""
 _LARGEST_CELL_MM = 1.2
+"""Largest edge of a cell."""
 _FINE_BELOW_MM = 0.4
+"""Height above a tip's lowest point up to which cells are halved: small contacts are there."""
 _SAMPLES = 4
+"""Samples along each edge of a cell, by which its area and moments below the tip are found."""
 
 
 @dataclass(frozen=True)
@@ -108,9 +112,12 @@ def cell_moments(
     kept = inside.any(axis=1)
     points, height, inside = points[kept], height[kept], inside[kept]
     count = inside.sum(axis=1)
+    # c cell, s sample, i coordinate: mean over the samples inside
     centre = np.einsum("cs,csi->ci", inside, points) / count[:, None]
     squared = np.sum((points - centre[:, None]) ** 2, axis=2)
+    # Variance of a square of edge h along one axis: h²/12, that of a sample's own piece.
     within = np.mean((size_mm / _SAMPLES) ** 2) / 12
+    # Per axis, hence the half of the squared distance in the plane.
     variance = np.einsum("cs,cs->c", inside, squared) / count / 2 + within
     mean = np.where(inside, height, 0).sum(axis=1) / count
     area = count * np.prod(size_mm) / _SAMPLES**2

@@ -29,8 +29,11 @@ from fem.linear.response import ResponseOperator
 
 Pressed = TypeVar("Pressed")
 HOLD = 1e-3
+"""Weak hold of the shell on its core, over the layer's own stiffness: it picks the least motion."""
 MAX_STEPS = 50
+"""Steps after which lift-off has not settled."""
 NOTHING = 1e-9
+"""Share of the largest force that counts as none."""
 
 
 def lift_off(

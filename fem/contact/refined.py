@@ -270,6 +270,8 @@ def barycentric(triangulation: Delaunay, xy_mm: np.ndarray) -> tuple[np.ndarray,
     """Three vertices around every point and their weights; beyond the border the nearest vertex."""
     simplex = triangulation.find_simplex(xy_mm)
     transform = triangulation.transform[simplex]
+    # Barycentric coordinates by SciPy's affine maps: T⁻¹ (x − r); n point, i of two corners, j x
+    # or y
     local = np.einsum("nij,nj->ni", transform[:, :2], xy_mm - transform[:, 2])
     share = np.column_stack([local, 1 - local.sum(axis=1)])
     vertices = triangulation.simplices[simplex].copy()

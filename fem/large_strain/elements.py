@@ -26,6 +26,7 @@ from fem.linear.elements import TaylorHood
 from fem.linear.sparse import columns_of
 
 _CHUNK = 2048
+"""Elements whose tangents are made at once: it bounds the memory."""
 
 
 class InvertedElementError(SolverError):
@@ -127,6 +128,7 @@ def internal_forces(
     stress = first_piola_stress(material, deformation)
     stress -= (pressure * volume_ratio)[..., None, None] * inverse_transpose(deformation)
     stress *= elements.weights_mm3[..., None, None]
+    # ∫ P_ij ∂N_a/∂X_j: e tet, q quadrature point, i and j coordinates, a node
     local = np.einsum("eqij,eqaj->eia", stress, elements.gradients)
     nodal = [_scatter(elements.nodes, local[:, i], elements.node_count) for i in range(3)]
     misfit = -elements.weights_mm3 * (volume_ratio - 1 + inverse_lambda_per_mpa * pressure)
@@ -183,6 +185,7 @@ def _chunk_tangent(
         blocks[block] = (left @ right.reshape(count, points * 3, 10)).reshape(count, 100)
     tested = -weights[..., None] * elements.hats  # (tet, q, hat)
     slopes = cofactor @ rows  # (tet, q, i, a)
+    # −∫ ψ_c ∂J/∂u_ia, ∂J/∂F = cof F: e tet, q quadrature point, c pressure hat, i coordinate, a node
     divergence = np.einsum("eqc,eqia->ieca", tested, slopes, optimize=True)
     return blocks, divergence.reshape(3, count, 40)
 

@@ -25,6 +25,7 @@ from jaxtyping import Float
 from design.errors import InputError
 
 _PAIRS = ((0, 1), (0, 2), (1, 2))
+"""Pairs of principal directions."""
 
 
 @dataclass(frozen=True)
@@ -114,6 +115,7 @@ def tangent_modulus(
     """∂P_ij/∂F_kl in MPa, symmetric under (ij) ↔ (kl)."""
     modulus = np.zeros((*deformation.shape, 3, 3))
     inverse_transposed = inverse_transpose(deformation)
+    # F⁻ᵀ_il F⁻ᵀ_kj = −∂F⁻ᵀ_ij/∂F_kl
     swapped = np.einsum("...il,...kj->...ijkl", inverse_transposed, inverse_transposed)
     if material.invariant_coefficients_mpa:
         first, second = _invariant_derivatives(material, deformation)
@@ -121,6 +123,7 @@ def tangent_modulus(
         modulus += 2 * first[..., None, None, None, None] * (_identity() + swapped)
         if second.any():
             scaled = second[..., None, None] * direction
+            # Chain rule through the invariant: W'' (∂I/∂F)_ij (∂I/∂F)_kl
             modulus += np.einsum("...ij,...kl->...ijkl", scaled, direction)
     if material.ogden_terms:
         modulus += _ogden_modulus(material, deformation)
@@ -134,6 +137,7 @@ def inverse_transpose(
     """F⁻ᵀ, by cofactors: quicker than a general inverse."""
     a, b, c = (deformation[..., row, :] for row in range(3))
     cofactors = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=-2)
+    # det F = a · (b × c), the first row by its cofactors
     return cofactors / np.einsum("...i,...i->...", a, cofactors[..., 0, :])[..., None, None]
 
 
@@ -174,6 +178,7 @@ def _invariant_derivatives(
 
 
 def _from_principal(vectors: np.ndarray, values: np.ndarray) -> np.ndarray:
+    # Σ_a v_a n_a n_aᵀ: a principal direction, i and j coordinates
     return np.einsum("...ia,...a,...ja->...ij", vectors, values, vectors)
 
 
@@ -194,6 +199,7 @@ def _ogden_modulus(material: Hyperelastic, deformation: np.ndarray) -> np.ndarra
     modulus = np.zeros((*deformation.shape, 3, 3))
     for a in range(3):
         for b in range(3):
+            # left = f_a n_bᵀ, right = ∂C_ab/∂F = f_a n_bᵀ + f_b n_aᵀ; their dyad is summed over a and b
             left = np.einsum("...i,...j->...ij", principal[..., a], vectors[..., b])
             right = left + np.einsum("...k,...l->...kl", principal[..., b], vectors[..., a])
             left *= slopes[..., a, b, None, None]

@@ -7,9 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 _THICKNESS_MM = 8.0
+"""Thickness of the shell whose errors these are; depths scale with it."""
 _DEPTH_MM = (0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0)
+"""Indentation depths of the errors below."""
 _FORCE_ERROR = (0.0, 0.025, 0.032, 0.042, 0.055, 0.075, 0.107, 0.137, 0.165)
+"""Relative error of the linear model's force at these depths."""
 _MOTION_ERROR = (0.0, 0.09, 0.113, 0.144, 0.205, 0.264, 0.312, 0.395, 0.485)
+"""Relative error of the linear model's motions at these depths."""
 
 
 @dataclass(frozen=True)

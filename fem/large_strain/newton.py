@@ -38,8 +38,11 @@ from fem.linear.magnets import rigid_motion_basis
 from fem.linear.sparse import shape_of
 
 MAX_ITERATIONS = 12
+"""Newton iterations of a step; without equilibrium by then the step is shortened."""
 _MAX_HALVINGS = 5
+"""Halvings of a Newton step that turns elements inside out, at most."""
 _TOLERANCE = 1e-6
+"""Relative residual of an equilibrium."""
 
 
 class StepDivergedError(SolverError):
@@ -171,6 +174,7 @@ def advanced(
 def _turned(problem: PressProblem, rotation: np.ndarray) -> np.ndarray:
     """Arms of the magnets' nodes after rotation."""
     owner = problem.owner[problem.owner >= 0]
+    # n node, j coordinate at rest, i coordinate after the rotation of its magnet
     return np.einsum("nij,nj->ni", rotation[owner], problem.arms_mm)
 
 
@@ -270,6 +274,7 @@ def _rotation_stiffness(
     rigid = problem.owner >= 0
     force = forces.internal.nodal_n.reshape(3, -1)[:, rigid].T
     arm = _turned(problem, state.rotation)
+    # a fᵀ of each node n; its trace is a · f
     product = np.einsum("ni,nj->nij", arm, force)
     each = (product + np.swapaxes(product, 1, 2)) / 2
     each -= np.einsum("nkk->n", product)[:, None, None] * np.eye(3)

@@ -28,7 +28,9 @@ from fem.presses.shape import FacePressure, deformed_shape, face_vertices, shape
 Progress = Callable[[str], None]
 
 LARGEST_STEP_MM = 0.5
+"""Depth of the first step and of any, at most."""
 SMALLEST_STEP_MM = 0.02
+"""Depth of a step below which a press is given up."""
 
 
 def press_large_strain(

@@ -37,6 +37,7 @@ from fem.mesh.tetrahedra import TetMesh
 from fem.presses.table import profile_moments_mm3, surface_weights_mm2
 
 _MODULUS_TOLERANCE = 0.01
+"""Relative difference of the solid's modulus from the specification's that counts as another one."""
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from design.body.surface_chart import FaceFrame
 from fem.linear.sparse import columns_of
 
 _QUADRATURE_ORDER = 6
+"""Degree of polynomials that the quadrature over a facet integrates exactly."""
 _LEVI_CIVITA = np.zeros((3, 3, 3))
 for _i, _j, _k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
     _LEVI_CIVITA[_i, _j, _k], _LEVI_CIVITA[_i, _k, _j] = 1.0, -1.0
@@ -86,6 +87,7 @@ def contact_face(
         candidate,
         hats,
         int(quadratic.N),
+        # f facet, q quadrature point, h hat (vertex): weights ∫ hat dA
         _scatter_hats(candidate, np.einsum("fqh,fq->fh", hats, area), len(vertices)),
     )
 
@@ -98,10 +100,12 @@ def contact_state(
 ) -> ContactState:
     """Gaps of the deformed face to the sphere."""
     local = displacement_mm.reshape(3, -1)[:, face.nodes]
+    # Place and two tangents (m) after the displacement of nodes a: f facet, q point, i coordinate
     deformed = face.frame_mm + np.einsum("fqma,ifa->fqmi", face.shapes, local)
     deformed[:, :, 0] -= sphere_centre_mm
     gap, slope, curvature = gap_per_area(deformed, radius_mm)
     tested = face.hats * face.area_mm2[..., None]
+    # ∂(∫ hat_h gap)/∂u_ia by the chain rule through place and tangents m
     per_node = np.einsum("fqh,fqmi,fqma->ifha", tested, slope, face.shapes, optimize=True)
     return ContactState(
         _scatter_hats(face.candidate, np.einsum("fqh,fq->fh", tested, gap), len(face.weights_mm2)),
@@ -116,6 +120,7 @@ def contact_stiffness(
     """Second derivative of −Σ p_i gap_i by the displacements (3·node, 3·node), N/mm."""
     scale = -_pressure_at_points(face, pressure_mpa) * face.area_mm2
     curvature = state.curvature.reshape(*scale.shape, 3, 3, 3, 3)
+    # Same, twice: m, i and n, j are the two places or tangents and their coordinates, a and b nodes
     local = np.einsum(
         "fq,fqminj,fqma,fqnb->fiajb", scale, curvature, face.shapes, face.shapes, optimize=True
     )
@@ -150,6 +155,7 @@ def _shapes_and_slopes(basis: FacetBasis, frame: FaceFrame) -> np.ndarray:
     tangents = np.stack([frame.x, frame.y])
     functions = []
     for shape, *_ in basis.basis:
+        # Slopes of shapes along the face's two tangents m: i coordinate, f facet, q quadrature point
         slopes = np.einsum("mi,ifq->fqm", tangents, np.asarray(shape.grad))
         functions.append(np.concatenate([np.asarray(shape)[..., None], slopes], axis=-1))
     return np.stack(functions, axis=-1)
@@ -164,12 +170,14 @@ def gap_per_area(
     normal = d / distance[..., None]
     cubed = (radius_mm / distance) ** 3
     height = (1 - cubed) / 3
+    # det[d, a, b] = d · (a × b): three times the volume between the sphere's centre and the facet, per area
     volume = np.einsum("fqi,fqi->fq", d, np.cross(a, b))
     volume_slope = np.stack([np.cross(a, b), np.cross(b, d), np.cross(d, a)], axis=2)
     height_slope = np.zeros_like(deformed)
     height_slope[:, :, 0] = (cubed / distance)[..., None] * normal
     slope = height[..., None, None] * volume_slope + volume[..., None, None] * height_slope
     flat = (*distance.shape, 9)
+    # Product rule: second derivative of h · v with h = h(|d|) and v = det[d, a, b]
     mixed = np.einsum("fqm,fqn->fqmn", height_slope.reshape(flat), volume_slope.reshape(flat))
     curvature = mixed + np.swapaxes(mixed, 2, 3)
     curvature += height[..., None, None] * determinant_curvature(d, a, b)
@@ -182,6 +190,7 @@ def determinant_curvature(d: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.nda
     """Second derivative of det[d, a, b] by (d, a, b): ε_ijk of the third where two differ."""
     table = np.zeros((*d.shape[:2], 9, 9))
     for first, second, third in ((0, 1, b), (1, 2, d), (2, 0, a)):
+        # ε_ijk of the third vector (k): ∂²det/∂(first)_i ∂(second)_j
         block = np.einsum("ijk,fqk->fqij", _LEVI_CIVITA, third)
         rows, columns = slice(3 * first, 3 * first + 3), slice(3 * second, 3 * second + 3)
         table[:, :, rows, columns] = block
@@ -191,6 +200,7 @@ def determinant_curvature(d: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.nda
 
 def _pressure_at_points(face: ContactFace, pressure_mpa: np.ndarray) -> np.ndarray:
     nodal = np.where(face.candidate >= 0, pressure_mpa[face.candidate], 0)
+    # Pressure at quadrature points from its nodal values: h vertex of facet f
     return np.einsum("fqh,fh->fq", face.hats, nodal)
 
 

@@ -23,6 +23,7 @@ UPPER_BLOCKS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 """Component blocks i ≤ j of a symmetric vector matrix; the others are their transposes."""
 
 _QUADRATURE_ORDER = 2
+"""Exact for products of two linear slopes, those of quadratic shapes."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +71,7 @@ def reference_shapes(element: Element) -> ReferenceShapes:
     points, weights = get_quadrature(RefTet, _QUADRATURE_ORDER)
     mean = weights / weights.sum()
     slopes = _reference_values(element, points)[1]
+    # p and q shapes, k and l reference directions, x quadrature point (weights sum to 1: means)
     products = np.einsum("pkx,qlx,x->klpq", slopes, slopes, mean)
     return ReferenceShapes(products, np.einsum("pkx,x->kp", slopes, mean))
 
@@ -128,10 +130,15 @@ def elastic_blocks(
     count = len(elements.volumes_mm3)
     product = shapes.slope_slope
     if mean_divergence:
+        # Mean divergence (B-bar, Hughes 1980): the product of means instead of the mean of
+        # products.
         product = np.einsum("kp,lq->klpq", shapes.slope, shapes.slope)
     coupled = shear_modulus_mpa * shapes.slope_slope.swapaxes(0, 1) + lambda_mpa * product
     coupled = coupled.reshape(9, -1)
     squares = (shear_modulus_mpa * shapes.slope_slope).reshape(9, -1)
+    # Chain rule ∂φ/∂x_i = Σ_k (∂x̂_k/∂x_i) ∂φ/∂x̂_k, twice, times the volume: e tet, k and l
+    # reference
+    # directions, i and j coordinates
     weight = np.einsum("eki,elj,e->ijekl", elements.slopes, elements.slopes, elements.volumes_mm3)
     weight = weight.reshape(3, 3, count, 9)
     laplacian = (weight[0, 0] + weight[1, 1] + weight[2, 2]) @ squares
@@ -150,6 +157,8 @@ def pressure_blocks(
     points, weights = get_quadrature(RefTet, _QUADRATURE_ORDER)
     slopes = _reference_values(displacement, points)[1]
     values = _reference_values(pressure, points)[0]
+    # c pressure shape, p displacement shape, k reference direction, x quadrature point;
+    # below e tet, a coordinate
     mean = np.einsum("cx,pkx,x->kcp", values, slopes, weights / weights.sum()).reshape(3, -1)
     weight = np.einsum("eka,e->aek", elements.slopes, elements.volumes_mm3)
     return -(weight @ mean)

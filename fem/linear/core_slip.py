@@ -131,6 +131,7 @@ def superposed(
     rest, its rotation before that one.
     """
     turn = Rotation.from_rotvec(rest[:, 3:])
+    # R u of each magnet: m magnet, j and i coordinates, … presses
     shift = rest[:, :3] + np.einsum("mij,...mj->...mi", turn.as_matrix(), motion[..., :3])
     pressed = motion[..., 3:].reshape(-1, len(rest), 3)
     both = np.empty_like(pressed)

@@ -29,6 +29,7 @@ def layer_stiffness(
     total = np.zeros(len(corners_mm))
     points = inner_points()
     for weights in points:
+        # A point of each tet by its barycentric weights: k corner, t tet, d coordinate
         distance = body.core_distance_mm(np.einsum("k,tkd->td", weights, corners_mm))
         total += ratios[np.sum(distance[:, None] < ends, axis=1)]
     return total / len(points)

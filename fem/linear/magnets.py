@@ -17,6 +17,7 @@ from fem.linear.sparse import columns_of, rows_of
 from fem.mesh.tetrahedra import TetMesh
 
 _LEVI_CIVITA = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+"""Even permutations of (x, y, z): the indices of a cross product."""
 
 
 def rigid_motion_basis(

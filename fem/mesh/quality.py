@@ -17,8 +17,11 @@ from design.spec.object import ObjectSpec
 from fem.mesh.tetrahedra import SILICONE, TetMesh, tet_volumes_mm3
 
 MIN_DIHEDRAL_DEG = 4.0
+"""Smallest dihedral angle of a mesh that is accepted."""
 MAX_VOLUME_ERROR = 2e-3
+"""Relative error of the silicone's volume that is accepted, facets of curved faces apart."""
 MAX_MAGNET_VOLUME_ERROR = 0.03
+"""Relative error of the magnets' volume: their rims are polygons."""
 
 
 @dataclass(frozen=True)
@@ -93,6 +96,8 @@ def dihedral_angles_deg(mesh: TetMesh) -> Float[np.ndarray, "tet 6"]:
         normal = np.cross(b - a, c - a)
         normals.append(normal / np.linalg.norm(normal, axis=1, keepdims=True))
     angles = [
+        # Dihedral angle: 180° less that of the outward normals. i tet, j coordinate. Clipped, as
+        # rounding may give a cosine beyond ±1.
         np.degrees(np.arccos(np.clip(-np.einsum("ij,ij->i", normals[i], normals[j]), -1, 1)))
         for i in range(4)
         for j in range(i + 1, 4)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     import trimesh
 
 ON_SURFACE_MM = 0.1
+"""Distance from the face at which a vertex of the mesh counts as on it, at least."""
 
 
 def surface_tolerance_mm(spec: ObjectSpec) -> float:

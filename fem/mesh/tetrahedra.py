@@ -25,7 +25,9 @@ SILICONE = -1
 _NEAR_EDGE = 0.75
 """Edges `_NEAR_RADII` away from a press's contact, in `mesh.surface_edge_mm`."""
 _CONTACT_RADII, _NEAR_RADII, _FAR_RADII = 0.75, 0.6, 2.5
+"""Radius of the finest mesh, and from there to the near and to the far edges, over the tip's radius."""
 _COARSE_EDGE_MM = 6.0
+"""Edge far away from a press, at least."""
 
 
 @dataclass(frozen=True)

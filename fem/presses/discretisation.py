@@ -28,9 +28,13 @@ ORDER = 2.0
 """Of the error: as observed on the paper's cube on three meshes, see `discretisation_error`."""
 
 _PLACES_PER_AXIS = 5
+"""Places along each axis of the grid that are compared."""
 ROTATION_ARM_MM = 3.0
+"""Arm at which rotations count as displacements (mm)."""
 _PATCH_RADIUS_MM = 5.0
+"""Radius of the smooth patch of pressure that is pressed."""
 _PATCH_ORDER = 8
+"""Degree that the quadrature of its loads integrates exactly."""
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,9 @@ if TYPE_CHECKING:
     import pyvista
 
 _VTK_TETS = {4: 10, 10: 24}
+"""VTK's cell types of tets with 4 and with 10 nodes."""
 _EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
+"""Corners at the ends of an edge, in the order of VTK's nodes 4 to 9."""
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,7 @@ from fem.mesh.tetrahedra import TetMesh
 from fem.presses.table import press_places, surface_weights_mm2
 
 _LEAST_FORCE_N = 1e-9
+"""Force that stands for 0 where it divides."""
 _SHEAR = FileKind(
     "tangential motions",
     {

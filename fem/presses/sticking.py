@@ -24,10 +24,15 @@ from fem.mesh.tetrahedra import TetMesh
 from fem.presses.joint import JointPress, Tip, require_apart
 
 _LARGEST_STEP_MM = 0.1
+"""Depth of a step along the path, at most."""
 _FEWEST_STEPS = 10
+"""Steps of a press, at least."""
 _MAX_SWITCHES = 60
+"""Rounds in which cells switch between contact and none; more, and contact has not settled."""
 LARGEST_SHARE = 0.8
+"""Deepest press over the tip's height or the shell's thickness."""
 _TOLERANCE = 1e-9
+"""Penetration over the depth that is rounding."""
 
 
 @dataclass(frozen=True)
@@ -153,6 +158,8 @@ def next_state(
     for _ in range(_MAX_SWITCHES):
         wanted = np.vstack([reach, path + anchor])
         traction = tractions_of(setting, wanted, touching)
+        # Mean normal displacement of cell i by tractions in directions b (normal, x, y) on cells j,
+        # less the wanted depth: 0 in contact, above 0 where the tip is off.
         gap = np.einsum("ibj,bj->i", setting.response.compliance[0], traction) / area - reach
         lifting = touching & (traction[0] <= 0)
         sinking = ~touching & (gap < -_TOLERANCE * depth_mm.max())

@@ -34,8 +34,11 @@ from fem.linear.response import FaceSurface, ResponseOperator
 from fem.presses.results import MagnetMotions, PressForces
 
 _QUADRATURE_ORDER = 8
+"""Degree that the quadrature over a triangle integrates exactly: a tip's profile is curved."""
 _BORDER_MM = 1e-3
+"""Rounding by which a tip may lie beyond the face."""
 _NEVER_MM = 1e3
+"""Gap of vertices beyond the face, far more than any depth: they never touch."""
 Progress = Callable[[str], None]
 
 
@@ -208,6 +211,9 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
     local, weight = get_quadrature(RefTri, _QUADRATURE_ORDER)
     hats = np.stack([1 - local.sum(axis=0), *local])  # (3, q)
     corner = surface.xy_mm[surface.triangles]  # (t, 3, 2)
+    # k corner, q quadrature point, t triangle, d coordinate. 2 · weight: scikit-fem's weights sum
+    # to
+    # the reference triangle's area, 1/2.
     points = np.einsum("kq,tkd->tqd", hats, corner).reshape(-1, 2)
     values = np.einsum("kq,q,t->tqk", hats, 2 * weight, triangle_areas_mm2(surface))
     rows = np.repeat(surface.triangles[:, None, :], len(weight), axis=1)

@@ -15,7 +15,9 @@ from fem.linear.response import ResponseOperator
 from fem.presses.joint import JointPress, Tip, on_core, presser
 
 _FORCE_TOLERANCE = 1e-6
+"""Relative error of a force that is reached."""
 MAX_STEPS = 60
+"""Iterations towards a force, at most."""
 
 
 def press_to_force(

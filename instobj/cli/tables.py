@@ -231,6 +231,7 @@ _OPENED_FIRST = (
 )
 """Files that a person opens first, where a command wrote them."""
 _ALL_NAMED = 6
+"""Paths up to which all are named in a line."""
 
 
 def _print_files(console: Console, files: Any) -> None:

@@ -11,7 +11,9 @@ from design.errors import InputError, StoreError
 from instobj.store.space import DAMAGED, Entry, entries, free
 
 _BYTES = {"B": 1, "KB": 10**3, "MB": 10**6, "GB": 10**9, "TB": 10**12}
+"""Bytes of each unit (decimal)."""
 _SECONDS = {"h": 3600, "d": 86_400, "w": 604_800}
+"""Seconds of each unit."""
 
 
 def look_after_store(

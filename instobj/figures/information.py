@@ -23,6 +23,7 @@ _PANELS = {
     "all": "reading the sensors of all faces",
 }
 _ARROW_PER_MM = 9.0
+"""Length of an arrow over the change that it shows."""
 
 
 def draw_identifiability(

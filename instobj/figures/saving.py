@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DPI = 120
+"""Dots per inch of figures."""
 _COMPRESSION = 4
+"""Level of PNG's compression, from 0 (none) to 9 (slow)."""
 
 
 def save_figure(figure: Figure, path: Path | str) -> Path:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from estimator.recordings.formats.travel import TravelRecording
 
 _HALF_BAND_MM = 0.5
+"""Half the range of travels that a figure shows together."""
 
 
 def draw_travel(

@@ -37,6 +37,7 @@ _AT_REST_S = 1.0
 _UNSEEN_S = 0.5
 """Between two readings something may have pressed for so long without being seen."""
 AGAIN_S = 0.5
+"""Pause after a frame that the estimator refused."""
 
 
 def row_message(arrived_s: float, time_s: float, counts: tuple[float, ...]) -> bytes:

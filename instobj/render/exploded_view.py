@@ -13,10 +13,15 @@ from instobj.render.parts import COLOURS, load_stl
 from instobj.render.pieces import Piece, moved, picture_of
 
 _TOWARDS = (1.0, -1.25, 0.6)
+"""Direction from the object to the viewer."""
 _UP = (0.0, 0.0, 1.0)
+"""Direction that is up in the picture."""
 _GAP_MM = 24.0
+"""Gap between parts."""
 _OUT_MM = 7.0
+"""Distance by which a part is drawn out."""
 _NORTH, _SOUTH = (0.80, 0.16, 0.14), (0.16, 0.32, 0.72)
+"""Colours (RGB) of a magnet's poles."""
 
 
 def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
@@ -107,5 +112,6 @@ def _around(spec: ObjectSpec, name: str) -> list[Piece]:
 
 def _outward(centre_mm: np.ndarray, axis: np.ndarray) -> np.ndarray:
     """Axes turned so that they point away from the middle."""
+    # n part, k coordinate: which side of the middle its axis points to
     sign = np.sign(np.einsum("nk,nk->n", centre_mm - centre_mm.mean(axis=0), axis))
     return np.where(sign < 0, -1.0, 1.0)[:, None] * axis

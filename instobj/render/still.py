@@ -10,7 +10,9 @@ from instobj.render.parts import COLOURS, draw_axes_and_scale, load_stl, without
 from instobj.render.pieces import Piece, picture_of
 
 _TOWARDS, _UP = (1.0, -1.25, 0.9), (0.0, 0.0, 1.0)
+"""Direction from the object to the viewer, and the one that is up in the picture."""
 _NORTH, _SOUTH = (0.80, 0.16, 0.14), (0.16, 0.32, 0.72)
+"""Colours (RGB) of a magnet's poles."""
 
 
 def draw_still(spec: ObjectSpec, build: Path, png_path: Path) -> Path:

@@ -29,7 +29,9 @@ _NORTH, _SOUTH = "#c1121f", "#1d4e9e"
 _FACE_MM = 55.0
 """Width of the widest face; the others have its scale."""
 _BORDER_MM = 4.0
+"""Border round a drawn face."""
 _SAME_MM = 2e-2
+"""Distance below which two magnets have the same place."""
 
 
 def assembly_sheet(

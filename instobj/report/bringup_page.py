@@ -27,7 +27,9 @@ from estimator.tolerances.selftest import sensor_names
 from instobj.report.pages import render
 
 _CHIP_MM = 4.0
+"""Edge of a chip as it is drawn."""
 _BORDER_MM = 2.0
+"""Border round a drawn face."""
 
 
 def bringup_page(

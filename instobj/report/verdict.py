@@ -13,6 +13,7 @@ from estimator.information.scores import PlaceScores, summarize_areas, weakest_p
 from estimator.tolerances.saturation import KEPT_BY, Saturation
 
 ENOUGH_COVERED = 0.8
+"""Share of the surface from which little of it is left out."""
 
 
 @dataclass(frozen=True)

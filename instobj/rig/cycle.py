@@ -28,7 +28,9 @@ _AVERAGED = 3
 _FIRST_READINGS, _FIRST_FRAMES = 30, 10
 """At rest before anything moves: enough for the noise of cell and chips within a fifth."""
 _LARGEST_DRIFT_N = 1.0
+"""Change of the load cell's level at rest beyond which the run stops."""
 _LEAST_MM = 0.1
+"""Depth below which a press has not happened."""
 
 
 def greet(station: Station) -> None:

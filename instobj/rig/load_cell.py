@@ -32,6 +32,7 @@ _HX711_MV_PER_V = 4.0
 _END_SHARE = 0.95
 """Of the end of a scale: supplies and gains are off by some per cent."""
 _SUPPLY_V = 5.0
+"""Supply of an analog load cell, the largest voltage that it gives."""
 
 
 def largest_reading_n(cell: LoadCellSpec) -> float:

@@ -19,7 +19,9 @@ from design.spec.object import ObjectSpec
 from instobj.rig.grbl_lines import PULL_OFF_SETTING, TRAVEL_SETTINGS
 
 LARGEST_TILT_DEG = 3.0
+"""Largest lean of a face at its places on a machine that presses straight down."""
 UNEVEN_MM = 0.3
+"""Departure of touched points from a plane that is reported."""
 _NEEDED = {22: 1, 20: 1, 13: 0}
 
 

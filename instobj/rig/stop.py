@@ -24,6 +24,7 @@ _TRIES, _TRYING_S = 20, 20.0
 _STILL = 4
 """Reports `Idle` at one place in a row after which nothing moves, where a hold leaves no state `Hold`."""
 _NAP_S = 0.001
+"""Pause of a wait: the link is asked that often."""
 _BY_HAND = (
     "Where the tip is is not known. Press the emergency stop, turn the machine off, and turn its Z axis up "
     "by hand (or jog it up while you watch); then --resume homes it, upwards first"

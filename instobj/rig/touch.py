@@ -19,16 +19,26 @@ BELOW_MM, ABOVE_MM = 1.0, 3.0
 """How far from where the surface is expected it is looked for: a hand that sets a height by eye or by a
 sheet of paper is off by some tenths, and where it was pressed in already, by up to 2 mm upwards."""
 _COARSE_MM_S = 2.0
+"""Speed on the way down before the first touch."""
 _AHEAD_MM, _ARRIVED_MM = 0.5, 0.02
 _STEP_MM = 0.1
+"""Height of a step on the fine way down."""
 _STEP_MM_S = 1.0
+"""Speed of such a step."""
 _BACK_MM = 0.5
+"""Way back up after the first touch, from where fine steps begin."""
 _FIRM = 3.0
+"""Force over `touch_n` from which a touch is firm."""
 _FAINT = 0.4
+"""Force over `touch_n` below which nothing is felt yet."""
 _FEWEST = 2
+"""Steps in which a touch is felt, at least: a line needs two."""
 _TARE_FRAMES = 6
+"""Frames whose mean is the load cell's zero."""
 _SETTLING, _AVERAGED = 2, 3
+"""Readings that are dropped after a step, and those whose mean counts."""
 _READ_S = 60.0
+"""Time after which a silent machine or load cell is given up."""
 
 
 def touched(

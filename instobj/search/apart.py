@@ -18,6 +18,7 @@ from instobj.stages.workers import OnDask, Workers
 from instobj.store.progress import NEWS_EVERY_S
 
 _CLOSING_S = 5.0
+"""Time that a worker gets to end by itself."""
 Prepare = Callable[[Any], Callable[[Any], Any]]
 
 

@@ -90,6 +90,7 @@ def corrected_fidelity(
 
 
 _NEVER_WORSE_MM = 1e9
+"""Bound that stands for places without one: no other bound is larger."""
 
 
 def _counts_over_lowest(one: Promoted) -> float:

@@ -31,7 +31,7 @@ from instobj.store.readers import FINDINGS, METRICS
 _APART = 0.05
 """Of the unit cube: leaders differ by at least that much in some variable."""
 _SAME = 1e-3
-"""Of the unit cube: as near the start a trial is the start, rounded."""
+"""Share of a variable's range: a trial as near the start in all variables is the start, rounded."""
 _ALLOWANCE = 1.25
 """A finalist takes the chain that much longer than the start did, with its checks of fabrication."""
 

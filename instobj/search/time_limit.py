@@ -22,6 +22,7 @@ _CHAINS = 2
 _QUICKER = 2.0
 """Than estimated, at most: estimates hold within half to twice."""
 _SHORTEST_S = 1e-3
+"""Time of a timer, at least: 0 would switch it off."""
 
 
 class TimeSpent(BaseException):

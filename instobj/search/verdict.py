@@ -13,6 +13,7 @@ from instobj.search.fidelity import TwinRatio
 
 FIRST, SECOND, LAST = "1", "2", "3"
 _EXCESS_WEIGHT = 10.0
+"""Weight of exceeded limits beside the logarithm of the objectives: limits come first."""
 
 
 @dataclass(frozen=True)

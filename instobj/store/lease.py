@@ -28,7 +28,9 @@ except ImportError:  # Windows: heartbeats alone
     fcntl = None
 
 BEAT_S = 10.0
+"""Time between two signs of life of a lease's holder."""
 STALE_S = 60.0
+"""Time without one after which a lease is void."""
 _LEASES = ".leases"
 _TEMPORARY = ".making-"
 

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 _ALIGNED = 4
+"""Bytes to which arrays are aligned."""
 
 
 @dataclass(frozen=True)

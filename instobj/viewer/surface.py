@@ -17,8 +17,11 @@ if TYPE_CHECKING:
     import trimesh
 
 SHARP_DEG = 35.0
+"""Angle between triangles from which their edge is drawn sharp."""
 _MANY = 3000
+"""Triangles from which a mesh is simplified."""
 _SIMPLIFIED_MM = 0.03
+"""Tolerance of that."""
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import trimesh
 
 _OPPOSITE = ([1, 6], [2, 4], [3, 5])
+"""Faces that lie opposite each other, by their numbers."""
 
 
 class Box(BodyKind):

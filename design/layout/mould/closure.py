@@ -23,6 +23,7 @@ FLANGE_OVERLAP_MM = 2.0
 """Of the flange over the shell's rim, but at most a quarter of the shell's thickness, so that thin
 shells keep room to pour. A rod's flange is as wide as the rod."""
 CLIP_MM = 2.5
+"""Distance from the wall to the outer side of a clip, its play included."""
 
 
 def flange_span_mm(spec: ObjectSpec) -> tuple[float, float]:

@@ -27,20 +27,23 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 _DOWN = 6
+"""Face that points along −z (`FACE_AXES`): preferred as the open side, which is up while pouring."""
 _STEP_DEG = 15.0
+"""Step of the azimuths of parting planes that are tried for the least undercut."""
 _WEDGE, _WEDGE_SINE = np.cos(np.deg2rad(15.0)), np.sin(np.deg2rad(15.0))
+"""Cosine and sine of the sharpest wedge of plastic that a hole may leave beside the parting plane."""
 _EDGES = 40
-"""Of triangles along a body, at least, where its undercuts are looked for."""
+"""Triangles along a body, at least, where its undercuts are looked for."""
 YIELD_SHARE = 0.02
-"""Of the silicone's thickness: what it gives way by on the spot, without room; an estimate."""
+"""Share of its thickness by which silicone gives way on the spot, without room; an estimate."""
 _AS_GOOD = 1e-4
 """Share of the surface by which an undercut may grow for a plane through the origin."""
 FLANGE_THICKNESS_MM = 4.0
-"""Of the flanges along the seam, on either side of it."""
+"""Thickness of each of the two flanges along the seam, one on either side of it."""
 DOWEL_DIAMETER_MM, BOLT_HOLE_MM = 4.0, 3.4
-"""Of what stands in the middle of the flanges."""
+"""Diameters of the dowels and of the holes for M3 bolts (ISO 273, medium fit) in the flanges' middle."""
 _SLOPE = np.sin(np.deg2rad(2.0))
-"""Undercuts below this slope are those of facets that the parting plane crosses."""
+"""Sine of the slope below which an undercut does not count: facets crossed by the parting plane have it."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +94,7 @@ class Parting:
 
 
 def opening_of(spec: ObjectSpec) -> Opening:
-    """How the core's cavity runs out of the silicone."""
+    """Return how the core's cavity runs out of the silicone."""
     return body_of(spec).opening
 
 
@@ -115,12 +118,14 @@ def mould_frame(spec: ObjectSpec) -> MouldFrame:
     `across` is the axis with more walls at its ends: silicone is poured at those ends.
     """
     opening, out = opening_of(spec), _out(spec)
+    # `out` is ±x, ±y or ±z: the other two axes are perpendicular to it (product 0, not ±1).
     x, y = (axis for axis in np.eye(3) if abs(axis @ out) < 0.5)
     across, along = (y, x) if _open_ends(spec, x) > _open_ends(spec, y) else (x, y)
     low, high = envelope_corners_mm(spec)
     wall = spec.mould.wall_mm
     axes = np.column_stack([across, along, out])
     ends = np.sort(axes.T @ np.column_stack([low, high]), axis=1)
+    # An open side has no wall: the plug closes it.
     above = 0.0 if opening == "open" else wall
     block = ends[:, 0] - wall, ends[:, 1] + [wall, wall, above]
     return MouldFrame(opening, across, along, out, *block, body_of(spec).passage_mm(axes))
@@ -142,6 +147,8 @@ def up(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
     frame = mould_frame(spec)
     if frame.opening != "closed":
         return frame.out
+    # From the box's middle along the seam (`side`, level) until a side of the box, then up to its top.
+    # 1e-9 stands for 0 where `side` is parallel to a side of the box, which it never meets.
     half = np.asarray(spec.body.size_mm) / 2
     side = np.cross(frame.out, parting(spec).normal)
     corner = float(np.min(half / np.maximum(abs(side), 1e-9))) * side + (half @ abs(frame.out)) * (
@@ -173,6 +180,9 @@ def seam_ends_mm(spec: ObjectSpec, aside_mm: float = 0.0) -> tuple[float, float]
     """Where a level line beside the parting plane enters and leaves the block, across the mould;
     flanges begin there."""
     frame, plane = mould_frame(spec), parting(spec)
+    # Slab method: where the line start + t · way meets the two sides of the block along each axis.
+    # The last of the entries and the first of the exits bound what is inside; the axes along which
+    # the line does not go (`steep` false) have no such t.
     way = frame.axes.T @ np.cross(frame.out, plane.normal)
     start = frame.axes.T @ ((plane.offset_mm + aside_mm) * plane.normal)
     steep = abs(way) > 1e-9
@@ -181,14 +191,16 @@ def seam_ends_mm(spec: ObjectSpec, aside_mm: float = 0.0) -> tuple[float, float]
 
 
 def hooked_depth_mm(spec: ObjectSpec) -> float:
-    """By how much the outside must give way to the half that hooks it most, about: before a mould is
-    built."""
+    """Return by how much the outside must give way to the half that hooks it most (mm).
+
+    An estimate from the body's surface, before a mould is built.
+    """
     plane = parting(spec)
     return _hooked_mm(body_of(spec).outside, tuple(plane.normal.tolist()), plane.offset_mm)
 
 
 def hooked_along_mm(body: BodyKind, normal: Float[np.ndarray, "3"]) -> float:
-    """The same of halves that are drawn along any unit vector, parted across it where least is hooked."""
+    """Return the same for halves drawn along any unit vector, parted across it where least is hooked."""
     outside = body.outside
     offset = least_undercut(_outside_in_small_triangles(outside), normal)[1]
     return _hooked_mm(outside, tuple(normal.tolist()), offset)
@@ -196,12 +208,13 @@ def hooked_along_mm(body: BodyKind, normal: Float[np.ndarray, "3"]) -> float:
 
 @lru_cache(maxsize=512)
 def _hooked_mm(body: BodyKind, normal: tuple[float, ...], offset_mm: float) -> float:
-    """Kept, as the same seams are asked for under many shells."""
+    """Return the greater depth of the two halves' undercuts; cached, as many shells share a seam."""
     import trimesh
 
     surface, pull = _outside_in_small_triangles(body), np.array(normal)
     side = np.sign(np.asarray(surface.triangles_center) @ pull - offset_mm)
     depths = []
+    # A half's wall is the outside on its side, turned over, and is drawn away from the plane.
     for sign in (1, -1):
         faces = surface.faces[side == sign][:, ::-1]
         half = trimesh.Trimesh(surface.vertices, faces, process=False)
@@ -210,7 +223,7 @@ def _hooked_mm(body: BodyKind, normal: tuple[float, ...], offset_mm: float) -> f
 
 
 def thin_at_seam(spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], radius_mm: float) -> bool:
-    """Whether a round hole along an axis leaves a wall to the parting plane that is too thin to print.
+    """Return whether a round hole along an axis leaves a wall to the parting plane that is too thin to print.
 
     Not where the plane cuts it, unless so near its side that a wedge of less than 15° is left.
     """
@@ -220,44 +233,55 @@ def thin_at_seam(spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], radius_mm:
 def thin_beside(
     spec: ObjectSpec, ends_mm: Float[np.ndarray, "2 3"], plane: Parting, radius_mm: float
 ) -> bool:
-    """The same of any plane."""
+    """Return the same for any plane."""
     return wall_to_plane_mm(ends_mm, plane, radius_mm) < spec.printer.wall_mm
 
 
 def wall_to_plane_mm(ends_mm: Float[np.ndarray, "2 3"], plane: Parting, radius_mm: float) -> float:
-    """Wall that a round hole along an axis leaves to a plane: 0 of a wedge of less than 15°, ∞ where the
-    plane cuts the hole.
+    """Return the wall that a round hole along an axis leaves to a plane (mm).
+
+    0 where a wedge of less than 15° is left, ∞ where the plane cuts the hole.
 
     A hole that leans towards it may be cut at one end and leave a wall at the other; one that leans by
     15° or more leaves wedges alone.
     """
+    # Signed distances of the axis' two ends, and the sine of the angle between axis and plane.
     aside = ends_mm @ plane.normal - plane.offset_mm
     lean = abs(aside[1] - aside[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
+    # A plane at distance d from the axis cuts the hole's side at the angle α with cos α = d / radius:
+    # no sharper than 15° while d ≤ radius · cos 15°.
     if lean >= _WEDGE_SINE or abs(aside).max() <= radius_mm * _WEDGE:
         return float("inf")
+    # From a point of its axis a leaning hole reaches radius / cos(angle) along the plane's normal.
     nearest = 0.0 if aside[0] * aside[1] <= 0 else float(abs(aside).min())
     return max(0.0, float(nearest - radius_mm / np.sqrt(1 - lean**2)))
 
 
 def _out(spec: ObjectSpec) -> np.ndarray:
+    """Return the outward normal of the side that is up: −z where it is open or no side is."""
     opened = spec.body.opened
     face = _DOWN if _DOWN in opened or not opened else opened[0]
     return np.asarray(FACE_AXES[face][0], float)
 
 
 def _open_ends(spec: ObjectSpec, axis: np.ndarray) -> int:
+    """Return how many open sides lie across an axis (their normals are ± the axis, or perpendicular)."""
     normals = [np.asarray(FACE_AXES[face][0], float) for face in spec.body.opened]
     return sum(abs(float(normal @ axis)) > 0.5 for normal in normals)
 
 
 @lru_cache(maxsize=8)
 def at_silhouette(body: BodyKind) -> Parting:
-    """Of planes about z in steps of 15°, and all their offsets, the one with the least undercut."""
+    """Return the plane with the least undercut of those parallel to z.
+
+    Tried are azimuths in steps of 15°, and for each the offset with the least undercut.
+    """
     surface = _outside_in_small_triangles(body)
     best: tuple[float, Parting] | None = None
     for azimuth in np.deg2rad(45.0 + np.arange(0.0, 180.0, _STEP_DEG)):
         normal = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
         hooked, offset = least_undercut(surface, normal)
+        # Better by more than rounding: alike planes keep the first azimuth, which starts at 45°.
         if best is None or hooked < best[0] - 1e-7 * surface.area:
             best = hooked, Parting(normal, offset)
     assert best is not None
@@ -266,8 +290,11 @@ def at_silhouette(body: BodyKind) -> Parting:
 
 @lru_cache(maxsize=8)
 def _outside_in_small_triangles(body: BodyKind) -> trimesh.Trimesh:
-    """Each is on one side of a plane or the other by its middle; those of a flat face may be as large as
-    it is."""
+    """Return the outer surface in triangles no longer than 1 / `_EDGES` of the body.
+
+    A triangle counts for the side of a plane on which its middle lies. Those of a flat face may be as
+    large as the face, and then stand for parts on both sides.
+    """
     import trimesh
 
     surface = body.outer_surface()
@@ -277,16 +304,20 @@ def _outside_in_small_triangles(body: BodyKind) -> trimesh.Trimesh:
 
 
 def hooked_share(spec: ObjectSpec) -> float:
-    """Share of the outside that faces the wrong way on either side of the seam (areas along its normal)."""
+    """Return the share of the outside that faces the wrong way on either side of the seam.
+
+    Areas are those projected along the seam's normal.
+    """
     surface, plane = _outside_in_small_triangles(body_of(spec).outside), parting(spec)
     rise = np.asarray(surface.face_normals) @ plane.normal
     side = np.sign(np.asarray(surface.triangles_center) @ plane.normal - plane.offset_mm)
+    # The right way is outwards from the plane: normal and side have the same sign.
     wrong = np.asarray(surface.area_faces) @ np.maximum(-side * rise - _SLOPE, 0)
     return float(wrong / surface.area)
 
 
 def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> tuple[float, float]:
-    """Least area that faces the wrong way on either side of a plane with that normal, and its offset.
+    """Return the least area that faces the wrong way beside a plane with that normal, and its offset.
 
     Areas are those projected along the normal, mm². The plane goes through the origin where that
     is as good as any.
@@ -295,11 +326,14 @@ def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> 
     place = np.asarray(surface.triangles_center) @ normal
     order = np.argsort(place)
     area, rise, place = np.asarray(surface.area_faces)[order], rise[order], place[order]
+    # A plane between triangles k − 1 and k: wrong are those below it (0 … k − 1) that face up, a sum
+    # from the left, and those above it (k …) that face down, a sum from the right. All k at once.
     lower = np.append(0.0, np.cumsum(area * np.maximum(rise - _SLOPE, 0)))
     upper = np.append(np.cumsum((area * np.maximum(-rise - _SLOPE, 0))[::-1])[::-1], 0.0)
     wrong = lower + upper
     middle, least = int(np.searchsorted(place, 0.0)), int(np.argmin(wrong))
     if wrong[middle] <= wrong[least] + _AS_GOOD * float(area.sum()):
         return float(wrong[middle]), 0.0
+    # The best plane stands halfway between the two triangles that it separates.
     ends = place[[max(least - 1, 0), min(least, len(place) - 1)]]
     return float(wrong[least]), float(ends.mean())

@@ -221,6 +221,7 @@ def stays_on_patch(
     places = xy_mm[stays]
     axes = frame.axes_at(places)
     touching = frame.to_object(np.column_stack([places, np.zeros(len(places))]))
+    # p place, r point of the ring, j own axis (columns of `axes`), i object coordinate
     points = touching[:, None] + np.einsum("pij,rj->pri", axes, ring)
     along = np.repeat(axes[:, :, 2], len(ring), axis=0)
     rim = frame.onto(points.reshape(-1, 3), along)

@@ -33,8 +33,11 @@ SENSOR_SHARE = 0.6
 LONGEST_PATH_MM = 15.0
 """Signal path to which position bounds keep 1.5 mm at 8 N, in the median (docs/studies.md)."""
 _BORDER_POINTS = 120
+"""Points round the border of a place."""
 _PATH_STEPS = 12
+"""Pieces into which a path along the surface is cut."""
 _SLOPE_STEP_MM = 0.05
+"""Half the distance of the points whose difference quotient is a slope."""
 
 
 @dataclass(frozen=True)

@@ -256,6 +256,7 @@ def sinks_of_boards_mm(
     xy = places[:, :2]
     axes = frame.axes_at(xy)
     touching = frame.to_object(np.column_stack([xy, np.zeros(len(xy))]))
+    # b body, c corner, j own axis in the plane (x, y), i object coordinate
     points = touching[:, None] + np.einsum("bij,bcj->bci", axes[..., :2], corners)
     along = np.repeat(axes[..., 2], corners.shape[1], axis=0)
     points = points.reshape(-1, 3)

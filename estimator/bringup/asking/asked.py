@@ -33,6 +33,7 @@ POSES = (("+z", "+x"), ("-z", "+x"), ("+x", "+y"), ("-x", "+y"), ("+y", "+z"), (
 MOST_FURTHER = 12
 """Further holds that are asked for at most."""
 _FEWEST_FRAMES = 10
+"""Frames of a recording that is asked for, at least."""
 
 
 @dataclass(frozen=True)

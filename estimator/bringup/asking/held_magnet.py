@@ -22,7 +22,9 @@ from estimator.field.vectors import components, rotate
 HAND_MM, HAND_RAD, TURNED_COUNTS_UT = 6.0, 0.5, 50.0
 """How far hands are off (standard deviations), and what turning the core in Earth's field changes."""
 _LOWEST_MM = 0.5
+"""Air between a held magnet and the core, at least: it cannot be inside."""
 _UNKNOWNS = 8
+"""Unknowns of a hold: shift (3, mm), tilt (2, rad), uniform field (3, counts)."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,7 @@ class HeldMagnet:
         offset = (self.sensors.position_mm + seat_mm) - centre[:, None]
         field = self.magnet(components(offset), components(axis[:, None]))
         in_object = 1e3 * self.counts_per_mt * np.stack(field, axis=-1) + pose[:, None, 5:]
+        # h hold, s site, c coordinate of the object, a designed chip axis
         return np.einsum("sac,hsc->hsa", self.sensors.axes, in_object)
 
     def distance_mm(self, pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold sensor"]:
@@ -62,6 +65,7 @@ class HeldMagnet:
         shift = pose[:, :3].copy()
         thick = self.magnet.magnet.height_mm / 2
         shift[:, 2] = np.maximum(shift[:, 2], _LOWEST_MM + thick - self.height_mm)
+        # h hold, j axis of its face (columns), i object coordinate
         return self.stated_mm + np.einsum("hij,hj->hi", self.face_axes, shift)
 
     def axis(self, pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold 3"]:

@@ -21,6 +21,7 @@ OVER_MM, BETWEEN_MM = 10.0, 6.0
 _LEAST_COSINE = -0.1
 """Of the normals at two neighbours: chips around one edge are, those on opposite sides are not."""
 _ONE_PLACE_MM = 1e-3
+"""Distance below which two places are one."""
 
 
 @dataclass(frozen=True)

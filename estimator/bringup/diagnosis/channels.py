@@ -26,8 +26,11 @@ OTHER_PLACE, OTHER_TURN, MIRRORED, TURNED_OVER = 7.0, 7.0, 9.0, 5.0
 """What hypotheses cost, −ln of their prior odds: another place, turned, mirrored axes, and a magnet
 held the wrong way round. Estimates."""
 _ROBUST = 4.0
+"""Misfit, in standard deviations, beyond which it grows as a logarithm: outliers do not rule."""
 _ROUNDS = 6
+"""Rounds of assigning chips and fitting poses, at most."""
 _TREMOR_COUNTS = 0.01
+"""Relative error of a prediction that a hand's tremor adds."""
 
 
 def signed_permutations() -> Float[np.ndarray, "48 3 3"]:
@@ -177,6 +180,7 @@ def with_polarities(
     costs = []
     for sign in (1.0, -1.0):
         turned = replace(model, polarity=np.full(len(pose), sign))
+        # h hold, c chip, b designed axis of its site, a its axis as it is turned
         predicted = np.einsum("cab,hcb->hca", turn, turned.counts(pose)[:, site])
         error = np.hypot(model_error(readings, model, pose)[:, site, None], readings.noise_counts)
         off = capped_misfit((readings.counts - predicted) / error)
@@ -196,6 +200,7 @@ def _poses_by_vectors(
     error = np.hypot(error, readings.noise_counts)
 
     def residuals(pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold residual"]:
+        # h hold, c chip, b designed axis of its site, a its axis as it is turned
         predicted = np.einsum("cab,hcb->hca", turn, model.counts(pose)[:, site])
         off = capped_misfit((readings.counts - predicted) / error)
         return np.concatenate([off.reshape(len(off), -1), model.off_prior(pose)], axis=1)
@@ -228,6 +233,7 @@ def misfit_of(
     turns: Float[np.ndarray, "turn 3 3"],
 ) -> Float[np.ndarray, "hold chip site turn"]:
     """−ln likelihood of each chip at each place in each way round, hold by hold."""
+    # Every chip may sit at any site s in any way round t: h hold, b designed axis, a turned axis
     predicted = np.einsum("tab,hsb->hsta", turns, model.counts(pose))
     error = model_error(readings, model, pose)
     parts = []

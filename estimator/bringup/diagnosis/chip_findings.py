@@ -18,6 +18,7 @@ GAIN_TO_TELL, _SURELY = 0.1, 2.0
 """Of a whole chip, told with that many standard deviations beyond those of the alarm."""
 """Standard deviations beyond tolerance and measurement at which a finding is made."""
 _EARTH_MISFIT = 3.0
+"""Mean squared misfit, 1 expected, above which the room's field was not uniform or still."""
 
 
 def chip_findings(

@@ -24,6 +24,7 @@ _DEAD_SHARE = 0.3
 _TREMOR_SHARE = 0.004
 """What the hand's tremor leaves of a mean field, over the field."""
 _STEP, _SETTLED = 1e-4, 1e-6
+"""Step of the difference quotients, and relative change of the unknowns at which the fit ends."""
 
 
 def chips_found(readings: HeldReadings, found: Arrangement) -> list[ChipFound]:
@@ -171,6 +172,7 @@ class JointFit:
     def residuals(self, unknown: Float[np.ndarray, "unknown"]) -> Float[np.ndarray, "residual"]:
         """Whitened readings (0 where there is none), then priors."""
         pose, seat = self._split(unknown)
+        # h hold, c chip, b field along a chip axis, a channel
         seen = np.einsum("cab,hcb->hca", self.matrices(unknown), self._turned(pose, seat))
         off = (self.readings.counts - seen) / self.error
         seats = seat / self._seat_mm
@@ -190,6 +192,7 @@ class JointFit:
         of_seat = np.zeros((holds, chips, 3, chips, 3))
         for k in range(8):
             change = (self._turned(pose + _STEP * np.eye(8)[k], seat) - field) / _STEP
+            # Pose k of hold h changes the readings of this hold alone; a seat or a gain, those of its chip.
             of_pose[h, :, :, h, k] = np.einsum("cab,hcb->hca", matrix, change)
         for k in range(3):
             change = (self._turned(pose, seat + _STEP * np.eye(3)[k]) - field) / _STEP
@@ -225,6 +228,7 @@ class JointFit:
         moved = np.zeros_like(seat)
         moved[self.found.site] = seat
         fields = self.found.model.counts(pose, moved)[:, self.found.site]
+        # From designed chip axes b to those of the chip as it is turned, a
         return np.einsum("cab,hcb->hca", self.found.turn, fields)
 
 
@@ -246,6 +250,7 @@ def relative_gains(
     value, interval = [], []
     for rows, there in ((np.eye(gain.size), known.ravel()), (of_chip, known.any(axis=1))):
         less_mean = rows - alive
+        # Error propagation: √(row C rowᵀ) of each row i; j and k channels
         spread = np.sqrt(np.einsum("ij,jk,ik->i", less_mean, covariance, less_mean))
         value.append(np.where(there, rows @ np.where(known, gain, 0).ravel(), np.nan))
         interval.append(np.where(there, HALF_95 * spread, np.nan))

@@ -29,9 +29,13 @@ from estimator.bringup.diagnosis.findings import HALF_95, ChipFound
 EARTH_UT = (25.0, 65.0)
 """At the surface (IGRF): from South America to the magnetic poles."""
 _LAID_RAD = np.deg2rad(8.0)
+"""Standard deviation of how an object is laid against what was asked for."""
 _OPEN_GAIN, _OPEN_TURN = 0.3, np.deg2rad(5.0)
+"""Standard deviations of a chip's gain (its logarithm) and turn (rad): wide, so that data decide."""
 _DRIFT_S = 900.0
+"""Time in which offsets drift by `sensors.drift_counts`: 15 minutes."""
 _SETTLED = 1e-6
+"""Relative change of the unknowns at which the fit ends."""
 
 
 @dataclass(frozen=True)
@@ -90,6 +94,7 @@ def from_earth(
         b, laid, gain, turn, offset, slope = np.split(unknown, sizes)
         laid = laid.reshape(-1, 3)
         gain, turn, offset, slope = (part.reshape(-1, 3) for part in (gain, turn, offset, slope))
+        # The room's field b in the object's frame, in each pose k as it was laid; then c chip, a channel
         field = np.einsum("kab,kb->ka", poses, Rotation.from_rotvec(laid).apply(b))
         seen = np.einsum("cab,kb->kca", axes, field)
         seen = seen + np.cross(turn, seen)
@@ -115,6 +120,8 @@ def first_field(
     scale: float,
 ) -> Float[np.ndarray, "3"]:
     """The room's field by least squares, gains 1 and ways exactly as asked for."""
+    # Linear in the field: k pose, c chip, a channel, b object coordinate, d coordinate of the room.
+    # Poses less their mean, as the changes are: offsets then drop out.
     slope = np.einsum("cab,kbd->kcad", axes, poses - poses.mean(axis=0))
     known = np.isfinite(change)
     return np.linalg.lstsq(scale * slope[known], change[known], rcond=None)[0]

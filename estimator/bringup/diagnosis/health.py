@@ -17,8 +17,11 @@ from estimator.tolerances.selftest import sensor_names
 NOISY = 2.0
 """Times the noise of the specification; real chips differ by a quarter (docs/units.md)."""
 SLOW, LOST = 0.9, 0.01
+"""Share of the wanted rate below which frames are slow, and share of lost frames that is reported."""
 _BUS_ERRORS = 0.01
+"""Share of frames with errors of the bus above which it is reported."""
 _SEQUENCES = 65536
+"""Number of frames after which a frame's 16-bit number begins again."""
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,11 @@ import numpy as np
 from jaxtyping import Float
 
 _STEP = 1e-5
+"""Step of the difference quotients, in the unknowns' own units."""
 _WORTH = 0.02
+"""Gain in ½|r|² below which the fit ends."""
 _FIRST_DAMPING, _LEAST_DAMPING = 1e-2, 1e-9
+"""Damping at the start, and at least, as shares of the diagonal."""
 
 
 def many_most_probable(
@@ -25,7 +28,9 @@ def many_most_probable(
     steps = _STEP * np.eye(start.shape[1])
     for _ in range(iterations):
         slope = np.stack([(residuals(value + step) - here) / _STEP for step in steps], axis=-1)
+        # JᵀJ and, below, Jᵀr: p problem, r residual, x and y unknowns
         normal = np.einsum("prx,pry->pxy", slope, slope)
+        # Marquardt's damping scales the diagonal, so that units of unknowns do not matter (1963).
         normal += damping[:, None, None] * normal * np.eye(start.shape[1])
         downhill = np.einsum("prx,pr->px", slope, here)
         tried = value - np.linalg.solve(normal, downhill[..., None])[..., 0]

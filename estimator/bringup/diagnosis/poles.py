@@ -24,6 +24,7 @@ WEAK, STRONG, ABSENT = 0.6, 1.6, 0.2
 _MARGIN = 10.0
 """ln of the odds by which another pocket must be likelier."""
 _ROBUST = 4.0
+"""Scale of Cauchy's misfit, in standard deviations: outliers do not rule."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +62,7 @@ def pocket_fields(spec: ObjectSpec, chips: Sequence[ChipFound]) -> PocketFields:
     axis, side = components(magnets.axis[:, None]), components(magnets.side[:, None])
     field = field_of_each(components(offset), axis, model, side, magnets.size)
     in_object = magnets.strength[:, None, None] * np.stack(field, axis=-1)
+    # p pocket, c chip, b object coordinate, a chip axis; 1e3: field in T, gain per mT
     step = 1e3 * spec.sensors.counts_per_mt * np.einsum("cab,pcb->pca", axes, in_object)
     error = np.linalg.norm(step, axis=2) * _relative(spec, np.linalg.norm(offset, axis=2))
     return PocketFields(step, error, axes)

@@ -17,6 +17,7 @@ from estimator.recordings.formats.travel import TravelRecording
 SMALLEST_MT = 0.03
 """Recorded changes below have no sign: about four times the noise of a reading."""
 ORDERS_OF_CHIPS = 120
+"""Random orders of chips that are compared where all orders are too many."""
 
 Changes = Float[np.ndarray, "press sensor 3"]
 
@@ -161,6 +162,7 @@ def rival_figures(
     pose, recorded = fitted.twin.pose, judged.field_mt - fitted.resting_mt
     known = registered.field_mt - fitted.resting_mt
     shown, travel = pose.in_object(registered.tip_mm)[1], pose.in_object(judged.tip_mm)[1]
+    # Least squares through 0 of each channel over the travel: n press, s sensor, i axis
     slope = np.einsum("n,nsi->si", shown, known) / np.sum(shown**2)
     share = [k / 20 for k in range(1, 21)]
     sunk = [_sunk(model, fitted, ratio * shown) for ratio in share]

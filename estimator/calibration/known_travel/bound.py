@@ -21,8 +21,11 @@ from estimator.recordings.formats.travel import TravelRecording
 NEIGHBOURS_MM = 4.5
 """Places so near give the slopes, by a quadratic surface: 30 or so on a checkerboard of 1.4 mm."""
 LEAST_NEIGHBOURS = 12
+"""Neighbours from which slopes are fitted, at least: the quadratic surface has six terms."""
 _ASIDE_MM = 0.1
+"""Half the distance of the presses whose difference quotient is a slope."""
 NULLS, _DRAWS = 1000, 20
+"""Permutations that show a rank correlation by chance, and draws of scatters from the bound."""
 
 
 @dataclass(frozen=True)
@@ -99,6 +102,7 @@ def attainable_correlation(
     slopes: np.ndarray, precision: np.ndarray, repeats: list[int], rng: np.random.Generator
 ) -> float:
     """Median rank correlation of the bound with scatters drawn from it."""
+    # (Jᵀ P J)⁻¹: n place, c and d channels, i and j of (x, y)
     covariance = np.linalg.inv(np.einsum("nci,cd,ndj->nij", slopes, precision, slopes))
     bound = np.sqrt(np.trace(covariance, axis1=1, axis2=2))
     root, found = np.linalg.cholesky(covariance), []
@@ -156,6 +160,8 @@ def _predicted_slopes(
 
 
 def places_bound_mm(slopes: np.ndarray, precision: np.ndarray) -> Float[np.ndarray, "place"]:
+    # Fisher information Jᵀ P J: n place, c and d channels, i and j of (x, y). The bound is √trace of its
+    # inverse.
     information = np.einsum("nci,cd,ndj->nij", slopes, precision, slopes)
     return np.array(
         [

@@ -25,7 +25,9 @@ MAGNET_SEAT_MM, MAGNET_TILT_RAD, STRENGTH = 1.0, 0.1, 0.1
 POSE_SCALES = (1.0, 1.0, 0.05, 1.0)
 """Of shift (two), turn and contact: sizes of steps, no priors."""
 _START_ABOVE_MM = 2.0
+"""Height above the highest tip at which the contact plane is first assumed."""
 _ROUNDS, _STARTS_KEPT = 30, 2
+"""Evaluations of a fit, and starts that are refined."""
 
 
 @dataclass(frozen=True)

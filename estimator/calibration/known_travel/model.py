@@ -128,6 +128,7 @@ class TravelModel:
         return self.change(twin, self.motion(*twin.pose.in_object(tip_mm)))
 
     def _along_chips(self, field_t: np.ndarray) -> np.ndarray:
+        # T → mT along each chip's axes: s sensor, j coordinate, i chip axis, n press
         return 1e3 * np.einsum("sij,nsj->nsi", self.scene.sensors.axes, field_t)
 
 

@@ -83,6 +83,7 @@ def places_by_twin(
     table, readings = predicted @ root, asked.field_mt.reshape(len(asked), -1) @ root
     distance, index = KDTree(table).query(readings, k=_NEIGHBOURS)
     weight = np.exp(-(distance**2 - distance[:, :1] ** 2) / 2)
+    # Posterior mean under Gaussian noise, over the nearest nodes: p press, k neighbour, d coordinate
     return np.einsum("pk,pkd->pd", weight / weight.sum(axis=1, keepdims=True), nodes[index])
 
 

@@ -30,7 +30,9 @@ from estimator.recordings.formats.travel import TravelRecording
 LEAN_RAD, TRAVEL_SHARE, CHIP_SHARE = 0.05, 0.2, 0.1
 """Prior standard deviations: machine against face, travel's scale, every entry of a chip's matrix."""
 _DRAWS = 500
+"""Bootstrap draws of an interval."""
 _ROUNDS = 15
+"""Evaluations of a fit, at most."""
 
 Changes = Float[np.ndarray, "press sensor 3"]
 Numbers = Float[np.ndarray, "number"]
@@ -112,6 +114,7 @@ def _freed(model: TravelModel, fitted: Fitted) -> dict[str, _Freed]:
 
     def read(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:
         matrix = np.eye(3) + numbers.reshape(sensors, 3, 3)
+        # s sensor, j axis as designed, i axis as freed, n press
         return np.einsum("sij,nsj->nsi", matrix, model.pressed(twin, tip))
 
     def moved(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:

@@ -40,9 +40,12 @@ from fem.presses.results import MagnetMotions, PressForces
 SIZES = (0.02, 0.05, 0.1, 0.2)
 """Of the process; meshes of one design differ by the least of them."""
 LENGTHS_MM = (6.0, 10.0, 16.0)
+"""Lengths of the discrepancy among which the evidence chooses."""
 _FIRST = Prior(0.02, 10.0)
 _DRAWS = 20
+"""Draws from the posterior: for the modulus' spread, and tries until forces grow with depth."""
 FOLDS = 5
+"""Folds of the cross-validation."""
 
 
 class PlaceMechanics:
@@ -230,6 +233,7 @@ def left_share(
     """Rms over levels and channels, each about its mean, noise taken off; all of it where the
     prediction is of no object (NaN)."""
     centring = np.eye(seen.force_n.shape[1]) - 1 / seen.force_n.shape[1]
+    # Noise that centring leaves: trace(C Σ) of each place p, i and j levels; c channel
     zeros = np.einsum("ij,pji->p", centring, seen.zero_counts2) * len(seen.channels)
     noise = zeros + np.einsum("ii,pic->p", centring, seen.white_counts2(spec))
     wrong, size = (

@@ -19,8 +19,11 @@ from design.spec.object import ObjectSpec
 from estimator.calibration.twin.pressed_places import PressedPlaces
 
 _FORCE_SCALE_N = 10.0
+"""Force at which the discrepancy has the prior's size; it grows with the force."""
 _FLOOR_COUNTS = 1.0
+"""White noise, at least."""
 _JITTER = 1e-8
+"""Added to diagonals, so that a Cholesky factor exists in spite of rounding."""
 
 
 @dataclass(frozen=True)

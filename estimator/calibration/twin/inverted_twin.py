@@ -117,6 +117,8 @@ def beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) ->
     sigma = inversion.disturbances.observed(counts).sigma
     slopes = model.singles(face, contact)[:, :, 1:].reshape(len(face), -1, model.channels)
     slopes = slopes / sigma[:, None]
+    # Jᵀr of what is left over: r row (case and level), p parameter, c channel. Then pullᵀ (JᵀJ)⁻¹ pull is
+    # the squared shift of the parameters in standard deviations.
     pull = np.einsum("rpc,rc->rp", slopes, np.nan_to_num(left) / sigma)
     inverse = np.linalg.pinv(slopes @ slopes.transpose(0, 2, 1), rcond=1e-9, hermitian=True)
     square = np.einsum("rp,rpq,rq->r", pull, inverse, pull)

@@ -119,6 +119,7 @@ def _press_noise(
 ) -> Float[np.ndarray, "place level channel level channel"]:
     """Noise of every mean, and the error of the zero that a press's levels share."""
     white, channels = seen.white_counts2(spec), len(seen.channels)
+    # p place, i and j levels, c and d channels: a zero's error is shared by levels, not by channels
     noise = np.einsum("pij,cd->picjd", seen.zero_counts2, np.eye(channels))
     level, channel = np.indices(white.shape[1:])
     noise[:, level, channel, level, channel] += white

@@ -21,7 +21,9 @@ from estimator.frames.windows import all_counts
 from fem.presses.results import PressForces
 
 LEAST_CASES = 3
+"""Sets of contacts from which a model is calibrated, at least."""
 _LEVELS = 4
+"""Levels of force into which the frames of a case are cut."""
 
 
 @dataclass(frozen=True)

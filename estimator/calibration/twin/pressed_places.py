@@ -29,6 +29,7 @@ MOST_PLACES = 150
 REACH = 0.8
 """Of the deepest simulated force, up to which labelled ones are used."""
 _STRAIGHT_NOISES = 4.0
+"""Sideways force, over the load cell's noise, up to which a press counts as straight."""
 
 
 @dataclass(frozen=True)

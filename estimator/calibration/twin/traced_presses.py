@@ -43,6 +43,7 @@ class TracedPresses:
         motion = motions[0]
         slopes = (motions[1::2] - motions[2::2])[..., self.own, :] / (2 * ASIDE_MM)
         aside = assembly.aside_mm[self.own]
+        # b body, a direction (x, y), p place, s step, k of 6 motions
         motion[..., self.own, :] -= np.einsum("ba,apsbk->psbk", aside, slopes)
         return forces[0] * assembly.modulus_ratio, motion
 

@@ -158,6 +158,7 @@ def normal_equations(
 ) -> tuple[Float[np.ndarray, "number number"], Float[np.ndarray, "number"]]:
     """Precision of the numbers, their prior included, and the pull of what is left over."""
     weighed = left_over.weighed(jacobian)
+    # 1 + Jᵀ W J, priors being standard normal: r row, c channel, n and m numbers of the twin
     precision = np.eye(jacobian.shape[-1]) + np.einsum("rcn,rcm->nm", jacobian, weighed)
     return precision, np.einsum("rcn,rc->n", weighed, left)
 

@@ -143,6 +143,7 @@ class Dictionary:
         """Face and tips as one number; x and y of the centre and, of probes, of the first tip."""
         kind = self.face * (self.tips.max() + 1) + self.tips
         number = np.arange(self.contact.shape[1])[:, None] < self.tips
+        # Mean over the tips t that probe p has: d is x or y
         centre = np.einsum("tp,ptd->dp", number / self.tips, self.contact[..., :2])
         first = self.contact[:, 0, :2].T
         places = (*centre, *first) if self.contact.shape[1] > 1 else tuple(centre)

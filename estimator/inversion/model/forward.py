@@ -223,6 +223,7 @@ class ContactModel:
         field = self._field_of(rest + moved) - self._field_of(rest[None])
         axes = like(moved, self.scene.chips.matrix @ self.scene.sensors.axes)
         scale = 1e3 * self.spec.sensors.counts_per_mt
+        # p problem, s sensor, c coordinate of the object, a chip axis; 1e3: field in T, gain per mT
         return (scale * xp.einsum("sac,psc->psa", axes, field)).reshape(len(moved), -1)
 
     @property

@@ -16,6 +16,7 @@ from jaxtyping import Float, Int
 from estimator.inversion.model.arrays import Array, library, like
 
 _ORDER = 3
+"""Degree of the splines: cubic, so that signals have a continuous curvature."""
 
 
 @dataclass(frozen=True)

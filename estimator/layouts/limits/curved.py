@@ -38,72 +38,76 @@ from estimator.layouts.limits.parts import (
 from estimator.layouts.surfaces import Surface, onto_patch_mm, pointwise, surfaces
 
 _COVER_STEP_MM, _RIM_POINTS = 1.0, 24
+"""Step of the nodes of the cover's splines along a face, about, and points on a magnet's rim."""
 _FEWEST_NODES = 8
+"""Nodes along an edge of a small face, at least; a bicubic spline needs four."""
 
 
 def broken_on_surfaces_mm(
     spec: ObjectSpec, layouts: Layouts, face: int, pocket_gap_mm: float, board_gap_mm: float
 ) -> dict[str, Float[Tensor, "layout"]]:
-    """By how much each rule of pockets, boards and chips is broken, on the face where it is most; of
-    sensors that stay, boards not."""
-    known = surfaces(spec)
-    laid = {number: layouts.of(number) for number in known}
-    pockets = {number: pockets_of(spec, one) for number, one in laid.items()}
-    turned = {number: one.magnets(laid[number].magnet_mm) for number, one in known.items()}
-    placed = {number: _placed(turned[number], laid[number], pockets[number]) for number in known}
+    """Return by how much each rule of pockets, boards and chips is broken (mm), on the worst face.
+
+    Rules of boards are left out where the search does not move the sensors.
+    """
+    by_number = surfaces(spec)
+    laid = {number: layouts.of(number) for number in by_number}
+    pockets = {number: pockets_of(spec, layout) for number, layout in laid.items()}
+    turned = {n: surface.magnets(laid[n].magnet_mm) for n, surface in by_number.items()}
+    placed = {n: _placed(turned[n], laid[n], pockets[n]) for n in by_number}
     moving = spec.search.vary.sensor_reach_mm is not None
     radius = pockets[face].radius
-    found = {
+    violations = {
         "pocket gap": worst_of_faces(
             [pocket_gaps_mm(floor, top, radius, pocket_gap_mm) for floor, top, _ in placed.values()]
         ),
         "pockets near the edge": worst_of_faces(
-            [past_border(one, pockets[number]) for number, one in known.items()]
+            [past_border(surface, pockets[n]) for n, surface in by_number.items()]
         ),
         "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
         "seal": worst_of_faces(
-            [unsealed_mm(one, laid[number], pockets[number]) for number, one in known.items()]
+            [unsealed_mm(surface, laid[n], pockets[n]) for n, surface in by_number.items()]
         ),
         "chip near a magnet": worst_of_faces(
             [
                 chips_near_magnets_mm(
                     spec,
                     number,
-                    one.chips(laid[number].sensor_mm)[0],
+                    surface.chips(laid[number].sensor_mm)[0],
                     {n: centre for n, (centre, _) in turned.items()},
                 )
-                for number, one in known.items()
+                for number, surface in by_number.items()
                 if moving or number == face
             ]
         ),
     }
     if moving:
         recesses = {
-            number: recess_boxes(one, laid[number], boards_of(spec, laid[number]))
-            for number, one in known.items()
+            number: recess_boxes(surface, laid[number], boards_of(spec, laid[number]))
+            for number, surface in by_number.items()
         }
+        # Recesses of all faces together: boards of two faces may meet at an edge.
         centre, axes, half_mm = (
             torch.cat(parts, dim=1) for parts in zip(*recesses.values(), strict=True)
         )
         least = board_gap_mm + SLACK_MM
-        found["board gap"] = missing_between_boxes_mm(centre, axes, half_mm, least)
-        found["board beside the wire hole"] = worst_of_faces(
-            [boards_beside_hole(one, recesses[number]) for number, one in known.items()]
+        violations["board gap"] = missing_between_boxes_mm(centre, axes, half_mm, least)
+        violations["board beside the wire hole"] = worst_of_faces(
+            [boards_beside_hole(surface, recesses[n]) for n, surface in by_number.items()]
         )
-        found["boards near the edge"] = worst_of_faces(
-            [
-                boards_past_edges(one, laid[number], recesses[number])
-                for number, one in known.items()
-            ]
+        violations["boards near the edge"] = worst_of_faces(
+            [boards_past_edges(surface, laid[n], recesses[n]) for n, surface in by_number.items()]
         )
-    return found
+    return violations
 
 
 def _placed(turned: tuple[Tensor, Tensor], layouts: Layouts, pockets: Pockets) -> Prisms:
-    """Pockets of a face in the object's frame, turned with the surface over each magnet."""
+    """Return the pockets of a face in the object's frame, turned with the surface over each magnet."""
     centre, axes = turned
+    # `pockets` stand on a flat face: take their ends about the magnet's centre there, and turn those.
     local = torch.stack([*layouts.magnet_mm[..., :2].unbind(-1), -layouts.magnet_mm[..., 2]])
     turn = axes.permute(2, 3, 0, 1)
+    # i object coordinate, j axis of the surface, l layout, m magnet
     floor, top = (
         centre.permute(2, 0, 1) + torch.einsum("ijlm,jlm->ilm", turn, ends - local)
         for ends in (pockets.floor, pockets.top)
@@ -112,12 +116,16 @@ def _placed(turned: tuple[Tensor, Tensor], layouts: Layouts, pockets: Pockets) -
 
 
 def past_border(surface: Surface, pockets: Pockets) -> Float[Tensor, "layout"]:
-    """Beyond the patch; of a box less the zone of the neighbouring face's pockets, as deep as the
-    deepest."""
+    """Return how far pockets reach beyond the patch (mm), summed over magnets.
+
+    A box's patch is smaller: its border belongs to the neighbouring face's pockets, to the depth of
+    the deepest one.
+    """
     frame = surface.frame
     half = torch.tensor(frame.half_extents_mm, dtype=pockets.reach.dtype)
     reach = pockets.reach
     if frame.round:
+        # Inside an ellipse where (x/a)² + (y/b)² ≤ 1. What is beyond 1 counts times the shorter half axis.
         share = ((reach + SLACK_MM) / half[:, None, None]).square().sum(0).sqrt()
         return torch.relu((share - 1) * half.min()).sum(dim=1)
     if body_of(surface.spec).cuboid:
@@ -126,10 +134,12 @@ def past_border(surface: Surface, pockets: Pockets) -> Float[Tensor, "layout"]:
 
 
 def unsealed_mm(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[Tensor, "layout"]:
-    """Silicone missing over magnets and under pockets."""
+    """Return the silicone missing over magnets and under pockets (mm), summed over magnets."""
     spec, depth = surface.spec, layouts.magnet_mm[..., 2]
     least = spec.silicone.thinnest_wall_mm + SLACK_MM
     if surface.frame.flat:
+        # A cylinder tilted by θ reaches r sin θ + (h/2) cos θ above its centre; `up` is cos θ.
+        # 1e-12 keeps the derivative of the root finite at θ = 0.
         up = pockets.axis[2]
         tilted = (1 - up * up).clamp(min=1e-12).sqrt()
         radius, half = outlines_mm(spec, depth.dtype)
@@ -137,10 +147,12 @@ def unsealed_mm(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[T
     else:
         covers, which = covers_of(spec)[surface.number], spec.magnets.by_size
         parts = [
-            pointwise(one.at, layouts.magnet_mm[:, those])[..., 0]
-            for one, those in zip(covers, which, strict=True)
+            pointwise(size_cover.at, layouts.magnet_mm[:, magnets])[..., 0]
+            for size_cover, magnets in zip(covers, which, strict=True)
         ]
+        # Covers come size by size: back to the order of the magnets.
         cover = torch.cat(parts, dim=1)[:, np.argsort(np.concatenate(which))]
+    # Pockets end on the core's side at `lowest` (below 0, from the outer face); a wall stays under them.
     above = torch.relu(least - cover)
     below = torch.relu(-pockets.lowest + least - spec.shell.thickness_mm)
     return (above + below).sum(dim=1)
@@ -148,8 +160,10 @@ def unsealed_mm(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[T
 
 @dataclass(frozen=True)
 class _Cover:
-    """Silicone over magnets without tilt, of one face, as `design.layout.places.positions.cover_mm`:
-    splines over the patch at two depths, straight between them."""
+    """Silicone over magnets without tilt, of one face, as `design.layout.places.positions.cover_mm`.
+
+    Splines over the patch at two depths (mm, of a magnet's centre); straight between and beyond them.
+    """
 
     frame: FaceFrame
     depths_mm: tuple[float, float]
@@ -165,7 +179,7 @@ class _Cover:
 
 @once
 def covers_of(spec: ObjectSpec) -> dict[int, tuple[_Cover, ...]]:
-    """Of every curved face, over a magnet of each of the specification's sizes."""
+    """Return the covers of every curved face, for a magnet of each of the specification's sizes."""
     return {
         frame.number: tuple(_cover(spec, frame, size) for size in spec.magnets.distinct_sizes)
         for frame in face_frames(spec)
@@ -180,20 +194,26 @@ def _cover(spec: ObjectSpec, frame: FaceFrame, size: MagnetSize) -> _Cover:
     ]
     x, y = np.meshgrid(*nodes, indexing="ij")
     xy = onto_patch_mm(frame, np.column_stack([x.ravel(), y.ravel()]))
+    # Least silicone over a magnet is over some point of its upper rim: take the highest one.
     turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
     rim = size.diameter_mm / 2 * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
     axes, up = frame.axes_at(xy), size.height_mm / 2
-    depths, found = (up + 0.5, spec.shell.thickness_mm - up), []
+    # The shallow depth leaves 0.5 mm over the magnet's middle, the deep one has it on the core.
+    depths, splines = (up + 0.5, spec.shell.thickness_mm - up), []
     for depth in depths:
         top = frame.to_object(np.column_stack([xy, np.full(len(xy), up - depth)]))
+        # p place, r point of the rim, j own axis, i object coordinate
         points = top[:, None] + np.einsum("pij,rj->pri", axes, rim)
         cover = -_highest(frame.from_object(points)[..., 2])
-        found.append(RectBivariateSpline(nodes[0], nodes[1], cover.reshape(x.shape)))
-    return _Cover(frame, depths, (found[0], found[1]))
+        splines.append(RectBivariateSpline(nodes[0], nodes[1], cover.reshape(x.shape)))
+    return _Cover(frame, depths, (splines[0], splines[1]))
 
 
 def _highest(heights_mm: Float[np.ndarray, "place rim"]) -> Float[np.ndarray, "place"]:
-    """Of what lies on the patch; the middle one's where nothing does."""
+    """Return the greatest height of rim points on the patch; the median place's where none lies on it.
+
+    A spline needs a finite value at every node; layouts off the patch break `past_border` anyway.
+    """
     known = np.where(np.isfinite(heights_mm), heights_mm, -np.inf).max(axis=1)
     return np.where(np.isfinite(known), known, np.median(known[np.isfinite(known)]))
 
@@ -207,8 +227,10 @@ _Boxes = tuple[
 
 
 def recess_boxes(surface: Surface, layouts: Layouts, boards: Boards) -> _Boxes:
+    """Return the boxes that boards take from the core: from its surface to the recess's floor."""
     point, axes, sink = surface.boards(layouts.sensor_mm)
     deep = (surface.spec.core.recess_depth_mm + sink) / 2
+    # A chip is not in the middle of its board: go along the board's radial axis to its centre.
     ahead = ((boards.centre - layouts.sensor_mm) * boards.radial).sum(-1)
     centre = point + ahead[..., None] * axes[..., 0, :] - deep[..., None] * axes[..., 2, :]
     radial, across = (torch.full_like(deep, half) for half in boards.half_mm)
@@ -216,19 +238,28 @@ def recess_boxes(surface: Surface, layouts: Layouts, boards: Boards) -> _Boxes:
 
 
 def boards_beside_hole(surface: Surface, recesses: _Boxes) -> Float[Tensor, "layout"]:
-    """As `boards_beside_hole_mm`, of recesses turned with the core's surface: seen along the hole, which
-    they come nearer to the deeper they are."""
+    """Return the wall missing between the wire hole and recesses, as `boards_beside_hole_mm` (mm).
+
+    Recesses are turned with the core's surface; the deeper they are the nearer they come. Seen along
+    the hole a box is a convex polygon and the hole's axis a point, so their distance is found by the
+    separating axis theorem: the largest gap along any direction that may separate them.
+    """
     centre, axes, half = recesses
     middle, plane = (
         torch.tensor(part, dtype=centre.dtype)
         for part in (surface.core.centre_mm, surface.core.axes[:, :2])
     )
+    # Centres from the hole's middle, and half edges, in the plane across the hole.
     seen, edges = (centre - middle) @ plane, (half[..., None] * axes) @ plane
     signs = torch.cartesian_prod(*3 * [torch.tensor([-1.0, 1.0])]).to(centre)
+    # Directions to try: the normals of the three edges, and those from the hole to the eight corners
+    # (the nearest point of a polygon lies on an edge or is a corner).
     across = torch.stack([-edges[..., 1], edges[..., 0]], dim=-1)
     ways = torch.cat([across, seen[..., None, :] + signs @ edges], dim=-2)
+    # 1e-9 avoids 0/0 for an edge along the hole, which is seen as a point; left out below.
     length = ways.norm(dim=-1, keepdim=True)
     ways = ways / length.clamp(min=1e-9)
+    # Gap along a direction: distance of the centre less the half width Σ |edge · direction|.
     reach = (ways @ edges.transpose(-1, -2)).abs().sum(-1)
     apart = (ways * seen[..., None, :]).sum(-1).abs() - reach
     along_the_hole = length[..., 0] < 1e-6
@@ -239,16 +270,22 @@ def boards_beside_hole(surface: Surface, recesses: _Boxes) -> Float[Tensor, "lay
 def boards_past_edges(
     surface: Surface, layouts: Layouts, recesses: _Boxes
 ) -> Float[Tensor, "layout"]:
-    """A board must find room in its patch and its recess in the core, and a wall stay between the
-    recess's floor and the next side of the core."""
+    """Return how far boards break three rules (mm), summed over boards.
+
+    A board has room in its patch, its recess has room in the core, and a wall stays between the
+    recess's floor and the next side of the core.
+    """
     spec, place = surface.spec, layouts.sensor_mm
     centre, axes, half = recesses
+    # Corners of the floor: axis 2 points outwards, so the floor is at −1. `beyond` is < 0 inside the core.
     signs = torch.tensor([[1.0, 1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, -1]]).to(half)
     floors = centre[..., None, :] + (signs * half[..., None, :]) @ axes
     beyond = pointwise(lambda points: beyond_core_mm(spec, points)[:, None], floors)[..., 0]
     thin = torch.relu(beyond + spec.printer.wall_mm + SLACK_MM).amax(dim=-1)
-    reach = pointwise(lambda at: surface.reach_mm(at)[:, None], place)[..., 0]
+    # How far from the face's middle a board has room, in the direction of this one.
+    reach = pointwise(lambda xy: surface.reach_mm(xy)[:, None], place)[..., 0]
     off = torch.relu(place.norm(dim=-1) + SLACK_MM - reach)
+    # On a curved core boards sink in: half[2] is half the depth of the recess.
     if not surface.core.flat:
         off = off + torch.relu(2 * half[..., 2] + SLACK_MM - room_for_recesses(spec)[0])
     return (thin + off).sum(dim=1)

@@ -162,6 +162,7 @@ def placed_pockets(frame: FaceFrame, pockets: Pockets) -> Prisms:
     turn = torch.as_tensor(frame.axes.copy(), dtype=pockets.floor.dtype)
     centre = torch.as_tensor(frame.centre_mm.copy(), dtype=pockets.floor.dtype)
     floor, top, axis = (
+        # i object coordinate, j face axis, l layout, m magnet
         torch.einsum("ij,jlm->ilm", turn, part)
         for part in (pockets.floor, pockets.top, pockets.axis)
     )

@@ -36,18 +36,29 @@ from estimator.signals.continuation import continued
 from fem.candidates.motions import CandidateMotions, FaceCandidates
 
 OWN_RANK_PER_PLACE, LEAST_OWN_RANK = 1.3, 60
-"""Of the pressed face's basis. On the paper's cube (100 places, fourteen layouts, 2 and 12 N) 100 leave
-1.4 % of the bounds (rms; 13 % at most) and 1.6 % of the worst one, 130 leave 0.6 % (5 %; 1.2 %), 160 0.3 %
-(3 %; 0.6 %); 200 cost 1.4 times as much as 130."""
+"""Singular vectors of the pressed face's basis, for each contact location and at least.
+
+Chosen by what the bounds lose and what time they take. On the paper's cube (100 places, fourteen
+layouts, 2 and 12 N) the bounds are off by 1.4 % with 100 vectors (rms; 13 % at most; the worst one by
+1.6 %), by 0.6 % with 130 (5 %; 1.2 %) and by 0.3 % with 160 (3 %; 0.6 %). 200 cost 1.4 times as much as 130.
+"""
 OTHER_RANK = 40
-"""Of the other faces' basis: 40 leave 0.2 % of the bounds (1.4 % at most) there and 0.4 % of the worst one,
-60 leave 0.1 %."""
+"""Singular vectors of the other faces' basis, which move less.
+
+With 40 those bounds are off by 0.2 % (1.4 % at most; the worst one by 0.4 %), with 60 by 0.1 %.
+"""
 MORE_RANK = 1.2
-"""For several forces at once: 182 and 56 leave 0.3 % of the bounds at 2, 5 and 12 N (3 % at most) and
-0.7 % of the worst one, 150 and 56 0.5 % (6 %) and 1.5 %."""
+"""How many times as many vectors serve several forces at once.
+
+On that cube 156 and 48. Measured there at 2, 5 and 12 N: with 150 and 56 vectors the bounds are off by
+0.5 % (6 % at most; the worst one by 1.5 %), with 182 and 56 by 0.3 % (3 %; 0.7 %).
+"""
 STRAIN_RANK = 96
-"""Of what magnets take from each other: leaves 0.2 % of the bounds at 2, 5 and 12 N (3 %) and 0.6 % of the
-worst one of the fourteen layouts; 64 leave 1.1 % (18 %) and 2.7 %."""
+"""Vectors on which the strain round magnets is kept, for what they take from each other.
+
+With 96 the bounds at 2, 5 and 12 N are off by 0.2 % (3 % at most; the worst one of the fourteen layouts by
+0.6 %), with 64 by 1.1 % (18 %; 2.7 %).
+"""
 
 
 @dataclass(frozen=True)
@@ -144,7 +155,7 @@ def press_basis(
     other_rank: int | None = None,
     dtype: torch.dtype = torch.float32,
 ) -> PressBasis:
-    """`press_bases` of one force, `score.force_n` by default."""
+    """Return the `press_bases` of one force, `score.force_n` by default."""
     forces_n = (force_n or spec.score.force_n,)
     return press_bases(spec, motions, face, forces_n, own_rank, other_rank, dtype)[0]
 
@@ -181,18 +192,19 @@ def press_bases(
     here = frames.pop(face)
     others = sorted(frames.values(), key=lambda frame: _opposite(frame, here))
     adjacent = [frame.number for frame in others if not _opposite(frame, here)]
-    there = contact_places(spec)[spec.body.sensed.index(face)]
-    located = grid_places_in_lattice(spec)[there]
+    has_place = contact_places(spec)[spec.body.sensed.index(face)]
+    located = grid_places_in_lattice(spec)[has_place]
     differ, row = faces_differ(spec), motions.faces.tolist().index(face)
     lattices = {lattice.face: lattice for lattice in motions.candidates}
     lattice = lattices[face] if differ else motions.candidates[0]
     more = MORE_RANK if len(forces_n) > 1 else 1.0
-    least = max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * there.sum()))
+    least = max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * has_place.sum()))
     ranks = own_rank or int(more * least), other_rank or int(more * OTHER_RANK)
+    # Quantities of one force follow those of another: 4 for each (∂x, ∂y, ∂F, the motion itself).
     of_modes = np.concatenate(
         [press_derivatives(motions, face, force, located) for force in forces_n], axis=1
     )
-    whole, beside, held = _tables(spec, motions, here, adjacent, of_modes, ranks, dtype)
+    whole, adjoining, held = _tables(spec, motions, here, adjacent, of_modes, ranks, dtype)
 
     def tensor(values: object) -> Tensor:
         return torch.as_tensor(np.asarray(values), dtype=dtype)
@@ -206,12 +218,13 @@ def press_bases(
         opposite[0] if opposite else None,
         np.nan,
         contact_grid(spec),
-        there,
+        has_place,
         first,
         step,
         lattice.shape,
         whole,
-        beside,
+        adjoining,
+        # p in another face's frame is turn · p + shift in this one's: axes are columns
         tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
         tensor([here.in_plane(frame.centre_mm) for frame in others]).reshape(-1, 3),
         tensor(motions.deepest_n[row][located]),
@@ -224,7 +237,7 @@ def press_bases(
             shared,
             force_n=force,
             own=whole.of_force(index, len(forces_n)),
-            other=beside.of_force(index, len(forces_n)),
+            other=adjoining.of_force(index, len(forces_n)),
             mm_per_n=surface_compliance(motions, face, force)[located],
         )
         for index, force in enumerate(forces_n)
@@ -240,18 +253,20 @@ def _tables(
     ranks: tuple[int, int],
     dtype: torch.dtype,
 ) -> tuple[RowTable, RowTable, Held]:
-    """Of the pressed face, of those beside it, and what its magnets take from each other."""
+    """Return the tables of the pressed face and of its neighbours, and how its magnets move each other."""
     face, differ = here.number, faces_differ(spec)
     lattices = {lattice.face: lattice for lattice in motions.candidates}
     row = motions.faces.tolist().index(face)
+    # Quantities have different units: each is divided by its rms, so that one rank suits all of them.
     own, *moving = (modes_of(motions, number, row, here.axes) for number in (face, *adjacent))
     scale = rms(own, of_modes)
     widths = np.repeat(scale, of_modes.shape[2])
 
     def table(numbers: Sequence[int], rows: list[np.ndarray], basis: np.ndarray) -> RowTable:
+        # Faces that differ have a lattice each, one below the other; else one lattice, side by side.
         if differ:
             each = zip(numbers, rows, strict=True)
-            padded = np.concatenate([with_ghosts(one, lattices[n].shape) for n, one in each])
+            padded = np.concatenate([with_ghosts(part, lattices[n].shape) for n, part in each])
         else:
             padded = with_ghosts(np.concatenate(rows, axis=1), motions.candidates[0].shape)
         return RowTable(torch.as_tensor(padded, dtype=dtype), torch.as_tensor(basis, dtype=dtype))
@@ -259,33 +274,42 @@ def _tables(
     rows, basis = compressed([own], of_modes, scale, ranks[0])
     if here.flat:
         rows = [with_turns(rows[0], lattices[face], motions.turns_with_plane)]
-    beside = _nothing(of_modes, dtype)
+    adjoining = _nothing(of_modes, dtype)
     if moving:
-        beside = table(adjacent, *compressed(moving, of_modes, scale, ranks[1]))
+        adjoining = table(adjacent, *compressed(moving, of_modes, scale, ranks[1]))
+    # `compressed` returns vectors times `widths`: undone here, as strain needs them orthonormal.
     held = _held(motions, lattices[face], of_modes, basis / widths, widths, dtype)
-    return table([face], rows, basis), beside, held
+    return table([face], rows, basis), adjoining, held
 
 
 def faces_differ(spec: ObjectSpec) -> bool:
-    """Whether faces are curved, round, of different sizes or have layouts of their own: one layout turned
-    from face to face, on one lattice, then does not tell all of them."""
+    """Return whether faces are curved, round, of different sizes or have layouts of their own.
+
+    One layout, turned from face to face on one lattice, then does not describe all of them.
+    """
     frames = face_frames(spec)
-    own = len(layout_groups(spec)) > 1 or len(spec.magnets.lists) > 1
+    several_layouts = len(layout_groups(spec)) > 1 or len(spec.magnets.lists) > 1
     sizes = {frame.half_extents_mm for frame in frames}
-    return own or len(sizes) > 1 or not all(frame.flat and not frame.round for frame in frames)
+    return (
+        several_layouts
+        or len(sizes) > 1
+        or not all(frame.flat and not frame.round for frame in frames)
+    )
 
 
 def _patches(
     spec: ObjectSpec, lattices: Sequence[FaceCandidates], dtype: torch.dtype
 ) -> tuple[Patch, ...]:
-    """The pressed face, then the others."""
-    found, start, known = [], 0, surfaces(spec)
+    """Return the patch of the pressed face, then those of the others."""
+    patches, start, by_number = [], 0, surfaces(spec)
     for index, lattice in enumerate(lattices):
         first, step = (torch.as_tensor(part, dtype=dtype) for part in _ends_and_steps(lattice))
-        found.append(Patch(known[lattice.face], first, step, lattice.shape, start))
+        patches.append(Patch(by_number[lattice.face], first, step, lattice.shape, start))
+        # The pressed face (index 0) has a table of its own; the others share one, each with 2 ghost
+        # nodes along every axis.
         if index:
             start += int(np.prod([count + 2 for count in lattice.shape]))
-    return tuple(found)
+    return tuple(patches)
 
 
 def _ends_and_steps(lattice: FaceCandidates) -> tuple[np.ndarray, np.ndarray]:
@@ -294,7 +318,7 @@ def _ends_and_steps(lattice: FaceCandidates) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _nothing(of_modes: Float[np.ndarray, "mode quantity place"], dtype: torch.dtype) -> RowTable:
-    """Of a face without neighbours."""
+    """Return the empty table of a face without neighbours."""
     quantities = of_modes[0].size
     return RowTable(torch.zeros(0, 0, dtype=dtype), torch.zeros(0, quantities, dtype=dtype))
 
@@ -302,7 +326,7 @@ def _nothing(of_modes: Float[np.ndarray, "mode quantity place"], dtype: torch.dt
 def surface_compliance(
     motions: CandidateMotions, pressed: int, force_n: float
 ) -> Float[np.ndarray, "place"]:
-    """Secant, straight between and beyond the stored forces."""
+    """Return indentation depth over force (mm/N): a secant, straight between and beyond stored forces."""
     row = motions.faces.tolist().index(pressed)
     steps = motions.steps_around(force_n)
     (low, high), depth = motions.force_n[row][:, steps].T, motions.depth_mm[row][:, steps]
@@ -311,14 +335,24 @@ def surface_compliance(
 
 
 def _opposite(a: FaceFrame, b: FaceFrame) -> bool:
+    # Cosine of the normals' angle: about 0 of adjacent faces, −1 of opposite ones; any bound between.
     return bool(a.normal @ b.normal < -0.5)
 
 
 def check_lattices(spec: ObjectSpec, motions: CandidateMotions, face: int) -> None:
+    """Refuse motions that do not fit a face of the specification.
+
+    Raises
+    ------
+    InputError
+        As `press_bases`.
+    """
     if face not in motions.faces:
         raise InputError(f"face {face} was not pressed. Choose one of {motions.faces.tolist()}")
+    # ∂/∂F is a difference of two stored forces.
     if motions.force_n.shape[2] < 2:
         raise InputError("derivatives of presses need two forces; got one. Simulate more")
+    # Quantities are picked by place: another lattice would give those of other places, unnoticed.
     lattice = press_lattice(spec)
     if motions.places.shape != lattice.shape or not np.allclose(
         motions.places.xy_mm, lattice.xy_mm
@@ -327,6 +361,7 @@ def check_lattices(spec: ObjectSpec, motions: CandidateMotions, face: int) -> No
             f"presses were simulated on {motions.places.shape} places, not on the lattice of this "
             f"specification's contact grid, {lattice.shape}. Simulate them anew"
         )
+    # Faces that are alike share the first face's lattice.
     first = motions.candidates[0].xyd_mm
     for lattice in () if faces_differ(spec) else motions.candidates:
         if lattice.xyd_mm.shape != first.shape or not np.allclose(lattice.xyd_mm, first):
@@ -343,21 +378,28 @@ def press_derivatives(
     force_n: float,
     located: Int[np.ndarray, "place"],
 ) -> Float[np.ndarray, "mode 4 place"]:
-    """∂/∂x, ∂/∂y, ∂/∂F of what presses have of the modes, and that itself, at places of the lattice."""
+    """Return ∂/∂x, ∂/∂y, ∂/∂F of the modes' shares in presses, and the shares themselves.
+
+    At places of the lattice; per mm, per mm and per N.
+    """
     row = motions.faces.tolist().index(pressed)
     steps = motions.steps_around(force_n)
     force, pressed_there = motions.force_n[row][:, steps], ~np.isnan(motions.force_n[row, :, 0])
+    # Straight in force between the two stored steps of each place, and beyond them.
     low, high = (np.asarray(motions.presses[row, :, step], float) for step in steps)
     per_n = (high - low) / (force[:, 1] - force[:, 0])[:, None]
     share = low + per_n * (force_n - force[:, 0])[:, None]
     shape = motions.places.shape
+    # Splines run through the whole lattice: places that the face has not are continued smoothly.
     if not pressed_there.all():
         share = continued(share, pressed_there, shape)
+    # Matrices (node, node): derivatives at the nodes of the cubic splines through unit vectors.
     along_x, along_y = (
         make_interp_spline(nodes, np.eye(len(nodes)), k=3)(nodes, nu=1)
         for nodes in (motions.places.x_mm, motions.places.y_mm)
     )
     table = share.reshape(*shape, -1)
+    # p and q nodes along x and y, r mode; i and j the nodes where the derivative is taken
     by_x = np.einsum("ip,pqr->iqr", along_x, table).reshape(share.shape)
     by_y = np.einsum("jq,pqr->pjr", along_y, table).reshape(share.shape)
     return np.stack([by_x, by_y, per_n, share])[:, located].transpose(2, 0, 1)
@@ -371,14 +413,21 @@ def _held(
     scale: Float[np.ndarray, "column"],
     dtype: torch.dtype,
 ) -> Held:
-    """Strain on the orthonormal vectors of the face's own basis for scaled quantities."""
-    number = [one.face for one in motions.candidates].index(lattice.face)
+    """Return how magnets of the pressed face move each other, on its own basis.
+
+    `vectors` are the basis for quantities divided by `scale`: orthonormal, so that a product with
+    their transpose projects on them.
+    """
+    number = [candidates.face for candidates in motions.candidates].index(lattice.face)
     first = sum(map(len, motions.candidates[:number]))
     strain = np.asarray(motions.strain[first : first + len(lattice)], dtype=float)
     mixed = of_modes.reshape(len(of_modes), -1) / scale @ vectors[:STRAIN_RANK].T
+    # c candidate, r mode, s of 5 strains, t basis vector
     rows = np.einsum("crs,rt->cst", strain, mixed, optimize=True)
     between = motions.influence
     values = between.values.transpose(3, 4, 0, 1, 2).reshape(30, *between.values.shape[:3])
+    # As `grid_sample` wants them: (6 · 5 motions and strains, depth, depth, distance) of the table, but
+    # ends in the order distance, own depth, the other's depth. Both depths have the same nodes.
     ends = np.array([between.first_mm, *2 * [between.depth_mm[0]]])
     span = [between.step_mm * (values.shape[3] - 1), *2 * [np.ptp(between.depth_mm)]]
     return Held(
@@ -392,10 +441,14 @@ def _held(
 def modes_of(
     motions: CandidateMotions, face: int, row: int, axes: Float[np.ndarray, "3 3"]
 ) -> Float[np.ndarray, "candidate 6 mode"]:
-    """Modes of one face's candidates under presses of another, or its own, along the columns of `axes`."""
+    """Return the modes of a face's candidates under presses of face `row`, along the columns of `axes`.
+
+    `row` counts the pressed faces. Displacements and rotations are turned alike, as vectors.
+    """
     number = [lattice.face for lattice in motions.candidates].index(face)
     first = sum(len(lattice) for lattice in motions.candidates[:number])
     chosen = slice(first, first + len(motions.candidates[number]))
     modes = np.asarray(motions.by_candidate[chosen, row], dtype=float)
+    # (candidate, mode, displacement or rotation, component): v @ axes are v's parts along the columns
     turned = modes.reshape(*modes.shape[:2], 2, 3) @ axes
     return turned.reshape(modes.shape).transpose(0, 2, 1)

@@ -51,6 +51,7 @@ def _counts_of_pressed_magnets(
     channels, sensors = changes.channels, place.shape[1]
     motion = layouts.magnet_mm.new_zeros(*place.shape, layouts.magnet_mm.shape[1], 6)
     for which, presses, rows in changes.motions:
+        # l layout, m magnet, k of 6 motions, r vector of the basis, s sensor (the place of its own press)
         moved = torch.einsum("lmkr,rls->lsmk", rows, _deepest(scorer, presses)[:, place])
         motion[:, :, slice(None) if which is None else list(which)] = moved
     centre, axis = (part[:, :, None] for part in own_magnets(scorer.presses, layouts))
@@ -90,6 +91,7 @@ def _counts_of_pressed_boards(
     """Of each board in the deepest press at a place of its own: signals of boards that come near magnets are
     far from linear."""
     ((_, presses, rows),) = changes.motions
+    # l layout, s sensor (its board, in the press at its own place), k of 6 motions, r vector
     motion = torch.einsum("lskr,rls->lsk", rows, _deepest(scorer, presses)[:, place])
     moved = changes.channels.sensor_mm + motion[..., :3].permute(2, 0, 1)
     own, other = field_changes(scorer, layouts, moved)

@@ -42,6 +42,7 @@ LEAST_RADIUS_PITCHES = 0.1
 """Least median radius, in pitches of the grid. Where training knows few places, most answers are
 one of them to a micrometre, and the quantile of errors is next to nothing."""
 _LEAST_SPREAD = 1e-9
+"""Spread that stands for 0 where it divides."""
 
 
 @dataclass(frozen=True)

@@ -60,8 +60,11 @@ from estimator.networks.training.fitting import Progress, Schedule, fit
 FINE_TUNING_RATE = 0.3
 """Learning rate of a network that goes on from `start`, over that of one that starts anew."""
 _WEIGHT_DECAY = 1e-3
+"""Weight decay of AdamW (Loshchilov and Hutter, 2019)."""
 _OTHER_FACES = 0.5
+"""Share of frames to which presses of other faces are added."""
 _NEXT_SEED = 7919
+"""Difference of the seeds of an ensemble's members."""
 
 
 @dataclass(frozen=True)

@@ -26,9 +26,13 @@ from estimator.networks.training.losses import heads_loss
 Progress = Callable[[int, int, float], None]
 """Called after each epoch with its number, the number of epochs and the validation loss."""
 _WARM_UP_EPOCHS = 2.0
+"""Epochs in which the learning rate rises, at most half of all."""
 _LEAST_STEPS = 20
+"""Steps of an epoch that batches leave; small data sets get smaller batches for it."""
 _LEAST_BATCH_FRAMES = 16
+"""Frames of a batch, at least."""
 SAVE_EVERY_S = 5.0
+"""Time between two checkpoints, at least."""
 
 
 @dataclass(frozen=True)

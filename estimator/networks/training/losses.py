@@ -9,8 +9,11 @@ from estimator.networks.network import HeadsNetwork
 from estimator.networks.training.data import Batch
 
 _FORCE_WEIGHT = 8.0
+"""Weight of the error of force; the cross-entropy of contact has 1."""
 _CENTRE_WEIGHT = 0.3
+"""Weight of the centre's distance (mm), each times √force."""
 _SPREAD_WEIGHT = 0.1
+"""Weight of the likelihood of the errors' sizes."""
 
 
 def heads_loss(network: HeadsNetwork, counts: Tensor, target: Batch) -> Tensor:

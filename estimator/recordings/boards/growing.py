@@ -19,6 +19,7 @@ from estimator.recordings.formats.generic import cell_text, generic_columns
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 
 SYNC_S = 1.0
+"""Time after which what is written is forced onto the disk."""
 
 
 @dataclass

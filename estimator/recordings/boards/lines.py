@@ -32,6 +32,7 @@ _SEQUENCES = 65536
 _RESTART_GAP = 10_000
 """A larger step of the sequence is a board that started anew, not lost frames."""
 _LONGEST_LINE = 4096
+"""Characters without an end of line after which they are dropped."""
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,7 @@ class Status:
 Message = Header | Frame | Load | Status
 STARTS = ("power", "reset", "brownout", "watchdog")
 _LARGEST_MV, _LARGEST_C = 60_000, 300.0
+"""Largest supply (mV) and temperature (°C) that a sound line may tell."""
 
 
 @dataclass

@@ -25,10 +25,15 @@ from estimator.recordings.presses import frame_times_s, stretches
 from estimator.recordings.table import RawTable, channel_name
 
 BAUD = 115_200
+"""Bits per second of the serial line, as the firmware has it."""
 PATIENCE_S = 10.0
+"""Time without a sound line after which the board counts as silent."""
 _SLICE_S = 0.2
+"""Longest wait for bytes: an empty chunk then lets the caller go on."""
 _CLOCK = 2**32
+"""Milliseconds after which a board's 32-bit clock begins again."""
 _DISORDER_MS = 1000
+"""Step back of the clock up to which lines are in disorder; more, and the board has restarted."""
 
 
 @dataclass(frozen=True)

@@ -19,12 +19,18 @@ from estimator.recordings.presses import CONTACT_FORCE_N, runs
 LEAST_FRAMES = 5
 """Frames in a row that make a contact; shorter excursions are edges and glitches."""
 _HIDDEN_SIGMAS = 6.0
+"""Change while no load cell shows a force, over its noise, from which a press is hidden."""
 _SILENT_SHARE = 0.1
+"""Response over the expected one below which a channel is silent."""
 _SILENT_SIGMAS = 5.0
+"""Expected response, over its noise, from which that is judged."""
 _PRESSED_SHARE = 0.3
+"""Share of a press's largest force from which it is held."""
 _LOADED_SHARE = 0.5
+"""Share of the largest force from which frames are compared."""
 _OWN_DISTANCE = 0.4
 _DISTANCE_RATIO = 2.5
+"""Chord from its own case, and over that to the nearest other case, from which a label is doubted."""
 
 
 def pressed_faces(

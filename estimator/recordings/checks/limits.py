@@ -14,7 +14,9 @@ from estimator.recordings.table import RawTable, channel_name
 _CONVERTER_COUNTS = 32768.0
 """Magnitude that no converter of 16 bits with a sign exceeds."""
 _FEW_READINGS = 0.05
+"""Share of a channel's readings that may be out of range; more, and the recording is refused."""
 _FAR_FACTOR = 3.0
+"""Farthest place over the grid's reach, where no specification says it."""
 
 
 @dataclass(frozen=True)

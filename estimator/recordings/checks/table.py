@@ -30,6 +30,7 @@ from estimator.recordings.table import RawTable, channels_text
 
 Rows = tuple[Bool[np.ndarray, "frame"], list[Fault]]
 _MOST_SPOILT = 0.1
+"""Share of a channel's readings that may be spoilt."""
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,7 @@ _ANSWERS = 0.1
 _BEYOND_NOISE = 3.0
 """Standard deviations: at places that hardly answer, noise alone turns channels."""
 _REST_AGREES = 0.25
+"""Length of the change of the other channels, of a pattern of length 1, below which they agree."""
 _EXCHANGE_GAIN = 4.0
 
 

@@ -37,11 +37,13 @@ from estimator.recordings.formats.text import (
 from estimator.recordings.table import FACES, RawTable, check_plausible, check_signals
 
 NEWTON_PER_GRAM_FORCE = 9.8e-3
+"""Newton per gram-force as these files' own programs take it."""
 _FILE_FACES = (5, 3, 1, 2, 4)
 _HEAD = ("Time", "Left", "Right-blue")
 _CHANNELS = tuple(f"F{f}-{a}{s}" for f in _FILE_FACES for s in (1, 2, 3) for a in "XYZ")
 _OTHER_MARKS = {";": "semicolon", "\t": "tab"}
 _TRAINING_TIPS = {12: 1, 14: 2, 15: 3}
+"""Tips of a probe by the number of a file's columns."""
 
 
 def read_table(path: Path | str) -> RawTable:

@@ -37,6 +37,7 @@ TRAVEL = "travel_mm"
 CHANNEL = re.compile(r"F([1-5])-([XYZ])([1-9]\d?)")
 _GRAMS = re.compile(r"cell[1-9]_force_g")
 _NEWTON_PER_GRAM = 9.80665e-3
+"""Newton per gram-force, by standard gravity."""
 _MISSING = re.compile(r"#\s*missing\s*=\s*(\S+)\s*")
 _CELL = re.compile(r"cell([1-9])_(?:force_n|face)")
 _FACE = re.compile(r"cell([1-9])_face")

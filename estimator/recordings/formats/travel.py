@@ -19,8 +19,11 @@ from estimator.recordings.formats.text import check_complete, csv_rows, naming, 
 
 SENSOR_FILE, STATE_FILE = "sensor.csv", "states.csv"
 _LARGEST_LAG_S = 1.0
+"""Largest time between a reading and the travel's that belongs to it."""
 _LARGEST_UT, _LARGEST_MM = 1e6, 1e4
+"""Largest reading and travel that may be meant."""
 _NO_LOAD = -1.0
+"""Value that stands for no load cell."""
 _STATE_COLUMNS = ("time", "x", "y", "z", "load")
 
 

@@ -33,6 +33,7 @@ from instobj.commands.bringup.sources import KEEP, QUIT, SKIP, Source
 from instobj.store.progress import ProgressLine
 
 _LEAST_RESPONSE_COUNTS = 300.0
+"""Change of counts from which a magnet is held near enough."""
 
 
 @dataclass

@@ -20,6 +20,7 @@ STALE_S = 1.0
 PAUSE_S = 1.0
 """A longer step between frames is a pause."""
 _READINGS_KEPT = 200
+"""Latest readings of a load cell that are kept."""
 
 
 _CLOCK_SHARE, _CLOCK_S = 0.1, 3.0

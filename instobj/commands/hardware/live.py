@@ -23,8 +23,11 @@ from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows
 
 _NEWS_S = 0.25
+"""Time between two messages of news, about."""
 _TICK_S = 0.2
+"""Pause between two looks at the session."""
 _LAST_WORD_S = 0.5
+"""Time that the page stays after a failure, to show it."""
 
 
 @dataclass

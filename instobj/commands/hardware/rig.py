@@ -30,6 +30,7 @@ from instobj.store.publish import file_rows
 
 MACHINES = ("grbl", "poses")
 ADAPTIVE_PRESSES = 40
+"""Presses of an adaptive run, unless another number is given."""
 
 
 @dataclass(frozen=True)

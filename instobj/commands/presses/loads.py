@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from fem.presses.joint import JointPress
 
 _CURVE_STEPS = 16
+"""Shares of the load at which the curve is computed."""
 
 
 def press_loads(

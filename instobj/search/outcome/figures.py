@@ -25,6 +25,7 @@ _BEST, _START = "#1f77d0", "#77736b"
 _PEERS = "#c46a1b", "#7a4fb5"
 _SENSOR = "#0a8f5a"
 _MOST_SIDE_BY_SIDE = 3
+"""Panels of a row, at most."""
 LABELS = {
     "worst_position_bound_mm": "worst location, position bound (mm)",
     "percentile_99_position_bound_mm": "99th percentile of locations, position bound (mm)",

@@ -26,6 +26,7 @@ from instobj.viewer.scene import Arrays, add_surface
 from instobj.viewer.surface import shaded_part
 
 _MOST_OF_FRONT = 40
+"""Layouts of the front that are shown, spread over it."""
 
 
 @dataclass(frozen=True)

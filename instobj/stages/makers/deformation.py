@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from instobj.store.stage import StageContext
 
 _SHOWN_DEPTH_MM = 2.0
+"""Depth of the press that is shown, at most."""
 _APART_MM = 1.0
+"""Distance of the places that are shown, at least."""
 
 
 def make_shapes(context: StageContext, folder: Path) -> None:

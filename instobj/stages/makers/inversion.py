@@ -35,8 +35,11 @@ UNCERTAINTIES = ("place in 90 % region %", "force in 90 % interval %", "not expl
 MOST_FRAMES = 400
 """Judged at most, drawn at random: a frame takes some tens of milliseconds."""
 _OBJECT_SEED = 1000
+"""Added to the seed, so that the object drawn is none of the training's."""
 _PRESSES = 24
+"""Presses that are inverted, for each number of contacts."""
 _FRAMES_A_PRESS = 8
+"""Frames of each."""
 
 
 def tangential_mechanics(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
