@@ -23,8 +23,11 @@ from estimator.networks.face_model import FaceModel, description
 from estimator.networks.prediction import UNITS
 
 OPSET = 18
+"""Version of ONNX's operators."""
 _EXAMPLE_FRAMES = 3
+"""Frames of the example that the export traces."""
 _PROBE_FRAMES_PER_SCALE = 64
+"""Frames of each size by which the exported model is compared."""
 _PROBE_SCALES_COUNTS = tuple(2.0**power for power in range(0, 17, 2))
 """From the noise of a channel to the range of a 16-bit chip."""
 _PARITY = 1e-3

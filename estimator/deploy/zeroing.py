@@ -37,11 +37,17 @@ ZERO_FRAMES = 8
 STILL_RATIO = 1.3
 """Largest ratio of the variance in a window to half the mean squared step from frame to frame."""
 RETURN_SHARE = 0.15
+"""Share of the largest force of a press up to which it counts as ended."""
 SETTLE_S = 5.0
+"""Time after a load from which its press is over; drift is followed over so long at most."""
 DRIFT_COUNTS_PER_S = 1.0
+"""Rate at which the zero follows the readings, at most."""
 LEAST_FORCE_N = 0.3
+"""Force below which nothing presses."""
 PRESS_FORCE_N = 1.0
+"""Force read from the change turned round, from which the zero itself was taken in a press."""
 LEAST_FRAMES = 5
+"""Frames of the stretch that is judged, at least."""
 _FRAME_S = 0.1
 """Between frames without time stamps."""
 _WINDOW_S = 0.6

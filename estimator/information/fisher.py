@@ -27,7 +27,9 @@ DETECTION_DISTANCE = 5.0
 
 _PARAMETERS = ("x", "y", "force", "x force", "y force")
 _RANK_TOLERANCE = 1e-7
+"""Singular value of columns of unit length below which a direction is not seen."""
 _SMALLEST_FORCE_N = 1e-4
+"""Smallest force at which detection is tried."""
 _CLEARLY_SEEN = 1e-4
 """Volume that a press's three columns of unit length span: far from `_RANK_TOLERANCE`."""
 

@@ -26,6 +26,7 @@ from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
 
 _FRAMES_AT_ONCE, FRAMES_ON_A_CARD = 100, 1000
+"""Frames inverted together, on the processor and on a graphics card."""
 LEAST_FORCE_N = 0.2
 """Of a contact that is read: about what the paper's cube just detects."""
 MANY_FRAMES = 100

@@ -25,6 +25,7 @@ from estimator.inversion.problems import Observed, Problems, empty
 _KEPT, _KEPT_OF_MANY, _MANY = 3, 8, 4
 """Sets of one number that go on, and beyond so many contacts: there more of them are nearly as good."""
 _ROUGH_STEPS = 2
+"""Steps of fits that only choose among sets."""
 _NEAR, _FEW = (1, 3), 2
 """Rounds and steps of sets on the way beyond so many contacts, of which most frames have no more;
 tangential forces, which make the posterior flat, need all steps."""
@@ -38,6 +39,7 @@ _EQUAL = 0.05
 _VISITS, _BETTER = 2, 1.0
 """How often the best set of a frame is revisited, and the log evidence that it must have gained since."""
 _HALF_MM = 6.0
+"""Half the distance of two contacts that replace one."""
 _HALVED_BY = _HALF_MM * np.array(
     [(1, 0, 0), (0, 1, 0), (0.5**0.5, 0.5**0.5, 0), (0.5**0.5, -(0.5**0.5), 0)]
 )

@@ -15,11 +15,13 @@ from estimator.inversion.readings import UNEXPLAINED, ContactSets, p_values
 from estimator.inversion.search import Hypotheses, together
 
 _STEPS = 3
+"""Steps from the frame before: contacts have moved little."""
 _CHANGE = np.log(0.1)
 """Log prior odds that a frame has another number of contacts than the last."""
 _FAINT = 3.0
 """Contacts below so many standard deviations of their force may have gone."""
 _LONGEST_PAUSE = 8
+"""Frames after which a further contact is tried again, at most; the pause doubles up to it."""
 _WORSE = 0.1
 """A p value that falls by more than this ends the wait."""
 _STRAINED = 0.02

@@ -27,6 +27,7 @@ from design.spec.worked_out import once
 _STEP = 1e-4
 """Of central differences, mm: in double precision good to 1e-8 mm."""
 _WITHIN, _WELL_WITHIN = 1 - 1e-6, 0.98
+"""Shares of a patch, and of a board's reach, that still count as inside."""
 _AZIMUTHS, _BISECTIONS = 64, 20
 """Directions in which a board's reach is found, and halvings of its interval."""
 _BEYOND_ALL_MM = 1e6

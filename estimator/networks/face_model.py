@@ -30,7 +30,9 @@ from estimator.networks.process import Process, ProcessShape
 from estimator.networks.tensor_file import load_tensors, save_tensors
 
 MODEL_FORMAT = 6
+"""Version of the file; others are refused."""
 _BATCH_FRAMES = 8192
+"""Frames computed at once: it bounds the memory."""
 _LONGEST_HISTORY = 100
 """Frames, as specifications allow."""
 

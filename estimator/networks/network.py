@@ -26,7 +26,9 @@ from estimator.networks.intervals.coverage import Coverage, growth, newness
 from estimator.networks.process import Process
 
 SIGMA_SPAN = 3.0
+"""Signal, in standard deviations, up to which an input grows in proportion (asinh)."""
 LINEAR_SIGMA_SPAN = 30.0
+"""Standard deviations that the linear inputs are divided by."""
 DOUBT_POWER = 2
 """Forces are multiplied by P(contact)², so that doubtful contacts stay visible but faint."""
 GATHER_MM = 9.0

@@ -20,11 +20,15 @@ LEAST_FRAMES = 5
 LARGEST_DRIFT_NOISES = 6.0
 """Of a channel between two rests: more is a jump, and jumps have a moment that nobody knows."""
 LONGEST_GAP_S = 120.0
+"""Time between two rests over which drift is still taken from them."""
 USUAL_S = 3.0
 """Time over which drift grows to the white noise of frames averaged over it, where nothing shows it."""
 _LEAST_S, _LONGEST_S = 0.5, 30.0
+"""Bounds on the time over which drift grows to the white noise."""
 _CONTACT_FRAMES = 3
+"""Frames of a contact, at least."""
 _ROUNDS = 5
+"""Rounds of the fit of noise and drift."""
 _TOUCH_FRAMES = 2
 """Beside a contact: its first and last frames are below the force that counts as one."""
 _LEAST_NOISE_COUNTS = 0.3

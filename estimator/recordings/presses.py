@@ -15,11 +15,17 @@ from jaxtyping import Bool, Float, Int
 from estimator.frames.dataset import NO_FACE
 
 PAUSE_S = 5.0
+"""Pause after which a new stretch of frames begins."""
 CONTACT_FORCE_N = 0.3
+"""Force from which a load cell shows a contact."""
 LAGS = range(-10, 26)
+"""Frames by which the force may lag behind the signals (negative: it is ahead)."""
 _LEAST_PRESS_FRAMES = 5
+"""Frames of a press, at least."""
 _LEVEL_ROUNDS = 50
+"""Rounds in which levels of rest are found, at most."""
 _STEADY_REST_N = 0.15
+"""Least force by which a cell may leave its level at rest."""
 LAG_FRAMES = 3 * max(LAGS)
 """More are needed to tell a lag."""
 _CURVE_DEGREE = 3

@@ -10,9 +10,13 @@ from jaxtyping import Bool, Float, Int
 from design.errors import RecordingError
 
 FACES = (1, 2, 3, 4, 5)
+"""Faces that recordings may have: all but the open one."""
 LARGEST_COUNT = 2.0**24
+"""Largest count that may be meant: more than any converter gives."""
 LARGEST_FORCE_N = 1000.0
+"""Largest force that may be meant."""
 LARGEST_PLACE_MM = 300.0
+"""Farthest place that may be meant."""
 _LEAST_FALLS = 3
 """Steps back on end, without a step forward between them, that no clock started anew makes."""
 _SLOWEST_FRAME_S = 5.0

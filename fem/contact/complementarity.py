@@ -20,7 +20,9 @@ from scipy.optimize import nnls
 from design.errors import SolverError
 
 MAX_SWITCHES = 25
+"""Rounds in which unknowns switch between contact and none, at most."""
 _TOLERANCE = 1e-10
+"""Share of the largest gap that is rounding."""
 _TOUCHES_BELOW = 0.6
 """First guess: in contact to this part of the depth (a half of it in Hertz's, more on a layer)."""
 

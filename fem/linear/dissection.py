@@ -18,6 +18,7 @@ from scipy.sparse import csgraph
 from fem.linear.sparse import shape_of
 
 LEAF_UNKNOWNS = 700
+"""Unknowns up to which a part is not split further."""
 LARGE_GRAPH = 6000
 """Unknowns from which more splits are tried: there a good one is worth most."""
 

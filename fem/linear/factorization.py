@@ -29,13 +29,20 @@ from fem.linear.multifrontal import SingularSystemError, eliminate
 from fem.linear.sparse import block_matrix, columns_of, rows_of, shape_of, upper_triangle
 
 _SYMMETRIC_INDEFINITE = -2
+"""Type of matrix in PARDISO's numbering."""
 _LARGEST_RESIDUAL = 1e-6
+"""Relative residual above which a solution is refused."""
 ANALYSE_PHASE, _FACTOR, _SOLVE, _BACKWARD, _RELEASE = 11, 22, 33, 333, -1
+"""Phases of PARDISO, in its numbering."""
 (_POTRF,) = get_lapack_funcs(("potrf",), dtype="float64")
 _SCHUR_ALONE, _SCHUR_AND_FACTOR = 1, 2
+"""PARDISO's iparm(36): the Schur complement alone, or with a factor that solves."""
 _SINGLE_PIVOTS = 0
+"""PARDISO's iparm(21): pivots of one unknown."""
 _GIVEN_ORDER, _TELL_ORDER = 1, 2
+"""PARDISO's iparm(5): take an order of elimination, or return its own."""
 MOST_ORDERS = 8
+"""Orders of elimination that are kept, at most."""
 KEPT_ORDERS: dict[str, Int32[np.ndarray, "n"]] = {}
 """In which unknowns are eliminated, by the pattern of the matrix, of the last patterns. Newton's steps
 and materials share one: METIS takes 45 % of a factorization of 65 000 unknowns, more of smaller ones."""

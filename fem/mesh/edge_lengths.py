@@ -18,8 +18,11 @@ EdgeLength = Callable[[Float[np.ndarray, "point 3"]], Float[np.ndarray, "point"]
 """Wanted edge lengths (mm) at points of the object's frame (mm)."""
 
 _STEP_MM, _STEP_AT_RIMS_MM = 2.0, 1.0
+"""Steps of the grid that holds the edge lengths; finer where rims are."""
 _GRID_POINTS = 250_000
+"""Points of that grid, at most about: larger bodies have larger steps."""
 FINE_LAYER_MM = 0.5
+"""Depth below the surface down to which its fine edges stay."""
 _RIM_GROWTH = 0.7
 """Growth of the edges (mm per mm) away from the rims of rigid bodies."""
 

@@ -27,6 +27,7 @@ STEPS: dict[Step, str] = {
     "rest": "resting levels",
 }
 STILL_S, HELD_S, FURTHER_S, STEP_S, POSE_S = 10.0, 4.0, 10.0, 2.0, 20.0
+"""Times of recordings: at rest, a held magnet, further holds, a magnet put in, a pose."""
 STILL, STILL_AGAIN = "still", "still again"
 POSES = (("+z", "+x"), ("-z", "+x"), ("+x", "+y"), ("-x", "+y"), ("+y", "+z"), ("-y", "+z"))
 """Axis of the object that points up, and the one that points away from the user."""

@@ -14,9 +14,9 @@ from estimator.bringup.diagnosis.findings import HALF_95, ChipFound, Finding, ch
 from estimator.tolerances.selftest import sensor_names
 
 TURNED, GAIN, OFFSET = 6.0, 4.2, 5.0
+"""Standard deviations beyond tolerance and measurement at which a finding is made."""
 GAIN_TO_TELL, _SURELY = 0.1, 2.0
 """Of a whole chip, told with that many standard deviations beyond those of the alarm."""
-"""Standard deviations beyond tolerance and measurement at which a finding is made."""
 _EARTH_MISFIT = 3.0
 """Mean squared misfit, 1 expected, above which the room's field was not uniform or still."""
 

@@ -20,7 +20,9 @@ from estimator.field.models import field_of_each, magnets_model
 from estimator.field.vectors import components
 
 TURNED_UT = 100.0
+"""Standard deviation beforehand of a uniform change of the field."""
 WEAK, STRONG, ABSENT = 0.6, 1.6, 0.2
+"""Strength of a magnet over the designed one below, above and below which a finding is made."""
 _MARGIN = 10.0
 """ln of the odds by which another pocket must be likelier."""
 _ROBUST = 4.0

@@ -21,7 +21,9 @@ from estimator.recordings.formats.travel import TravelRecording
 TABLE_MM = (1.0, 0.5)
 """Steps of the twin's table in place and travel."""
 MOST_PRESSES = 500
+"""Presses that are judged, at most, drawn at random."""
 _NEIGHBOURS = 6
+"""Nodes of the table from which a place is taken."""
 _LEAST_SHARE = 0.05
 """Of the mean variance, kept in every direction of what a twin leaves."""
 

@@ -22,9 +22,13 @@ from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from fem.presses.results import MagnetMotions, PressForces
 
 PRESSES_PER_PLACE = 3
+"""Presses simulated at each place of each twin."""
 FRAMES_PER_PRESS = 12
+"""Frames of each press."""
 REST_FRAMES_PER_PRESS = 4
+"""Frames at rest with each press."""
 VALIDATION_SHARE = 0.2
+"""Share of the twins that validate."""
 _FIRST_SEED = 50_000
 """Added to the specification's seed: pre-training twins are never the experiments' hidden twin."""
 

@@ -28,7 +28,9 @@ WHOLE = ("core_shift", "core_yaw", "modulus")
 STIFFENING = (0.7, 0.7, 0.5, 1.0, 0.5)
 """Standard deviations beforehand of the coefficients a to e of `fem.large_strain.correction`."""
 ITERATIONS = 12
+"""Gauss–Newton steps, at most."""
 _STEP, _SETTLED = 0.05, 0.05
+"""Step of difference quotients, and of the fit at which it ends (standard deviations)."""
 FARTHEST = 5.0
 """Standard deviations that a number may go either way."""
 

@@ -24,12 +24,19 @@ from estimator.inversion.priors import Priors
 from estimator.inversion.problems import Observed, Problems
 
 _PITCH_MM = 3.0
+"""Distance of the places at which fits may start."""
 _FORCES_N = (0.7, 3.0, 10.0)
+"""Forces of these starts."""
 _PROBE_FORCES_N = (1.0, 5.0)
+"""Forces of starts with known probes."""
 _SCALES = (0.3, 2.5)
+"""Bounds on the factor by which a start's force is scaled to the readings."""
 _CHOSEN, _CHOSEN_PROBES = 4, 3
+"""Starts that are chosen for a frame of each number of tips: of free contacts, and of probes."""
 _APART_MM = 6.0
+"""Distance below which two starts are one."""
 _ANGLES = 8
+"""Turns of a probe that are tried, over its symmetry."""
 _SEEN, _ALIKE = 1e-6, 1e-9
 """Signals of a contact that shifts, in standard deviations, below which it shows nothing, and the share
 of them by which contacts that look alike are told apart."""

@@ -15,11 +15,13 @@ from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from fem.presses.results import MagnetMotions, PressForces
 
 _ROUNDING = 12**-0.5
+"""Standard deviation of rounding to whole counts."""
 BLIND = 1e9
 """Standard deviation (counts) of a channel that says nothing."""
 SUM_ERROR, MESH_ERROR = 0.006, 0.02
 """Of the signals: what summing the motions of contacts costs, and what meshes of one design do."""
 _OBJECTS = 3
+"""Virtual objects from which the model's error is taken."""
 MOST_ERROR = 0.25
 """Of a forward model that explains anything: signals off by more are not explained by it, however
 wrong it is known to be. Objects within the default tolerances differ by 0.17 from the design."""

@@ -24,12 +24,19 @@ from estimator.networks.intervals.conformal import conformal_quantile, student_b
 from estimator.networks.process import fit_process
 
 REFERENCE_FRAMES = 600
+"""Frames of the training set that novelty is measured from."""
 KNOWN_SHARE = 0.95
+"""Share of held-out frames that count as known."""
 SIGMA_SPAN = 3.0
+"""Signal, in standard deviations, up to which it counts in proportion (beyond: its logarithm)."""
 PLACE_GROUPS = 6
+"""Groups of places that are left out in turn."""
 PLACE_TREES = 30
+"""Trees of the forest by which these places are answered."""
 _PLACE_FRAMES = 2000
+"""Frames of that forest, at most."""
 _LEAST_GROWTH = 1e-3
+"""Growth of errors with the distance, at least."""
 WHOLLY_NEW_FROM = 2.0
 """Above this novelty the process alone answers. On made inner splits of a public recording held-out
 presses stay below 1.5, and places left out lie between 1.7 and 3.6."""

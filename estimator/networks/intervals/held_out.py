@@ -34,7 +34,9 @@ from estimator.networks.prediction import Prediction
 from estimator.networks.process import Process
 
 SHARPNESS = (1.0, 2.0, 4.0, 8.0, 16.0)
+"""Powers of the shares of force that are compared."""
 FAINT = (0.05, 0.2, 0.4)
+"""Shares below which force is left out, that are compared."""
 STEPS_OF_SHARES = 4
 """Shares are multiples of one over this."""
 

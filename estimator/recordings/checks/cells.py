@@ -11,15 +11,21 @@ from estimator.recordings.checks.faults import Fault, rows_text
 _BESIDE = 3
 """Rows on each side that a reading is held against; one wrong one among them counts for nothing."""
 _STEEP = 2.0
+"""Times the range of its neighbours beyond which a reading leaves them."""
 _LEAST_JUMP_N = 0.5
+"""Jump that counts, at least."""
 _JUMP_SHARE = 0.05
 """Of the usual range of a cell: readings of the public recordings leave their neighbours by 0.1 % at most."""
 _JUMP_SIGMAS = 10.0
+"""Jump that counts, over the noise."""
 _ROUNDS = 4
+"""Rounds in which jumps are sought, at most."""
 _WHOLE_CELL = 0.3
+"""Share of wrong readings above which they are no fault of single rows."""
 _UNEQUAL = 3.0
 """Jaws of the public recordings show 0.6 to 1.6 times one another, 1.01 in the middle."""
 _HELD_N = 1.0
+"""Force from which a frame is held."""
 LARGEST_RATE_HZ = 2000.0
 """Frames a second: a bus of Hall sensors gives some 500 at most."""
 

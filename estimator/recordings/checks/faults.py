@@ -12,9 +12,13 @@ from estimator.frames.dataset import NO_FACE
 from estimator.recordings.table import FACES, RawTable, channel_name
 
 NOISY_FACTOR = 3.0
+"""Noise over the median of an axis from which a channel is noisy."""
 JUMP_COUNTS = 500.0
+"""Change of the level at rest between two recordings that is reported."""
 _MOVED_COUNTS = 150.0
+"""Median change of the channels at rest that is reported."""
 _DOUBT_FACTOR = 3.0
+"""Response of another face, over the weakest of the named ones, from which a label is doubted."""
 _OPPOSITE_MM = 6.0
 """Two hand labels, each good to about one pixel of 3 mm."""
 

@@ -26,17 +26,23 @@ _LEAST_REPEATS = 3.0
 LEAST_TURNS = 0.35
 """Share of steps that go the other way than the step before: 2/3 of white noise, near 0 of none."""
 _ROUNDS = 6
+"""Rounds of the search, at most."""
 NO_ANSWER = (0.0, -1.0)
 """What buses give for a chip that does not answer: lines held low, and held high."""
 _LEAST_HITS = 8
+"""Times that one value must stand out by, at least."""
 _NEIGHBOURS = 5
+"""Values on each side that one is compared with."""
 _MOST_HITS = 3
 """Numbers that a sound channel drops to or ends at: 0 and both ends. More are bits lost on the way."""
 _HIT_SIGMAS = 7.0
+"""Standard deviations (Poisson) by which one value must stand out."""
 _SPREAD_COUNTS = 2.0
 """Noise from which readings spread over enough values for one of them to stand out."""
 _FEW_SPANS = 3
+"""Spans of rows up to which all are named."""
 _LEAST_COPY = 5
+"""Rows of a copy, at least."""
 _FINEST_COUNTS = 0.29
 """Noise (counts) of rounding to whole counts: 1/√12."""
 _NOTHING = "readings not used"

@@ -17,8 +17,11 @@ from estimator.recordings.checks.faults import Fault
 from estimator.recordings.table import channel_name
 
 _LEAST_SHARE = 0.1
+"""Share of repeated readings, at least."""
 _LEAST_WINDOWS = 10
+"""Windows over which their variance is taken, at least."""
 _WINDOW_ROWS = 20
+"""Rows of a window, at least."""
 _CLOCKED = 0.3
 """Variance over that of a binomial number below which repeats are no chance: windows of 20 rows of a
 clock that is 10 % slower have 0.14, ten windows of chance stay below 0.3 once in forty sensors."""
