@@ -38,7 +38,7 @@ def test_a_healthy_object_raises_no_alarm():
 
 
 def test_faults_of_several_chips_and_a_magnet_are_named_together():
-    faults = ("swap=F1-S2,F3-S1", "flip=F3-M2", "turn=F5-S1", "dead=F2-Y1", "gain=F4-S2=1.3")
+    faults = ("swap=F1-S2,F3-S1", "flip=F3-M2", "turn=F5-S1", "dead=F2-Y1", "gain=F4-S2=1.1")
     assert named(SMALL, 1, *faults) == {
         ("swapped chips", "F1-S2 and F3-S1"),
         ("flipped magnet", "F3-M2"),
