@@ -32,8 +32,8 @@ _GROWTH, _LARGEST_GROWTH, _LARGEST_BESIDE, _HALVINGS = 1.25, 8.0, 3.1, 3
 often the last step is halved."""
 _MARGIN = 1.05
 """Step in which a size that fits roughly grows until it is placed."""
-_DIGITS = 4
-"""Of a scale that is named."""
+_DIGITS, _ROUNDED = 4, 0.999
+"""Of a scale that is named, which may be rounded up by a thousandth; what that leaves of the longest edge."""
 _MOULD_MM = 30.0
 """Of walls and flanges, beyond the body."""
 _PLATE = 0.5
@@ -150,7 +150,8 @@ def smallest_working(
 
 def _most_growth(edge_mm: float, most: float = _LARGEST_GROWTH) -> float:
     """Return how far sizes are looked for: no edge of a body may be longer than `LONGEST_EDGE_MM`."""
-    return min(most, LONGEST_EDGE_MM[1] / edge_mm)
+    # a file's scale is rounded, which must not carry its body beyond the limit
+    return min(most, _ROUNDED * LONGEST_EDGE_MM[1] / edge_mm)
 
 
 def _is_placed(request: Request) -> bool:

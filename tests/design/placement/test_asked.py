@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import trimesh
 
 from design.layout.places.positions import sensor_layout
 from design.placement import asked
@@ -83,6 +84,18 @@ def test_the_smallest_size_that_works_is_found_to_a_few_percent(monkeypatch, lea
         assert smallest is None
     else:
         assert least <= smallest.size_mm[0] <= 1.035 * least + 0.5
+
+
+@pytest.mark.parametrize("edge_mm", [196.04, 180.3, 333.33, 499.99])
+def test_no_file_s_body_is_grown_beyond_what_a_body_may_measure(monkeypatch, tmp_path, edge_mm):
+    """A banana of 196 mm was asked for at 1000.18 mm, which is refused."""
+    path = tmp_path / "long.stl"
+    trimesh.creation.box((edge_mm, 79.0, 37.6)).export(path)
+    asked_for = []
+    ruled(monkeypatch, lambda request: asked_for.append(max(request.size_mm)))
+    request = Request("imported", (edge_mm, 79.0, 37.6), file=(("file", str(path)),))
+    assert smallest_working(request, edge_mm, grown_request) is None
+    assert 990 < max(asked_for) <= 1000
 
 
 def of_gaps(name):
