@@ -158,7 +158,6 @@ def test_the_page_of_estimators_tells_every_baseline_and_its_numbers():
     told = (
         f"{zeroing.ZERO_FRAMES} frames (`rest:20`: 20; {zeroing.LEAST_FRAMES} or more)",
         f"less than {zeroing.RETURN_SHARE:.0%} of".replace("%", " %"),
-        f"{zeroing.SETTLE_S:g} s that end a press",
         f"at most {zeroing.DRIFT_COUNTS_PER_S:g} count/s",
     )
     assert [words for words in told if words not in page] == []
