@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import _thread
 import json
 import os
 import re
 import signal
 import sys
+import threading
 import warnings
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -295,7 +297,24 @@ def _note_interrupts() -> list[int]:
         raise KeyboardInterrupt
 
     signal.signal(signal.SIGINT, note)
+    sys.unraisablehook = _interrupt_again
     return received
+
+
+_AGAIN_S = 0.05
+"""Time after which the destructor or callback that met an interrupt has ended."""
+
+
+def _interrupt_again(ignored: Any) -> None:
+    """Raise an interrupt once more that a destructor or callback met, which Python prints and forgets."""
+    if issubclass(ignored.exc_type, KeyboardInterrupt):
+        again = threading.Timer(
+            _AGAIN_S, _thread.interrupt_main
+        )  # at once, this hook would meet it
+        again.daemon = True
+        again.start()
+    else:
+        sys.__unraisablehook__(ignored)
 
 
 def _fail(message: str, code: int) -> None:

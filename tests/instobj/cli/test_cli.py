@@ -231,3 +231,24 @@ def test_a_cost_of_a_slip_wants_a_slip(tmp_path):
 )
 def test_options_of_one_text_and_those_that_went_say_what_to_write(words, told, tmp_path):
     assert_one_clear_error(run(*words.split(), cwd=tmp_path), told)
+
+
+def test_an_interrupt_that_a_destructor_meets_is_not_forgotten():
+    """Python prints such an exception and goes on."""
+    program = (
+        "import signal, time, typer; from instobj.cli.app import run_command\n"
+        "class Late:\n"
+        "    def __del__(self): signal.raise_signal(signal.SIGINT)\n"
+        "app = typer.Typer()\n"
+        "@app.command()\n"
+        "def work():\n"
+        "    Late()\n"
+        "    time.sleep(1)\n"
+        "    print('went on')\n"
+        "run_command(app, [])\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode == 130
+    assert "went on" not in done.stdout
+    assert "Traceback" not in done.stderr
+    assert "interrupted" in done.stderr
