@@ -2,7 +2,6 @@
 
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -41,6 +40,7 @@ from design.solids.probes import make_probe
 from design.solids.sampled import sampled_core_part
 from design.spec.object import ObjectSpec
 from tests.support.objects.worked_objects import worked
+from tests.support.scans import YCB
 
 CUBE = worked("closed box")
 DOWN = np.array([0.0, 0.0, -1.0])
@@ -353,7 +353,7 @@ def test_the_jig_s_post_is_judged_in_the_core_of_a_lopsided_body(tmp_path):
     assert sunk.place_mm[2] < 0, "at the lower end"
 
 
-PEAR = Path("/work/shared/data/ycb/YcbPear_vhacd.obj")
+PEAR = YCB / "YcbPear_vhacd.obj"
 
 
 @pytest.mark.skipif(not PEAR.is_file(), reason=f"the scan {PEAR} is not on this machine")

@@ -1,7 +1,5 @@
 """Parts of bodies that are known by their triangles, where their shape is no room's."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import trimesh
@@ -16,6 +14,7 @@ from design.solids import sampled
 from design.solids.sampled import sampled_core_part
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
+from tests.support.scans import YCB
 
 
 def test_a_core_of_walls_has_its_outlet_and_no_hollow_though_its_box_had_room(monkeypatch):
@@ -32,7 +31,7 @@ def test_a_core_of_walls_has_its_outlet_and_no_hollow_though_its_box_had_room(mo
     assert diameter * 0.7 < min(extents[:2]) <= max(extents[:2]) <= diameter
 
 
-BRICK = Path("/work/shared/data/ycb/YcbFoamBrick.obj")
+BRICK = YCB / "YcbFoamBrick.obj"
 
 
 @pytest.mark.skipif(not BRICK.is_file(), reason=f"the scan {BRICK} is not on this machine")
