@@ -128,7 +128,7 @@ def _read_part(counts: np.ndarray) -> int:
 
 
 def agreement(one: ContactSets, other: ContactSets) -> Result:
-    """How many frames have another number or other faces, and how far places, forces and odds differ
+    """Return how many frames have another number or other faces, and how far places, forces and odds differ
     in the rest."""
     differ, away_mm, away_n = 0, [0.0], [0.0]
     for row, number in enumerate(one.number):

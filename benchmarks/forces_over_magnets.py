@@ -172,7 +172,7 @@ class Star:
         self.distance_mm = RectBivariateSpline(AZIMUTHS, ELEVATIONS, found)
 
     def beyond_mm(self, points_mm: np.ndarray) -> np.ndarray:
-        """How much farther from the origin points lie than the surface."""
+        """Return how much farther from the origin points lie than the surface."""
         x, y, z = points_mm.T
         radius = np.linalg.norm(points_mm, axis=1)
         return radius - self.distance_mm.ev(np.arctan2(y, x), np.arcsin(z / radius))
@@ -192,7 +192,7 @@ class Star:
         return points(azimuth, elevation), normal
 
     def solid(self) -> Any:
-        """What lies inside the surface on the side +x."""
+        """Return what lies inside the surface on the side +x."""
         occ: Any = import_module("netgen.occ")
         face = occ.SplineSurfaceInterpolation(self.points_and_normals(*self.grid)[0])
         return face.Extrude(occ.Vec(-60, 0, 0))
@@ -310,7 +310,7 @@ def mesh_of(kind: str, x_mm: float, y_mm: float, edge_mm: float) -> tuple[Any, A
 
 
 def is_whole(kind: str) -> bool:
-    """Whether the body is not cut at y = 0."""
+    """Return whether the body is not cut at y = 0."""
     return kind in FLAT and FLAT[kind].whole
 
 

@@ -41,7 +41,7 @@ def option_parser(title: str) -> argparse.ArgumentParser:
 
 
 def machine(threads: int, packages: Sequence[str]) -> Result:
-    """What the figures were measured on; None for a package that is not installed."""
+    """Return what the figures were measured on; None for a package that is not installed."""
     return {
         "processor": _processor(),
         "system": platform.system(),
@@ -69,13 +69,13 @@ def conclude(
 
 
 def results_folder(options: argparse.Namespace, result: Result) -> Path:
-    """Where a benchmark writes: `--out`, or one folder a processor."""
+    """Return where a benchmark writes: `--out`, or one folder a processor."""
     slug = re.sub(r"[^a-z0-9]+", "-", result["machine"]["processor"].lower()).strip("-")
     return options.out or Path(__file__).parent / "results" / (slug or "unknown")
 
 
 def parts_folder(name: str, form: str, options: argparse.Namespace, result: Result) -> Path:
-    """Where finished parts of one form of a benchmark stand until all are."""
+    """Return where finished parts of one form of a benchmark stand until all are."""
     return results_folder(options, result) / f"{name}_parts_{form}"
 
 

@@ -58,7 +58,7 @@ def start_demo() -> tuple[subprocess.Popen[str], str]:
 
 
 def measured(page: Browser, demo: int, seconds: float) -> Result:
-    """What the page tells of that time, and processor times in ms per picture."""
+    """Return what the page tells of that time, and processor times in ms per picture."""
     roots = {"server": demo, "browser": page.process.pid}
     before = {name: processor_seconds(root) for name, root in roots.items()}
     drawn = page.ask("instobjLive.figures().objectDrawn")

@@ -127,7 +127,7 @@ def reserve_room(path: Path, start: int) -> None:
 
 
 def _cannot_write(target: Path, error: OSError) -> StoreError:
-    """What is in the way, where something is; else what the system says."""
+    """Return what is in the way, where something is; else what the system says."""
     file = next((one for one in target.parents if one.exists() and not one.is_dir()), None)
     why = str(error.strerror)
     if file is not None:

@@ -37,7 +37,7 @@ def missing_extra(error: ImportError) -> str | None:
 
 @contextmanager
 def deferred(*names: str) -> Iterator[None]:
-    """What is imported inside gets these modules empty; they are loaded at the first question, also
+    """Defer imports: modules imported inside come empty, and are loaded at the first question, also
     after this. Modules that are there already stay."""
     waiting = {name: _Deferred(name) for name in names if name not in sys.modules}
     sys.modules.update(waiting)

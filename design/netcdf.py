@@ -232,7 +232,7 @@ def _damage_told() -> Iterator[None]:
 
 
 def _as_written(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]]:
-    """What `write_netcdf` wrote, by HDF5 alone: the layers above it ask for each axis dozens of times,
+    """Return what `write_netcdf` wrote, by HDF5 alone: the layers above it ask for each axis dozens of times,
     which takes three times as long."""
     import h5py
 
@@ -273,7 +273,7 @@ def _attributes(found: Any) -> dict[str, Any]:
 
 
 def holds(path: Path | str, name: str) -> bool:
-    """Whether a file is NetCDF with a variable or an attribute of this name.
+    """Return whether a file is NetCDF with a variable or an attribute of this name.
 
     False also for a damaged one: whoever reads it says so.
     """
@@ -298,7 +298,7 @@ def _names_of(path: Path | str) -> tuple[Container[str], Container[str]]:
 
 
 def _read_apart(path: Path) -> tuple[dict[str, NamedArray], dict[str, Any]]:
-    """What a foreign file holds, read by a separate process; this one meets NumPy's arrays alone."""
+    """Return what a foreign file holds, read by a separate process; this one meets NumPy's arrays alone."""
     import h5py
 
     if not h5py.is_hdf5(path):

@@ -82,7 +82,7 @@ def end_seal(content: bytes | memoryview) -> bytes:
 
 
 def is_own(content: np.ndarray) -> bool:
-    """Whether this user's instobj wrote a file, by the list of what it wrote.
+    """Return whether this user's instobj wrote a file, by the list of what it wrote.
 
     Raises
     ------

@@ -112,7 +112,7 @@ def magnet_counts(spec: ObjectSpec) -> dict[str, Changes]:
 
 
 def poles(spec: ObjectSpec) -> dict[str, Changes]:
-    """Which of the five poles point inward."""
+    """Return which of the five poles point inward."""
     out, inward = "outward", "inward"
     return {
         "all outward": {"magnets.north": []},

@@ -107,7 +107,7 @@ def _smooth_fields(
 
 
 def recorded(hidden: HiddenObject, plan: PressPlan, forces: PressForces, seed: int) -> FrameSet:
-    """What the plan's session shows, zeroed; frames beyond the twin's reach are invalid."""
+    """Return what the plan's session shows, zeroed; frames beyond the twin's reach are invalid."""
     spec, rng = hidden.spec, np.random.default_rng([11, seed])
     places = np.array(plan.places_mm)
     time_s, number, force, counts = _session(hidden, plan, rng)

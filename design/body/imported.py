@@ -28,7 +28,7 @@ _NOTHING = 1e-9
 
 
 def body_of_file(path: Path, mm_per_unit: float = 1.0) -> dict[str, Any]:
-    """What `[body]` takes from a file: its path and the size of its box.
+    """Return what `[body]` takes from a file: its path and the size of its box.
 
     A unit of the file is `mm_per_unit` long; STEP files are read in mm whatever they are drawn in.
 

@@ -289,7 +289,7 @@ def _steps(reach_mm: float) -> int:
 def _traced(
     field: DistanceField, inward_mm: float, start_mm: np.ndarray, normal: np.ndarray
 ) -> np.ndarray:
-    """How far lines from above go (downwards negative) until they meet the surface; NaN if never."""
+    """Return how far lines from above go (downwards negative) until they meet the surface; NaN if never."""
     travel = np.zeros(len(start_mm))
     lowest = -2 * float(start_mm[0] @ normal)
     moving = np.arange(len(start_mm))

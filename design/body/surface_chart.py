@@ -88,7 +88,7 @@ class FaceFrame:
 
     @cached_property
     def flat(self) -> bool:
-        """Whether the surface is the frame's plane."""
+        """Return whether the surface is the frame's plane."""
         return self.relief == Cap()
 
     @cached_property
@@ -196,7 +196,7 @@ class FaceFrame:
         return np.concatenate([xy, above[..., None]], axis=-1)
 
     def covers(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Bool[np.ndarray, "*n"]:
-        """Whether places lie within the half extents."""
+        """Return whether places lie within the half extents."""
         share = np.asarray(xy_mm) / np.asarray(self.half_extents_mm)
         size = np.sum(share**2, axis=-1) if self.round else np.max(abs(share), axis=-1)
         return np.asarray(size <= 1 + 1e-9)
@@ -216,7 +216,7 @@ class FaceFrame:
         points_mm: Float[np.ndarray, "n 3"],
         along: Float[np.ndarray, "3"] | Float[np.ndarray, "n 3"],
     ) -> Float[np.ndarray, "n 3"]:
-        """Where lines through points along a direction (out of the surface) meet the surface.
+        """Return where lines through points along a direction (out of the surface) meet the surface.
 
         In the coordinates of `in_plane`; NaN where they miss the patch. Newton from outside, which
         converges from one side on a convex surface.
@@ -275,7 +275,7 @@ def cap_frame(
 
 
 def steepest_reach_mm(across_mm: float, high_mm: float) -> float:
-    """Where a cap of those semi-axes is as steep as a patch may be; 0 where there is no cap."""
+    """Return where a cap of those semi-axes is as steep as a patch may be; 0 where there is no cap."""
     if across_mm <= 0:
         return 0.0
     return across_mm * STEEPEST / float(np.hypot(STEEPEST, high_mm / across_mm))

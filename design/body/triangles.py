@@ -45,7 +45,7 @@ class Block:
     def holds(
         self, points_mm: Float[np.ndarray, "n 3"], margin_mm: float = 0.0
     ) -> Bool[np.ndarray, "n"]:
-        """Whether points lie in the block grown by a margin on all sides."""
+        """Return whether points lie in the block grown by a margin on all sides."""
         local = abs((points_mm - self.centre_mm) @ self.axes)
         return np.all(local <= self.half_mm + margin_mm, axis=1)
 

@@ -30,7 +30,7 @@ class MagnetPart:
     source: str
 
     def figures(self) -> dict[str, Any]:
-        """What `[magnets]` takes from the part."""
+        """Return what `[magnets]` takes from the part."""
         known: dict[str, Any] = {"shape": self.shape, "height_mm": self.height_mm}
         if self.shape == "block":
             known["size_mm"] = self.across_mm
@@ -113,7 +113,7 @@ class MagnetGrade:
     max_temperature_c: float = 80.0
 
     def admits(self, remanence_t: float) -> bool:
-        """Whether a magnet of this grade may have that remanence."""
+        """Return whether a magnet of this grade may have that remanence."""
         return self.remanence_min_t <= remanence_t <= self.remanence_max_t
 
 

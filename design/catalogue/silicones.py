@@ -34,7 +34,7 @@ class ModulusEstimate:
         return (self.low_mpa, self.high_mpa)
 
     def admits(self, youngs_modulus_mpa: float) -> bool:
-        """Whether a modulus lies in the interval."""
+        """Return whether a modulus lies in the interval."""
         return self.low_mpa <= youngs_modulus_mpa <= self.high_mpa
 
 

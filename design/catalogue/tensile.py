@@ -75,7 +75,7 @@ class TensileFit:
 
 
 def left_out(test: TensileTest) -> str:
-    """What of a test is not fitted, and why; empty where all of it is."""
+    """Return what of a test is not fitted, and why; empty where all of it is."""
     count = int((test.stretch > FIT_TO_STRETCH).sum())
     if not count:
         return ""

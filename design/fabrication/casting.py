@@ -141,7 +141,7 @@ def check_shared(
 
 
 def draws(spec: ObjectSpec) -> list[Draw]:
-    """How the mould comes off, part by part, in this order."""
+    """Return how the mould comes off, part by part, in this order."""
     frame, free = mould_frame(spec), float("inf")
     plug = [Draw("mould_plug", frame.out, 0.0)] if frame.plugged else []
     if mould_style(spec) == "one-piece":
@@ -211,7 +211,7 @@ def check_undercut(
 
 
 def undercut_finding(spec: ObjectSpec, draw: Draw, found: Undercut) -> Finding:
-    """Whether silicone gives way to an undercut: it needs room, and strain that it bears."""
+    """Return whether silicone gives way to an undercut: it needs room, and strain that it bears."""
     strain = found.depth_mm / spec.shell.thickness_mm
     room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
     allowed = PEEL_SHARE * spec.silicone.elongation_percent / 100
@@ -372,5 +372,5 @@ def check_blocked(
 
 
 def _through(hole: Hole, part: str) -> Hole:
-    """What of a hole a part must leave open: the rod of a holder stands in the silicone beside it."""
+    """Return what of a hole a part must leave open: the rod of a holder stands in the silicone beside it."""
     return hole.outside if part == "mould_holder" else hole

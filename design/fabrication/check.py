@@ -110,7 +110,7 @@ def check_solid(
 
 
 def _apart(part: str) -> str:
-    """What to change where cuts of a part graze each other."""
+    """Return what to change where cuts of a part graze each other."""
     if not part.startswith(("mould_half", "mould_seal_half")):
         return "move its recesses, holes or pockets apart"
     return "turn the seam (mould.parting_azimuth_deg), or move its magnets,"

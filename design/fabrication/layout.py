@@ -36,7 +36,7 @@ def layout_findings(spec: ObjectSpec, recesses: bool = True) -> list[Finding]:
 
 
 def failures(findings: list[Finding]) -> list[str]:
-    """What fails, in words."""
+    """Return what fails, in words."""
     return [one.told for one in findings if one.status == "fail"]
 
 

@@ -80,7 +80,7 @@ def check_edges(part: Part, mesh: trimesh.Trimesh) -> list[Finding]:
 
 
 def check_bed(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Finding]:
-    """Whether a printed part fits the bed in some upright position."""
+    """Return whether a printed part fits the bed in some upright position."""
     if part.material != "printed":
         return []
     room = [limit - edge for limit, edge in zip(*_rising(spec.printer.bed_mm, mesh), strict=True)]

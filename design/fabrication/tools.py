@@ -53,7 +53,7 @@ def check_tools(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Fi
 
 
 def _on_jig(jig: trimesh.Trimesh, body: list[Named]) -> Finding:
-    """How far the object must be lifted until nothing of it stands in the jig.
+    """Return how far the object must be lifted until nothing of it stands in the jig.
 
     A volume alone says little: the post under a pear shared 1.3 mm³ with a core that stood 1.5 mm high.
     """

@@ -24,7 +24,7 @@ _EXACT_MM = 1e-6
 
 
 def check_boards(spec: ObjectSpec) -> Iterator[str]:
-    """What of them does not fit; nothing where the boards lie in the shell."""
+    """Yield what of them does not fit; nothing where the boards lie in the shell."""
     if spec.arrangement == "sensors-in-core":
         yield from _check_recesses_off_passages(spec)
         yield from _check_boards_in_core(spec)
@@ -156,7 +156,7 @@ def _meeting(spec: ObjectSpec) -> Iterator[tuple[Mounted, Mounted, float]]:
 
 
 def beyond_core_mm(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
-    """How far points lie outside the core, or the base with its border (mm)."""
+    """Return how far points lie outside the core, or the base with its border (mm)."""
     body = body_of(spec)
     beside = np.max(abs(points_mm) - body.half_mm, axis=1)
     return np.maximum(body.core_distance_mm(points_mm), beside)

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def check_box(spec: ObjectSpec) -> Iterator[str]:
-    """What does not fit in a box that has room for its core."""
+    """Yield what does not fit in a box that has room for its core."""
     yield from _check_recesses(spec)
     yield from _check_wire_passages(spec)
     yield from _check_pockets(spec)
@@ -39,7 +39,7 @@ def _smallest_half_extents_mm(spec: ObjectSpec) -> tuple[float, float]:
 
 
 def check_box_core(spec: ObjectSpec) -> Iterator[str]:
-    """Whether there is room for a core."""
+    """Yield a problem where there is no room for a core."""
     smallest = min(spec.core_size_mm)
     if smallest <= 2 * spec.core.wall_mm:
         yield (

@@ -51,7 +51,7 @@ def check_body(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
 
 
 def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
-    """Where a press of the table would leave its patch or goes too deep."""
+    """Yield where a press of the table would leave its patch or goes too deep."""
     deepest, silicone = spec.press.depths_mm[-1], body_of(spec).silicone_mm
     if deepest > _LARGEST_SHARE * silicone:
         yield (
@@ -79,7 +79,7 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
 def _corners_stay(
     frame: FaceFrame, corner_mm: np.ndarray, shares: np.ndarray, reach_mm: float
 ) -> np.ndarray:
-    """Whether all four corners of a grid, drawn in to each share of the way, stay on their patch."""
+    """Return whether all four corners of a grid, drawn in to each share of the way, stay on their patch."""
     signs = np.array(list(product((1.0, -1.0), repeat=2)))
     places = shares[:, None, None] * corner_mm * signs
     stays = stays_on_patch(frame, places.reshape(-1, 2), reach_mm)
@@ -113,7 +113,7 @@ def _check_what_boxes_can(spec: ObjectSpec) -> Iterator[str]:
 
 
 def check_body_core(spec: ObjectSpec) -> Iterator[str]:
-    """What other bodies than boxes cannot have; else whether there is room for a core."""
+    """Return what other bodies than boxes cannot have; else whether there is room for a core."""
     return iter([*_check_what_boxes_can(spec)] or [*_check_core(spec)])
 
 
@@ -192,7 +192,7 @@ def _check_depth(spec: ObjectSpec, pocket: Pocket) -> Iterator[str]:
 
 
 def _inwards(frame: FaceFrame, xy_mm: np.ndarray) -> str:
-    """Where on its way to the middle a place lies on the patch."""
+    """Return where on its way to the middle a place lies on the patch."""
     shares = np.linspace(1, 0, 101)[:, None]
     x, y = np.round(shares[np.argmax(frame.covers(shares * abs(xy_mm)))] * xy_mm, 3) + 0.0
     return f"inwards, as to ({x:.4g}, {y:.4g})"
@@ -235,7 +235,7 @@ def check_sensors(spec: ObjectSpec) -> Iterator[str]:
 
 
 def room_for_recesses(spec: ObjectSpec) -> tuple[float, str]:
-    """What recesses must be less deep than (mm), and what it is called."""
+    """Return what recesses must be less deep than (mm), and what it is called."""
     body, wall = body_of(spec), spec.core.wall_mm
     room, what = body.room_for_recesses
     hollow = body.opening != "closed" and not body.on_base
@@ -279,7 +279,7 @@ def _listed(what: str, numbers: Sequence[int]) -> str:
 
 
 def _nearer_boards(spec: ObjectSpec) -> str:
-    """How far from the middles of the faces all boards find room, with their recesses."""
+    """Return how far from the middles of the faces all boards find room, with their recesses."""
     core, sensors = spec.core, spec.sensors
     otherwise = "a smaller board (sensors.package_mm), a thinner shell or a larger body"
     if sensors.positions_mm is not None:

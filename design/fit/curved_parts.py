@@ -98,7 +98,7 @@ def _check_pockets(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
 
 
 def _under(key: Block, ends_mm: np.ndarray, away_mm: float) -> bool:
-    """Whether a key that is nearer to a pocket's axis than its radius reaches above its floor."""
+    """Return whether a key that is nearer to a pocket's axis than its radius reaches above its floor."""
     along = (ends_mm[1] - ends_mm[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
     return bool(((key.corners_mm - ends_mm[0]) @ along).max() > 0 or away_mm == 0)
 

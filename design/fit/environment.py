@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def check_environment(spec: ObjectSpec) -> Iterator[str]:
-    """Where steel or a stray magnet reaches into the object, or one the other."""
+    """Yield where steel or a stray magnet reaches into the object, or one the other."""
     half = [edge / 2 for edge in spec.body.size_mm]
     for index, stray in enumerate(spec.environment.magnets):
         outside = [max(abs(p) - h, 0.0) for p, h in zip(stray.position_mm, half, strict=True)]

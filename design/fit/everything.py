@@ -28,7 +28,7 @@ def problems_of(spec: ObjectSpec, table: bool = True) -> list[str]:
 
 
 def fits(spec: ObjectSpec, table: bool = True, mould: bool = True) -> bool:
-    """Whether `problems_of` would find nothing; quicker where it would, as the first one decides.
+    """Return whether `problems_of` would find nothing; quicker where it would, as the first one decides.
 
     Without `mould`, which takes longest, that is left to `can_be_moulded`.
     """
@@ -36,7 +36,7 @@ def fits(spec: ObjectSpec, table: bool = True, mould: bool = True) -> bool:
 
 
 def can_be_moulded(spec: ObjectSpec) -> bool:
-    """Whether the mould of what fits otherwise has no problem either."""
+    """Return whether the mould of what fits otherwise has no problem either."""
     return next(check_mould(spec, ways=False), None) is None
 
 

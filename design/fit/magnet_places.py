@@ -37,7 +37,7 @@ def placed_pockets(spec: ObjectSpec) -> list[Placed]:
 
 
 def lies_on_patch(frame: FaceFrame, pocket: Pocket, cover_mm: float) -> bool:
-    """Whether a face covers a pocket, and the silicone over what lies in it is known (not NaN)."""
+    """Return whether a face covers a pocket, and the silicone over what lies in it is known (not NaN)."""
     return bool(np.isfinite(cover_mm)) and bool(frame.covers(pocket.reach_mm))
 
 
@@ -53,7 +53,7 @@ def beside_patches(spec: ObjectSpec) -> dict[str, list[Placed]]:
 
 
 def where_on_patches(spec: ObjectSpec, placed: Sequence[Placed]) -> str:
-    """Where one magnet of these faces would lie on the patches of all, its pin clear of the flange."""
+    """Return where one magnet of these faces would lie on the patches of all, its pin clear of the flange."""
     closing = flange_solids(spec) if _is_split(spec) else []
 
     def known(frame: FaceFrame, pocket: Pocket) -> bool:

@@ -68,7 +68,7 @@ def _check_closure(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
 
 
 def _where(placed: Sequence[Placed], works: Callable[[FaceFrame, Pocket], bool]) -> str:
-    """Where a magnet of these faces is to go, so that its pins work."""
+    """Return where a magnet of these faces is to go, so that its pins work."""
     place = nearest_inwards(placed, works)
     if place is None:
         return "Leave the magnet out, or the face with body.sensed_faces"

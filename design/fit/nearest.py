@@ -156,7 +156,7 @@ def least_spacing_mm(indenter: IndenterSpec) -> float:
 
 
 def excess(reach: tuple[float, float], limits: tuple[float, float]) -> str:
-    """How far in x and y something reaches too far."""
+    """Return how far in x and y something reaches too far."""
     over = [max(r - limit, 0.0) for r, limit in zip(reach, limits, strict=True)]
     return " and ".join(
         f"{o:.3g} mm in {axis}" for o, axis in zip(over, "xy", strict=True) if o > 0

@@ -30,7 +30,7 @@ Corners = Float[np.ndarray, "corner 2"]
 
 
 def check_parts(spec: ObjectSpec) -> Iterator[str]:
-    """What of these does not fit."""
+    """Yield what of these does not fit."""
     cuboid = body_of(spec).cuboid
     if spec.core.keys.positions_mm:
         yield from with_nearest(spec, _check_keys if cuboid else check_curved_keys, nearest_keys)
@@ -289,7 +289,7 @@ def _radial(azimuth: float, radii: tuple[float, float], width: float) -> Corners
 
 
 def overlap(a: Corners, b: Corners) -> bool:
-    """Whether two convex polygons (corners counter-clockwise) overlap: no edge separates them."""
+    """Return whether two convex polygons (corners counter-clockwise) overlap: no edge separates them."""
     for polygon, other in ((a, b), (b, a)):
         edge = np.roll(polygon, -1, axis=0) - polygon
         outward = np.column_stack([edge[:, 1], -edge[:, 0]])

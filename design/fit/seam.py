@@ -101,7 +101,7 @@ def _walls(spec: ObjectSpec) -> Iterator[tuple[float, Float[np.ndarray, "3"], Pi
 
 
 def _thin_pouring(spec: ObjectSpec) -> Iterator[str]:
-    """Where no place of the pouring holes is free of them."""
+    """Yield where no place of the pouring holes is free of them."""
     for hole in _thin_pour_holes(spec)[:1]:
         place = ", ".join(f"{x:.1f}" for x in within_mould(spec, hole)[1])
         yield (

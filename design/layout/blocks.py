@@ -52,7 +52,7 @@ def _key(spec: ObjectSpec, frame: FaceFrame, xy_mm: np.ndarray) -> Block:
 
 
 def _sunk_mm(spec: ObjectSpec, tangent: FaceFrame, xy_mm: np.ndarray) -> float:
-    """How deep an underside lies whose corners are all in the core."""
+    """Return how deep an underside lies whose corners are all in the core."""
     signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) / 2
     corners = xy_mm + signs * spec.core.keys.size_mm
     sunk = 0.0

@@ -124,7 +124,7 @@ def wire_bundle_mm(spec: ObjectSpec) -> float:
 
 
 def wires_through(diameter_mm: float, spec: ObjectSpec) -> int:
-    """How many wires a round hole takes, loosely packed."""
+    """Return how many wires a round hole takes, loosely packed."""
     return int(PACKING * (diameter_mm / WIRE_DIAMETER_MM) ** 2 + 1e-9)
 
 

@@ -146,7 +146,7 @@ def _in_socket(socket: Socket) -> Locator:
 
 
 def why_no_mould(spec: ObjectSpec) -> str | None:
-    """What keeps the object from being cast in a mould of ours; None where nothing does."""
+    """Return what keeps the object from being cast in a mould of ours; None where nothing does."""
     if opening_of(spec) == "closed" and not locators(spec) and spec.shell.seal_layer_mm:
         return (
             "a layer is poured round a closed body while pins hold its core beside the magnets, and "

@@ -60,7 +60,7 @@ class Socket:
 
     @property
     def end_mm(self) -> Float[np.ndarray, "3"]:
-        """Where the hole meets the wire holes."""
+        """Return where the hole meets the wire holes."""
         return self.frame.centre_mm - (self.depth_mm + self.length_mm) * self.frame.normal
 
 

@@ -32,7 +32,7 @@ def dents_mm(spec: ObjectSpec) -> Float[np.ndarray, "face body"]:
 def sunk_mm(
     spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "point 2"]
 ) -> Float[np.ndarray, "point"]:
-    """How far the surface lies below the face as designed, at places of the face (its number)."""
+    """Return how far the surface lies below the face as designed, at places of the face (its number)."""
     index = spec.body.sensed.index(face)
     pockets, depths = shell_pockets(spec)[index], dents_mm(spec)[index]
     dishes = [d * _dish(pocket, xy_mm) for pocket, d in zip(pockets, depths, strict=True)]

@@ -141,7 +141,7 @@ class Pocket:
 
 @once
 def shell_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
-    """What moves with the silicone, face by face, heights above the body's face."""
+    """Return what moves with the silicone, face by face, heights above the body's face."""
     return magnet_bodies(spec) if spec.arrangement == "sensors-in-core" else sensor_boards(spec)
 
 
@@ -359,7 +359,7 @@ class PocketEnds:
 
 
 def pocket_ends(frame: FaceFrame, pockets: tuple[Pocket, ...]) -> PocketEnds:
-    """Where the pockets of a face lie in the object."""
+    """Return where the pockets of a face lie in the object."""
     axes = [axis_in_object_mm(frame, pocket) for pocket in pockets]
     radii = [pocket.outline.radius_mm for pocket in pockets]
     return PocketEnds(np.reshape(axes, (-1, 2, 3)), np.asarray(radii, float))

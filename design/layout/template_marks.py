@@ -33,7 +33,7 @@ def pockets_by_face(spec: ObjectSpec) -> list[tuple[FaceFrame, tuple[Pocket, ...
 
 
 def hole_centre_mm(pocket: Pocket) -> Float[np.ndarray, "2"]:
-    """Where the pocket's axis leaves the face."""
+    """Return where the pocket's axis leaves the face."""
     return pocket.body.centre_mm[:2] + pocket.mouth_mm * pocket.axis[:2]
 
 

@@ -63,7 +63,7 @@ def tip_heights_mm(shape: TipShape, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[n
 
 
 def tip_places_mm(indenter: IndenterSpec) -> Float[np.ndarray, "tip 2"]:
-    """Where the lowest points of the probe's tips are, about the place pressed."""
+    """Return where the lowest points of the probe's tips are, about the place pressed."""
     reach = float(np.linalg.norm(tip_shape(indenter).corners_mm, axis=1).max())
     places = tip_positions_mm(indenter.tip_count, reach, indenter.tip_spacing_mm)
     yaw = np.deg2rad(indenter.yaw_deg)
@@ -80,7 +80,7 @@ def footprint_mm(indenter: IndenterSpec) -> Float[np.ndarray, "2 2"]:
 
 
 def tips_overlap(indenter: IndenterSpec, offset_mm: Float[np.ndarray, "2"]) -> bool:
-    """Whether tips of two such indenters overlap, the second `offset_mm` beside the first.
+    """Return whether tips of two such indenters overlap, the second `offset_mm` beside the first.
 
     Convex outlines are apart where some direction separates them; directions are tried every 1°.
     """
@@ -95,7 +95,7 @@ def tips_overlap(indenter: IndenterSpec, offset_mm: Float[np.ndarray, "2"]) -> b
 def path_mm(
     indenter: IndenterSpec, depths_mm: Sequence[float] | np.ndarray
 ) -> Float[np.ndarray, "step 2"]:
-    """How far the indenter has moved sideways at each depth of its oblique path."""
+    """Return how far the indenter has moved sideways at each depth of its oblique path."""
     return np.multiply.outer(np.asarray(depths_mm), np.tan(np.deg2rad(indenter.direction_deg)))
 
 

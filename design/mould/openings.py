@@ -77,7 +77,7 @@ def seal_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
 
 
 def sealed_round(spec: ObjectSpec) -> trimesh.Trimesh:
-    """What is within the finished silicone but for a bore and pins: air meets the outside alone."""
+    """Return what is within the finished silicone but for a bore and pins: air meets the outside alone."""
     surface, body = finished_surface(spec), body_of(spec)
     if body.opening == "bore":
         return surface.difference(_bore(spec))

@@ -26,7 +26,7 @@ from design.spec.object import ObjectSpec
 
 
 def make_mould_plug(spec: ObjectSpec) -> Solid:
-    """What the core fills, and the flange, in the object's frame (mm).
+    """Return what the core fills, and the flange, in the object's frame (mm).
 
     Raises
     ------

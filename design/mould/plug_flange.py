@@ -53,7 +53,7 @@ def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
 
 
 def tabs(spec: ObjectSpec) -> list[cq.Solid]:
-    """What the walls at the ends of `along` are raised by, in the object's frame (mm)."""
+    """Return what the walls at the ends of `along` are raised by, in the object's frame (mm)."""
     frame = mould_frame(spec)
     if not frame.plugged:
         return []

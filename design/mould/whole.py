@@ -23,7 +23,7 @@ def mould_around(spec: ObjectSpec) -> list[Solid]:
 
 
 def inside_of_mould(spec: ObjectSpec) -> list[Shape]:
-    """What keeps the core's room free: the plug, or the core itself and the rod that holds it."""
+    """Return what keeps the core's room free: the plug, or the core itself and the rod that holds it."""
     frame = mould_frame(spec)
     if frame.opening == "closed":
         return [core_outside(spec)]
@@ -33,5 +33,5 @@ def inside_of_mould(spec: ObjectSpec) -> list[Shape]:
 
 
 def has_mould(spec: ObjectSpec) -> bool:
-    """Whether a mould can be made for the body."""
+    """Return whether a mould can be made for the body."""
     return why_no_mould(spec) is None

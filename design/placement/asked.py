@@ -106,7 +106,7 @@ def _larger(request: Request) -> Iterator[str]:
 
 
 def _shorter_somewhere(one: Request, other: Request) -> bool:
-    """Whether one size is below the other along any edge."""
+    """Return whether one size is below the other along any edge."""
     return any(a < b for a, b in zip(one.size_mm, other.size_mm, strict=True))
 
 

@@ -40,7 +40,7 @@ def turned(tables: Tables, azimuth_deg: float) -> Tables:
 
 
 def hooked_by_azimuth_mm(tables: Tables) -> dict[float, float]:
-    """How deep halves hook the body, of seams 5° apart and finer beside those that do least."""
+    """Return how deep halves hook the body, of seams 5° apart and finer beside those that do least."""
 
     def depths(azimuths: Iterable[float]) -> dict[float, float]:
         return {azimuth: hooked_depth_mm(spec_of(turned(tables, azimuth))) for azimuth in azimuths}
@@ -125,5 +125,5 @@ def _needed_mm(request: Request) -> float:
 
 @lru_cache(maxsize=16)
 def least_hooked_mm(request: Request) -> float:
-    """How deep halves hook the body at the best azimuth."""
+    """Return how deep halves hook the body at the best azimuth."""
     return min(hooked_by_azimuth_mm(bare_tables(request, TRIMS[-1])).values())

@@ -173,7 +173,7 @@ def _of_shells(
 
 
 def fits_roughly(request: Request) -> bool:
-    """Whether the thinnest shell takes everything: trying all is slow."""
+    """Return whether the thinnest shell takes everything: trying all is slow."""
     return next(_roughly(request), None) is not None
 
 

@@ -41,7 +41,7 @@ _FACING_DEG, _ROUND, _ALONG_MM = 18.0, 24, 0.25
 
 
 def tight_core(spec: ObjectSpec, sunk: bool = True) -> bool:
-    """Whether a wall between two recesses is too thin to print.
+    """Return whether a wall between two recesses is too thin to print.
 
     Not `sunk`: as deep as on a flat core, which is quicker and never tighter.
     """
@@ -50,7 +50,7 @@ def tight_core(spec: ObjectSpec, sunk: bool = True) -> bool:
 
 
 def low_rim(spec: ObjectSpec) -> bool:
-    """Whether a recess's floor comes nearer to the core's surface than a wall that can be printed.
+    """Return whether a recess's floor comes nearer to the core's surface than a wall that can be printed.
 
     Where another side of the core is so near, the wall is too thin (`tight_rim`); where the core only
     slopes away, the wall is low there.
@@ -60,7 +60,7 @@ def low_rim(spec: ObjectSpec) -> bool:
 
 
 def tight_rim(spec: ObjectSpec) -> bool:
-    """Whether a recess ends so near another side of the core that the wall there is too thin to print.
+    """Return whether a recess ends so near another side of the core that the wall there is too thin to print.
 
     A wall is where the core's surface faces a side of the recess, or its floor, within 45°. What is
     less steep is no wall but a slope, on which the recess must only keep its floor a printed layer
@@ -98,7 +98,7 @@ def _floor_edges(recess: Recess) -> tuple[Points, Points]:
 
 
 def tight_middle(spec: ObjectSpec) -> bool:
-    """Whether a wall between a recess and the wire hole is too thin to print.
+    """Return whether a wall between a recess and the wire hole is too thin to print.
 
     A recess in the middle of its face swallows the hole.
     """
@@ -158,7 +158,7 @@ def thin_over_outlet(spec: ObjectSpec) -> bool:
 
 
 def thin_round_bore(spec: ObjectSpec) -> bool:
-    """Whether a side of the core that runs along its bore is too thin to print, as of a flat body's.
+    """Return whether a side of the core that runs along its bore is too thin to print, as of a flat body's.
 
     Where the core slopes away from the bore by more than what rays take for a wall, it has an edge there.
     """
@@ -179,7 +179,7 @@ def thin_round_bore(spec: ObjectSpec) -> bool:
 
 
 def tight_shell(spec: ObjectSpec) -> bool:
-    """Whether silicone over, under, between or beside the magnets' pockets is too thin to cast, or is
+    """Return whether silicone over, under, between or beside the magnets' pockets is too thin to cast, or is
     not known, where a pocket reaches past its patch."""
     least = _ROOMY * spec.silicone.thinnest_wall_mm
     placed = [
@@ -201,7 +201,7 @@ def tight_shell(spec: ObjectSpec) -> bool:
 
 
 def tight_marks(spec: ObjectSpec) -> bool:
-    """Whether marks of polarity leave walls too thin to print on the templates of flat faces."""
+    """Return whether marks of polarity leave walls too thin to print on the templates of flat faces."""
     if not all(frame.flat for frame in face_frames(spec)):
         return False
     return thinnest_mark_wall_mm(spec) < spec.printer.wall_mm

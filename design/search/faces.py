@@ -28,7 +28,7 @@ def layout_groups(spec: ObjectSpec) -> tuple[tuple[int, ...], ...]:
 
 
 def group_labels(spec: ObjectSpec) -> tuple[str, ...]:
-    """What names of variables begin with, group by group; nothing where there is one."""
+    """Return what names of variables begin with, group by group; nothing where there is one."""
     groups = layout_groups(spec)
     return ("",) if len(groups) == 1 else tuple(f"face{group[0]}_" for group in groups)
 

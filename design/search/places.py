@@ -36,7 +36,7 @@ class PlaceMap:
 
 
 def magnet_maps(structured: ObjectSpec, names: tuple[str, ...]) -> tuple[PlaceMap, ...]:
-    """Where magnets are, of what `with_structure` made, for each of `layout_groups`; `names` are the
+    """Return where magnets are, of what `with_structure` made, for each of `layout_groups`; `names` are the
     continuous variables'."""
     count = structured.magnets.count
     tilts = structured.magnets.tilt_deg or ((0.0, 0.0),) * count
@@ -51,7 +51,7 @@ def magnet_maps(structured: ObjectSpec, names: tuple[str, ...]) -> tuple[PlaceMa
 
 
 def sensor_maps(structured: ObjectSpec, names: tuple[str, ...]) -> tuple[PlaceMap, ...]:
-    """Where sensors are, where they move: one layout for every face of a group."""
+    """Return where sensors are, where they move: one layout for every face of a group."""
     still = np.zeros((structured.sensors.count_per_face, 2))
     return tuple(_place_map(names, label, "sensor", still) for label in group_labels(structured))
 
@@ -73,7 +73,7 @@ def polarities(structured: ObjectSpec, params: Mapping[str, Any]) -> list[float]
 def choices_of_magnets(
     structured: ObjectSpec, params: Mapping[str, Any], name: Literal["north", "grade", "size"]
 ) -> list[str]:
-    """What a trial chose for every magnet of a face."""
+    """Return what a trial chose for every magnet of a face."""
     return [params[f"magnet{k}_{name}"] for k in range(1, structured.magnets.count + 1)]
 
 

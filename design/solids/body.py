@@ -67,7 +67,7 @@ def outer_solid(spec: ObjectSpec) -> cq.Solid:
 
 
 def cavity_solid(spec: ObjectSpec, overshoot_mm: float) -> cq.Solid | None:
-    """What the core and its passage keep free, so far beyond the open faces; None where nothing."""
+    """Return what the core and its passage keep free, so far beyond the open faces; None where nothing."""
     body, solids = body_of(spec), _solids(spec)
     if solids.cavity is not None:
         return solids.cavity(body, overshoot_mm)

@@ -81,7 +81,7 @@ def _is_folded(surface: trimesh.Trimesh) -> bool:
 
 
 def cut(body: Shape, *tools: Shape) -> Shape:
-    """What is left of a body without the tools."""
+    """Return what is left of a body without the tools."""
     if not tools:
         return body
     exact = _exact(body, *tools)
@@ -101,7 +101,7 @@ def join(body: Shape, *tools: Shape) -> Shape:
 
 
 def common(body: Shape, tool: Shape) -> Shape:
-    """What a body and a tool share."""
+    """Return what a body and a tool share."""
     exact = _exact(body, tool)
     if exact:
         return exact[0].intersect(exact[1])

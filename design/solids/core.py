@@ -109,7 +109,7 @@ def wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
 
 
 def _passage_mm(spec: ObjectSpec, frame: FaceFrame) -> float:
-    """How deep a wire hole is: through the wall of a hollow core, else to where wires leave.
+    """Return how deep a wire hole is: through the wall of a hollow core, else to where wires leave.
 
     A cavity that is narrower than the hole would leave a film round its mouth.
     """

@@ -85,7 +85,7 @@ def _on_post(spec: ObjectSpec) -> bool:
 
 
 def _in_cup(spec: ObjectSpec) -> bool:
-    """Whether the body's lower end is round: a closed one, that has no flat end to stand on."""
+    """Return whether the body's lower end is round: a closed one, that has no flat end to stand on."""
     body = body_of(spec)
     return body.opening == "closed" and not (body.on_base or body.opens_sides)
 

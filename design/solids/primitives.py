@@ -187,7 +187,7 @@ def _loose_mm(shape: cq.Shape) -> float:
 
 
 def _tight_mm(shape: cq.Shape) -> float:
-    """What merging may leave: a hole through a ball's seam got an edge 6.2 mm beside the ball, whose
+    """Return what merging may leave: a hole through a ball's seam got an edge 6.2 mm beside the ball, whose
     triangles then closed half of the hole."""
     return max(_LOOSE_MM, _loose_mm(shape))
 

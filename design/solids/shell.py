@@ -51,7 +51,7 @@ def cast_envelope(spec: ObjectSpec) -> cq.Solid:
 
 
 def cavity(spec: ObjectSpec, overshoot_mm: float = 0.0) -> list[cq.Solid]:
-    """What the core and its keys keep free of silicone, out through the open faces and beyond."""
+    """Return what the core and its keys keep free of silicone, out through the open faces and beyond."""
     block = cavity_solid(spec, overshoot_mm)
     keys = [block_solid(key) for key in core_keys(spec)]
     return keys if block is None else [block, *keys]
@@ -75,7 +75,7 @@ def pocket_prisms(spec: ObjectSpec) -> list[cq.Solid]:
 
 
 def locator_hole(locator: Locator) -> cq.Solid:
-    """What a locating pin leaves in the silicone, from within the core to outside the face."""
+    """Return what a locating pin leaves in the silicone, from within the core to outside the face."""
     past = OVERSHOOT_MM + locator.radius_mm * locator.rise_mm
     bottom = -locator.depth_mm - past
     return cylinder_on_face(locator.frame, (0.0, 0.0), locator.radius_mm, bottom, past)

@@ -204,7 +204,7 @@ def _takes_booleans(annotation: Any) -> bool:
 
 
 def _holds_a_boolean(given: Any) -> bool:
-    """Whether one stands in a value or list; a table among these is looked at as a part of its own."""
+    """Return whether one stands in a value or list; a table among these is looked at as a part of its own."""
     if isinstance(given, list | tuple):
         return any(map(_holds_a_boolean, given))
     return isinstance(given, bool)
@@ -262,7 +262,7 @@ def _complaint(problem: Any, model: type[BaseModel]) -> str:
 
 
 def _shown(problem: Any) -> str:
-    """What was received, cut where it is long."""
+    """Return what was received, cut where it is long."""
     text = repr(problem.get("input"))
     return text if len(text) <= 80 else f"{text[:60]}…"
 

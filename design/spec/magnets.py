@@ -37,7 +37,7 @@ Places = Annotated[tuple[tuple[Coordinate, Coordinate], ...], Field(min_length=1
 
 
 def _depth_of_lists(given: Any) -> str:
-    """Whether places are given for each face of its own, or one list for all."""
+    """Return whether places are given for each face of its own, or one list for all."""
     try:
         return "each face" if isinstance(given[0][0], list | tuple) else "all faces"
     except (IndexError, KeyError, TypeError):
@@ -210,7 +210,7 @@ class MagnetSpec(SpecPart):
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """What tells magnets apart: size where there are several, and grade, else remanence."""
+        """Return what tells magnets apart: size where there are several, and grade, else remanence."""
         names = self.grades or tuple(f"{one:g} T" for one in self.remanences_t)
         if len(self.distinct_sizes) == 1:
             return names
@@ -342,7 +342,7 @@ def _names(part: Any) -> bool:
 
 
 def _figures_of_parts(names: str | Sequence[str], graded: bool) -> dict[str, Any]:
-    """What one catalogued magnet gives for all magnets, or several for one each."""
+    """Return what one catalogued magnet gives for all magnets, or several for one each."""
     if isinstance(names, str):
         part = magnet_part(names)
         return part.figures() | ({"grade": part.grade} if graded and part.grade else {})

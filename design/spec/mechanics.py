@@ -80,7 +80,7 @@ class SlipSpec(SpecPart):
 
     @property
     def slipped(self) -> bool:
-        """Whether there is any slip."""
+        """Return whether there is any slip."""
         return any(self.shift_mm) or any(self.rotation_deg)
 
 

@@ -105,7 +105,7 @@ class SiliconeSpec(SpecPart):
 
     @property
     def modulus_source(self) -> str:
-        """Where the modulus comes from, in words."""
+        """Return where the modulus comes from, in words."""
         known = _estimate(self.name, self.shore)
         if known is not None and known.youngs_modulus_mpa == self.youngs_modulus_mpa:
             return known.source

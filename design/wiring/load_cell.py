@@ -31,7 +31,7 @@ class LoadCellPlan:
 
     @property
     def title(self) -> str:
-        """What is read, where."""
+        """Return what is read, where."""
         if self.kind == "hx711":
             return f"HX711 with data on {self.pins[0]} and clock on {self.pins[1]}"
         return f"force sensor with a voltage on {self.pins[0]}"
@@ -47,7 +47,7 @@ class LoadCellPlan:
         return _HX711_SUPPLY_MA if self.kind == "hx711" else 0.0
 
     def parts(self, board: Board) -> tuple[tuple[str, int], ...]:
-        """What is bought for it."""
+        """Return what is bought for it."""
         if self.kind == "hx711":
             return ((HX711, 1), (LOAD_CELL, 1))
         divider = ((RESISTOR, 2),) if board.adc[2] < 1 else ()

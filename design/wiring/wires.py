@@ -56,7 +56,7 @@ def _load_mm(start: str) -> float:
 
 
 def _end(plan: BusPlan, chip: ChipOnBus, pad: str) -> str:
-    """Where the wire of a sensor's pad ends."""
+    """Return where the wire of a sensor's pad ends."""
     if pad == "GND":
         return "strip GND"
     if pad == "VCC":

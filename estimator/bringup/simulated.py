@@ -90,7 +90,7 @@ class SimulatedObject:
     magnets_in: int = 0
 
     def recording(self, asked: Asked) -> Recording:
-        """What the board sends while the user does as asked."""
+        """Return what the board sends while the user does as asked."""
         field_mt = self._field_mt(asked)
         # c chip, b coordinate of the field, a channel; … frames
         counts = np.einsum("cab,...cb->...ca", self.matrix, field_mt) + self.offset

@@ -60,7 +60,7 @@ class RecordedPresses:
         return len(self.case)
 
     def face_of_case(self, face: int) -> Bool[np.ndarray, "case"]:
-        """Which cases press a face."""
+        """Return which cases press a face."""
         return np.array([any(contact[0] == face for contact in case) for case in self.cases])
 
 

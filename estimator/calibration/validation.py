@@ -60,7 +60,7 @@ class Figure:
 
 
 def cannot_be_told(exchanges: int) -> str:
-    """Why a null of so few orders of the places (the true one among them) decides nothing, "" where
+    """Return why a null of so few orders of the places (the true one among them) decides nothing, "" where
     it can: the smallest possible p is above `SIGNIFICANCE`."""
     if 1 / exchanges <= SIGNIFICANCE:
         return ""

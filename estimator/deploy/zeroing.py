@@ -57,14 +57,14 @@ _JUDGED_EVERY_S = 0.08
 
 
 def is_still(window: Float[np.ndarray, "frame channel"]) -> bool:
-    """Whether frames scatter about their mean no more than from one to the next."""
+    """Return whether frames scatter about their mean no more than from one to the next."""
     steps = np.diff(window, axis=0)
     noise = np.maximum(np.mean(steps**2, axis=0) / 2, 1 / 12)
     return bool(np.mean(window.var(axis=0, ddof=1) / noise) <= STILL_RATIO)
 
 
 def is_pause(elapsed_s: float) -> bool:
-    """Whether frames so far apart belong to different stretches; so does time that runs back."""
+    """Return whether frames so far apart belong to different stretches; so does time that runs back."""
     return elapsed_s > PAUSE_S or elapsed_s < 0
 
 
@@ -121,7 +121,7 @@ class RestZero:
         return elapsed_s
 
     def _spans(self, first: int) -> bool:
-        """Whether the window lasts long enough from that frame on."""
+        """Return whether the window lasts long enough from that frame on."""
         return self.now_s - self.window[first][0] >= _WINDOW_S
 
     def _judge(self, elapsed_s: float) -> None:

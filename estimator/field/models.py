@@ -61,7 +61,7 @@ class FieldModel:
 
     @property
     def has_side(self) -> bool:
-        """Whether the field depends on where a magnet's side points, as a block's does."""
+        """Return whether the field depends on where a magnet's side points, as a block's does."""
         return isinstance(self.magnet, BlockMagnet)
 
     def __call__(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Vector:
@@ -84,7 +84,7 @@ class MixedModel:
 
     @property
     def exact(self) -> bool:
-        """Whether that of any size is."""
+        """Return whether that of any size is."""
         return any(one.exact for one in self.of_sizes)
 
     @property

@@ -63,7 +63,7 @@ class DiskMagnet:
         return weights @ np.array([mean for _, mean in parts]) / weights.sum()
 
     def holds(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Any:
-        """Whether points (offsets from the centre, mm) lie in the outline; a hole counts as full."""
+        """Return whether points (offsets from the centre, mm) lie in the outline; a hole counts as full."""
         del side
         along = dot(offset_mm, axis)
         across_squared = dot(offset_mm, offset_mm) - along * along
@@ -106,7 +106,7 @@ class BlockMagnet:
         return _means(z, across_squared, weights[:, None] / 2 * weight, count)
 
     def holds(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Any:
-        """Whether points (offsets from the centre, mm) lie in the block or on its surface."""
+        """Return whether points (offsets from the centre, mm) lie in the block or on its surface."""
         along, first, second = local_coordinates(offset_mm, axis, side)
         x, y = self.size_mm
         return (abs(along) <= self.height_mm / 2) & (abs(first) <= x / 2) & (abs(second) <= y / 2)

@@ -190,7 +190,7 @@ def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> 
 
 
 def probe_tips_mm(spec: ObjectSpec, tips: int, pose: ProbePose) -> Float[np.ndarray, "tip 2"]:
-    """Where the tips of a probe land."""
+    """Return where the tips of a probe land."""
     x, y, turn = pose
     c, s = np.cos(np.deg2rad(turn)), np.sin(np.deg2rad(turn))
     places = tip_positions_mm(tips, spec.indenter.radius_mm)
@@ -220,7 +220,7 @@ def random_case(
 
 
 def _among_places(spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "tip 2"]) -> bool:
-    """Whether tips land between contact locations that the face has."""
+    """Return whether tips land between contact locations that the face has."""
     there = contact_places(spec)[spec.body.sensed.index(face)]
     return bool(among_pressed(contact_grid(spec), there, *xy_mm.T).all())
 

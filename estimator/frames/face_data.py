@@ -131,7 +131,7 @@ def channel_counts(
 
 
 def has_readings(frames: FrameSet, channels: tuple[Channel, ...]) -> Bool[np.ndarray, "frame"]:
-    """Which frames have a reading of each of the channels.
+    """Return which frames have a reading of each of the channels.
 
     Raises
     ------

@@ -115,7 +115,7 @@ def _common_travel_mm(traces: Traces, median_force_n: float) -> float:
 
 
 def plan_presses(spec: ObjectSpec, signals: Signals) -> PressPlan:
-    """Where and how hard each press of `simulate_presses` goes; fixed by `spec.seed`."""
+    """Return where and how hard each press of `simulate_presses` goes; fixed by `spec.seed`."""
     rng = np.random.default_rng((spec.seed, 1))
     protocol, peaks, grid = spec.protocol, nominal_peaks(spec, signals), contact_grid(spec)
     shape = (protocol.presses_per_place, *peaks.force_n.shape)

@@ -41,7 +41,7 @@ def require_same_object(
 
 
 def same_grid(one_mm: AnyGrid, other_mm: AnyGrid) -> bool:
-    """Whether two contact grids have the same places along both axes, to 1 µm."""
+    """Return whether two contact grids have the same places along both axes, to 1 µm."""
     return all(
         len(a) == len(b) and np.allclose(a, b, atol=_SAME_PLACE_MM)
         for a, b in zip(one_mm, other_mm, strict=True)

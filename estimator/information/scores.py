@@ -92,12 +92,12 @@ class PlaceScores:
 
     @property
     def places(self) -> Bool[np.ndarray, "face place"]:
-        """Which places of the grid each face has."""
+        """Return which places of the grid each face has."""
         return ~np.isnan(self.force_at_score_n)
 
     @property
     def judged(self) -> Bool[np.ndarray, "face place"]:
-        """Which of them a press reaches `score.force_n` at."""
+        """Return which of them a press reaches `score.force_n` at."""
         return self.reaches_score_force
 
     @property
@@ -276,7 +276,7 @@ def sensitivities(
 
 
 def weakest_place(scores: PlaceScores) -> WeakestPlace:
-    """Where the freshly zeroed object knows the contact location least."""
+    """Return where the freshly zeroed object knows the contact location least."""
     bound = scores.position_bound_mm
     worst = np.argmax(np.where(scores.judged, bound, -np.inf))
     face, place = (int(i) for i in np.unravel_index(worst, bound.shape))

@@ -115,7 +115,7 @@ def contact_jacobian(
 
 
 def _reaches(spec: ObjectSpec, signals: Signals, face: int) -> Bool[np.ndarray, "place"]:
-    """Whether a press of each place that the face has gets to `score.force_n`."""
+    """Return whether a press of each place that the face has gets to `score.force_n`."""
     there = contact_places(spec)[spec.body.sensed.index(face)]
     x, y = contact_grid(spec).xy_mm[there].T
     return press_traces(signals, np.full(len(x), face), x, y).force_n[:, -1] >= spec.score.force_n

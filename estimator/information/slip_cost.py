@@ -61,7 +61,7 @@ class SlipCost:
 
     @property
     def places(self) -> Bool[np.ndarray, "face place"]:
-        """Which places of the grid each face has."""
+        """Return which places of the grid each face has."""
         return ~np.isnan(self.force_n)
 
 

@@ -84,7 +84,7 @@ class WeakAreas:
 
 
 def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
-    """Which measures the position bounds of an object (fresh baseline) go with."""
+    """Return which measures the position bounds of an object (fresh baseline) go with."""
     from scipy.stats import rankdata
 
     rows, there = face_rows(spec, scores.faces), scores.judged
@@ -111,7 +111,7 @@ def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
 
 
 def thirds_of(value: Float[np.ndarray, "n"]) -> list[Bool[np.ndarray, "n"]]:
-    """Which locations have its smallest, middle and largest values; equal ones stay together."""
+    """Return which locations have its smallest, middle and largest values; equal ones stay together."""
     levels, counts = np.unique(value.round(_DIGITS), return_counts=True)
     cuts = levels[1:]
     if len(levels) > 3:

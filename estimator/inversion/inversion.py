@@ -65,7 +65,7 @@ class Inversion:
 
     @property
     def window_frames(self) -> int:
-        """How many frames are read as the mean of a hold."""
+        """Return how many frames are read as the mean of a hold."""
         return self.model.spec.inversion.window_frames
 
     @cached_property

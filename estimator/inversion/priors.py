@@ -108,7 +108,7 @@ class Pairs:
         return few
 
     def add(self, found: Quadratic, contact: Float[Array, "problem contact 3"]) -> None:
-        """What the priors say of them, added to the misfit with its slope and curvature."""
+        """Add what the priors say of contacts to the misfit, with its slope and curvature."""
         if self.priors.paired:
             self._balance(found, contact)
         if not self._some:
@@ -326,7 +326,7 @@ def fitting_sets(tips: int, spacing_mm: float, side_mm: float) -> float:
 def number_on(
     priors: Priors, face: Int[np.ndarray, "problem contact"]
 ) -> Int[np.ndarray, "problem face"]:
-    """How many contacts each face has."""
+    """Return how many contacts each face has."""
     return np.stack([np.sum(face == one, axis=1) for one in range(priors.faces)], axis=1)
 
 
@@ -350,6 +350,6 @@ def widths(priors: Priors) -> Float[np.ndarray, "3"]:
 
 
 def held_between(bounds: Bounds, priors: Priors) -> Bounds:
-    """What bounds of a model leave of the priors, or these of them."""
+    """Return what bounds of a model leave of the priors, or these of them."""
     (low, high), (least, most) = bounds, priors.force_n
     return np.array([*low[:2], least]), np.array([*high[:2], min(most, high[2])])

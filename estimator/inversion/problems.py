@@ -44,7 +44,7 @@ class Problems(Columns):
 
     @cached_property
     def number(self) -> Int[np.ndarray, "problem"]:
-        """How many contacts."""
+        """Return how many contacts."""
         return np.sum(self.face != NONE, axis=1)
 
 

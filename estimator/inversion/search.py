@@ -108,7 +108,7 @@ class Search:
 
     @cached_property
     def dictionary(self) -> Dictionary:
-        """What a contact begins as."""
+        """Return what a contact begins as."""
         return dictionary(self.model, self.priors)
 
     @property
@@ -118,7 +118,7 @@ class Search:
 
     @property
     def probes(self) -> bool:
-        """Whether contacts come as known probes, one a face."""
+        """Return whether contacts come as known probes, one a face."""
         return bool(self.priors.spacing_mm)
 
     @property
@@ -238,7 +238,7 @@ class Search:
         return better & self.bears_more(problems)
 
     def bears_more(self, problems: Problems) -> Bool[np.ndarray, "problem"]:
-        """Whether misfit, slots and jaws leave room for a further contact (or probe)."""
+        """Return whether misfit, slots and jaws leave room for a further contact (or probe)."""
         room = (self._possible(problems) > _HOPELESS) & (problems.number < self.priors.most)
         if self.probes and self.priors.paired:
             room &= number_on(self.priors, problems.face).astype(bool).sum(axis=1) < 2

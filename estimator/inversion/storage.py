@@ -96,7 +96,7 @@ def load_inversion(path: Path | str) -> Inversion:
 
 
 def is_inversion(path: Path | str) -> bool:
-    """Whether a file is such an estimator, by what it holds."""
+    """Return whether a file is such an estimator, by what it holds."""
     return holds(path, _KIND.schema[0])
 
 

@@ -43,7 +43,7 @@ class Layouts:
     )
 
     def kept(self, name: Hashable, made_of: tuple[Any, ...], make: Callable[[], _Made]) -> _Made:
-        """What is worked out once of these layouts and of these very objects, with its graph of
+        """Return what is worked out once of these layouts and of these very objects, with its graph of
         gradients: scorers of several forces share most of it."""
         key = name, *map(id, made_of)
         if key not in self._kept:

@@ -215,7 +215,7 @@ def _false_forces(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
 
 
 def gains(start: FidelityScore, found: FidelityScore) -> dict[str, float]:
-    """How many times better each score is than the start's: above 1 is better.
+    """Return how many times better each score is than the start's: above 1 is better.
 
     Of `MARGINS` the differences, as these may be negative.
     """

@@ -269,7 +269,7 @@ class Evolution:
         return torch.as_tensor(points, dtype=self.begin.dtype, device=self.begin.device)
 
     def tell(self, worth: Worth, progress: float) -> None:
-        """What the generation is worth, eased and with a share of the penalties."""
+        """Tell what the generation is worth, eased and with a share of the penalties."""
         own, share = share_of_objective(progress), share_of_penalty(progress)
         with np.errstate(invalid="ignore"):  # no share of what is infinite
             value = own * worth.value + (1 - own) * worth.eased

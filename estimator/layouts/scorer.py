@@ -157,7 +157,7 @@ def _ends_of_bodies_mm(scorer: LayoutScorer, face: int | None) -> tuple[Tensor, 
 
 
 def moving_bodies(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
-    """What moves with the silicone, as magnets of layouts: these, or boards that lie flat."""
+    """Return what moves with the silicone, as magnets of layouts: these, or boards that lie flat."""
     if not scorer.sensors_move:
         return layouts
 

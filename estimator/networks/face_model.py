@@ -148,7 +148,7 @@ def empty_network(
 
 
 def description(model: FaceModel) -> dict[str, Any]:
-    """What is written beside the weights."""
+    """Return what is written beside the weights."""
     return {
         "format": MODEL_FORMAT,
         "name": model.name,

@@ -143,7 +143,7 @@ def last_contact_before(loaded: Bool[np.ndarray, "frame"], before: int) -> int:
 def channel_jumps(
     rests: RestFrames, session: Int[np.ndarray, "frame"], noise: Float[np.ndarray, "channel"]
 ) -> Bool[np.ndarray, "gap channel"]:
-    """Which channels jumped between a rest and the next one of the session."""
+    """Return which channels jumped between a rest and the next one of the session."""
     same = np.diff(session[rests.first]) == 0
     return same[:, None] & (abs(np.diff(rests.counts, axis=0)) > LARGEST_DRIFT_NOISES * noise)
 

@@ -197,7 +197,7 @@ def estimate_lag(
     press: Int[np.ndarray, "frame"],
     stretch: Int[np.ndarray, "frame"],
 ) -> LagReport:
-    """How many frames the force lags behind the signals of the face that it presses.
+    """Return how many frames the force lags behind the signals of the face that it presses.
 
     Each press and cell gives one curve of residual variance against lag; the recording's lag
     minimises their mean. It is applied only if the presses agree and the residual falls. Presses too

@@ -43,7 +43,7 @@ class Scene:
 
     @property
     def bodies(self) -> int:
-        """How many bodies move with the silicone."""
+        """Return how many bodies move with the silicone."""
         return len(self.body_face)
 
     @property

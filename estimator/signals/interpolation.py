@@ -262,7 +262,7 @@ def among_pressed(
     x_mm: Float[np.ndarray, "press"],
     y_mm: Float[np.ndarray, "press"],
 ) -> Bool[np.ndarray, "press"]:
-    """Whether places of one face lie in a cell of the lattice whose corners are all pressed."""
+    """Return whether places of one face lie in a cell of the lattice whose corners are all pressed."""
     at = pressed.reshape(lattice.shape)
     cells = at[:-1, :-1] & at[1:, :-1] & at[:-1, 1:] & at[1:, 1:]
     within = np.zeros(len(x_mm), bool)

@@ -63,7 +63,7 @@ class PressStates:
         return self.rest + moved.reshape(7, len(force), *self.rest.shape)
 
     def simulated(self, modulus_ratio: float) -> Bool[np.ndarray, "press"]:
-        """Which presses have all their states within the simulated depths (`motion` clamps)."""
+        """Return which presses have all their states within the simulated depths (`motion` clamps)."""
         reach = np.min([traces.force_n[:, -1] for traces in self.traces], axis=0)
         return (1 + _FORCE_STEP) * self.force_n / modulus_ratio <= reach
 
@@ -97,7 +97,7 @@ def press_states(
 
 
 def rest_motion(motions: MagnetMotions) -> Float[np.ndarray, "body 6"]:
-    """What is there without a press: nothing, unless the core slipped."""
+    """Return what is there without a press: nothing, unless the core slipped."""
     return np.zeros(motions.motion.shape[-2:]) if motions.rest is None else motions.rest
 
 

@@ -95,7 +95,7 @@ class Signals:
 
     @cached_property
     def pressed(self) -> Bool[np.ndarray, "face place"]:
-        """Which places of the lattice each face has."""
+        """Return which places of the lattice each face has."""
         return np.asarray(~np.isnan(self.force_n).all(axis=2))
 
     @cached_property

@@ -111,7 +111,7 @@ def read_by(
 
 
 def contribution_sizes(assembly: Assembly) -> dict[str, int]:
-    """How many independent numbers each contribution has."""
+    """Return how many independent numbers each contribution has."""
     magnets, sensors = len(assembly.scene.magnets.face), len(assembly.scene.sensors.face)
     return {
         "magnet_seat": 2 * magnets,

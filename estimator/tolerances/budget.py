@@ -90,7 +90,7 @@ class Setting:
 
     @property
     def at_less(self) -> int:
-        """How many of the reached locations are judged at less, to leave room for softer silicone."""
+        """Return how many of the reached locations are judged at less, to leave room for softer silicone."""
         return sum(int(np.sum(s.force_n < self.spec.score.force_n)) for s in self.states)
 
     def read_by(self, face: int) -> int | None:
@@ -255,7 +255,7 @@ def _sigma(spec: ObjectSpec, live: Bool[np.ndarray, "every"]) -> Float[np.ndarra
 
 
 def _linear(setting: Setting, name: str) -> Iterator[_Deviation]:
-    """What one standard deviation of each of a contribution's numbers changes, to first order."""
+    """Yield what one standard deviation of each of a contribution's numbers changes, to first order."""
     design, (size, _) = setting.design, CONTRIBUTIONS[name]
     if not getattr(setting.spec.tolerances, size):
         return

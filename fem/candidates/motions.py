@@ -219,7 +219,7 @@ def middle_of(
 
 
 def stands_out_mm(spec: ObjectSpec, lattice: FaceCandidates) -> float:
-    """How far the mid-plane of a magnet at the least depth stands out of its face where it does most;
+    """Return how far the mid-plane of a magnet at the least depth stands out of its face where it does most;
     below 0 for the silicone over it."""
     frame = face_frame(spec, lattice.face)
     if frame.flat:

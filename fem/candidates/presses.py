@@ -304,7 +304,7 @@ def values_on_grid(
 def filled_candidates(
     lattices: tuple[FaceCandidates, ...], known: list[np.ndarray]
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """What goes on from the known candidates of every face to all of them."""
+    """Return what goes on from the known candidates of every face to all of them."""
     if all(here.all() for here in known):
         return lambda values: values
     blocks = [

@@ -91,7 +91,7 @@ def contact(
 
 
 def _expected(beside: Contact, firmness: np.ndarray, step: int) -> Bool[np.ndarray, "i"]:
-    """What touches: as beside, corrected by how the steps before differed from there."""
+    """Return what touches: as beside, corrected by how the steps before differed from there."""
     there = beside.firmness_mm3
     expected = there[step]
     if step:

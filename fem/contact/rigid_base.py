@@ -54,7 +54,7 @@ class RigidBase:
     edge_mm: float
 
     def weights(self, points_mm: Float[np.ndarray, "n 3"]) -> tuple[Float[np.ndarray, "n"], float]:
-        """How far the body is what lies under points of the face (0 to 1), and its depth (mm)."""
+        """Return how far the body is what lies under points of the face (0 to 1), and its depth (mm)."""
         x, y, z = ((points_mm - self.centre_mm) @ self.axes).T
         beyond = self.outline.beyond_mm(np.column_stack([x, y]))
         depth = np.clip(abs(z) - self.height_mm / 2, _LEAST_DEPTH_MM, None)
@@ -93,7 +93,7 @@ def widening_mm2(depth_mm: float, edge_mm: float, poisson_ratio: float) -> float
 def _of_pattern(
     elastic: tuple[float, float], pattern: bytes, count: int, depth_mm: float, edge_mm: float
 ) -> Float[np.ndarray, "patch patch"]:
-    """What is taken back of patches known by their centroids, area and variance."""
+    """Return what is taken back of patches known by their centroids, area and variance."""
     columns = np.frombuffer(pattern).reshape(count, -1)
     variance = columns[:, -1] + widening_mm2(depth_mm, edge_mm, elastic[1])
     wider = Patches(columns[:, -2], columns[:, :-2], variance, 1.0)

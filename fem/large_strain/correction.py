@@ -65,7 +65,7 @@ class QuantityError:
 
     @property
     def helps(self) -> bool:
-        """Whether a place left out is predicted better with the correction."""
+        """Return whether a place left out is predicted better with the correction."""
         return self.corrected_rms < self.uncorrected_rms
 
 
@@ -83,7 +83,7 @@ class CorrectionError:
 
 
 def press_pair(spec: ObjectSpec, press: LargeStrainPress) -> PressPair:
-    """What the correction needs of a press, depths without contact left out."""
+    """Return what the correction needs of a press, depths without contact left out."""
     kept = (press.force_n > 0) & (press.linear_force_n > 0)
     return PressPair(
         press.depth_mm[kept],
@@ -209,7 +209,7 @@ def _squeeze(
 def own_bodies(
     spec: ObjectSpec, face: int
 ) -> tuple[Bool[np.ndarray, "magnet"], Float[np.ndarray, "3"]]:
-    """Which magnets are a face's own, and its outward normal."""
+    """Return which magnets are a face's own, and its outward normal."""
     frame = next(frame for frame in face_frames(spec) if frame.number == face)
     return np.asarray(shell_body_layout(spec).face) == face, np.asarray(frame.normal, float)
 

@@ -77,7 +77,7 @@ def reference_shapes(element: Element) -> ReferenceShapes:
 
 
 def node_pattern(nodes: Int[np.ndarray, "tet shape"], node_count: int) -> NodePattern:
-    """Which pairs of nodes share an element."""
+    """Return which pairs of nodes share an element."""
     pairs = nodes[:, :, None].astype(np.int64) * node_count + nodes[:, None, :]
     slots, slot = np.unique(pairs.ravel(), return_inverse=True)
     row, columns = np.divmod(slots, node_count)

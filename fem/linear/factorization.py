@@ -212,7 +212,7 @@ def solver_of(matrix: sp.csr_matrix) -> Any:
 
 
 def pardiso_available() -> bool:
-    """Whether MKL's PARDISO can be called on this machine; `INSTOBJ_MKL=0` says no."""
+    """Return whether MKL's PARDISO can be called on this machine; `INSTOBJ_MKL=0` says no."""
     return os.environ.get("INSTOBJ_MKL") != "0" and mkl_library() is not None
 
 

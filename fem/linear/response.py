@@ -352,7 +352,7 @@ def last_columns(size: int, count: int) -> sp.csr_matrix:
 
 
 def motion_basis_of(mesh: TetMesh, space: DisplacementSpace, spec: ObjectSpec) -> sp.csr_matrix:
-    """What nothing holds is free, rigid magnets are six motions each."""
+    """Return what nothing holds is free, rigid magnets are six motions each."""
     free = space.elastic_nodes & ~held_components(space.nodes_mm, spec)
     if spec.mechanics.magnets == "points":
         return free_motion_basis(free)

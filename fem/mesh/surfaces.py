@@ -23,7 +23,7 @@ ON_SURFACE_MM = 0.1
 
 
 def surface_tolerance_mm(spec: ObjectSpec) -> float:
-    """How far a node may lie from the surface that it belongs to."""
+    """Return how far a node may lie from the surface that it belongs to."""
     return max(ON_SURFACE_MM, 2 * spec.mesh.envelope_mm)
 
 
@@ -55,7 +55,7 @@ def body_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
 def in_body(
     points_mm: Float[np.ndarray, "n 3"], layout: ShellBodies, index: int, spec: ObjectSpec
 ) -> Bool[np.ndarray, "n"]:
-    """Whether points lie inside the prism of one rigid body."""
+    """Return whether points lie inside the prism of one rigid body."""
     x, y, z = ((points_mm - layout.centre_mm[index]) @ layout.frame[index]).T
     body = layout.bodies[index]
     corner = body.outline.corners_mm(spec.mesh.magnet_sides)

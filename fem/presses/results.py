@@ -65,7 +65,7 @@ class MagnetMotions:
 
     @property
     def pressed(self) -> Bool[np.ndarray, "face place"]:
-        """Which places of the lattice each face has."""
+        """Return which places of the lattice each face has."""
         return np.asarray(~np.isnan(self.motion).all(axis=(2, 3, 4)))
 
     @property

@@ -26,7 +26,7 @@ def inward_motion_mm(
     xy_mm: Float[np.ndarray, "place 2"],
     depths_mm: Float[np.ndarray, "step"],
 ) -> Float[np.ndarray, "place step vertex"]:
-    """How far the vertices of every face, one after the other, move inwards under presses of one.
+    """Return how far the vertices of every face, one after the other, move inwards under presses of one.
 
     Right under the tip the surface shows up to some 5 % less depth than the tip has: an average over
     the mesh's hats cannot follow it further.
@@ -45,7 +45,7 @@ def mesh_vertices(
     response: ResponseOperator,
     points_mm: Float[np.ndarray, "point 3"],
 ) -> tuple[Int[np.ndarray, "vertex"], Float[np.ndarray, "vertex 3"]]:
-    """Which point of the mesh each vertex of the faces is, one face after the other, and the
+    """Return which point of the mesh each vertex of the faces is, one face after the other, and the
     outward normal there.
 
     Raises

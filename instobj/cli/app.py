@@ -255,7 +255,7 @@ def run_command(command: typer.Typer, arguments: list[str] | None = None) -> Non
 
 
 def _instead_of(error: typer.TyperException) -> str:
-    """What to write in place of an option that went with 0.2.0; nothing for other errors."""
+    """Return what to write in place of an option that went with 0.2.0; nothing for other errors."""
     instead = OPTIONS.get(getattr(error, "option_name", ""))
     return f" It went with 0.2.0: {instead}" if instead else ""
 
@@ -282,7 +282,7 @@ def _warning_line(
     lineno: int,
     line: str | None = None,
 ) -> str:
-    """What users are warned of in one line; other warnings with the line of code."""
+    """Return what users are warned of in one line; other warnings with the line of code."""
     if category in (UserWarning, FutureWarning):
         return f"warning: {message}\n"
     return f"{filename}:{lineno}: {category.__name__}: {message}\n"

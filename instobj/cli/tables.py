@@ -71,7 +71,7 @@ def print_result(result: dict[str, Any]) -> None:
 
 
 def _print_findings(console: Console, item: dict[str, Any]) -> None:
-    """What did not pass, in full, and how much did."""
+    """Print what did not pass, in full, and how much did."""
     console.rule(f"{item['name']}: fabrication on {item['printer']}, {item['silicone']}")
     rows = [
         {

@@ -25,7 +25,7 @@ def compare_scores(specs: list[ObjectSpec], out: Path) -> dict[str, Any]:
 
 
 def comparison_picture(specs: list[ObjectSpec], out: Path) -> Path:
-    """Where the figure of a comparison lies, and all else that is written of it."""
+    """Return where the figure of a comparison lies, and all else that is written of it."""
     return run_folder(out, "+".join(spec.name for spec in specs)) / "comparison.png"
 
 

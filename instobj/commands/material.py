@@ -98,7 +98,7 @@ def _in_catalogue(material: str) -> Silicone | None:
 
 
 def _by_crosshead(test: TensileTest) -> str:
-    """What a strain that is not measured on the specimen does to the modulus; empty where it is."""
+    """Return what a strain that is not measured on the specimen does to the modulus; empty where it is."""
     if "crosshead" not in test.details.get("Strain calculation", "").lower():
         return ""
     return (

@@ -168,7 +168,7 @@ def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
 
 
 def parts_somewhere(tables: Tables) -> bool:
-    """Whether any seam of a file's body hooks it no deeper than it gives way."""
+    """Return whether any seam of a file's body hooks it no deeper than it gives way."""
     spec = spec_of(tables)
     if not body_of(spec).from_file or mould_style(spec) != "split":
         return True
@@ -200,7 +200,7 @@ def told_unmade(failed: list[Finding], tables: Tables) -> str:
 
 
 def _how_it_hooks(tables: Tables) -> str:
-    """Which seam hooks a file's body least, and along which way halves would; empty of other kinds."""
+    """Return which seam hooks a file's body least, and along which way halves would; empty of other kinds."""
     if not KINDS[tables["body"].get("kind", BodySpec().kind)].from_file:
         return ""
     spec = spec_of(tables)
@@ -221,7 +221,7 @@ def _how_it_hooks(tables: Tables) -> str:
 
 
 def _why_seams_do_not_help(tables: Tables) -> str:
-    """Why no turn of the mould's seam makes walls that are too thin thicker; empty without a seam."""
+    """Return why no turn of the mould's seam makes walls that are too thin thicker; empty without a seam."""
     if mould_style(spec_of(tables)) != "split":
         return ""
     most = f"turned by up to {max(_TURNS_DEG):g}°"
@@ -242,7 +242,7 @@ def request_of(
     unit: str | None = None,
     scale: float | None = None,
 ) -> Request | None:
-    """What the options of `instobj new` ask for; None where none is given.
+    """Return what the options of `instobj new` ask for; None where none is given.
 
     Raises
     ------
@@ -341,7 +341,7 @@ def _refuse_alone(goes_with: str, **options: Any) -> None:
 
 
 def _left_out_faces(request: Request, sensed: list[int]) -> str:
-    """Which faces a placement does without."""
+    """Return which faces a placement does without."""
     told = f"{', '.join(map(str, sensed[:-1]))} and {sensed[-1]}" if sensed[1:] else str(sensed[0])
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     return (

@@ -19,7 +19,7 @@ _SECONDS = {"h": 3600, "d": 86_400, "w": 604_800}
 def look_after_store(
     root: Path, by_hash: bool, space: str | None, older_than: str | None
 ) -> dict[str, Any]:
-    """What lies in the store, after space was freed where that is asked.
+    """Return what lies in the store, after space was freed where that is asked.
 
     Raises
     ------

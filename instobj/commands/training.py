@@ -129,7 +129,7 @@ def run_on_data_set(
 
 
 def data_parts(frames: FrameSet, split: Split) -> list[dict[str, Any]]:
-    """What each part of the split holds; frames that are not used are left out."""
+    """Return what each part of the split holds; frames that are not used are left out."""
     rows = []
     for use, part in (
         ("training", split.train),

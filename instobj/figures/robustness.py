@@ -91,7 +91,7 @@ def _short(value: float) -> str:
 
 
 def tolerance_text(spec: ObjectSpec, name: str) -> str:
-    """What a row of the budget stands for, with its standard deviation."""
+    """Return what a row of the budget stands for, with its standard deviation."""
     from estimator.tolerances.assembly import CONTRIBUTIONS
 
     t = spec.tolerances

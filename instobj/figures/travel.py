@@ -77,7 +77,7 @@ def draw_residuals(
     suspects: list[Suspect],
     path: Path,
 ) -> Figure:
-    """Where the residuals of the judged presses lie, chip by chip, and what they point to (PNG)."""
+    """Return where the residuals of the judged presses lie, chip by chip, and what they point to (PNG)."""
     from matplotlib.figure import Figure
 
     xy = fitted.twin.pose.in_object(judged.tip_mm)[0]

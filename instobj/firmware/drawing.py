@@ -99,7 +99,7 @@ def _column(
 
 
 def _lanes(wires: Sequence[Wire]) -> list[float]:
-    """Where each wire turns (0 to 1 of its gap): wires to one pin turn together, others apart."""
+    """Return where each wire turns (0 to 1 of its gap): wires to one pin turn together, others apart."""
     ends: dict[tuple[int, bool], dict[str, int]] = {}
     for wire in wires:
         known = ends.setdefault(_gap(wire), {})

@@ -46,7 +46,7 @@ def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
 
 
 def _bench_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
-    """What lies beside the soldering iron: drawing, wires in order, parts to buy."""
+    """Return what lies beside the soldering iron: drawing, wires in order, parts to buy."""
     title = f"Wiring of {spec.name} on the {plan.board.title}, seen from the pads"
     wires = [astuple(wire) for wire in wires_of(plan)]
     return {
@@ -74,7 +74,7 @@ def _readme(spec: ObjectSpec, plan: BusPlan) -> str:
 
 
 def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
-    """What the README says of the load cell."""
+    """Return what the README says of the load cell."""
     cell, load = spec.load_cell, plan.load
     if load is None:
         return ""

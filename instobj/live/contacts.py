@@ -47,7 +47,7 @@ class Estimator(Protocol):
     def feed(
         self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
-        """What it reads in the next frame."""
+        """Return what it reads in the next frame."""
         ...
 
     def pass_by(
@@ -73,7 +73,7 @@ class InvertedContacts:
     def feed(
         self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
-        """What it reads in the next frame."""
+        """Return what it reads in the next frame."""
         found = self._reader.feed(raw_counts, time_s, left_out)
         if found is None:
             return None
@@ -114,7 +114,7 @@ class FaceContacts:
     def feed(
         self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
-        """What they read in the next frame."""
+        """Return what they read in the next frame."""
         rows, explained = [], True
         for reader in self._readers:
             found = reader.feed(raw_counts, time_s, left_out)

@@ -45,7 +45,7 @@ class PageSettings:
     token: str
 
     def url(self, port: int) -> str:
-        """Where a browser of this machine finds the page."""
+        """Return where a browser of this machine finds the page."""
         host = "127.0.0.1" if self.address in ("localhost", "0.0.0.0", "::") else self.address  # noqa: S104
         host = f"[{host}]" if ":" in host else host
         return f"http://{host}:{port}/" + (f"?token={self.token}" if self.token else "")
@@ -74,7 +74,7 @@ class PageProcess:
             self.lost += 1
 
     def commands(self) -> list[str]:
-        """What viewers asked for since the last time."""
+        """Return what viewers asked for since the last time."""
         found = []
         with suppress(EOFError, OSError):
             while self.connection.poll():
@@ -83,7 +83,7 @@ class PageProcess:
 
     @property
     def alive(self) -> bool:
-        """Whether the page is still served."""
+        """Return whether the page is still served."""
         return self.process.is_alive()
 
     def run_sender(self) -> None:
@@ -138,7 +138,7 @@ def _port_of(connection: Connection) -> int:
 
 
 def serve_page(connection: Connection, settings: PageSettings) -> None:
-    """What the page's process does, until the reader's end closes."""
+    """Run the page's process, until the reader's end closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.setswitchinterval(_SWITCH_S)
     try:

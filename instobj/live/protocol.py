@@ -61,7 +61,7 @@ def frames_message(
 def read_frames_message(
     message: bytes, channels: int
 ) -> tuple[Head, Sequence[Float[np.ndarray, "_ _"]]]:
-    """What `frames_message` was given: head, and rows, contacts, labels (float32)."""
+    """Return what `frames_message` was given: head, and rows, contacts, labels (float32)."""
     _, rows, contacts, labels, number, dropped, *times = _HEAD.unpack_from(message)
     values, parts, at = np.frombuffer(message, "<f4", offset=_HEAD.size), [], 0
     for count, wide in ((rows, 1 + channels), (contacts, CONTACT_WIDTH), (labels, LABEL_WIDTH)):

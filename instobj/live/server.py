@@ -76,7 +76,7 @@ def application(page: Page) -> web.Application:
 
 
 def is_loopback(address: str) -> bool:
-    """Whether only this machine reaches an address."""
+    """Return whether only this machine reaches an address."""
     if address == "localhost":
         return True
     try:

@@ -131,7 +131,7 @@ class Watch:
 
     @property
     def every_frame(self) -> bool:
-        """Whether no row may be left out in reading."""
+        """Return whether no row may be left out in reading."""
         return self.estimator is not None and self.estimator.every_frame
 
     def rezero(self) -> None:

@@ -103,7 +103,7 @@ def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding
 
 
 def _hidden(image: DepthImage, seen_mm: np.ndarray) -> bool:
-    """Whether a place lies behind the surface that its pixel shows."""
+    """Return whether a place lies behind the surface that its pixel shows."""
     left, right, bottom, top = image.extent_mm
     rows, columns = image.depth_mm.shape
     column = int((seen_mm[0] - left) / (right - left) * columns)

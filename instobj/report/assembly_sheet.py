@@ -76,7 +76,7 @@ def assembly_sheet(
 
 
 def _template(frames: Sequence[FaceFrame], parts: Sequence[str]) -> str:
-    """What kind of magnet template was built: flat, curved or none."""
+    """Return what kind of magnet template was built: flat, curved or none."""
     if not has_template(parts):
         return "none"
     return "flat" if all(frame.flat for frame in frames) else "curved"

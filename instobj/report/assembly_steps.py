@@ -12,7 +12,7 @@ from design.spec.object import ObjectSpec
 
 
 def steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
-    """What to do, in order, with the figures of this object and the parts that were built."""
+    """Return what to do, in order, with the figures of this object and the parts that were built."""
     first = ["Print all parts; remove strings and slivers, and see that the sliding parts move."]
     if spec.printer.process == "resin" and spec.silicone.cure == "platinum":
         first.append(
@@ -156,7 +156,7 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
 
 
 def _kinds(spec: ObjectSpec) -> str:
-    """Which of several kinds of magnets goes where."""
+    """Return which of several kinds of magnets goes where."""
     kinds = spec.magnets.by_kind
     if len(kinds) == 1:
         return ""
@@ -196,5 +196,5 @@ def _sealed(spec: ObjectSpec) -> list[str]:
 
 
 def has_template(parts: Collection[str]) -> bool:
-    """Whether a magnet template is among the names of the parts."""
+    """Return whether a magnet template is among the names of the parts."""
     return any(name.startswith("magnet_template") for name in parts)

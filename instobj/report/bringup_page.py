@@ -125,7 +125,7 @@ def _names_of(face: int, letter: str, count: int) -> list[str]:
 
 
 def _is_wrong(name: str, findings: Sequence[Finding]) -> bool:
-    """Whether a finding names this chip, one of its channels, or this magnet."""
+    """Return whether a finding names this chip, one of its channels, or this magnet."""
     face, part = name.split("-")
     own = {name} | ({f"{face}-{axis}{part[1:]}" for axis in "XYZ"} if part[0] == "S" else set())
     return any(own & set(finding.where.split(" and ")) for finding in findings)

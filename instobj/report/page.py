@@ -134,7 +134,7 @@ def _covered_by_face(spec: ObjectSpec) -> str:
 
 
 def is_papers_cube(spec: ObjectSpec) -> bool:
-    """Whether the object is the paper's cube, of which more is known."""
+    """Return whether the object is the paper's cube, of which more is known."""
     default = ObjectSpec(name="default")
     return all(getattr(spec, part) == getattr(default, part) for part in _PAPER_PARTS)
 

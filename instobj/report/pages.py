@@ -52,7 +52,7 @@ def embedded(path: Path) -> str:
 
 
 def policy() -> str:
-    """What a page with the viewer may do: run that program, show its own pictures, ask no network."""
+    """Return what a page with the viewer may do: run that program, show its own pictures, ask no network."""
     digest = base64.b64encode(hashlib.sha256(program().encode()).digest()).decode()
     own = "img-src data:; style-src 'unsafe-inline'"
     return f"default-src 'none'; {own}; script-src 'sha256-{digest}'"

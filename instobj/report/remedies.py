@@ -65,7 +65,7 @@ def _order(one: Remedy) -> tuple[float, ...]:
 
 
 def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dict[str, Any]:
-    """What turns the verdict, and a table of the best changes and pairs, as the page shows them."""
+    """Return what turns the verdict, and a table of the best changes and pairs, as the page shows them."""
     rows = content["alternatives"]
     found = remedies(spec, rows)
     figures = {tuple(row["changes"]): _figures(spec, row) for row in rows}
@@ -78,7 +78,7 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
 
 
 def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[str, str]:
-    """What the report's first lines say."""
+    """Return what the report's first lines say."""
     margin = PRESS_CURVES.read(results["press_curves"].folder)["saturation_margin"]
     objects = ROBUSTNESS.read(results["robustness"].folder).saturation
     verdict = judge(spec, SCORES.read(results["scores"].folder), margin, objects)
@@ -99,7 +99,7 @@ def _above(ratio: float) -> str:
 
 
 def decision(found: list[Remedy], go: bool) -> str:
-    """What to do, in one or two sentences."""
+    """Return what to do, in one or two sentences."""
     if go:
         return "Every limit is kept; nothing has to change"
     turning = [one for one in found if one.turns][:_SHOWN]

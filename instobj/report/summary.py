@@ -92,7 +92,7 @@ def _slip(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def identify_title(spec: ObjectSpec | None) -> str:
-    """What its numbers are medians of, with the force and the limit that they hold for."""
+    """Return what its numbers are medians of, with the force and the limit that they hold for."""
     force, limit = ("score.force_n", "limits.position_bound_mm")
     if spec is not None:
         force, limit = f"{spec.score.force_n:g} N", f"{spec.limits.position_bound_mm:g} mm"

@@ -43,7 +43,7 @@ def error_rows(content: dict[str, Any]) -> list[list[str]]:
 
 
 def error_note(content: dict[str, Any]) -> str:
-    """How the figures were obtained."""
+    """Return how the figures were obtained."""
     return (
         f"Discretisation error, estimated from the same {content['presses']} presses on a mesh with "
         f"edges 1.5 times as long ({content['coarse_unknowns']} unknowns): "
@@ -55,7 +55,7 @@ def error_note(content: dict[str, Any]) -> str:
 
 
 def summary_of(content: dict[str, Any]) -> dict[str, Any]:
-    """What the command line prints."""
+    """Return what the command line prints."""
     return {
         "estimate": error_text(content),
         "patch compliance": f"±{_percent(content['patch_compliance'])} at most",

@@ -48,7 +48,7 @@ class Verdict:
 
     @property
     def says_enough(self) -> bool:
-        """Whether little of the surface is left out."""
+        """Return whether little of the surface is left out."""
         return self.covered >= ENOUGH_COVERED
 
 
@@ -144,7 +144,7 @@ def _saturation(spec: ObjectSpec, margin: float, objects: Saturation) -> Check:
 
 
 def objects_text(objects: Saturation) -> str:
-    """How many virtual objects leave the range, at rest and from depth to depth."""
+    """Return how many virtual objects leave the range, at rest and from depth to depth."""
     shares = dict(zip(objects.depth_mm, objects.out_share, strict=True))
     at_rest, *pressed = (
         f"{100 * share:.1f} % {f'at {depth:g} mm' if depth else 'at rest'}"

@@ -40,7 +40,7 @@ def weak_areas_section(folder: Path) -> dict[str, Any]:
 
 
 def weak_text(content: dict[str, Any]) -> str:
-    """What the weak locations go with, and how much, in two sentences."""
+    """Return what the weak locations go with, and how much, in two sentences."""
     told_by, order = content["told_by"], content["rank_correlation"]
     if told_by is None:
         return "All contact locations lie alike: none of the measures tells them apart"

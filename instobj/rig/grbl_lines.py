@@ -95,7 +95,7 @@ class State:
 
     @property
     def held(self) -> bool:
-        """Whether a feed hold has come to its end."""
+        """Return whether a feed hold has come to its end."""
         return self.name == "Hold" and self.detail == 0
 
 

@@ -85,7 +85,7 @@ def touched_surface(
 
 
 def touch_places(places_mm: Float[np.ndarray, "place 2"]) -> Float[np.ndarray, "touch 2"]:
-    """Where to touch off: the place nearest to the middle, and the farthest along four diagonals."""
+    """Return where to touch off: the place nearest to the middle, and the farthest along four diagonals."""
     middle = int(np.linalg.norm(places_mm, axis=1).argmin())
     diagonals = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
     corners = (places_mm @ diagonals.T).argmax(axis=0).tolist()

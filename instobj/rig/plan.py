@@ -86,14 +86,14 @@ class PressSettings:
 
     @property
     def loaded_s(self) -> float:
-        """How long of it the tip touches the object."""
+        """Return how long of it the tip touches the object."""
         deepest, later = self.depths_mm[-1], self.strokes - 1
         moving_s = self._ways * deepest / self.speed_mm_s + later * deepest / self.stroke_speed_mm_s
         return moving_s + self.strokes * len(self.depths_mm) * self.dwell_s
 
     @property
     def clear_s(self) -> float:
-        """How long of it the tip is in the air."""
+        """Return how long of it the tip is in the air."""
         later_s = self.pause_s + self.lift_mm / self.stroke_speed_mm_s
         first_s = self._ways * self.approach_mm / self.speed_mm_s
         return _WAY_S + self.rest_s + first_s + (self.strokes - 1) * later_s
@@ -187,7 +187,7 @@ def settings_of_few(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> d
 
 
 def places_among(presses: int, reference_every: int) -> int:
-    """How many of so many presses are not returns to the reference place."""
+    """Return how many of so many presses are not returns to the reference place."""
     if not reference_every:
         return presses
     rounds = -(-max(presses - 1, 1) // (reference_every + 1))

@@ -96,7 +96,7 @@ def first_touch_mm(
 
 
 def felt_steps(forces_n: Float[np.ndarray, "step"], touch_n: float) -> int:
-    """How many of the last steps were felt, one after the other."""
+    """Return how many of the last steps were felt, one after the other."""
     faint = np.flatnonzero(forces_n < _FAINT * touch_n)
     return len(forces_n) - (int(faint[-1]) + 1 if len(faint) else 0)
 

@@ -44,7 +44,7 @@ def chain_score(spec: ObjectSpec) -> FidelityScore:
 
 
 def chain_seconds(spec: ObjectSpec) -> float:
-    """What the chain's stages up to the signals took when they were made, which they are where they
+    """Return what the chain's stages up to the signals took when they were made, which they are where they
     are not stored."""
     run = Run(spec)
     run.require(SIGNALS.stage)
@@ -52,7 +52,7 @@ def chain_seconds(spec: ObjectSpec) -> float:
 
 
 def second_seconds(spec: ObjectSpec) -> float:
-    """What the second fidelity level took, of the same kind."""
+    """Return what the second fidelity level took, of the same kind."""
     return Run(spec).require(SECOND_FIDELITY.stage).seconds
 
 

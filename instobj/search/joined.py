@@ -50,7 +50,7 @@ def in_time(
 
 
 def joining(asked: SearchSpec, now: SearchSpec) -> str:
-    """What becomes of the trials that are asked for, in words."""
+    """Return what becomes of the trials that are asked for, in words."""
     return (
         f"{asked.trials} trials of {asked.polish_steps} generations are joined to {now.trials} of "
         f"{now.polish_steps}, or as many as time allows: long runs find better layouts"

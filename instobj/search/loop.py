@@ -62,7 +62,7 @@ def run_search(
 
 
 def layouts_at_once(search: SearchSpec, processes: int) -> int:
-    """How many layouts a batch has: one for each process, more where they go on side by side."""
+    """Return how many layouts a batch has: one for each process, more where they go on side by side."""
     if os.environ.get(SWITCH, "").startswith("cuda"):
         return max(processes, CARD_BATCH)
     return processes if search.polish_steps else max(processes, PLAIN_BATCH)

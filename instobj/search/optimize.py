@@ -89,7 +89,7 @@ def optimize(
 
 
 def nothing_better(spec: ObjectSpec, kept: KeptTrials, limit: TimeLimit) -> dict[str, Any]:
-    """What is said where no trial but the start itself keeps every limit.
+    """Return what is said where no trial but the start itself keeps every limit.
 
     Raises
     ------

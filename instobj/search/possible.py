@@ -80,7 +80,7 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
 
 
 def _require_known_on(spec: ObjectSpec) -> None:
-    """What may vary on a body of this kind."""
+    """Refuse what may not vary on a body of this kind."""
     vary, kind = spec.search.vary, spec.body.kind
     if vary.shell_thickness_mm is not None and not body_of(spec).cuboid:
         raise InputError(
@@ -100,7 +100,7 @@ def _require_known_on(spec: ObjectSpec) -> None:
 
 
 def _require_mechanics(spec: ObjectSpec) -> None:
-    """What the fidelity levels cannot press, said before the minutes that the lower ones take."""
+    """Refuse what the fidelity levels cannot press, said before the minutes that the lower ones take."""
     fewest = min(contact_grid(spec).shape)
     if fewest < _FEWEST_IN_A_ROW:
         raise InputError(

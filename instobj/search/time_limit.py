@@ -43,7 +43,7 @@ class TimeLimit:
 
     @property
     def plain_engines_s(self) -> float:
-        """What plain engines may take for the page."""
+        """Return what plain engines may take for the page."""
         return _OF_PLAIN_ENGINES * _PAGE_SHARE * self.seconds
 
     @property
@@ -61,7 +61,7 @@ class TimeLimit:
 
     @property
     def plan(self) -> str:
-        """How the time is shared out, in words."""
+        """Return how the time is shared out, in words."""
         return (
             f"search.seconds = {self.seconds:g}: mechanics and trials until "
             f"{round(TRIALS_SHARE * self.searching_s)} s, then leaders; from what is left until "
@@ -70,7 +70,7 @@ class TimeLimit:
         )
 
     def mechanics_plan(self, lowest_s: float, chain_s: float) -> str:
-        """What of the time mechanics will take, in words; `lowest_s` 0 where those are stored.
+        """Return what of the time mechanics will take, in words; `lowest_s` 0 where those are stored.
 
         Raises
         ------

@@ -41,7 +41,7 @@ class Scored:
 
     @property
     def feasible(self) -> bool:
-        """Whether it has a result that keeps every limit."""
+        """Return whether it has a result that keeps every limit."""
         return bool(self.values) and self.broken_mm == 0 and not self.misfit
 
 

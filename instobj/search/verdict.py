@@ -56,7 +56,7 @@ class Promotion:
 
     @property
     def shortened(self) -> str:
-        """How many were scored, in words, where that is fewer than asked for."""
+        """Return how many were scored, in words, where that is fewer than asked for."""
         scored = sum(not layout.corrected for layout in self.leaders), len(self.finalists)
         if scored == self.asked:
             return ""
@@ -112,7 +112,7 @@ def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> di
 def objections(
     search: SearchSpec, best: Promoted, start: Promoted, ratios: dict[str, TwinRatio]
 ) -> tuple[str, ...]:
-    """What keeps a layout from being better at the highest fidelity level, in words; at the second one
+    """Return what keeps a layout from being better at the highest fidelity level, in words; at the second one
     where the time ended before the highest."""
     found, level = [], LAST if LAST in best.levels else SECOND
     if level != LAST:

@@ -38,7 +38,7 @@ def _sensors(spec: ObjectSpec) -> dict[str, Any]:
 
 
 def _contact_grid(spec: ObjectSpec) -> dict[str, Any]:
-    """What is pressed, however it was asked for: a filled grid that all faces share is its counts.
+    """Return what is pressed, however it was asked for: a filled grid that all faces share is its counts.
 
     Curved faces' grids were once even in the plane's x and y, and their results are others.
     """

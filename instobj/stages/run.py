@@ -218,7 +218,7 @@ class Run:
 
     @property
     def signals(self) -> xr.Dataset:
-        """What every sensor reads in every press of a contact location.
+        """Return what every sensor reads in every press of a contact location.
 
         Dimensions: face, place (with `x_mm`, `y_mm`), step (with `depth_mm`), sensor (all faces,
         with `sensor_face`), axis (X, Y, Z of the chip). Variables: `force_n` (N), `delta_counts`,

@@ -36,7 +36,7 @@ class StageTask:
 
     @property
     def content(self) -> dict[str, Any]:
-        """What `work` takes."""
+        """Return what `work` takes."""
         return {"stage": self.stage, "spec": self.spec.model_dump(mode="json")}
 
 

@@ -42,7 +42,7 @@ class Workers(Protocol):
 
     @property
     def count(self) -> int:
-        """How many tasks are worked on at a time."""
+        """Return how many tasks are worked on at a time."""
         ...
 
     def make(
@@ -228,7 +228,7 @@ def _client(workers: int, scheduler: str | None) -> Iterator[Client]:
 
 
 def _require_memory(client: Client, tasks: Mapping[str, StageTask]) -> bool:
-    """Whether workers say what memory they have; refuse a task that none could ever take."""
+    """Return whether workers say what memory they have; refuse a task that none could ever take."""
     found = client.scheduler_info(n_workers=-1)["workers"].values()
     if not found:
         raise InputError("the scheduler has no workers. Start some with `dask worker ADDRESS`")
@@ -253,7 +253,7 @@ class WorkersProgress:
         self._finished = 0
 
     def waiting(self, at_work: Sequence[str], step: Say) -> None:
-        """Which stages are being made, counted by their kind."""
+        """Tell which stages are being made, counted by their kind."""
         kinds = Counter(key.rsplit("-", 1)[0] for key in at_work)
         names = ", ".join(f"{kind} × {n}" if n > 1 else kind for kind, n in kinds.items())
         step(f"{self._finished} of {self._count} stages; at work or next: {names or 'nothing yet'}")

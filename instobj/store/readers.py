@@ -47,11 +47,11 @@ class ResultFile(Generic[Content]):
     published: bool = False
 
     def path(self, folder: Path) -> Path:
-        """Where it lies in the stage's folder."""
+        """Return where it lies in the stage's folder."""
         return folder / self.name
 
     def read(self, folder: Path) -> Content:
-        """What it holds, from the stage's folder."""
+        """Return what it holds, from the stage's folder."""
         return self.load(self.path(folder))
 
 
@@ -63,7 +63,7 @@ def published_files(stage: str, folder: Path) -> list[Path]:
 
 
 def face_model_path(folder: Path, face: int) -> Path:
-    """Where the estimator of a face lies in a folder of estimators."""
+    """Return where the estimator of a face lies in a folder of estimators."""
     return folder / f"face_{face}.safetensors"
 
 
@@ -73,7 +73,7 @@ def face_model_paths(folder: Path) -> list[Path]:
 
 
 def collection_path(folder: Path, kind: str) -> Path:
-    """Where simulated recordings of a kind lie in the folder of their stage."""
+    """Return where simulated recordings of a kind lie in the folder of their stage."""
     return folder / f"frames_{kind}.nc"
 
 

@@ -94,7 +94,7 @@ def verify(folder: Path, record: dict[str, Any], by_hash: bool) -> None:
 
 
 def verify_by_hash() -> bool:
-    """What `INSTOBJ_STORE_VERIFY` asks for: `hash` (if unset) or `size`."""
+    """Return what `INSTOBJ_STORE_VERIFY` asks for: `hash` (if unset) or `size`."""
     how = os.environ.get(_SWITCH, "hash")
     if how not in ("hash", "size"):
         raise InputError(f"{_SWITCH} must be 'hash' or 'size'; got {how!r}. Set one, or unset it")

@@ -40,7 +40,7 @@ class Entry:
 
 
 def entries(root: Path, by_hash: bool = False) -> list[Entry]:
-    """What lies in a store, least recently used first.
+    """Return what lies in a store, least recently used first.
 
     Parameters
     ----------

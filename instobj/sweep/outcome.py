@@ -27,7 +27,7 @@ SHOWN = ("weakest place mm", "place mm", "detect N", "read place mm", "read forc
 def variant_row(
     variant: Variant, outcomes: dict[str, dict[str, Any]], root: Path, out: Path
 ) -> dict[str, Any]:
-    """What was changed and what came of it: numbers of every stage, or an error.
+    """Return what was changed and what came of it: numbers of every stage, or an error.
 
     Frames and estimators are copied to `runs/<object>` below `out`.
     """

@@ -66,7 +66,7 @@ def pack(content: Mapping[str, Any], arrays: Mapping[str, Stepped | np.ndarray])
 
 
 def unpack(packed: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """What `pack` was given, arrays with a step as floats, NaN where there is no number."""
+    """Return what `pack` was given, arrays with a step as floats, NaN where there is no number."""
     raw = gzip.decompress(packed)
     (size,) = struct.unpack_from("<I", raw)
     content = json.loads(raw[4 : 4 + size])

@@ -38,7 +38,7 @@ def sources() -> list[Path]:
 
 
 def digest_in_bundle() -> str:
-    """What the committed bundle says that it was made from."""
+    """Return what the committed bundle says that it was made from."""
     with BUNDLE.open(encoding="utf-8") as file:
         return file.readline().removeprefix("// made from ").strip()
 

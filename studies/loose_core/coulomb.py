@@ -56,7 +56,7 @@ class WallState:
 
     @property
     def opening_mm(self) -> Float[np.ndarray, "site"]:
-        """How far the body has left the core, 0 where it touches."""
+        """Return how far the body has left the core, 0 where it touches."""
         left = np.maximum(self.relative_mm[:, 0], 0.0)
         return np.where(self.force_n[:, 0] > 0, 0.0, left)
 

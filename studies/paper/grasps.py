@@ -75,7 +75,7 @@ def run_two_face_grasp(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResu
 
 
 def run_swap(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
-    """Whether a face's own sensors suffice in a grasp once they move with the shell."""
+    """Return whether a face's own sensors suffice in a grasp once they move with the shell."""
     rows, tested = [], set()
     for title, changes in arrangements(spec).items():
         recorded = simulated_object(changed(spec, changes), quick)
@@ -130,7 +130,7 @@ def _collected(recorded: SimulatedObject) -> dict[str, Any]:
 
 
 def _tested(recorded: SimulatedObject, frames: FrameSet, grasps: FrameSet) -> str:
-    """What is trained and what is tested, in words."""
+    """Return what is trained and what is tested, in words."""
     from estimator.frames.splits import split_presses
 
     train = split_presses(frames, recorded.spec.seed).train

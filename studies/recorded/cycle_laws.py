@@ -46,7 +46,7 @@ class Cycles:
 
     @property
     def count(self) -> int:
-        """How many cycles."""
+        """Return how many cycles."""
         return int(self.cycle.max()) + 1
 
 

@@ -127,7 +127,7 @@ def interface_agreement(
 def preference(
     presses: RecordedPresses, one: InterfaceAgreement, other: InterfaceAgreement, seed: int
 ) -> Preference:
-    """Which of two interfaces the recordings speak for."""
+    """Return which of two interfaces the recordings speak for."""
     gain = one.cosine - other.cosine
     order = case_permutations(gain[..., None], presses.case, seed)
     rows = np.arange(len(presses))

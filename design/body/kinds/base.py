@@ -79,12 +79,12 @@ class BodyKind(ABC):
 
     @classmethod
     def takes_size(cls, size_mm: tuple[float, float, float]) -> bool:
-        """Whether a box of those edges can hold a body of this kind."""
+        """Return whether a box of those edges can hold a body of this kind."""
         return True
 
     @classmethod
     def in_pieces(cls, closed: list[int]) -> bool:
-        """Whether silicone on those faces alone would not hang together."""
+        """Return whether silicone on those faces alone would not hang together."""
         return False
 
     @property
@@ -108,7 +108,7 @@ class BodyKind(ABC):
 
     @property
     def opening(self) -> Opening:
-        """How the core's cavity runs out of the silicone: through a side, a bore, or nowhere."""
+        """Return how the core's cavity runs out of the silicone: through a side, a bore, or nowhere."""
         if self.on_base:
             return "open"
         if not self.opened:
@@ -132,12 +132,12 @@ class BodyKind(ABC):
 
     @property
     def room_for_recesses(self) -> tuple[float, str]:
-        """What recesses must be less deep than (mm), and its name."""
+        """Return what recesses must be less deep than (mm), and its name."""
         return float(self.core_half_mm.min()), "half the core"
 
     @property
     def thickness_below_mm(self) -> float:
-        """What the silicone's thickness must be below, besides what its core needs."""
+        """Return what the silicone's thickness must be below, besides what its core needs."""
         return float("inf")
 
     def passage_mm(self, axes: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "2 2"]:
@@ -179,7 +179,7 @@ class BodyKind(ABC):
         """The surface of what holds the silicone from inside; None where that is the base alone."""
 
     def cavity_surface(self) -> trimesh.Trimesh | None:
-        """What the core and its passage out of the open faces keep free, 1 mm beyond them; or None."""
+        """Return what the core and its passage out of the open faces keep free, 1 mm beyond them; or None."""
         core = self.core_surface()
         return None if core is None else self.with_bore(core)
 

@@ -20,7 +20,7 @@ class Imported(OffsetBody):
     from_file = True
 
     def parting_azimuth(self, size_mm: np.ndarray) -> None:
-        """Where least of it is an undercut."""
+        """Return where least of it is an undercut."""
         return None
 
     def outer_surface(self) -> trimesh.Trimesh:

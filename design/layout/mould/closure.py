@@ -37,7 +37,7 @@ def flange_span_mm(spec: ObjectSpec) -> tuple[float, float]:
 
 
 def clip_mm(spec: ObjectSpec) -> tuple[float, float]:
-    """Where a clip begins and ends along the mould, outside its wall."""
+    """Return where a clip begins and ends along the mould, outside its wall."""
     wall = float(mould_frame(spec).high_mm[1])
     return wall + spec.printer.clearance_mm, wall + CLIP_MM
 

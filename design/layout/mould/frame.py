@@ -69,7 +69,7 @@ class MouldFrame:
 
     @property
     def plugged(self) -> bool:
-        """Whether a plug or a rod passes through the upper side."""
+        """Return whether a plug or a rod passes through the upper side."""
         return bool(self.plug_mm.any())
 
     @property
@@ -177,7 +177,7 @@ def parting(spec: ObjectSpec) -> Parting:
 
 
 def seam_ends_mm(spec: ObjectSpec, aside_mm: float = 0.0) -> tuple[float, float]:
-    """Where a level line beside the parting plane enters and leaves the block, across the mould;
+    """Return where a level line beside the parting plane enters and leaves the block, across the mould;
     flanges begin there."""
     frame, plane = mould_frame(spec), parting(spec)
     # Slab method: where the line start + t · way meets the two sides of the block along each axis.

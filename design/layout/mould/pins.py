@@ -90,7 +90,7 @@ class Pin:
         return self._axis_between_mm(0.0, self.seat_mm)
 
     def room(self) -> Manifold:
-        """What it takes from the surface of the silicone to its head's top."""
+        """Return what it takes from the surface of the silicone to its head's top."""
         return self.shank() + self.head()
 
     def shank(self) -> Manifold:
@@ -144,7 +144,7 @@ def loose_pins(spec: ObjectSpec) -> tuple[Pin, ...]:
 
 
 def pins_thin_the_seam(spec: ObjectSpec) -> bool:
-    """Whether holes of pins, or of their heads, leave walls to the parting plane that are too thin."""
+    """Return whether holes of pins, or of their heads, leave walls to the parting plane that are too thin."""
     return any(thin_at_seam(spec, axis, radius) for _, axis, radius in pin_holes(spec))
 
 
@@ -198,7 +198,7 @@ class PinKind:
 
 
 def pins_by_kind(spec: ObjectSpec) -> list[PinKind]:
-    """Where every loose pin of a split mould goes, in the order of the parts."""
+    """Return where every loose pin of a split mould goes, in the order of the parts."""
     pins = loose_pins(spec)
     kinds = []
     for name, members in pins_of_kinds(pins):
@@ -267,7 +267,7 @@ def _locating_pin(spec: ObjectSpec, locator: Locator) -> Pin:
 
 
 def exit_mm(spec: ObjectSpec, start_mm: np.ndarray, way: np.ndarray) -> float:
-    """How far a line goes until it leaves the mould's block; below 0 where it starts outside."""
+    """Return how far a line goes until it leaves the mould's block; below 0 where it starts outside."""
     frame = mould_frame(spec)
     low, high = frame.corners(frame.low_mm, frame.high_mm)
     ends = np.where(way > 0, high, low)
@@ -316,7 +316,7 @@ def rim_below_clips_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
 
 
 def _leaving(seat: np.ndarray, top: np.ndarray, wall_mm: float) -> np.ndarray:
-    """Where a head's axis comes out of a wall along the mould; its seat, where that is outside."""
+    """Return where a head's axis comes out of a wall along the mould; its seat, where that is outside."""
     inside = wall_mm - abs(seat[1])
     return seat if inside <= 0 else seat + inside / (abs(top[1]) - abs(seat[1])) * (top - seat)
 

@@ -170,7 +170,7 @@ class _Seen:
     widest: float
 
     def lies_below_rim(self, place_mm: Float[np.ndarray, "2"], radius_mm: float) -> bool:
-        """Whether the surface lies below all of a round hole's rim."""
+        """Return whether the surface lies below all of a round hole's rim."""
         turn = 2 * np.pi * np.arange(_RIM_POINTS) / _RIM_POINTS
         rim = place_mm + _WITHIN * radius_mm * np.column_stack([np.cos(turn), np.sin(turn)])
         return all(self.highest_mm(place) is not None for place in rim)
@@ -225,7 +225,7 @@ def pins_of(spec: ObjectSpec, first: bool) -> tuple[Pin, ...]:
 
 
 def is_clear(hole: Hole, pins: tuple[Pin, ...]) -> bool:
-    """Whether no pin and no pin's head stands in a hole."""
+    """Return whether no pin and no pin's head stands in a hole."""
     axis, half = np.stack([hole.start_mm, hole.end_mm]), hole.diameter_mm / 2
     return all(
         distance_of_segments_mm(axis, pin.axis_mm) > half + pin.radius_mm
@@ -262,7 +262,7 @@ def _other_holes(
 
 
 def hole_thins_the_seam(spec: ObjectSpec, hole: Hole) -> bool:
-    """Whether a hole leaves a wall to the parting plane that is too thin, or to a side of a flange."""
+    """Return whether a hole leaves a wall to the parting plane that is too thin, or to a side of a flange."""
     if mould_style(spec) != "split":
         return False
     ends, radius = within_mould(spec, hole), hole.diameter_mm / 2
@@ -292,7 +292,7 @@ def _thin_in_a_flange(spec: ObjectSpec, hole: Hole) -> bool:
 
 
 def within_mould(spec: ObjectSpec, hole: Hole) -> Float[np.ndarray, "2 3"]:
-    """Where a hole's axis leaves the silicone, and where the mould's block."""
+    """Return where a hole's axis leaves the silicone, and where the mould's block."""
     way = hole.end_mm - hole.top_mm
     way /= np.linalg.norm(way)
     return np.stack([hole.top_mm, hole.top_mm + exit_mm(spec, hole.top_mm, way) * way])

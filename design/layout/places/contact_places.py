@@ -52,7 +52,7 @@ def grid_count(spec: ObjectSpec) -> tuple[int, int]:
 
 @once
 def contact_places(spec: ObjectSpec) -> Bool[np.ndarray, "face place"]:
-    """Which places of the contact grid each sensed face has."""
+    """Return which places of the contact grid each sensed face has."""
     places = _lattice(spec).places
     return places.reshape(len(places), -1)
 
@@ -77,7 +77,7 @@ def face_rows(spec: ObjectSpec, faces: Int[np.ndarray, "face"]) -> Int[np.ndarra
 
 @once
 def pressed_nodes(spec: ObjectSpec) -> Bool[np.ndarray, "face node"]:
-    """Which places of the press lattice are pressed: each contact location and its eight neighbours.
+    """Return which places of the press lattice are pressed: each contact location and its eight neighbours.
 
     These are what interpolation within half a pitch of a contact location stands on.
     """
@@ -90,7 +90,7 @@ def pressed_nodes(spec: ObjectSpec) -> Bool[np.ndarray, "face node"]:
 
 
 def place_problems(spec: ObjectSpec) -> Iterator[str]:
-    """What is wrong with faces on which no two by two contact locations find room."""
+    """Yield what is wrong with faces on which no two by two contact locations find room."""
     too_few = [
         (frame, along)
         for frame, places in zip(face_frames(spec), _lattice(spec).places, strict=True)
@@ -186,7 +186,7 @@ def nodes_of_parity(free: Bool[np.ndarray, "face i j"], odd: tuple[bool, bool]) 
 def tip_stays(
     spec: ObjectSpec, frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"]
 ) -> Bool[np.ndarray, "node"]:
-    """Whether the tip, pressed at places down to the deepest step, stays on the face."""
+    """Return whether the tip, pressed at places down to the deepest step, stays on the face."""
     footprint = footprint_mm(spec.indenter)
     path = path_mm(spec.indenter, spec.press.depths_mm)[-1]
     reach = np.maximum(abs(footprint + path), abs(footprint)).max(axis=0)
@@ -200,7 +200,7 @@ def tip_stays(
 
 
 def touched_reach_mm(spec: ObjectSpec) -> float:
-    """How far from the place pressed the tips touch at the deepest press, on a flat face."""
+    """Return how far from the place pressed the tips touch at the deepest press, on a flat face."""
     deepest, shape = spec.press.depths_mm[-1], tip_shape(spec.indenter)
     radii = np.linspace(0, np.linalg.norm(shape.corners_mm, axis=1).max(), 200)
     heights = tip_heights_mm(shape, np.column_stack([radii, 0 * radii]))
@@ -211,7 +211,7 @@ def touched_reach_mm(spec: ObjectSpec) -> float:
 def stays_on_patch(
     frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"], reach_mm: float
 ) -> Bool[np.ndarray, "node"]:
-    """Whether disks that touch the surface at places stay on the patch all round."""
+    """Return whether disks that touch the surface at places stay on the patch all round."""
     xy_mm = frame.to_plane(place_mm)
     stays = frame.covers(xy_mm)
     if not stays.any():

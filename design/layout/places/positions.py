@@ -86,7 +86,7 @@ class ShellBodies:
 
 @once
 def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
-    """What moves with the silicone, face by face."""
+    """Return what moves with the silicone, face by face."""
     bodies = shell_bodies(spec)
     every = tuple(body for face in bodies for body in face)
     return ShellBodies(*_in_object(face_frames(spec), bodies), every)
@@ -373,7 +373,7 @@ def sensors_as_built(
 
 
 def live_channels(spec: ObjectSpec) -> Bool[np.ndarray, "sensor 3"]:
-    """Which channels work: the axes that the part measures, but those that `as_built` calls dead."""
+    """Return which channels work: the axes that the part measures, but those that `as_built` calls dead."""
     count, faces = spec.sensors.count_per_face, spec.body.sensed
     live = np.zeros((len(faces) * count, 3), bool)
     live[:, [_AXIS_NAMES.index(axis) for axis in spec.sensors.axes]] = True

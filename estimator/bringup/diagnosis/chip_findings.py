@@ -42,7 +42,7 @@ def chip_findings(
 
 
 def is_turned(spec: ObjectSpec, chip: ChipFound) -> bool:
-    """Whether a chip is turned beyond tolerance."""
+    """Return whether a chip is turned beyond tolerance."""
     return chip.angle_deg > TURNED * max(spec.tolerances.sensor_rotation_deg, 1.0)
 
 
@@ -60,7 +60,7 @@ def _order(chips: Sequence[ChipFound], names: list[str]) -> Iterator[Finding]:
 
 
 def axes_text(chip: ChipFound) -> str:
-    """Which designed axes its X, Y, Z lie along, as nearly as they do."""
+    """Return which designed axes its X, Y, Z lie along, as nearly as they do."""
     parts = []
     for row in chip.turn:
         k = int(np.argmax(abs(row)))

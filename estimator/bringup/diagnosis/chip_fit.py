@@ -162,7 +162,7 @@ class JointFit:
 
     @property
     def gains(self) -> slice:
-        """Where G stands among the unknowns."""
+        """Return where G stands among the unknowns."""
         return slice(self.poses, self.poses + 9 * self.chips)
 
     def matrices(self, unknown: Float[np.ndarray, "unknown"]) -> Float[np.ndarray, "chip 3 3"]:

@@ -87,7 +87,7 @@ class ChipFound:
 
     @property
     def mirrored(self) -> bool:
-        """Whether its axes are left-handed."""
+        """Return whether its axes are left-handed."""
         return bool(np.linalg.det(self.turn) < 0)
 
     @property

@@ -54,7 +54,7 @@ def health_of(recording: Recording) -> Health:
 
 
 def health_findings(spec: ObjectSpec, recording: Recording) -> Iterator[Finding]:
-    """What is out of order with chips and line, from the still recording."""
+    """Yield what is out of order with chips and line, from the still recording."""
     health, names = health_of(recording), sensor_names(sensor_layout(spec).face)
     yield from line_findings(spec, health, len(recording.counts))
     for chip, name in enumerate(names):

@@ -139,7 +139,7 @@ def strength_of(
 
 
 def magnet_findings(spec: ObjectSpec, found: MagnetFound) -> list[Finding]:
-    """What is wrong with one magnet; nothing where all is well."""
+    """Return what is wrong with one magnet; nothing where all is well."""
     names = magnet_names(spec)
     name, size = names[found.asked], abs(found.strength)
     share = f"{found.strength:+.2f} of the designed moment"

@@ -92,7 +92,7 @@ class TravelModel:
         return Twin(pose, np.zeros((count, 3)), np.zeros((count, 2)))
 
     def covers(self, xy_mm: Float[np.ndarray, "place 2"]) -> Bool[np.ndarray, "place"]:
-        """Which places lie within the table by a margin for slopes."""
+        """Return which places lie within the table by a margin for slopes."""
         low, high = (np.array([end(self.x_mm), end(self.y_mm)]) for end in (np.min, np.max))
         return np.all((xy_mm > low + _MARGIN_MM) & (xy_mm < high - _MARGIN_MM), axis=1)
 

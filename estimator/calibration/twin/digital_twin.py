@@ -141,7 +141,7 @@ class CalibratedTwin:
         numbers: Float[np.ndarray, "number"],
         rng: np.random.Generator | None,
     ) -> Signals:
-        """What these numbers leave over, spread over the lattice, with a draw of the doubt."""
+        """Return what these numbers leave over, spread over the lattice, with a draw of the doubt."""
         there = signals.pressed[0]
         xy, force = signals.lattice.xy_mm[there], signals.force_n[0, there]
         left = self.left - self.jacobian @ (numbers - self.numbers)

@@ -68,7 +68,7 @@ class GraspTwin:
 
     @property
     def strained(self) -> int:
-        """How many numbers are at their limits."""
+        """Return how many numbers are at their limits."""
         return at_limits(self.numbers)
 
     def signals(self, forces: PressForces, motions: MagnetMotions) -> Signals:
@@ -190,7 +190,7 @@ def _solved(
 def cases_left_out(
     mechanics: GraspMechanics, left_over: _LeftOver, jacobian: np.ndarray, right: np.ndarray
 ) -> Float[np.ndarray, "row channel"]:
-    """What the twin of all other cases leaves of each; infinite where it is no object."""
+    """Return what the twin of all other cases leaves of each; infinite where it is no object."""
     seen = mechanics.seen
     case = np.repeat(np.arange(len(seen)), seen.counts.shape[1])
     left = seen.counts.reshape(len(case), -1).copy()

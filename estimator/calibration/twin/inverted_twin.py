@@ -103,7 +103,7 @@ def _with_noise(inversion: Inversion, noise_counts: Float[np.ndarray, "3"]) -> I
 
 
 def beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) -> float:
-    """How many times further than the regions say cases left out move the labelled contacts: rms over
+    """Return how many times further than the regions say cases left out move the labelled contacts: rms over
     all of them, in standard deviations (Gauss–Newton step of the labelled contacts)."""
     model = inversion.model
     index = {int(face): row for row, face in enumerate(model.signals.faces)} | {NO_FACE: NONE}

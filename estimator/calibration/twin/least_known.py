@@ -66,13 +66,13 @@ class Doubt:
         )
 
     def after(self, place: int) -> Doubt:
-        """What is left after a press."""
+        """Return what is left after a press."""
         told = self._told(place)
         left = self.covariance_counts2 - np.tensordot(told, told, axes=([0], [0]))
         return replace(self, covariance_counts2=left)
 
     def _told(self, place: int) -> Float[np.ndarray, "signal place signal"]:
-        """What a press tells of all signals: a root of the covariance that it takes away."""
+        """Return what a press tells of all signals: a root of the covariance that it takes away."""
         own = self.covariance_counts2[place]
         size = len(own)
         root = cholesky(own[:, place] + self.noise_counts2[place], lower=True)

@@ -92,7 +92,7 @@ def recorded_noise_counts(spec: ObjectSpec, frames: FrameSet) -> Float[np.ndarra
 def within_table(
     spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "press 2"]
 ) -> Bool[np.ndarray, "press"]:
-    """Which presses of a face, and those a little beside them, lie within the table."""
+    """Return which presses of a face, and those a little beside them, lie within the table."""
     lattice, pressed = press_lattice(spec), pressed_nodes(spec)[spec.body.sensed.index(face)]
     within = (abs(xy_mm) <= -lattice.xy_mm.min(axis=0) - ASIDE_MM).all(axis=1)
     for side in SIDES_MM:

@@ -48,7 +48,7 @@ class Unknowns:
 
     @cached_property
     def free(self) -> dict[str, Bool[np.ndarray, "number"]]:
-        """Which numbers of each contribution concern the faces, or the whole object."""
+        """Return which numbers of each contribution concern the faces, or the whole object."""
         place, sizes = self.design.scene, contribution_sizes(self.design)
         free = {}
         for name in FACE_PARTS:
@@ -87,7 +87,7 @@ class Unknowns:
         return twin_signals(self.spec, self.assembly(numbers), *table)
 
     def no_object(self, presses: str) -> InputError:
-        """What to say where `signals` are None."""
+        """Return what to say where `signals` are None."""
         return InputError(
             f"{presses} fit no object of {self.spec.name!r}: its forces would fall with depth. Give "
             "the specification of the object that was pressed, with true tolerances"
@@ -95,7 +95,7 @@ class Unknowns:
 
 
 def at_limits(numbers: Float[np.ndarray, "number"]) -> int:
-    """How many numbers went as far as they may."""
+    """Return how many numbers went as far as they may."""
     return int(np.sum(abs(numbers) >= FARTHEST - 1e-6))
 
 

@@ -118,7 +118,7 @@ class ContactModel:
 
     @cached_property
     def whole(self) -> bool:
-        """Whether every face has all places of the lattice."""
+        """Return whether every face has all places of the lattice."""
         return bool(pressed_nodes(self.spec).all())
 
     @property
@@ -178,7 +178,7 @@ class ContactModel:
     def _of_filled(
         self, face: Array, contact: Array, values: Callable[[Array, Array], Array]
     ) -> Float[Array, "problem contact _ channel"]:
-        """What the filled slots give, at their place among the empty ones."""
+        """Return what the filled slots give, at their place among the empty ones."""
         there = face != NONE
         if there.all():
             found = values(face.reshape(-1), contact.reshape(-1, 3))
@@ -197,7 +197,7 @@ class ContactModel:
         face: Int[Array, "problem contact"],
         contact: Float[Array, "problem contact 3"],
     ) -> Float[Array, "problem channel"]:
-        """What contacts together give beyond the sum of each alone, counts."""
+        """Return what contacts together give beyond the sum of each alone, counts."""
         there: Bool[Array, "problem contact"] = face != NONE
         extra = zeros(contact, (len(face), self.channels))
         several = where_true(there.sum(axis=1) > 1)
@@ -228,7 +228,7 @@ class ContactModel:
 
     @property
     def plain(self) -> bool:
-        """Whether nothing but moving magnets changes the field at resting sensors."""
+        """Return whether nothing but moving magnets changes the field at resting sensors."""
         place = self.scene
         return not (place.sensors_move or place.environment.plates or self.field.exact)
 

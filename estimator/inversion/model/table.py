@@ -95,7 +95,7 @@ class PressTable:
         return weights @ self._blocks(*first)
 
     def _weights(self, face: Array, contact: Array) -> tuple[tuple[Array, ...], Array]:
-        """Where each contact's 64 coefficients begin, and their weights for value and derivatives."""
+        """Return where each contact's 64 coefficients begin, and their weights for value and derivatives."""
         shifted_root = (contact[:, 2].clip(0.0) + _NEAR_ZERO_N) ** 0.5
         at = contact[:, 0], contact[:, 1], shifted_root - _FIRST_ROOT
         first, along = self._axes.weights(at)
@@ -113,7 +113,7 @@ class PressTable:
 
     @cached_property
     def _places(self) -> list[Array]:
-        """Where weights and coefficients of a contact stand."""
+        """Return where weights and coefficients of a contact stand."""
         return [like(self.coefficients, i) for i in (_OF_X, _OF_Y, _OF_FORCE, _STEP_X, _STEP_Y)]
 
     def _blocks(self, face: Array, ix: Array, iy: Array, jf: Array) -> Float[Array, "n 64 channel"]:

@@ -76,7 +76,7 @@ def missing_between_boxes_mm(
     half_mm: Float[Tensor, "3"] | Float[Tensor, "layout box 3"],
     least_mm: float,
 ) -> Float[Tensor, "layout"]:
-    """What the gaps of any two boxes lack; `half_mm` are half edges of all, or of each.
+    """Return what the gaps of any two boxes lack; `half_mm` are half edges of all, or of each.
 
     As `design.layout.boards`: the gap of two boxes is the largest along any of their axes and the
     products of these. Worked out in full only where it may be missing: along its own axes a box

@@ -69,7 +69,7 @@ def press_changes(
     layouts: Layouts,
     sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
 ) -> PressChanges:
-    """What presses change, with sensors shifted off their places (boards do not turn with it)."""
+    """Return what presses change, with sensors shifted off their places (boards do not turn with it)."""
     if sensor_shift_mm is not None:
         return _press_changes(scorer, layouts, _channel_changes(scorer, layouts, sensor_shift_mm))
     presses = scorer.presses

@@ -219,7 +219,7 @@ def prepared(frames: FrameSet, part: str, settings: FitSettings) -> FaceData:
 
 
 def folds_of(parts: list[FaceData], settings: FitSettings) -> list[tuple[FaceData, FaceData]]:
-    """What each member is fitted to, and what stops and calibrates it."""
+    """Return what each member is fitted to, and what stops and calibrates it."""
     members = settings.training.ensemble or 1
     if members == 1:
         return [(parts[0], parts[1])]

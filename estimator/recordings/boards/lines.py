@@ -230,7 +230,7 @@ def _line(body: str) -> bytes:
 
 
 def _body(line: bytes) -> str | None:
-    """What stands between the last `$` and `*`, if its checksum is right."""
+    """Return what stands between the last `$` and `*`, if its checksum is right."""
     body, star, crc = line.rstrip(b"\r")[line.rfind(b"$") + 1 :].partition(b"*")
     if not star or b"$" not in line or crc.decode("ascii", "replace").upper() != checksum(body):
         return None

@@ -44,7 +44,7 @@ class Repeats:
 
 
 def repeated_readings(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Repeats:
-    """Which readings repeat the one before because their sensor had not converted yet.
+    """Return which readings repeat the one before because their sensor had not converted yet.
 
     Sensors that convert together show it in whole rows, however quiet they are; others one by one.
     """
@@ -66,7 +66,7 @@ def repeated_readings(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Repeats:
 
 
 def _clocked(repeated: Bool[np.ndarray, "reading"]) -> bool:
-    """Whether a sensor's readings repeat by a slower clock."""
+    """Return whether a sensor's readings repeat by a slower clock."""
     share = float(np.mean(repeated)) if len(repeated) else 0.0
     if not _LEAST_SHARE <= share < 1:
         return False

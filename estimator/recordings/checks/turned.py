@@ -107,7 +107,7 @@ def change_alike(
     block: Int[np.ndarray, "frame"],
     parts: tuple[Bool[np.ndarray, "frame"], ...],
 ) -> bool:
-    """Whether the face's signals change in one direction in both parts against the first."""
+    """Return whether the face's signals change in one direction in both parts against the first."""
     cosines = []
     for first, last in runs(block):
         named = int(face[first])

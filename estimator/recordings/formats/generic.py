@@ -46,7 +46,7 @@ _SHEAR = re.compile(r"cell[1-9]_shear_[xy]_n")
 
 
 def is_generic_header(header: list[str]) -> bool:
-    """Whether a CSV's first line is that of the generic format, perhaps with errors in it."""
+    """Return whether a CSV's first line is that of the generic format, perhaps with errors in it."""
     return any(_meant(name) == "time_s" or CHANNEL.fullmatch(_meant(name)) for name in header)
 
 
@@ -104,7 +104,7 @@ def missing_marker(rows: list[list[str]]) -> float | None:
 
 
 def is_unlabelled(header: list[str]) -> bool:
-    """Whether a CSV's first line has stamps and channels, and nothing of load cells."""
+    """Return whether a CSV's first line has stamps and channels, and nothing of load cells."""
     return (
         "time_s" in header
         and any(map(CHANNEL.fullmatch, header))

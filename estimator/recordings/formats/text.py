@@ -184,7 +184,7 @@ def _as_numbers(cells: list[str]) -> Float[np.ndarray, "cell"]:
 
 
 def is_number(cell: str) -> bool:
-    """Whether a cell that is not empty is a number."""
+    """Return whether a cell that is not empty is a number."""
     try:
         as_number(cell or "empty")
     except ValueError:

@@ -57,7 +57,7 @@ class TravelRecording:
 
 
 def is_travel_recording(path: Path) -> bool:
-    """Whether a path is a folder of this kind, damaged or not."""
+    """Return whether a path is a folder of this kind, damaged or not."""
     return path.is_dir() and any((path / name).exists() for name in (SENSOR_FILE, STATE_FILE))
 
 

@@ -23,7 +23,7 @@ _SENSOR_KEYS = ("position_mm", "rotation_deg", "dead")
 
 
 def found_as_built(spec: ObjectSpec, verdict: Verdict, before: AsBuiltSpec) -> AsBuiltSpec:
-    """What was measured before, with what this bring-up found in its place.
+    """Return what was measured before, with what this bring-up found in its place.
 
     Of chips it says turns beyond tolerance, exchanges within one face and dead axes; of magnets which
     are flipped. Chips that are mirrored or sit on another face than their channels' name have no

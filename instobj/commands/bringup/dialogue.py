@@ -54,7 +54,7 @@ class _Checks:
         return pocket_fields(self.design, self.chips)
 
     def doubts(self, asked: Asked, recording: Recording) -> list[str]:
-        """Why the recording should be repeated; nothing where it is as it should be."""
+        """Return why the recording should be repeated; nothing where it is as it should be."""
         if asked.step == "held":
             return self._of_hold(recording)
         if asked.step == "magnet":
@@ -134,7 +134,7 @@ def _answered(
     checks: _Checks,
     progress: ProgressLine,
 ) -> bool:
-    """Whether to go on: False where the user stops."""
+    """Return whether to go on: False where the user stops."""
     text = f"[{title}] {asked.question}, then press Enter (s skips, q stops)"
     allowed = SKIP + QUIT
     while True:

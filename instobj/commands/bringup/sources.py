@@ -75,7 +75,7 @@ class Simulated:
         return KEEP if KEEP in allowed else ""
 
     def record(self, asked: Asked) -> Recording:
-        """What the simulated board sends."""
+        """Return what the simulated board sends."""
         return self.made.recording(asked)
 
     def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:

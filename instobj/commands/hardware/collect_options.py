@@ -54,12 +54,12 @@ class CollectOptions:
 
     @property
     def first_places(self) -> list[Place | None]:
-        """What each load cell presses at first."""
+        """Return what each load cell presses at first."""
         places = [parse_place(text) for text in self.places]
         return places + [None] * ((self.cells or 1) - len(places))
 
     def enough(self, frames: int, seconds: float) -> bool:
-        """Whether so many frames, or so long, are what was asked for."""
+        """Return whether so many frames, or so long, are what was asked for."""
         return (self.frames is not None and frames >= self.frames) or (
             self.seconds is not None and seconds >= self.seconds
         )
@@ -136,7 +136,7 @@ class TypedLines:
 
     @property
     def ended(self) -> bool:
-        """Whether no line can come any more."""
+        """Return whether no line can come any more."""
         return not self._open
 
     def poll(self) -> list[str]:

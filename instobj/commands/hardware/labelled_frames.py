@@ -43,7 +43,7 @@ class Pace:
 
     @property
     def text(self) -> str:
-        """What is wrong with the board's clock, in words; empty where nothing is."""
+        """Return what is wrong with the board's clock, in words; empty where nothing is."""
         off_s = self.board_s - self.here_s
         if abs(off_s) <= _CLOCK_S + _CLOCK_SHARE * self.here_s:
             return ""
@@ -99,7 +99,7 @@ class Collection:
 
 
 def load_lines(options: CollectOptions) -> Generator[list[Load]]:
-    """What load cells on a port of their own have said since the last time."""
+    """Yield what load cells on a port of their own have said since the last time."""
     if options.load_port is None:
         while True:
             yield []

@@ -58,7 +58,7 @@ class LiveOptions:
 
     @property
     def token(self) -> str:
-        """What a browser must know where others reach the page; empty on the loopback.
+        """Return what a browser must know where others reach the page; empty on the loopback.
 
         Raises
         ------

@@ -177,7 +177,7 @@ def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]
 
 
 def _targets(models: list[Path], out: Path | None) -> dict[Path, Path]:
-    """Where each model goes, before any is written."""
+    """Return where each model goes, before any is written."""
     targets: dict[Path, Path] = {}
     for path in models:
         name = path.name if _inverts(path) else f"{path.stem}.onnx"

@@ -49,7 +49,7 @@ class Reader(Protocol):
 
     @property
     def leaves_out(self) -> bool:
-        """Whether it reads frames without some of its channels."""
+        """Return whether it reads frames without some of its channels."""
         ...
 
     def feed(
@@ -155,7 +155,7 @@ def recorded_frames(
 def lacks_readings(
     counts: Float[np.ndarray, "frame face sensor 3"], channels: tuple[Channel, ...]
 ) -> Bool[np.ndarray, "frame"]:
-    """Which frames lack a reading of one of the channels."""
+    """Return which frames lack a reading of one of the channels."""
     face, sensor, axis = np.array(channels).T
     absent = max(0, int(sensor.max()) + 1 - counts.shape[2])
     counts = np.pad(counts, ((0, 0), (0, 0), (0, absent), (0, 0)), constant_values=np.nan)
@@ -165,7 +165,7 @@ def lacks_readings(
 def live_frames(
     reader: Reader, channels: tuple[Channel, ...], port: str, baud: int
 ) -> Iterator[LiveFrame]:
-    """What the reader finds in the frames of a board, without end.
+    """Yield what the reader finds in the frames of a board, without end.
 
     Frames that lack a reading are passed over and counted, `SILENT_FRAMES` on end at most; so are those
     of which a needed one is not believed (`checks.stream`). The state of the line names what is left out.
@@ -206,7 +206,7 @@ def live_frames(
 
 
 def prediction_path(name: str, path: Path, out: Path | None) -> Path:
-    """Where predictions of a file go; refused before any work where nothing can be written there."""
+    """Return where predictions of a file go; refused before any work where nothing can be written there."""
     if out is not None:
         require_writable(out)
         return run_folder(out, run_name(path)) / name
@@ -219,5 +219,5 @@ def prediction_path(name: str, path: Path, out: Path | None) -> Path:
 
 
 def is_data_set(path: Path) -> bool:
-    """Whether a file is a data set of instobj, by what it holds."""
+    """Return whether a file is a data set of instobj, by what it holds."""
     return path.suffix == ".nc" and holds(path, "press_id")

@@ -161,7 +161,7 @@ def sensor_rows(spec: ObjectSpec, change: Float[np.ndarray, "sensor 3"]) -> list
 def superposition_row(
     pressed: Pressed, changes: Float[np.ndarray, "load sensor 3"]
 ) -> dict[str, float]:
-    """How far single presses to the same depths, summed, are from the joint one, in per cent.
+    """Return how far single presses to the same depths, summed, are from the joint one, in per cent.
 
     Force: of the total. Signals: root mean square over all channels against that of the joint
     press; the first of `changes` is the joint press.

@@ -187,7 +187,7 @@ def _make_press(
 
 
 def _summary(press: LargeStrainPress) -> dict[str, Any]:
-    """What the command shows, as JSON."""
+    """Return what the command shows, as JSON."""
     from fem.large_strain.results import linearity_limits
 
     limits = linearity_limits(press)

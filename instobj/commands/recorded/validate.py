@@ -278,7 +278,7 @@ def _published(
 
 
 def not_recorded_texts(absent: list[tuple[int, int]], sensors: int) -> list[str]:
-    """Which sensors (face, number) the figures leave out; nothing where all were recorded."""
+    """Return which sensors (face, number) the figures leave out; nothing where all were recorded."""
     if not absent:
         return []
     named = ", ".join(f"{number} of face {face}" for face, number in absent)

@@ -160,7 +160,7 @@ def picture_share(inches: tuple[float, float, float, float]) -> tuple[float, flo
 
 
 def draw_ground(axes: Any, spec: ObjectSpec, face: int, pose: Pose) -> None:
-    """What lies under the map: the face, hatched where it has no contact location."""
+    """Draw what lies under the map: the face, hatched where it has no contact location."""
     from matplotlib.patches import Polygon
 
     move, frame = pose.transform(axes), face_frame(spec, face)

@@ -127,7 +127,7 @@ def draw_overview(
 
 
 def net_pose(spec: ObjectSpec, face: int, gap_mm: float = GAP_MM) -> Pose:
-    """Where a face lies in the net about face 1; face 6 joins face 4."""
+    """Return where a face lies in the net about face 1; face 6 joins face 4."""
     turn, right, up = _NET[face]
     top, own = half_mm(spec, spec.body.sensed[0]), half_mm(spec, face)
     if face == 6:

@@ -69,7 +69,7 @@ def status_cells(sensors, cause, values):
 
 
 def asked(poll):
-    """Whether a ? came."""
+    """Return whether a ? came."""
     found = False
     while poll.poll(0):
         character = sys.stdin.read(1)

@@ -39,7 +39,7 @@ def read(bus, address, buffer):
 
 
 def undervoltage(bus, address):
-    """Whether the chip saw too low a supply since the last call."""
+    """Return whether the chip saw too low a supply since the last call."""
     status = bytearray(1)
     if not bus.transfer(address, b"\x1c", status) or not status[0] & VCC_UV:
         return False

@@ -189,7 +189,7 @@ def _move_legend() -> list[Any]:
 def paired(
     before: Float[np.ndarray, "n 2"], after: Float[np.ndarray, "m 2"]
 ) -> list[tuple[int, int]]:
-    """Which of the old places became which of the new, by the least total distance."""
+    """Return which of the old places became which of the new, by the least total distance."""
     from scipy.optimize import linear_sum_assignment
 
     away = np.linalg.norm(before[:, None] - after, axis=-1)

@@ -161,7 +161,7 @@ def _sensor_places(spec: ObjectSpec) -> _PlacesOfFaces:
 
 
 def _origins(before: _PlacesOfFaces, after: _PlacesOfFaces) -> list[int]:
-    """Which part of the start each part was, face by face; −1 for a new one."""
+    """Return which part of the start each part was, face by face; −1 for a new one."""
     found, first = [], 0
     for old, new in zip(before, after, strict=True):
         pairs = {now: was for was, now in paired(old, new)}

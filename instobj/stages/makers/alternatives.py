@@ -99,7 +99,7 @@ def changed_spec(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
 
 
 def _source(spec: ObjectSpec) -> str:
-    """What signals of given mechanics depend on, of all that is changed here."""
+    """Return what signals of given mechanics depend on, of all that is changed here."""
     return f"{spec.magnets.model_dump_json()} {spec.sensors.positions_mm} {spec.sensors.count_per_face}"
 
 

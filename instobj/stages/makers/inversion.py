@@ -67,7 +67,7 @@ def make_inversion(context: StageContext, folder: Path) -> None:
 
 
 def make_contact_metrics(context: StageContext, folder: Path) -> None:
-    """How it reads one, two and three contacts anywhere on an object that it has never seen; single
+    """Measure readings of one to three contacts anywhere on an object that the inversion has not seen; single
     ones pull sideways where it expects that."""
     from estimator.frames.contact_traces import JointMechanics
     from estimator.tolerances.virtual_object import drawn_assembly, twin_signals

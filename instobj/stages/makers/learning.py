@@ -87,7 +87,7 @@ def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceMo
 
 
 def unfinished_folder(key: str) -> Path:
-    """Where a training that is interrupted can go on from."""
+    """Return where a training that is interrupted can go on from."""
     return store_root() / "unfinished" / key
 
 

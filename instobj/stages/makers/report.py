@@ -78,7 +78,7 @@ def make_report(context: StageContext, folder: Path) -> None:
 
 
 def travel_spread(spec: ObjectSpec, signals: Signals) -> TravelSpread | None:
-    """How far the tip travels to the protocol's middle peak force; None where no spread is known.
+    """Return how far the tip travels to the protocol's middle peak force; None where no spread is known.
 
     At a given depth small-strain forces are proportional to the modulus. Linear interpolation
     between the simulated depths of the median place's force.

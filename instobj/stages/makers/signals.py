@@ -60,7 +60,7 @@ def make_scores(context: StageContext, folder: Path) -> None:
 
 
 def make_weak_areas(context: StageContext, folder: Path) -> None:
-    """What weak locations have in common: their places on the body."""
+    """Make the table of what weak locations have in common: their places on the body."""
     from estimator.information.weak_areas import save_weak_areas_csv, weak_areas
     from instobj.figures.maps.files import draw_measure_maps
     from instobj.figures.weak_areas import draw_weak_areas

@@ -52,7 +52,7 @@ class TwinOfData:
 
     @property
     def inputs(self) -> list[Any]:
-        """What results made with it depend on, JSON-able."""
+        """Return what results made with it depend on, JSON-able."""
         return [self.key, self.spec.model_dump(mode="json")]
 
     def extended(self, parts: Parts, face: int, step: Step) -> Parts:
@@ -208,7 +208,7 @@ def _described(grid_mm: tuple[np.ndarray, np.ndarray], faces: tuple[int, ...], s
 
 
 def verdict(left_percent: float, design_percent: float, strained: int, instead: str = _LESS) -> str:
-    """Whether presses of the twin help, from what it and the design leave of signals at four of five
+    """Return whether presses of the twin help, from what it and the design leave of signals at four of five
     places at most.
 
     They do where it leaves no more than meshes of one design differ by, or less than half of what
@@ -254,7 +254,7 @@ def _row_of_cases(twin: GraspTwin, seen: PressedCases) -> dict[str, Any]:
 def _row(
     twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
-    """What was found, and residual signals at held-out locations."""
+    """Return what was found, and residual signals at held-out locations."""
     from estimator.calibration.twin.unknowns import at_limits
 
     found = twin.unknowns
