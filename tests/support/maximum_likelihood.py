@@ -32,6 +32,12 @@ class FaceReader:
             self.own
         ]
         self.lattice, self.reach_n = signals.lattice, signals.force_n[index, :, -1]
+        if not signals.pressed[
+            index
+        ].all():  # splines over a part of it read any frame as one place
+            raise ValueError(
+                f"face {face} is not pressed on its whole lattice: this reader cannot read it"
+            )
 
     def expected(self, contact):
         """Signals in standard deviations (n, channel), and their slopes (n, channel, 3)."""
