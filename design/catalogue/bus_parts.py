@@ -152,7 +152,7 @@ class Board:
     `outputs` are pins that can switch chips on; `logic_v` is their level. `rail_ma` is what its 3.3 V
     pin gives, `outputs_ma` all outputs together. `bauds` of the serial line, slowest first; one entry
     where the line is USB and takes any. `call_us` is the time around each bus transfer and `byte_us`
-    to write a character, both of our firmware (Mega: simulated, tests/instobj/firmware). A load cell
+    to write a character, both of our firmware (Mega: simulated, tests/instobj/bench/firmware). A load cell
     takes pins of `load_pins` (HX711) or one of `analog_pins`, the first ones unless others are asked
     for; `adc` is what its analogue readings are made of: volts of full scale, steps, and the share of
     the sensor's 5 V that reaches the pin. `load_line_us` is the time of reading and of preparing a

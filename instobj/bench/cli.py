@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from design.errors import InputError
-from instobj.cli import rig as cli_rig
+from instobj.bench.rig import cli as rig_cli
 from instobj.cli.options import (
     HERE,
     AsJson,
@@ -30,7 +29,7 @@ from instobj.cli.options import (
 )
 
 app = typer.Typer(help="Boards, machines and built objects.", no_args_is_help=True)
-app.add_typer(cli_rig.app)
+app.add_typer(rig_cli.app)
 
 
 @app.command()
@@ -62,8 +61,8 @@ def collect(
     as_json: AsJson = False,
 ) -> None:
     """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
-    from instobj.commands.hardware.collect import collect as collect_frames
-    from instobj.commands.hardware.collect_options import CollectOptions
+    from instobj.bench.collect.command import collect as collect_frames
+    from instobj.bench.collect.options import CollectOptions
 
     serial_port, baud = port_and_baud(port)
     file, speed = replayed_file(replay)
@@ -93,7 +92,7 @@ def firmware(
     overrides: Overrides = None,
 ) -> None:
     """Plan the sensors' buses on a board and write its firmware."""
-    from instobj.commands.hardware.firmware import write_firmware
+    from instobj.bench.firmware.command import write_firmware
 
     show(write_firmware(spec, board, way, lead, out, overrides or []), as_json)
 
@@ -145,10 +144,10 @@ def live(
     overrides: Overrides = None,
 ) -> None:
     """Contacts, channels and their health on a page in the browser, while a board is read."""
-    from instobj.commands.hardware.collect_options import CollectOptions
-    from instobj.commands.hardware.live import live as show_live
-    from instobj.commands.hardware.live_source import LiveOptions
-    from instobj.commands.hardware.readings import Zeroing
+    from instobj.bench.collect.options import CollectOptions
+    from instobj.bench.live.command import live as show_live
+    from instobj.bench.live.source import LiveOptions
+    from instobj.commands.readings import Zeroing
 
     serial_port, baud = port_and_baud(port)
     file, speed = replayed_file(replay)
@@ -190,7 +189,7 @@ def bringup(
     overrides: Overrides = None,
 ) -> None:
     """Bring a newly soldered object up, question by question, and write how it was built."""
-    from instobj.commands.bringup.command import BringupOptions, bring_up
+    from instobj.bench.bringup.command import BringupOptions, bring_up
 
     serial_port, baud = port_and_baud(port)
     faults = None if simulated is None else tuple(one for one in simulated if one != "none")
@@ -232,9 +231,3 @@ def _served_at(page: str) -> tuple[str, int]:
             "this machine alone is served: 192.168.0.5:8765"
         )
     return address or "127.0.0.1", int(port)
-
-
-def commands() -> list[Callable[..., None]]:
-    """Functions of all commands of the bench."""
-    registered = (*app.registered_commands, *cli_rig.app.registered_commands)
-    return [command.callback for command in registered if command.callback is not None]

@@ -17,7 +17,7 @@ from estimator.frames.dataset import FrameSet
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.storage import load_inversion
-from instobj.commands.hardware.readings import (
+from instobj.commands.readings import (
     Stream,
     Zeroing,
     is_data_set,

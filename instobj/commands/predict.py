@@ -15,7 +15,7 @@ from design.tables import write_table
 from estimator.deploy.runtime import LiveReader, load_deployed, predict_told
 from estimator.frames.same_object import require_same_object
 from estimator.networks.prediction import NOVEL_FROM, Prediction
-from instobj.commands.hardware.readings import (
+from instobj.commands.readings import (
     FOLLOW_REST,
     LiveFrame,
     Zeroing,

@@ -15,7 +15,7 @@ from design.imports import EXTRAS
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("design", "fem", "estimator", "instobj", "studies")
-ON_BOARDS = ROOT / "instobj" / "firmware" / "pico"
+ON_BOARDS = ROOT / "instobj" / "bench" / "firmware" / "pico"
 """MicroPython, which has modules of its own."""
 IMPORTED_BY_OTHERS = {"networkx"}
 """What trimesh imports for graphs of faces, which we ask for, and does not require by itself."""
@@ -85,6 +85,7 @@ def test_the_extras_that_messages_name_are_those_declared():
     [
         ("onnxruntime", ["predict", "face.onnx", "a.csv"], "deploy"),
         ("serial", ["predict", "contacts.nc", "--port", "/dev/none"], "bench"),
+        ("aiohttp", ["bench", "live", "--demo"], "bench"),
         ("distributed", ["run", "cube.toml", "--to", "mesh", "--workers", "2"], "cluster"),
     ],
 )

@@ -14,10 +14,10 @@ from design.layout.body import core_frames
 from design.layout.places.positions import sensor_layout
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
-from estimator.bringup.diagnosis.chip_findings import is_turned
-from estimator.bringup.diagnosis.findings import ChipFound
-from estimator.bringup.diagnosis.poles import ABSENT
-from estimator.bringup.verdict import Verdict
+from instobj.bench.bringup.diagnosis.chip_findings import is_turned
+from instobj.bench.bringup.diagnosis.findings import ChipFound
+from instobj.bench.bringup.diagnosis.poles import ABSENT
+from instobj.bench.bringup.verdict import Verdict
 
 _SENSOR_KEYS = ("position_mm", "rotation_deg", "dead")
 

@@ -15,17 +15,17 @@ from design.files import atomic_path
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.bringup.asking.asked import STEPS, Asked, asked_of, further_holds
-from estimator.bringup.diagnosis.chip_findings import GAIN_TO_TELL, wide_gains
-from estimator.bringup.diagnosis.findings import Finding
-from estimator.bringup.simulated import parse_fault, simulated_object
-from estimator.bringup.verdict import Verdict, judge
 from estimator.recordings.boards.link import BAUD, serial_chunks
-from instobj.commands.bringup.as_built import found_as_built, write_as_built
-from instobj.commands.bringup.dialogue import left_of, recorded_further, through
-from instobj.commands.bringup.journal import Journal, open_journal, read_journal
-from instobj.commands.bringup.sources import Board, FromFile, Simulated, Source
-from instobj.report.bringup_page import bringup_page
+from instobj.bench.bringup.as_built import found_as_built, write_as_built
+from instobj.bench.bringup.asking.asked import STEPS, Asked, asked_of, further_holds
+from instobj.bench.bringup.diagnosis.chip_findings import GAIN_TO_TELL, wide_gains
+from instobj.bench.bringup.diagnosis.findings import Finding
+from instobj.bench.bringup.dialogue import left_of, recorded_further, through
+from instobj.bench.bringup.journal import Journal, open_journal, read_journal
+from instobj.bench.bringup.page import bringup_page
+from instobj.bench.bringup.simulated import parse_fault, simulated_object
+from instobj.bench.bringup.sources import Board, FromFile, Simulated, Source
+from instobj.bench.bringup.verdict import Verdict, judge
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, run_folder
 

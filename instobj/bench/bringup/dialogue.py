@@ -10,7 +10,8 @@ from itertools import chain
 import numpy as np
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import (
+from estimator.signals.hall import full_scale_counts
+from instobj.bench.bringup.asking.asked import (
     MOST_FURTHER,
     STEPS,
     STILL_AGAIN,
@@ -19,17 +20,16 @@ from estimator.bringup.asking.asked import (
     asked_of,
     further_holds,
 )
-from estimator.bringup.diagnosis.findings import ChipFound, Finding
-from estimator.bringup.diagnosis.poles import (
+from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
+from instobj.bench.bringup.diagnosis.poles import (
     PocketFields,
     find_magnet,
     magnet_findings,
     pocket_fields,
 )
-from estimator.bringup.verdict import as_drawn, magnet_before, which_is_which
-from estimator.signals.hall import full_scale_counts
-from instobj.commands.bringup.journal import Journal
-from instobj.commands.bringup.sources import KEEP, QUIT, SKIP, Source
+from instobj.bench.bringup.journal import Journal
+from instobj.bench.bringup.sources import KEEP, QUIT, SKIP, Source
+from instobj.bench.bringup.verdict import as_drawn, magnet_before, which_is_which
 from instobj.store.progress import ProgressLine
 
 _LEAST_RESPONSE_COUNTS = 300.0

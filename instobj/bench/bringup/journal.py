@@ -20,10 +20,10 @@ from design.errors import InputError, StoreError
 from design.files import require_regular_file, write_whole
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import Recording, asked_of, further_holds
-from estimator.bringup.diagnosis.findings import channel_name
 from estimator.recordings.formats.generic import cell_text
 from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.asking.asked import Recording, asked_of, further_holds
+from instobj.bench.bringup.diagnosis.findings import channel_name
 
 _FORMAT = "# instobj bench bringup 1"
 _OWN = ("recording", "row", "rows", "sequence", "board_ms", "damaged_lines", "bus_errors")

@@ -9,13 +9,13 @@ import numpy as np
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import MOST_FURTHER, Asked, Recordings, further_holds
-from estimator.bringup.asking.held_magnet import held_magnet, stated_pose
-from estimator.bringup.asking.hold_places import hold_places
-from estimator.bringup.diagnosis.chip_findings import widest_gain_sd
-from estimator.bringup.diagnosis.chip_fit import Fitted, JointFit, fitted, gain_intervals
-from estimator.bringup.diagnosis.findings import HALF_95
-from estimator.bringup.verdict import held_so_far
+from instobj.bench.bringup.asking.asked import MOST_FURTHER, Asked, Recordings, further_holds
+from instobj.bench.bringup.asking.held_magnet import held_magnet, stated_pose
+from instobj.bench.bringup.asking.hold_places import hold_places
+from instobj.bench.bringup.diagnosis.chip_findings import widest_gain_sd
+from instobj.bench.bringup.diagnosis.chip_fit import Fitted, JointFit, fitted, gain_intervals
+from instobj.bench.bringup.diagnosis.findings import HALF_95
+from instobj.bench.bringup.verdict import held_so_far
 
 _LOOKED_AT = 40
 """Candidates nearest to the chip whose gain is known least."""

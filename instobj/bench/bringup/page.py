@@ -11,7 +11,8 @@ from design.layout.body import face_frames
 from design.layout.places.positions import sensor_layout
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import (
+from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.asking.asked import (
     STEPS,
     Asked,
     Recordings,
@@ -19,11 +20,10 @@ from estimator.bringup.asking.asked import (
     further_holds,
     magnet_names,
 )
-from estimator.bringup.diagnosis.earth import EarthFound
-from estimator.bringup.diagnosis.findings import ChipFound, Finding
-from estimator.bringup.diagnosis.health import Health, health_of
-from estimator.bringup.verdict import Verdict
-from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.diagnosis.earth import EarthFound
+from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
+from instobj.bench.bringup.diagnosis.health import Health, health_of
+from instobj.bench.bringup.verdict import Verdict
 from instobj.report.pages import render
 
 _CHIP_MM = 4.0

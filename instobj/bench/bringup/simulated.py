@@ -15,7 +15,13 @@ from scipy.spatial.transform import Rotation
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import (
+from estimator.field.models import MagnetsModel, field_of_each, magnets_model
+from estimator.field.vectors import components
+from estimator.signals.field_setup import scene
+from estimator.signals.hall import read_out
+from estimator.tolerances.assembly import Assembly, draw, undisturbed
+from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.asking.asked import (
     POSES,
     STILL_AGAIN,
     Asked,
@@ -23,17 +29,11 @@ from estimator.bringup.asking.asked import (
     asked_of,
     magnet_names,
 )
-from estimator.bringup.asking.held_magnet import held_magnet
-from estimator.bringup.asking.hold_places import OVER_MM
-from estimator.bringup.diagnosis.earth import in_object
-from estimator.bringup.diagnosis.findings import channel_name
-from estimator.bringup.next_hold import next_hold
-from estimator.field.models import MagnetsModel, field_of_each, magnets_model
-from estimator.field.vectors import components
-from estimator.signals.field_setup import scene
-from estimator.signals.hall import read_out
-from estimator.tolerances.assembly import Assembly, draw, undisturbed
-from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.asking.held_magnet import held_magnet
+from instobj.bench.bringup.asking.hold_places import OVER_MM
+from instobj.bench.bringup.diagnosis.earth import in_object
+from instobj.bench.bringup.diagnosis.findings import channel_name
+from instobj.bench.bringup.next_hold import next_hold
 
 HAND_MM, HAND_DEG, HEIGHT_MM = 3.0, 15.0, (4.0, 15.0)
 """Of the simulated hand: sideways and tilt (standard deviations), height above the core where 10 mm

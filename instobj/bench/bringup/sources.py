@@ -11,14 +11,14 @@ import numpy as np
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import Asked, Recording, further_holds
-from estimator.bringup.next_hold import next_hold
-from estimator.bringup.simulated import SimulatedObject
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Message, Status
 from estimator.recordings.boards.link import board_messages
 from estimator.signals.hall import LARGEST_COUNT
-from instobj.commands.bringup.journal import Journal, channels_of
-from instobj.commands.hardware.collect_options import TypedLines
+from instobj.bench.bringup.asking.asked import Asked, Recording, further_holds
+from instobj.bench.bringup.journal import Journal, channels_of
+from instobj.bench.bringup.next_hold import next_hold
+from instobj.bench.bringup.simulated import SimulatedObject
+from instobj.bench.collect.options import TypedLines
 
 KEEP, SKIP, QUIT = "k", "s", "q"
 _STALE_FRAMES = 2

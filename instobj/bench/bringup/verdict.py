@@ -10,7 +10,8 @@ from jaxtyping import Bool, Float
 
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import (
+from estimator.tolerances.selftest import FaultKind, Hypothesis
+from instobj.bench.bringup.asking.asked import (
     STILL,
     STILL_AGAIN,
     Asked,
@@ -20,25 +21,24 @@ from estimator.bringup.asking.asked import (
     further_holds,
     magnet_names,
 )
-from estimator.bringup.diagnosis.channels import (
+from instobj.bench.bringup.diagnosis.channels import (
     Arrangement,
     HeldReadings,
     find_chips,
     held_readings,
 )
-from estimator.bringup.diagnosis.chip_findings import chip_findings, earth_findings
-from estimator.bringup.diagnosis.chip_fit import chips_found
-from estimator.bringup.diagnosis.earth import EarthFound, from_earth
-from estimator.bringup.diagnosis.findings import ChipFound, Finding
-from estimator.bringup.diagnosis.health import health_findings
-from estimator.bringup.diagnosis.levels import in_designed_axes, judge_levels, level_findings
-from estimator.bringup.diagnosis.poles import (
+from instobj.bench.bringup.diagnosis.chip_findings import chip_findings, earth_findings
+from instobj.bench.bringup.diagnosis.chip_fit import chips_found
+from instobj.bench.bringup.diagnosis.earth import EarthFound, from_earth
+from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
+from instobj.bench.bringup.diagnosis.health import health_findings
+from instobj.bench.bringup.diagnosis.levels import in_designed_axes, judge_levels, level_findings
+from instobj.bench.bringup.diagnosis.poles import (
     MagnetFound,
     find_magnet,
     magnet_findings,
     pocket_fields,
 )
-from estimator.tolerances.selftest import FaultKind, Hypothesis
 
 _JUDGED_WITH_CHIPS: tuple[FaultKind, ...] = (
     "swapped sensors",

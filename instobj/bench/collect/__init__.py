@@ -1,1 +1,1 @@
-"""Commands that meet boards and built objects: collect, predict, live, firmware, rig."""
+"""Boards read into recordings that grow, with their labels."""

@@ -18,20 +18,20 @@ from estimator.recordings.boards.growing import (
 )
 from estimator.recordings.boards.lines import Frame, Header, Load, Message, Status
 from estimator.recordings.boards.link import PATIENCE_S, board_messages
-from instobj.commands.hardware.board_state import status_row, status_text
-from instobj.commands.hardware.collect_options import (
-    CollectOptions,
-    TypedLines,
-    open_source,
-    parse_place,
-    stop_on_signals,
-)
-from instobj.commands.hardware.labelled_frames import (
+from instobj.bench.collect.board_state import status_row, status_text
+from instobj.bench.collect.labelled_frames import (
     PAUSE_S,
     Collection,
     load_lines,
     take_frame,
     take_load,
+)
+from instobj.bench.collect.options import (
+    CollectOptions,
+    TypedLines,
+    open_source,
+    parse_place,
+    stop_on_signals,
 )
 from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows

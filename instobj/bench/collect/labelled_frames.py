@@ -13,7 +13,7 @@ from design.errors import InputError
 from estimator.recordings.boards.growing import GrowingRecording
 from estimator.recordings.boards.lines import Frame, LineDecoder, Load, Status
 from estimator.recordings.boards.link import BoardClock, serial_chunks
-from instobj.commands.hardware.collect_options import CollectOptions, Place
+from instobj.bench.collect.options import CollectOptions, Place
 
 STALE_S = 1.0
 """A load cell's last line labels frames for so long."""

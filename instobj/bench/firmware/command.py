@@ -12,7 +12,7 @@ from design.spec_io import load_spec
 from design.wiring.bus_limits import FAST_KHZ
 from design.wiring.bus_plan import BusPlan, Choice, choose_plan
 from design.wiring.dealing import WAYS
-from instobj.firmware.project import project_files, write_project
+from instobj.bench.firmware.project import project_files, write_project
 from instobj.store.publish import file_rows, require_writable, run_folder
 
 

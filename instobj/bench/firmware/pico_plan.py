@@ -5,7 +5,7 @@ from __future__ import annotations
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
-from instobj.firmware.settings import (
+from instobj.bench.firmware.settings import (
     axes_in_order,
     channel_names,
     chip_settings,

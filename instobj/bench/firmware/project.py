@@ -13,10 +13,10 @@ from design.tables import table_text
 from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
 from design.wiring.wires import wires_of
-from instobj.firmware.drawing import wiring_svg
-from instobj.firmware.mega2560_plan import plan_header
-from instobj.firmware.pico_plan import plan_module
-from instobj.firmware.settings import family_of
+from instobj.bench.firmware.drawing import wiring_svg
+from instobj.bench.firmware.mega2560_plan import plan_header
+from instobj.bench.firmware.pico_plan import plan_module
+from instobj.bench.firmware.settings import family_of
 from instobj.store.readers import ORDERS
 
 _SOURCES = Path(__file__).parent

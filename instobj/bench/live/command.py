@@ -13,12 +13,12 @@ from design.errors import InputError, InstobjError
 from estimator.recordings.boards.growing import finish_recording
 from estimator.recordings.boards.lines import Frame, Header, Load, Message
 from estimator.recordings.boards.link import board_messages
-from instobj.commands.hardware.collect_options import stop_on_signals
-from instobj.commands.hardware.labelled_frames import STALE_S, Collection, load_lines, take_load
-from instobj.commands.hardware.live_recorder import Recorder
-from instobj.commands.hardware.live_source import LiveOptions, LiveSource, live_source
-from instobj.live.process import PageProcess, PageSettings, page_process
-from instobj.live.watch import HEADER, LABELS, NEWS, channel_names, row_message
+from instobj.bench.collect.labelled_frames import STALE_S, Collection, load_lines, take_load
+from instobj.bench.collect.options import stop_on_signals
+from instobj.bench.live.process import PageProcess, PageSettings, page_process
+from instobj.bench.live.recorder import Recorder
+from instobj.bench.live.source import LiveOptions, LiveSource, live_source
+from instobj.bench.live.watch import HEADER, LABELS, NEWS, channel_names, row_message
 from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows
 

@@ -16,7 +16,7 @@ from estimator.deploy.live_contacts import LiveContacts
 from estimator.deploy.runtime import LiveReader
 from estimator.deploy.zeroing import ZeroMode
 from estimator.frames.face_data import Channel
-from instobj.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
+from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
 LeftOut = Bool[np.ndarray, "5 sensor 3"]
 """Readings that are not believed."""

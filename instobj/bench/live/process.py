@@ -19,8 +19,8 @@ from pathlib import Path
 from design.errors import InputError, InstobjError
 from design.spec.object import ObjectSpec
 from estimator.deploy.zeroing import ZeroMode
-from instobj.live.contacts import open_estimator
-from instobj.live.watch import Watch
+from instobj.bench.live.contacts import open_estimator
+from instobj.bench.live.watch import Watch
 
 _READY, _FAILED = b"R", b"E"
 _MOST_WAITING = 2000
@@ -154,7 +154,7 @@ def serve_page(connection: Connection, settings: PageSettings) -> None:
 async def _serve(connection: Connection, settings: PageSettings, watch: Watch) -> None:
     from aiohttp import web
 
-    from instobj.live.server import Page, application
+    from instobj.bench.live.server import Page, application
 
     ended, loop = asyncio.Event(), asyncio.get_running_loop()
 

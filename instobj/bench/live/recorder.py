@@ -9,7 +9,7 @@ from typing import Any
 from design.errors import InstobjError
 from estimator.recordings.boards.growing import GrowingRecording, growing_recording
 from estimator.recordings.boards.lines import Frame
-from instobj.commands.hardware.labelled_frames import Collection, take_frame
+from instobj.bench.collect.labelled_frames import Collection, take_frame
 
 
 @dataclass

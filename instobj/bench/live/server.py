@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 from aiohttp import WSCloseCode, WSMsgType, web
 
-from instobj.live.protocol import Head, frames_message, state_message
-from instobj.live.watch import Reading, Row, Watch
+from instobj.bench.live.protocol import Head, frames_message, state_message
+from instobj.bench.live.watch import Reading, Row, Watch
 from instobj.viewer.bundling import program
 
 _ROOM = Path(__file__).parent

@@ -15,16 +15,16 @@ from design.spec_io import load_spec
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.recordings.boards.link import replay_chunks
 from estimator.recordings.table import FACES, RawTable
-from instobj.commands.hardware.collect_options import CollectOptions, open_source
-from instobj.commands.hardware.readings import Zeroing, is_data_set, zeroed_data_set
-from instobj.live.scene import live_scene
-from instobj.live.server import is_loopback
-from instobj.live.watch import channel_names
+from instobj.bench.collect.options import CollectOptions, open_source
+from instobj.bench.live.scene import live_scene
+from instobj.bench.live.server import is_loopback
+from instobj.bench.live.watch import channel_names
+from instobj.commands.readings import Zeroing, is_data_set, zeroed_data_set
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
 from instobj.store.readers import INVERSION, PRESSES
 
-_DEMO = Path(__file__).parents[2] / "live" / "demo.toml"
+_DEMO = Path(__file__).parent / "demo.toml"
 _KEY = "disc: place to 90 %; arrow: force, 1.6 mm per N"
 _LABELLED = "; green cross: where the load cells say"
 _TRUE = (
@@ -151,7 +151,7 @@ def data_set_table(frames: FrameSet) -> RawTable:
 
 def _demo_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
     """An object that is simulated here and now; its mechanics are stored for the next time."""
-    from instobj.live.demo import CELLS, hand_chunks, simulated_hand
+    from instobj.bench.live.demo import CELLS, hand_chunks, simulated_hand
 
     spec = load_spec(options.spec or _DEMO, list(options.overrides))
     run = Run(spec, progress)

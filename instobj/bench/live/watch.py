@@ -23,9 +23,9 @@ from design.spec.object import ObjectSpec
 from estimator.recordings.boards.link import counts_of
 from estimator.recordings.checks.stream import SoundReadings
 from estimator.recordings.table import channel_name
-from instobj.live.contacts import Estimator, Found, placed_labels
-from instobj.live.health import WINDOW, channel_health, health_limits
-from instobj.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
+from instobj.bench.live.contacts import Estimator, Found, placed_labels
+from instobj.bench.live.health import WINDOW, channel_health, health_limits
+from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
 HEADER, ROW, LABELS, NEWS = b"H", b"F", b"L", b"S"
 """First bytes of the reader's messages: channels, a row, labels (JSON), and whatever else (JSON)."""

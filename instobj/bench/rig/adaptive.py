@@ -14,7 +14,7 @@ from estimator.calibration.twin.least_known import (
 )
 from estimator.calibration.twin.pressed_places import drift_rate
 from fem.presses.results import MagnetMotions, PressForces
-from instobj.rig.plan import PressSettings, face_places, middle_place, places_among
+from instobj.bench.rig.plan import PressSettings, face_places, middle_place, places_among
 
 
 def errors_of(spec: ObjectSpec, settings: PressSettings) -> PressErrors:

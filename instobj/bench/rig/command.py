@@ -12,19 +12,19 @@ from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.recordings.boards.growing import finish_recording
-from instobj.commands.hardware.collect_options import stop_on_signals
-from instobj.rig.adaptive import adaptive_order
-from instobj.rig.journal import Journal, journal_path, new_journal, resumed_journal
-from instobj.rig.mounting import Mounting
-from instobj.rig.plan import (
+from instobj.bench.collect.options import stop_on_signals
+from instobj.bench.rig.adaptive import adaptive_order
+from instobj.bench.rig.journal import Journal, journal_path, new_journal, resumed_journal
+from instobj.bench.rig.mounting import Mounting
+from instobj.bench.rig.plan import (
     PressPlan,
     PressSettings,
     press_plan,
     settings_of_few,
     stops_of,
 )
-from instobj.rig.poses import poses, poses_text
-from instobj.rig.run import Ports, carry_out, check_plan, station_on
+from instobj.bench.rig.poses import poses, poses_text
+from instobj.bench.rig.run import Ports, carry_out, check_plan, station_on
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 

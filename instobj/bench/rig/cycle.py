@@ -8,15 +8,15 @@ from collections.abc import Callable
 import numpy as np
 
 from design.errors import InputError
-from instobj.rig.clock import Listening
-from instobj.rig.grbl import MachineFault, until
-from instobj.rig.grbl_lines import ALARMS
-from instobj.rig.mounting import safe_height_mm
-from instobj.rig.phases import Phase
-from instobj.rig.plan import PressSettings
-from instobj.rig.press_code import press_code
-from instobj.rig.station import Spot, Station
-from instobj.rig.stop import ARRIVED_MM, halt
+from instobj.bench.rig.clock import Listening
+from instobj.bench.rig.grbl import MachineFault, until
+from instobj.bench.rig.grbl_lines import ALARMS
+from instobj.bench.rig.mounting import safe_height_mm
+from instobj.bench.rig.phases import Phase
+from instobj.bench.rig.plan import PressSettings
+from instobj.bench.rig.press_code import press_code
+from instobj.bench.rig.station import Spot, Station
+from instobj.bench.rig.stop import ARRIVED_MM, halt
 
 _PATIENCE_S = 5.0
 _HOMING_S = 180.0

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from typing import Protocol, runtime_checkable
 
 from design.errors import InputError
-from instobj.rig.clock import Clock, Listening
-from instobj.rig.grbl_lines import (
+from instobj.bench.rig.clock import Clock, Listening
+from instobj.bench.rig.grbl_lines import (
     ALARMS,
     ERRORS,
     FEED_HOLD,

@@ -14,8 +14,8 @@ from typing import Any
 
 from design.errors import InputError, StoreError
 from design.files import write_whole
-from instobj.rig.mounting import Mounting
-from instobj.rig.plan import PressPlan, plan_of
+from instobj.bench.rig.mounting import Mounting
+from instobj.bench.rig.plan import PressPlan, plan_of
 
 
 @dataclass

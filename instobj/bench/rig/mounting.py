@@ -16,7 +16,7 @@ from jaxtyping import Float
 from design.errors import InputError
 from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
-from instobj.rig.grbl_lines import PULL_OFF_SETTING, TRAVEL_SETTINGS
+from instobj.bench.rig.grbl_lines import PULL_OFF_SETTING, TRAVEL_SETTINGS
 
 LARGEST_TILT_DEG = 3.0
 """Largest lean of a face at its places on a machine that presses straight down."""

@@ -12,7 +12,7 @@ from design.errors import InputError
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
 from design.spec.object import ObjectSpec
-from instobj.rig.contact_law import contact_law
+from instobj.bench.rig.contact_law import contact_law
 
 STOPS = 4
 """Depths per press, if none are given: a press and its retraction must fit into Grbl's buffer."""

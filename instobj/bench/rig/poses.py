@@ -14,7 +14,7 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
 from design.tables import table_text
-from instobj.rig.plan import PressPlan
+from instobj.bench.rig.plan import PressPlan
 
 FRAMES = {
     "object": "origin in the middle of the box round the body, mm, right-handed; docs/architecture.md",

@@ -7,8 +7,8 @@ machine any more.
 from __future__ import annotations
 
 from design.errors import InputError
-from instobj.rig.grbl_lines import RECEIVE_BYTES
-from instobj.rig.plan import PressSettings
+from instobj.bench.rig.grbl_lines import RECEIVE_BYTES
+from instobj.bench.rig.plan import PressSettings
 
 
 def press_code(settings: PressSettings, surface_mm: float, safe_mm: float) -> list[list[str]]:

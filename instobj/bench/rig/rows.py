@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from estimator.recordings.boards.growing import GrowingRecording
-from instobj.rig.load_cell import LoadCell
+from instobj.bench.rig.load_cell import LoadCell
 
 
 @dataclass

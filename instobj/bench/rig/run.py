@@ -17,15 +17,23 @@ from design.layout.tips import tip_places_mm
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards.growing import growing_recording
 from estimator.recordings.boards.link import serial_chunks
-from instobj.rig.chips import Chips
-from instobj.rig.contact_law import ContactLaw, contact_law
-from instobj.rig.cycle import end_rows, greet, home, learn_rest, press, raise_and_listen, take_tare
-from instobj.rig.grbl import GrblLink, MachineFault, grbl_link, until
-from instobj.rig.grbl_lines import TRAVEL_SETTINGS
-from instobj.rig.journal import Journal
-from instobj.rig.load_cell import LoadCell, largest_reading_n
-from instobj.rig.load_lines import forces_on
-from instobj.rig.mounting import (
+from instobj.bench.rig.chips import Chips
+from instobj.bench.rig.contact_law import ContactLaw, contact_law
+from instobj.bench.rig.cycle import (
+    end_rows,
+    greet,
+    home,
+    learn_rest,
+    press,
+    raise_and_listen,
+    take_tare,
+)
+from instobj.bench.rig.grbl import GrblLink, MachineFault, grbl_link, until
+from instobj.bench.rig.grbl_lines import TRAVEL_SETTINGS
+from instobj.bench.rig.journal import Journal
+from instobj.bench.rig.load_cell import LoadCell, largest_reading_n
+from instobj.bench.rig.load_lines import forces_on
+from instobj.bench.rig.mounting import (
     Surface,
     highest_mm,
     relief_mm,
@@ -35,12 +43,12 @@ from instobj.rig.mounting import (
     touch_places,
     touched_surface,
 )
-from instobj.rig.phases import Phase
-from instobj.rig.plan import PressSettings, face_places
-from instobj.rig.press_code import press_code
-from instobj.rig.station import Spot, Station
-from instobj.rig.touch import BELOW_MM, touched
-from instobj.rig.witnesses import Witnesses
+from instobj.bench.rig.phases import Phase
+from instobj.bench.rig.plan import PressSettings, face_places
+from instobj.bench.rig.press_code import press_code
+from instobj.bench.rig.station import Spot, Station
+from instobj.bench.rig.touch import BELOW_MM, touched
+from instobj.bench.rig.witnesses import Witnesses
 
 Say = Callable[[str], None]
 _AFTER_S = 1.0

@@ -12,14 +12,14 @@ from design.errors import InputError
 from estimator.recordings.boards.growing import GrowingRecording
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Load
 from estimator.recordings.boards.link import BoardClock
-from instobj.rig.clock import Listening
-from instobj.rig.grbl import GrblLink, MachineFault
-from instobj.rig.grbl_lines import State
-from instobj.rig.load_cell import LoadCell
-from instobj.rig.phases import DOWNWARD, Phase, require_following
-from instobj.rig.rows import Rows
-from instobj.rig.stop import lift
-from instobj.rig.witnesses import Witnesses
+from instobj.bench.rig.clock import Listening
+from instobj.bench.rig.grbl import GrblLink, MachineFault
+from instobj.bench.rig.grbl_lines import State
+from instobj.bench.rig.load_cell import LoadCell
+from instobj.bench.rig.phases import DOWNWARD, Phase, require_following
+from instobj.bench.rig.rows import Rows
+from instobj.bench.rig.stop import lift
+from instobj.bench.rig.witnesses import Witnesses
 
 ASIDE_MM = 0.1
 BELOW_MM = 0.05

@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from instobj.rig.grbl import GrblLink, MachineFault
-from instobj.rig.grbl_lines import ALARMS, KEPT_POSITION, State
+from instobj.bench.rig.grbl import GrblLink, MachineFault
+from instobj.bench.rig.grbl_lines import ALARMS, KEPT_POSITION, State
 
 ARRIVED_MM = 0.03
 """Reports have three digits and steps of machines are finer; a lost character changes tenths at least."""

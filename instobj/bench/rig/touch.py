@@ -7,13 +7,13 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from instobj.rig.contact_law import LARGEST_RATIO, likely_unit
-from instobj.rig.cycle import raise_and_listen, require_at, settle, take_tare, travel
-from instobj.rig.grbl import until
-from instobj.rig.mounting import safe_height_mm
-from instobj.rig.phases import Phase
-from instobj.rig.plan import PressSettings
-from instobj.rig.station import Spot, Station
+from instobj.bench.rig.contact_law import LARGEST_RATIO, likely_unit
+from instobj.bench.rig.cycle import raise_and_listen, require_at, settle, take_tare, travel
+from instobj.bench.rig.grbl import until
+from instobj.bench.rig.mounting import safe_height_mm
+from instobj.bench.rig.phases import Phase
+from instobj.bench.rig.plan import PressSettings
+from instobj.bench.rig.station import Spot, Station
 
 BELOW_MM, ABOVE_MM = 1.0, 3.0
 """How far from where the surface is expected it is looked for: a hand that sets a height by eye or by a

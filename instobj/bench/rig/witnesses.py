@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from design.errors import InputError
-from instobj.rig.chips import Chips
-from instobj.rig.contact_law import LARGEST_RATIO, ContactLaw, likely_unit
-from instobj.rig.load_cell import LoadCell
+from instobj.bench.rig.chips import Chips
+from instobj.bench.rig.contact_law import LARGEST_RATIO, ContactLaw, likely_unit
+from instobj.bench.rig.load_cell import LoadCell
 
 TOUCH_N = 0.2
 """Force that counts as touch, where the load cell's noise allows it."""

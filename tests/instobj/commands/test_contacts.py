@@ -13,7 +13,7 @@ from estimator.frames.dataset import save_frames
 from estimator.inversion.storage import load_inversion, save_inversion
 from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
-from instobj.commands.hardware.predict import export_models
+from instobj.commands.predict import export_models
 from instobj.commands.run import run_estimator
 from tests.support.mechanics.inverted import SPEC, inverted, labelled_frames, noisy_counts
 from tests.support.recordings.dummy_board import dummy_board

@@ -13,9 +13,9 @@ from jaxtyping import Float, Int
 from design.errors import InputError
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.hold_places import OVER_MM, hold_places
 from estimator.signals.hall import full_scale_counts
 from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.asking.hold_places import OVER_MM, hold_places
 
 Step = Literal["still", "held", "earth", "closed", "magnet", "rest"]
 STEPS: dict[Step, str] = {

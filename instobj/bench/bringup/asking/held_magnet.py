@@ -14,10 +14,10 @@ from jaxtyping import Float
 
 from design.layout.places.positions import SensorLayout, sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.hold_places import hold_places
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_sources
 from estimator.field.vectors import components, rotate
+from instobj.bench.bringup.asking.hold_places import hold_places
 
 HAND_MM, HAND_RAD, TURNED_COUNTS_UT = 6.0, 0.5, 50.0
 """How far hands are off (standard deviations), and what turning the core in Earth's field changes."""

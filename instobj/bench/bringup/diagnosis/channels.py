@@ -19,8 +19,8 @@ from jaxtyping import Bool, Float, Int
 from scipy.optimize import linear_sum_assignment
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.held_magnet import HeldMagnet, held_magnet, stated_pose
-from estimator.bringup.diagnosis.levenberg_marquardt import many_most_probable
+from instobj.bench.bringup.asking.held_magnet import HeldMagnet, held_magnet, stated_pose
+from instobj.bench.bringup.diagnosis.levenberg_marquardt import many_most_probable
 
 OTHER_PLACE, OTHER_TURN, MIRRORED, TURNED_OVER = 7.0, 7.0, 9.0, 5.0
 """What hypotheses cost, −ln of their prior odds: another place, turned, mirrored axes, and a magnet

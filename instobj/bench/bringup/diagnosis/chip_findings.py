@@ -9,9 +9,9 @@ from jaxtyping import Float, Int
 
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.diagnosis.earth import EARTH_UT, EarthFound
-from estimator.bringup.diagnosis.findings import HALF_95, ChipFound, Finding, channel_name
 from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.diagnosis.earth import EARTH_UT, EarthFound
+from instobj.bench.bringup.diagnosis.findings import HALF_95, ChipFound, Finding, channel_name
 
 TURNED, GAIN, OFFSET = 6.0, 4.2, 5.0
 """Standard deviations beyond tolerance and measurement at which a finding is made."""

@@ -14,8 +14,8 @@ import numpy as np
 from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
-from estimator.bringup.diagnosis.channels import Arrangement, HeldReadings, model_error
-from estimator.bringup.diagnosis.findings import HALF_95, ChipFound
+from instobj.bench.bringup.diagnosis.channels import Arrangement, HeldReadings, model_error
+from instobj.bench.bringup.diagnosis.findings import HALF_95, ChipFound
 
 _OPEN = 0.3
 """Prior of the entries of G: far beyond any tolerance."""

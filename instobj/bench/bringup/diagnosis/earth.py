@@ -23,8 +23,8 @@ from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import POSES
-from estimator.bringup.diagnosis.findings import HALF_95, ChipFound
+from instobj.bench.bringup.asking.asked import POSES
+from instobj.bench.bringup.diagnosis.findings import HALF_95, ChipFound
 
 EARTH_UT = (25.0, 65.0)
 """At the surface (IGRF): from South America to the magnetic poles."""

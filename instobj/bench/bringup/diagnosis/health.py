@@ -10,9 +10,9 @@ from jaxtyping import Float
 
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import Recording
-from estimator.bringup.diagnosis.findings import Finding, channel_name
 from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.asking.asked import Recording
+from instobj.bench.bringup.diagnosis.findings import Finding, channel_name
 
 NOISY = 2.0
 """Times the noise of the specification; real chips differ by a quarter (docs/units.md)."""

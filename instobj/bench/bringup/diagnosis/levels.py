@@ -8,8 +8,8 @@ import numpy as np
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.diagnosis.findings import ChipFound, Finding
 from estimator.tolerances.selftest import POOR_FIT, FaultKind, Hypothesis, rank, rest_model
+from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
 
 
 def in_designed_axes(

@@ -14,10 +14,10 @@ from jaxtyping import Float
 
 from design.layout.places.positions import magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import magnet_names
-from estimator.bringup.diagnosis.findings import ChipFound, Finding
 from estimator.field.models import field_of_each, magnets_model
 from estimator.field.vectors import components
+from instobj.bench.bringup.asking.asked import magnet_names
+from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
 
 TURNED_UT = 100.0
 """Standard deviation beforehand of a uniform change of the field."""

@@ -10,14 +10,14 @@ import pytest
 from design.errors import InputError
 from design.layout.places.positions import live_channels, magnet_layout, sensor_layout
 from design.spec_io import load_spec
-from estimator.bringup.asking.asked import asked_of, further_holds
-from estimator.bringup.simulated import simulated_object
-from estimator.bringup.verdict import judge
 from estimator.recordings.boards.link import serial_chunks
-from instobj.commands.bringup.dialogue import left_of, through
-from instobj.commands.bringup.journal import channels_of, open_journal, read_journal
-from instobj.commands.bringup.sources import Board, FromFile, Simulated
-from instobj.report.bringup_page import bringup_page
+from instobj.bench.bringup.asking.asked import asked_of, further_holds
+from instobj.bench.bringup.dialogue import left_of, through
+from instobj.bench.bringup.journal import channels_of, open_journal, read_journal
+from instobj.bench.bringup.page import bringup_page
+from instobj.bench.bringup.simulated import simulated_object
+from instobj.bench.bringup.sources import Board, FromFile, Simulated
+from instobj.bench.bringup.verdict import judge
 from tests.support.cli import assert_one_clear_error, run
 from tests.support.new_objects import SMALL, SMALL_TEXT, played_board
 
@@ -219,7 +219,7 @@ def test_a_further_hold_is_asked_for_before_the_second_still_recording_and_may_b
 ):
     names = [hold.name for hold in further_holds(SMALL)[10:12]]
     monkeypatch.setattr(
-        "instobj.commands.bringup.sources.next_hold",
+        "instobj.bench.bringup.sources.next_hold",
         lambda spec, recordings, left_out: next(
             (h for h in further_holds(spec) if h.name in names and h.name not in left_out), None
         ),

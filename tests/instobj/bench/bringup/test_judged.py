@@ -5,10 +5,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.diagnosis import levels
-from estimator.bringup.diagnosis.channels import signed_permutations
-from estimator.bringup.diagnosis.findings import ChipFound
 from estimator.tolerances.selftest import POOR_FIT, Fault, Hypothesis
+from instobj.bench.bringup.diagnosis import levels
+from instobj.bench.bringup.diagnosis.channels import signed_permutations
+from instobj.bench.bringup.diagnosis.findings import ChipFound
 
 SPEC = ObjectSpec(name="cube")
 

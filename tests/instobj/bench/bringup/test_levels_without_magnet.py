@@ -5,9 +5,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.spec.object import ObjectSpec
-from estimator.bringup import verdict
-from estimator.bringup.asking.asked import STILL, STILL_AGAIN, Recording
 from estimator.signals.hall import full_scale_counts
+from instobj.bench.bringup import verdict
+from instobj.bench.bringup.asking.asked import STILL, STILL_AGAIN, Recording
 
 SPEC = ObjectSpec(name="cube")
 

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from design.layout.body import core_frames
-from estimator.bringup import next_hold as chosen_holds
-from estimator.bringup.asking.asked import MOST_FURTHER, STILL_AGAIN, asked_of, further_holds
-from estimator.bringup.asking.hold_places import BETWEEN_MM, hold_places
-from estimator.bringup.diagnosis.channels import HeldReadings
-from estimator.bringup.diagnosis.chip_findings import wide_gains, widest_gain_sd
-from estimator.bringup.diagnosis.chip_fit import fitted
-from estimator.bringup.next_hold import information_of, next_hold
-from estimator.bringup.simulated import simulated_object
-from estimator.bringup.verdict import held_so_far, which_is_which
+from instobj.bench.bringup import next_hold as chosen_holds
+from instobj.bench.bringup.asking.asked import MOST_FURTHER, STILL_AGAIN, asked_of, further_holds
+from instobj.bench.bringup.asking.hold_places import BETWEEN_MM, hold_places
+from instobj.bench.bringup.diagnosis.channels import HeldReadings
+from instobj.bench.bringup.diagnosis.chip_findings import wide_gains, widest_gain_sd
+from instobj.bench.bringup.diagnosis.chip_fit import fitted
+from instobj.bench.bringup.next_hold import information_of, next_hold
+from instobj.bench.bringup.simulated import simulated_object
+from instobj.bench.bringup.verdict import held_so_far, which_is_which
 from tests.support.new_objects import BOX
 
 PLANNED = {asked.name: asked for asked in asked_of(BOX) if asked.step in ("still", "held")}

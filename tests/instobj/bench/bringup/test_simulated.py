@@ -5,8 +5,8 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
-from estimator.bringup.asking.asked import asked_of
-from estimator.bringup.simulated import PlantedFault, parse_fault, simulated_object
+from instobj.bench.bringup.asking.asked import asked_of
+from instobj.bench.bringup.simulated import PlantedFault, parse_fault, simulated_object
 from tests.support.new_objects import SMALL
 
 SOUND = simulated_object(SMALL, 1)

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.asking.asked import asked_of
-from estimator.bringup.simulated import brought_up, parse_fault, simulated_object
-from estimator.bringup.verdict import judge
+from instobj.bench.bringup.asking.asked import asked_of
+from instobj.bench.bringup.simulated import brought_up, parse_fault, simulated_object
+from instobj.bench.bringup.verdict import judge
 from tests.support.new_objects import BOX, SMALL
 
 SPEC = ObjectSpec.model_validate({"name": "cube", "sensors": {"cross_axis_tolerance": 0.01}})

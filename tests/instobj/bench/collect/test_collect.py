@@ -14,8 +14,8 @@ import pytest
 from design.errors import InputError
 from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
 from estimator.recordings.formats.files import read_table
-from instobj.commands.hardware.collect import collect
-from instobj.commands.hardware.collect_options import CollectOptions
+from instobj.bench.collect.command import collect
+from instobj.bench.collect.options import CollectOptions
 from tests.support.cli import assert_one_clear_error, run
 from tests.support.recordings.dummy_board import (
     CHANNELS,

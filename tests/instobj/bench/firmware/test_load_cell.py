@@ -6,8 +6,8 @@ import pytest
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards.lines import Frame, Load, Status
 from estimator.recordings.formats.files import read_table
-from instobj.commands.hardware.collect import collect
-from instobj.commands.hardware.collect_options import CollectOptions
+from instobj.bench.collect.command import collect
+from instobj.bench.collect.options import CollectOptions
 from tests.support.avr.board import (
     bridge_mv_per_v,
     built,

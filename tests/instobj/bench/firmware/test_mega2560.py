@@ -7,8 +7,8 @@ from design.spec.object import ObjectSpec
 from design.wiring.dealing import MIXED, MULTIPLEXED, STARTED
 from estimator.recordings.boards.lines import Frame, Header, Status
 from estimator.recordings.formats.files import read_table
-from instobj.commands.hardware.collect import collect
-from instobj.commands.hardware.collect_options import CollectOptions
+from instobj.bench.collect.command import collect
+from instobj.bench.collect.options import CollectOptions
 from tests.support.avr.board import (
     built,
     celsius,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from estimator.recordings.boards.lines import Frame, LineDecoder, Load, encode_header
-from instobj.live.demo import hand_lines, simulated_hand
+from instobj.bench.live.demo import hand_lines, simulated_hand
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec()

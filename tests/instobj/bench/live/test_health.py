@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from design.spec.object import ObjectSpec
-from instobj.live.health import (
+from instobj.bench.live.health import (
     ABSENT,
     DEAD,
     DRIFTING,

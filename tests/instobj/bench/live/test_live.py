@@ -27,13 +27,13 @@ from estimator.recordings.boards.lines import (
 )
 from estimator.recordings.boards.link import replay_chunks, serial_chunks
 from estimator.recordings.formats.files import read_table
-from instobj.commands.hardware import live as command
-from instobj.commands.hardware.collect_options import CollectOptions
-from instobj.commands.hardware.live import live, run_live
-from instobj.commands.hardware.live_source import LiveOptions, LiveSource, data_set_table
-from instobj.commands.hardware.readings import Zeroing
-from instobj.live.contacts import open_estimator
-from instobj.live.process import page_process
+from instobj.bench.collect.options import CollectOptions
+from instobj.bench.live import command
+from instobj.bench.live.command import live, run_live
+from instobj.bench.live.contacts import open_estimator
+from instobj.bench.live.process import page_process
+from instobj.bench.live.source import LiveOptions, LiveSource, data_set_table
+from instobj.commands.readings import Zeroing
 from instobj.store.progress import ProgressLine
 from tests.support.mechanics.inverted import labelled_frames
 from tests.support.recordings.dummy_board import dummy_board

@@ -9,11 +9,11 @@ import pytest
 from aiohttp import ClientSession, WSServerHandshakeError, web
 
 from design.spec.object import ObjectSpec
-from instobj.live import server
-from instobj.live.contacts import Found
-from instobj.live.protocol import read_frames_message
-from instobj.live.server import Page, application, is_loopback
-from instobj.live.watch import HEADER, Reading, Watch, channel_names, row_message
+from instobj.bench.live import server
+from instobj.bench.live.contacts import Found
+from instobj.bench.live.protocol import read_frames_message
+from instobj.bench.live.server import Page, application, is_loopback
+from instobj.bench.live.watch import HEADER, Reading, Watch, channel_names, row_message
 
 SPEC = ObjectSpec(name="cube")
 NAMES = channel_names(SPEC)

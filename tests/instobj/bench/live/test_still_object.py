@@ -14,11 +14,11 @@ from aiohttp import web
 from PIL import Image
 
 from design.spec.object import ObjectSpec
-from instobj.live.contacts import Found, placed_contact
-from instobj.live.process import call_within, read_frames
-from instobj.live.scene import live_scene
-from instobj.live.server import Page, application
-from instobj.live.watch import HEADER, Watch, channel_names, row_message
+from instobj.bench.live.contacts import Found, placed_contact
+from instobj.bench.live.process import call_within, read_frames
+from instobj.bench.live.scene import live_scene
+from instobj.bench.live.server import Page, application
+from instobj.bench.live.watch import HEADER, Watch, channel_names, row_message
 from tests.support.browser import Browser, chromium
 
 pytestmark = pytest.mark.skipif(chromium() is None, reason="no Chromium on this machine")

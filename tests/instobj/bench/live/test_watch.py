@@ -8,9 +8,9 @@ import pytest
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from instobj.live.contacts import Found, placed_contact, placed_label, placed_labels
-from instobj.live.health import DRIFTING, GOOD
-from instobj.live.watch import HEADER, LABELS, NEWS, Watch, channel_names, row_message
+from instobj.bench.live.contacts import Found, placed_contact, placed_label, placed_labels
+from instobj.bench.live.health import DRIFTING, GOOD
+from instobj.bench.live.watch import HEADER, LABELS, NEWS, Watch, channel_names, row_message
 
 SPEC = ObjectSpec(name="cube")
 NAMES = channel_names(SPEC)
@@ -130,7 +130,7 @@ def test_a_chip_that_stands_still_is_left_out_and_told():
 
 
 def test_a_reading_that_fails_is_told_and_ends_with_its_cause(monkeypatch):
-    monkeypatch.setattr("instobj.live.watch.AGAIN_S", 0.0)
+    monkeypatch.setattr("instobj.bench.live.watch.AGAIN_S", 0.0)
     watch = watching(Told(False))
     feed(watch, [600.0])
     watch.read_next()

@@ -7,8 +7,8 @@ from numpy.testing import assert_allclose
 from design.spec.object import ObjectSpec
 from estimator.calibration.twin.pressed_places import drift_rate
 from estimator.recordings.drift import levels_under_presses
-from instobj.rig.adaptive import errors_of
-from instobj.rig.plan import PressSettings, settings_of_few, stops_of
+from instobj.bench.rig.adaptive import errors_of
+from instobj.bench.rig.plan import PressSettings, settings_of_few, stops_of
 
 SPEC, PRESSES, SENSORS = ObjectSpec(name="cube"), 5, 30
 

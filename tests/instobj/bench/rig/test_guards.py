@@ -5,11 +5,11 @@ import pytest
 
 from design.spec.load_cell import LoadCellSpec
 from design.spec.object import ObjectSpec
-from instobj.rig.chips import Chips, NoWitness
-from instobj.rig.contact_law import contact_law
-from instobj.rig.grbl import GrblLink, MachineFault
-from instobj.rig.load_cell import LoadCell, NoReading, largest_reading_n
-from instobj.rig.phases import Phase, require_following
+from instobj.bench.rig.chips import Chips, NoWitness
+from instobj.bench.rig.contact_law import contact_law
+from instobj.bench.rig.grbl import GrblLink, MachineFault
+from instobj.bench.rig.load_cell import LoadCell, NoReading, largest_reading_n
+from instobj.bench.rig.phases import Phase, require_following
 
 
 class Sink:

@@ -2,9 +2,9 @@
 
 import pytest
 
-from instobj.rig.grbl import GrblLink, MachineFault
-from instobj.rig.grbl_lines import Alarm, Done, Greeting, Refused, ReplyReader, Setting, State
-from instobj.rig.load_lines import NumberLines
+from instobj.bench.rig.grbl import GrblLink, MachineFault
+from instobj.bench.rig.grbl_lines import Alarm, Done, Greeting, Refused, ReplyReader, Setting, State
+from instobj.bench.rig.load_lines import NumberLines
 
 
 class FakeLine:

@@ -5,11 +5,11 @@ from types import SimpleNamespace
 import pytest
 
 from design.spec.object import ObjectSpec
-from instobj.rig import cycle
-from instobj.rig.clock import Clock
-from instobj.rig.grbl import GrblLink, MachineFault, until
-from instobj.rig.run import new_station
-from instobj.rig.station import Silence
+from instobj.bench.rig import cycle
+from instobj.bench.rig.clock import Clock
+from instobj.bench.rig.grbl import GrblLink, MachineFault, until
+from instobj.bench.rig.run import new_station
+from instobj.bench.rig.station import Silence
 
 LOST_S = 3.0
 

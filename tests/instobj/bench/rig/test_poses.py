@@ -9,8 +9,8 @@ from scipy.spatial.transform import Rotation
 from design.errors import InputError
 from design.layout.body import face_frame
 from design.spec_io import load_spec
-from instobj.commands.hardware.rig import RigOptions, rig
-from instobj.rig.plan import PressSettings, face_places, places_among, press_plan
+from instobj.bench.rig.command import RigOptions, rig
+from instobj.bench.rig.plan import PressSettings, face_places, places_among, press_plan
 from instobj.stages.run import Run
 from tests.support.mechanics.synthetic_presses import synthetic_presses
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from instobj.rig.grbl import GrblLink
-from instobj.rig.plan import PressSettings
-from instobj.rig.press_code import press_code
+from instobj.bench.rig.grbl import GrblLink
+from instobj.bench.rig.plan import PressSettings
+from instobj.bench.rig.press_code import press_code
 from tests.support.grbl_simulator import GrblSimulator
 
 SURFACE_MM, SAFE_MM, STEP_S = -20.0, -15.0, 0.02

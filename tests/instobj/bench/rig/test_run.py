@@ -13,9 +13,9 @@ import pytest
 
 from design.errors import InputError
 from estimator.recordings.reading import read_recording
-from instobj.commands.hardware.rig import RigOptions, rig
-from instobj.rig.mounting import Mounting
-from instobj.rig.run import Ports
+from instobj.bench.rig.command import RigOptions, rig
+from instobj.bench.rig.mounting import Mounting
+from instobj.bench.rig.run import Ports
 from tests.support.rig_bench import MIDDLE_MM, TOP_MM, bench, hertz, simple_counts
 
 LIMIT_N = 10.0 * 4 / 3

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from instobj.rig.touch import felt_enough, first_touch_mm
+from instobj.bench.rig.touch import felt_enough, first_touch_mm
 
 TOUCH_N = 0.2
 

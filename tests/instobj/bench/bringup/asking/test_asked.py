@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from estimator.bringup.asking.asked import (
+from instobj.bench.bringup.asking.asked import (
     POSES,
     asked_of,
     further_holds,

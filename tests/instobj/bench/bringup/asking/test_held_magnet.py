@@ -7,9 +7,9 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
-from estimator.bringup.asking.held_magnet import held_magnet, stated_pose
-from estimator.bringup.asking.hold_places import hold_places
 from estimator.field.sources import magnet_source
+from instobj.bench.bringup.asking.held_magnet import held_magnet, stated_pose
+from instobj.bench.bringup.asking.hold_places import hold_places
 from tests.support.new_objects import SMALL
 
 HOLD = 5

@@ -9,11 +9,11 @@ from numpy.testing import assert_allclose, assert_array_equal
 from scipy.optimize import brentq
 
 from design.layout.places.positions import sensor_layout
-from estimator.bringup.asking.held_magnet import held_magnet
-from estimator.bringup.diagnosis import channels, chip_fit
-from estimator.bringup.diagnosis.channels import find_chips, held_readings, signed_permutations
-from estimator.bringup.diagnosis.chip_fit import chips_found, orthogonal_part
 from estimator.field.sources import magnet_source
+from instobj.bench.bringup.asking.held_magnet import held_magnet
+from instobj.bench.bringup.diagnosis import channels, chip_fit
+from instobj.bench.bringup.diagnosis.channels import find_chips, held_readings, signed_permutations
+from instobj.bench.bringup.diagnosis.chip_fit import chips_found, orthogonal_part
 from tests.support.new_objects import SMALL
 from tests.support.physics_pages import assert_page
 
@@ -292,7 +292,7 @@ def test_what_is_found_of_chips_is_as_on_the_page(shuffled):
             (f"chip at {chip.site}, turn", chip.turn),
             (f"chip at {chip.site}, gains ±", [*chip.gain, *chip.gain_interval]),
         ]
-    assert_page("estimator/bringup", lines, "chips, ")
+    assert_page("instobj/bench/bringup", lines, "chips, ")
 
 
 def test_what_turns_a_hold_over_is_weighed_by_the_errors_of_its_readings():

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from design.spec.object import ObjectSpec
-from estimator.bringup.diagnosis import chip_findings
-from estimator.bringup.diagnosis.earth import EarthFound
-from estimator.bringup.diagnosis.findings import HALF_95, ChipFound, Finding, channel_name
-from estimator.bringup.diagnosis.poles import MagnetFound, magnet_findings
+from instobj.bench.bringup.diagnosis import chip_findings
+from instobj.bench.bringup.diagnosis.earth import EarthFound
+from instobj.bench.bringup.diagnosis.findings import HALF_95, ChipFound, Finding, channel_name
+from instobj.bench.bringup.diagnosis.poles import MagnetFound, magnet_findings
 from tests.support.new_objects import SMALL
 
 SPEC = ObjectSpec.model_validate(

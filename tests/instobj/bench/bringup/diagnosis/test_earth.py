@@ -5,9 +5,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
-from estimator.bringup.asking.asked import POSES
-from estimator.bringup.diagnosis.earth import first_field, from_earth, in_object, results_of_fit
-from estimator.bringup.diagnosis.findings import ChipFound
+from instobj.bench.bringup.asking.asked import POSES
+from instobj.bench.bringup.diagnosis.earth import first_field, from_earth, in_object, results_of_fit
+from instobj.bench.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
 from tests.support.physics_pages import assert_page, chosen
 
@@ -86,7 +86,7 @@ def test_all_gains_together_are_told_as_a_stronger_field(means, found):
 
 def test_what_is_found_in_earth_s_field_is_as_on_the_page(found):
     lines = chosen(found, "field_ut", "field_interval_ut", "offset", "gain", "gain_interval")
-    assert_page("estimator/bringup", [*lines, ("misfit", found.misfit)], "earth, ")
+    assert_page("instobj/bench/bringup", [*lines, ("misfit", found.misfit)], "earth, ")
 
 
 def test_the_first_field_is_that_of_least_squares_about_the_mean_pose():

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from estimator.bringup.asking.asked import Recording
-from estimator.bringup.diagnosis.findings import ChipFound
-from estimator.bringup.diagnosis.health import Health, health_findings, health_of, line_findings
-from estimator.bringup.diagnosis.levenberg_marquardt import many_most_probable
-from estimator.bringup.diagnosis.poles import find_magnet, magnet_findings, pocket_fields
+from instobj.bench.bringup.asking.asked import Recording
+from instobj.bench.bringup.diagnosis.findings import ChipFound
+from instobj.bench.bringup.diagnosis.health import Health, health_findings, health_of, line_findings
+from instobj.bench.bringup.diagnosis.levenberg_marquardt import many_most_probable
+from instobj.bench.bringup.diagnosis.poles import find_magnet, magnet_findings, pocket_fields
 from tests.support.new_objects import SMALL
 
 CHIPS = tuple(ChipFound(site, np.eye(3)) for site in range(10))

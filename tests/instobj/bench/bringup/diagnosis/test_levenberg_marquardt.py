@@ -4,7 +4,7 @@ import numpy as np
 from numpy.testing import assert_allclose
 from scipy.optimize import least_squares
 
-from estimator.bringup.diagnosis.levenberg_marquardt import many_most_probable
+from instobj.bench.bringup.diagnosis.levenberg_marquardt import many_most_probable
 
 
 def test_linear_problems_are_solved_in_a_few_steps_and_their_cost_is_half_the_squares():

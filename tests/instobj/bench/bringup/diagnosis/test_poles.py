@@ -8,9 +8,9 @@ from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import magnet_layout, sensor_layout
-from estimator.bringup.diagnosis import poles
-from estimator.bringup.diagnosis.findings import ChipFound
 from estimator.field.sources import magnet_source
+from instobj.bench.bringup.diagnosis import poles
+from instobj.bench.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
 from tests.support.physics_pages import assert_page, chosen
 
@@ -111,4 +111,4 @@ def test_fields_of_pockets_and_a_magnet_found_are_as_on_the_page(fields):
     found = poles.find_magnet(SPEC, fields, 3, change)
     lines = chosen(fields, "step", "error", "uniform")
     lines += chosen(found, "asked", "pocket", "strength")
-    assert_page("estimator/bringup", lines, "poles, ")
+    assert_page("instobj/bench/bringup", lines, "poles, ")

@@ -10,7 +10,7 @@ import typer
 from instobj.cli.options import AsJson, LoadPort, Overrides, Spec, port_and_baud, show
 
 if TYPE_CHECKING:
-    from instobj.rig.mounting import Mounting
+    from instobj.bench.rig.mounting import Mounting
 
 app = typer.Typer()
 
@@ -109,9 +109,9 @@ def rig(
     overrides: Overrides = None,
 ) -> None:
     """Press planned places with a machine and record them, or list the poses for a robot arm."""
-    from instobj.commands.hardware.rig import RigOptions
-    from instobj.commands.hardware.rig import rig as press_with_rig
-    from instobj.rig.run import Ports
+    from instobj.bench.rig.command import RigOptions
+    from instobj.bench.rig.command import rig as press_with_rig
+    from instobj.bench.rig.run import Ports
 
     ports = None
     board, baud = port_and_baud(board_port)
@@ -136,7 +136,7 @@ def rig(
 
 def _mounting(middle: str | None, turn_deg: float) -> Mounting | None:
     from design.errors import InputError
-    from instobj.rig.mounting import Mounting
+    from instobj.bench.rig.mounting import Mounting
 
     if middle is None:
         return None
