@@ -14,6 +14,7 @@ from design.layout.body import core_frames
 from design.layout.places.positions import sensor_layout
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
+from design.tables import toml_value
 from instobj.bench.bringup.diagnosis.chip_findings import is_turned
 from instobj.bench.bringup.diagnosis.findings import ChipFound
 from instobj.bench.bringup.diagnosis.poles import ABSENT
@@ -88,17 +89,9 @@ def write_as_built(found: AsBuiltSpec, path: Path, remarks: Sequence[str]) -> Pa
     for table, entries in (("magnets", found.magnets), ("sensors", found.sensors)):
         for entry in entries:
             lines += ["", f"[[{table}]]"]
-            lines += [f"{k} = {_toml(v)}" for k, v in entry.model_dump(exclude_unset=True).items()]
+            lines += [
+                f"{k} = {toml_value(v)}" for k, v in entry.model_dump(exclude_unset=True).items()
+            ]
     with atomic_path(path) as temporary:
         temporary.write_text("\n".join([*lines, ""]), encoding="utf-8")
     return path
-
-
-def _toml(value: Any) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, str):
-        return f'"{value}"'
-    if isinstance(value, (list, tuple)):
-        return f"[{', '.join(map(_toml, value))}]"
-    return repr(value)

@@ -8,13 +8,12 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import tomli_w
-
 from design.files import atomic_path
 from design.layout.places.coverage import covered_share
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
+from design.tables import toml_text
 from estimator.layouts.fidelity import SCORE_NAMES
 from instobj.search.outcome.history import search_history
 from instobj.search.outcome.layouts import shown_layouts
@@ -73,7 +72,7 @@ def write_specification(spec: ObjectSpec, name: str, path: Path, beside: Path) -
         if key in content[table]:
             content[table][key] = str((beside / content[table][key]).absolute())
     with atomic_path(path) as temporary:
-        temporary.write_bytes(tomli_w.dumps(content).encode())
+        temporary.write_bytes(toml_text(content).encode())
 
 
 def _results(found: Promotion) -> dict[str, Any]:
