@@ -39,7 +39,7 @@ _OF_THE_FORMAT = (
     "_NCProperties",
 )
 """Attributes by which NetCDF keeps axes and itself in HDF5."""
-_AXIS_ALONE = b"This is a netCDF dimension but not a netCDF variable"
+_AXIS_ALONE = b"This is a netCDF dimension but not a netCDF variable."
 _LARGEST_CHUNK_BYTES = 2**30
 FIRST_READING_S, _FIRST_READING_BYTES_PER_S = 120.0, 2e7
 """Limit of time of the separate process that reads a foreign file."""
@@ -100,7 +100,7 @@ def write_netcdf(
     StoreError
         The folder cannot be written.
     """
-    import h5netcdf
+    import h5py
 
     arrays = {
         name: (tuple(dims.split()), np.asarray(values[name]), unit)
@@ -112,24 +112,40 @@ def write_netcdf(
         for dims, array, _ in arrays.values()
         for axis, size in zip(dims, array.shape, strict=True)
     }
-    name, version = kind.schema
+    for name, (dims, array, _) in arrays.items():
+        if array.shape != (needed := tuple(sizes[axis] for axis in dims)):
+            raise ValueError(f"{name} has shape {array.shape}, its axes {dims} {needed}")
     image = io.BytesIO()  # HDF5 on a disk that fills leaves files open and crashes at exit
-    with h5netcdf.File(image, "w", libver=_HDF5_FORMAT) as file:
-        file.dimensions.update(sizes)
-        file.attrs.update({**(attributes or {}), name: version})
+    with h5py.File(image, "w", libver=_HDF5_FORMAT, track_order=True) as file:
+        for name, value in {**(attributes or {}), kind.schema[0]: kind.schema[1]}.items():
+            file.attrs[name] = np.atleast_1d(value) if isinstance(value, int | float) else value
         for name, (dims, array, unit) in arrays.items():
             told = {kind.unit_name: unit} if unit else {}
-            variable = _write_array(file, name, dims, array, name in kind.packed)
+            variable = _write_array(file, name, array, name in kind.packed)
             variable.attrs.update(told | _labels(kind, name))
+        _write_axes(file, sizes, {name: dims for name, (dims, _, _) in arrays.items()})
     with atomic_path(path) as temporary, temporary.open("wb") as stream:
         stream.write(image.getbuffer())
         stream.write(end_seal(image.getbuffer()))
 
 
-def _write_array(
-    file: Any, name: str, dims: tuple[str, ...], array: np.ndarray, packed: bool
-) -> Any:
-    """An array as xarray writes it, which would import pandas and Dask for that: half a second."""
+def _write_axes(file: Any, sizes: Mapping[str, int], axes: Mapping[str, tuple[str, ...]]) -> None:
+    """Mark the axes of arrays as NetCDF4 does: HDF5's dimension scales, numbered in one order."""
+    for number, (axis, size) in enumerate(sizes.items()):
+        if axes.get(axis) != (axis,):  # no labels: an array without values stands for the axis
+            file.create_dataset(axis, (size,), ">f4")
+            file[axis].make_scale(f"{_AXIS_ALONE.decode()}{size:10d}")
+        else:
+            file[axis].make_scale(axis)
+        file[axis].attrs["_Netcdf4Dimid"] = np.int32(number)
+    for name, dims in axes.items():
+        if dims != (name,):
+            for number, axis in enumerate(dims):
+                file[name].dims[number].attach_scale(file[axis])
+
+
+def _write_array(file: Any, name: str, array: np.ndarray, packed: bool) -> Any:
+    """Write an array as xarray does, which would import pandas and Dask for that: half a second."""
     import h5py
 
     how = _encoding(array, packed)
@@ -140,10 +156,10 @@ def _write_array(
         written = np.int8
     elif array.dtype.kind == "U":
         written, array = h5py.string_dtype(), array.astype(object)
-    variable = file.create_variable(name, dims, written, fillvalue=fill, **how)
-    if variable.shape != array.shape:
-        raise ValueError(f"{name} has shape {array.shape}, its axes {dims} {variable.shape}")
-    variable[...] = array.astype(written, copy=False)
+    data = array.astype(written, copy=False)
+    variable = file.create_dataset(name, data=data, dtype=written, fillvalue=fill, **how)
+    if fill is not None:
+        variable.attrs["_FillValue"] = np.array([fill])
     if array.dtype.kind == "b":
         variable.attrs["dtype"] = "bool"
     return variable
@@ -232,17 +248,25 @@ def _damage_told() -> Iterator[None]:
 
 
 def _as_written(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]]:
-    """Return what `write_netcdf` wrote, by HDF5 alone: the layers above it ask for each axis dozens of times,
-    which takes three times as long."""
+    """Return what `write_netcdf` wrote."""
     import h5py
 
     with h5py.File(path) as file:
-        arrays = {
-            name: _array(file, name)
-            for name, item in file.items()
-            if not item.attrs.get("NAME", b"").startswith(_AXIS_ALONE)
-        }
-        return arrays, _attributes(file.attrs)
+        return arrays_of(file)
+
+
+def arrays_of(file: Any) -> tuple[dict[str, NamedArray], dict[str, Any]]:
+    """Arrays and attributes of an open file, by HDF5 alone: the layers of others ask for each axis dozens
+    of times, which takes three times as long."""
+    import h5py
+
+    arrays = {
+        name: _array(file, name)
+        for name, item in file.items()
+        if isinstance(item, h5py.Dataset)
+        and not item.attrs.get("NAME", b"").startswith(_AXIS_ALONE)
+    }
+    return arrays, _attributes(file.attrs)
 
 
 def _array(file: Any, name: str) -> NamedArray:

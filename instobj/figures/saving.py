@@ -53,7 +53,7 @@ def save_drawn(canvas: FigureCanvasAgg, path: Path | str) -> Path:
         canvas.buffer_rgba(),
         format="png",
         dpi=canvas.figure.dpi,
-        metadata={"Software": None},  # the same bytes from any version
+        metadata={"Software": "instobj"},  # in place of a version, so that bytes stay the same
         pil_kwargs={"compress_level": _COMPRESSION},
     )
     with atomic_path(path) as temporary:

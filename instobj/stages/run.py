@@ -225,14 +225,9 @@ class Run:
         `baseline_counts` and `reading_counts`, a simulated noisy reading (counts). Places that a
         face has not are NaN, −2147483648 among the readings.
         """
-        import xarray as xr
+        from instobj.stages.named import results_in
 
-        from instobj.stages.named import Results
-
-        content = xr.load_dataset(
-            self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
-        )
-        return Results(content.data_vars, coords=content.coords, attrs=content.attrs)
+        return results_in(self.read(readers.GRID_SIGNALS))
 
     @property
     def scores(self) -> xr.Dataset:
