@@ -119,7 +119,7 @@ def write_netcdf(
     with h5py.File(image, "w", libver=_HDF5_FORMAT, track_order=True) as file:
         for name, value in {**(attributes or {}), kind.schema[0]: kind.schema[1]}.items():
             file.attrs[name] = np.atleast_1d(value) if isinstance(value, int | float) else value
-        for name, (dims, array, unit) in arrays.items():
+        for name, (_, array, unit) in arrays.items():
             told = {kind.unit_name: unit} if unit else {}
             variable = _write_array(file, name, array, name in kind.packed)
             variable.attrs.update(told | _labels(kind, name))
