@@ -130,7 +130,7 @@ def press_signals(
     """
     place = scene(spec)
     check_sensors_outside_magnets(place.sensors, place.magnets, magnet_sources(spec.magnets))
-    model = magnets_model(spec.magnets, min_distance_mm(place, motions.every))
+    model = magnets_model(spec.magnets, min_distance_mm(place, motions.all_motions))
     still = at_rest(place) if motions.rest is None else motions.rest[None]
     baseline = counts(place, sensed_field(place, still, model)[0], spec)
     check_rest(baseline, place.sensors, spec.sensors)

@@ -190,7 +190,7 @@ def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) ->
         states.append(press_states(forces, motions, *some))
         own = design.scene.sensors.face == face
         live.append((working[own] if spec.score.channels == "own" else working).ravel())
-    nearest = min_distance_mm(design.scene, motions.every)
+    nearest = min_distance_mm(design.scene, motions.all_motions)
     reach = np.concatenate(reaches)
     reached = reach >= spec.score.force_n
     require_reached(spec, reach, reached)

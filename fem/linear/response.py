@@ -54,7 +54,7 @@ class FaceSurface:
     """Triangulation of one sensed face: places (x, y) of its vertices and triangles.
 
     `relief_mm` is the height of a curved face at the vertices over its frame's plane; `height_mm` is
-    how far they lie above the face at rest, `slip_mm` how far they lie beside it, on a slipped shell.
+    how far they lie above the face at rest, `slip_mm` how far they lie to the side of it, on a slipped shell.
     None where there is none.
     """
 

@@ -288,7 +288,7 @@ def contact_model(
             "Simulate them (stage shear), or set it to 0"
         )
     place = designed(spec).scene
-    nearest = min_distance_mm(place, motions.every)
+    nearest = min_distance_mm(place, motions.all_motions)
     return ContactModel(
         spec,
         signal_table(signals),

@@ -273,7 +273,7 @@ def _tables(
 
     rows, basis = compressed([own], of_modes, scale, ranks[0])
     if here.flat:
-        rows = [with_turns(rows[0], lattices[face], motions.turns_with_plane)]
+        rows = [with_turns(rows[0], lattices[face], motions.jeffery_parameter)]
     adjoining = _nothing(of_modes, dtype)
     if moving:
         adjoining = table(adjacent, *compressed(moving, of_modes, scale, ranks[1]))

@@ -126,10 +126,10 @@ def test_places_that_a_face_has_not_are_left_out_of_every_press():
     grid = PlaceGrid(np.arange(3.0), np.zeros(1))
     whole = MagnetMotions(np.array([1, 3]), grid, np.array([0.5, 1.0]), motion)
     assert whole.pressed.all()
-    assert_allclose(whole.every, motion.reshape(12, 2, 6))
+    assert_allclose(whole.all_motions, motion.reshape(12, 2, 6))
     motion[1, 0] = np.nan
     assert whole.pressed.tolist() == [[True] * 3, [False, True, True]]
-    assert_allclose(whole.every, np.concatenate([motion[0], motion[1, 1:]]).reshape(10, 2, 6))
+    assert_allclose(whole.all_motions, np.concatenate([motion[0], motion[1, 1:]]).reshape(10, 2, 6))
 
 
 def test_presses_take_one_thread_of_linear_algebra_and_give_the_others_back():

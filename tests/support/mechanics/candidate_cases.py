@@ -190,7 +190,7 @@ def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
         faces.append(np.full(len(magnet_mm), frame.number))
         index = motions.faces.tolist().index(face)
         along = frame.from_plane(magnet_mm[:, :2])
-        motion.append(motions.at(frame.number, along, magnet_mm[:, 2])[index])
+        motion.append(motions.motions_at(frame.number, along, magnet_mm[:, 2])[index])
     axis = np.concatenate(axis)
     strength = np.tile(polarity, len(faces))
     size = np.resize(spec.magnets.size_numbers, len(strength))
