@@ -1,1 +1,1 @@
-"""What the object is: its specification, shape, layout, solids and files."""
+"""Object to build: its specification, shape, layout, solids and files."""

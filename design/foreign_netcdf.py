@@ -24,7 +24,8 @@ from design.errors import InputError
 
 DESCRIPTION = "description"
 LARGEST_BYTES = 4 * 2**30
-"""Of all arrays of a file as it declares them: an hour of 45 channels at 500 Hz takes a sixth."""
+"""Largest size of all arrays of a file as it declares them: an hour of 45 channels at 500 Hz takes a
+sixth."""
 _AXIS_MARKS = (b"DIMENSION_LIST", b"REFERENCE_LIST")
 """Attributes by which NetCDF names axes: references to objects of the same file."""
 
@@ -45,13 +46,13 @@ def read_foreign(path: str, target: str) -> None:
     with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
         data.load()
     arrays = [
-        [str(name), [str(axis) for axis in one.dims], _plain(one.attrs)]
-        for name, one in data.variables.items()
+        [str(name), [str(axis) for axis in variable.dims], _plain(variable.attrs)]
+        for name, variable in data.variables.items()
     ]
     described = json.dumps({"arrays": arrays, "attributes": _plain(data.attrs)})
     values = {
-        f"values {number}": np.asarray(one.values, str if one.dtype.kind == "O" else None)
-        for number, one in enumerate(data.variables.values())
+        f"values {number}": np.asarray(variable.values, str if variable.dtype.kind == "O" else None)
+        for number, variable in enumerate(data.variables.values())
     }
     np.savez(target, allow_pickle=False, **{DESCRIPTION: np.array(described)}, **values)
 

@@ -1,1 +1,1 @@
-"""What shape the body has, as numbers and triangles (no CAD kernel)."""
+"""Shape of the body, as numbers and triangles (no CAD kernel)."""

@@ -1,1 +1,1 @@
-"""What can be bought: Hall sensors, magnets, silicones, printers."""
+"""Parts that can be bought: Hall sensors, magnets, silicones, printers."""

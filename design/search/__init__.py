@@ -1,1 +1,1 @@
-"""What a layout search may change, and how a vector becomes a specification."""
+"""Variables of a layout search, and the specification of a vector."""

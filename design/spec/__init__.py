@@ -1,1 +1,1 @@
-"""What the user wrote: the specification and its parts, as frozen models."""
+"""Content that the user wrote: the specification and its parts, as frozen models."""

@@ -181,7 +181,7 @@ def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> 
         tips = len(here)
         touched = frames[first].to_plane(here)
         through = frames[first].to_object(np.column_stack([touched, np.zeros(tips)]))
-        there = frames[second].from_plane(frames[second].in_plane(through)[:, :2])
+        there = frames[second].from_plane(frames[second].plane_coordinates(through)[:, :2])
         cell = np.repeat([0, 1], tips)
         number = GRASP_CASES + 1000 * first + len(cases)
         face, xy = np.repeat([first, second], tips), np.vstack([here, there])

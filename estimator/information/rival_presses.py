@@ -134,7 +134,7 @@ def _at_forces(
 ) -> tuple[Float[np.ndarray, "press force channel"], Float[np.ndarray, "press force channel"]]:
     """Counts at given forces and their slopes per N; beyond the deepest press on the last slope."""
     held = np.minimum(force_n, traces.force_n[:, -1:])
-    at = traces.curves.at(held + 1j * _STEP)
+    at = traces.curves.evaluate(held + 1j * _STEP)
     per_n = np.imag(at) / _STEP
     return np.real(at) + (force_n - held)[..., None] * per_n, per_n
 

@@ -136,7 +136,7 @@ def counts_at_force(
             f"press reaches {largest[press, 0]:.3g} N. Ask for less, or add to press.depths_mm"
         )
     held = np.minimum(force_n, largest)
-    return SignalsAtForce(traces.curves.at(held), held, clamped)
+    return SignalsAtForce(traces.curves.evaluate(held), held, clamped)
 
 
 def depth_at_force(
@@ -178,7 +178,7 @@ def signal_gradient(
     derivatives = []
     for change, force_change in ((along_x, 0.0), (along_y, 0.0), (0 * value, 1.0)):
         trace = _traces(signals, face, value + 1j * _STEP * change)
-        changed = trace.curves.at(force + 1j * _STEP * force_change)
+        changed = trace.curves.evaluate(force + 1j * _STEP * force_change)
         derivatives.append(np.imag(changed[:, 0]) / _STEP)
     return SignalGradient(counts, *derivatives)
 

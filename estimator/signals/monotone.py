@@ -33,7 +33,7 @@ class MonotoneCurves:
         bend = left + right - 2 * rise
         return np.stack([self.values[:, :-1], left, rise - left - bend, bend], axis=2)
 
-    def at(
+    def evaluate(
         self, at: Inexact[np.ndarray, "press point"]
     ) -> Inexact[np.ndarray, "press point channel"]:
         """Values of each press at its own points, within the nodes; complex where an argument is, so
@@ -54,7 +54,7 @@ def monotone_cubic(
     at: Inexact[np.ndarray, "press point"],
 ) -> Inexact[np.ndarray, "press point channel"]:
     """`MonotoneCurves` asked once."""
-    return MonotoneCurves(nodes, values).at(at)
+    return MonotoneCurves(nodes, values).evaluate(at)
 
 
 def _monotone_slopes(

@@ -70,7 +70,7 @@ def influence(
             )
             moved = np.stack([rows @ field for field in fields])
             moved = moved.reshape(len(tied_depths_mm), len(neighbours.centre_mm), 2, 3, 5)
-            # Into the pair's frame: b body beside, d depth of the tied one, t displacement or
+            # Into the pair's frame: b body next to, d depth of the tied one, t displacement or
             # rotation,
             # j object coordinate, i axis of the pair's frame, s strain
             local = np.einsum("bji,dbtjs->dbtis", neighbours.pair_axes, moved)
@@ -87,7 +87,7 @@ def influence(
     # A mirror through both magnets forbids the other entries: they are noise of the mesh.
     kept = np.zeros((6, 5))
     kept[_ALONG] = kept[_ACROSS] = 1.0
-    # From the tied depths d to all depths e by a parabola; r distance, z depth of the body beside,
+    # From the tied depths d to all depths e by a parabola; r distance, z depth of the body next to,
     # i motion, j strain
     values = np.einsum("ed,drzij->ezrij", _parabolas(np.array(tied_depths_mm), depth), table) * kept
     return Influence(depth, first, _STEP_MM, values.astype(np.float32))

@@ -154,9 +154,9 @@ def _project_onto_face(
         return flat, np.zeros(len(flat)), np.ones(len(flat))
     tangent = frame.tangent(place_mm)
     points = tangent.to_object(flat)
-    on_face = frame.onto(points, tangent.normal)
+    on_face = frame.project_along(points, tangent.normal)
     on_face[~frame.covers(np.nan_to_num(on_face[:, :2], nan=np.inf))] = np.nan
-    height = (on_face - frame.in_plane(points)) @ (tangent.normal @ frame.axes)
+    height = (on_face - frame.plane_coordinates(points)) @ (tangent.normal @ frame.axes)
     return on_face, height, frame.axes_at(on_face[:, :2])[..., 2] @ tangent.normal
 
 

@@ -56,7 +56,7 @@ class RigidBase:
     def weights(self, points_mm: Float[np.ndarray, "n 3"]) -> tuple[Float[np.ndarray, "n"], float]:
         """Return how far the body is what lies under points of the face (0 to 1), and its depth (mm)."""
         x, y, z = ((points_mm - self.centre_mm) @ self.axes).T
-        beyond = self.outline.beyond_mm(np.column_stack([x, y]))
+        beyond = self.outline.signed_distance_mm(np.column_stack([x, y]))
         depth = np.clip(abs(z) - self.height_mm / 2, _LEAST_DEPTH_MM, None)
         weight = erfc((beyond / depth - _REACHES) / _FADES) / 2
         total = weight.sum()
@@ -111,7 +111,7 @@ def rigid_bases(
     layout, bases = shell_body_layout(spec), []
     elastic = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
     for i in np.flatnonzero(layout.face == frame.number):
-        centre, axes = frame.in_plane(layout.centre_mm[i]), frame.axes.T @ layout.frame[i]
+        centre, axes = frame.plane_coordinates(layout.centre_mm[i]), frame.axes.T @ layout.frame[i]
         if surface.slip_mm is not None:
             from_there = np.linalg.norm(surface.xy_mm - surface.slip_mm - centre[:2], axis=1)
             centre[:2] += surface.slip_mm[np.argmin(from_there)]

@@ -183,7 +183,7 @@ def vertex_cover(
     partner[match[match >= 0]] = np.flatnonzero(match >= 0)
     reached, beyond = match < 0, np.zeros(len(to_vertices), bool)
     newly, back = reached, sp.csr_matrix(edges.T)
-    while newly.any():  # along paths of edges outside and inside the matching, by turns
+    while newly.any():  # along paths of edges outside and inside the matching, in turn
         beyond |= np.asarray(back @ newly.astype(float)) > 0
         newly_matched = np.zeros(len(from_vertices), bool)
         newly_matched[partner[beyond & (partner >= 0)]] = True

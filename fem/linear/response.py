@@ -283,7 +283,7 @@ def face_surface(
     vertices, triangles = np.unique(np.asarray(mesh.facets)[:, facets], return_inverse=True)
     moments = _normal_product.assemble(pressure, displacement).tocsc()[:, vertices]
     xy = np.asarray(frame.from_object(mesh.p[:, vertices].T)[:, :2])
-    relief = None if frame.flat else frame.relief.at(xy)[0]
+    relief = None if frame.flat else frame.relief.evaluate(xy)[0]
     surface = FaceSurface(frame.number, xy, triangles.reshape(3, -1).T, relief_mm=relief)
     return surface, moments
 

@@ -108,10 +108,10 @@ def bounds_of_twins(spec: ObjectSpec, twins: int = TWINS) -> list[Bounds]:
     """Bounds of the design, then of its twins, at each judged force, with `search.baseline`."""
     from estimator.tolerances.budget import twin_bounds
 
-    presses, judged = Run(spec).read(PRESSES), spec.as_judged
+    presses, judged = Run(spec).read(PRESSES), spec.for_scoring
     return [
         twin_bounds(judged.changed(score=spec.score.changed(force_n=force_n)), *presses, twins)
-        for force_n in spec.judged_forces_n
+        for force_n in spec.scoring_forces_n
     ]
 
 

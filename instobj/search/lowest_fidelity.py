@@ -32,7 +32,7 @@ from design.search.space import (
     unit_of,
     with_layout,
 )
-from design.search.structure import of_each_size, with_structure
+from design.search.structure import size_variants, with_structure
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from design.spec_io import parse_spec
@@ -210,13 +210,13 @@ def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[Lay
     """A scorer for every judged force and pressed face, on the stage `candidates` of every size; places of
     parts, which that does not depend on, need not fit yet."""
     known = [
-        (one, Run(one, checked=False).require("candidates").folder) for one in of_each_size(spec)
+        (one, Run(one, checked=False).require("candidates").folder) for one in size_variants(spec)
     ]
-    judged = spec.as_judged
+    judged = spec.for_scoring
     by_face = {face: [_presses(one, folder, face) for one, folder in known] for face in faces}
     return tuple(
         layout_scorer(judged, [of_size[index] for of_size in by_face[face]], faces=len(alike))
-        for index in range(len(spec.judged_forces_n))
+        for index in range(len(spec.scoring_forces_n))
         for face, alike in faces.items()
     )
 
@@ -225,7 +225,7 @@ def _presses(spec: ObjectSpec, folder: Path, face: int) -> tuple[PressBasis, ...
     """The bases of one size's candidates, force by force; those of scorers which still are, where they are
     the same."""
     shared = spec.model_dump_json(exclude={"magnets"})
-    forces_n = spec.judged_forces_n
+    forces_n = spec.scoring_forces_n
     keys = [(str(folder), face, force, faces_differ(spec), shared) for force in forces_n]
     found = [_HELD.get(key) for key in keys]
     if None in found:

@@ -14,7 +14,7 @@ from design.layout.places.contact_places import shared_counts
 from design.layout.places.coverage import covered_share
 from design.search.faces import layout_groups
 from design.search.space import SearchSpace, start_params, with_layout
-from design.search.structure import of_each_searched_size
+from design.search.structure import searched_size_variants
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
@@ -133,7 +133,7 @@ def first_look(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path)
 def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:
     estimate = search_seconds(spec)
     missing = sum(
-        Run(one, checked=False).stored("candidates") is None for one in of_each_searched_size(spec)
+        Run(one, checked=False).stored("candidates") is None for one in searched_size_variants(spec)
     )
     return limit.mechanics_plan(missing * estimate.lowest, estimate.chain)
 
@@ -177,7 +177,7 @@ def _search(
         return
     if space.spec.search.trials < asked.trials:
         progress.say(joining(asked, space.spec.search))
-    for one in of_each_searched_size(space.spec):
+    for one in searched_size_variants(space.spec):
         Run(one, progress, checked=False).require("candidates")
     first = start_params(space)
 

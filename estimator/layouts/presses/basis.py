@@ -226,7 +226,7 @@ def press_bases(
         adjoining,
         # p in another face's frame is turn · p + shift in this one's: axes are columns
         tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
-        tensor([here.in_plane(frame.centre_mm) for frame in others]).reshape(-1, 3),
+        tensor([here.plane_coordinates(frame.centre_mm) for frame in others]).reshape(-1, 3),
         tensor(motions.deepest_n[row][located]),
         np.full(len(located), np.nan),
         held,

@@ -267,7 +267,7 @@ def _cell_edges(centres_mm: Float[np.ndarray, "n"], pitch_mm: float) -> Float[np
 def _sensors_under(spec: ObjectSpec, face: int) -> Float[np.ndarray, "sensor 2"]:
     layout, frame = sensor_layout(spec), face_frame(spec, face)
     own = layout.position_mm[layout.face == face]
-    return frame.from_plane(frame.in_plane(own)[:, :2])
+    return frame.from_plane(frame.plane_coordinates(own)[:, :2])
 
 
 def _write_numbers(

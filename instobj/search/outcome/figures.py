@@ -147,7 +147,7 @@ def _draw_moves_of(axes: Any, start: ObjectSpec, found: ObjectSpec, faces: tuple
         axes.add_patch(Rectangle((-edges[0], -edges[1]), 2 * edges[0], 2 * edges[1], fc="#efece4"))
     for body in before:
         _draw_magnet(axes, body, _GREY, "--")
-    several = len(found.magnets.by_kind) > 1
+    several = len(found.magnets.numbers_by_kind) > 1
     kinds = [f", {kind}" if several else "" for kind in found.magnets.kinds]
     for body, pole, kind in zip(after, found.magnets.polarities, kinds, strict=True):
         _draw_magnet(axes, body, _BEST, "-")

@@ -125,7 +125,7 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
     from instobj.figures.maps.scale import finite_limits
 
     spec, faces = found.best.spec, found.best.spec.body.sensed
-    forces = spec.judged_forces_n
+    forces = spec.scoring_forces_n
     before, after = (
         bounds_by_press(spec, one.levels[found.level]) for one in (found.start, found.best)
     )

@@ -12,7 +12,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
-from design.layout.pockets import by_sensed_face
+from design.layout.pockets import lists_of_sensed_faces
 from design.placement.patterns import sensor_patterns
 from design.spec.object import ObjectSpec
 from design.spec_io import check
@@ -122,7 +122,7 @@ def _more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
     in_core = spec.arrangement == "sensors-in-core"
     frames = core_frames(spec) if in_core else face_frames(spec)
     halves = [np.array(frame.half_extents_mm) for frame in frames]
-    faces = zip(by_sensed_face(spec, sensors.positions_mm), halves, strict=True)
+    faces = zip(lists_of_sensed_faces(spec, sensors.positions_mm), halves, strict=True)
     out = [float(np.hypot(*(np.array(places) / half).T).mean()) for places, half in faces]
     even, lopsided = sensor_patterns(count)
     for wider, pattern in product(_WIDER, [*even, *lopsided]):

@@ -30,7 +30,7 @@ def of_faces(name):
     turn = np.linspace(0.2, 6.0, 5)
     xy = 0.6 * np.column_stack([np.cos(turn), np.sin(turn)]) * frame.half_extents_mm
     lengths = frame.from_plane(xy)
-    onto = frame.onto(
+    onto = frame.project_along(
         frame.to_object(np.column_stack([xy, np.full(5, 2.0)])), frame.normal + 0.2 * frame.x
     )
     stretch = np.column_stack([frame.area_stretch(lengths), onto[:, 2]])

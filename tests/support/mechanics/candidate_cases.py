@@ -65,7 +65,7 @@ def made_up_motions(spec, pitch_mm=2.0):
     points = np.concatenate([in_object(f, one) for f, one in zip(frames, lattices, strict=True)])
     motion = []
     for frame in frames:
-        local, (x, y, normal) = frame.in_plane(points), frame.axes.T
+        local, (x, y, normal) = frame.plane_coordinates(points), frame.axes.T
         away = local[:, None, :2] - places.xy_mm
         near = LINEAR * np.exp(-np.sum(away**2, -1) / 90 + local[:, 2:] / 9)
         # shift and turn for each mm away along x and y, and for all of it
