@@ -1,1 +1,1 @@
-"""What a layout search leaves behind: files, figures, page."""
+"""Outcome of a layout search: files, figures, page."""
