@@ -1,1 +1,1 @@
-"""Object to build: its specification, shape, layout, solids and files."""
+"""What the object is: its specification, shape, layout, solids and files."""

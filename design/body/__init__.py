@@ -1,1 +1,1 @@
-"""Shape of the body, as numbers and triangles (no CAD kernel)."""
+"""What shape the body has, as numbers and triangles (no CAD kernel)."""

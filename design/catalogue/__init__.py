@@ -1,1 +1,1 @@
-"""Parts that can be bought: Hall sensors, magnets, silicones, printers."""
+"""What can be bought: Hall sensors, magnets, silicones, printers."""

@@ -237,7 +237,7 @@ def bare_tables(request: Request, shell: ShellVariant) -> Tables:
     if kind.openable and not kind.opens_sides:
         room = min(request.size_mm) - 2 * shell.thickness_mm
         body["bore_mm"] = float(np.clip(np.floor(room / 2), _LEAST_BORE_MM, 10.0))
-    shell = {
+    shell_table = {
         "thickness_mm": shell.thickness_mm,
         "pocket_diameter_mm": shell.pocket_diameter_mm,
         "pocket_depth_mm": shell.pocket_depth_mm,
@@ -245,7 +245,7 @@ def bare_tables(request: Request, shell: ShellVariant) -> Tables:
     # one tiny magnet and few places, until there are sensors
     return {
         "body": body,
-        "shell": shell,
+        "shell": shell_table,
         "magnets": {"diameter_mm": 0.5, "height_mm": 0.5, "positions_mm": [[0.0, 0.0]]},
         "contact_grid": {"count": [2, 2], "pitch_mm": 0.5},
         "indenter": {"radius_mm": _TIP_RADII_MM[-1]},

@@ -1,1 +1,1 @@
-"""Variables of a layout search, and the specification of a vector."""
+"""What a layout search may change, and how a vector becomes a specification."""

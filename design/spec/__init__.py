@@ -1,1 +1,1 @@
-"""Content that the user wrote: the specification and its parts, as frozen models."""
+"""What the user wrote: the specification and its parts, as frozen models."""

@@ -1,5 +1,4 @@
-"""Keys that a specification once had: a renamed one still reads, with a warning; a removed one is an
-error."""
+"""Keys that a specification once had: renamed ones still read, with a warning; removed ones are errors."""
 
 from __future__ import annotations
 

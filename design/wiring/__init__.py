@@ -1,1 +1,1 @@
-"""Sensors on the buses of a board, and every wire between them."""
+"""Which sensor sits on which bus of which board, and every wire between them."""

@@ -106,7 +106,7 @@ def rival_presses(
     lattice, unresolved = signals.lattice, unresolved_presses(signals)[index]
     there = signals.pressed[index] & ~unresolved[:, -1] & (unresolved.mean(axis=1) < 0.5)
     x, y = lattice.xy_mm[there].T
-    traces = press_traces(signals, np.full(len(x), face), x, y).of_channels(channels)
+    traces = press_traces(signals, np.full(len(x), face), x, y).select_channels(channels)
     reach = np.zeros(len(there))
     reach[there] = traces.force_n[:, -1]
     force = reach.max() * (np.arange(1, _FORCES + 1) / _FORCES) ** 2

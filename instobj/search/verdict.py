@@ -1,5 +1,4 @@
-"""Verdict on promoted layouts: merit compared with the start at a fidelity level, and what speaks against
-one."""
+"""Verdict on promoted layouts: merit compared with the start at a fidelity level, and objections."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Places of the parts of a mould, as numbers: frame, seam, pins and pouring holes."""
+"""Where the parts of a mould lie, as numbers: frame, seam, pins and pouring holes."""

@@ -131,7 +131,7 @@ class ContactModel:
         nx, ny = press_lattice(self.spec).shape
         return rectangles * sum(map(len, self.cells)) / (faces * (nx - 1) * (ny - 1))
 
-    def on_faces(
+    def select_faces(
         self,
         face: Int[Array, "problem contact"],
         contact: Float[Array, "problem contact 3"],

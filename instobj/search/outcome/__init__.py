@@ -1,1 +1,1 @@
-"""Outcome of a layout search: files, figures, page."""
+"""What a layout search leaves behind: files, figures, page."""
