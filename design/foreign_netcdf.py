@@ -27,7 +27,8 @@ DESCRIPTION = "description"
 _MISSING = ("_FillValue", "missing_value")
 """Attributes with a value that stands for none."""
 LARGEST_BYTES = 4 * 2**30
-"""Of all arrays of a file as it declares them: an hour of 45 channels at 500 Hz takes a sixth."""
+"""Largest size of all arrays of a file as it declares them: an hour of 45 channels at 500 Hz takes a
+sixth."""
 _AXIS_MARKS = (b"DIMENSION_LIST", b"REFERENCE_LIST")
 """Attributes by which NetCDF names axes: references to objects of the same file."""
 

@@ -49,7 +49,7 @@ MEMORY_GIB = 8.0
 
 @dataclass(frozen=True)
 class FileKind:
-    """What files of one kind hold.
+    """Content of files of one kind.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class FileKind:
     optional : variables that a file may lack
     packed : variables kept as compressed 32-bit floats
     attributes : names of attributes that a file must have
-    schema : name and value of the attribute that tells the kind and its version
+    schema : name and value of the attribute that names the kind and its version
     unit_name : attribute that holds the unit
     origin : how to get such a file
     remedy : what to do about a damaged one
@@ -166,15 +166,15 @@ def _write_array(file: Any, name: str, array: np.ndarray, packed: bool) -> Any:
 
 
 def _labels(kind: FileKind, name: str) -> dict[str, str]:
-    """By the CF conventions: which coordinates label the axes of a variable, beside those called like
+    """Return which coordinates label the axes of a variable by the CF conventions, besides those called like
     an axis."""
-    own = set(kind.arrays[name][0].split())
-    beside = [
+    axes = set(kind.arrays[name][0].split())
+    labels = [
         label
         for label, (dims, _) in kind.coordinates.items()
-        if label != dims and name not in kind.coordinates and set(dims.split()) <= own
+        if label != dims and name not in kind.coordinates and set(dims.split()) <= axes
     ]
-    return {"coordinates": " ".join(sorted(beside))} if beside else {}
+    return {"coordinates": " ".join(sorted(labels))} if labels else {}
 
 
 def _encoding(array: np.ndarray, packed: bool) -> dict[str, Any]:
@@ -215,7 +215,7 @@ def read_netcdf(kind: FileKind, path: Path | str) -> tuple[dict[str, np.ndarray]
 
 @dataclass(frozen=True)
 class NamedArray:
-    """What a file holds under one name."""
+    """Array that a file holds under one name."""
 
     axes: tuple[str, ...]
     values: np.ndarray
@@ -232,7 +232,7 @@ def read_arrays(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]
     """
     with _damage_told():
         if is_own(np.memmap(path, np.uint8, "r")):
-            return _as_written(path)
+            return _read_own(path)
         return _read_apart(Path(path))
 
 
@@ -247,7 +247,7 @@ def _damage_told() -> Iterator[None]:
         raise StoreError(str(error) or type(error).__name__) from None
 
 
-def _as_written(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]]:
+def _read_own(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]]:
     """Return what `write_netcdf` wrote."""
     import h5py
 
@@ -287,11 +287,11 @@ def _content(item: Any) -> Any:
     return np.asarray(item.asstr()[()], str) if item.dtype.kind == "O" else item[()]
 
 
-def _attributes(found: Any) -> dict[str, Any]:
+def _attributes(attributes: Any) -> dict[str, Any]:
     """Those of the content; single numbers are kept as arrays of one."""
     return {
         name: value[0] if isinstance(value, np.ndarray) and value.shape == (1,) else value
-        for name, value in found.items()
+        for name, value in attributes.items()
         if name not in _OF_THE_FORMAT
     }
 
@@ -359,9 +359,9 @@ def _check_kind(
     for array, (dims, unit) in kind.arrays.items():
         if array not in content:
             continue
-        axes, found = content[array].axes, content[array].attributes.get(kind.unit_name, "")
-        if axes != tuple(dims.split()) or found != unit:
+        axes, stored_unit = content[array].axes, content[array].attributes.get(kind.unit_name, "")
+        if axes != tuple(dims.split()) or stored_unit != unit:
             raise StoreError(
                 f"{path} is damaged: {array} must lie over ({dims}) in {unit or 'no unit'}; got "
-                f"{axes} in {found or 'no unit'}. {kind.remedy}"
+                f"{axes} in {stored_unit or 'no unit'}. {kind.remedy}"
             )

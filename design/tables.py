@@ -43,7 +43,7 @@ def _write(file: TextIOBase, header: Sequence[str], rows: Iterable[Sequence[Any]
 def _plain_cell(cell: Any) -> Any:
     """Return a text that a spreadsheet would take for a formula with an apostrophe before it.
 
-    Numbers stay, also those that come as text.
+    Numbers stay, also the ones that come as text.
     """
     # OWASP, "CSV Injection": these characters at the start of a cell begin a formula.
     if not isinstance(cell, str) or not cell.startswith(("=", "+", "-", "@", "\t", "\r")):

@@ -48,7 +48,7 @@ class HiddenObject:
 
     def traces(self, xy_mm: Float[np.ndarray, "press 2"]) -> Traces:
         found = press_traces(self.signals, np.full(len(xy_mm), self.face), *xy_mm.T)
-        return found.of_channels(self.own)
+        return found.select_channels(self.own)
 
     def counts(
         self, xy_mm: Float[np.ndarray, "place 2"]

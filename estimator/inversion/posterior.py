@@ -194,7 +194,7 @@ class HeldBounds:
     def __call__(self, face: Array, contact: Array) -> Array:
         xp = library(contact)
         inside = xp.minimum(xp.maximum(contact, self.lowest), self.highest)
-        return self.model.on_faces(face, inside)
+        return self.model.select_faces(face, inside)
 
 
 def _descend(

@@ -12,7 +12,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.tables import write_table
-from estimator.deploy.runtime import LiveReader, load_deployed, predict_told
+from estimator.deploy.runtime import LiveReader, load_deployed, predict_with_gaps
 from estimator.frames.same_object import require_same_object
 from estimator.networks.prediction import NOVEL_FROM, Prediction
 from instobj.commands.readings import (
@@ -80,7 +80,7 @@ def predict_file(
         frames = zeroed_data_set(path, zeroing)
         grid_mm = model.grid_x_mm, model.grid_y_mm
         require_same_object(model.channels, grid_mm, frames, str(path))
-        told, found = predict_told(model, frames)
+        told, found = predict_with_gaps(model, frames)
         rows = _rows(np.flatnonzero(told), frames.time_s[told], found)
         unread, before = int(np.sum(~told)), 0
     else:

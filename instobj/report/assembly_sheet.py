@@ -89,7 +89,9 @@ def _face(
     half_x, half_y = frame.half_extents_mm
     magnets = list[dict[str, Any]]()
     places = dict(zip(spec.body.sensed, magnet_places(spec), strict=True)).get(frame.number, ())
-    kinds = spec.magnets.kinds if len(spec.magnets.by_kind) > 1 else ("",) * spec.magnets.count
+    kinds = (
+        spec.magnets.kinds if len(spec.magnets.numbers_by_kind) > 1 else ("",) * spec.magnets.count
+    )
     each = zip(spec.magnets.polarities, kinds, spec.magnets.sizes, strict=True)
     for (x, y), (way, kind, size) in zip(places, each, strict=bool(places)):
         pole, colour = ("N", _NORTH) if way > 0 else ("S", _SOUTH)

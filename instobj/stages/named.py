@@ -24,9 +24,9 @@ class Results(xr.Dataset):
         try:
             return super().__getattr__(name)
         except AttributeError:
-            known = ", ".join(map(str, self.variables))
+            names = ", ".join(map(str, self.variables))
             # a name of its own, so that Python proposes no other quantity by its spelling
-            raise AttributeError(f"there is no {name!r}; there are {known}", name="") from None
+            raise AttributeError(f"there is no {name!r}; there are {names}", name="") from None
 
 
 def results_in(path: Path) -> Results:

@@ -365,4 +365,4 @@ STAGES: dict[str, Stage] = {
         version=19,
     ),
 }
-"""In the order in which a command works through those that it needs."""
+"""Stages in the order in which a command works through the ones that it needs."""

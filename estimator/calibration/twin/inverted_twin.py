@@ -133,9 +133,9 @@ def _with_face(whole: Signals, one: Signals, face: int) -> Signals:
 
 
 def _errors(
-    spec: ObjectSpec, of_design: float, left: Mapping[int, float]
+    spec: ObjectSpec, design_motion: float, left: Mapping[int, float]
 ) -> Float[np.ndarray, "sensor 1"]:
-    of_face = [left.get(face, of_design) for face in sensor_layout(spec).face.tolist()]
+    of_face = [left.get(face, design_motion) for face in sensor_layout(spec).face.tolist()]
     return np.array(of_face)[:, None]
 
 

@@ -201,7 +201,7 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
 
 def _on_face(model: ContactModel, face: int, tips_mm: Float[np.ndarray, "tip 2"]) -> bool:
     contact = np.column_stack([tips_mm, np.zeros(len(tips_mm))])[None]
-    stays = model.on_faces(np.full((1, len(tips_mm)), face), contact)
+    stays = model.select_faces(np.full((1, len(tips_mm)), face), contact)
     return bool(np.allclose(stays, contact, atol=1e-6))
 
 

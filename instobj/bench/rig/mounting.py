@@ -155,4 +155,4 @@ def relief_mm(
     frame = face_frame(spec, face)
     xy = frame.to_plane(xy_mm)
     flat = np.concatenate([xy, np.zeros((*xy.shape[:-1], 1))], axis=-1)
-    return frame.in_plane(frame.to_object(flat))[..., 2]
+    return frame.plane_coordinates(frame.to_object(flat))[..., 2]

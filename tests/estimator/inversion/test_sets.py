@@ -158,7 +158,7 @@ def test_slots_are_cut_and_widened_with_ones_on_the_diagonal():
 def test_contacts_are_held_within_table_and_prior():
     model = SimpleNamespace(
         bounds=(np.array([-5.0, -6.0, 0.0]), np.array([5.0, 6.0, 8.0])),
-        on_faces=lambda face, contact: contact,
+        select_faces=lambda face, contact: contact,
     )
     contact = np.array([[[-9.0, 9.0, 0.1], [9.0, -9.0, 9.0]]])
     assert_array_equal(_held(model, PRIORS, contact), [[[-5, 6, 0.5], [5, -6, 8.0]]])

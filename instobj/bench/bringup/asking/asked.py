@@ -194,7 +194,7 @@ def _closed_object(spec: ObjectSpec) -> Iterator[Asked]:
 
 def _kinds(spec: ObjectSpec) -> list[str]:
     """Of every magnet of a face, where there are several kinds."""
-    several = len(spec.magnets.by_kind) > 1
+    several = len(spec.magnets.numbers_by_kind) > 1
     return [f"{kind} " if several else "" for kind in spec.magnets.kinds]
 
 

@@ -12,8 +12,8 @@ from jaxtyping import Float
 from design.layout.body import core_frames
 from design.layout.places.positions import sensor_layout
 from design.layout.pockets import sensor_places
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
-from design.spec.worked_out import once
 from estimator.tolerances.selftest import sensor_names
 
 OVER_MM, BETWEEN_MM = 10.0, 6.0
@@ -48,7 +48,7 @@ class HoldPlace:
         return self.stated_mm - self.height_mm * self.axes[:, 2]
 
 
-@once
+@cached_geometry
 def hold_places(spec: ObjectSpec) -> tuple[HoldPlace, ...]:
     """Over every chip in the order of the sensors, then between every two that are neighbours."""
     over = tuple(_over_chips(spec))

@@ -1,9 +1,9 @@
-"""Geometry of a specification, worked out once.
+"""Geometry of a specification, computed once.
 
 Frames, pockets, layouts and the mould's frame follow from a specification alone and are asked for
-at more than a hundred places. A function marked `once` keeps its result for as long as the
+at more than a hundred places. A function marked `cached_geometry` keeps its result for as long as the
 specification lives. That is sound because specifications are frozen: a change makes another object
-(`SpecPart.changed`), for which everything is worked out anew. Results are shared, so their arrays are
+(`SpecPart.changed`), for which everything is computed again. Results are shared, so their arrays are
 made read-only.
 """
 
@@ -22,13 +22,13 @@ if TYPE_CHECKING:
 
 Found = TypeVar("Found")
 KEPT_RESULTS: dict[int, dict[str, Any]] = {}
-"""By the identity of a living specification, then by function; hashing its content costs more than
+"""Results by the identity of a living specification, then by function; hashing its content costs more than
 most of what is kept here."""
 _PLAIN = frozenset((float, np.float64, int, bool, str, type(None)))
 
 
-def once(work_out: Callable[[ObjectSpec], Found]) -> Callable[[ObjectSpec], Found]:
-    """A function of a specification that is worked out once for each specification object."""
+def cached_geometry(work_out: Callable[[ObjectSpec], Found]) -> Callable[[ObjectSpec], Found]:
+    """Keep the result of a function of a specification, computed once for each specification object."""
     name = f"{work_out.__module__}.{work_out.__qualname__}"
 
     @wraps(work_out)
@@ -49,20 +49,20 @@ def _results_of(spec: ObjectSpec) -> dict[str, Any]:
     return KEPT_RESULTS[key]
 
 
-def read_only(found: Any) -> Any:
+def read_only(result: Any) -> Any:
     """The result, every array in its tuples and dataclasses locked."""
-    if isinstance(found, np.ndarray):
-        found.flags.writeable = False
-        return found
-    parts = found if isinstance(found, tuple) else _values(found)
+    if isinstance(result, np.ndarray):
+        result.flags.writeable = False
+        return result
+    parts = result if isinstance(result, tuple) else _values(result)
     for part in parts:
         if type(part) not in _PLAIN:  # most of what results hold
             read_only(part)
-    return found
+    return result
 
 
-def _values(found: Any) -> list[Any]:
-    return [getattr(found, name) for name in _field_names(type(found))]
+def _values(result: Any) -> list[Any]:
+    return [getattr(result, name) for name in _field_names(type(result))]
 
 
 @cache
