@@ -1,4 +1,4 @@
-"""Every page is of one kind and plain: short sentences, and figures that a later version could change apart."""
+"""Every page is of one kind and plain: short sentences; figures that later versions change stand apart."""
 
 import re
 

@@ -65,7 +65,8 @@ def bonded_layer():
         f"{force[2]:.3f} N at 1 mm and {force[3]:.3f} N at 2 mm against 1.69 and 5.5 N of a converged "
         f"axisymmetric solution. Off Dimitriadis et al. by {force[1] / published[0] - 1:+.1%} and "
         f"{force[2] / published[1] - 1:+.1%} at 0.5 and 1 mm, "
-        f"{force[0] / exact[0] - 1:+.1%} at 0.25 mm. The last is drawn but not judged, as it spans three cells."
+        f"{force[0] / exact[0] - 1:+.1%} at 0.25 mm. The last is drawn but not judged, as it spans "
+        "three cells."
     )
     return Measured(float(error), words, (Curve("force", depths, force, exact),))
 
