@@ -120,7 +120,9 @@ def test_the_sheet_shows_how_every_board_lies_and_where_its_chip_points(tmp_path
     page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png")
     faces = re.findall(r'<figure class="boards">.*?</figure>', page, re.S)
     assert [face.count("<polygon") for face in faces] == [3] * 5
-    lines = [np.array(re.findall(r"M (\S+) (\S+) l (\S+) ([-\d.]+)", face), float) for face in faces]
+    lines = [
+        np.array(re.findall(r"M (\S+) (\S+) l (\S+) ([-\d.]+)", face), float) for face in faces
+    ]
     x_axis, y_axis = lines[0][:2, 2:]
     assert x_axis[1] > 4
     assert abs(x_axis[0]) < 0.01
