@@ -23,7 +23,7 @@ test: $(INSTALLED)
 test-slow: $(INSTALLED)
 	INSTOBJ_TESTS_MESHES=anew $(PYTEST) -m slow
 
-# Once per release: hours, of one core; the table is written into docs/reliability.md.
+# Once per release: hours, of one core; the table is written into docs/measured/reliability.md.
 test-rounding: $(INSTALLED)
 	$(BIN)/python -m tests.rounding
 

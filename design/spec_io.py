@@ -111,6 +111,12 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
     except UnicodeDecodeError:
         raise SpecError(f"{path} is not text in UTF-8. Save it as UTF-8") from None
     except tomllib.TOMLDecodeError as error:
+        twice = re.match(r"Cannot declare \((.*?),?\) twice (.*)", str(error))
+        if twice:
+            table = ".".join(re.findall(r"'(.*?)'", twice[1]))
+            raise SpecError(
+                f"{path}: the table [{table}] stands twice {twice[2]}. Move its keys into the first one"
+            ) from None
         raise SpecError(f"{path} is not valid TOML: {error}. Fix that line") from None
     except ValueError:  # Python reads no integer of more than 4300 digits
         raise SpecError(f"{path} holds a whole number beyond 10^30. Fix it") from None

@@ -22,8 +22,10 @@ if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet, load_frames
     from estimator.networks.face_model import FaceModel, load_model, save_model
     from estimator.recordings.reading import Recording, read_recording
-    from instobj.api import build_parts, compare, evaluate, fit_estimator, magnet_field, predict
+    from instobj import fem, field, information
+    from instobj.api import build_parts, compare, evaluate, fit_estimator, predict
     from instobj.commands.run import check
+    from instobj.field import magnet_field
     from instobj.stages.run import Run
 
 __all__ = [
@@ -42,7 +44,10 @@ __all__ = [
     "check",
     "compare",
     "evaluate",
+    "fem",
+    "field",
     "fit_estimator",
+    "information",
     "load_frames",
     "load_model",
     "load_spec",
@@ -62,15 +67,10 @@ _HOMES = {
     "estimator.frames.dataset": ("FrameSet", "load_frames"),
     "estimator.networks.face_model": ("FaceModel", "load_model", "save_model"),
     "estimator.recordings.reading": ("Recording", "read_recording"),
-    "instobj.api": (
-        "build_parts",
-        "compare",
-        "evaluate",
-        "fit_estimator",
-        "magnet_field",
-        "predict",
-    ),
+    "instobj": ("fem", "field", "information"),
+    "instobj.api": ("build_parts", "compare", "evaluate", "fit_estimator", "predict"),
     "instobj.commands.run": ("check",),
+    "instobj.field": ("magnet_field",),
     "instobj.stages.run": ("Run",),
 }
 HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
@@ -79,7 +79,10 @@ HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
 def __getattr__(name: str) -> Any:
     if name not in HOME_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(import_module(HOME_OF[name]), name)
+    home = HOME_OF[name]
+    value = (
+        import_module(f"{home}.{name}") if home == __name__ else getattr(import_module(home), name)
+    )
     globals()[name] = value
     return value
 

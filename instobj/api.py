@@ -12,7 +12,6 @@ from design.spec.object import ObjectSpec, TrainingSpec
 
 if TYPE_CHECKING:
     import xarray as xr
-    from numpy.typing import ArrayLike
 
     from design.build.manifest import BuildManifest
     from estimator.frames.dataset import FrameSet
@@ -61,70 +60,6 @@ def build_parts(spec: ObjectSpec, out: Path | str = "cad_out") -> BuildManifest:
     folder = Path(out) / spec.name
     publish_parts(spec, Run(spec).require("build").folder, folder)
     return BuildManifest.read(folder)
-
-
-def magnet_field(spec: ObjectSpec, points_mm: ArrayLike) -> xr.DataArray:
-    """Flux density of all magnets at rest, at any points outside them.
-
-    Exact for uniformly polarized disks, rings and blocks. Earth's field, steel plates and other
-    surroundings are left out: see `[environment]` for what sensors feel of them.
-
-    Parameters
-    ----------
-    spec : ObjectSpec
-    points_mm : array_like (point, 3)
-        Points in the object's frame, mm.
-
-    Returns
-    -------
-    DataArray (point, axis)
-        Flux density, T, along x, y, z of the object's frame.
-
-    Raises
-    ------
-    InputError
-        The points are not of that shape, or not finite.
-
-    Examples
-    --------
-    Above the middle of the top face, whose magnets point inwards and outwards by turns:
-
-    >>> import instobj
-    >>> cube = instobj.ObjectSpec(name="cube")
-    >>> field = instobj.magnet_field(cube, [[0.0, 0.0, 10.0], [0.0, 0.0, 30.0]])
-    >>> field.dims, field.attrs["units"]
-    (('point', 'axis'), 'T')
-    >>> bool(abs(field).max() < 0.1)
-    True
-    """
-    import xarray as xr
-
-    from design.errors import InputError
-    from design.layout.places.positions import magnet_layout
-    from estimator.field.models import exact_model, sum_over_magnets
-
-    points = np.asarray(points_mm, dtype=float)
-    if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
-        raise InputError(
-            f"points_mm must be finite numbers of shape (point, 3); got shape {points.shape}. "
-            "Give one row x, y, z in mm per point"
-        )
-    layout = magnet_layout(spec)
-    x, y, z = points.T[:, None]
-    centres, axes, sides = (
-        tuple(given.T[:, :, None]) for given in (layout.centre_mm, layout.axis, layout.side)
-    )
-    model = exact_model(spec.magnets)
-    field_t = sum_over_magnets(
-        (x, y, z), centres, axes, model, sides, layout.strength[:, None], layout.size
-    )
-    return xr.DataArray(
-        np.stack(field_t, axis=-1),
-        dims=("point", "axis"),
-        coords={"axis": list("xyz")},
-        attrs={"units": "T"},
-        name="flux_density",
-    )
 
 
 def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:

@@ -20,7 +20,7 @@ from design.processes import ONE_THREAD
 from tests.support.disturbed_inputs import SWITCH
 
 ROOT = Path(__file__).parents[1]
-PAGE = ROOT / "docs" / "reliability.md"
+PAGE = ROOT / "docs" / "measured" / "reliability.md"
 BEGIN, END = "<!-- rounding: begin -->\n", "<!-- rounding: end -->\n"
 _LAYOUTS, _SEARCH = "tests/estimator/layouts", "tests/instobj/search"
 ROOMS = {

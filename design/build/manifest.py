@@ -52,6 +52,10 @@ class BuildManifest:
     parts: tuple[PartManifest, ...]
     library_versions: dict[str, str]
 
+    def __repr__(self) -> str:
+        listed = ", ".join(f"{part.name} {part.volume_mm3:.0f} mm³" for part in self.parts)
+        return f"BuildManifest of {self.name}, {len(self.parts)} parts: {listed}"
+
     def part(self, name: str) -> PartManifest:
         """The part of that name; KeyError where the build has none."""
         return {part.name: part for part in self.parts}[name]

@@ -75,6 +75,14 @@ class ObjectSpec(SpecPart):
     mould: MouldSpec = MouldSpec()
     printer: PrinterSpec = PrinterSpec()
 
+    def __repr__(self) -> str:
+        size = " × ".join(f"{edge:g}" for edge in self.body.size_mm)
+        return (
+            f"ObjectSpec {self.name}: {self.body.kind} of {size} mm, shell {self.shell.thickness_mm:g} mm; "
+            f"{self.magnets.count} magnets and {self.sensors.count_per_face} sensors on each of "
+            f"faces {list(self.body.sensed)}"
+        )
+
     @property
     def core_size_mm(self) -> tuple[float, float, float]:
         """Edges of the core: the body less one shell thickness on every side."""

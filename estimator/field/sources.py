@@ -155,7 +155,7 @@ def self_demagnetised(outline: _Body, remanence_t: float, recoil_permeability: f
 
     On the recoil line J = B_r + (μ_r − 1) μ0 H, and the mean of μ0 H inside a magnet that is alone
     is −N J; hence J = B_r / (1 + N (μ_r − 1)). J is taken as uniform, which is exact to first
-    order in μ_r − 1. docs/field.md says how wrong that is, and what other magnets and steel add.
+    order in μ_r − 1. docs/measured/field.md says how wrong that is, and what other magnets and steel add.
     """
     opposed = outline.demagnetising_factor * (recoil_permeability - 1)
     return replace(outline, polarization_t=remanence_t / (1 + opposed))

@@ -31,7 +31,7 @@ class FrameSet:
     contact_face : (frame, contact)
         Face number of each contact, `NO_FACE` where the slot is empty.
     contact_xy_mm : (frame, contact, 2), mm in the face's frame; NaN where empty.
-        On curved faces lengths along the surface (docs/bodies.md), as all places of contacts.
+        On curved faces lengths along the surface (docs/faces.md), as all places of contacts.
     force_n : (frame, contact, 3), N along the face's x, y and inward normal; NaN where empty.
         The label: what a load cell shows, shared equally among the tips of its probe.
     valid : (frame,)

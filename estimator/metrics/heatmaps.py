@@ -104,6 +104,14 @@ class FaceMetrics:
     smallest_contact_n: float
     maps: PlaceMaps
 
+    def __repr__(self) -> str:
+        return (
+            f"FaceMetrics of face {self.face}, {self.contact_frames} contact frames: total force "
+            f"±{self.total_force_error_n:.3g} N ({self.total_force_error_percent:.3g} %), location "
+            f"±{self.location_error_px:.3g} pixels, similarity {self.similarity:.3g}; "
+            f"{self.rest_frames} rest frames, {self.non_contact_accuracy:.3g} read as rest"
+        )
+
     def summary(self) -> dict[str, float | int | None]:
         """Everything but the maps, ready for JSON (None where undefined)."""
         values = {f.name: getattr(self, f.name) for f in fields(self) if f.name != "maps"}

@@ -79,6 +79,14 @@ class FaceModel:
     interval_presses: int
     network: ContactEstimator
 
+    def __repr__(self) -> str:
+        history = f", changes over {self.history_frames} frames" if self.history_frames else ""
+        return (
+            f"FaceModel {self.name} of face {self.face}: reads {len(self.channels)} channels{history}; "
+            f"heatmap {len(self.grid_x_mm)} × {len(self.grid_y_mm)} pixels, N; "
+            f"{self.interval_cover:.0%} intervals from {self.interval_presses} presses"
+        )
+
 
 def predict(model: FaceModel, frames: FrameSet) -> Prediction:
     """Read every frame; presses must be complete if the model reads changes over time.

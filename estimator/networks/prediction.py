@@ -24,6 +24,15 @@ class Prediction:
     position_radius_mm: Float[np.ndarray, "frame"]
     novelty: Float[np.ndarray, "frame"]
 
+    def __repr__(self) -> str:
+        pressed = self.contact > 0.5
+        largest = f", force up to {self.force_n[pressed].max():.3g} N" if pressed.any() else ""
+        return (
+            f"Prediction of {len(self.force_n)} frames, {int(pressed.sum())} with contact{largest}; "
+            f"heatmap_n {self.heatmap_n.shape} N, force_n and force_halfwidth_n (frame,) N, "
+            "xy_mm (frame, 2) and position_radius_mm (frame,) mm, contact and novelty (frame,)"
+        )
+
     def spread(self, has_readings: Bool[np.ndarray, "all_frames"]) -> Prediction:
         """Spread these readings over the frames that have readings, NaN at all others."""
         columns = {}

@@ -100,7 +100,7 @@ def with_dents(spec: ObjectSpec, response: ResponseOperator, index: int) -> Face
     """The index-th face, lower where seals have sunk; a shell without magnets has no seals.
 
     To first order in the dents: the indenter meets the dented surface, whose compliance is still
-    that of the flat one. docs/robustness.md says how wrong that is.
+    that of the flat one. docs/measured/robustness.md says how wrong that is.
     """
     surface = response.surfaces[index]
     if response.magnet_loads.start == len(response.compliance):

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from design.errors import InputError
+
 LARGEST_POISSON_RATIO = 0.499999
 """Beyond it ν is taken as this: the factorization needs a pivot for every pressure."""
 
@@ -19,18 +21,36 @@ class LameConstants:
 
 
 def lame_constants(youngs_modulus_mpa: float, poisson_ratio: float) -> LameConstants:
-    """μ = E / (2(1 + ν)) and 1/λ = (1 + ν)(1 − 2ν) / (E ν), finite up to ν = 0.5 but for ν = 0.
+    """Shear modulus and 1/λ of an isotropic elastic solid.
 
-    ν above 0.499999 counts as 0.499999: the compliance of the paper's shell falls by less than
-    1e-5 from there to 0.5 (it falls by 2.4 % from 0.49 to 0.5).
+    μ = E / (2(1 + ν)) and 1/λ = (1 + ν)(1 − 2ν) / (E ν). ν above 0.499999 counts as 0.499999: the
+    compliance of the paper's shell falls by less than 1e-5 from there to 0.5.
+
+    Parameters
+    ----------
+    youngs_modulus_mpa : float
+        E, MPa.
+    poisson_ratio : float
+        ν, in (−1, 0.5].
+
+    Returns
+    -------
+    LameConstants
+        `shear_modulus_mpa` (MPa) and `inverse_lambda_per_mpa` (1/MPa): infinite at ν = 0.
 
     Raises
     ------
-    ValueError
+    InputError
         ν outside (−1, 0.5] or E not positive.
+
+    Examples
+    --------
+    >>> import instobj
+    >>> instobj.fem.lame_constants(0.3, 0.25)
+    LameConstants(shear_modulus_mpa=0.12, inverse_lambda_per_mpa=8.333333333333334)
     """
     if not (-1 < poisson_ratio <= 0.5 and youngs_modulus_mpa > 0):
-        raise ValueError(
+        raise InputError(
             "linear elasticity needs E > 0 and −1 < ν ≤ 0.5; got "
             f"E = {youngs_modulus_mpa:g} MPa, ν = {poisson_ratio:g}"
         )

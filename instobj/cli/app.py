@@ -95,11 +95,12 @@ def new(
     out: Out = HERE,
 ) -> None:
     """Write a commented specification to start from, NAME.toml, with everything placed to fit."""
-    from instobj.commands.new import new_specification, request_of, size_of
+    from instobj.commands.new import new_specification, placed_text, request_of, size_of
 
     size_mm = None if size is None else size_of(size, kind)
     request = request_of(kind, size_mm, sensors, magnets, file, unit, scale)
-    typer.echo(f"wrote {new_specification(name, out, request)}")
+    written = new_specification(name, out, request)
+    typer.echo(f"wrote {written}\n{placed_text(written)}\nnext  instobj check {written}")
 
 
 @app.command(rich_help_panel=KEEP)

@@ -45,6 +45,7 @@ def print_result(result: dict[str, Any]) -> None:
             f"  {row['contact_locations']} contact locations cover {100 * row['covered_share']:.0f} % of "
             f"the sensed surface, {each} mm² each"
         )
+        console.print(f"  {row['far']}")
         console.print(
             f"  modulus {row['modulus']}; force at a given depth: {row['force_at_a_travel']}"
         )
@@ -61,13 +62,17 @@ def print_result(result: dict[str, Any]) -> None:
     if "comparison" in result:
         console.rule("comparison")
         title = (
-            "medians over the contact locations that reach the force, fresh baseline unless stated"
+            "medians over the contact locations that reach the force, fresh baseline unless stated. place, "
+            "force: position and force bound; detect: least force that is felt; bounds read: own = the "
+            "sensors of the pressed face, all = of every face"
         )
         _print_rows(console, title, _turned(result["comparison"]["rows"]))
         _print_files(console, result["comparison"]["files"])
     for title, rows in result.get("tables", {}).items():
         _print_rows(console, title, rows)
     _print_files(console, result.get("files", ()))
+    if "next" in result:
+        console.print(f"next  {result['next']}", soft_wrap=True)
 
 
 def _print_findings(console: Console, item: dict[str, Any]) -> None:

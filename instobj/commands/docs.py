@@ -16,8 +16,10 @@ _KEYS = "specification"
 
 def page_names() -> list[str]:
     """Names of the pages, in order."""
-    pages = {path.stem for path in _folder().glob("*.md")} - {"index"}
-    return sorted(pages | {_KEYS})
+    folder = _folder()
+    paths = [*folder.glob("*.md"), *folder.glob("reference/*.md")]
+    pages = {path.relative_to(folder).with_suffix("").as_posix() for path in paths}
+    return sorted((pages - {"index", "reference/specification"}) | {_KEYS})
 
 
 def page_text(name: str) -> str:

@@ -35,7 +35,9 @@ from design.placement.objects import Request, Tables, relaid, spec_of
 from design.placement.room import narrow_heads
 from design.spec.body import MM, BodySpec
 from design.spec.object import ObjectSpec
+from design.spec_io import load_spec
 from instobj.commands.specification_file import specification_text
+from instobj.report.weak_areas import far_text
 
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
@@ -50,11 +52,14 @@ _OF_THE_BODY = {"undercut", _BED}
 def new_specification(name: str, out: Path, request: Request | None = None) -> Path:
     """Write `NAME.toml`: the paper's cube, or what is requested, with the keys that matter first.
 
+    A name that ends in ".toml" is taken without it.
+
     Raises
     ------
     InputError
         The name cannot be a folder's name, the file is already there, or the size does not work.
     """
+    name = name.removesuffix(".toml")  # somebody names the file
     target = out / f"{name}.toml"
     if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,79}", name):
         raise InputError(
@@ -77,6 +82,12 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
     with atomic_path(target) as temporary:
         temporary.write_text(specification_text(name, out, tables), encoding="utf-8")
     return target
+
+
+def placed_text(path: Path) -> str:
+    """Say in two lines what a written specification holds, and whether places lie too far."""
+    spec = load_spec(path, [])
+    return f"{spec!r}\n{far_text(spec)}".removeprefix("ObjectSpec ")
 
 
 def made(request: Request) -> tuple[Tables, list[Finding]]:

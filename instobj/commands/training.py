@@ -67,6 +67,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
         "between": [vars(fault) for fault in between],
         "texts": [*(str(recording.report) for recording in found), *map(str, between), *absent],
         "files": file_rows([target]),
+        "next": f"instobj train {target}",
     }
 
 

@@ -7,13 +7,17 @@ from math import ceil, degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from design.body.surface_chart import FaceFrame
+from design.body.triangles import Block
 from design.build.bom import bill_of_materials
 from design.build.manifest import BuildManifest, PartManifest
 from design.build.order_list import OrderLine, cost_eur
-from design.layout.boards import wire_bundle_mm
+from design.layout.boards import board_blocks, wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould.frame import opening_of
+from design.layout.places.positions import sensor_layout
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
@@ -30,6 +34,8 @@ _FACE_MM = 55.0
 """Width of the widest face; the others have its scale."""
 _BORDER_MM = 4.0
 """Border round a drawn face."""
+_AXIS_MM = 4.5
+"""Length of a drawn chip axis that lies in the face, mm."""
 _SAME_MM = 2e-2
 """Distance below which two magnets have the same place."""
 
@@ -62,6 +68,7 @@ def assembly_sheet(
         demoulding=demoulding_png,
         faces=[_face(spec, frame, pins, scale) for frame in drawn],
         template=_template(frames, parts),
+        board_faces=_board_faces(spec, scale),
         sensors=_sensors(spec, plan),
         planned=plan is not None,
         bundle_mm=wire_bundle_mm(spec),
@@ -86,7 +93,6 @@ def _face(
     spec: ObjectSpec, frame: FaceFrame, pins: Sequence[PinKind], scale: float
 ) -> dict[str, Any]:
     """One face seen from outside, x to the right and y up, each magnet with its outward pole."""
-    half_x, half_y = frame.half_extents_mm
     magnets = list[dict[str, Any]]()
     places = dict(zip(spec.body.sensed, magnet_places(spec), strict=True)).get(frame.number, ())
     kinds = (
@@ -107,6 +113,16 @@ def _face(
                 "kind": kind,
             }
         )
+    return {
+        **_drawn_frame(frame, scale),
+        "magnets": magnets,
+        "sockets": _sockets(pins, frame.number, places),
+    }
+
+
+def _drawn_frame(frame: FaceFrame, scale: float) -> dict[str, Any]:
+    """Outline and axes of a face seen from outside."""
+    half_x, half_y = frame.half_extents_mm
     low_x, low_y = half_x + _BORDER_MM, half_y + _BORDER_MM
     return {
         "number": frame.number,
@@ -117,11 +133,47 @@ def _face(
         "view": f"{-low_x:g} {-low_y:g} {2 * low_x:g} {2 * low_y:g}",
         "arrows": f"M {1 - half_x:g} {half_y - 1:g} h 6 m 0 0 l -1.5 -0.9 m 1.5 0.9 l -1.5 0.9 "
         f"M {1 - half_x:g} {half_y - 1:g} v -6 m 0 0 l -0.9 1.5 m 0.9 -1.5 l 0.9 1.5",
-        "magnets": magnets,
-        "sockets": _sockets(pins, frame.number, places),
         "axis": _axis_name(frame.normal),
         "x_axis": _axis_name(frame.x),
         "y_axis": _axis_name(frame.y),
+    }
+
+
+def _board_faces(spec: ObjectSpec, scale: float) -> list[dict[str, Any]]:
+    """Every face with its boards and the directions of their chips' X and Y, as drawn from outside."""
+    layout, boards = sensor_layout(spec), board_blocks(spec)
+    return [
+        {
+            **_drawn_frame(frame, scale),
+            "boards": [
+                _board(frame, number, boards[index], layout.axes[index])
+                for number, index in enumerate(np.flatnonzero(layout.face == frame.number), start=1)
+            ],
+        }
+        for frame in face_frames(spec)
+    ]
+
+
+def _board(frame: FaceFrame, number: int, board: Block, chip: np.ndarray) -> dict[str, Any]:
+    """Lines of one board: its upper side's corners, and its chip's X and Y, in the picture's x and −y."""
+    # columns x and y of the face, y turned down as pictures count
+    on_picture = frame.axes[:, :2] * [1, -1]
+    x, y = (board.centre_mm - frame.centre_mm) @ on_picture
+    corners = (board.corners_mm[[4, 6, 7, 5]] - frame.centre_mm) @ on_picture
+    ends = {letter: (chip[k] @ on_picture) * _AXIS_MM for k, letter in enumerate("XY")}
+    shown = {letter: end for letter, end in ends.items() if np.hypot(*end) > _AXIS_MM / 3}
+    # the number stands beside the corner that both axes point away from
+    beside = -0.85 * sum(shown.values(), np.zeros(2))
+    return {
+        "number": number,
+        "x": f"{x + beside[0]:.2f}",
+        "y": f"{y + beside[1] + 1:.2f}",
+        "corners": " ".join(f"{a:.2f},{b:.2f}" for a, b in corners),
+        "axes": " ".join(f"M {x:.2f} {y:.2f} l {a:.2f} {b:.2f}" for a, b in shown.values()),
+        "letters": [
+            (letter, f"{x + 1.3 * a:.2f}", f"{y + 1.3 * b + 0.8:.2f}")
+            for letter, (a, b) in shown.items()
+        ],
     }
 
 

@@ -34,6 +34,10 @@ from instobj.store.readers import (
     ResultFile,
 )
 
+_METRICS_TITLE = (
+    "metrics on held-out presses (frames of contact and of rest; E_loc is the shift of the whole map that "
+    "fits best, as in the paper; the place in the next table is the centre of force)"
+)
 AREAS_TITLE = "bounds by area (medians over all faces, fresh zero)"
 
 
@@ -60,7 +64,11 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("collection", "simulated recordings", _read(COLLECTION_SUMMARY)),
         ("pulled_collection", "simulated recordings", _read(PULLED_SUMMARY)),
         ("networks", "calibrated twin (medians over labelled places)", _calibration),
-        ("metrics", "metrics on held-out presses (frames of contact and of rest)", _metrics),
+        (
+            "metrics",
+            _METRICS_TITLE,
+            _metrics,
+        ),
         (
             "metrics",
             "total force and place beside simple regressions, held-out presses (%: of the range of force "

@@ -5,7 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from design.layout.places.measures import LONGEST_PATH_MM
+import numpy as np
+
+from design.layout.places.measures import LONGEST_PATH_MM, place_measures
+from design.spec.object import ObjectSpec
 from instobj.store.content import StoredResult
 from instobj.store.readers import WEAK_AREAS, WEAK_AREAS_PICTURE, WEAK_MAPS
 
@@ -19,6 +22,21 @@ _NAMES = {
 """Measure → what tables and sentences call it, and its unit there."""
 _CLEAR = 0.5
 """Rank correlation from which on weak locations are said to go with a measure."""
+_FEW = 0.005
+"""Share of contact locations that is told as none: it would read 0 %."""
+
+
+def far_text(spec: ObjectSpec) -> str:
+    """Say how many contact locations lie too far from magnet and sensor; it needs no mechanics."""
+    path_mm = place_measures(spec).path_mm
+    far = float(np.mean(path_mm[np.isfinite(path_mm)] > LONGEST_PATH_MM))
+    if far < _FEW:
+        return "every contact location is near a magnet and a sensor"
+    return (
+        f"{far:.0%} of the contact locations are too far from a magnet and a sensor (signal path over "
+        f"{LONGEST_PATH_MM:g} mm) to be located within 1.5 mm, as a rule. More magnets or sensors on each "
+        "face help: --magnets, --sensors of `instobj new`"
+    ).replace("%", " %", 1)
 
 
 def weak_rows(result: StoredResult) -> list[dict[str, Any]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import xarray as xr
 
 from design.netcdf import read_arrays
@@ -17,6 +18,22 @@ class Results(xr.Dataset):
     """Variables with units, by name."""
 
     __slots__ = ()
+
+    def __repr__(self) -> str:
+        """Name every variable with its dimensions, its unit and its range."""
+        sizes = ", ".join(f"{name} {size}" for name, size in self.sizes.items())
+        rows = [
+            (
+                str(name),
+                f"({', '.join(map(str, one.dims))})",
+                one.attrs.get("units", ""),
+                _range(one),
+            )
+            for name, one in self.data_vars.items()
+        ]
+        widths = [max((len(row[k]) for row in rows), default=0) for k in range(3)]
+        lines = ["  ".join([*map(str.ljust, row[:3], widths), row[3]]).rstrip() for row in rows]
+        return "\n".join([f"Results: {sizes}", *(f"  {line}" for line in lines)])
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):  # xarray asks an object that is not yet filled
@@ -44,3 +61,14 @@ def results_in(path: Path) -> Results:
 
 def _of_content(attributes: dict[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in attributes.items() if name not in _OF_THE_FILE}
+
+
+def _range(variable: xr.DataArray) -> str:
+    """Return the least and the largest finite value, as "0.38 to 1.5"; "" without numbers."""
+    if not np.issubdtype(variable.dtype, np.number):
+        return ""
+    finite = variable.values[np.isfinite(variable.values)]
+    if not finite.size:
+        return "nothing finite"
+    least, largest = f"{finite.min():.4g}", f"{finite.max():.4g}"
+    return least if least == largest else f"{least} to {largest}"

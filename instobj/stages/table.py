@@ -84,7 +84,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell"),
         make_sheet,
-        version=11,
+        version=12,
     ),
     "fabrication": Stage(
         "design: fabrication checks",

@@ -99,8 +99,16 @@ def folder(tmp_path_factory):
     return here
 
 
-@pytest.mark.parametrize("block", blocks("python", "py"))
-def test_a_block_of_python_runs(block, folder, monkeypatch):
+def python_pages():
+    """All blocks of Python of each page, one after the other as a reader pastes them."""
+    for page in all_pages():
+        found = re.findall(r"^```py\w*\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
+        if found:
+            yield pytest.param("".join(found), id=str(page.relative_to(ROOT)))
+
+
+@pytest.mark.parametrize("block", list(python_pages()))
+def test_the_blocks_of_python_of_a_page_run(block, folder, monkeypatch):
     monkeypatch.chdir(folder)
     monkeypatch.setenv("INSTOBJ_STORE", str(folder / ".instobj"))
     run_block(block, {})
@@ -177,5 +185,5 @@ def test_a_line_that_a_command_does_not_take_is_noticed(line):
 
 
 def test_there_are_blocks():
-    assert len(blocks("python")) >= 4
+    assert len(list(python_pages())) >= 3
     assert len(blocks("sh")) >= 15

@@ -1,5 +1,6 @@
 """What the pages name exists: pages, headings, commands, options, keys, files and modules."""
 
+import inspect
 import re
 import sys
 from pathlib import Path
@@ -190,8 +191,12 @@ def test_files_and_modules_that_a_page_names_exist(page):
 
 def test_the_reference_holds_every_public_name():
     page = (DOCS / "reference" / "python.md").read_text()
-    documented = re.findall(r"^\.\. auto\w+:: instobj\.(\w+)\b.*$", page, flags=re.MULTILINE)
-    assert sorted(documented) == sorted(instobj.__all__)
+    documented = re.findall(r"^\.\. auto\w+:: instobj\.([\w.]+)\b.*$", page, flags=re.MULTILINE)
+    things = {name: getattr(instobj, name) for name in instobj.__all__}
+    modules = {name: thing for name, thing in things.items() if inspect.ismodule(thing)}
+    inside = {f"{name}.{own}" for name, module in modules.items() for own in module.__all__}
+    handed_on = {"field.magnet_field"}  # documented under its shorter name
+    assert sorted(documented) == sorted((things.keys() - modules.keys()) | inside - handed_on)
 
 
 @pytest.mark.parametrize("page", all_pages(), ids=lambda page: str(page.relative_to(ROOT)))

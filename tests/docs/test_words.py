@@ -1,32 +1,57 @@
-"""How-to pages are plain: short sentences, and figures that a later version could change stand elsewhere."""
+"""Every page is of one kind and plain: short sentences; figures that later versions change stand apart."""
 
 import re
 
 import pytest
 
-from tests.support.pages import DOCS
+from tests.support.pages import DOCS, ROOT, site_pages
 
-PLAIN_PAGES = (
-    "bodies.md",
-    "calibrate.md",
-    "estimators.md",
-    "inversion.md",
-    "layout_search.md",
-    "live.md",
-    "presses.md",
-    "questions.md",
-    "rig.md",
-    "sweeps.md",
-)
-"""How-to pages whose measured figures have moved to `docs/measured`."""
-MEAN_WORDS, MOST_WORDS, NUMBERS_A_SENTENCE = 17, 40, 0.4
-MOST_LINES = 150
+KIND_OF = {
+    "index": "how-to",
+    **dict.fromkeys(
+        (
+            *("bodies", "bringup", "calibrate", "estimators", "experiments", "fabrication"),
+            *("firmware", "install", "inversion", "layout_search", "library", "live"),
+            *("look_inside", "presses", "questions", "reliability", "rig", "robustness"),
+            *("start", "sweeps", "validation"),
+        ),
+        "how-to",
+    ),
+    **dict.fromkeys(
+        ("architecture", "core", "faces", "field", "information", "moulds", "security"),
+        "explanation",
+    ),
+    **dict.fromkeys(("glossary", "recordings", "units"), "reference"),
+    "how_true": "measured",
+}
+"""Pages at the top of docs/; of those in folders the folder says it."""
+KIND_OF_FOLDER = {"reference": "reference", "measured": "measured", "verification": "measured"}
+MEAN_WORDS, MOST_WORDS = 17, 40
+MOST_NUMBERS = {"how-to": 0.4, "explanation": 0.4}
+"""Numbers a sentence; figures that a later version can change stand on measured pages."""
+MOST_WORDS_OF_A_PAGE = {"how-to": 800, "explanation": 1500}
+PAGES = site_pages()
+
+
+def name_of(page) -> str:
+    return str(page.relative_to(DOCS).with_suffix(""))
+
+
+def kind_of(name: str) -> str:
+    """Return the kind of a page by its name below docs/, "" where nothing says it."""
+    folder, _, _ = name.rpartition("/")
+    return KIND_OF_FOLDER.get(folder, "") if folder else KIND_OF.get(name, "")
+
+
+def without_code(text: str) -> str:
+    """Return a page without fenced code and without tables that the code writes."""
+    text = re.sub(r"^<!-- (\w+): written .*?<!-- end of \1 -->$", "", text, flags=re.M | re.S)
+    return re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL)
 
 
 def sentences(text: str) -> list[str]:
     """Sentences of a page's paragraphs and lists, without headings, tables, code and pictures."""
-    text = re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL)
-    lines = [re.sub(r"^(- |\d+\. )", "", line) for line in text.splitlines()]
+    lines = [re.sub(r"^\s*(- |\d+\. )", "", line) for line in without_code(text).splitlines()]
     prose = [
         line for line in lines if line.strip() and not line.startswith(("|", "#", "!", "    "))
     ]
@@ -34,34 +59,57 @@ def sentences(text: str) -> list[str]:
     return [part for part in parts if len(part.split()) > 2]
 
 
-def faults(text: str) -> list[str]:
-    """What makes a page hard to read, in words."""
+def faults(text: str, kind: str = "how-to") -> list[str]:
+    """Return what makes a page of a kind hard to read, in words."""
     found = sentences(text)
-    words = [len(sentence.split()) for sentence in found]
+    words = [len(sentence.split()) for sentence in found] or [0]
     numbers = sum(len(re.findall(r"(?<![\w.])\d[\d.,]*", sentence)) for sentence in found)
     mean, share = sum(words) / len(words), numbers / len(words)
+    size = len([word for word in without_code(text).split() if word.strip("|-:")])
     checks = {
         f"{mean:.1f} words a sentence in the mean": mean > MEAN_WORDS,
         f"a sentence of {max(words)} words": max(words) > MOST_WORDS,
-        f"{share:.2f} numbers a sentence": share > NUMBERS_A_SENTENCE,
-        f"{len(text.splitlines())} lines": len(text.splitlines()) > MOST_LINES,
+        f"{share:.2f} numbers a sentence": share > MOST_NUMBERS.get(kind, share),
+        f"{size} words": size > MOST_WORDS_OF_A_PAGE.get(kind, size),
     }
     return [text for text, broken in checks.items() if broken]
 
 
-@pytest.mark.parametrize("name", PLAIN_PAGES)
-def test_a_how_to_page_is_plain(name):
-    assert not faults((DOCS / name).read_text())
+def test_every_page_is_of_a_kind():
+    names = {name_of(page) for page in PAGES}
+    assert not [name for name in names if not kind_of(name)]
+    assert set(KIND_OF) <= names
 
 
-@pytest.mark.parametrize("name", PLAIN_PAGES)
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_a_page_is_plain(page):
+    assert not faults(page.read_text(), kind_of(name_of(page)))
+
+
+def test_the_readme_is_plain():
+    assert not faults((ROOT / "README.md").read_text(), "how-to")
+
+
+HOW_TO = sorted(name for name, kind in KIND_OF.items() if kind == "how-to" and name != "index")
+
+
+@pytest.mark.parametrize("name", HOW_TO)
 def test_a_how_to_page_has_a_block_to_run_in_its_first_screen(name):
-    first = (DOCS / name).read_text().splitlines()[:30]
-    assert any(line.strip().startswith("instobj ") for line in first)
+    first = (DOCS / f"{name}.md").read_text().splitlines()[:30]
+    assert any(line.startswith(("```sh", "```py")) for line in first)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_a_page_of_figures_or_keys_names_the_page_that_explains_them(page):
+    name = name_of(page)
+    folder, _, own = name.rpartition("/")
+    if folder in ("measured", "reference") and own not in ("python", "specification"):
+        assert re.search(r"\]\(\.\./\w+\.md", "\n".join(page.read_text().splitlines()[:8]))
 
 
 def test_a_page_that_is_not_plain_is_noticed():
     long = "One " * 41 + "word."
     assert faults(long) == ["42.0 words a sentence in the mean", "a sentence of 42 words"]
     assert faults("It took 3 to 14 minutes.") == ["2.00 numbers a sentence"]
-    assert faults("It is short.\n" * 151) == ["151 lines"]
+    assert faults("It took 3 to 14 minutes.", "measured") == []
+    assert faults("It is short.\n" * 267) == ["801 words"]

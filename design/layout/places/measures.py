@@ -29,9 +29,9 @@ from design.spec.object import ObjectSpec
 Measure = Literal["border_mm", "magnet_mm", "path_mm", "curvature_per_mm"]
 MEASURES: tuple[Measure, ...] = ("border_mm", "magnet_mm", "path_mm", "curvature_per_mm")
 SENSOR_SHARE = 0.6
-"""Share of a magnet's distance to its nearest sensor, in the signal path (docs/studies.md)."""
+"""Share of a magnet's distance to its nearest sensor, in the signal path (docs/measured/studies.md)."""
 LONGEST_PATH_MM = 15.0
-"""Signal path to which position bounds keep 1.5 mm at 8 N, in the median (docs/studies.md)."""
+"""Signal path to which position bounds keep 1.5 mm at 8 N, in the median (docs/measured/studies.md)."""
 _BORDER_POINTS = 120
 """Points round the border of a place."""
 _PATH_STEPS = 12

@@ -5,7 +5,7 @@ what a press of one jaw does to the other's sensors is seen as well. The motions
 up and the field is exact, as in the inversion. What the numbers leave over is taken as independent
 between cases, a share of what each chip shows: a case tells a sum over its contacts alone, and
 carried to other places by a Gaussian process it made predictions of the public recordings worse
-(docs/validation.md). The share is the one that predicts cases left out best, and whether the
+(docs/measured/validation.md). The share is the one that predicts cases left out best, and whether the
 numbers help at all is judged there as well.
 """
 

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 _SHARES_OF_DEEPEST = (0.25, 0.625, 1.0)
 """Depths whose shapes are stored. Between them, shapes per newton are interpolated: on the paper's
-cube within 0.22 mm of the shape anywhere, 0.4 % of the depth (rms): docs/look_inside.md."""
+cube within 0.22 mm of the shape anywhere, 0.4 % of the depth (rms): docs/measured/view.md."""
 
 
 def make_scene(context: StageContext, folder: Path) -> None:

@@ -249,7 +249,7 @@ INITIAL_MODULI_MPA = {
     "Dragon_Skin_30": (0.49, 0.53),
     "Mold_Star_16_FAST": (0.23, 0.25),
 }
-"""Yeoh and Ogden, stretches up to 1.5 and 2: docs/validation.md."""
+"""Yeoh and Ogden, stretches up to 1.5 and 2: docs/measured/validation.md."""
 
 
 @pytest.mark.parametrize("name", INITIAL_MODULI_MPA)

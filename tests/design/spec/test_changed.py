@@ -4,7 +4,7 @@ import pytest
 
 from design.errors import SpecError
 from design.spec.object import ObjectSpec
-from design.spec_io import check, parse_spec
+from design.spec_io import check, load_spec, parse_spec
 
 CUBE = ObjectSpec(name="cube")
 
@@ -69,3 +69,10 @@ def test_tables_of_parts_that_are_left_out_are_each_specification_s_own():
     assert CUBE.search.limits.times_start == {}
     assert ObjectSpec(name="egg").search.limits.times_start == {}
     assert CUBE.search != CUBE.search.changed(forces_n=(1.0,))
+
+
+def test_a_table_that_stands_twice_is_named_with_its_line(tmp_path):
+    path = tmp_path / "twice.toml"
+    path.write_text('name = "x"\n[search.vary]\nmagnet_tilt_deg = 3.0\n[search.vary]\n')
+    with pytest.raises(SpecError, match=r"the table \[search.vary\] stands twice \(at line 4"):
+        load_spec(path)

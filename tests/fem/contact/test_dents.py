@@ -71,7 +71,7 @@ def test_a_press_beside_a_dent_meets_less(over_a_dent):
 def test_the_force_is_that_of_a_mesh_with_dents(
     dent_mm, within, coarse_mesh, rigid_spec, rigid_response, monkeypatch
 ):
-    """All places and depths within what docs/robustness.md says, several times better than without.
+    """All places and depths within what docs/measured/robustness.md says, several times better than without.
 
     In a dent of 1 mm over 2 mm of silicone a press of 0.5 mm is 6.1 % too soft: what finite elements answer
     is still that of the flat shell. With a half-space over the magnet both sides missed its stiffness.

@@ -102,6 +102,7 @@ def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
     page = assembly_sheet(spec, MANIFEST, picture, (), plan_or_none(spec, MEGA2560))
     faces = re.findall(r"<figure>.*?</figure>", page, re.S)
     assert len(faces) == 5
+    assert page.count('<figure class="boards">') == 5
     for face in faces:
         poles = re.findall(r'cx="([-\d.]+)" cy="([-\d.]+)".*?>([NS])</text>', face)
         assert poles == [("0", "-0", "N"), ("9", "-8", "S")], "y points up, outward poles"
@@ -112,6 +113,27 @@ def test_the_sheet_shows_every_pole_and_every_wire(tmp_path):
     assert "http" not in page.replace("http-equiv", ""), "nothing is loaded from outside"
 
 
+def test_the_sheet_shows_how_every_board_lies_and_where_its_chip_points(tmp_path):
+    """Sensor 1 at azimuth 0, chip inward: board at (r, 0), X along −y (down), Y along +x (right)."""
+    save_dot(tmp_path / "picture.png")
+    spec = parsed(sensors={"first_azimuth_deg": [0.0, 90.0, 0.0, 0.0, 0.0]})
+    page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png")
+    faces = re.findall(r'<figure class="boards">.*?</figure>', page, re.S)
+    assert [face.count("<polygon") for face in faces] == [3] * 5
+    lines = [
+        np.array(re.findall(r"M (\S+) (\S+) l (\S+) ([-\d.]+)", face), float) for face in faces
+    ]
+    x_axis, y_axis = lines[0][:2, 2:]
+    assert x_axis[1] > 4
+    assert abs(x_axis[0]) < 0.01
+    assert y_axis[0] > 4
+    assert abs(y_axis[1]) < 0.01
+    at = lines[0][0, :2]
+    assert at[0] > 5, "to the right of the middle"
+    assert abs(at[1]) < 0.5
+    assert lines[1][0, 1] < -5, "azimuth 90°: above the middle"
+
+
 def test_faces_of_unequal_sizes_are_drawn_at_one_scale(tmp_path):
     """The widest is 55 mm wide; a magnet of 6 mm is as large on every face."""
     save_dot(tmp_path / "picture.png")
@@ -119,7 +141,7 @@ def test_faces_of_unequal_sizes_are_drawn_at_one_scale(tmp_path):
     page = assembly_sheet(spec, MANIFEST, tmp_path / "picture.png")
     faces = re.findall(r'<svg width="([\d.]+)mm" viewBox="\S+ \S+ ([\d.]+) \S+">', page)
     widths, boxes = np.array(faces, float).T
-    assert_allclose(boxes, [68, 58, 58, 58, 58])
+    assert_allclose(boxes, 2 * [68, 58, 58, 58, 58])
     assert_allclose(widths, 55 / 68 * boxes, atol=0.01)
 
 

@@ -63,9 +63,10 @@ def bonded_layer():
     )
     words = (
         f"{force[2]:.3f} N at 1 mm and {force[3]:.3f} N at 2 mm against 1.69 and 5.5 N of a converged "
-        f"axisymmetric solution; {force[1] / published[0] - 1:+.1%} and "
-        f"{force[2] / published[1] - 1:+.1%} off Dimitriadis et al. at 0.5 and 1 mm; "
-        f"{force[0] / exact[0] - 1:+.1%} off at 0.25 mm, drawn but not judged: it spans three cells."
+        f"axisymmetric solution. Off Dimitriadis et al. by {force[1] / published[0] - 1:+.1%} and "
+        f"{force[2] / published[1] - 1:+.1%} at 0.5 and 1 mm, "
+        f"{force[0] / exact[0] - 1:+.1%} at 0.25 mm. The last is drawn but not judged, as it spans "
+        "three cells."
     )
     return Measured(float(error), words, (Curve("force", depths, force, exact),))
 

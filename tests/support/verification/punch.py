@@ -29,8 +29,8 @@ def flat_punch():
     ]
     off = np.array(force) / exact - 1
     words = (
-        f"Disk of radius 1 mm on blocks as high as half their width, cells of 2 mm in the middle: "
-        f"{off[0]:+.1%} on the smallest block, {off[-1]:+.2%} on the largest, where the infinite "
+        f"Disk of radius 1 mm on blocks as high as half their width, cells of 2 mm in the middle. Force "
+        f"{off[0]:+.1%} on the smallest block, {off[-1]:+.2%} on the largest. There the infinite "
         "pressure at the punch's edge is what the cells miss."
     )
     curve = Curve("force of the punch", sizes, np.array(force), np.full(len(sizes), exact))
