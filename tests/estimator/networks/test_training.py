@@ -21,7 +21,7 @@ from estimator.networks.face_model import (
     save_model,
 )
 from estimator.networks.network import HeadsNetwork
-from estimator.networks.tensor_file import load_tensors, save_tensors
+from estimator.networks.tensor_file import save_tensors
 from estimator.networks.training import face as face_training
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -239,7 +239,7 @@ def test_a_description_of_other_types_or_sizes_is_one_error(model, tmp_path, key
 
 def test_a_model_that_is_saved_again_is_the_same_byte_by_byte(model, tmp_path):
     contents = set()
-    for number in range(2):
+    for number in range(8):  # the library takes any of two orders
         save_model(model, tmp_path / f"{number}.safetensors")
         contents.add((tmp_path / f"{number}.safetensors").read_bytes())
     assert len(contents) == 1
@@ -308,40 +308,3 @@ def test_errors_of_the_user(frames, split, model):
     silent.signal_counts[:] = np.nan
     with pytest.raises(InputError, match="every channel of face"):
         live_channels(FaceData(FACE, silent, np.ones((2, 3, 4, 5)), np.zeros(2) > 0))
-
-
-def test_the_library_of_the_format_reads_what_is_written_and_the_reverse(tmp_path):
-    tensors = {
-        "weight": torch.arange(6.0).reshape(2, 3).T,
-        "steps": torch.tensor(-7),
-        "exact": torch.tensor([0.1, np.nan], dtype=torch.float64),
-        "used": torch.tensor([True, False, True]),
-        "none": torch.zeros(0, 4, dtype=torch.uint8),
-    }
-    path = tmp_path / "t.safetensors"
-    save_tensors(tensors, {"layers": [1, "ä"]}, path)
-    for read in (load_file(path), load_tensors(path, "Train")[1]):
-        assert read.keys() == tensors.keys()
-        for name, wanted in tensors.items():
-            assert read[name].dtype == wanted.dtype
-            assert torch.equal(read[name].nan_to_num(5), wanted.nan_to_num(5))
-            assert read[name].shape == wanted.shape
-    assert load_tensors(path, "Train")[0] == {"layers": [1, "ä"]}
-
-
-@pytest.mark.parametrize(
-    "header",
-    [
-        "[]",
-        '{"w": 1}',
-        '{"w": {"dtype": "F32", "shape": [2], "data_offsets": [0, 4]}}',
-        '{"w": {"dtype": "F32", "shape": [3], "data_offsets": [0, 99]}}',
-        '{"w": {"dtype": "O", "shape": [1], "data_offsets": [0, 8]}}',
-        "{" * 100_000,
-    ],
-)
-def test_a_header_that_its_content_does_not_bear_out_is_one_error(header, tmp_path):
-    path = tmp_path / "t.safetensors"
-    path.write_bytes(len(header).to_bytes(8, "little") + header.encode() + bytes(8))
-    with pytest.raises(StoreError, match="is not a safetensors file"):
-        load_tensors(path, "Train")
