@@ -152,15 +152,13 @@ def tangential_forces(
     of simulated presses are 1.15 times the deviations (rms; 300 presses of a synthetic object).
     """
     slots = problems.face.shape[1]
-    face, contact, sigma = problems.face, problems.contact, seen.sigma[problems.frame]
-    singles = model.singles(face, contact) / sigma[:, None, None]
-    pulls = model.pulls(face, contact).reshape(len(face), 2 * slots, model.channels)
-    pulls = pulls / sigma[:, None]
-    left = seen.counts[problems.frame] - problems.extra
-    left = left / sigma - singles[:, :, 0].sum(axis=1)
-    jacobian = singles[:, :, 1:].reshape(len(face), 3 * slots, model.channels)
+    face, contact, white = problems.face, problems.contact, seen.white.select(problems.frame)
+    singles = model.singles(face, contact)
+    pulls = white(model.pulls(face, contact).reshape(len(face), 2 * slots, model.channels))
+    left = seen.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
+    jacobian = white(singles[:, :, 1:].reshape(len(face), 3 * slots, model.channels))
     own = np.linalg.inv(np.eye(2 * slots) + pulls @ pulls.transpose(0, 2, 1))
-    mean = (own @ (pulls @ left[..., None]))[..., 0]
+    mean = (own @ (pulls @ white(left[:, None]).transpose(0, 2, 1)))[..., 0]
     carried = own @ pulls @ jacobian.transpose(0, 2, 1)
     contacts = np.linalg.inv(bounded_curvature(problems, priors))
     covariance = own + carried @ contacts @ carried.transpose(0, 2, 1)

@@ -280,10 +280,10 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics"),
-            *("indenter", "inversion", "tolerances", "seed"),
+            *("indenter", "inversion", "limits.use", "tolerances", "seed"),
         ),
         make_inversion,
-        version=5,
+        version=6,
         of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(
