@@ -74,7 +74,8 @@ def test_contacts_of_a_turned_object_are_read_as_those_of_one_that_stands_still(
         if number == 1:
             assert np.mean(distance <= found.position_radius_mm[one, 0]) > 0.75
     assert share[0] > 0.75
-    assert share[1] > share[0] - 0.07
+    # the difference of two shares of 60 frames scatters by 0.05
+    assert share[1] > share[0] - 0.1
     if number == 1:
         assert np.median(away[1]) < 1.3 * np.median(away[0])
 
