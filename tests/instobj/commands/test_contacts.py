@@ -27,7 +27,7 @@ CHANNELS = tuple(
 def folder(tmp_path_factory):
     """The estimator, and frames of rest and of two contacts."""
     target = tmp_path_factory.mktemp("contacts")
-    estimator, rng = inverted(), np.random.default_rng(1)
+    estimator, rng = inverted(), np.random.default_rng(3)
     save_inversion(estimator, target / "contacts.nc")
     face, contact = np.full((16, 6), -1), np.zeros((16, 6, 3))
     face[10:, :2], contact[10:, :2] = [2, 4], [[4.0, 4.0, 6.0], [-5.0, 3.0, 7.0]]
