@@ -389,12 +389,3 @@ def curvature_at(
     nothing = Priors((1.0,), len(model.signals.faces), 1.0, (0.0, 1.0))
     extra = np.zeros((len(frame), model.channels))
     return _posterior(model, nothing, seen, frame, face, extra).at(contact).curvature
-
-
-def strict_misfit(
-    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
-) -> Float[np.ndarray, "problem"]:
-    """Return the misfit of problems with the strict standard deviations instead of the true ones."""
-    strict = replace(seen, sigma=seen.strict)
-    given = problems.frame, problems.face, problems.extra
-    return _posterior(model, priors, strict, *given).at(problems.contact).misfit

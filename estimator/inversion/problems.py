@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -73,6 +73,11 @@ class Observed:
         """The same where the reference is."""
         parts = (self.counts, self.sigma, self.still, self.strict, self._shared)
         return Observed(*(like(reference, part) for part in parts))
+
+    def with_error_share(self, share: float) -> Observed:
+        """The same around contacts of a model with that share of the strict error."""
+        still, strict = self.still**2, self.strict**2
+        return replace(self, sigma=(still + share**2 * (strict - still)) ** 0.5)
 
     @cached_property
     def white(self) -> Whitening:

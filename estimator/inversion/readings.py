@@ -9,17 +9,14 @@ from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE
 from estimator.inversion.evidence import bounded_curvature, covariances
+from estimator.inversion.explained import UNEXPLAINED
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
-from estimator.inversion.model.noise import BLIND
-from estimator.inversion.posterior import strict_misfit
 from estimator.inversion.priors import Priors
 from estimator.inversion.problems import Observed, Problems
 from estimator.inversion.search import Hypotheses
 
 COVERAGE = 0.9
-UNEXPLAINED = 1e-3
-"""p value below which no contact that the model knows explains a frame."""
 _LEAST_ODDS = 1e-3
 """Sets less probable do not widen the regions."""
 
@@ -98,6 +95,7 @@ def contact_sets(
     seen: Observed,
     problems: Problems,
     odds: Float[np.ndarray, "frame"],
+    p_value: Float[np.ndarray, "frame"],
     covariance: Float[np.ndarray, "frame contact 3 3"] | None = None,
 ) -> ContactSets:
     """Contacts of one problem per frame, in the order of the problems; `covariance` is `covariances`, if
@@ -116,7 +114,7 @@ def contact_sets(
         pulls[0],
         pulls[1],
         odds,
-        strict_p_values(model, priors, seen, problems),
+        p_value,
     )
 
 
@@ -166,27 +164,3 @@ def tangential_forces(
     scale = model.pull_sigma_n(contact)[..., None]
     shape = (*face.shape, 2)
     return scale * mean.reshape(shape), scale * deviation.reshape(shape)
-
-
-def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
-    """Chance of a misfit as large if a problem's contacts were true."""
-    return _chance(seen, problems, problems.misfit)
-
-
-def strict_p_values(
-    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
-) -> Float[np.ndarray, "problem"]:
-    """The same were the model wrong by no more than one that explains something (`MOST_ERROR`): one
-    that is known to be worse would else explain any frame."""
-    if np.array_equal(seen.strict, seen.sigma):
-        return p_values(seen, problems)
-    return _chance(seen, problems, strict_misfit(model, priors, seen, problems))
-
-
-def _chance(
-    seen: Observed, problems: Problems, misfit: Float[np.ndarray, "problem"]
-) -> Float[np.ndarray, "problem"]:
-    from scipy.special import chdtrc
-
-    told = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
-    return chdtrc(np.maximum(told - 3 * problems.number, 1), 2 * misfit)

@@ -8,10 +8,11 @@ import numpy as np
 from jaxtyping import Float
 
 from estimator.inversion.evidence import covariances
+from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observed, Problems, empty
-from estimator.inversion.readings import UNEXPLAINED, ContactSets, p_values
+from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, together
 
 _STEPS = 3
@@ -24,6 +25,8 @@ _LONGEST_PAUSE = 8
 """Frames after which a further contact is tried again, at most; the pause doubles up to it."""
 _WORSE = 0.1
 """A p value that falls by more than this ends the wait."""
+_LEARNT_EVERY = 5
+"""Pressed frames of which one tells how wrong the model is."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
 
@@ -45,6 +48,8 @@ class Tracker:
         self._last: Problems | None = None
         self._wait, self._pause, self._tried_p = 0, 1, 1.0
         self._odds = np.ones(1)
+        self._error = inversion.error_share()
+        self._pressed = 0
 
     def feed(self, counts: Float[np.ndarray, "channel"]) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest), or of the mean of the last
@@ -66,7 +71,10 @@ class Tracker:
                 self._pause = min(2 * self._pause, _LONGEST_PAUSE)
                 self._wait = self._pause - 1
         self._last = found
-        return self.inversion.reading(seen, found, self._odds)
+        self._pressed += int(found.number[0] > 0)
+        if found.number[0] and self._pressed % _LEARNT_EVERY == 0:
+            self._error.learn(seen, found)
+        return self.inversion.reading(seen, found, self._odds, self._error)
 
     def _same(self, seen: Observed) -> Problems:
         """The last contacts refitted."""

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.inversion.readings import COVERAGE, UNEXPLAINED, ContactSets
+from estimator.inversion.explained import UNEXPLAINED
+from estimator.inversion.readings import COVERAGE, ContactSets
 
 
 def sets(covariance, face=(3, 0)):

@@ -270,9 +270,15 @@ class Watched(Tracker):
         self.window = 0
         disturbances = SimpleNamespace(observed=lambda counts, averaged: SEEN)
         inversion = SimpleNamespace(
-            window_frames=1, disturbances=disturbances, reading=lambda seen, found, odds: odds
+            window_frames=1,
+            disturbances=disturbances,
+            error_share=lambda: self,
+            reading=lambda seen, found, odds, error: odds,
         )
         Tracker.__init__.__wrapped__(self, inversion)
+
+    def learn(self, seen, found):
+        """Nothing of the model's error."""
 
     def _same(self, seen):
         self.window += 1

@@ -113,8 +113,15 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
     monkeypatch.setattr(
         Inversion,
         "reading",
-        lambda self, seen, problems, odds, spread=None: (seen[0][:, 0], problems, odds, spread),
+        lambda self, seen, problems, odds, error, spread=None: (
+            seen[0][:, 0],
+            problems,
+            odds,
+            spread,
+        ),
     )
+    learnt = SimpleNamespace(learn=lambda seen, problems: None)
+    monkeypatch.setattr(Inversion, "error_share", lambda self: learnt)
     monkeypatch.setattr(module.ContactSets, "joined", staticmethod(lambda parts: list(parts)))
     estimator = made(np.ones(18), SimpleNamespace(contacts=contacts))
     counts = np.arange(250.0)[:, None] * np.ones(18)
