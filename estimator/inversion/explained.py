@@ -16,10 +16,9 @@ import numpy as np
 from jaxtyping import Float
 
 from estimator.inversion.model.forward import ContactModel
-from estimator.inversion.model.noise import BLIND
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import Observed, Problems
+from estimator.inversion.problems import BLIND, Observed, Problems
 
 UNEXPLAINED = 1e-3
 """p value below which no contact that the model knows explains a frame."""

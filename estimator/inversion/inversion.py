@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -17,10 +17,11 @@ from estimator.field.device import card_tensor
 from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
 from estimator.inversion.explained import ErrorShare
-from estimator.inversion.model.forward import ContactModel, contact_model
-from estimator.inversion.model.noise import BLIND, Disturbances, disturbances
+from estimator.inversion.lying import lying_chips
+from estimator.inversion.model.forward import NONE, ContactModel, contact_model
+from estimator.inversion.model.noise import Disturbances, disturbances
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import Observed, Problems
+from estimator.inversion.problems import BLIND, Observed, Problems
 from estimator.inversion.readings import ContactSets, among_sets, contact_sets
 from estimator.inversion.search import Search
 from estimator.signals.presses import Signals
@@ -131,6 +132,26 @@ class Inversion:
     def read_part(
         self, search: Search, seen: Observed, error: ErrorShare
     ) -> tuple[ContactSets, ContactSets]:
+        """Some frames at once; those that nothing explains again without a chip that lies."""
+        sets = self.read_once(search, seen, error)
+        rows = np.flatnonzero(~sets[0].explained)
+        if not len(rows):
+            return sets
+        chip = lying_chips(search, seen.select(rows), error)
+        rows, chip = rows[chip != NONE], chip[chip != NONE]
+        if not len(rows):
+            return sets
+        again = self.read_once(search, seen.select(rows).without(chip), error)
+        best, second = (
+            one.replaced(rows, replace(other, chip_out=chip))
+            for one, other in zip(sets, again, strict=True)
+        )
+        return best, second
+
+    def read_once(
+        self, search: Search, seen: Observed, error: ErrorShare
+    ) -> tuple[ContactSets, ContactSets]:
+        """Some frames at once, all chips believed."""
         found = search.contacts(seen)
         best = found.best()
         second = found.second(best)

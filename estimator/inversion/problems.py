@@ -13,6 +13,9 @@ from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.model.whitening import Whitening, whitening
 
+BLIND = 1e9
+"""Standard deviation (counts) of a channel that says nothing."""
+
 
 @dataclass(frozen=True)
 class Problems(Columns):
@@ -73,6 +76,21 @@ class Observed:
         """The same where the reference is."""
         parts = (self.counts, self.sigma, self.still, self.strict, self._shared)
         return Observed(*(like(reference, part) for part in parts))
+
+    def select(self, frames: Int[np.ndarray, "some"]) -> Observed:
+        """Some of the frames, on the processor."""
+        counts, sigma, still, strict = (
+            part[frames] for part in (self.counts, self.sigma, self.still, self.strict)
+        )
+        return Observed(counts, sigma, still, strict, self.columns)
+
+    def without(self, chip: Int[np.ndarray, "frame"]) -> Observed:
+        """The same without what one chip shows in each frame; all of it where that is `NONE`."""
+        out = np.arange(self.counts.shape[1]) // 3 == chip[:, None]
+        sigma, still, strict = (
+            np.where(out, BLIND, part) for part in (self.sigma, self.still, self.strict)
+        )
+        return Observed(np.where(out, 0.0, self.counts), sigma, still, strict, self.columns)
 
     def with_error_share(self, share: float) -> Observed:
         """The same around contacts of a model with that share of the strict error."""

@@ -36,6 +36,8 @@ class ContactSets(Columns):
     odds : (frame,) posterior probability of as many contacts on each face, among all numbers found
     p_value : (frame,) chance of a misfit as large if the set were true; a frame far below 0.001 is
         explained by no contact that the model knows
+    chip_out : (frame,) chip that was not believed, as the row of its sensor among all of the object;
+        `NONE` where all were
     """
 
     face: Int[np.ndarray, "frame contact"]
@@ -46,6 +48,14 @@ class ContactSets(Columns):
     tangential_sigma_n: Float[np.ndarray, "frame contact 2"]
     odds: Float[np.ndarray, "frame"]
     p_value: Float[np.ndarray, "frame"]
+    chip_out: Int[np.ndarray, "frame"]
+
+    def replaced(self, rows: Int[np.ndarray, "some"], others: ContactSets) -> ContactSets:
+        """The same with the sets of some frames replaced."""
+        columns = [column.copy() for column in self._columns()]
+        for column, other in zip(columns, others._columns(), strict=True):
+            column[rows] = other
+        return ContactSets(*columns)
 
     def with_force_error(self, relative: float) -> ContactSets:
         """The same with forces also wrong by so much, all together."""
@@ -115,6 +125,7 @@ def contact_sets(
         pulls[1],
         odds,
         p_value,
+        np.full(len(there), NONE),
     )
 
 

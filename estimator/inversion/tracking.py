@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Float
@@ -10,6 +11,8 @@ from jaxtyping import Float
 from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
+from estimator.inversion.lying import lying_chips
+from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observed, Problems, empty
 from estimator.inversion.readings import ContactSets
@@ -38,7 +41,8 @@ class Tracker:
     the contacts of the last frame no longer explain what is seen, one more is tried, then all are
     looked for anew; after a vain try only every second frame, every fourth, every eighth, unless the
     misfit grows: meanwhile the odds of the last try stand. `seen_anew` counts the frames in which all
-    were looked for.
+    were looked for. A chip without which frames are explained that are not with it is left out until
+    frames without it are not explained either.
     """
 
     def __init__(self, inversion: Inversion) -> None:
@@ -50,14 +54,29 @@ class Tracker:
         self._odds = np.ones(1)
         self._error = inversion.error_share()
         self._pressed = 0
+        self._strange, self._chip_out = 0, NONE
 
     def feed(self, counts: Float[np.ndarray, "channel"]) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest), or of the mean of the last
         `window_frames`."""
         self._window.append(counts)
-        seen = self.inversion.disturbances.observed(
+        whole = seen = self.inversion.disturbances.observed(
             np.mean(self._window, axis=0)[None], np.array([len(self._window)])
         )
+        if self._chip_out != NONE:
+            seen = seen.without(np.array([self._chip_out]))
+        sets = self._followed(seen)
+        self._strange = 0 if sets.explained[0] else self._strange + 1
+        # Looked for in the second, fourth, eighth, … frame on end that nothing explains
+        if self._strange > 1 and self._strange & (self._strange - 1) == 0:
+            (self._chip_out,) = lying_chips(self.inversion.search, whole, self._error).tolist()
+            if self._chip_out != NONE:
+                self._last = None
+                sets = self._followed(whole.without(np.array([self._chip_out])))
+        return replace(sets, chip_out=np.full(1, self._chip_out))
+
+    def _followed(self, seen: Observed) -> ContactSets:
+        """The next frame's contacts, of channels that are believed."""
         found = self._same(seen)
         p_value = float(p_values(seen, found)[0])
         if p_value >= _STRAINED and not self.faint_contacts(found):

@@ -291,7 +291,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=5,
+        version=6,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

@@ -17,7 +17,8 @@ from estimator.frames.dataset import NO_FACE
 from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import Inversion, inversion
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.model.noise import BLIND, MESH_ERROR, design_error
+from estimator.inversion.model.noise import MESH_ERROR, design_error
+from estimator.inversion.problems import BLIND
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 

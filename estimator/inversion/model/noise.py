@@ -10,7 +10,7 @@ from jaxtyping import Float, Int
 
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
-from estimator.inversion.problems import Observed
+from estimator.inversion.problems import BLIND, Observed
 from estimator.signals.nuisances import Nuisance, nuisances
 from estimator.signals.presses import Signals
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
@@ -18,8 +18,6 @@ from fem.presses.results import MagnetMotions, PressForces
 
 _ROUNDING = 12**-0.5
 """Standard deviation of rounding to whole counts."""
-BLIND = 1e9
-"""Standard deviation (counts) of a channel that says nothing."""
 SUM_ERROR, MESH_ERROR = 0.006, 0.02
 """Of the signals: what summing the motions of contacts costs, and what meshes of one design do."""
 _OBJECTS = 3

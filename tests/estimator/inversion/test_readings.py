@@ -15,7 +15,7 @@ def sets(covariance, face=(3, 0)):
     xy, force = np.zeros((1, 2, 2)), np.full((1, 2), 4.0)
     one = np.ones(1)
     both = np.stack([covariance, np.full((3, 3), np.nan)])[None]
-    return ContactSets(face, xy, force, both, xy, xy, one, one)
+    return ContactSets(face, xy, force, both, xy, xy, one, one, np.full(len(one), -1))
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,8 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
 from estimator.deploy.live_contacts import LiveContacts, contacts_of_one
-from estimator.inversion.model.noise import BLIND, MESH_ERROR, SUM_ERROR, design_error, disturbances
+from estimator.inversion.model.noise import MESH_ERROR, SUM_ERROR, design_error, disturbances
+from estimator.inversion.problems import BLIND
 from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
 from estimator.recordings.checks.stream import SoundReadings
@@ -207,7 +208,7 @@ def test_a_chip_that_stands_still_makes_no_contacts():
         read = [one.number[0] for one in found if one is not None]
         true = np.tile(np.repeat([0, 1], [10, 30]), 3)[: len(read)]
         numbers[checked] = np.mean(np.array(read) == true)
-    assert numbers[True] >= 0.95 > numbers[False]
+    assert numbers[True] >= 0.98 > numbers[False]
 
 
 def test_a_channel_that_stood_still_while_zeroed_waits_for_the_next_zero():
