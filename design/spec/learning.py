@@ -161,11 +161,12 @@ class TrainingSpec(SpecPart):
         return rename_older_keys("training", given)
 
 
-Use = Literal["grasp", "touch", "presence"]
+Use = Literal["grasp", "touch", "presence", "bench"]
 LIMITS_OF_USE: dict[str, dict[str, float]] = {
     "grasp": {"position_bound_mm": 1.5, "detectable_force_n": 5.0},
     "touch": {"position_bound_mm": 1.0, "detectable_force_n": 1.0},
     "presence": {"position_bound_mm": 5.0, "detectable_force_n": 5.0},
+    "bench": {"position_bound_mm": 1.5, "detectable_force_n": 5.0},
 }
 
 
@@ -173,7 +174,8 @@ class LimitsSpec(SpecPart):
     """Go or no-go limits of the report; those left out are the `use`'s.
 
     A grasp: where each finger of a hand presses and how hard. A touch: light ones too, placed within
-    a millimetre. Presence: whether the object is held, and about where.
+    a millimetre. Presence: whether the object is held, and about where. In these three the object is
+    turned and warms up after its zero, by what `tolerances` say. Bench: it stands still as zeroed.
     """
 
     use: Use = "grasp"

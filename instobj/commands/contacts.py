@@ -15,6 +15,7 @@ from design.tables import write_table
 from estimator.deploy.live_contacts import LiveContacts
 from estimator.frames.dataset import FrameSet
 from estimator.inversion.inversion import Inversion
+from estimator.inversion.model.forward import NONE
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.storage import load_inversion
 from instobj.commands.readings import (
@@ -32,8 +33,8 @@ from instobj.store.publish import file_rows
 
 COLUMNS: tuple[str, ...] = (
     *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
-    *("contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n", "force_halfwidth_n"),
-    *("tangential_x_n", "tangential_y_n", "tangential_sigma_n"),
+    *("left_out", "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
+    *("force_halfwidth_n", "tangential_x_n", "tangential_y_n", "tangential_sigma_n"),
 )
 
 
@@ -63,7 +64,7 @@ def contacts_in_file(
         stream = recorded_stream(path)
         number, time_s, best, unread = _in_recording(inversion, stream, zeroing)
         second, texts = None, stream.texts
-    rows = _rows(number, time_s, best, second)
+    rows = _rows(inversion, number, time_s, best, second)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     summary = {
         "frames": len(best),
@@ -72,6 +73,7 @@ def contacts_in_file(
         "most contacts": int(best.number.max(initial=0)),
         "largest total force N": round(float(np.nansum(best.force_n, axis=1).max(initial=0)), 3),
         "frames that no contact explains": int((~best.explained).sum()),
+        "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
     }
     tables = {f"{path.name}, {model_path.name}": [summary]}
     if judged:
@@ -93,7 +95,7 @@ def contacts_on_port(
     reader = LiveContacts(inversion, *zeroing.of_raw)
     frames = islice(live_frames(reader, inversion.channels, port, baud), count)
     return (
-        json.dumps(_document(frame.number, frame.time_s, frame.found) | frame.line)
+        json.dumps(_document(inversion, frame.number, frame.time_s, frame.found) | frame.line)
         for frame in frames
     )
 
@@ -150,8 +152,21 @@ def _in_recording(
     return np.array(numbers), np.array(time_s), ContactSets.joined(found), unread
 
 
+def _chip_name(inversion: Inversion, chip: int) -> str:
+    """As the channels of a recording are named, without the axis; empty where none is meant."""
+    if chip == NONE:
+        return ""
+    faces = inversion.model.signals.faces
+    face, sensor = divmod(chip, inversion.model.channels // (3 * len(faces)))
+    return f"F{faces[face]}-{sensor + 1}"
+
+
 def _rows(
-    number: np.ndarray, time_s: np.ndarray, best: ContactSets, second: ContactSets | None
+    inversion: Inversion,
+    number: np.ndarray,
+    time_s: np.ndarray,
+    best: ContactSets,
+    second: ContactSets | None,
 ) -> Iterator[dict[str, Any]]:
     """One row per contact; a frame without contact has one row with empty cells."""
     radius, halfwidth = best.position_radius_mm, best.force_halfwidth_n
@@ -165,9 +180,10 @@ def _rows(
             "next_odds": "" if second is None else round(float(second.odds[row]), 4),
             "p_value": float(f"{best.p_value[row]:.3g}"),
             "explained": int(best.explained[row]),
+            "left_out": _chip_name(inversion, int(best.chip_out[row])),
         }
         if not best.number[row]:
-            yield shared | dict.fromkeys(COLUMNS[8:], "")
+            yield shared | dict.fromkeys(COLUMNS[9:], "")
         for slot in np.flatnonzero(best.face[row]).tolist():
             values = {
                 "x_mm": best.xy_mm[row, slot, 0],
@@ -186,11 +202,13 @@ def _rows(
             yield shared | {"contact": slot + 1, "face": int(best.face[row, slot])} | own
 
 
-def _document(number: int, time_s: float, found: ContactSets) -> dict[str, Any]:
-    rows = list(_rows(np.array([number]), np.array([time_s]), found, None))
-    told = ("frame", "time_s", "odds", "p_value")
+def _document(
+    inversion: Inversion, number: int, time_s: float, found: ContactSets
+) -> dict[str, Any]:
+    rows = list(_rows(inversion, np.array([number]), np.array([time_s]), found, None))
+    told = ("frame", "time_s", "odds", "p_value", "left_out")
     contacts = [
-        {name: row[name] for name in COLUMNS[9:] if row[name] != ""}
+        {name: row[name] for name in COLUMNS[10:] if row[name] != ""}
         for row in rows
         if row["contacts"]
     ]
