@@ -15,9 +15,9 @@ from estimator.calibration.recorded_presses import (
     RecordedPresses,
 )
 from estimator.calibration.twin import grasp_twin, pressed_places
-from estimator.frames.dataset import FrameSet
 from fem.presses.joint import JointPress, Tip
 from studies.recorded import interface_fits as interfaces
+from tests.support.recordings.frame_sets import frame_set
 
 SPEC = ObjectSpec(name="cube")
 
@@ -26,25 +26,10 @@ def frames_of(force, face=(3, 5)):
     """One press of two jaws with the forces (frame, jaw), 15 channels that count the frames."""
     force = np.asarray(force, float)
     count = len(force)
-    normal = np.stack([0 * force, 0 * force, force], axis=2)
-    return FrameSet(
-        signal_counts=np.tile(np.arange(count, dtype=float)[:, None, None, None], (1, 5, 1, 3)),
-        contact_face=np.where(force > 0, np.array(face), 0),
-        contact_xy_mm=np.tile([[3.0, -1.0], [3.0, 1.0]], (count, 1, 1)),
-        force_n=normal,
-        valid=np.ones(count, bool),
-        press_id=np.zeros(count, int),
-        place_id=np.zeros(count, int),
-        session_id=np.zeros(count, int),
-        time_s=np.arange(count) / 10.0,
-        faces=np.arange(1, 6),
-        grid_x_mm=np.arange(3.0),
-        grid_y_mm=np.arange(3.0),
-        noise_counts=np.ones(3),
-        source="recorded",
-        spec_hash="a",
-        seed=0,
-    )
+    signal = np.tile(np.arange(count, dtype=float)[:, None, None, None], (1, 5, 1, 3))
+    xy = np.tile([[3.0, -1.0], [3.0, 1.0]], (count, 1, 1))
+    on_face = np.where(force > 0, np.array(face), 0)
+    return frame_set(signal, on_face, xy, force, press_id=np.zeros(count, int))
 
 
 def test_a_press_is_the_mean_over_frames_in_which_every_contact_holds_half_of_its_largest_force():

@@ -20,7 +20,6 @@ from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n, neighbour_changes
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
-    FidelityScore,
     against_start,
     gains,
     lowest_fidelity_score,
@@ -44,6 +43,7 @@ from tests.support.mechanics.candidate_cases import (
     random_layouts,
 )
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.objects.fidelity_scores import START
 
 COUNT = 3
 DISTURBANCE_TOLERANCE = 0.05
@@ -201,21 +201,6 @@ def test_a_range_of_forces_is_judged_by_geometric_means():
     held = against_start(better, found, 0.02)
     assert held.position_bound_over_start == pytest.approx(2)
     assert found.position_bound_over_start == 1, "of none but itself"
-
-
-START = FidelityScore(
-    worst_position_bound_mm=1.5,
-    percentile_99_position_bound_mm=1.2,
-    percentile_95_position_bound_mm=1.0,
-    median_position_bound_mm=0.5,
-    worst_force_bound_n=2.5,
-    median_false_force_n=1.2,
-    percentile_95_false_force_n=3.0,
-    sensitivity_ratio=0.3,
-    saturation_margin=0.8,
-    objects_margin=0.4,
-    position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
-)
 
 
 def test_gains_are_above_one_where_a_layout_is_better():

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.frames.dataset import FrameSet
 from estimator.recordings.checks import faults, labels, limits, turned
 from estimator.recordings.checks.faults import Fault
+from tests.support.recordings.frame_sets import frame_set
 
 NOISE = np.full((5, 2, 3), 10.0)
 
@@ -290,25 +290,17 @@ def test_one_channel_turned_or_two_exchanged_explain_a_difference():
 def made(press, place, force, signals, valid=None):
     """A data set of one tip on a face of one sensor."""
     frames = len(press)
-    force_n = np.zeros((frames, 1, 3))
-    force_n[:, 0, 2] = force
-    return FrameSet(
-        signal_counts=np.asarray(signals, float).reshape(frames, 1, 1, 3),
-        contact_face=np.ones((frames, 1), int),
-        contact_xy_mm=np.zeros((frames, 1, 2)),
-        force_n=force_n,
+    normal_n = np.broadcast_to(np.asarray(force, float), frames)[:, None]
+    return frame_set(
+        np.asarray(signals, float).reshape(frames, 1, 1, 3),
+        np.ones((frames, 1), int),
+        np.zeros((frames, 1, 2)),
+        normal_n,
         valid=np.ones(frames, bool) if valid is None else valid,
         press_id=np.asarray(press),
         place_id=np.asarray(place),
-        session_id=np.zeros(frames, int),
-        time_s=np.arange(frames) / 10,
         faces=np.array([1]),
-        grid_x_mm=np.zeros(1),
-        grid_y_mm=np.zeros(1),
         noise_counts=np.full(3, 0.01),
-        source="recorded",
-        spec_hash="x",
-        seed=0,
     )
 
 

@@ -150,6 +150,7 @@ def test_the_stated_interpolation_error_is_that_of_direct_evaluation(cube, table
     assert table.error.displacement_rms < table.error.displacement_worst < 0.3
 
 
+@pytest.mark.slow  # quick ones: the stated error of a lattice, and the order of convolution
 def test_a_finer_lattice_interpolates_better(cube, spec, table, tmp_path):
     lattices = candidate_lattices(spec, pitch_mm=2.5)
     finer = simulate(spec, cube.mesh, cube.response, lattices, tmp_path, force_shares=(0.5, 1.0))

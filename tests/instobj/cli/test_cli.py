@@ -107,7 +107,7 @@ def test_bad_files_end_with_one_clear_error(tmp_path, content, word):
 
 
 def test_json_errors_are_json(tmp_path):
-    done = run_apart("check", "missing.toml", "--json", cwd=tmp_path)
+    done = run("check", "missing.toml", "--json", cwd=tmp_path)
     assert done.returncode == 2
     assert "missing.toml" in json.loads(done.stdout)["error"]
 
@@ -121,7 +121,7 @@ def test_unwritable_output_is_refused_before_any_work(tmp_path):
 
 
 def test_two_specifications_of_one_name_are_refused(tmp_path):
-    assert_one_clear_error(run_apart("build", CUBE, CUBE, cwd=tmp_path), "both named")
+    assert_one_clear_error(run("build", CUBE, CUBE, cwd=tmp_path), "both named")
 
 
 @pytest.mark.parametrize("name", [*BAD_DATA, "missing.csv"])
@@ -173,7 +173,7 @@ def test_an_older_key_is_one_line_of_warning_beside_the_result(tmp_path):
 
 
 def test_without_a_command_the_first_session_is_shown(tmp_path):
-    done = run_apart(cwd=tmp_path)
+    done = run(cwd=tmp_path)
     assert done.returncode == 0
     named = re.findall(r"^  instobj (\w+)", done.stdout, re.MULTILINE)
     assert named == ["new", "check", "score", "optimize", "build"]
@@ -202,14 +202,14 @@ def test_the_room_of_the_bench_is_loaded_when_its_commands_are_named():
     [("mesh", "run --to mesh"), ("selftest", "bench selftest"), ("evaluate", "train")],
 )
 def test_an_old_name_works_and_says_the_new_one(tmp_path, old, new):
-    done = run_apart(old, "missing.toml", "missing.csv", cwd=tmp_path)
+    done = run(old, "missing.toml", "missing.csv", cwd=tmp_path)
     assert done.returncode == 2
     assert f"warning: `instobj {old}` is now `instobj {new}`" in done.stderr
     assert "missing" in done.stderr.splitlines()[-1]
 
 
 def test_an_old_name_whose_arguments_changed_says_what_to_write(tmp_path):
-    done = run_apart("grasp", "cube.toml", "--jaw", "3:0,0", "--force", "4", cwd=tmp_path)
+    done = run("grasp", "cube.toml", "--jaw", "3:0,0", "--force", "4", cwd=tmp_path)
     assert_one_clear_error(done, "instobj press SPEC --jaw")
 
 

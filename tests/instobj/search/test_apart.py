@@ -48,10 +48,10 @@ def test_work_apart_is_given_up_and_starts_again():
         _given_up_and_asked_again(ask)
 
 
-def test_work_of_several_processes_is_given_up_and_starts_again():
-    """A question whose worker dies each time is asked of others, then given up."""
-    with open_workers(2) as workers, answers(_sleepy, "done", workers) as ask:
-        _given_up_and_asked_again(ask)
+@pytest.fixture(scope="module")
+def workers():
+    with open_workers(2) as workers:
+        yield workers
 
 
 def _doubles(argument):
@@ -62,12 +62,18 @@ def _doubles(argument):
     return answer
 
 
-def test_answers_come_in_the_order_of_the_questions_from_all_processes():
-    with open_workers(2) as workers, answers(_doubles, 2, workers) as ask:
+def test_answers_come_in_the_order_of_the_questions_from_all_processes(workers):
+    with answers(_doubles, 2, workers) as ask:
         found = ask([[1, 2, "sleep"], [3, "sleep"], [4, 5]], 60.0)
     assert [[value for _, value in answer] for answer in found] == [[2, 4], [6], [8, 10]]
     assert len({process for answer in found for process, _ in answer}) == 2
     assert os.getpid() not in {process for answer in found for process, _ in answer}
+
+
+def test_work_of_several_processes_is_given_up_and_starts_again(workers):
+    """A question whose worker dies each time is asked of others, then given up."""
+    with answers(_sleepy, "done", workers) as ask:
+        _given_up_and_asked_again(ask)
 
 
 def test_while_there_is_no_answer_it_is_said_how_many_parts_wait(monkeypatch):

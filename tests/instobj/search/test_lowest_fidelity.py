@@ -28,7 +28,7 @@ from instobj.search.lowest_fidelity import (
 from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-STEPS = 12
+FACE, STEPS = 3, 12
 
 
 @pytest.mark.parametrize(("steps", "layouts", "fits"), [(300, 1, 100), (60, 5, 20)])
@@ -47,9 +47,8 @@ def test_the_start_walks_to_a_layout_that_is_better_and_worse_nowhere():
     vary = {"magnet_reach_mm": 14.0, "magnet_depth_mm": [2.0, 5.0]}
     search = SearchSpec.model_validate({"vary": vary, "polish_steps": STEPS})
     spec = made_up_spec().model_copy(update={"search": search})
-    motions, faces = made_up_motions(spec), (1, 3)
-    scorers = tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in faces)
-    before = position_bounds(scorers, [layouts_of(spec, face) for face in faces])
+    scorers = (layout_scorer(spec, press_basis(spec, made_up_motions(spec), FACE)),)
+    before = position_bounds(scorers, [layouts_of(spec, FACE)])
     space = search_space(spec)
     start, other = start_params(space), params_at(space, np.full(len(space.variables), 0.5))
     assert start is not None

@@ -5,24 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from estimator.layouts.fidelity import FidelityScore
 from instobj.search.fidelity import TwinRatio
 from instobj.search.verdict import LAST, Promoted, excess, merit, objections
+from tests.support.objects.fidelity_scores import START
 from tests.support.objects.search_cases import made_up_spec
 
-START = FidelityScore(
-    worst_position_bound_mm=1.5,
-    percentile_99_position_bound_mm=1.2,
-    percentile_95_position_bound_mm=1.0,
-    median_position_bound_mm=0.5,
-    worst_force_bound_n=2.5,
-    median_false_force_n=1.2,
-    percentile_95_false_force_n=3.0,
-    sensitivity_ratio=0.3,
-    saturation_margin=0.8,
-    objects_margin=0.4,
-    position_bounds_mm=tuple(np.linspace(0.3, 1.5, 200).tolist()),
-)
 BETTER = replace(START, worst_position_bound_mm=0.6, percentile_95_false_force_n=2.5)
 _HERE_AND_THERE = np.where(np.arange(200) % 40 == 7, 1.3, 0.9)
 """Of the start's bounds: worse at 2.5 % of the locations."""

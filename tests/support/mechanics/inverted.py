@@ -4,10 +4,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from estimator.frames.dataset import FrameSet
 from estimator.inversion.inversion import Inversion, inversion
 from estimator.signals.presses import press_signals
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.recordings.frame_sets import frame_set
 
 SPEC = coarse_spec(contact_grid={"count": (9, 9), "pitch_mm": 3.0})
 
@@ -62,22 +62,5 @@ def frame_covariance(seen, row):
 
 def labelled_frames(face, xy, force):
     """Labelled frames without signals worth the name."""
-    frames = len(face)
-    return FrameSet(
-        signal_counts=np.zeros((frames, 5, 3, 3)),
-        contact_face=face,
-        contact_xy_mm=xy,
-        force_n=np.stack([0 * force, 0 * force, force], axis=-1),
-        valid=np.ones(frames, bool),
-        press_id=np.arange(frames),
-        place_id=np.zeros(frames, int),
-        session_id=np.zeros(frames, int),
-        time_s=np.arange(frames) / 10,
-        faces=np.arange(1, 6),
-        grid_x_mm=np.arange(3.0),
-        grid_y_mm=np.arange(3.0),
-        noise_counts=np.ones(3),
-        source="simulated",
-        spec_hash="x",
-        seed=1,
-    )
+    signal = np.zeros((len(face), 5, 3, 3))
+    return frame_set(signal, face, xy, force, source="simulated")

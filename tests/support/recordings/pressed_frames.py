@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from estimator.frames.dataset import FrameSet
+from tests.support.recordings.frame_sets import frame_set
 
 FACE = 3
 
@@ -22,21 +22,14 @@ def made_frames():
     touched = force > 0
     xy = np.where(touched[:, None], np.array([[-3.0, 3.0], [3.0, 0.0]])[place], np.nan)
     normal = np.where(touched, force, np.nan)
-    return FrameSet(
-        signal_counts=signal,
-        contact_face=np.where(touched, FACE, 0)[:, None],
-        contact_xy_mm=xy[:, None],
-        force_n=np.stack([0 * normal, 0 * normal, normal], axis=1)[:, None],
-        valid=np.ones(count, dtype=bool),
+    return frame_set(
+        signal,
+        np.where(touched, FACE, 0)[:, None],
+        xy[:, None],
+        normal[:, None],
         press_id=press,
         place_id=np.where(touched, place, -1),
-        session_id=np.zeros(count, dtype=int),
-        time_s=np.arange(count) / 10.0,
-        faces=np.arange(1, 6),
         grid_x_mm=np.array([-3.0, 0.0, 3.0]),
         grid_y_mm=np.array([0.0, 3.0]),
         noise_counts=np.array([20.0, 20.0, 20.0]),
-        source="recorded",
-        spec_hash="made",
-        seed=1,
     )

@@ -15,9 +15,9 @@ from estimator.calibration.twin.pressed_places import (
     pressed_places,
     zero_covariance,
 )
-from estimator.frames.dataset import FrameSet
 from estimator.frames.press_protocol import DRIFT_TIME_S
 from tests.support.mechanics.synthetic_presses import coarse_spec
+from tests.support.recordings.frame_sets import frame_set
 
 
 def test_variance_is_that_of_frames_and_of_labelled_forces_through_the_slope():
@@ -49,28 +49,12 @@ def made_frames(spec, frames_of_place, face=2):
     rows = [(place, k) for place, count in enumerate(frames_of_place) for k in range(count)]
     place, k = np.array(rows).T
     count = len(rows)
-    force = np.zeros((count, 1, 3))
-    force[:, 0, 2] = 2.0 + (k // 4)
+    force = 2.0 + (k // 4)
     signal = np.full((count, 5, 3, 3), np.nan)
-    signal[:, face - 1] = (100.0 * place + 10.0 * force[:, 0, 2])[:, None, None]
-    return FrameSet(
-        signal_counts=signal,
-        contact_face=np.full((count, 1), face),
-        contact_xy_mm=np.column_stack([3.0 * place - 6.0, 0.0 * place])[:, None],
-        force_n=force,
-        valid=np.ones(count, bool),
-        press_id=10 * place + k // 4,
-        place_id=place,
-        session_id=np.zeros(count, int),
-        time_s=np.arange(count) / 10.0,
-        faces=np.arange(1, 6),
-        grid_x_mm=np.arange(3.0),
-        grid_y_mm=np.arange(3.0),
-        noise_counts=np.ones(3),
-        source="recorded",
-        spec_hash="x",
-        seed=1,
-    )
+    signal[:, face - 1] = (100.0 * place + 10.0 * force)[:, None, None]
+    xy = np.column_stack([3.0 * place - 6.0, 0.0 * place])[:, None]
+    press = {"press_id": 10 * place + k // 4, "place_id": place}
+    return frame_set(signal, np.full((count, 1), face), xy, force[:, None], **press)
 
 
 def test_places_with_twelve_frames_or_more_become_means_of_like_force():
