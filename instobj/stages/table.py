@@ -94,7 +94,7 @@ STAGES: dict[str, Stage] = {
         make_fabrication,
         version=15,
     ),
-    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=3),
+    "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=4),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
     "large_strain": Stage(
         "mechanics: presses with large deformation",
@@ -125,7 +125,7 @@ STAGES: dict[str, Stage] = {
         make_presses,
         version=4,
     ),
-    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=3),
+    "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=4),
     "plain_response": Stage(
         "mechanics: response without magnets",
         ("plain_mesh",),
