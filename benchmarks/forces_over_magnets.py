@@ -60,6 +60,7 @@ class Flat:
 SIDE_MM = (21.0, 21.0)
 FLAT = {
     "cube": Flat(SIDE_MM, tuple(Disc(x, y) for x, y in [(0, 0), (10, 10), (-10, 10)])),
+    "deep": Flat(SIDE_MM, tuple(Disc(x, y, 4.5) for x, y in [(0, 0), (10, 10), (-10, 10)])),
     "box": Flat((30.0, 23.0), (Disc(0, 0, 2.0), Disc(14, 0, 2.5), Disc(-14, 0, 3.5)), 5.0, 2.0),
     "better_cube": Flat(
         SIDE_MM,
@@ -75,6 +76,7 @@ FLAT = {
 }
 PLACES_MM = {
     "cube": ((0, 0), (3, 0), (5, 0)),
+    "deep": ((0, 0), (3, 0), (5, 0)),
     "ball": ((0, 0), (3, 0), (4.5, 0)),
     "capsule": ((0, 0), (3, 0), (5, 0)),
     "box": tuple((x, 0) for x in (0, 2.5, 6, 14, 16.5, 20, -14, -16.5, -20)),

@@ -21,7 +21,7 @@ from design.solids.curved_template import curved_template_faces, make_curved_tem
 from design.solids.jig import make_jig
 from design.solids.kernel import cq
 from design.solids.magnet_template import make_magnet_template, template_faces
-from design.solids.probes import make_probe
+from design.solids.probes import TIP_COUNTS, make_probe
 from design.solids.sampled import sampled_core_part, sampled_shell
 from design.solids.shell import make_shell
 from design.spec.object import ObjectSpec
@@ -58,7 +58,7 @@ class Part:
 
 def parts_of(spec: ObjectSpec) -> tuple[Part, ...]:
     """Core, shell, mould, probes, jig and magnet templates, in the order of the manifest."""
-    probes = [Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in (1, 2, 3)]
+    probes = [Part(f"probe_{tips}", partial(make_probe, spec, tips)) for tips in TIP_COUNTS]
     core, shell = (
         (sampled_core_part, sampled_shell) if body_of(spec).sampled else (make_core, make_shell)
     )

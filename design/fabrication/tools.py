@@ -11,12 +11,10 @@ from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
 from design.fabrication.assembly import Named, largest_common
 from design.fabrication.finding import Finding, place_of
-from design.layout.body import face_frames
-from design.layout.places.contact_grid import contact_grid
-from design.layout.places.contact_places import contact_places
 from design.layout.template_marks import pockets_by_face
 from design.solids.curved_template import curved_template_faces
 from design.solids.magnet_template import template_faces
+from design.solids.probes import TIP_COUNTS, lowest_presses
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -71,33 +69,23 @@ def _seat_on_jig(jig: trimesh.Trimesh, body: list[Named]) -> Finding:
 
 
 def _probes_beside_jig(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
-    """Return how much of a probe meets the jig, at the lowest contact location of every face."""
+    """Return how much of a probe meets the jig, where it comes down furthest on every face."""
     text = (
-        "largest common volume of a probe and the jig, in the deepest press at the lowest contact location "
-        "of a face. Above the limit the probe's plate meets the jig's there: put a longer shaft between "
-        "them, hold the object otherwise for such locations, or leave them out with contact_grid.count"
+        "largest common volume of a probe and the jig, in the deepest press at the contact location of a "
+        "face where the probe comes down furthest. Above the limit these locations cannot be pressed on "
+        "the jig: leave the face out of body.sensed_faces, lessen contact_grid.count, or hold the object "
+        "otherwise for them"
     )
-    jig, places = ("jig", meshes["jig"]), _lowest_presses(spec)
-    probes = [(name, mesh) for name, mesh in meshes.items() if name.startswith("probe_")]
-    pairs = [((name, _move_to_face(mesh, place)), jig) for name, mesh in probes for place in places]
+    probes = {tips: meshes[f"probe_{tips}"] for tips in TIP_COUNTS if f"probe_{tips}" in meshes}
+    pairs = [
+        ((f"probe_{tips}", _move_to_face(probe, press)), ("jig", meshes["jig"]))
+        for tips, probe in probes.items()
+        for press in lowest_presses(spec, tips, np.asarray(probe.vertices))
+    ]
     finding = largest_common("probes clear of the jig", "jig", pairs, text)
     # other locations can still be pressed: no reason to refuse the parts
     status = "warn" if finding.status == "fail" else "pass"
     return [replace(finding, status=status)] if pairs else []
-
-
-def _lowest_presses(spec: ObjectSpec) -> list[FaceFrame]:
-    """Return the frame of the lowest contact location of every face, moved inwards by the deepest press."""
-    grid, deepest, lowest = contact_grid(spec).xy_mm, spec.press.depths_mm[-1], list[FaceFrame]()
-    for frame, has_place in zip(face_frames(spec), contact_places(spec), strict=True):
-        if has_place.any():
-            places = frame.to_plane(grid[has_place])
-            touched = frame.to_object(np.column_stack([places, np.zeros(len(places))]))
-            least = int(touched[:, 2].argmin())
-            tangent = frame.tangent(places[least])
-            middle = touched[least] - deepest * tangent.normal
-            lowest.append(replace(tangent, centre_mm=middle))
-    return lowest
 
 
 def _lift_mm(jig: Manifold, body: Manifold) -> float:

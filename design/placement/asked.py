@@ -70,24 +70,29 @@ def placements(request: Request) -> Iterator[Tables]:
         has_tables = True
         yield tables
     if not has_tables:
-        raise SpecError(_too_small(request))
+        raise SpecError(_not_placed(request))
 
 
-def _too_small(request: Request) -> str:
+def _not_placed(request: Request) -> str:
     size = " × ".join(f"{edge:g}" for edge in request.size_mm)
     body = "an imported body" if request.file else f"a body of kind {request.kind}"
     sensors = f"{request.sensors} sensor{'s' * (request.sensors > 1)}"
     magnets = f"{request.magnets} magnets" if (request.magnets or 1) > 1 else "a magnet"
-    message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
+    parts = f"{sensors} and {magnets} per face"
     bare = bare_tables(request, request.thinnest)
     rough = rough_patches(spec_of(bare)) if request.file else []
     ways = [*_larger(request), *base_advice(request), *_fewer(request)]
-    if not ways:
-        longest = max(request.size_mm)
-        growth = _most_growth(longest)
-        sizes = f"no size up to {growth:.2g} times ({growth * longest:.4g} mm) was found that works"
-        return ". ".join([f"{message}, and {sizes}", *rough, "Choose another shape"])
-    return ". ".join([message, *rough, "; or ".join(ways)])
+    if ways:
+        message = f"{body} of {size} mm is too small for {parts}"
+        return ". ".join([message, *rough, "; or ".join(ways)])
+    # what does not fit at any size is not too small
+    longest = max(request.size_mm)
+    growth = _most_growth(longest)
+    message = (
+        f"no place was found for {parts} on {body} of {size} mm, nor at any size up to {growth:.2g} times "
+        f"that ({growth * longest:.4g} mm)"
+    )
+    return ". ".join([message, *rough, "Choose another shape"])
 
 
 def _larger(request: Request) -> Iterator[str]:

@@ -5,8 +5,9 @@ the printer's clearance, and the rim rests on the plate. Where the body has a bo
 it into the core's outlet, flat on flat, and the silicone stays clear of the plate; wires are laid into the
 post's slot. A closed body can only lie in a recess or a cup of its own shape. Grooves along x and y
 through the object's axis serve to align the plate, bolts hold it flat (face 1 up) or, on an angle plate,
-upright (a side face up; the pattern of holes is square, so that it can be turned by quarter turns). Wires
-leave through the post and a channel under the plate.
+upright (a side face up; the pattern of holes is square, so that it can be turned by quarter turns). A
+pedestal lifts what stands on a post above the plate, so that the plates of probes clear it. Wires leave
+through post and pedestal and a channel under the plate.
 """
 
 from __future__ import annotations
@@ -18,9 +19,10 @@ import numpy as np
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
 from design.solids.body import core_hollow
-from design.solids.booleans import Shape, Solid, cut, one_body
+from design.solids.booleans import Shape, Solid, convert_to_triangles, cut, one_body
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, rod_about_z
+from design.solids.probes import TIP_COUNTS, lowest_presses, make_probe
 from design.solids.shell import envelope
 from design.spec.object import ObjectSpec
 
@@ -37,7 +39,9 @@ WIRE_CHANNEL_MM = (8.0, 3.0)
 MARK_MM = (1.0, 0.8)
 RECESS_MM = 3.0
 CLEAR_MM = 1.0
-"""Clearance of the silicone round a bore above the plate: the core alone carries the object."""
+"""Of the silicone round a bore above the plate: the core alone carries the object."""
+PEDESTAL_WALL_MM = 4.0
+"""Of a pedestal round a bore's post: as stiff as the core's own walls."""
 CUP_SHARE = 0.2
 """Share of the body's height that lies in a cup."""
 _UP = np.array([0.0, 0.0, 1.0])
@@ -55,19 +59,44 @@ def make_jig(spec: ObjectSpec) -> Solid:
     InputError
         The dimensions do not give one valid solid.
     """
-    top, half, body = _seat_mm(spec), _half_plate_mm(spec), body_of(spec)
-    bottom = top - PLATE_MM - (_cup_mm(spec) if _stands_in_cup(spec) else 0.0)
-    plate = box_between((-half, -half, bottom), (half, half, top))
-    cutters: list[Shape] = [*bolt_holes(half, top, top - bottom), *axis_marks(half, top)]
-    if body.opening == "bore":
-        post, slot = _post_in_bore(spec, top)
-        plate, cutters = plate.fuse(post), [*cutters, slot, channel_solid(half, top)]
-    elif _stands_on_post(spec):
-        post, passage = core_post(spec, top)
-        plate, cutters = plate.fuse(post), [*cutters, passage, channel_solid(half, top)]
-    else:
-        cutters.append(cup_solid(spec, top) if _stands_in_cup(spec) else recess_solid(spec, top))
-    return one_body(cut(plate, *cutters), "jig")
+    seat, half, body = _seat_mm(spec), _half_plate_mm(spec), body_of(spec)
+    if not (body.opening == "bore" or _stands_on_post(spec)):
+        bottom = seat - PLATE_MM - (_cup_mm(spec) if _stands_in_cup(spec) else 0.0)
+        room = cup_solid(spec, seat) if _stands_in_cup(spec) else recess_solid(spec, seat)
+        plate = box_between((-half, -half, bottom), (half, half, seat))
+        return one_body(cut(plate, *_plate_cuts(half, seat, seat - bottom), room), "jig")
+    top = seat - pedestal_mm(spec)
+    plate = box_between((-half, -half, top - PLATE_MM), (half, half, top))
+    post, passage = _post_in_bore(spec, top) if body.opening == "bore" else core_post(spec, top)
+    carried = plate.fuse(post) if top == seat else plate.fuse(_pedestal(spec, top, seat), post)
+    cutters = *_plate_cuts(half, top, PLATE_MM), passage, channel_solid(half, top)
+    return one_body(cut(carried, *cutters), "jig")
+
+
+def _plate_cuts(half: float, top: float, thick: float) -> list[Shape]:
+    return [*bolt_holes(half, top, thick), *axis_marks(half, top)]
+
+
+def pedestal_mm(spec: ObjectSpec) -> float:
+    """Height by which the object must stand above the plate to be pressed, however low on its sides.
+
+    A probe's plate reaches below the location that its tips press, on round bodies far below the body.
+    """
+    low = float("inf")
+    for tips in TIP_COUNTS:
+        points = np.asarray(convert_to_triangles(make_probe(spec, tips)).vertices)
+        for frame in lowest_presses(spec, tips, points):
+            low = min(low, float(frame.to_object(points)[:, 2].min()))
+    return max(_seat_mm(spec) - low + CLEAR_MM, 0.0)
+
+
+def _pedestal(spec: ObjectSpec, top: float, seat: float) -> cq.Shape:
+    """Between plate and seat: as wide as a body with an open side, or round a bore's post."""
+    body, half = body_of(spec), np.asarray(spec.body.size_mm[:2]) / 2
+    if body.cuboid:
+        return box_between((*-half, top - 1.0), (*half, seat))
+    radius = half[0] if body.opens_sides else spec.body.bore_mm / 2 + PEDESTAL_WALL_MM
+    return rod_about_z(float(radius), top - 1.0, seat)
 
 
 def _seat_mm(spec: ObjectSpec) -> float:
@@ -81,7 +110,8 @@ def _seat_mm(spec: ObjectSpec) -> float:
 
 
 def _stands_on_post(spec: ObjectSpec) -> bool:
-    return body_of(spec).cuboid and spec.body.opened == (6,) and bool(core_hollow(spec))
+    body = body_of(spec)
+    return body.opens_sides and spec.body.opened == (6,) and bool(core_hollow(spec))
 
 
 def _stands_in_cup(spec: ObjectSpec) -> bool:
@@ -99,16 +129,22 @@ def _half_plate_mm(spec: ObjectSpec) -> float:
 
 
 def core_post(spec: ObjectSpec, top: float) -> tuple[cq.Solid, cq.Solid]:
-    """Post that fills the core's cavity, and the passage through it (both mm)."""
+    """Post from the plate's top that fills the core's cavity, and the passage through it (both mm)."""
     core = np.asarray(spec.core_size_mm)
     across = core[:2] / 2 - spec.core.wall_mm - spec.printer.clearance_mm
     depth = min(POST_IN_CORE_MM, core[2] - spec.core.wall_mm - 1.0)
     reach = -core[2] / 2 + depth
     inside = np.maximum(across - POST_WALL_MM, across / 3)
-    bottom = top - PLATE_MM
-    post = box_between((*-across, bottom + 1.0), (*across, reach))
-    passage = box_between((*-inside, bottom - OVERSHOOT_MM), (*inside, reach + OVERSHOOT_MM))
-    return post, passage
+    ends, through = (
+        (top - PLATE_MM + 1.0, reach),
+        (top - PLATE_MM - OVERSHOOT_MM, reach + OVERSHOOT_MM),
+    )
+    if not body_of(spec).cuboid:
+        return rod_about_z(float(across[0]), *ends), rod_about_z(float(inside[0]), *through)
+    return (
+        box_between((*-across, ends[0]), (*across, ends[1])),
+        box_between((*-inside, through[0]), (*inside, through[1])),
+    )
 
 
 def _post_in_bore(spec: ObjectSpec, top: float) -> tuple[cq.Shape, cq.Solid]:
@@ -120,7 +156,9 @@ def _post_in_bore(spec: ObjectSpec, top: float) -> tuple[cq.Shape, cq.Solid]:
     nose = rod_about_z(radius, seat - 1.0, outlet.nose_mm)
     beyond = (outlet.flat_mm - play, -past, seat), (past, past, outlet.nose_mm + 1.0)
     wide, inward = SLOT_SHARES[0] * radius, SLOT_SHARES[1] * radius
-    low = (-spec.body.bore_mm, -wide / 2, top - PLATE_MM - OVERSHOOT_MM)
+    # open to the side as far as the pedestal reaches, so that wires are laid in and not threaded
+    beside = -spec.body.bore_mm / 2 - PEDESTAL_WALL_MM - OVERSHOOT_MM
+    low = (min(beside, -spec.body.bore_mm), -wide / 2, top - PLATE_MM - OVERSHOOT_MM)
     slot = box_between(low, (inward, wide / 2, outlet.nose_mm + OVERSHOOT_MM))
     return rod.fuse(nose).cut(box_between(*beyond)), slot
 

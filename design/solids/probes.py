@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-import numpy as np
+from dataclasses import replace
 
-from design.layout.tips import footprint_mm, tip_places_mm
+import numpy as np
+from jaxtyping import Float
+
+from design.body.surface_chart import FaceFrame
+from design.layout.body import face_frames
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_places import contact_places, tip_stays
+from design.layout.tips import footprint_mm, path_mm, tip_places_mm
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 
+TIP_COUNTS = (1, 2, 3)
+"""Of the probes that are made."""
 SHAFT_LENGTH_MM = 10.0
 """Length of the shaft between a tip and the plate."""
 PLATE_MM = 4.0
@@ -34,9 +43,7 @@ def make_probe(spec: ObjectSpec, tips: int) -> cq.Solid:
     InputError
         No such probe, or the dimensions do not give one valid solid.
     """
-    indenter = spec.indenter
-    if tips != indenter.tip_count:
-        indenter = indenter.changed(tip_count=tips, tip_spacing_mm=None)
+    indenter = _with_tips(spec.indenter, tips)
     tip = _hemisphere(indenter) if indenter.kind == "hemisphere" else _body(indenter)
     plate_z = _top_of_tip_mm(indenter, tip) + SHAFT_LENGTH_MM
     shaft = _shaft(indenter, tip, plate_z)
@@ -45,6 +52,39 @@ def make_probe(spec: ObjectSpec, tips: int) -> cq.Solid:
     places = [cq.Vector(float(x), float(y), 0) for x, y in tip_places_mm(indenter)]
     pieces = [piece.translate(place) for place in places for piece in (tip, shaft)]
     return single_solid(plate.fuse(*pieces), f"probe_{tips}")
+
+
+def lowest_presses(
+    spec: ObjectSpec, tips: int, probe_mm: Float[np.ndarray, "point 3"]
+) -> list[FaceFrame]:
+    """Return the frame of a probe where it comes down furthest, in a deepest press, on each face.
+
+    `probe_mm` are points of the probe. Where it has other tips than the specification's, only contact
+    locations count at which all its tips stay on the face; a face without one is left out.
+    """
+    grid, presses = contact_grid(spec).xy_mm, list[FaceFrame]()
+    depths, indenter = spec.press.depths_mm, _with_tips(spec.indenter, tips)
+    path = np.append(path_mm(indenter, depths)[-1], -depths[-1])
+    probed = spec if indenter is spec.indenter else spec.changed(indenter=indenter)
+    for frame, there in zip(face_frames(spec), contact_places(spec), strict=True):
+        places = grid[there]
+        if probed is not spec:
+            places = places[tip_stays(probed, frame, places)]
+        if len(places):
+            xy = frame.to_plane(places)
+            axes = frame.axes_at(xy)
+            tip = frame.to_object(np.column_stack([xy, np.zeros(len(xy))])) + axes @ path
+            # z of every point of the probe (p) in every press (n): the third row of its axes (i)
+            heights = tip[:, 2:] + np.einsum("ni,pi->np", axes[:, 2], probe_mm)
+            least = int(heights.min(axis=1).argmin())
+            presses.append(replace(frame.tangent(xy[least]), centre_mm=tip[least]))
+    return presses
+
+
+def _with_tips(indenter: IndenterSpec, tips: int) -> IndenterSpec:
+    if tips == indenter.tip_count:
+        return indenter
+    return indenter.changed(tip_count=tips, tip_spacing_mm=None)
 
 
 def _top_of_tip_mm(indenter: IndenterSpec, tip: cq.Shape) -> float:

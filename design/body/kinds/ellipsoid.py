@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from math import ceil
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
@@ -12,6 +13,9 @@ from design.body.surface_chart import FaceFrame, cap_frame
 
 if TYPE_CHECKING:
     import trimesh
+
+_ICOSAHEDRON_EDGE = 1.05
+"""Over its radius (1 / sin 72°); every subdivision halves it."""
 
 
 class Ellipsoid(OffsetBody):
@@ -34,9 +38,10 @@ class Ellipsoid(OffsetBody):
 
     def outer_surface(self) -> trimesh.Trimesh:
         half = self.half_mm
-        edge = np.sqrt(4 * half.min() ** 2 / half.max() * self.envelope_mm)
-        finest = 1.05 * half.max() / edge
-        sphere, volume = _ball(max(2, round(float(np.log2(finest)))))
+        # a triangle of edge h leaves the unit ball by up to h²/6, and stretched it leaves the ellipsoid by
+        # no more than that times the longest semi-axis, however pointed its ends are: half the envelope
+        edge = np.sqrt(3 * self.envelope_mm / half.max())
+        sphere, volume = _ball(max(2, ceil(np.log2(_ICOSAHEDRON_EDGE / edge))))
         return sphere.copy().apply_scale(half * (4 / 3 * np.pi / volume) ** (1 / 3))
 
 

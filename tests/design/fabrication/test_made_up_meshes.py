@@ -39,7 +39,10 @@ from design.solids.magnet_template import template_faces
 from design.solids.probes import make_probe
 from design.solids.sampled import sampled_core_part
 from design.spec.object import ObjectSpec
+from design.spec_io import load_spec
+from tests.support.objects.body_cases import body_spec
 from tests.support.objects.worked_objects import worked
+from tests.support.pages import ROOT
 from tests.support.scans import YCB
 
 CUBE = worked("closed box")
@@ -387,21 +390,21 @@ def test_a_template_is_judged_on_the_face_that_it_serves():
     assert {finding.status for finding in clear} == {"pass"}
 
 
-def test_a_probe_is_judged_beside_the_jig_where_it_presses_lowest():
+def beside_a_jig(spec, meshes):
+    """The finding on probes beside a jig, that core and jig alone do not concern."""
+    found = check_tools(spec, meshes | {"core": CORE})
+    return {finding.check: finding for finding in found}["probes clear of the jig"]
+
+
+def test_a_probe_is_judged_beside_the_jig_where_it_comes_down_furthest():
     """By hand, of the paper's cube: at z = −13.5 a plate of 20 × 20 × 4 mm begins 15 − 4 mm outside the
-    face and ends at −23.5; the jig's, up to 16 mm outside, lies below −21."""
+    face and ends at −23.5; a plate without a pedestal, up to 16 mm outside, lies below −21."""
     spec = ObjectSpec(name="cube").changed(press={"depths_mm": (1.0, 4.0)})
-    meshes = {
-        "jig": convert_to_triangles(make_jig(spec)),
-        "probe_1": convert_to_triangles(make_probe(spec, 1)),
-    }
+    plate = box([-37, -37, -27], [37, 37, -21])
+    meshes = {"jig": plate, "probe_1": convert_to_triangles(make_probe(spec, 1))}
 
     def beside(**grid):
-        changed = spec.changed(contact_grid=grid)
-        found = {
-            finding.check: finding for finding in check_tools(changed, meshes | {"core": CORE})
-        }
-        return found["probes clear of the jig"]
+        return beside_a_jig(spec.changed(contact_grid=grid), meshes)
 
     lowest = beside(count=(10, 10), pitch_mm=3.0)
     assert (lowest.status, lowest.part) == ("warn", "jig")
@@ -409,6 +412,36 @@ def test_a_probe_is_judged_beside_the_jig_where_it_presses_lowest():
     assert "most: probe_1 and jig" in lowest.what
     middle = beside(count=(2, 2), pitch_mm=3.0)
     assert (middle.status, middle.value) == ("pass", 0.0)
+    grid = {"count": (10, 10), "pitch_mm": 3.0}
+    oblique = [
+        spec.changed(contact_grid=grid, indenter={"direction_deg": (lean, 0.0)})
+        for lean in (-30.0, 30.0)
+    ]
+    further = max(beside_a_jig(leaning, meshes).value for leaning in oblique)
+    wanted = 20 * 4 * (2.5 + 4 * np.tan(np.pi / 6))
+    assert further == pytest.approx(wanted, rel=0.05), "an oblique path leads down"
+
+
+def tools_of(spec, *tips):
+    probes = {f"probe_{count}": as_triangles(make_probe(spec, count)) for count in tips}
+    return {"jig": as_triangles(make_jig(spec)), **probes}
+
+
+@pytest.mark.parametrize("name", ["paper_cube", "handle", "ball", "egg", "pear"])
+def test_the_pedestal_of_an_example_s_jig_keeps_it_clear_of_every_probe(name):
+    """Also by the three tips on a ball's slopes, whose plate comes down 10 mm below the ball."""
+    spec = load_spec(ROOT / "examples" / f"{name}.toml")
+    beside = beside_a_jig(spec, tools_of(spec, 1, 2, 3))
+    assert (beside.status, beside.value) == ("pass", 0.0)
+
+
+def test_locations_beside_the_rim_of_a_recess_cannot_be_pressed_and_are_told():
+    """A closed cylinder lies 3 mm deep in its jig; the lowest presses on its side begin at its rim."""
+    spec = body_spec("cylinder", body={"open_faces": []})
+    spec = spec.changed(contact_grid={"count": "fill", "pitch_mm": 1.0})
+    beside = beside_a_jig(spec, tools_of(spec, 1))
+    assert beside.status == "warn"
+    assert "hold the object otherwise" in beside.what
 
 
 CORE = box([-5, -5, -5], [5, 5, 5])

@@ -22,13 +22,17 @@ from design.solids.jig import (
     cup_solid,
     flat_seat_mm,
     make_jig,
+    pedestal_mm,
     recess_solid,
 )
 from design.solids.primitives import OVERSHOOT_MM
 from design.solids.sampled import sampled_core_part
+from design.solids.shell import make_shell
 from design.spec.object import ObjectSpec
+from design.spec_io import load_spec
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.worked_objects import worked
+from tests.support.pages import ROOT
 
 BORED = {"open_faces": [6], "bore_mm": 9.0}
 
@@ -50,7 +54,34 @@ def test_a_post_through_the_bore_carries_the_core_and_keeps_it_from_turning(name
     assert (jig ^ core.translate((0, 0, 40))).volume() < 1e-6, "it lifts off"
     plate = jig.bounding_box()[2] + PLATE_MM
     lowest = float(body_of(spec).outer_surface().bounds[0, 2])
-    assert lowest - plate == pytest.approx(CLEAR_MM, abs=0.05)
+    assert lowest - plate - pedestal_mm(spec) == pytest.approx(CLEAR_MM, abs=0.05)
+
+
+@pytest.mark.parametrize("name", ["paper_cube", "handle"])
+def test_a_post_in_the_core_carries_a_body_with_an_open_side_on_its_pedestal(name):
+    """The core is centred by its cavity, with the printer's clearance all round."""
+    spec = load_spec(ROOT / "examples" / f"{name}.toml")
+    jig, core = manifolds(spec)
+    assert (jig ^ core).volume() < 0.02
+    play = spec.printer.clearance_mm
+    for way in ((1, 0, 0), (0, -1, 0), (0.7, 0.7, 0)):
+        assert (jig ^ core.translate(np.multiply(0.8 * play, way))).volume() < 0.02
+        assert (jig ^ core.translate(np.multiply(2 * play, way))).volume() > 1
+    shell = manifold_of(as_triangles(make_shell(spec)))
+    assert (jig ^ shell).volume() < 0.02
+    assert (jig ^ shell.translate((0, 0, -0.3))).volume() > 1, "the rim rests on the pedestal"
+    assert (jig ^ core.translate((0, 0, 40))).volume() < 1e-6, "it lifts off"
+    assert 0 < pedestal_mm(spec) < 12, "half of three tips' plate, 5 mm beyond its tips"
+
+
+def test_a_pedestal_is_as_high_as_a_probe_comes_down_below_the_seat():
+    """By hand, of a cube of 42 mm pressed at z = −1.5: of three tips 20 mm apart the plate ends 5 mm below
+    the lower tip, which is 5 mm wide to each side. From above nothing comes down."""
+    spec = ObjectSpec(name="cube").changed(contact_grid={"count": (2, 2), "pitch_mm": 3.0})
+    wanted = 1.5 + (20 / 2 + 5 + 5) - 21 + CLEAR_MM
+    assert pedestal_mm(spec) == pytest.approx(wanted, abs=0.01)
+    top = spec.changed(body={"sensed_faces": [1]})
+    assert pedestal_mm(top) == 0
 
 
 def test_a_post_carries_a_core_that_is_lowest_beside_the_flats_middle(tmp_path):

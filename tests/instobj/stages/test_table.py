@@ -77,6 +77,7 @@ DOWNSTREAM = {
     },
     "sensors.averaging=32": {"compliance", "build", "signals", "robustness"},
     "contact_grid.pitch_mm=2.5": {
+        "build",
         "plain_presses",
         "candidates",
         "presses",
@@ -84,6 +85,7 @@ DOWNSTREAM = {
         "discretisation",
     },
     "press.depths_mm=[1.0,2.0]": {
+        "build",
         "plain_presses",
         "candidates",
         "presses",
