@@ -24,7 +24,7 @@ from instobj.search.fidelity import (
     second_score,
     second_seconds,
 )
-from instobj.search.lowest_fidelity import single_faces, scorers
+from instobj.search.lowest_fidelity import scorers, single_faces
 from instobj.search.trials import search_key
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
 from instobj.stages.makers.magnet_free import forget_shell

@@ -10,17 +10,17 @@ import pytest
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("design", "fem", "estimator", "instobj")
 
-PLACEHOLDERS = frozenset(
-    "found one own told left known other there every before along at seen asked".split()
+PLACEHOLDERS = re.compile(
+    "found|one|own|told|left|known|other|there|every|before|along|at|seen|asked"
 )
 """Names that do not say what they hold; `left` is plain where `right` stands with it."""
-PREPOSITIONS = frozenset(
-    "of at in as by on over under after before between through for into onto per within beyond "
-    "beside its their whose which what where when how it they those these this that both each every".split()
+PREPOSITIONS = re.compile(
+    "_*(of|at|in|as|by|on|over|under|after|before|between|through|for|into|onto|per|within|beyond|beside|"
+    "its|their|whose|which|what|where|when|how|it|they|those|these|this|that|both|each|every)(_.*)?"
 )
-"""First words of function names that are neither verb nor noun; `to_`, `from_`, `with_` and `without_`
-are Python's own idioms (`Path.with_suffix`, `dict.fromkeys`)."""
-OPENINGS = frozenset("What Of Whether Where How Which By As".split())
+"""Function names whose first word is neither verb nor noun; `to_`, `from_`, `with_` and `without_` are
+Python's own idioms (`Path.with_suffix`, `dict.fromkeys`)."""
+OPENINGS = re.compile(r"(What|Of|Whether|Where|How|Which|By|As)\s")
 """First words of docstrings and of notes on constants that are neither verb nor noun."""
 WORDS = re.compile(
     r"\b(told|tells|beside|anew|those that|is that of|so many|by turns|worked out)\b"
@@ -80,7 +80,8 @@ def _bound_names(tree: ast.Module):
 def _is_placeholder(name: str, names: set[str], function: str) -> bool:
     if name == "left" and "right" in names:
         return False
-    return name in PLACEHOLDERS and not (name == "other" and function.startswith("__"))
+    dunder = function.startswith("__")
+    return bool(PLACEHOLDERS.fullmatch(name)) and not (name == "other" and dunder)
 
 
 def _texts(tree: ast.Module, is_room_file: bool):
@@ -101,12 +102,10 @@ def patterns(source: str, is_room_file: bool = False) -> tuple[list[str], ...]:
     functions = [
         node.name
         for node in ast.walk(tree)
-        if isinstance(node, ast.FunctionDef)
-        and node.name.strip("_").split("_")[0] in PREPOSITIONS
-        and not node.name.startswith("__")
+        if isinstance(node, ast.FunctionDef) and PREPOSITIONS.fullmatch(node.name)
     ]
     texts = list(_texts(tree, is_room_file))
-    openings = [text[:40] for text, counts in texts if counts and text.split(" ")[0] in OPENINGS]
+    openings = [text[:40] for text, counts in texts if counts and OPENINGS.match(text)]
     words = [word for text, _ in texts for word in WORDS.findall(text)]
     return names, functions, openings, words
 
