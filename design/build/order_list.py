@@ -107,7 +107,7 @@ def _casting(spec: ObjectSpec) -> list[OrderLine]:
 def _line(order: Order, pieces: int) -> OrderLine:
     packs = order.packs(pieces)
     low, high = (round(price * packs, 2) for price in order.price_eur)
-    number = f"number as in {order.seen}" if order.seen else "number not looked up"
+    number = f"number as in {order.source}" if order.source else "number not looked up"
     note = "; ".join(filter(None, (order.note, number, CHECK)))
     return OrderLine(order.title, order.maker, order.number, pieces, packs, low, high, PRICED, note)
 

@@ -1,7 +1,7 @@
 """Order numbers and guide prices of parts that are bought: maker's number, pack, price range, date.
 
 Prices are estimates of `PRICED`, not offers: what one piece (or the smallest pack) costs at shops in Europe
-without shipping, from experience. No distributor was asked; they rank plans and size a budget. `seen`
+without shipping, from experience. No distributor was asked; they rank plans and size a budget. `source`
 says where a number was found, and when that was looked up; numbers without it are from memory. Check
 number, price and stock before you order.
 """
@@ -25,7 +25,7 @@ class Order:
     price_eur: tuple[float, float]
     pieces: int = 1
     note: str = ""
-    seen: str = ""
+    source: str = ""
 
     @property
     def middle_eur(self) -> float:
@@ -42,14 +42,14 @@ def _tmag(letter: str, version: int) -> Order:
     return Order(
         f"Hall sensor {name}", "Texas Instruments", f"{name}QDBVR", (0.9, 2.2),
         note="QDBVT is the small reel",
-        seen="TMAG5273A2QDBVT of Texas Instruments SLYS045, by its scheme; looked up 2026-11",
+        source="TMAG5273A2QDBVT of Texas Instruments SLYS045, by its scheme; looked up 2026-11",
     )  # fmt: skip
 
 
 def _tle(address: int) -> Order:
     return Order(
         f"Hall sensor TLE493D-W2B6 A{address}", "Infineon", f"TLE493DW2B6A{address}HTSA1", (1.2, 3.0),
-        seen="TLE493DW2B6A1HTSA1 of Infineon's forum, by its scheme; looked up 2026-11",
+        source="TLE493DW2B6A1HTSA1 of Infineon's forum, by its scheme; looked up 2026-11",
     )  # fmt: skip
 
 
@@ -74,7 +74,7 @@ ORDERS = {
     **{f"TMAG5273{letter}{v}": _tmag(letter, v) for letter in "ABCD" for v in (1, 2)},
     "MLX90393": Order(
         "Hall sensor MLX90393", "Melexis", "MLX90393SLW-ABA-011-RE", (2.0, 4.5),
-        seen="Melexis' data sheet at a parts index; looked up 2026-11",
+        source="Melexis' data sheet at a parts index; looked up 2026-11",
     ),
     "MLX90393-0x18": Order(
         "MLX90393 on a board, at 0x18 to 0x1B by its pins", "Adafruit", "4022", (12.0, 18.0),
@@ -82,36 +82,36 @@ ORDERS = {
     ),
     **{f"TLE493DW2B6A{k}": _tle(k) for k in range(4)},
     "100 nF": Order(
-        "capacitor 100 nF, 0402", "Murata", "GRM155R71C104KA88D", (0.02, 0.1), seen=_PROJECTS
+        "capacitor 100 nF, 0402", "Murata", "GRM155R71C104KA88D", (0.02, 0.1), source=_PROJECTS
     ),
-    "mega2560": Order("Arduino Mega 2560 Rev3", "Arduino", "A000067", (38.0, 50.0), seen=_PROJECTS),
-    "pico": Order("Raspberry Pi Pico H", "Raspberry Pi", "SC0917", (4.5, 7.0), seen=_PROJECTS),
+    "mega2560": Order("Arduino Mega 2560 Rev3", "Arduino", "A000067", (38.0, 50.0), source=_PROJECTS),
+    "pico": Order("Raspberry Pi Pico H", "Raspberry Pi", "SC0917", (4.5, 7.0), source=_PROJECTS),
     MUX: Order(
         "TCA9548A on a board", "Adafruit", "2717", (6.0, 9.0),
-        seen="Adafruit's manual of 2717; looked up 2026-11",
+        source="Adafruit's manual of 2717; looked up 2026-11",
     ),
     SHIFTER: Order(
-        "level shifter, 4 channels, BSS138", "Adafruit", "757", (3.0, 5.0), seen=_PROJECTS
+        "level shifter, 4 channels, BSS138", "Adafruit", "757", (3.0, 5.0), source=_PROJECTS
     ),
     BUFFER: Order(
-        "hex buffer CD74HC4050E, DIP-16", "Texas Instruments", "CD74HC4050E", (0.5, 1.2), seen=_PROJECTS
+        "hex buffer CD74HC4050E, DIP-16", "Texas Instruments", "CD74HC4050E", (0.5, 1.2), source=_PROJECTS
     ),
     RESISTOR: Order("resistor, 1 %, 0.6 W, axial", "Vishay", "MRS25 series", (0.05, 0.2)),
     HX711: Order(
         "HX711 on a board", "SparkFun", "SEN-13879", (9.0, 14.0),
         note="80 readings per second: cut the jumper RATE; the older SEN-13230 is retired",
-        seen=_PROJECTS,
+        source=_PROJECTS,
     ),
     LOAD_CELL: Order(
-        "load cell 5 kg, 1 mV/V", "HT Sensor Technology", "TAL220B", (8.0, 14.0), seen=_PROJECTS
+        "load cell 5 kg, 1 mV/V", "HT Sensor Technology", "TAL220B", (8.0, 14.0), source=_PROJECTS
     ),
     VERNIER: Order(
         "Dual-Range Force Sensor", "Vernier", "DFS-BTA", (110.0, 170.0), note="in its ±50 N range",
-        seen=_PROJECTS,
+        source=_PROJECTS,
     ),
     BTA_ADAPTER: Order(
         "analogue adapter BTA to pins", "Vernier", "BTA-ELV", (10.0, 20.0),
-        seen="Vernier's page on connectors, til/818; looked up 2026-11",
+        source="Vernier's page on connectors, til/818; looked up 2026-11",
     ),
     WIRE: Order("stranded wire AWG 30, PTFE, 10 m", "various", "AWG 30 (7/38) PTFE", (4.0, 12.0)),
     STRIP: Order("stripboard, 100 × 50 mm", "various", "RM 2.54", (1.5, 4.0)),

@@ -172,7 +172,7 @@ def _room_mm(spec: ObjectSpec) -> float:
 def _nearest_azimuth(spec: ObjectSpec) -> float | None:
     """Return the seam turned least that leaves walls and hooks no deeper than the silicone allows."""
     plane, frame = parting(spec), mould_frame(spec)
-    start = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
+    start = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     room = _room_mm(spec)
     away = abs((_AZIMUTHS_DEG - start + 90.0) % 180.0 - 90.0)
     for azimuth in _AZIMUTHS_DEG[np.argsort(away, kind="stable")].tolist():

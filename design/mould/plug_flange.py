@@ -1,7 +1,7 @@
 """Flange of a plug or a rod, by which it hangs in the mould, and the tabs of the mould that take it.
 
 The shape of the authors' public mould (Knopke et al., RA-L 2024), read off its STEP file: the walls at
-the ends of `along` are raised by 2 mm under the flange and by 4 mm next to it, in posts of 7.3 mm,
+the ends of `length_axis` are raised by 2 mm under the flange and by 4 mm next to it, in posts of 7.3 mm,
 between which the flange cannot slide. It is 10 mm high: a bridge of 2 mm between the walls; blocks
 10 mm long over them, with clips down to the rim outside; and between the blocks a gabled grip with
 chamfers of 3 mm where it meets them. Theirs has 0.05 mm of play along and 0.2 mm across, ours
@@ -123,7 +123,7 @@ def prism_over_slope(
     ]
     reach = float(np.linalg.norm(ridge_mm - foot_mm)) + high
     start = foot_mm - high * slope
-    corners = [cq.Vector(*(start + h * above + s * frame.along)) for h, s in outline]
+    corners = [cq.Vector(*(start + h * above + s * frame.length_axis)) for h, s in outline]
     wire = cq.Wire.makePolygon(corners, close=True)
     return cq.Solid.extrudeLinear(wire, [], cq.Vector(*((reach + high) * slope)))
 

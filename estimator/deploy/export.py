@@ -31,7 +31,7 @@ _PROBE_FRAMES_PER_SCALE = 64
 _PROBE_SCALES_COUNTS = tuple(2.0**power for power in range(0, 17, 2))
 """From the noise of a channel to the range of a 16-bit chip."""
 _PARITY = 1e-3
-"""Of an output's largest value among changes of one scale: single precision leaves 1e-4."""
+"""Share of an output's largest value among changes of one scale: single precision leaves 1e-4."""
 
 
 def export_onnx(model: FaceModel, path: Path | str) -> None:
@@ -64,10 +64,10 @@ def require_parity(model: FaceModel, written: Path, path: Path | str) -> None:
     import torch
 
     counts = probe_counts(len(model.channels))
-    found = open_session(written).run(None, {"counts": counts})
+    outputs = open_session(written).run(None, {"counts": counts})
     with torch.no_grad():
         expected = model.network.cpu().eval()(torch.from_numpy(counts))
-    for name, got, tensor in zip(UNITS, found, expected, strict=True):
+    for name, got, tensor in zip(UNITS, outputs, expected, strict=True):
         true = tensor.numpy()
         wrong = ~np.isclose(got, true, rtol=0, atol=_PARITY * output_sizes(true), equal_nan=True)
         if wrong.any():

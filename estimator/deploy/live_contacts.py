@@ -49,7 +49,7 @@ class LiveContacts:
             _ = Tracker(inversion).feed(change).position_radius_mm
 
     def rezero(self) -> None:
-        """Take the zero anew from the frames that follow, with nothing pressed."""
+        """Take the zero again from the frames that follow, with nothing pressed."""
         self._tracker = Tracker(self.inversion)
         self._level = StreamZero(self.zero, self.zero_frames, self.read_still)
         self._zero: np.ndarray | None = None
@@ -125,10 +125,10 @@ class LiveContacts:
 
     def read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
         # a tracker of its own: it is asked for opposite changes in turn
-        found = Tracker(self._one).feed(np.where(self._out, np.nan, change))
-        pressed = found.number[0] > 0
-        share = found.odds[0] if pressed else 1 - found.odds[0]
-        return float(share), float(np.nansum(found.force_n[0]))
+        contacts = Tracker(self._one).feed(np.where(self._out, np.nan, change))
+        pressed = contacts.number[0] > 0
+        share = contacts.odds[0] if pressed else 1 - contacts.odds[0]
+        return float(share), float(np.nansum(contacts.force_n[0]))
 
 
 def contacts_of_one(inversion: Inversion) -> Inversion:

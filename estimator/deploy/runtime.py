@@ -154,15 +154,16 @@ def predict_frames(model: DeployedModel, frames: FrameSet) -> Prediction:
 def predict_with_gaps(
     model: DeployedModel, frames: FrameSet
 ) -> tuple[Bool[np.ndarray, "frame"], Prediction]:
-    """Which frames have all readings (and the change since such), and what `predict_frames` gives there.
+    """Return which frames have all readings (and the change since such), and what `predict_frames` gives
+    there.
 
     Raises
     ------
     InputError
         No frame has the readings of all channels that the model uses.
     """
-    told, chosen = frames_with_readings(frames, model.channels, model.history_frames)
-    return told, run_model(model, channel_counts(chosen, model.channels))
+    has_readings, chosen = frames_with_readings(frames, model.channels, model.history_frames)
+    return has_readings, run_model(model, channel_counts(chosen, model.channels))
 
 
 @dataclass
@@ -226,7 +227,7 @@ class LiveReader:
             self.recent.popleft()
 
     def rezero(self) -> None:
-        """Take the zero anew from the frames that follow, with nothing pressed."""
+        """Take the zero again from the frames that follow, with nothing pressed."""
         self._level = StreamZero(self.zero, self.zero_frames, self.read_still)
         self.recent.clear()
 
@@ -235,8 +236,8 @@ class LiveReader:
         return np.array([face >= HISTORY for face, _, _ in self.model.channels])
 
     def read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
-        found = run_model(self.model, np.where(self._past, 0.0, change)[None])
-        return float(found.contact[0]), float(found.force_n[0])
+        prediction = run_model(self.model, np.where(self._past, 0.0, change)[None])
+        return float(prediction.contact[0]), float(prediction.force_n[0])
 
 
 def channel_readings(

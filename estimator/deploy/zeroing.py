@@ -30,7 +30,7 @@ from design.errors import InputError
 from estimator.recordings.presses import PAUSE_S
 
 ZeroMode = Literal["rest", "first", "none"]
-"""How readings are zeroed: by following rest, by the first frames, or not at all."""
+"""Way that readings are zeroed: by following rest, by the first frames, or not at all."""
 ReadStill = Callable[[Float[np.ndarray, "channel"]], tuple[float, float]]
 """Probability of contact and force (N) that a change against rest is read as."""
 ZERO_FRAMES = 8

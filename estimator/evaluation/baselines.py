@@ -3,7 +3,7 @@
 Each is fitted to the training presses of the model and the channels that it reads, changes over
 time included: the total force to frames with and without contact, the centre of force to those with
 contact. Frames of one press are alike, so presses are what differences are averaged over: the mean
-of a press's errors counts once, and the scatter is that of presses drawn anew (bootstrap).
+of a press's errors counts once, and the scatter comes from presses drawn again (bootstrap).
 """
 
 from __future__ import annotations
@@ -85,15 +85,15 @@ def held_out_answers(
         No contact on the face in the training or in the test part.
     """
     whole = with_history(frames, model.history_frames)
-    known = with_contacts(face_data(whole.select(~split.test), model.face), "training")
+    learned = with_contacts(face_data(whole.select(~split.test), model.face), "training")
     tested = with_contacts(face_data(whole.select(split.test), model.face), "tested")
     tested = tested.select(tested.contact)
-    found = predict(model, tested.frames)
-    answers = [ContactAnswers("model", found.force_n, found.xy_mm)]
+    prediction = predict(model, tested.frames)
+    answers = [ContactAnswers("model", prediction.force_n, prediction.xy_mm)]
     fitted_frames = {}
     for name, make in REGRESSORS.items():
         most = MOST_FRAMES_OF_PROCESS if name == "gaussian process" else MOST_FRAMES
-        shown = drawn_frames(thinned(known, seed), most, seed)
+        shown = drawn_frames(thinned(learned, seed), most, seed)
         fitted_frames[name] = len(shown)
         answers.append(_answers(name, make, shown, tested, model))
     return HeldOutAnswers(
@@ -105,7 +105,7 @@ def held_out_answers(
         time_s=tested.frames.time_s,
         grid_x_mm=model.grid_x_mm,
         grid_y_mm=model.grid_y_mm,
-        force_halfwidth_n=found.force_halfwidth_n,
+        force_halfwidth_n=prediction.force_halfwidth_n,
         interval_cover=model.interval_cover,
         answers=tuple(answers),
         fitted_frames=fitted_frames,
@@ -115,27 +115,29 @@ def held_out_answers(
 def baseline_reports(held_out: HeldOutAnswers, seed: int = 0) -> list[BaselineReport]:
     """Errors of the model (named "model", no difference from itself) and of every baseline."""
     away = {
-        one.name: np.linalg.norm(one.xy_mm - held_out.true_xy_mm, axis=1)
-        for one in held_out.answers
+        answer.name: np.linalg.norm(answer.xy_mm - held_out.true_xy_mm, axis=1)
+        for answer in held_out.answers
     }
-    missed = {one.name: np.abs(one.force_n - held_out.true_force_n) for one in held_out.answers}
+    missed = {
+        answer.name: np.abs(answer.force_n - held_out.true_force_n) for answer in held_out.answers
+    }
     return [
         BaselineReport(
             face=held_out.face,
-            name=one.name,
-            fitted_frames=held_out.fitted_frames.get(one.name, 0),
+            name=answer.name,
+            fitted_frames=held_out.fitted_frames.get(answer.name, 0),
             presses=len(np.unique(held_out.press_id)),
-            total_force_n=float(missed[one.name].mean()),
-            total_force_percent=float(np.mean(100 * missed[one.name] / held_out.span_n)),
-            place_mm=float(away[one.name].mean()),
+            total_force_n=float(missed[answer.name].mean()),
+            total_force_percent=float(np.mean(100 * missed[answer.name] / held_out.span_n)),
+            place_mm=float(away[answer.name].mean()),
             force_n_less_model=paired_difference(
-                missed[one.name], missed["model"], held_out.press_id, seed
+                missed[answer.name], missed["model"], held_out.press_id, seed
             ),
             place_mm_less_model=paired_difference(
-                away[one.name], away["model"], held_out.press_id, seed
+                away[answer.name], away["model"], held_out.press_id, seed
             ),
         )
-        for one in held_out.answers
+        for answer in held_out.answers
     ]
 
 
@@ -145,7 +147,7 @@ def paired_difference(
     press_id: Int[np.ndarray, "frame"],
     seed: int = 0,
 ) -> Difference:
-    """Mean difference over presses, with 90 % of the means of presses drawn anew."""
+    """Mean difference over presses, with 90 % of the means of presses drawn again."""
     _, press, count = np.unique(press_id, return_inverse=True, return_counts=True)
     per_press = np.bincount(press, weights=error - of_model) / count
     drawn = np.random.default_rng(seed).integers(len(count), size=(_DRAWS, len(count)))
@@ -162,14 +164,16 @@ def _answers(
 ) -> ContactAnswers:
     from sklearn.preprocessing import StandardScaler
 
-    counts, seen = (channel_counts(part.frames, model.channels) for part in (shown, tested))
+    counts, tested_counts = (
+        channel_counts(part.frames, model.channels) for part in (shown, tested)
+    )
     scaler = StandardScaler().fit(counts)
-    counts, seen = (np.asarray(scaler.transform(part)) for part in (counts, seen))
+    counts, tested_counts = (np.asarray(scaler.transform(part)) for part in (counts, tested_counts))
     force, touched = shown.heatmap_n.sum(axis=(1, 2)), shown.contact
-    force_n = make(counts, force).predict(seen)
+    force_n = make(counts, force).predict(tested_counts)
     centre = shown.centre_mm[touched]
     xy_mm = np.column_stack(
-        [make(counts[touched], centre[:, axis]).predict(seen) for axis in range(2)]
+        [make(counts[touched], centre[:, axis]).predict(tested_counts) for axis in range(2)]
     )
     return ContactAnswers(name, force_n, xy_mm)
 

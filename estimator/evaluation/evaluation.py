@@ -1,4 +1,4 @@
-"""Metrics of trained estimators, beside baselines that any estimator must beat."""
+"""Metrics of trained estimators, compared with baselines that any estimator must beat."""
 
 from __future__ import annotations
 
@@ -70,13 +70,13 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
         face_data(with_history(frames, model.history_frames), model.face), "tested"
     )
     data = data.select(data.contact)
-    found, missed_n, away_mm = interval_errors(model, data)
+    prediction, missed_n, away_mm = interval_errors(model, data)
     return IntervalReport(
         wanted_cover=model.interval_cover,
-        force_cover=float(np.mean(missed_n <= found.force_halfwidth_n)),
-        position_cover=float(np.mean(away_mm <= found.position_radius_mm)),
-        median_force_halfwidth_n=float(np.median(found.force_halfwidth_n)),
-        median_position_radius_mm=float(np.median(found.position_radius_mm)),
+        force_cover=float(np.mean(missed_n <= prediction.force_halfwidth_n)),
+        position_cover=float(np.mean(away_mm <= prediction.position_radius_mm)),
+        median_force_halfwidth_n=float(np.median(prediction.force_halfwidth_n)),
+        median_position_radius_mm=float(np.median(prediction.position_radius_mm)),
         calibration_presses=model.interval_presses,
         tested_presses=len(np.unique(data.frames.press_id)),
     )
@@ -94,12 +94,12 @@ def contact_readings(model: FaceModel, frames: FrameSet) -> ContactReadings:
         face_data(with_history(frames, model.history_frames), model.face), "tested"
     )
     data = data.select(data.contact)
-    found = predict(model, data.frames)
+    prediction = predict(model, data.frames)
     return ContactReadings(
         model.face,
         data.heatmap_n.sum(axis=(1, 2)),
-        found.force_n,
-        np.linalg.norm(found.xy_mm - data.centre_mm, axis=1),
+        prediction.force_n,
+        np.linalg.norm(prediction.xy_mm - data.centre_mm, axis=1),
         len(np.unique(data.frames.press_id)),
     )
 
@@ -108,27 +108,27 @@ def interval_errors(
     model: FaceModel, data: FaceData
 ) -> tuple[Prediction, Float[np.ndarray, "frame"], Float[np.ndarray, "frame"]]:
     """Predictions in contact frames, how far off the total force is (N) and the centre (mm)."""
-    found = predict(model, data.frames)
-    missed_n = np.abs(found.force_n - data.heatmap_n.sum(axis=(1, 2)))
-    return found, missed_n, np.linalg.norm(found.xy_mm - data.centre_mm, axis=1)
+    prediction = predict(model, data.frames)
+    missed_n = np.abs(prediction.force_n - data.heatmap_n.sum(axis=(1, 2)))
+    return prediction, missed_n, np.linalg.norm(prediction.xy_mm - data.centre_mm, axis=1)
 
 
 def linear_baseline(frames: FrameSet, face: int, split: Split) -> FaceMetrics:
     """Linear (ridge) regression from signals in units of σ to the heatmap."""
-    known, held_out = (
+    learned, held_out = (
         thinned(with_contacts(face_data(frames.select(part), face), name), 1)
         for part, name in ((split.train, "training"), (split.validation, "validation"))
     )
     alive = live_channels(held_out)
-    channels = tuple(channel for channel in live_channels(known) if channel in alive)
+    channels = tuple(channel for channel in live_channels(learned) if channel in alive)
     tested = face_data(frames.select(split.test), face)
     sigma = frames.noise_counts[[axis for *_, axis in channels]]
-    given, asked = (
+    given, tested_rows = (
         np.column_stack([channel_counts(data.frames, channels) / sigma, np.ones(len(data))])
-        for data in (known, tested)
+        for data in (learned, tested)
     )
-    weights = ridge_weights(given, known.heatmap_n.reshape(len(known), -1))
-    return _metrics(tested, (asked @ weights).reshape(tested.heatmap_n.shape), frames)
+    weights = ridge_weights(given, learned.heatmap_n.reshape(len(learned), -1))
+    return _metrics(tested, (tested_rows @ weights).reshape(tested.heatmap_n.shape), frames)
 
 
 def ridge_weights(

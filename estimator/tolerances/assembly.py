@@ -1,7 +1,7 @@
 """One object as it may be assembled: magnets, sensors and surroundings off the design, and its counts.
 
 Draws are standard normal numbers, one array per contribution, scaled by `design.spec.assembly`.
-Contributions that are not drawn stay at the design. Mechanics is that of the design throughout
+Contributions that are not drawn stay at the design. Mechanics is the design's throughout
 (`estimator.tolerances.budget` makes up for bodies that sit aside).
 """
 

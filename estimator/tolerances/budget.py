@@ -1,7 +1,7 @@
 """Effect of spread in assembly, material and surroundings on an object's signals and bounds.
 
 Each contribution alone to first order (central differences), and all together by Monte Carlo.
-Mechanics is that of the design. A magnet that sits aside is taken to move as the one in the
+Mechanics is the design's. A magnet that sits aside is taken to move as the one in the
 designed seat does when the press lies as far aside the other way (`result.SEAT_ERROR` says how well).
 """
 
@@ -44,15 +44,15 @@ from fem.presses.results import MagnetMotions, PressForces
 
 DRAWS = 200
 _STEP = 0.05
-"""Of central differences, in standard deviations."""
+"""Step of central differences, in standard deviations."""
 _NEARER_MM = 1.0
-"""By which tolerances may bring magnet and sensor nearer than any press of the design does."""
+"""Distance by which tolerances may bring magnet and sensor nearer than any press of the design does."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What one assembly shows: counts at rest; face by face the change in each press, as chips tell it,
-    and its derivatives in x, y, F, of channels that work; 0 of those that its own chips clip
+    """Outcome of one assembly: counts at rest; face by face the change in each press, as chips read it,
+    and its derivatives in x, y, F, of working channels; 0 where its own chips clip
     (`estimator.signals.live`). The bounds of all presses."""
 
     baseline: Float[np.ndarray, "sensor 3"]
@@ -74,9 +74,9 @@ class _Deviation:
 
 @dataclass(frozen=True)
 class Setting:
-    """What all assemblies share; `states` and `live` channels face by face.
+    """Setting that all assemblies share; `states` and `live` channels face by face.
 
-    `reached` tells of all contact locations, face by face, which reach `score.force_n`: `states` are of
+    `reached` says which contact locations, face by face, reach `score.force_n`: `states` are of
     those alone.
     """
 
@@ -100,13 +100,13 @@ class Setting:
     @cached_property
     def design_motion(self) -> tuple[KnownField, ...]:
         """Fields of the design in the states of every face."""
-        known = []
+        fields = []
         for face, states in zip(self.faces, self.states, strict=True):
             place, motion = read_by(
-                self.design.pressed_scene, _in_a_row(states.design_motion), self.read_by(face)
+                self.design.pressed_scene, _flatten_states(states.design_motion), self.read_by(face)
             )
-            known.append(KnownField(place, motion, sensed_field(place, motion, self.model)))
-        return tuple(known)
+            fields.append(KnownField(place, motion, sensed_field(place, motion, self.model)))
+        return tuple(fields)
 
 
 def robustness(
@@ -118,7 +118,7 @@ def robustness(
 ) -> Robustness:
     """The budget at `score.force_n`, with `score.channels`, from `tolerances`.
 
-    Locations that do not reach it are left out; those that reach it only near the deepest press are
+    Locations that do not reach it are left out; locations that reach it only near the deepest press are
     judged at 0.7 of that press's force, and counted.
 
     Raises
@@ -137,7 +137,7 @@ def robustness(
     rng = np.random.default_rng((spec.seed, 6))
     objects = [outcome_of(setting, draw(spec, setting.design, rng)) for _ in range(draws)]
     scale = draws**-0.5
-    deviations = (deviation_of(one, nominal, scale) for one in objects)
+    deviations = (deviation_of(outcome, nominal, scale) for outcome in objects)
     together = summed_spread(rows)
     return Robustness(
         tuple(sorted(rows, key=lambda row: -_share(row, together))),
@@ -162,14 +162,14 @@ def twin_bounds(
     """
     setting, rng = setting_of(spec, forces, motions), np.random.default_rng((spec.seed, 7))
     objects = [setting.design, *(draw(spec, setting.design, rng) for _ in range(twins))]
-    found = [outcome_of(setting, one) for one in objects]
+    outcomes = [outcome_of(setting, assembly) for assembly in objects]
     valid = [
         np.concatenate([s.simulated(o.modulus_ratio) for s in setting.states]) for o in objects
     ]
     bounds = {}
     for name in ("position_mm", "force_n"):
         bounds[name] = np.full((len(objects), len(setting.reached)), np.nan)
-        values = [getattr(outcome, name) for outcome in found]
+        values = [getattr(outcome, name) for outcome in outcomes]
         bounds[name][:, setting.reached] = np.where(valid, values, np.nan)
     return bounds
 
@@ -179,8 +179,8 @@ def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) ->
     moving = motions_as_signals(forces, motions)
     states, live, reaches = [], [], []
     places = contact_places(spec)[face_rows(spec, motions.faces)]
-    for face, there in zip(motions.faces.tolist(), places, strict=True):
-        xy = grid.xy_mm[there]
+    for face, has_place in zip(motions.faces.tolist(), places, strict=True):
+        xy = grid.xy_mm[has_place]
         where = np.full(len(xy), face)
         reach = press_traces(moving, where, *xy.T).force_n[:, -1]
         reaches.append(reach)
@@ -188,8 +188,8 @@ def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) ->
         force = np.minimum(spec.score.force_n, REACH_SHARE * reach)
         some = (part[enough] for part in (where, xy, force))
         states.append(press_states(forces, motions, *some))
-        own = design.scene.sensors.face == face
-        live.append((working[own] if spec.score.channels == "own" else working).ravel())
+        is_own_sensor = design.scene.sensors.face == face
+        live.append((working[is_own_sensor] if spec.score.channels == "own" else working).ravel())
     nearest = min_distance_mm(design.scene, motions.all_motions)
     reach = np.concatenate(reaches)
     reached = reach >= spec.score.force_n
@@ -204,18 +204,18 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
     spec, model, deltas, jacobians, bounds = setting.spec, setting.model, [], [], []
     baseline = counts_of(spec, assembly.scene, setting.states[0].rest[None], model)[0]
     pressed, ratio = assembly.pressed_scene, assembly.modulus_ratio
-    for face, states, live, known in zip(
+    for face, states, live, known_field in zip(
         setting.faces, setting.states, setting.live, setting.design_motion, strict=True
     ):
         motion = states.design_motion if ratio == 1 else states.motion(ratio)
         motion = moved_aside(assembly, states, motion, face)
-        own = setting.read_by(face)
-        place, moved = read_by(pressed, _in_a_row(motion), own)
+        read_face = setting.read_by(face)
+        place, moved = read_by(pressed, _flatten_states(motion), read_face)
         if motion is states.design_motion:
-            moved = known.motion  # which `known` need not compare
-        values = counts(place, known.field_of(place, moved, model), spec)
+            moved = known_field.motion  # which `known` need not compare
+        values = counts(place, known_field.field_of(place, moved, model), spec)
         values = values.reshape(*motion.shape[:2], live.size)[..., live]
-        rest = baseline if own is None else baseline[assembly.scene.sensors.face == face]
+        rest = baseline if read_face is None else baseline[assembly.scene.sensors.face == face]
         rest, most = rest.ravel()[live], full_scale_counts(spec.sensors)
         change = values[0] - rest
         deltas.append(read_change(rest, change, most))
@@ -229,7 +229,7 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
     )
 
 
-def _in_a_row(motion: Float[np.ndarray, "7 press body 6"]) -> Float[np.ndarray, "row body 6"]:
+def _flatten_states(motion: Float[np.ndarray, "7 press body 6"]) -> Float[np.ndarray, "row body 6"]:
     return motion.reshape(-1, *motion.shape[2:])
 
 
@@ -240,13 +240,13 @@ def moved_aside(
     face: int,
 ) -> Float[np.ndarray, "7 press body 6"]:
     """Motions of the pressed face's bodies where they sit aside; all seven states change alike."""
-    own = assembly.scene.body_face == face
-    if not assembly.aside_mm[own].any():
+    is_on_face = assembly.scene.body_face == face
+    if not assembly.aside_mm[is_on_face].any():
         return motion
-    slope = states.slope_per_mm(motion)[:, :, own]
+    slope = states.slope_per_mm(motion)[:, :, is_on_face]
     moved = motion.copy()
     # b body, k direction (x, y), p press, c of 6 motions; all seven states alike
-    moved[:, :, own] -= np.einsum("bk,kpbc->pbc", assembly.aside_mm[own], slope)
+    moved[:, :, is_on_face] -= np.einsum("bk,kpbc->pbc", assembly.aside_mm[is_on_face], slope)
     return moved
 
 
@@ -268,7 +268,7 @@ def _linear(setting: Setting, name: str) -> Iterator[_Deviation]:
 
 
 def _independent_steps(setting: Setting, name: str) -> Float[np.ndarray, "step number"]:
-    """One standard deviation of each number, those that no channel shares in one step.
+    """One standard deviation of each number; numbers that no channel shares are in one step.
 
     Read by its own sensors alone, each face feels its own sensors' errors and no others'.
     """
@@ -279,7 +279,7 @@ def _independent_steps(setting: Setting, name: str) -> Float[np.ndarray, "step n
     return np.eye(size)
 
 
-def deviation_of(one: Outcome, other: Outcome, scale: float) -> _Deviation:
+def deviation_of(outcome: Outcome, reference: Outcome, scale: float) -> _Deviation:
     """Differences, of bounds in their logarithms; 0 where a bound is infinite."""
 
     def log_ratio(a: Any, b: Any) -> Float[np.ndarray, "press"]:
@@ -287,10 +287,10 @@ def deviation_of(one: Outcome, other: Outcome, scale: float) -> _Deviation:
         return scale * np.log(np.where(finite, a, 1.0) / np.where(finite, b, 1.0))
 
     return _Deviation(
-        scale * (one.baseline - other.baseline),
-        tuple(scale * (a - b) for a, b in zip(one.delta, other.delta, strict=True)),
-        log_ratio(one.position_mm, other.position_mm),
-        log_ratio(one.force_n, other.force_n),
+        scale * (outcome.baseline - reference.baseline),
+        tuple(scale * (a - b) for a, b in zip(outcome.delta, reference.delta, strict=True)),
+        log_ratio(outcome.position_mm, reference.position_mm),
+        log_ratio(outcome.force_n, reference.force_n),
     )
 
 
@@ -345,14 +345,14 @@ def summed_spread(rows: list[Spread]) -> Spread:
 
 def _share(row: Spread, together: Spread) -> float:
     pairs = [(r.false_place_mm, r.false_force_n) for r in (row, together)]
-    return sum((own / (whole or 1.0)) ** 2 for own, whole in zip(*pairs, strict=True))
+    return sum((own_error / (whole or 1.0)) ** 2 for own_error, whole in zip(*pairs, strict=True))
 
 
 def bound_ranges(nominal: Outcome, objects: list[Outcome]) -> list[BoundRange]:
     ranges = []
     for name in ("position_mm", "force_n"):
         for pick in (np.median, np.max):
-            drawn = [float(pick(getattr(one, name))) for one in objects]
+            drawn = [float(pick(getattr(outcome, name))) for outcome in objects]
             low, high = np.quantile(drawn, [0.05, 0.95], method="nearest")
             ranges.append(BoundRange(float(pick(getattr(nominal, name))), float(low), float(high)))
     return ranges

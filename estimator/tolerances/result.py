@@ -18,7 +18,7 @@ SEAT_ERROR = (
     "magnets at either seat."
 )
 REACH_SHARE = 0.7
-"""Of a location's deepest press, where the force asked for is more: leaves room for softer silicone."""
+"""Share of a location's deepest press, where the force asked for is more: leaves room for softer silicone."""
 _RANGES = ("position_median_mm", "position_worst_mm", "force_median_n", "force_worst_n")
 
 
@@ -67,7 +67,7 @@ class Robustness:
     `contributions` are each alone, to first order, in the order of their shares in the variances of
     false place and false force. `together` is their root sum of squares, `monte_carlo` all at once
     by `draws` objects. Bounds (mm, N) are freshly zeroed ones: that of the median place and that of
-    the worst. `at_less` locations are judged at less than `force_n` (`REACH_SHARE`); those that never
+    the worst. `at_less` locations are judged at less than `force_n` (`REACH_SHARE`); locations that never
     reach it are left out. `saturation` is how many of as many objects leave the range of a chip.
     """
 

@@ -94,8 +94,8 @@ def _presses_of(
     """Return the press in which each of a face's own channels reads most by design, at every depth."""
     count = len(signals.baseline_counts) // len(signals.faces)
     first = count * int(np.flatnonzero(signals.faces == face)[0])
-    own = slice(first, first + count)
-    read = abs(signals.baseline_counts[own] + signals.delta_counts[..., own, :])
+    is_own = slice(first, first + count)
+    read = abs(signals.baseline_counts[is_own] + signals.delta_counts[..., is_own, :])
     read = np.moveaxis(np.nan_to_num(read), 2, 0)  # step first
     most = read.reshape(*read.shape[:1], -1, 3 * count).argmax(axis=1)
     steps = np.repeat(np.arange(len(most)), most.shape[1])
@@ -104,23 +104,23 @@ def _presses_of(
     motion = motions.motion[pressed, place, step]
     slope = np.zeros((2, *motion.shape))
     for index in np.unique(pressed):
-        here, own = np.flatnonzero(pressed == index), body_face == motions.faces[index]
-        of_table = aside_slopes(motions, int(index), own)
-        slope[:, here[:, None], np.flatnonzero(own)] = of_table[:, place[here], step[here]]
+        here, is_own = np.flatnonzero(pressed == index), body_face == motions.faces[index]
+        of_table = aside_slopes(motions, int(index), is_own)
+        slope[:, here[:, None], np.flatnonzero(is_own)] = of_table[:, place[here], step[here]]
     return _Presses(face, step, motion, slope)
 
 
 def _largest_counts(
-    spec: ObjectSpec, assembly: Assembly, every: Sequence[_Presses], motions: MagnetMotions
+    spec: ObjectSpec, assembly: Assembly, all_presses: Sequence[_Presses], motions: MagnetMotions
 ) -> Float[np.ndarray, "depth"]:
     """Largest magnitude of any channel, at rest and at each depth."""
-    found = np.zeros(1 + len(motions.depth_mm))
-    for presses in every:
+    largest = np.zeros(1 + len(motions.depth_mm))
+    for presses in all_presses:
         # a body aside moves as if the press lay as far aside the other way
         # b body, k direction (x, y), p press, c of 6 motions
         moved = presses.motion - np.einsum("bk,kpbc->pbc", assembly.aside_mm, presses.slope_per_mm)
         moved = np.concatenate([rest_motion(motions)[None], moved])
         model = twin_model(spec, assembly, moved)
         read = abs(counts_of(spec, assembly.scene, moved, model, presses.read_face))
-        np.maximum.at(found, np.append(0, 1 + presses.step), read.max(axis=(1, 2)))
-    return found
+        np.maximum.at(largest, np.append(0, 1 + presses.step), read.max(axis=(1, 2)))
+    return largest

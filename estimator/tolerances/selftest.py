@@ -36,12 +36,12 @@ FaultKind = Literal[
     "flipped magnet", "swapped sensors", "swapped channels", "dead sensor", "dead channel"
 ]
 PRIOR_PROBABILITY = 1e-3
-"""Of each single fault: an estimate. Ten times as much is worth 2.3 in the log of the odds."""
+"""Probability of each single fault: an estimate. Ten times as much is worth 2.3 in the log of the odds."""
 POOR_FIT = 1e-3
 """Below this probability of a worse fit by chance even the best hypothesis is not believed."""
 _LEADERS = 20
 _NEARER_MM = 1.0
-"""By which tolerances may bring a magnet nearer to a sensor."""
+"""Distance by which tolerances may bring a magnet nearer to a sensor."""
 _STEP = 0.05
 """Step of the difference quotients, in standard deviations of a tolerance."""
 
@@ -114,13 +114,16 @@ class RestModel:
 def rest_model(spec: ObjectSpec, noise_counts: float = 0.0) -> RestModel:
     """Mean and covariance from the specification and its tolerances, to second order in each.
 
-    `noise_counts` is the standard deviation of a mean resting level beside that of the tolerances
+    `noise_counts` is the standard deviation of a mean resting level besides the tolerances'
     (readings averaged, drift); `sensors.zeroing_counts` is always included.
     """
     design, model = design_at_rest(spec)
     mean = resting_counts(spec, design, model)
     moved = np.array(
-        [[resting_counts(spec, one, model) for one in pair] for pair in _steps(spec, design)]
+        [
+            [resting_counts(spec, assembly, model) for assembly in pair]
+            for pair in _steps(spec, design)
+        ]
     ).reshape(-1, 2, len(mean))
     spread = (moved[:, 0] - moved[:, 1]) / (2 * _STEP)
     bend = (moved.sum(axis=1) - 2 * mean) / (2 * _STEP**2)  # counts x + b x², x normal
@@ -199,9 +202,9 @@ def self_test(
     single = rank(model, counts, [(), *((fault,) for fault in model.faults)])
     leaders = [hypothesis.faults[0] for hypothesis in single if hypothesis.faults][:_LEADERS]
     pairs = [(a, b) for a in leaders for b in model.faults if a is not b]
-    found = sorted(single + rank(model, counts, pairs), key=lambda h: -h.log_odds)
+    ranked = sorted(single + rank(model, counts, pairs), key=lambda h: -h.log_odds)
     return SelfTest(
-        tuple(distinct_faults(found)[:shown]),
+        tuple(distinct_faults(ranked)[:shown]),
         false_alarm_rate(spec, model, healthy_objects),
         healthy_objects,
     )
@@ -211,7 +214,9 @@ def false_alarm_rate(spec: ObjectSpec, model: RestModel, objects: int) -> float:
     """Share of objects drawn within tolerance for which some single fault is preferred."""
     rng = np.random.default_rng((spec.seed, 7))
     design, field = design_at_rest(spec)
-    hypotheses = Claims.of([(), *((fault,) for fault in model.faults)], len(model.mean))
+    hypotheses = Claims.from_hypotheses(
+        [(), *((fault,) for fault in model.faults)], len(model.mean)
+    )
     alarms = 0
     for _ in range(objects):
         counts = resting_counts(spec, draw(spec, design, rng), field)
@@ -226,7 +231,11 @@ def rank(
     hypotheses: Iterable[tuple[Fault, ...]] | Claims,
 ) -> list[Hypothesis]:
     """Hypotheses by their log posterior over that of "as specified", largest first."""
-    given = hypotheses if isinstance(hypotheses, Claims) else Claims.of(hypotheses, len(counts))
+    given = (
+        hypotheses
+        if isinstance(hypotheses, Claims)
+        else Claims.from_hypotheses(hypotheses, len(counts))
+    )
     residual = counts[given.order] - model.mean - given.shift
     silent = given.silent | np.isnan(residual)
     distance, log_volume = quadratic_forms(model, np.where(silent, 0.0, residual), silent)
@@ -241,7 +250,7 @@ def rank(
 
 @dataclass(frozen=True)
 class Claims:
-    """What hypotheses say, as arrays; the first one is "as specified".
+    """Claims of hypotheses, as arrays; the first one is "as specified".
 
     Attributes
     ----------
@@ -259,18 +268,24 @@ class Claims:
     number: Int[np.ndarray, "hypothesis"]
 
     @staticmethod
-    def of(hypotheses: Iterable[tuple[Fault, ...]], channels: int) -> Claims:
-        every = [(), *hypotheses]
-        order = np.tile(np.arange(channels), (len(every), 1))
+    def from_hypotheses(hypotheses: Iterable[tuple[Fault, ...]], channels: int) -> Claims:
+        all_hypotheses = [(), *hypotheses]
+        order = np.tile(np.arange(channels), (len(all_hypotheses), 1))
         shift, silent = np.zeros(order.shape), np.zeros(order.shape, dtype=bool)
-        for row, faults in enumerate(every):
+        for row, faults in enumerate(all_hypotheses):
             for fault in faults:
                 if fault.order is not None:
                     order[row] = order[row, fault.order]
                 if fault.shift is not None:
                     shift[row] += fault.shift
                 silent[row, list(fault.silent)] = True
-        return Claims(every, order, shift, silent, np.array([len(faults) for faults in every]))
+        return Claims(
+            all_hypotheses,
+            order,
+            shift,
+            silent,
+            np.array([len(faults) for faults in all_hypotheses]),
+        )
 
 
 def quadratic_forms(
@@ -296,7 +311,7 @@ def quadratic_forms(
 
 
 def sensor_names(face: Int[np.ndarray, "sensor"]) -> list[str]:
-    """As people call them: F3-S2 is the second sensor of face 3."""
+    """Names as people call them: F3-S2 is the second sensor of face 3."""
     numbers = _numbers_within_face(face)
     return [f"F{f}-S{n}" for f, n in zip(face.tolist(), numbers, strict=True)]
 
@@ -307,16 +322,16 @@ def _channel(names: list[str], channel: int) -> str:
 
 
 def _numbers_within_face(face: Int[np.ndarray, "part"]) -> list[int]:
-    return [int(np.sum(face[:index] == own)) + 1 for index, own in enumerate(face)]
+    return [int(np.sum(face[:index] == part_face)) + 1 for index, part_face in enumerate(face)]
 
 
 def distinct_faults(hypotheses: list[Hypothesis]) -> list[Hypothesis]:
     """Without pairs that occur in either order."""
-    seen: set[frozenset[str]] = set()
+    known_names: set[frozenset[str]] = set()
     kept = []
     for hypothesis in hypotheses:
         names = frozenset(map(str, hypothesis.faults))
-        if names not in seen:
-            seen.add(names)
+        if names not in known_names:
+            known_names.add(names)
             kept.append(hypothesis)
     return kept

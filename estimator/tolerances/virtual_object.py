@@ -20,7 +20,7 @@ from estimator.tolerances.assembly import Assembly, counts_of, designed, draw
 from fem.presses.results import MagnetMotions, PressForces
 
 _NEARER_MM = 1.0
-"""By which tolerances may bring magnet and sensor nearer than the table's presses do."""
+"""Distance by which tolerances may bring magnet and sensor nearer than the table's presses do."""
 
 
 def drawn_assembly(spec: ObjectSpec, seed: int) -> Assembly:
@@ -81,22 +81,22 @@ def _moved_aside(
     assembly: Assembly, motions: MagnetMotions, index: int
 ) -> Float[np.ndarray, "place step body 6"]:
     """The table of one face with the face's own bodies where they sit."""
-    own = assembly.scene.body_face == motions.faces[index]
-    if not assembly.aside_mm[own].any():
+    is_on_face = assembly.scene.body_face == motions.faces[index]
+    if not assembly.aside_mm[is_on_face].any():
         return motions.motion[index]
     moved = _whole(motions, index).copy()
-    slope = aside_slopes(motions, index, own)
+    slope = aside_slopes(motions, index, is_on_face)
     # of every body its own two directions
     # b body, k direction (x, y), p place, s step, c of 6 motions
-    moved[:, :, own] -= np.einsum("bk,kpsbc->psbc", assembly.aside_mm[own], slope)
+    moved[:, :, is_on_face] -= np.einsum("bk,kpsbc->psbc", assembly.aside_mm[is_on_face], slope)
     return moved
 
 
 def aside_slopes(
-    motions: MagnetMotions, index: int, own: Bool[np.ndarray, "body"]
+    motions: MagnetMotions, index: int, is_on_face: Bool[np.ndarray, "body"]
 ) -> Float[np.ndarray, "2 place step own 6"]:
     """Change of some bodies' motions in one face's table with the press's x and y, per mm."""
-    lattice, motion = motions.lattice, _whole(motions, index)[:, :, own]
+    lattice, motion = motions.lattice, _whole(motions, index)[:, :, is_on_face]
     shape = (*lattice.shape, *motion.shape[1:])
     slopes = [
         slope_along(motion.reshape(shape), nodes, axis).reshape(motion.shape)

@@ -159,7 +159,7 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     if mould_style(spec) != "split":
         return
     plane, frame = parting(spec), mould_frame(spec)
-    azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
+    azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.length_axis, plane.normal @ frame.across))
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
     turns = [turned(tables, azimuth) for azimuth in azimuths]
     yield from sorted(turns, key=lambda one: round(undercut_fraction(spec_of(one)), 3))

@@ -34,9 +34,11 @@ def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
     force = signals.force_n[:, lattice_places]
     size = _whitened_size(spec, signals)[:, lattice_places]
     for area, colour in _AREA_COLOURS.items():
-        inside = np.stack(
-            [area_places(grid, area, face_places) for face_places in contact_places(spec)]
-        )  # type: ignore[arg-type]
+        masks = [
+            area_places(grid, area, face_places)  # type: ignore[arg-type]
+            for face_places in contact_places(spec)
+        ]
+        inside = np.stack(masks)
         if not inside.any():
             continue
         label = area.replace("_", "-")

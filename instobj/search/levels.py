@@ -24,7 +24,7 @@ from instobj.search.fidelity import (
     second_score,
     second_seconds,
 )
-from instobj.search.lowest_fidelity import each_alone, scorers
+from instobj.search.lowest_fidelity import scorers, single_faces
 from instobj.search.trials import search_key
 from instobj.search.verdict import FIRST, LAST, SECOND, Promoted
 from instobj.stages.makers.magnet_free import forget_shell
@@ -48,7 +48,7 @@ def lowest_scoring() -> AbstractContextManager[Score]:
         choices = structure_choices(spec)
         key = *(choices[name] for name in _SCORER_CHOICES), *spec.magnets.sizes
         if key not in scorers_by_key:
-            scorers_by_key[key] = scorers(spec, each_alone(spec.body.sensed))
+            scorers_by_key[key] = scorers(spec, single_faces(spec.body.sensed))
         return lowest_fidelity_score(spec, scorers_by_key[key])
 
     return nullcontext(score)

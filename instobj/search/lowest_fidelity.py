@@ -94,13 +94,13 @@ class StartScores:
     """The specification as it is at the lowest level; `position_mm` (1, place) by force and face.
 
     `counts_over_lowest`: the largest counts that layouts have in the chain, over those of the lowest level.
-    `over_start`: what layouts may have of the start's bounds (`PlaceBounds.most`).
+    `max_bound_ratio`: what layouts may have of the start's bounds (`PlaceBounds.most`).
     """
 
     scores: dict[str, float]
     position_mm: dict[tuple[float, int], torch.Tensor]
     counts_over_lowest: float
-    over_start: float
+    max_bound_ratio: float
 
 
 def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
@@ -203,7 +203,7 @@ def structure_fidelity(
         layout_space(space, structured),
         all_scorers,
         at_most,
-        None if share == 1 else PlaceBounds(start_bounds, share, start.over_start),
+        None if share == 1 else PlaceBounds(start_bounds, share, start.max_bound_ratio),
     )
 
 
@@ -247,18 +247,18 @@ def pressed_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
     cube = body_of(spec).cuboid and len(set(spec.body.size_mm)) == 1
     alike = cube and not faces_differ(spec) and spec.search.vary.sensor_reach_mm is not None
     if not alike or 6 in sensed or not {1, 3} <= {*sensed}:
-        return each_alone(sensed)
+        return single_faces(sensed)
     return {1: (1,), 3: tuple(face for face in sensed if face != 1)}
 
 
-def each_alone(faces: tuple[int, ...]) -> dict[int, tuple[int, ...]]:
+def single_faces(faces: tuple[int, ...]) -> dict[int, tuple[int, ...]]:
     """Faces that stand for themselves."""
     return {face: (face,) for face in faces}
 
 
 def start_scores(spec: ObjectSpec) -> StartScores:
     """Lowest-fidelity scores of the specification as it is, and its position bounds place by place."""
-    all_scorers = scorers(spec, each_alone(spec.body.sensed))
+    all_scorers = scorers(spec, single_faces(spec.body.sensed))
     layouts = [layouts_of(spec, scorer.presses.face) for scorer in all_scorers]
     with torch.no_grad():
         scores = batch_scores(all_scorers, layouts, DEARER)

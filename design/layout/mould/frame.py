@@ -56,7 +56,7 @@ class MouldFrame:
 
     opening: Opening
     across: Float[np.ndarray, "3"]
-    along: Float[np.ndarray, "3"]
+    length_axis: Float[np.ndarray, "3"]
     out: Float[np.ndarray, "3"]
     low_mm: Float[np.ndarray, "3"]
     high_mm: Float[np.ndarray, "3"]
@@ -65,7 +65,7 @@ class MouldFrame:
     @property
     def axes(self) -> Float[np.ndarray, "3 3"]:
         """Columns across, along, out; they need not be right-handed."""
-        return np.column_stack([self.across, self.along, self.out])
+        return np.column_stack([self.across, self.length_axis, self.out])
 
     @property
     def plugged(self) -> bool:
@@ -169,7 +169,7 @@ def parting(spec: ObjectSpec) -> Parting:
     azimuth = body_of(spec).parting_azimuth(size) if given is None else float(np.deg2rad(given))
     if azimuth is None:
         return silhouette_parting(body_of(spec).outside)
-    normal = np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along
+    normal = np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.length_axis
     if not body_of(spec).from_file:
         return Parting(normal, 0.0)
     surface = _outside_in_small_triangles(body_of(spec).outside)

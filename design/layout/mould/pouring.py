@@ -139,7 +139,7 @@ def pour_places(spec: ObjectSpec, first: bool) -> Iterator[list[np.ndarray]]:
             if silhouette.lies_below_rim(silhouette.axes[:2] @ top, radius):
                 yield [top]
         return
-    silhouette = _silhouette(spec, first, np.stack([frame.across, frame.along, frame.out]))
+    silhouette = _silhouette(spec, first, np.stack([frame.across, frame.length_axis, frame.out]))
     aside = float(frame.plug_mm[1, 0]) + radius
     for shift in _POUR_SHIFTS:
         places = [sign * aside * np.array([1.0, shift]) for sign in (-1, 1)]

@@ -72,10 +72,10 @@ class _Page:
         across = float(self.figure.get_size_inches()[0])
         return max(SMALLEST_FONT, _LEGIBLE_PX / _REPORT_PX * 72 * across)
 
-    def place(self, left: float, bottom: float, width: float, height: float) -> Any:
+    def place(self, left_inches: float, bottom: float, width: float, height: float) -> Any:
         """A rectangle in inches as shares of the figure."""
         across, up = self.figure.get_size_inches()
-        return left / across, bottom / up, width / across, height / up
+        return left_inches / across, bottom / up, width / across, height / up
 
 
 def draw_overview(

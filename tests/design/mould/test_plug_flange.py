@@ -57,18 +57,20 @@ def test_what_is_over_a_slope_is_a_prism_with_both_chamfers_and_ends_on_the_slop
     section = 2 * inner * (high - CHAMFER_MM) + (2 * inner - CHAMFER_MM) * CHAMFER_MM
     assert solid.Volume() == pytest.approx(section * (rise + 2 * high), rel=1e-6)
     middle = np.array(solid.Center().toTuple())
-    assert middle @ frame.along == pytest.approx(0, abs=1e-6)
+    assert middle @ frame.length_axis == pytest.approx(0, abs=1e-6)
     slope = (ridge - foot) / rise
-    above = np.cross(slope, frame.along)
+    above = np.cross(slope, frame.length_axis)
     above *= np.sign(above @ frame.out)
     for share in (0.0, 0.5, 1.0):
         place = foot + share * (ridge - foot)
         assert solid.isInside(cq.Vector(*(place + 0.05 * above)))
         assert not solid.isInside(cq.Vector(*(place - 0.05 * above)))
         for side in (1, -1):
-            edge = place + side * (inner - CHAMFER_MM) * frame.along
+            edge = place + side * (inner - CHAMFER_MM) * frame.length_axis
             assert solid.isInside(cq.Vector(*(edge + 0.3 * above)))
-            assert not solid.isInside(cq.Vector(*(edge + 0.3 * side * frame.along + 0.2 * above)))
+            assert not solid.isInside(
+                cq.Vector(*(edge + 0.3 * side * frame.length_axis + 0.2 * above))
+            )
 
 
 def test_a_grip_is_a_gable_and_its_chamfers_widen_it():
@@ -111,7 +113,7 @@ def test_measures_are_those_of_the_authors_mould():
         abs(np.array([one.BoundingBox().ymin, one.BoundingBox().ymax])) for one in (clip, block)
     ]
     wall = frame.high_mm[1]
-    if abs(frame.along[0]) > 0.5:
+    if abs(frame.length_axis[0]) > 0.5:
         along = [
             abs(np.array([one.BoundingBox().xmin, one.BoundingBox().xmax])) for one in (clip, block)
         ]

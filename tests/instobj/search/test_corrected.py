@@ -77,7 +77,7 @@ def test_the_start_is_corrected_place_by_place_and_score_by_score(prepared):
     assert_allclose(before.position_mm[8.0, 3], np.full((1, PLACES), 5.0 * 1.0 / 6.0))
     assert before.scores == {"median_position_bound_mm": 2.5}
     assert before.counts_over_lowest == pytest.approx(1.07 * 0.9 / 0.4)
-    assert before.over_start == 1.0
+    assert before.max_bound_ratio == 1.0
     crowded = promoted(score(1.0, of_objects=0.1), score(2.0, of_objects=-0.8))
     corrected.corrected_params(SPACE, PARAMS, start, crowded)
     *_, (_, _, before) = prepared

@@ -29,7 +29,11 @@ def test_of_open_sides_the_lowest_is_up_else_the_first(open_faces, out):
     assert_allclose(frame.out, AXES[out])
     assert frame.opening == ("open" if open_faces else "closed")
     assert mould_style(spec) == ("one-piece" if open_faces else "split")
-    assert sorted(abs(np.column_stack([frame.across, frame.along, frame.out])).sum(0)) == [1, 1, 1]
+    assert sorted(abs(np.column_stack([frame.across, frame.length_axis, frame.out])).sum(0)) == [
+        1,
+        1,
+        1,
+    ]
     if open_faces:
         assert_allclose(up(spec), AXES[out])
 
@@ -64,7 +68,9 @@ def test_the_plane_of_a_closed_box_runs_through_two_edges_and_it_stands_on_a_cor
     assert up(spec) @ plane.normal == pytest.approx(0, abs=1e-9)
     given = parting(box([], parting_azimuth_deg=30.0))
     frame = mould_frame(spec)
-    assert_allclose(given.normal, np.sqrt(0.75) * frame.across + 0.5 * frame.along, atol=1e-12)
+    assert_allclose(
+        given.normal, np.sqrt(0.75) * frame.across + 0.5 * frame.length_axis, atol=1e-12
+    )
 
 
 def test_a_file_s_box_of_twelve_triangles_parts_along_its_sides_not_across_its_corners():
@@ -82,7 +88,7 @@ def test_clips_stand_outside_the_walls_and_the_flange_between_and_over_them():
     """Box of 42 × 44 × 46 mm with walls of 2.2 mm and a play of 0.15 mm, open at −z."""
     spec = box([6], wall_mm=2.2)
     spec = spec.changed(printer=spec.printer.changed(clearance_mm=0.15))
-    along = mould_frame(spec).along
+    along = mould_frame(spec).length_axis
     wall = float(abs(along) @ [21.0, 22.0, 23.0]) + 2.2
     assert clip_mm(spec) == pytest.approx((wall + 0.15, wall + 2.5))
     rim = mould_frame(spec).rim_mm
@@ -150,7 +156,7 @@ def test_a_seam_beside_the_middle_begins_and_ends_where_it_crosses_the_block(
     """As found by steps of a hundredth of a millimetre along it."""
     spec = box([])
     frame, turn = mould_frame(spec), np.deg2rad(azimuth_deg)
-    normal = np.cos(turn) * frame.across + np.sin(turn) * frame.along
+    normal = np.cos(turn) * frame.across + np.sin(turn) * frame.length_axis
     monkeypatch.setattr(frames, "parting", lambda spec: frames.Parting(normal, offset_mm))
     at = np.arange(-200.0, 200.0, 0.01)
     line = offset_mm * normal + at[:, None] * np.cross(frame.out, normal)

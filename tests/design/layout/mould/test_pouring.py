@@ -60,12 +60,12 @@ def test_pouring_holes_of_a_bored_body_move_along_its_holder_together(monkeypatc
     usual = pour_holes(spec)
     frame, aside = mould_frame(spec), abs(usual[0].top_mm[0])
     monkeypatch.setattr(
-        pouring, "is_clear", lambda hole, pins: abs(hole.top_mm @ frame.along) > 0.7 * aside
+        pouring, "is_clear", lambda hole, pins: abs(hole.top_mm @ frame.length_axis) > 0.7 * aside
     )
     one, other = pour_holes(spec)
     assert_allclose(one.top_mm[:2], -other.top_mm[:2], atol=1e-9)
     assert_allclose(abs(one.top_mm @ frame.across), aside)
-    assert_allclose(abs(one.top_mm @ frame.along), 0.75 * aside)
+    assert_allclose(abs(one.top_mm @ frame.length_axis), 0.75 * aside)
     right = flange_span_mm(spec)[1]
     assert_allclose(abs(one.top_mm @ frame.across) - one.diameter_mm / 2, right)
 
@@ -76,11 +76,11 @@ def test_pouring_holes_move_along_the_holder_where_walls_to_the_seam_are_thin(mo
     aside = abs(usual.top_mm @ frame.across)
 
     def thin_near_the_middle(spec, hole):
-        return abs(hole.top_mm @ frame.along) < 0.7 * aside
+        return abs(hole.top_mm @ frame.length_axis) < 0.7 * aside
 
     monkeypatch.setattr(pouring, "hole_thins_the_seam", thin_near_the_middle)
     for hole in pour_holes(spec):
-        assert_allclose(abs(hole.top_mm @ frame.along), 0.75 * aside)
+        assert_allclose(abs(hole.top_mm @ frame.length_axis), 0.75 * aside)
     monkeypatch.setattr(pouring, "hole_thins_the_seam", lambda spec, hole: True)
     assert_allclose(pour_holes(spec)[0].top_mm, usual.top_mm)
 
