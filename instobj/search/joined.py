@@ -52,8 +52,8 @@ def in_time(
 def joining(asked: SearchSpec, now: SearchSpec) -> str:
     """Return what becomes of the trials that are asked for, in words."""
     return (
-        f"{asked.trials} trials of {asked.polish_steps} generations are joined to {now.trials} of "
-        f"{now.polish_steps}, or as many as time allows: long runs find better layouts"
+        f"{asked.trials} trials of {asked.polish_steps} generations are merged into {now.trials} longer "
+        f"ones of {now.polish_steps}, or as many as time allows, which usually finds more"
     )
 
 
