@@ -151,7 +151,9 @@ def test_too_few_frames_are_refused():
 
 
 def test_the_page_of_estimators_tells_every_baseline_and_its_numbers():
-    page = (DOCS / "reference" / "estimators.md").read_text().partition("| `--zero` | baseline |")[2]
+    page = (
+        (DOCS / "reference" / "estimators.md").read_text().partition("| `--zero` | baseline |")[2]
+    )
     rows = re.findall(r"^\| `(\w+)`( \(default\))? \|", page, re.MULTILINE)[:3]
     assert [row[0] for row in rows] == list(get_args(zeroing.ZeroMode))
     assert [row[0] for row in rows if row[1]] == [LiveReader.__dataclass_fields__["zero"].default]
