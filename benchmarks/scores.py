@@ -70,7 +70,7 @@ def hull_seconds(spec: ObjectSpec, signals: Signals, quick: bool) -> dict[str, A
     frames, places = (40, 1) if quick else (100, 3)
     grid = signals.lattice.xy_mm[:: len(signals.lattice) // 99][:100]
     traces = press_traces(signals, np.full(len(grid), 3), grid[:, 0], grid[:, 1])
-    traces = traces.of_channels(own_channels(signals, spec.sensors, 3))
+    traces = traces.select_channels(own_channels(signals, spec.sensors, 3))
     noise = channel_noise(spec.sensors, 9)
     force = np.full(len(grid), spec.score.force_n)
     rng = np.random.default_rng(1)

@@ -128,7 +128,7 @@ def _signals(
     points = core.to_object(np.concatenate([sensor_mm, depth], axis=1)) / 1e3
     field = np.zeros(())
     for frame in face_frames(spec):
-        motion = motions.at(frame.number, magnet_mm[:, :2], magnet_mm[:, 2])[FACE - 1]
+        motion = motions.motions_at(frame.number, magnet_mm[:, :2], magnet_mm[:, 2])[FACE - 1]
         motion = scale * motion.reshape(-1, len(magnet_mm), 6)
         motion = np.concatenate([motion, 0 * motion[:1]])  # rest is the last state
         centres = frame.to_object(magnet_mm * [1, 1, -1])

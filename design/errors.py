@@ -52,4 +52,4 @@ DAMAGED_CONTENT = (
     TypeError,
     ValueError,
 )
-"""What building an object from a file's content raises where that is not what instobj wrote."""
+"""Errors that building an object from a file's content raises where the content is not what instobj wrote."""

@@ -24,7 +24,7 @@ _BLOCK_BYTES = 2**24
 
 @contextmanager
 def atomic_path(target: Path | str) -> Iterator[Path]:
-    """Yield a temporary path beside `target` (same suffix); rename it on success, else remove it.
+    """Yield a temporary path next to `target` (same suffix); rename it on success, else remove it.
 
     Write what native libraries make (VTK, HDF5, STEP) through memory: they crash, or end without a
     word, on a disk that is full.
@@ -128,7 +128,9 @@ def reserve_room(path: Path, start: int) -> None:
 
 def _cannot_write(target: Path, error: OSError) -> StoreError:
     """Return what is in the way, where something is; else what the system says."""
-    file = next((one for one in target.parents if one.exists() and not one.is_dir()), None)
+    file = next(
+        (parent for parent in target.parents if parent.exists() and not parent.is_dir()), None
+    )
     why = str(error.strerror)
     if file is not None:
         why = f"{file} is a file, not a folder"

@@ -21,10 +21,14 @@ from typing import Any
 import numpy as np
 
 from design.errors import InputError
+from design.netcdf import NamedArray, arrays_of
 
 DESCRIPTION = "description"
+_MISSING = ("_FillValue", "missing_value")
+"""Attributes with a value that stands for none."""
 LARGEST_BYTES = 4 * 2**30
-"""Of all arrays of a file as it declares them: an hour of 45 channels at 500 Hz takes a sixth."""
+"""Largest size of all arrays of a file as it declares them: an hour of 45 channels at 500 Hz takes a
+sixth."""
 _AXIS_MARKS = (b"DIMENSION_LIST", b"REFERENCE_LIST")
 """Attributes by which NetCDF names axes: references to objects of the same file."""
 
@@ -38,22 +42,29 @@ def read_foreign(path: str, target: str) -> None:
         The file is not self-contained, uses a filter that is not allowed, or declares too much.
     """
     import h5py
-    import xarray as xr
 
     with h5py.File(path) as file:
         require_self_contained(file)
-    with xr.open_dataset(path, engine="h5netcdf", decode_timedelta=False) as data:
-        data.load()
-    arrays = [
-        [str(name), [str(axis) for axis in one.dims], _plain(one.attrs)]
-        for name, one in data.variables.items()
-    ]
-    described = json.dumps({"arrays": arrays, "attributes": _plain(data.attrs)})
-    values = {
-        f"values {number}": np.asarray(one.values, str if one.dtype.kind == "O" else None)
-        for number, one in enumerate(data.variables.values())
-    }
+        content, attributes = arrays_of(file)
+    described = json.dumps(
+        {
+            "arrays": [[name, one.axes, _plain(one.attributes)] for name, one in content.items()],
+            "attributes": _plain(attributes),
+        }
+    )
+    values = {f"values {k}": _unpacked(one) for k, one in enumerate(content.values())}
     np.savez(target, allow_pickle=False, **{DESCRIPTION: np.array(described)}, **values)
+
+
+def _unpacked(array: NamedArray) -> np.ndarray:
+    """Return values as they were before they were packed: scaled, with NaN for what is missing (CF, 8.1)."""
+    told, values = array.attributes, array.values
+    if values.dtype.kind not in "iuf":
+        return values
+    missing = np.isin(values, [told[name] for name in _MISSING if name in told])
+    if "scale_factor" in told or "add_offset" in told:
+        values = values * told.get("scale_factor", 1.0) + told.get("add_offset", 0.0)
+    return np.where(missing, np.nan, values) if missing.any() else values
 
 
 def require_self_contained(file: Any) -> None:

@@ -39,7 +39,7 @@ _OF_THE_FORMAT = (
     "_NCProperties",
 )
 """Attributes by which NetCDF keeps axes and itself in HDF5."""
-_AXIS_ALONE = b"This is a netCDF dimension but not a netCDF variable"
+_AXIS_ALONE = b"This is a netCDF dimension but not a netCDF variable."
 _LARGEST_CHUNK_BYTES = 2**30
 FIRST_READING_S, _FIRST_READING_BYTES_PER_S = 120.0, 2e7
 """Limit of time of the separate process that reads a foreign file."""
@@ -49,7 +49,7 @@ MEMORY_GIB = 8.0
 
 @dataclass(frozen=True)
 class FileKind:
-    """What files of one kind hold.
+    """Content of files of one kind.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class FileKind:
     optional : variables that a file may lack
     packed : variables kept as compressed 32-bit floats
     attributes : names of attributes that a file must have
-    schema : name and value of the attribute that tells the kind and its version
+    schema : name and value of the attribute that names the kind and its version
     unit_name : attribute that holds the unit
     origin : how to get such a file
     remedy : what to do about a damaged one
@@ -100,7 +100,7 @@ def write_netcdf(
     StoreError
         The folder cannot be written.
     """
-    import h5netcdf
+    import h5py
 
     arrays = {
         name: (tuple(dims.split()), np.asarray(values[name]), unit)
@@ -112,24 +112,40 @@ def write_netcdf(
         for dims, array, _ in arrays.values()
         for axis, size in zip(dims, array.shape, strict=True)
     }
-    name, version = kind.schema
+    for name, (dims, array, _) in arrays.items():
+        if array.shape != (needed := tuple(sizes[axis] for axis in dims)):
+            raise ValueError(f"{name} has shape {array.shape}, its axes {dims} {needed}")
     image = io.BytesIO()  # HDF5 on a disk that fills leaves files open and crashes at exit
-    with h5netcdf.File(image, "w", libver=_HDF5_FORMAT) as file:
-        file.dimensions.update(sizes)
-        file.attrs.update({**(attributes or {}), name: version})
-        for name, (dims, array, unit) in arrays.items():
+    with h5py.File(image, "w", libver=_HDF5_FORMAT, track_order=True) as file:
+        for name, value in {**(attributes or {}), kind.schema[0]: kind.schema[1]}.items():
+            file.attrs[name] = np.atleast_1d(value) if isinstance(value, int | float) else value
+        for name, (_, array, unit) in arrays.items():
             told = {kind.unit_name: unit} if unit else {}
-            variable = _write_array(file, name, dims, array, name in kind.packed)
+            variable = _write_array(file, name, array, name in kind.packed)
             variable.attrs.update(told | _labels(kind, name))
+        _write_axes(file, sizes, {name: dims for name, (dims, _, _) in arrays.items()})
     with atomic_path(path) as temporary, temporary.open("wb") as stream:
         stream.write(image.getbuffer())
         stream.write(end_seal(image.getbuffer()))
 
 
-def _write_array(
-    file: Any, name: str, dims: tuple[str, ...], array: np.ndarray, packed: bool
-) -> Any:
-    """An array as xarray writes it, which would import pandas and Dask for that: half a second."""
+def _write_axes(file: Any, sizes: Mapping[str, int], axes: Mapping[str, tuple[str, ...]]) -> None:
+    """Mark the axes of arrays as NetCDF4 does: HDF5's dimension scales, numbered in one order."""
+    for number, (axis, size) in enumerate(sizes.items()):
+        if axes.get(axis) != (axis,):  # no labels: an array without values stands for the axis
+            file.create_dataset(axis, (size,), ">f4")
+            file[axis].make_scale(f"{_AXIS_ALONE.decode()}{size:10d}")
+        else:
+            file[axis].make_scale(axis)
+        file[axis].attrs["_Netcdf4Dimid"] = np.int32(number)
+    for name, dims in axes.items():
+        if dims != (name,):
+            for number, axis in enumerate(dims):
+                file[name].dims[number].attach_scale(file[axis])
+
+
+def _write_array(file: Any, name: str, array: np.ndarray, packed: bool) -> Any:
+    """Write an array as xarray does, which would import pandas and Dask for that: half a second."""
     import h5py
 
     how = _encoding(array, packed)
@@ -140,25 +156,25 @@ def _write_array(
         written = np.int8
     elif array.dtype.kind == "U":
         written, array = h5py.string_dtype(), array.astype(object)
-    variable = file.create_variable(name, dims, written, fillvalue=fill, **how)
-    if variable.shape != array.shape:
-        raise ValueError(f"{name} has shape {array.shape}, its axes {dims} {variable.shape}")
-    variable[...] = array.astype(written, copy=False)
+    data = array.astype(written, copy=False)
+    variable = file.create_dataset(name, data=data, dtype=written, fillvalue=fill, **how)
+    if fill is not None:
+        variable.attrs["_FillValue"] = np.array([fill])
     if array.dtype.kind == "b":
         variable.attrs["dtype"] = "bool"
     return variable
 
 
 def _labels(kind: FileKind, name: str) -> dict[str, str]:
-    """By the CF conventions: which coordinates label the axes of a variable, beside those called like
+    """Return which coordinates label the axes of a variable by the CF conventions, besides those called like
     an axis."""
-    own = set(kind.arrays[name][0].split())
-    beside = [
+    axes = set(kind.arrays[name][0].split())
+    labels = [
         label
         for label, (dims, _) in kind.coordinates.items()
-        if label != dims and name not in kind.coordinates and set(dims.split()) <= own
+        if label != dims and name not in kind.coordinates and set(dims.split()) <= axes
     ]
-    return {"coordinates": " ".join(sorted(beside))} if beside else {}
+    return {"coordinates": " ".join(sorted(labels))} if labels else {}
 
 
 def _encoding(array: np.ndarray, packed: bool) -> dict[str, Any]:
@@ -199,7 +215,7 @@ def read_netcdf(kind: FileKind, path: Path | str) -> tuple[dict[str, np.ndarray]
 
 @dataclass(frozen=True)
 class NamedArray:
-    """What a file holds under one name."""
+    """Array that a file holds under one name."""
 
     axes: tuple[str, ...]
     values: np.ndarray
@@ -216,7 +232,7 @@ def read_arrays(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]
     """
     with _damage_told():
         if is_own(np.memmap(path, np.uint8, "r")):
-            return _as_written(path)
+            return _read_own(path)
         return _read_apart(Path(path))
 
 
@@ -231,18 +247,26 @@ def _damage_told() -> Iterator[None]:
         raise StoreError(str(error) or type(error).__name__) from None
 
 
-def _as_written(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]]:
-    """Return what `write_netcdf` wrote, by HDF5 alone: the layers above it ask for each axis dozens of times,
-    which takes three times as long."""
+def _read_own(path: Path | str) -> tuple[dict[str, NamedArray], dict[str, Any]]:
+    """Return what `write_netcdf` wrote."""
     import h5py
 
     with h5py.File(path) as file:
-        arrays = {
-            name: _array(file, name)
-            for name, item in file.items()
-            if not item.attrs.get("NAME", b"").startswith(_AXIS_ALONE)
-        }
-        return arrays, _attributes(file.attrs)
+        return arrays_of(file)
+
+
+def arrays_of(file: Any) -> tuple[dict[str, NamedArray], dict[str, Any]]:
+    """Arrays and attributes of an open file, by HDF5 alone: the layers of others ask for each axis dozens
+    of times, which takes three times as long."""
+    import h5py
+
+    arrays = {
+        name: _array(file, name)
+        for name, item in file.items()
+        if isinstance(item, h5py.Dataset)
+        and not item.attrs.get("NAME", b"").startswith(_AXIS_ALONE)
+    }
+    return arrays, _attributes(file.attrs)
 
 
 def _array(file: Any, name: str) -> NamedArray:
@@ -263,11 +287,11 @@ def _content(item: Any) -> Any:
     return np.asarray(item.asstr()[()], str) if item.dtype.kind == "O" else item[()]
 
 
-def _attributes(found: Any) -> dict[str, Any]:
+def _attributes(attributes: Any) -> dict[str, Any]:
     """Those of the content; single numbers are kept as arrays of one."""
     return {
         name: value[0] if isinstance(value, np.ndarray) and value.shape == (1,) else value
-        for name, value in found.items()
+        for name, value in attributes.items()
         if name not in _OF_THE_FORMAT
     }
 
@@ -335,9 +359,9 @@ def _check_kind(
     for array, (dims, unit) in kind.arrays.items():
         if array not in content:
             continue
-        axes, found = content[array].axes, content[array].attributes.get(kind.unit_name, "")
-        if axes != tuple(dims.split()) or found != unit:
+        axes, stored_unit = content[array].axes, content[array].attributes.get(kind.unit_name, "")
+        if axes != tuple(dims.split()) or stored_unit != unit:
             raise StoreError(
                 f"{path} is damaged: {array} must lie over ({dims}) in {unit or 'no unit'}; got "
-                f"{axes} in {found or 'no unit'}. {kind.remedy}"
+                f"{axes} in {stored_unit or 'no unit'}. {kind.remedy}"
             )

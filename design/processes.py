@@ -99,23 +99,23 @@ def machine_memory_gib() -> float | None:
     InputError
         `INSTOBJ_MEMORY_GIB` is not a positive number.
     """
-    asked = os.environ.get(MEMORY_SWITCH)
-    if asked is not None:
+    limit_text = os.environ.get(MEMORY_SWITCH)
+    if limit_text is not None:
         try:
-            gib = float(asked)
+            gib = float(limit_text)
         except ValueError:
             gib = 0.0
         if not gib > 0:
             raise InputError(
-                f"{MEMORY_SWITCH} must be a positive number of GiB; got {asked!r}. Fix it"
+                f"{MEMORY_SWITCH} must be a positive number of GiB; got {limit_text!r}. Fix it"
             )
         return gib
     if not hasattr(os, "sysconf") or "SC_PHYS_PAGES" not in os.sysconf_names:
         return None
-    found = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / _GIB
+    installed_gib = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / _GIB
     limit = Path("/sys/fs/cgroup/memory.max")
     text = limit.read_text().strip() if limit.is_file() else ""
-    return min(found, int(text) / _GIB) if text.isdigit() else found
+    return min(installed_gib, int(text) / _GIB) if text.isdigit() else installed_gib
 
 
 def limit_memory(pid: int, gib: float | None) -> None:

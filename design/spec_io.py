@@ -21,7 +21,7 @@ from design.spec.base import complaints
 from design.spec.body import BodySpec, ShellSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
-from design.spec.renamed import RENAMED, name_now, under_names_now
+from design.spec.renamed import RENAMED, name_now, rename_older_keys
 from design.spec.uses import USES, require_used
 
 _DEEP_KEY = re.compile(r"(?:\.[\w-]{1,80}){100}")
@@ -36,7 +36,7 @@ def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = Tru
 
     Without `table`, the indenter need not fit at every contact location: for single presses.
 
-    What was measured on the built object, `<specification>.as_built.toml` beside it, is read too.
+    What was measured on the built object, `<specification>.as_built.toml` next to it, is read too.
 
     Raises
     ------
@@ -44,12 +44,12 @@ def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = Tru
         The file is missing or not TOML, or a key, unit or bound is wrong.
     """
     path = Path(path)
-    content = _read_toml(path, f"no specification at {{}}. {_where_it_may_be(path)}")
+    content = _read_toml(path, f"no specification at {{}}. {_likely_place(path)}")
     overrides = list(overrides)
     _require_used(content, str(path))
     content = with_overrides(content, overrides)
     # a file may hold sizes of a kind that an override replaces; what is overridden must be used
-    _require_used(content, "--set", {one.partition("=")[0].strip() for one in overrides})
+    _require_used(content, "--set", {override.partition("=")[0].strip() for override in overrides})
     content = _with_tensile_data(content, path.parent)
     content = _with_printer(_with_indenter_corners(content, path.parent), path.parent)
     content = _with_imported_body(content, path.parent)
@@ -82,7 +82,7 @@ def _parsed(text: str) -> dict[str, Any]:
     return content
 
 
-def _where_it_may_be(path: Path) -> str:
+def _likely_place(path: Path) -> str:
     whole = path.with_name(f"{path.name}.toml")
     beside = f"Did you mean {whole}?" if path.name and whole.is_file() else ""
     return beside or "`instobj new NAME` writes one to start from"
@@ -135,7 +135,10 @@ def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[st
     for table in RENAMED:
         _rename(content, table)
     overrides = list(overrides)
-    changed = {key.strip(): value for key, _, value in (one.partition("=") for one in overrides)}
+    changed = {
+        key.strip(): value
+        for key, _, value in (assignment.partition("=") for assignment in overrides)
+    }
     _make_room_for_the_part(content, changed)
     for override in overrides:
         _apply_override(content, override)
@@ -160,15 +163,15 @@ def _make_room_for_the_part(content: dict[str, Any], changed: dict[str, str]) ->
     ):
         return
     part = MAGNET_PARTS[name]
-    figures, before = part.figures(), {}
+    figures, replaced = part.figures(), {}
     for key in (*_SIZES, *(("grade", "remanence_t") if part.grade else ())):
         if f"magnets.{key}" not in changed:
-            before[key] = magnets.pop(key, None)
+            replaced[key] = magnets.pop(key, None)
     for of_magnet, of_pocket in (
         ("diameter_mm", "pocket_diameter_mm"),
         ("height_mm", "pocket_depth_mm"),
     ):
-        size = _number(before.get(of_magnet), MagnetSpec.model_fields[of_magnet].default)
+        size = _number(replaced.get(of_magnet), MagnetSpec.model_fields[of_magnet].default)
         pocket = _number(shell.get(of_pocket), ShellSpec.model_fields[of_pocket].default)
         if of_magnet in figures and f"shell.{of_pocket}" not in changed:
             shell[of_pocket] = round(pocket + figures[of_magnet] - size, 9)
@@ -177,9 +180,9 @@ def _make_room_for_the_part(content: dict[str, Any], changed: dict[str, str]) ->
 def _number(given: Any, default: float) -> float:
     """The number, the largest of a list of them, or what a key that is left out has."""
     numbers = [
-        one
-        for one in (given if isinstance(given, list) else [given])
-        if isinstance(one, int | float)
+        entry
+        for entry in (given if isinstance(given, list) else [given])
+        if isinstance(entry, int | float)
     ]
     return float(max(numbers, default=default))
 
@@ -214,7 +217,7 @@ def check(spec: ObjectSpec, table: bool = True) -> ObjectSpec:
 
 
 def _require_one_place_each(spec: ObjectSpec) -> None:
-    """Refuse magnets at one place, before thousands of their pairs are told to touch.
+    """Refuse magnets at one place, before thousands of their pairs are reported to touch.
 
     A search may hold such magnets for a moment, until a trial has given them their places.
     """
@@ -239,7 +242,7 @@ def spec_hash(spec: ObjectSpec) -> str:
 
 
 def _with_as_built(content: dict[str, Any], path: Path) -> dict[str, Any]:
-    """Read the file that `as_built` names, or `<specification>.as_built.toml` beside it."""
+    """Read the file that `as_built` names, or `<specification>.as_built.toml` next to it."""
     named, beside = content.get("as_built"), path.with_name(f"{path.stem}.as_built.toml")
     if isinstance(named, str):
         file = path.parent / named
@@ -252,7 +255,7 @@ def _with_as_built(content: dict[str, Any], path: Path) -> dict[str, Any]:
 
 
 def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Fit `silicone.tensile_data`, a file beside the specification, where it is to give the modulus.
+    """Fit `silicone.tensile_data`, a file next to the specification, where it is to give the modulus.
 
     An explicit modulus goes before it; the key is then dropped.
     """
@@ -274,7 +277,7 @@ def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
 
 
 def _with_printer(content: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """`printer = "file.toml"`, a profile beside the specification, read as the table [printer]."""
+    """`printer = "file.toml"`, a profile next to the specification, read as the table [printer]."""
     named = content.get("printer")
     if not isinstance(named, str):
         return content
@@ -319,7 +322,7 @@ def _rename(content: dict[str, Any], table: str) -> None:
     for part in above:
         holder = holder.get(part) if isinstance(holder, dict) else None
     if isinstance(holder, dict) and name in holder:
-        holder[name] = under_names_now(table, holder[name])
+        holder[name] = rename_older_keys(table, holder[name])
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:

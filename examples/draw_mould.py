@@ -18,7 +18,7 @@ from design.mould.halves import make_mould_half
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder, make_mould_plug
 from design.mould.room import core_outside
-from design.solids.booleans import Shape, as_triangles
+from design.solids.booleans import Shape, convert_to_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from instobj.render.parts import COLOURS
@@ -50,7 +50,7 @@ def pieces(spec: ObjectSpec, apart_mm: float) -> list[Piece]:
 
 def piece(shape: Shape, colour: tuple[float, float, float], by_mm: np.ndarray) -> Piece:
     """A part as triangles, moved."""
-    return Piece(moved(as_triangles(shape), by_mm), colour)
+    return Piece(moved(convert_to_triangles(shape), by_mm), colour)
 
 
 def draw(spec: ObjectSpec, target: Path) -> None:

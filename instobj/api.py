@@ -217,12 +217,12 @@ def predict(model: FaceModel, data: Recording | FrameSet) -> Prediction:
     As of `fit_estimator`.
     """
     from estimator.frames.same_object import require_same_object
-    from estimator.networks.face_model import predict_told
+    from estimator.networks.face_model import predict_with_gaps
 
     frames = _frames(data)
     grid_mm = model.grid_x_mm, model.grid_y_mm
     require_same_object(model.channels, grid_mm, frames, "the data")
-    return predict_told(model, frames)
+    return predict_with_gaps(model, frames)
 
 
 def evaluate(model: FaceModel, data: Recording | FrameSet, seed: int = 1) -> FaceMetrics:

@@ -17,7 +17,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layout.body import face_frames
-from design.placement.objects import Request, Trim, first_fit, spec_of
+from design.placement.objects import Request, ShellVariant, first_fit, spec_of
 from design.placement.patterns import magnet_patterns
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
@@ -98,7 +98,7 @@ def placed_case(spec: ObjectSpec, case: Case, quick: bool = False) -> ObjectSpec
         Its parts find no room.
     """
     request = Request(case.kind, case.size_mm, _SENSORS, 1)
-    tables = first_fit(request, (Trim(case.thickness_mm, *_POCKET_MM),))
+    tables = first_fit(request, (ShellVariant(case.thickness_mm, *_POCKET_MM),))
     if tables is None:
         raise AssertionError(f"sensors find no room: {case}")
     half = np.min([frame.half_extents_mm for frame in face_frames(spec_of(tables))], axis=0)

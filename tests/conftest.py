@@ -13,7 +13,12 @@ gc.disable()  # until all is imported: modules are no garbage
 from tests.support import in_memory, scheduling, typechecks  # noqa: E402
 
 in_memory.install()
-typechecks.install(["design", "fem", "estimator", "studies"])
+_BRINGUP = [
+    f"instobj.bench.bringup.{part}"
+    for part in ("asking", "diagnosis", "next_hold", "simulated", "verdict")
+]
+"""What a bring-up works out; its dialogue and files are types of the command line."""
+typechecks.install(["design", "fem", "estimator", "studies", *_BRINGUP])
 
 from instobj.figures import saving  # noqa: E402  types are checked in what is imported from here
 from instobj.render import parts  # noqa: E402

@@ -17,11 +17,16 @@ import numpy as np
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.bringup.asking.asked import further_holds, magnet_names
-from estimator.bringup.diagnosis.findings import channel_name
-from estimator.bringup.simulated import SimulatedObject, brought_up, parse_fault, simulated_object
-from estimator.bringup.verdict import Verdict, judge
 from estimator.tolerances.selftest import sensor_names
+from instobj.bench.bringup.asking.asked import further_holds, magnet_names
+from instobj.bench.bringup.diagnosis.findings import channel_name
+from instobj.bench.bringup.simulated import (
+    SimulatedObject,
+    brought_up,
+    parse_fault,
+    simulated_object,
+)
+from instobj.bench.bringup.verdict import Verdict, judge
 
 CROSS_AXIS = "sensors.cross_axis_tolerance=0.01"
 

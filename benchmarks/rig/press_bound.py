@@ -37,7 +37,7 @@ from estimator.calibration.twin.discrepancy import Discrepancy
 from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places
 from estimator.calibration.twin.unknowns import Unknowns, jacobian_of
 from fem.presses.results import MagnetMotions, PressForces
-from instobj.rig.plan import (
+from instobj.bench.rig.plan import (
     PressSettings,
     middle_place,
     places_among,

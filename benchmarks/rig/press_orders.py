@@ -24,8 +24,8 @@ from design.spec_io import load_spec, spec_hash
 from estimator.calibration.twin.digital_twin import CalibratedTwin, PlaceMechanics, calibrate
 from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places
 from fem.presses.results import MagnetMotions, PressForces, load_presses
-from instobj.rig.adaptive import adaptive_order
-from instobj.rig.plan import (
+from instobj.bench.rig.adaptive import adaptive_order
+from instobj.bench.rig.plan import (
     PressPlan,
     PressSettings,
     places_among,

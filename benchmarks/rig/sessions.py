@@ -24,7 +24,7 @@ from estimator.signals.interpolation import Traces, counts_at_force, press_trace
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
-from instobj.rig.plan import PressPlan, PressSettings
+from instobj.bench.rig.plan import PressPlan, PressSettings
 
 TRUE_PRIOR = Prior(0.02, 10.0)
 LEVELS_N = np.array([2.0, 4.0, 6.0, 8.0])
@@ -48,7 +48,7 @@ class HiddenObject:
 
     def traces(self, xy_mm: Float[np.ndarray, "press 2"]) -> Traces:
         found = press_traces(self.signals, np.full(len(xy_mm), self.face), *xy_mm.T)
-        return found.of_channels(self.own)
+        return found.select_channels(self.own)
 
     def counts(
         self, xy_mm: Float[np.ndarray, "place 2"]

@@ -65,7 +65,7 @@ def read_foreign_surface(path: Path, missing: str, seconds: float = SECONDS) -> 
         except ChildFailed as failure:
             raise InputError(f"{path} cannot be read: {failure}. Export it anew") from None
         with np.load(target, allow_pickle=False) as content:
-            found = ForeignSurface(content["vertices"], content["triangles"])
-    if not len(found.triangles):
+            surface = ForeignSurface(content["vertices"], content["triangles"])
+    if not len(surface.triangles):
         raise InputError(f"{path} holds no solid and no triangles. Export one closed body in mm")
-    return found
+    return surface

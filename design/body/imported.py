@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import trimesh
 
 _PIERCED_MM = 0.1
-"""How far one triangle may stand through another: less is lost in the body's own triangles."""
+"""Depth to which one triangle may stand through another: less is lost in the body's own triangles."""
 _WELD_MM = 1e-3
 """Corners that are closer are one where a surface does not close: less than any printer or mould shows,
 and more than STL's single precision loses on bodies of a metre (6e-5 mm)."""
@@ -71,7 +71,7 @@ def _surface_in(path: Path, mm_per_unit: float) -> trimesh.Trimesh:
 @lru_cache(maxsize=4)
 def _closed_surface(path: Path, digest: str, mm_per_unit: float) -> trimesh.Trimesh:
     """The file's surface, kept while its content is the same."""
-    surface = _as_it_is(path)
+    surface = _read_unchanged(path)
     surface.apply_scale(mm_per_unit)
     surface = _repaired(surface, path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
@@ -79,11 +79,11 @@ def _closed_surface(path: Path, digest: str, mm_per_unit: float) -> trimesh.Trim
     return surface
 
 
-def _as_it_is(path: Path) -> trimesh.Trimesh:
+def _read_unchanged(path: Path) -> trimesh.Trimesh:
     import trimesh
 
-    found = read_foreign_surface(path, _missing(path))
-    return trimesh.Trimesh(found.vertices_mm, found.triangles)
+    surface = read_foreign_surface(path, _missing(path))
+    return trimesh.Trimesh(surface.vertices_mm, surface.triangles)
 
 
 def _missing(path: Path) -> str:
@@ -91,7 +91,7 @@ def _missing(path: Path) -> str:
 
 
 def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
-    """Merged, welded, holes filled, turned outwards, overlapping pieces united; tells what it did."""
+    """Merge, weld, fill holes, turn outwards and unite overlapping pieces; warn of what was done."""
     import trimesh
 
     surface.merge_vertices()
@@ -101,9 +101,9 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
         surface.update_faces(surface.unique_faces())
         done += _weld(surface)
     if not surface.is_watertight:
-        before, unfilled = len(surface.faces), surface.copy()
+        faces_before, unfilled = len(surface.faces), surface.copy()
         trimesh.repair.fill_holes(surface)
-        done.append(f"closed small holes with {len(surface.faces) - before} triangles")
+        done.append(f"closed small holes with {len(surface.faces) - faces_before} triangles")
         _require_closed(surface, path)
         # each triangle of a soup gets one more on its back, and both enclose nothing
         if not _solid_pieces(surface):
@@ -124,13 +124,13 @@ def _repaired(surface: trimesh.Trimesh, path: Path) -> trimesh.Trimesh:
 
 
 def _has_three_corners(surface: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
-    """Of every triangle whether its corners are three; others close nothing."""
+    """Return which triangles have three different corners; others close nothing."""
     steps = np.diff(np.sort(surface.faces, axis=1), axis=1)
     return np.logical_and(steps[:, 0] > 0, steps[:, 1] > 0)
 
 
 def _weld(surface: trimesh.Trimesh) -> list[str]:
-    """Join corners within `_WELD_MM` of each other, in place; tells how many were moved."""
+    """Join corners within `_WELD_MM` of each other, in place; return in words how many were moved."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import KDTree

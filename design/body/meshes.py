@@ -32,19 +32,19 @@ LEDGE_MM2 = 0.5
 """Area below which a ledge hooks nothing, as where a vent ends."""
 
 _STRIP_MM, _STRIPS = 1.0, 20
-"""Of a wall that leans, along the pull: no narrower, and not more of them."""
+"""Width and number of strips of a wall that leans, along the pull: no narrower, and not more of them."""
 
 CRUMB_MM3 = 1.0
-"""Smaller pieces that cuts leave beside a part are left out: they would come loose in the print."""
+"""Smaller pieces that cuts leave next to a part are left out: they would come loose in the print."""
 
 _FILM_MM = 1e-3
 """Triangles that are less high have no normal: booleans leave vertices off their plane by up to 2e-5 mm."""
 _FACING = -np.cos(np.deg2rad(15))
 _START_MM = 1e-4
 _EQUAL_MM = 1e-6
-"""Walls that differ by less are one, told at one of its middle rays."""
+"""Walls that differ by less are one, reported at one of its middle rays."""
 _MEETS_MM = 1e-9
-"""By which a ray may pass beside a triangle's edge and meet it."""
+"""Distance at which a ray may pass a triangle's edge and meet it."""
 _LEVEL_MM = 1e-3
 """Step to which heights are rounded, so that points of one level have one height."""
 
@@ -59,9 +59,9 @@ class ThinnestWall:
 
 @dataclass(frozen=True)
 class Undercut:
-    """Where a part drives into what it releases: area, and the way that must give way sideways.
+    """Undercut, where a part drives into what it releases: area, and the way that must give way sideways.
 
-    `depth_mm` is that of the patch that needs most: its least width across the pull, by which the
+    `depth_mm` belongs to the patch that needs most: its least width across the pull, by which the
     soft side must move to let it by, or, of a wall that leans a little, its length along the pull
     times the mean tangent of the lean, of the strip of it where that is most; `place_mm` is that
     patch's middle. Ledges below `LEDGE_MM2`, as where a vent ends, and slivers among the triangles
@@ -83,7 +83,7 @@ class Trap:
 
 
 def one_closed_surface(mesh: trimesh.Trimesh, part: str) -> trimesh.Trimesh:
-    """The mesh where it closes round one body, which may have voids; crumbs beside it are left out.
+    """The mesh where it closes round one body, which may have voids; crumbs next to it are left out.
 
     Raises
     ------
@@ -134,12 +134,12 @@ def thinnest_wall(mesh: trimesh.Trimesh) -> ThinnestWall | None:
     from trimesh.remesh import subdivide_to_size
 
     edge = max(1.0, float(np.sqrt(mesh.area / (0.3 * RAYS))))
-    known = np.asarray(mesh.faces)[tells_how_it_faces(mesh)]
-    vertices, faces = subdivide_to_size(mesh.vertices, known, edge, max_iter=30)[:2]
+    facing_triangles = np.asarray(mesh.faces)[is_surface_triangle(mesh)]
+    vertices, faces = subdivide_to_size(mesh.vertices, facing_triangles, edge, max_iter=30)[:2]
     corner = vertices[faces]
     doubled = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     normal, start = doubled / np.linalg.norm(doubled, axis=1, keepdims=True), corner.mean(axis=1)
-    thickness = _through_mm(mesh, start, normal)
+    thickness = _thickness_mm(mesh, start, normal)
     if np.isnan(thickness).all():
         return None
     equal = np.flatnonzero(thickness <= np.nanmin(thickness) + _EQUAL_MM)
@@ -244,8 +244,8 @@ def peaks_and_saddles(height: np.ndarray, edges: np.ndarray) -> list[tuple[int, 
 
     died: list[tuple[int, float]] = []
     meet = np.flatnonzero(peak[a] != peak[b])
-    for one, other, low in np.column_stack([peak[a], peak[b], b])[meet].tolist():
-        first, second = sorted((root(one), root(other)))
+    for peak_a, peak_b, low in np.column_stack([peak[a], peak[b], b])[meet].tolist():
+        first, second = sorted((root(peak_a), root(peak_b)))
         if first != second:
             owner[second] = first
             died.append((int(order[second]), float(height[order[low]])))
@@ -318,7 +318,7 @@ def manifold_of(mesh: trimesh.Trimesh) -> Manifold:
     return Manifold(Mesh64(vertices, np.ascontiguousarray(mesh.faces, dtype=np.uint64)))
 
 
-def _through_mm(
+def _thickness_mm(
     mesh: trimesh.Trimesh, points_mm: Float[np.ndarray, "n 3"], normals: Float[np.ndarray, "n 3"]
 ) -> Float[np.ndarray, "n"]:
     """Return the thickness below points of the surface, NaN where no surface faces them there."""
@@ -352,14 +352,14 @@ def first_hits_mm(
     return hits, met
 
 
-def tells_how_it_faces(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
-    """Of every triangle whether its normal is the surface's: not of films, nor of slivers none of whose
-    neighbours faces as they do, as those that are left where a surface is drawn by fewer triangles."""
+def is_surface_triangle(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "face"]:
+    """Return which triangles have the surface's normal: no films, nor of slivers none of whose
+    neighbours faces as they do, as slivers that are left where a surface is drawn by fewer triangles."""
     height = height_mm(mesh)
     alike = np.cos(np.asarray(mesh.face_adjacency_angles)) >= -_FACING
-    known = height > SLIVER_MM - _EQUAL_MM
-    known[np.asarray(mesh.face_adjacency)[alike]] = True
-    return known & (height > _FILM_MM)
+    has_facing = height > SLIVER_MM - _EQUAL_MM
+    has_facing[np.asarray(mesh.face_adjacency)[alike]] = True
+    return has_facing & (height > _FILM_MM)
 
 
 def height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
@@ -370,7 +370,7 @@ def height_mm(mesh: trimesh.Trimesh) -> np.ndarray:
 
 
 def _deepest_strip_mm(mesh: trimesh.Trimesh, patch: np.ndarray, pull: np.ndarray) -> float:
-    """By how much a leaning patch stands in the way of strips along the pull, at most.
+    """Depth by which a leaning patch stands in the way of strips along the pull, at most.
 
     Facets of a large ball on both sides of its seam lean by a degree or two; all of them together are
     long and wide, each strip over them is short.

@@ -54,12 +54,12 @@ def _roughness(body: BodyKind, number: int) -> Roughness:
     x, y, z = ((points - frame.centre_mm) @ frame.axes).T
     inside = np.hypot(x / frame.half_extents_mm[0], y / frame.half_extents_mm[1]) < 1
     points, z = points[inside], z[inside]
-    height, slope = frame.relief.at(np.column_stack([x, y])[inside])
+    height, slope = frame.relief.evaluate(np.column_stack([x, y])[inside])
     # a height along the frame's normal, times the cosine of the slope, is a distance to the surface
     off = abs(height - z) / np.sqrt(1 + np.sum(slope**2, axis=1))
     points, off = points[off > TOLD_MM], off[off > TOLD_MM]
-    seen = _seen(surface, points, frame)
-    return Roughness(points[seen], off[seen])
+    is_visible = _seen(surface, points, frame)
+    return Roughness(points[is_visible], off[is_visible])
 
 
 def _corners_facing(surface: trimesh.Trimesh, frame: FaceFrame) -> Float[np.ndarray, "n 3"]:

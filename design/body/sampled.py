@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 _GRID_POINTS = 45_000
 _MARGIN_STEPS = 3
 _COARSE, _EXACT_STEPS = 3, 3
-"""Outside a body, distances are exact within so many steps and from a grid so much coarser beyond."""
+"""Outside a body, distances are exact within this number of steps; beyond, from a grid this many times
+coarser."""
 _FINE_STEP_MM = 1.0
 _MOST_STEPS = 64
 """From the middle of a body to its side, of the core's grid and of a patch's: on larger bodies than
@@ -54,7 +55,7 @@ class SampledRelief:
     spline: RectBivariateSpline
     half_mm: tuple[float, float]
 
-    def at(
+    def evaluate(
         self, xy_mm: Float[np.ndarray, "*n 2"]
     ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n 2"]]:
         """Height (mm) and its slopes along x and y; NaN where the patch does not reach."""
@@ -80,7 +81,7 @@ def outer_distance_mm(
 
     Beyond a few millimetres outside the body it is only known to be positive.
     """
-    return distance_field(body.outside).at(points_mm)
+    return distance_field(body.outside).evaluate(points_mm)
 
 
 def measured_distance_mm(
@@ -124,7 +125,7 @@ class DistanceField:
     step_mm: float
     coefficients: Float[np.ndarray, "x y z"]
 
-    def at(self, points_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
+    def evaluate(self, points_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
         from scipy.ndimage import map_coordinates
 
         places = (np.asarray(points_mm) - self.origin_mm).T / self.step_mm
@@ -163,10 +164,10 @@ def _measured_where_near(
 
     first = points_mm[0]
     coarse = [np.arange(-(-(n - 1) // _COARSE) + 1) * _COARSE for n in count]
-    at = np.stack(np.meshgrid(*coarse, indexing="ij"), axis=-1)
-    known = measured_mm((first + step_mm * at).reshape(-1, 3))
+    coarse_index = np.stack(np.meshgrid(*coarse, indexing="ij"), axis=-1)
+    coarse_mm = measured_mm((first + step_mm * coarse_index).reshape(-1, 3))
     places = np.stack(np.meshgrid(*map(np.arange, count), indexing="ij")) / _COARSE
-    distance = map_coordinates(known.reshape(at.shape[:-1]), places, order=1)
+    distance = map_coordinates(coarse_mm.reshape(coarse_index.shape[:-1]), places, order=1)
     near = distance < step_mm * (_EXACT_STEPS + np.sqrt(3) / 2 * _COARSE)
     index, middle = np.argwhere(near), (np.array(count) - 1) // 2
     if mirrored:
@@ -208,13 +209,13 @@ def _core(body: BodyKind, thickness_mm: float) -> trimesh.Trimesh:
     step = max(min(_FINE_STEP_MM, float(half.min()) / 8), float(half.max()) / _MOST_STEPS)
     points, count = grid_points(half, step)
     grid = pyvista.ImageData(dimensions=count, spacing=(step,) * 3, origin=tuple(points[0]))
-    distance = distance_field(body).at(points).reshape(count)
+    distance = distance_field(body).evaluate(points).reshape(count)
     grid["distance"] = distance.ravel(order="F")
-    found: Any = grid.contour([-thickness_mm], scalars="distance", method="flying_edges")
-    if not found.n_points:
+    core_surface: Any = grid.contour([-thickness_mm], scalars="distance", method="flying_edges")
+    if not core_surface.n_points:
         raise InputError(_no_core(body, thickness_mm))
-    found = found.triangulate().clean()
-    surface = trimesh.Trimesh(found.points, found.faces.reshape(-1, 4)[:, 1:])
+    core_surface = core_surface.triangulate().clean()
+    surface = trimesh.Trimesh(core_surface.points, core_surface.faces.reshape(-1, 4)[:, 1:])
     surface.fix_normals()
     pieces = [piece for piece in surface.split(only_watertight=True) if abs(piece.volume) > 1]
     if len(pieces) != 1:
@@ -282,7 +283,7 @@ def _no_patch(number: int) -> InputError:
 
 
 def _steps(reach_mm: float) -> int:
-    """Of a patch's grid, from its middle to its side; a cubic spline needs two on either."""
+    """Number of steps of a patch's grid, from its middle to its side; a cubic spline needs two on either."""
     return min(max(int(np.ceil(reach_mm / _RELIEF_STEP_MM)), 2), _MOST_STEPS)
 
 
@@ -294,7 +295,7 @@ def _traced(
     lowest = -2 * float(start_mm[0] @ normal)
     moving = np.arange(len(start_mm))
     for _ in range(_MAX_TRACES):
-        distance = field.at(start_mm[moving] + travel[moving, None] * normal) + inward_mm
+        distance = field.evaluate(start_mm[moving] + travel[moving, None] * normal) + inward_mm
         travel[moving] -= distance
         moving = moving[(abs(distance) > _TRACED_MM) & (travel[moving] > lowest)]
         if not len(moving):

@@ -1,8 +1,8 @@
-"""Lengths along the two central sections of a patch, by which contact locations are told.
+"""Lengths along the two central sections of a patch, the coordinates of contact locations.
 
 A location (x, y) of a patch lies over the point x mm along the section y = 0 and y mm along the
 section x = 0, both from the patch's middle. Equal steps in such coordinates are equal lengths along
-the sections, and nearly equal ones beside them.
+the sections, and nearly equal ones next to them.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _PANELS = 256
 """Between the middle of a section and its end; lengths and their inverse agree within 1e-7 mm."""
 _GAUSS_POINTS = 4
 _WITHIN = 1 - 1e-9
-"""Of a section, whose very end may be rounded off the patch."""
+"""Used share of a section, whose very end may be rounded off the patch."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,8 @@ class SectionLengths:
 def section_lengths(
     slope: Callable[[np.ndarray], np.ndarray], half_mm: float
 ) -> SectionLengths | None:
-    """Of the section of that slope at coordinates in the plane within ±half; None where it is straight."""
+    """Return the lengths of the section of that slope at coordinates in the plane within ±half; None where
+    it is straight."""
     from scipy.interpolate import CubicHermiteSpline
 
     def stretch(t_mm: np.ndarray) -> np.ndarray:
@@ -72,8 +73,8 @@ def _integrated(stretch: Callable[[np.ndarray], np.ndarray], knots: np.ndarray) 
     nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
     half = np.diff(knots)[:, None] / 2
     steps = (stretch(knots[:-1, None] + half * (1 + nodes)) * weights * half).sum(axis=1)
-    left, right = steps[:_PANELS], steps[_PANELS:]
-    return np.concatenate([-np.cumsum(left[::-1])[::-1], [0.0], np.cumsum(right)])
+    inner_steps, outer_steps = steps[:_PANELS], steps[_PANELS:]
+    return np.concatenate([-np.cumsum(inner_steps[::-1])[::-1], [0.0], np.cumsum(outer_steps)])
 
 
 def _straight_beyond(spline: CubicHermiteSpline, at_mm: np.ndarray) -> np.ndarray:

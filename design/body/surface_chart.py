@@ -4,7 +4,7 @@ A point (x, y) of the plane stands for where the line through it along the frame
 surface; a point at (x, y, h) lies h above that, along the surface's own normal there. A flat face is
 the patch whose surface is its plane.
 
-Parts are placed by these x and y. Contact locations are told by lengths along the surface instead
+Parts are placed by these x and y. Contact locations are given by lengths along the surface instead
 (`design.body.section_lengths`), so that equal steps lie evenly on it: `to_plane` and `from_plane`
 lead from one to the other, and on flat faces they are the same.
 """
@@ -36,14 +36,14 @@ STEEPEST = np.tan(np.deg2rad(60))
 _MAX_ITERATIONS = 60
 _CONVERGED_MM = 1e-10
 LARGEST_SQUARE = 0.97
-"""Of x²/a² + y²/b²: a cap is known up to a slope of 80°."""
+"""Largest x²/a² + y²/b²: a cap is known up to a slope of 80°."""
 
 
 @runtime_checkable
 class Relief(Protocol):
     """Height of a surface over a frame's plane."""
 
-    def at(
+    def evaluate(
         self, xy_mm: Float[np.ndarray, "*n 2"]
     ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n 2"]]:
         """Height (mm) and its slopes along x and y; NaN where the patch does not reach."""
@@ -59,7 +59,7 @@ class Cap:
 
     semi_axes_mm: tuple[float, float, float] = (np.inf, np.inf, 1.0)
 
-    def at(
+    def evaluate(
         self, xy_mm: Float[np.ndarray, "*n 2"]
     ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n 2"]]:
         across, c = np.asarray(self.semi_axes_mm[:2]), self.semi_axes_mm[2]
@@ -108,14 +108,14 @@ class FaceFrame:
         return section_lengths(along_x, half_x), section_lengths(along_y, half_y)
 
     def to_plane(self, place_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 2"]:
-        """Contact locations, told by lengths along the surface, as (x, y) of the frame's plane."""
-        return self._by_sections(place_mm, "to_plane")
+        """Contact locations, given by lengths along the surface, as (x, y) of the frame's plane."""
+        return self._convert_by_sections(place_mm, "to_plane")
 
     def from_plane(self, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 2"]:
         """Inverse of `to_plane`."""
-        return self._by_sections(xy_mm, "to_lengths")
+        return self._convert_by_sections(xy_mm, "to_lengths")
 
-    def _by_sections(self, given_mm: np.ndarray, way: str) -> np.ndarray:
+    def _convert_by_sections(self, given_mm: np.ndarray, way: str) -> np.ndarray:
         given = np.asarray(given_mm, float)
         columns = [
             given[..., k] if section is None else getattr(section, way)(given[..., k])
@@ -126,7 +126,7 @@ class FaceFrame:
     def area_stretch(self, place_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
         """Area along the surface per area in lengths; NaN where the patch does not reach."""
         xy = self.to_plane(place_mm)
-        _, slope = self.relief.at(xy)
+        _, slope = self.relief.evaluate(xy)
         rates = [
             1.0 if section is None else section.plane_rate(np.asarray(place_mm)[..., k])
             for k, section in enumerate(self.sections)
@@ -148,7 +148,7 @@ class FaceFrame:
         return x, y
 
     def border_mm(self, points: int = 240) -> Float[np.ndarray, "point 2"]:
-        """The face's border as a closed polygon, told as contact locations are."""
+        """The face's border as a closed polygon, in the coordinates of contact locations."""
         half = np.asarray(self.half_extents_mm)
         if self.round:
             turn = np.linspace(0, 2 * np.pi, points, endpoint=False)
@@ -159,7 +159,7 @@ class FaceFrame:
         """The same at places: n normal to the surface there, x in the plane of x and n."""
         if self.flat:
             return np.broadcast_to(self.axes, (*np.shape(xy_mm)[:-1], 3, 3)).copy()
-        _, slope = self.relief.at(np.asarray(xy_mm, float))
+        _, slope = self.relief.evaluate(np.asarray(xy_mm, float))
         return self.axes @ _local_axes(slope)
 
     def to_object(self, xyz_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
@@ -167,31 +167,31 @@ class FaceFrame:
         xyz = np.asarray(xyz_mm, float)
         if self.flat:
             return self.centre_mm + xyz @ self.axes.T
-        height, slope = self.relief.at(xyz[..., :2])
+        height, slope = self.relief.evaluate(xyz[..., :2])
         local = np.concatenate([xyz[..., :2], height[..., None]], axis=-1)
         return self.centre_mm + (local + xyz[..., 2:] * _normals(slope)) @ self.axes.T
 
-    def in_plane(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
+    def plane_coordinates(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
         """(x, y, height over the frame's plane) of points in the object's frame."""
         return (np.asarray(points_mm, float) - self.centre_mm) @ self.axes
 
     def from_object(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
-        """Inverse of `to_object`, by the foot of each point on the surface; NaN beside the patch."""
-        local = self.in_plane(points_mm)
+        """Inverse of `to_object`, by the foot of each point on the surface; NaN off the patch."""
+        local = self.plane_coordinates(points_mm)
         if self.flat:
             return local
         x, y, z = np.moveaxis(local, -1, 0)
         xy, above = local[..., :2], z * np.nan
         for _ in range(_MAX_ITERATIONS):
-            before = xy
-            height, slope = self.relief.at(xy)
+            previous_xy = xy
+            height, slope = self.relief.evaluate(xy)
             along_x, along_y = slope[..., 0], slope[..., 1]
             # sums over components take a third of the time of sums along an axis of three
             square = 1 + along_x**2 + along_y**2
             rise = (z - height - (x - xy[..., 0]) * along_x - (y - xy[..., 1]) * along_y) / square
             above = rise * np.sqrt(square)
             xy = np.stack([x + rise * along_x, y + rise * along_y], axis=-1)
-            if not np.any(abs(xy - before) > _CONVERGED_MM):
+            if not np.any(abs(xy - previous_xy) > _CONVERGED_MM):
                 break
         return np.concatenate([xy, above[..., None]], axis=-1)
 
@@ -211,21 +211,21 @@ class FaceFrame:
         x, y, normal = axes.T
         return replace(self, normal=normal, x=x, y=y, centre_mm=origin, relief=Cap())
 
-    def onto(
+    def project_along(
         self,
         points_mm: Float[np.ndarray, "n 3"],
-        along: Float[np.ndarray, "3"] | Float[np.ndarray, "n 3"],
+        line_direction: Float[np.ndarray, "3"] | Float[np.ndarray, "n 3"],
     ) -> Float[np.ndarray, "n 3"]:
         """Return where lines through points along a direction (out of the surface) meet the surface.
 
-        In the coordinates of `in_plane`; NaN where they miss the patch. Newton from outside, which
+        In the coordinates of `plane_coordinates`; NaN where they miss the patch. Newton from outside, which
         converges from one side on a convex surface.
         """
-        start, direction = self.in_plane(points_mm), along @ self.axes
+        start, direction = self.plane_coordinates(points_mm), line_direction @ self.axes
         offset = np.zeros(len(start))
         for _ in range(_MAX_ITERATIONS):
             point = start + offset[:, None] * direction
-            height, slope = self.relief.at(point[:, :2])
+            height, slope = self.relief.evaluate(point[:, :2])
             climb = slope[:, 0] * direction[..., 0] + slope[:, 1] * direction[..., 1]
             rise = direction[..., 2] - climb
             step = (point[:, 2] - height) / np.where(rise > 0, rise, np.nan)
@@ -284,8 +284,8 @@ def steepest_reach_mm(across_mm: float, high_mm: float) -> float:
 def _slope_along(
     relief: Relief, axis: int, at_mm: Float[np.ndarray, "*n"]
 ) -> Float[np.ndarray, "*n"]:
-    """Of the central section along x (0) or y (1)."""
-    return relief.at(at_mm[..., None] * np.eye(2)[axis])[1][..., axis]
+    """Slope of the central section along x (0) or y (1)."""
+    return relief.evaluate(at_mm[..., None] * np.eye(2)[axis])[1][..., axis]
 
 
 def _normals(slope: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n 3"]:

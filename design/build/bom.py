@@ -83,7 +83,9 @@ def write_bom(items: list[Item], target: Path) -> None:
     """
 
     def line(item: Item) -> list[str]:
-        amounts = ("" if one is None else f"{one:.3f}" for one in (item.volume_cm3, item.mass_g))
+        amounts = (
+            "" if amount is None else f"{amount:.3f}" for amount in (item.volume_cm3, item.mass_g)
+        )
         return [item.item, str(item.count), *amounts, item.note]
 
     write_table(target, [field.name for field in fields(Item)], map(line, items))
@@ -100,10 +102,12 @@ def magnet_name(spec: ObjectSpec, first: int = 0) -> str:
 
 def _magnets(spec: ObjectSpec) -> list[Item]:
     magnets, faces = spec.magnets, len(spec.body.sensed)
-    kinds, items = magnets.by_kind, []
+    kinds, items = magnets.numbers_by_kind, []
     for which in kinds.values():
         remanences = [magnets.remanences_t[k] for k in which]
-        remanence = " to ".join(f"{one:g}" for one in sorted({min(remanences), max(remanences)}))
+        remanence = " to ".join(
+            f"{remanence_t:g}" for remanence_t in sorted({min(remanences), max(remanences)})
+        )
         outward = faces * sum(magnets.polarities[k] > 0 for k in which)
         count = faces * len(which)
         note = (

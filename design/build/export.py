@@ -17,7 +17,7 @@ from design.build.scene import ASSEMBLY_NAME, assembly_scene, write_glb
 from design.build.slicer_file import write_3mf
 from design.errors import InputError
 from design.files import atomic_path
-from design.solids.booleans import TRIANGLES, as_triangles, as_written
+from design.solids.booleans import TRIANGLES, convert_to_triangles, stl_surface
 from design.solids.kernel import cq
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
@@ -39,7 +39,7 @@ def build_object(
 
     Probes and magnet templates are in their own frames, all other parts in the object's. Lengths
     are in mm, volumes in mm³. Nothing is written before every part has been built, and an earlier
-    build's manifest goes first: a manifest always describes the files beside it.
+    build's manifest goes first: a manifest always describes the files next to it.
 
     Raises
     ------
@@ -81,7 +81,7 @@ def write_part(
         return _write_triangles(part, solid, folder, spec)
     # The bounding box is read first: a triangulated shape would be measured by its triangles.
     box, centre = solid.BoundingBox(), solid.Center()
-    mesh = _write_stl(as_triangles(solid, TRIANGLES, False), folder / f"{part.name}.stl")
+    mesh = _write_stl(convert_to_triangles(solid, TRIANGLES, False), folder / f"{part.name}.stl")
     printing = _write_3mf(part, mesh, folder, spec)
     _write_step(solid, folder / f"{part.name}.step")
     manifest = PartManifest(
@@ -134,7 +134,7 @@ def _write_3mf(
 
 
 def _write_step(solid: cq.Solid, target: Path) -> None:
-    """By CadQuery's settings, through memory; equal solids give equal files."""
+    """Write with CadQuery's settings, through memory; equal solids give equal files."""
     from OCP.IFSelect import IFSelect_RetDone
     from OCP.Interface import Interface_Static
     from OCP.STEPControl import STEPControl_AsIs, STEPControl_Writer
@@ -165,7 +165,7 @@ def _write_stl(surface: trimesh.Trimesh, target: Path) -> trimesh.Trimesh:
     InputError
         It does not close in the precision of the file, or the folder cannot be written.
     """
-    written = as_written(surface)
+    written = stl_surface(surface)
     if written is None:
         raise InputError(
             f"the surface of {target.stem} is not closed: two of its recesses or pockets touch in a line. "

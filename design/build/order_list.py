@@ -124,10 +124,11 @@ def _sensors_alone(spec: ObjectSpec) -> OrderLine:
 
 
 def _magnets(spec: ObjectSpec) -> list[OrderLine]:
-    """By a seller's number where the catalogue has one, else by shape, size and grade; a line each kind."""
+    """Order by a seller's number where the catalogue has one, else by shape, size and grade; a line each
+    kind."""
     faces = len(spec.body.sensed)
     parts, lines = spec.magnets.parts, []
-    for which in spec.magnets.by_kind.values():
+    for which in spec.magnets.numbers_by_kind.values():
         part = MAGNET_PARTS.get(parts[which[0]]) if parts else None
         line = _line(ORDERS["magnet"], faces * len(which))
         if part is not None and part.source != STOCK:
@@ -140,7 +141,7 @@ def _magnets(spec: ObjectSpec) -> list[OrderLine]:
 
 
 def _grades(spec: ObjectSpec, magnet: int) -> str:
-    """The grade given, else those that have the remanence of the specification."""
+    """The grade given, else the grades with the remanence of the specification."""
     if spec.magnets.grades:
         return spec.magnets.grades[magnet]
     remanence = spec.magnets.remanences_t[magnet]

@@ -100,7 +100,7 @@ def _mould(spec: ObjectSpec) -> list[Part]:
 
 
 def _seal_mould(spec: ObjectSpec) -> list[Part]:
-    """Of the second pour: a box, or halves round a core that is cast in."""
+    """Mould of the second pour: a box, or halves round a core that is cast in."""
     if not spec.shell.seal_layer_mm:
         return []
     if opening_of(spec) == "open":
@@ -121,7 +121,7 @@ def _pins(spec: ObjectSpec) -> list[Part]:
 
 
 def _templates(spec: ObjectSpec) -> list[Part]:
-    """Of all faces where they are flat; of curved ones where the specification asks for it."""
+    """Templates of all faces where they are flat; of curved ones where the specification asks for it."""
     flat = all(frame.flat for frame in face_frames(spec))
     if not (flat or spec.mould.magnet_templates == "all"):
         return []

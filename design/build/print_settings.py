@@ -19,7 +19,7 @@ STEEP = float(np.cos(np.deg2rad(45.0)))
 """Surfaces that face down more than this want something below them."""
 _FLAT = 1 - 1e-4
 _SIDES = 24
-"""Of the part's hull that are tried, largest first, beside the six along the axes."""
+"""Sides of the part's hull that are tried, largest first, besides the six along the axes."""
 _LEAST_OVERHANG_MM2 = 30.0
 """Below it bridges and droops are left as they are."""
 _BED_MM2, _SLENDER = 60.0, 3.0
@@ -30,7 +30,7 @@ _BRIM_MM = 4.0
 
 @dataclass(frozen=True)
 class PrintSettings:
-    """What a slicer sets for one part of a printer by filament; lengths in mm.
+    """Settings of a slicer for one part of a printer by filament; lengths in mm.
 
     `down` is the direction, in the part's own frame, that points to the bed.
     """

@@ -74,7 +74,7 @@ MLX90393_0X18 = replace(
     family="MLX90393-0x18",
     addresses=tuple((pins, address + 0x0C) for pins, address in MLX90393.addresses),
 )
-"""Of order codes whose fixed address bits are others, as on boards at 0x18 to 0x1B."""
+"""Chip of order codes whose fixed address bits are others, as on boards at 0x18 to 0x1B."""
 
 TLE493D = BusChip(
     "TLE493DW2B6A",
@@ -88,7 +88,7 @@ TLE493D = BusChip(
     read_bytes=21,
 )
 """Converts 770 times a second by itself (low-power mode), whatever `averaging` says. Its register of
-addresses chooses among the same four as the order codes, so a chip that is started anew would answer
+addresses chooses among the same four as the order codes, so a chip that is started again would answer
 together with the one that kept the factory's address: it is not moved. All registers up to MOD1 are
 read, so that a chip that lost its settings is known."""
 
@@ -118,8 +118,8 @@ def bus_chip(part: str) -> BusChip:
 def conversion_ms(part: str, averaging: int) -> float:
     """Time between two readings of a part; 0 of one without a bus in the catalogue, whose time is not
     known."""
-    known = any(part.startswith(chip.family) for chip in _FAMILIES)
-    return bus_chip(part).conversion_ms(averaging) if known else 0.0
+    is_catalogued = any(part.startswith(chip.family) for chip in _FAMILIES)
+    return bus_chip(part).conversion_ms(averaging) if is_catalogued else 0.0
 
 
 def frame_ms(conversion_ms: float, busy_ms: float) -> float:
@@ -131,9 +131,10 @@ MUX_NAME = "TCA9548A"
 MUX_ADDRESSES = tuple(range(0x70, 0x78))
 MUX_CHANNELS = 8
 PIN_PF = 10.0
-"""Of every chip on a bus line, at most (UM10204, table 10)."""
+"""Capacitance of every chip on a bus line, at most (UM10204, table 10)."""
 WIRE_PF_PER_MM = 0.06
-"""Of a thin hook-up wire in a bundle with its ground; assumed, ribbon cables have 0.04 to 0.07."""
+"""Capacitance of a thin hook-up wire in a bundle with its ground; assumed, ribbon cables have 0.04 to
+0.07."""
 
 
 @dataclass(frozen=True)
@@ -152,7 +153,7 @@ class Board:
     `outputs` are pins that can switch chips on; `logic_v` is their level. `rail_ma` is what its 3.3 V
     pin gives, `outputs_ma` all outputs together. `bauds` of the serial line, slowest first; one entry
     where the line is USB and takes any. `call_us` is the time around each bus transfer and `byte_us`
-    to write a character, both of our firmware (Mega: simulated, tests/instobj/firmware). A load cell
+    to write a character, both of our firmware (Mega: simulated, tests/instobj/bench/firmware). A load cell
     takes pins of `load_pins` (HX711) or one of `analog_pins`, the first ones unless others are asked
     for; `adc` is what its analogue readings are made of: volts of full scale, steps, and the share of
     the sensor's 5 V that reaches the pin. `load_line_us` is the time of reading and of preparing a

@@ -26,7 +26,7 @@ class NoiseFigure:
     averaging: int
     source: str
 
-    def at(self, counts_per_mt: float, averaging: int) -> Triple:
+    def scaled(self, counts_per_mt: float, averaging: int) -> Triple:
         """Noise (counts) at another gain and averaging: ∝ gain, ∝ 1/√n while it is white."""
         scale = counts_per_mt / self.counts_per_mt * (self.averaging / averaging) ** 0.5
         x, y, z = self.counts

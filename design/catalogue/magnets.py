@@ -31,13 +31,13 @@ class MagnetPart:
 
     def figures(self) -> dict[str, Any]:
         """Return what `[magnets]` takes from the part."""
-        known: dict[str, Any] = {"shape": self.shape, "height_mm": self.height_mm}
+        values: dict[str, Any] = {"shape": self.shape, "height_mm": self.height_mm}
         if self.shape == "block":
-            known["size_mm"] = self.across_mm
+            values["size_mm"] = self.across_mm
         else:
-            known["diameter_mm"] = self.across_mm[0]
-            known["inner_diameter_mm"] = self.across_mm[1] if self.shape == "ring" else 0.0
-        return known
+            values["diameter_mm"] = self.across_mm[0]
+            values["inner_diameter_mm"] = self.across_mm[1] if self.shape == "ring" else 0.0
+        return values
 
 
 STOCK = "stock size of many sellers"

@@ -33,7 +33,7 @@ class Order:
         return sum(self.price_eur) / 2 / self.pieces
 
     def packs(self, pieces: int) -> int:
-        """Packs that hold so many pieces."""
+        """Number of packs that hold `pieces`."""
         return -(-pieces // self.pieces)
 
 
@@ -68,7 +68,7 @@ MUX, SHIFTER, BUFFER, RESISTOR, WIRE, STRIP, SCREW, GLUE, PRIMER, ADHESIVE, RELE
     "release agent",
 )
 SILICONE_KIT_G = 900.0
-"""Of both parts together, in the kits below."""
+"""Mass of both parts together, in the kits below."""
 
 ORDERS = {
     **{f"TMAG5273{letter}{v}": _tmag(letter, v) for letter in "ABCD" for v in (1, 2)},

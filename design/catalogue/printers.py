@@ -1,6 +1,6 @@
 """Printers: limits of the usual processes, as defaults that a laboratory edits.
 
-Figures are those that print services publish for parts of this size (walls and pins that hold
+Print services publish these figures for parts of this size (walls and pins that hold
 without support, holes that stay open, play with which printed parts still slide), rounded to the
 safe side, except the play of FDM: 0.1 mm is what the paper's own FDM mould leaves (Knopke et al.,
 RA-L 2024). A machine may differ by half: measure yours and give its figures in `[printer]`.

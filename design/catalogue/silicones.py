@@ -40,7 +40,7 @@ class ModulusEstimate:
 
 @dataclass(frozen=True)
 class Casting:
-    """How a rubber is cast: chemistry, parts A : B by mass, times at 23 °C, strain at break."""
+    """Casting of a rubber: chemistry, parts A : B by mass, times at 23 °C, strain at break."""
 
     cure: Literal["platinum", "tin", "none"]
     mix_ratio: tuple[float, float]

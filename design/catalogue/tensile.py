@@ -54,7 +54,7 @@ class SolidFit:
 class RangeFit:
     """One solid fitted to the points up to a stretch, with the 90 % interval of its modulus.
 
-    The interval is that of the fit alone, neighbouring residuals being alike; how much the moduli of
+    The interval is of the fit alone, neighbouring residuals being alike; how much the moduli of
     solids and ranges differ says more.
     """
 
@@ -87,10 +87,10 @@ def left_out(test: TensileTest) -> str:
 
 
 def fit_tensile(test: TensileTest, name: str) -> TensileFit:
-    """Least squares of three solids, and E at small strain from those that fit.
+    """Least squares of three solids, and E at small strain from the solids that fit.
 
     Points beyond a stretch of 2, more than a press reaches, are left out: with them E of one test
-    of Platsil Gel-10 moves from 0.15 to 0.23 MPa (Yeoh). E is that of the stable solid with the
+    of Platsil Gel-10 moves from 0.15 to 0.23 MPa (Yeoh). E comes from the stable solid with the
     least residual; its interval spans all stable solids that fit to 10 % of the largest stress: the
     spread between models of one specimen, not between batches.
 
@@ -122,7 +122,7 @@ def fits_by_range(test: TensileTest) -> tuple[RangeFit, ...]:
 
     A range needs six points, twice as many as Yeoh's solid has constants.
     """
-    found = []
+    fits = []
     for stretch in _RANGES_TO_STRETCH:
         kept = test.stretch <= stretch
         if kept.sum() < LEAST_POINTS or test.stretch[-1] < stretch:
@@ -131,12 +131,12 @@ def fits_by_range(test: TensileTest) -> tuple[RangeFit, ...]:
         for fit in _solids(part):
             half = _NORMAL_90 * _standard_error_mpa(part, fit)
             modulus = fit.youngs_modulus_mpa
-            found.append(RangeFit(stretch, int(kept.sum()), fit, modulus - half, modulus + half))
-    return tuple(found)
+            fits.append(RangeFit(stretch, int(kept.sum()), fit, modulus - half, modulus + half))
+    return tuple(fits)
 
 
 def _standard_error_mpa(test: TensileTest, fit: SolidFit) -> float:
-    """Of the modulus: linear in the constants, residuals of a first-order autoregression."""
+    """Standard error of the modulus: linear in the constants, residuals of a first-order autoregression."""
     constants = np.array(fit.constants)
     steps = np.diag(1e-4 * np.maximum(abs(constants), 1e-6))
 
@@ -149,8 +149,8 @@ def _standard_error_mpa(test: TensileTest, fit: SolidFit) -> float:
 
     jacobian = slope(lambda c: nominal_stress_mpa(fit.solid, c, test.stretch))
     gradient = slope(lambda c: np.asarray(_modulus_mpa(fit.solid, c)))
-    left = nominal_stress_mpa(fit.solid, fit.constants, test.stretch) - test.nominal_stress_mpa
-    alike = float(left[1:] @ left[:-1] / max(left @ left, 1e-30))
+    residual = nominal_stress_mpa(fit.solid, fit.constants, test.stretch) - test.nominal_stress_mpa
+    alike = float(residual[1:] @ residual[:-1] / max(residual @ residual, 1e-30))
     alike = float(np.clip(alike, 0, _LARGEST_CORRELATION))
     covariance = np.linalg.pinv(jacobian.T @ jacobian, rcond=1e-12)
     variance = gradient @ covariance @ gradient * (1 + alike) / (1 - alike)
@@ -211,8 +211,8 @@ def _ogden(test: TensileTest) -> SolidFit:
     coarse = np.linspace(*_EXPONENTS, 100)
     start = float(coarse[np.argmin([misfit(exponent) for exponent in coarse])])
     bounds = (max(start - 0.2, _EXPONENTS[0]), start + 0.2)
-    found: Any = minimize_scalar(misfit, bounds=bounds, options={"xatol": 1e-10})
-    exponent = float(found.x)
+    minimum: Any = minimize_scalar(misfit, bounds=bounds, options={"xatol": 1e-10})
+    exponent = float(minimum.x)
     return _fit(test, "ogden", (modulus(exponent), exponent))
 
 

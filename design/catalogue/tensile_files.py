@@ -83,17 +83,17 @@ def _table(path: Path) -> _Table:
     require_regular_file(path, missing)
     try:
         text = path.read_text(encoding="utf-8-sig").splitlines()
-        found = _found(text)
+        table = _found(text)
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"cannot read tensile data from {path}: {error}") from None
-    if found is None or not found.cells:
+    if table is None or not table.cells:
         columns = text[0].split(",") if text else []
         raise InputError(
             f"{path} has the columns {columns}; tensile data need one of {list(_STRETCH_COLUMNS)} and "
             f"one of {list(_STRESS_COLUMNS)}, and numbers below them. Name them in one line, separated by "
             "commas or semicolons"
         )
-    return found
+    return table
 
 
 def _found(text: list[str]) -> _Table | None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
-from design.fabrication.finding import Finding, at_least, place_of
+from design.fabrication.finding import Finding, place_of, status_above
 from design.layout.blocks import block_manifold
 from design.layout.boards import (
     Mounted,
@@ -47,25 +47,25 @@ MATING_MM3 = 1.0
 def check_pockets(spec: ObjectSpec) -> list[Finding]:
     """Silicone between pockets of a face, under the deepest pocket, and over the magnets."""
     faces = list(zip(face_frames(spec), shell_pockets(spec), strict=True))
-    found = [_spacing(spec, frame, face) for frame, face in faces if len(face) > 1]
+    findings = [_spacing(spec, frame, face) for frame, face in faces if len(face) > 1]
     frame, deepest = min(
         ((frame, pocket) for frame, face in faces for pocket in face),
         key=lambda pair: pair[1].lowest_mm,
     )
     limit, thickness = spec.silicone.thinnest_wall_mm, spec.shell.thickness_mm
-    left = thickness + deepest.lowest_mm
+    below_mm = thickness + deepest.lowest_mm
     text = "silicone under the deepest pocket. Below 1.25 times the limit: seat the magnet higher"
     place = place_of(frame.to_object(deepest.axis_ends_mm[0]))
-    found.append(_silicone("breakthrough", left, limit, text, place))
-    return [*min_by_value(found), _seal(spec, faces)]
+    findings.append(_silicone("breakthrough", below_mm, limit, text, place))
+    return [*min_by_value(findings), _seal(spec, faces)]
 
 
 def min_by_value(findings: list[Finding]) -> list[Finding]:
-    """Of findings of one check, the one with the smallest value."""
+    """Keep the finding with the smallest value of every check."""
     least: dict[str, Finding] = {}
     for finding in findings:
-        known = least.get(finding.check)
-        if known is None or finding.value < known.value:
+        smallest = least.get(finding.check)
+        if smallest is None or finding.value < smallest.value:
             least[finding.check] = finding
     return list(least.values())
 
@@ -82,7 +82,7 @@ def _spacing(spec: ObjectSpec, frame: FaceFrame, pockets: tuple[Pocket, ...]) ->
             )
             for (a, ends), (b, others) in combinations(placed, 2)
         ),
-        key=lambda found: found[0],
+        key=lambda pair: pair[0],
     )
     return _silicone(
         "pocket spacing",
@@ -111,16 +111,18 @@ def _seal(spec: ObjectSpec, faces: list[tuple[FaceFrame, tuple[Pocket, ...]]]) -
 
 def _silicone(check: str, value: float, limit: float, text: str, place) -> Finding:
     value = float(value)
-    return Finding(check, "shell", value, limit, "mm", at_least(value, limit, 1.25), text, place)
+    return Finding(
+        check, "shell", value, limit, "mm", status_above(value, limit, 1.25), text, place
+    )
 
 
 def check_electronics(spec: ObjectSpec, core: trimesh.Trimesh) -> list[Finding]:
     """Boards and chips against the core and each other, and wires against their holes."""
     mounted = mounted_sensors(spec)
-    found = [check_wires(spec), *_way_out(spec)]
+    findings = [check_wires(spec), *_way_out(spec)]
     if not mounted:
-        return found
-    return [*found, *check_fits(spec), *interference(mounted, core), *collisions(mounted)]
+        return findings
+    return [*findings, *check_fits(spec), *interference(mounted, core), *collisions(mounted)]
 
 
 def check_wires(spec: ObjectSpec) -> Finding:
@@ -133,7 +135,7 @@ def check_wires(spec: ObjectSpec) -> Finding:
         room,
         0.0,
         "mm",
-        at_least(room, 0.0),
+        status_above(room, 0.0),
         f"the narrowest hole less the bundle of {bundle:.2f} mm of a face's wires. Below the limit: "
         f"widen core.{key} to {_up(bundle):g} or take thinner wires",
         place_of(holes[key].end_mm),
@@ -148,23 +150,23 @@ def _way_out(spec: ObjectSpec) -> list[Finding]:
     key, wider = "core.wire_hole_side_diameter_mm", 1.0
     if body.opening == "bore":
         key, wider = "body.bore_mm", 2 / (1 + FLAT_SHARE)
-        ways, told = [(1 + FLAT_SHARE) * core_outlet(spec).radius_mm], "the core's outlet"
+        ways, outlet = [(1 + FLAT_SHARE) * core_outlet(spec).radius_mm], "the core's outlet"
     elif body.opening == "closed":
-        ways, told = [2 * one.radius_mm for one in locators(spec)], "the holes of locating pins"
+        ways, outlet = [2 * pin.radius_mm for pin in locators(spec)], "the holes of locating pins"
     elif core_hollow(spec):
         key = "core.wall_mm"
         ways = [2 * float((body.core_half_mm - core.wall_mm).min())]
-        told = "the core's cavity"
+        outlet = "the core's cavity"
     else:
-        ways, told = [core.wire_hole_side_diameter_mm] * len(spec.body.opened), "the open faces"
+        ways, outlet = [core.wire_hole_side_diameter_mm] * len(spec.body.opened), "the open faces"
     room = float(sum(wires_through(way, spec) for way in ways) - wires)
     least = wider * hole_for_wires_mm(ceil(wires / max(len(ways), 1)), spec)
     fix = "lower core.wall_mm" if key == "core.wall_mm" else f"raise {key} to {_up(least):g}"
     text = (
-        f"wires that fit through {told} less the object's {wires}. Below the limit: {fix}, take thinner "
+        f"wires that fit through {outlet} less the object's {wires}. Below the limit: {fix}, take thinner "
         "wires, or fewer (core.wires_per_sensor) where sensors share supply and bus"
     )
-    status = at_least(room, 0.0)
+    status = status_above(room, 0.0)
     return [Finding("wires in their way out", "core", room, 0.0, "wires", status, text)]
 
 
@@ -192,7 +194,7 @@ def check_fits(spec: ObjectSpec) -> list[Finding]:
             room,
             0.0,
             "mm",
-            "fail" if room < -1e-9 else at_least(room, 0.0) if room > 0.02 else "warn",
+            "fail" if room < -1e-9 else status_above(room, 0.0) if room > 0.02 else "warn",
             f"room of board and chip in the recess ({way}). Below the limit they do not go in: change "
             "core.recess_* or the board",
             place,
@@ -229,15 +231,15 @@ def collisions(mounted: list[Mounted]) -> list[Finding]:
     """Largest common volume of the boards and chips of two sensors."""
     worst, place, names = 0.0, None, ""
     for a, b in combinations(mounted, 2):
-        for one in (a.board, a.chip):
-            for other in (b.board, b.chip):
-                reach = float(sum(one.half_mm**2) ** 0.5 + sum(other.half_mm**2) ** 0.5)
-                if float(sum((one.centre_mm - other.centre_mm) ** 2) ** 0.5) > reach:
+        for block_a in (a.board, a.chip):
+            for block_b in (b.board, b.chip):
+                reach = float(sum(block_a.half_mm**2) ** 0.5 + sum(block_b.half_mm**2) ** 0.5)
+                if float(sum((block_a.centre_mm - block_b.centre_mm) ** 2) ** 0.5) > reach:
                     continue
-                common = (block_manifold(one) ^ block_manifold(other)).volume()
+                common = (block_manifold(block_a) ^ block_manifold(block_b)).volume()
                 if common > worst:
                     worst, names = common, f"{a.label} and {b.label}"
-                    place = place_of((one.centre_mm + other.centre_mm) / 2)
+                    place = place_of((block_a.centre_mm + block_b.centre_mm) / 2)
     return [
         Finding(
             "boards clear of each other",
@@ -257,10 +259,12 @@ def largest_common(check: str, part: str, pairs: list[tuple[Named, Named]], text
     """The finding of the two parts, of some pairs, that share most volume; `text` says what to do."""
     worst, names, place = 0.0, "", None
     solids = {id(mesh): manifold_of(mesh) for pair in pairs for _, mesh in pair}
-    for (a, one), (b, other) in pairs:
-        if (one.bounds[0] > other.bounds[1]).any() or (other.bounds[0] > one.bounds[1]).any():
+    for (a, mesh_a), (b, mesh_b) in pairs:
+        if (mesh_a.bounds[0] > mesh_b.bounds[1]).any() or (
+            mesh_b.bounds[0] > mesh_a.bounds[1]
+        ).any():
             continue
-        common = solids[id(one)] ^ solids[id(other)]
+        common = solids[id(mesh_a)] ^ solids[id(mesh_b)]
         if common.volume() > worst:
             worst, names = common.volume(), f"; most: {a} and {b}"
             place = place_of(np.reshape(common.bounding_box(), (2, 3)).mean(axis=0))

@@ -27,11 +27,11 @@ from design.body.meshes import (
     undercut,
 )
 from design.fabrication.assembly import largest_common
-from design.fabrication.finding import Finding, at_least, place_of
+from design.fabrication.finding import Finding, place_of, status_above
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import (
-    YIELD_SHARE,
+    COMPLIANCE_FRACTION,
     flange_wall_mm,
     mould_frame,
     mould_style,
@@ -50,7 +50,7 @@ from design.mould.openings import (
 )
 from design.mould.pins import make_pin
 from design.mould.plug import pour_width_mm
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:
@@ -58,9 +58,10 @@ if TYPE_CHECKING:
 
 CEILING_MM2 = 100.0
 PEEL_SHARE = 0.33
-"""Of the elongation at break that peeling out of a mould may take: a third, an estimate."""
+"""Share of the elongation at break that peeling out of a mould may take: a third, an estimate."""
 NEAR_MM = 0.15
-"""Of the silicone's surface, within which a face touches it: triangles of both leave theirs by less."""
+"""Distance from the silicone's surface, within which a face touches it: triangles of both leave theirs by
+less."""
 OPEN_MM3 = 1e-3
 CLOSING = ("mould_box", "mould_half_a", "mould_half_b", "mould_plug", "mould_holder")
 """Parts in the object's frame of which a mould has one each."""
@@ -82,19 +83,19 @@ def check_casting(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[
     reason = why_no_mould(spec)
     if reason is not None:
         return [Finding("mould", "shell", 0.0, 1.0, "moulds", "fail", reason)]
-    found = [_pour(spec), *_heads(spec), *_flanges(spec)]
+    findings = [_pour(spec), *_heads(spec), *_flanges(spec)]
     if "shell" not in meshes:
-        return found
+        return findings
     for draw in draws(spec):
         if draw.part in meshes:
-            found += check_draw(spec, draw, meshes[draw.part], meshes["shell"])
-    found += [*check_closing(spec, meshes), *check_air(spec, meshes)]
-    return [*found, *(check_seal_mould(spec, meshes) if spec.shell.seal_layer_mm else [])]
+            findings += check_draw(spec, draw, meshes[draw.part], meshes["shell"])
+    findings += [*check_closing(spec, meshes), *check_air(spec, meshes)]
+    return [*findings, *(check_seal_mould(spec, meshes) if spec.shell.seal_layer_mm else [])]
 
 
 def check_seal_mould(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """The same of the mould that a layer is poured in, where the body is no box on a plug."""
-    finished, found = finished_surface(spec), list[Finding]()
+    finished, findings = finished_surface(spec), list[Finding]()
     if mould_frame(spec).opening == "open":
         box = meshes.get("mould_seal_box")
         if box is None or body_of(spec).cuboid:
@@ -105,13 +106,13 @@ def check_seal_mould(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> li
     for name, sign in zip(names, (1, -1), strict=True):
         if name in meshes:
             draw = Draw(name, sign * parting(spec).normal, 0.0)
-            found.append(check_undercut(spec, draw, meshes[name], finished))
+            findings.append(check_undercut(spec, draw, meshes[name], finished))
     held = tuple(pin for pin in loose_pins(spec) if pin.locator is not None)
     shut = {name: meshes[name] for name in (*names, "mould_holder", "core") if name in meshes}
     holes = seal_holes(spec)
     traps = check_traps(spec, sealed_round(spec), holes, names[0])
     return [
-        *found,
+        *findings,
         check_shared(spec, shut, held, names[0]),
         traps,
         *check_blocked(holes, shut, "core"),
@@ -132,7 +133,9 @@ def check_shared(
 ) -> Finding:
     placed = list(meshes.items())
     if pins:
-        placed += [(f"pin {k}", as_triangles(make_pin(spec, p))) for k, p in enumerate(pins, 1)]
+        placed += [
+            (f"pin {k}", convert_to_triangles(make_pin(spec, p))) for k, p in enumerate(pins, 1)
+        ]
     text = (
         "largest common volume of two parts of the closed mould, or of one and the core. Above the limit "
         "the mould does not close: move pockets apart, or choose another mould.style"
@@ -155,7 +158,7 @@ def draws(spec: ObjectSpec) -> list[Draw]:
 
 
 def _one_piece(spec: ObjectSpec, part: str) -> Draw:
-    """Of a mould whose plug comes out first: the silicone can give way by half the narrower width."""
+    """Draw of a mould whose plug comes out first: the silicone can give way by half the narrower width."""
     frame = mould_frame(spec)
     return Draw(part, -frame.out, float(np.ptp(frame.plug_mm, axis=0).min()) / 2)
 
@@ -169,7 +172,7 @@ def check_draw(
 
 
 def draft_finding(spec: ObjectSpec, part: str, draft_deg: float, place: np.ndarray) -> Finding:
-    """Of the least draft of a part's walls, at a place: too little of it is a warning."""
+    """Finding of the least draft of a part's walls, at a place: too little of it is a warning."""
     limit = spec.printer.process_figures.draft_deg
     return Finding(
         "draft",
@@ -177,7 +180,7 @@ def draft_finding(spec: ObjectSpec, part: str, draft_deg: float, place: np.ndarr
         draft_deg,
         limit,
         "°",
-        at_least(draft_deg, limit) if draft_deg >= limit else "warn",
+        status_above(draft_deg, limit) if draft_deg >= limit else "warn",
         "least draft of a wall towards the silicone, which is that of the object's own walls. Below the "
         "limit: use release agent, draw slowly; silicone lets go, printed layers scratch it",
         place_of(place),
@@ -199,9 +202,9 @@ def way_out(spec: ObjectSpec) -> str:
 
 def thicker_shell(spec: ObjectSpec, depth_mm: float) -> str:
     """The shell that gives way by so much on the spot, where one twice as thick at most does."""
-    thickness = ceil(10 * depth_mm / YIELD_SHARE) / 10
-    told = f"make shell.thickness_mm {thickness:g} or more, which gives way by that, "
-    return told if thickness <= 2 * spec.shell.thickness_mm else ""
+    thickness = ceil(10 * depth_mm / COMPLIANCE_FRACTION) / 10
+    advice = f"make shell.thickness_mm {thickness:g} or more, which gives way by that, "
+    return advice if thickness <= 2 * spec.shell.thickness_mm else ""
 
 
 def check_undercut(
@@ -210,29 +213,30 @@ def check_undercut(
     return undercut_finding(spec, draw, undercut(mesh, draw.pull, wetted_faces(mesh, silicone)))
 
 
-def undercut_finding(spec: ObjectSpec, draw: Draw, found: Undercut) -> Finding:
+def undercut_finding(spec: ObjectSpec, draw: Draw, undercut: Undercut) -> Finding:
     """Return whether silicone gives way to an undercut: it needs room, and strain that it bears."""
-    strain = found.depth_mm / spec.shell.thickness_mm
-    room = max(draw.room_mm, YIELD_SHARE * spec.shell.thickness_mm)
+    strain = undercut.depth_mm / spec.shell.thickness_mm
+    room = max(draw.room_mm, COMPLIANCE_FRACTION * spec.shell.thickness_mm)
     allowed = PEEL_SHARE * spec.silicone.elongation_percent / 100
-    if not found.depth_mm:
+    if not undercut.depth_mm:
         status, text = "pass", "no undercut along the pull"
-    elif found.depth_mm > room:
+    elif undercut.depth_mm > room:
         status = "fail"
         text = (
-            f"{found.area_mm2:.0f} mm² of undercut; the silicone must give way by {found.depth_mm:.2g} mm "
-            f"and has {room:.2g} mm of room. {way_out(spec)}, {thicker_shell(spec, found.depth_mm)}"
+            f"{undercut.area_mm2:.0f} mm² of undercut; the silicone must give way by "
+            f"{undercut.depth_mm:.2g} mm and has {room:.2g} mm of room. {way_out(spec)}, "
+            f"{thicker_shell(spec, undercut.depth_mm)}"
             "or leave out what hooks"
         )
     else:
         status = "pass" if strain <= allowed else "fail"
         text = (
-            f"{found.area_mm2:.0f} mm² of undercut, to be peeled: about {strain:.0%} of strain of "
+            f"{undercut.area_mm2:.0f} mm² of undercut, to be peeled: about {strain:.0%} of strain of "
             f"{allowed:.0%} allowed, and room to give way"
         )
-    limit = min(room, allowed * spec.shell.thickness_mm) if found.depth_mm else 0.0
-    place = None if found.place_mm is None else place_of(found.place_mm)
-    return Finding("undercut", draw.part, found.depth_mm, limit, "mm", status, text, place)
+    limit = min(room, allowed * spec.shell.thickness_mm) if undercut.depth_mm else 0.0
+    place = None if undercut.place_mm is None else place_of(undercut.place_mm)
+    return Finding("undercut", draw.part, undercut.depth_mm, limit, "mm", status, text, place)
 
 
 def _pour(spec: ObjectSpec) -> Finding:
@@ -253,7 +257,7 @@ def _pour(spec: ObjectSpec) -> Finding:
         width,
         LEAST_POUR_MM,
         "mm",
-        at_least(width, LEAST_POUR_MM),
+        status_above(width, LEAST_POUR_MM),
         text,
         place,
     )
@@ -270,12 +274,14 @@ def _heads(spec: ObjectSpec) -> list[Finding]:
         "limit pins may go in too far: move pockets apart, or use mould.style = 'one-piece'"
     )
     return [
-        Finding("rim of the pins' heads", "mould_pin", rim, limit, "mm", at_least(rim, limit), text)
+        Finding(
+            "rim of the pins' heads", "mould_pin", rim, limit, "mm", status_above(rim, limit), text
+        )
     ]
 
 
 def _flanges(spec: ObjectSpec) -> list[Finding]:
-    """Walls of the flanges beside bolts and dowels, and how many of these find room between pins."""
+    """Walls of the flanges next to bolts and dowels, and how many of these find room between pins."""
     if mould_style(spec) != "split":
         return []
     wall, limit = flange_wall_mm(spec), spec.printer.wall_mm
@@ -284,7 +290,7 @@ def _flanges(spec: ObjectSpec) -> list[Finding]:
         "wall of a flange on either side of its bolts and dowels; below 0 their holes are open. Below the "
         f"limit: raise mould.flange_mm to {least:g}"
     )
-    status, part = at_least(wall, limit), "mould_half_a"
+    status, part = status_above(wall, limit), "mould_half_a"
     walls = Finding("flange round its bolts", part, wall, limit, "mm", status, text)
     count = min(len(flange.places_mm) for flange in flanges(spec))
     status = "pass" if count == len(PLACES) else "warn" if count > 1 else "fail"
@@ -300,13 +306,13 @@ def check_air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Find
     """Air rises to the open side or to vents; it must not be caught on its way."""
     holes, shell = tuple(mould_holes(spec)), meshes["shell"]
     closing = {name: mesh for name, mesh in meshes.items() if name in CLOSING}
-    found = [check_traps(spec, shell, holes, "shell"), *check_blocked(holes, closing)]
+    findings = [check_traps(spec, shell, holes, "shell"), *check_blocked(holes, closing)]
     ceiling = largest_ceiling(shell, up(spec), mould_frame(spec).rim_mm)
-    return found if ceiling is None else [*found, ceiling_finding(*ceiling)]
+    return findings if ceiling is None else [*findings, ceiling_finding(*ceiling)]
 
 
 def ceiling_finding(area_mm2: float, place: np.ndarray) -> Finding:
-    """Of the largest flat surface on which air rests, at a place."""
+    """Finding of the largest flat surface on which air rests, at a place."""
     return Finding(
         "flat ceilings",
         "shell",
@@ -327,7 +333,7 @@ def check_traps(
 
 
 def traps_finding(traps: Sequence[Trap], holes: tuple[Hole, ...], part: str) -> Finding:
-    """Of high points that neither the open side nor a vent drains."""
+    """Finding of high points that neither the open side nor a vent drains."""
     vents = sum(hole.use == "vent" for hole in holes)
     return Finding(
         "air traps",
@@ -350,7 +356,7 @@ def check_blocked(
     if not holes or not solids:
         return []
     blocks = [
-        (float((solid ^ manifold_of(_through(hole, name).surface())).volume()), name, hole)
+        (float((solid ^ manifold_of(_passage_in(hole, name).surface())).volume()), name, hole)
         for hole in holes
         for name, solid in solids.items()
     ]
@@ -371,6 +377,6 @@ def check_blocked(
     ]
 
 
-def _through(hole: Hole, part: str) -> Hole:
-    """Return what of a hole a part must leave open: the rod of a holder stands in the silicone beside it."""
+def _passage_in(hole: Hole, part: str) -> Hole:
+    """Return the piece of a hole that a part must leave open: a holder's rod stands in the silicone."""
     return hole.outside if part == "mould_holder" else hole

@@ -18,7 +18,7 @@ from design.fabrication.assembly import (
     check_pockets,
 )
 from design.fabrication.casting import check_casting
-from design.fabrication.finding import Finding, Place, at_least, place_of
+from design.fabrication.finding import Finding, Place, place_of, status_above
 from design.fabrication.printing import (
     check_bed,
     check_edges,
@@ -27,7 +27,7 @@ from design.fabrication.printing import (
     check_walls,
 )
 from design.fabrication.tools import check_tools
-from design.solids.booleans import TRIANGLES, as_triangles, as_written
+from design.solids.booleans import TRIANGLES, convert_to_triangles, stl_surface
 from design.solids.kernel import cq
 from design.spec.object import ObjectSpec
 
@@ -40,7 +40,7 @@ SLIVER_MM3 = 1.0
 
 @dataclass(frozen=True)
 class Checked:
-    """What was found, and the triangles of every part whose surface closes."""
+    """Findings, and the triangles of every part whose surface closes."""
 
     findings: list[Finding]
     meshes: dict[str, trimesh.Trimesh]
@@ -62,8 +62,8 @@ def check_fabrication(
             shape = part.make()
         except NotOneSolid as error:
             shape = error.shape
-        found, mesh = check_solid(part.name, shape, spec)
-        findings += found
+        solid_findings, mesh = check_solid(part.name, shape, spec)
+        findings += solid_findings
         if mesh is not None:
             meshes[part.name] = mesh
             findings += check_walls(part, mesh, spec)
@@ -99,7 +99,7 @@ def check_solid(
     if pieces:
         findings.append(_sliver(name, *pieces[0]))
     closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
-    closed = closed and as_written(mesh) is not None
+    closed = closed and stl_surface(mesh) is not None
     text = (
         "the triangles close round a volume, outwards throughout, in the precision of the STL; where they "
         f"do not, two cuts touch in a line: {_apart(name)} by 0.01 mm"
@@ -121,7 +121,7 @@ def _sliver(name: str, volume_mm3: float, place: Place) -> Finding:
         "volume of the smallest piece: what is smaller comes loose. Let cuts overlap clearly or keep "
         "them apart"
     )
-    status = at_least(volume_mm3, SLIVER_MM3)
+    status = status_above(volume_mm3, SLIVER_MM3)
     return Finding("no slivers", name, volume_mm3, SLIVER_MM3, "mm³", status, text, place)
 
 
@@ -136,4 +136,4 @@ def _pieces(shape: cq.Shape | trimesh.Trimesh) -> list[tuple[float, Place]]:
 
 def mesh_of(shape: cq.Shape, spec: ObjectSpec) -> trimesh.Trimesh:
     """Triangles of a shape, as `build` writes them."""
-    return as_triangles(shape, TRIANGLES, False)
+    return convert_to_triangles(shape, TRIANGLES, False)

@@ -41,7 +41,7 @@ class Finding:
         return asdict(self)
 
 
-def at_least(value: float, limit: float, warn_factor: float = 1.0) -> Status:
+def status_above(value: float, limit: float, warn_factor: float = 1.0) -> Status:
     """Fails below the limit, or where the value is not known (NaN); warns below the limit times the factor.
 
     Figures within 1e-6 of a limit meet it: they come from floating-point geometry.
@@ -53,8 +53,8 @@ def at_least(value: float, limit: float, warn_factor: float = 1.0) -> Status:
 
 def worst(findings: list[Finding]) -> Status:
     """The worst status among findings; pass where there are none."""
-    found = {finding.status for finding in findings}
-    return "fail" if "fail" in found else "warn" if "warn" in found else "pass"
+    statuses = {finding.status for finding in findings}
+    return "fail" if "fail" in statuses else "warn" if "warn" in statuses else "pass"
 
 
 def place_of(point: Any) -> Place:

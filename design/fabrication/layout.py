@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from design.fabrication.assembly import check_pockets
-from design.fabrication.finding import Finding, at_least, place_of
-from design.fit.boards import beyond_core_mm
+from design.fabrication.finding import Finding, place_of, status_above
+from design.fit.boards import distance_beyond_core_mm
 from design.fit.parts import distance_mm, recess_outline
 from design.layout.boards import passage_radius_mm, sensor_recesses, smallest_recess_wall_mm
 from design.layout.body import face_frames
@@ -31,26 +31,28 @@ def layout_findings(spec: ObjectSpec, recesses: bool = True) -> list[Finding]:
     Recesses that meet leave no wall between them and can be printed, as on the paper's cube; here they
     fail, as a layout search keeps them apart.
     """
-    found = [*check_pockets(spec), *_across_edges(spec), *_marks(spec)]
-    return found + _recess_walls(spec) if recesses else found
+    findings = [*check_pockets(spec), *_edge_spacing(spec), *_marks(spec)]
+    return findings + _recess_walls(spec) if recesses else findings
 
 
 def failures(findings: list[Finding]) -> list[str]:
     """Return what fails, in words."""
-    return [one.told for one in findings if one.status == "fail"]
+    return [finding.told for finding in findings if finding.status == "fail"]
 
 
-def _across_edges(spec: ObjectSpec) -> list[Finding]:
+def _edge_spacing(spec: ObjectSpec) -> list[Finding]:
     """Silicone between pockets of neighbouring faces."""
     faces = {
         frame.number: pocket_ends(frame, pockets)
         for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)
     }
     pairs = [(faces[a.number], faces[b.number]) for a, b in neighbours(face_frames(spec))]
-    found = [(gaps_across_edge_mm(a, b), a) for a, b in pairs if len(a.radii_mm) * len(b.radii_mm)]
-    if not found:
+    gaps_by_pair = [
+        (gaps_across_edge_mm(a, b), a) for a, b in pairs if len(a.radii_mm) * len(b.radii_mm)
+    ]
+    if not gaps_by_pair:
         return []
-    gaps, ones = min(found, key=lambda pair: pair[0].min())
+    gaps, ones = min(gaps_by_pair, key=lambda pair: pair[0].min())
     gap, place = float(gaps.min()), ones.axes_mm[gaps.min(axis=1).argmin(), 0]
     text = "silicone between pockets of neighbouring faces. Below the limit: move them inwards"
     limit = spec.silicone.thinnest_wall_mm
@@ -61,7 +63,7 @@ def _across_edges(spec: ObjectSpec) -> list[Finding]:
             gap,
             limit,
             "mm",
-            at_least(gap, limit),
+            status_above(gap, limit),
             text,
             place_of(place),
         )
@@ -72,12 +74,16 @@ def _recess_walls(spec: ObjectSpec) -> list[Finding]:
     """Walls between recesses, from a recess to the next side of the core, and to the wire hole."""
     recesses = sensor_recesses(spec)
     floors = np.concatenate([recess.corners_mm[:4] for recess in recesses])
-    found = [
-        _printed(spec, "wall beside a side of the core", -float(beyond_core_mm(spec, floors).max()))
+    findings = [
+        _printed(
+            spec,
+            "wall beside a side of the core",
+            -float(distance_beyond_core_mm(spec, floors).max()),
+        )
     ]
     if len(recesses) > 1:
         wall = smallest_recess_wall_mm(spec)
-        found.append(_printed(spec, "wall between two recesses", wall))
+        findings.append(_printed(spec, "wall between two recesses", wall))
     away = [
         distance_mm(recess_outline(spec, *place), np.zeros(2))
         for places in sensor_places(spec)
@@ -85,19 +91,19 @@ def _recess_walls(spec: ObjectSpec) -> list[Finding]:
     ]
     beside = [distance - passage_radius_mm(spec) for distance in away if distance > 0]
     if beside:
-        found.append(_printed(spec, "wall beside the wire hole", min(beside)))
-    return found
+        findings.append(_printed(spec, "wall beside the wire hole", min(beside)))
+    return findings
 
 
 def _printed(spec: ObjectSpec, check: str, wall_mm: float) -> Finding:
     limit = spec.printer.wall_mm
     text = f"core: {check}. Below the limit: move the sensors"
-    return Finding(check, "core", wall_mm, limit, "mm", at_least(wall_mm, limit), text)
+    return Finding(check, "core", wall_mm, limit, "mm", status_above(wall_mm, limit), text)
 
 
 def _marks(spec: ObjectSpec) -> list[Finding]:
-    """Walls of the magnets' template beside the marks of polarity."""
+    """Walls of the magnets' template next to the marks of polarity."""
     wall, limit = thinnest_mark_wall_mm(spec), spec.printer.wall_mm
     text = "wall beside a mark of polarity. Below the limit: move magnets apart"
-    status = at_least(wall, limit)
+    status = status_above(wall, limit)
     return [Finding("mark of polarity", "magnet_template", wall, limit, "mm", status, text)]

@@ -10,7 +10,7 @@ from jaxtyping import Float
 
 from design.body.meshes import sharpest_edge, thinnest_wall
 from design.build.parts import Part
-from design.fabrication.finding import Finding, at_least, place_of
+from design.fabrication.finding import Finding, place_of, status_above
 from design.fit.seam import better_azimuth
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import all_wire_channels, wire_holes
@@ -51,7 +51,7 @@ def check_walls(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Fin
             wall.thickness_mm,
             limit,
             "mm",
-            at_least(wall.thickness_mm, limit, _TIGHT),
+            status_above(wall.thickness_mm, limit, _TIGHT),
             f"thinnest {'silicone' if cast else 'printed'} wall, measured by rays. Below "
             f"{_TIGHT:g} times the limit: {advice}",
             place_of(wall.place_mm),
@@ -92,7 +92,7 @@ def check_bed(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Findi
             least,
             0.0,
             "mm",
-            at_least(least, 0.0),
+            status_above(least, 0.0),
             "room left on the printer's bed, turned as fits best. Below the limit: split the part or "
             "take a larger printer",
         )
@@ -108,25 +108,25 @@ def _rising(
 def check_features(spec: ObjectSpec) -> list[Finding]:
     """Holes, channels, keys, fins and bosses against what the printer resolves.
 
-    Places are in the object's frame: of the first of those that are alike.
+    Places are in the object's frame: of the first of features that are alike.
     """
     core, printer = spec.core, spec.printer
-    found = list[Finding]()
+    findings = list[Finding]()
     for key, hole in wire_holes(spec).items():
         name, least = f"wire hole, {'top' if 'top' in key else 'sides'}", printer.hole_mm
-        found.append(_feature(name, "core", hole.diameter_mm, least, f"core.{key}", hole.end_mm))
+        findings.append(_feature(name, "core", hole.diameter_mm, least, f"core.{key}", hole.end_mm))
     if width := core.wire_channel_width_mm:
         key, channels = "core.wire_channel_width_mm", all_wire_channels(spec)
         place = channels[0].centre_mm if channels else None
-        found.append(_feature("wire channel", "core", width, printer.hole_mm, key, place))
+        findings.append(_feature("wire channel", "core", width, printer.hole_mm, key, place))
     if core.keys.positions_mm:
         narrow, name, place = min(core.keys.size_mm), "anti-slip key", core_keys(spec)[0].centre_mm
-        found += [
+        findings += [
             _feature(name, "core", narrow, printer.feature_mm, "core.keys.size_mm", place),
             _aspect(name, "core", core.keys.height_mm, narrow, spec, place, "core.keys.height_mm"),
         ]
-    found += _fins(spec) if spec.shell.slits.depth_mm else []
-    return found + (_bosses(spec) + _holding(spec) if has_mould(spec) else [])
+    findings += _fins(spec) if spec.shell.slits.depth_mm else []
+    return findings + (_bosses(spec) + _holding(spec) if has_mould(spec) else [])
 
 
 def _fins(spec: ObjectSpec) -> list[Finding]:
@@ -170,12 +170,12 @@ def _bosses(spec: ObjectSpec) -> list[Finding]:
         high = -pocket.axis_ends_mm[0, 2] - spec.shell.seal_layer_mm
         return float(high / pocket.axis[2] / width(pocket))
 
-    narrow, at = min(placed, key=lambda one: width(one[0]))
-    tall, there = max(placed, key=lambda one: slender(one[0]))
+    narrow, narrow_mm = min(placed, key=lambda boss: width(boss[0]))
+    tall, tall_mm = max(placed, key=lambda boss: slender(boss[0]))
     key, name, least = "shell.pocket_diameter_mm", "boss of a pocket", spec.printer.feature_mm
     return [
-        _feature(name, part, width(narrow), least, key, at),
-        _aspect(name, part, slender(tall), 1.0, spec, there),
+        _feature(name, part, width(narrow), least, key, narrow_mm),
+        _aspect(name, part, slender(tall), 1.0, spec, tall_mm),
     ]
 
 
@@ -190,7 +190,7 @@ def _feature(
         f"{what}: width. Below what the printer resolves it closes or breaks: make it wider ({key} of "
         f"{limit:g} or more)"
     )
-    place, status = None if at_mm is None else place_of(at_mm), at_least(value, limit)
+    place, status = None if at_mm is None else place_of(at_mm), status_above(value, limit)
     return Finding("smallest feature", part, value, limit, "mm", status, text, place)
 
 

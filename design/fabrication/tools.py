@@ -1,4 +1,4 @@
-"""Checks of tools on the finished object: jig, probes beside it, templates of magnets."""
+"""Checks of tools on the finished object: jig, probes next to it, templates of magnets."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ how far it is lifted to find out."""
 def check_tools(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:
     """The object on its jig, and templates on the faces that they serve, as far as these were built."""
     body = [(name, meshes[name]) for name in ("core", "shell") if name in meshes]
-    found = list[Finding]()
+    findings = list[Finding]()
     if "jig" in meshes and body:
-        found += [_on_jig(meshes["jig"], body), *_probes_beside_jig(spec, meshes)]
+        findings += [_seat_on_jig(meshes["jig"], body), *_probes_beside_jig(spec, meshes)]
     frames = {frame.number: frame for frame, _ in pockets_by_face(spec)}
     flat = all(frame.flat for frame in frames.values())
     groups = template_faces(spec) if flat else curved_template_faces(spec)
@@ -46,13 +46,13 @@ def check_tools(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Fi
     for first, numbers in groups.items():
         name = "magnet_template" if len(groups) == 1 else f"magnet_template_face_{first}"
         if name in meshes and body:
-            placed = [(name, _on_face(meshes[name], frames[number])) for number in numbers]
-            pairs = [(template, other) for template in placed for other in body]
-            found.append(largest_common("template on its face", name, pairs, text))
-    return found
+            placed = [(name, _move_to_face(meshes[name], frames[number])) for number in numbers]
+            pairs = [(template, body_part) for template in placed for body_part in body]
+            findings.append(largest_common("template on its face", name, pairs, text))
+    return findings
 
 
-def _on_jig(jig: trimesh.Trimesh, body: list[Named]) -> Finding:
+def _seat_on_jig(jig: trimesh.Trimesh, body: list[Named]) -> Finding:
     """Return how far the object must be lifted until nothing of it stands in the jig.
 
     A volume alone says little: the post under a pear shared 1.3 mm³ with a core that stood 1.5 mm high.
@@ -79,7 +79,7 @@ def _probes_beside_jig(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> 
     )
     jig, places = ("jig", meshes["jig"]), _lowest_presses(spec)
     probes = [(name, mesh) for name, mesh in meshes.items() if name.startswith("probe_")]
-    pairs = [((name, _on_face(mesh, place)), jig) for name, mesh in probes for place in places]
+    pairs = [((name, _move_to_face(mesh, place)), jig) for name, mesh in probes for place in places]
     finding = largest_common("probes clear of the jig", "jig", pairs, text)
     # other locations can still be pressed: no reason to refuse the parts
     status = "warn" if finding.status == "fail" else "pass"
@@ -89,9 +89,9 @@ def _probes_beside_jig(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> 
 def _lowest_presses(spec: ObjectSpec) -> list[FaceFrame]:
     """Return the frame of the lowest contact location of every face, moved inwards by the deepest press."""
     grid, deepest, lowest = contact_grid(spec).xy_mm, spec.press.depths_mm[-1], list[FaceFrame]()
-    for frame, there in zip(face_frames(spec), contact_places(spec), strict=True):
-        if there.any():
-            places = frame.to_plane(grid[there])
+    for frame, has_place in zip(face_frames(spec), contact_places(spec), strict=True):
+        if has_place.any():
+            places = frame.to_plane(grid[has_place])
             touched = frame.to_object(np.column_stack([places, np.zeros(len(places))]))
             least = int(touched[:, 2].argmin())
             tangent = frame.tangent(places[least])
@@ -115,7 +115,7 @@ def _lift_mm(jig: Manifold, body: Manifold) -> float:
     return high
 
 
-def _on_face(mesh: trimesh.Trimesh, frame: FaceFrame) -> trimesh.Trimesh:
+def _move_to_face(mesh: trimesh.Trimesh, frame: FaceFrame) -> trimesh.Trimesh:
     """A part in a face's frame, moved to that face."""
     pose = np.eye(4)
     pose[:3, :3], pose[:3, 3] = frame.axes, frame.centre_mm

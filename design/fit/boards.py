@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _TOUCHING_MM = 0.01
 _FLUSH_MM = 0.05
-"""By which a board may stand above the core: offsets of triangles are known to that."""
+"""Height by which a board may stand above the core: offsets of triangles are known to that."""
 _EXACT_MM = 1e-6
 """Rounding that is no violation."""
 
@@ -62,7 +62,7 @@ def _check_boards_in_core(spec: ObjectSpec) -> Iterator[str]:
         ):
             if not np.isfinite(corners).all():
                 break  # beyond its patch, which is told with the sinking of boards
-            beyond = beyond_core_mm(spec, corners)
+            beyond = distance_beyond_core_mm(spec, corners)
             worst = int(np.argmax(beyond))
             if beyond[worst] > _FLUSH_MM:
                 place = ", ".join(f"{float(p):.3g}" for p in corners[worst])
@@ -78,9 +78,9 @@ def _check_boards_in_recesses(spec: ObjectSpec) -> Iterator[str]:
     """Board and chip within the recess, which is alike at every sensor."""
     core, sensors = spec.core, spec.sensors
     width, length, thick = sensors.package_mm
-    across, along, high = sensors.chip_mm
+    chip_width, chip_length, high = sensors.chip_mm
     inner, outer = core.recess_inner_radius_mm, core.recess_outer_radius_mm
-    widest, deepest = max(width, across), thick + high
+    widest, deepest = max(width, chip_width), thick + high
     if core.recess_width_mm < widest - _EXACT_MM:
         yield (
             f"core.recess_width_mm = {core.recess_width_mm:g} is narrower than board and chip of "
@@ -99,7 +99,7 @@ def _check_boards_in_recesses(spec: ObjectSpec) -> Iterator[str]:
             f"{thick:g} + {high:g} mm high (sensors.package_mm, chip_mm). Make it {deepest:.4g} or more, or "
             "take a thinner board"
         )
-    low, top = sensors.radius_mm - along / 2, sensors.radius_mm + along / 2
+    low, top = sensors.radius_mm - chip_length / 2, sensors.radius_mm + chip_length / 2
     if low < inner - _EXACT_MM or top > outer + _EXACT_MM:
         yield (
             f"the chip reaches from {low:.4g} to {top:.4g} mm from the middle of the face (sensors."
@@ -111,11 +111,11 @@ def _check_boards_in_recesses(spec: ObjectSpec) -> Iterator[str]:
 
 def _check_boards_apart(spec: ObjectSpec) -> Iterator[str]:
     """No board or chip in the room of another one of its face; pairs alike on several faces once."""
-    found: dict[str, list[tuple[int, float]]] = {}
+    overlaps: dict[str, list[tuple[int, float]]] = {}
     for a, b, common in _meeting(spec):
         if a.face == b.face:
-            found.setdefault(f"{a.number} and {b.number}", []).append((a.face, common))
-    for numbers, cases in found.items():
+            overlaps.setdefault(f"{a.number} and {b.number}", []).append((a.face, common))
+    for numbers, cases in overlaps.items():
         faces = [str(face) for face, _ in cases]
         yield (
             f"the boards of sensors {numbers} on face{'s' * (len(faces) > 1)} {', '.join(faces)} meet, by "
@@ -132,10 +132,13 @@ def boards_across_edges(spec: ObjectSpec) -> str | None:
     pairs = [(a, b, common) for a, b, common in _meeting(spec) if a.face != b.face]
     if not pairs:
         return None
-    told = ", ".join(f"{a.label} and {b.label} (by {common:.3g} mm)" for a, b, common in pairs)
+    meeting_boards = ", ".join(
+        f"{a.label} and {b.label} (by {common:.3g} mm)" for a, b, common in pairs
+    )
     return (
-        f"boards of two faces meet in the core: {told}. The object can be simulated, but not built. Move "
-        "sensors inwards or turn them (sensors.positions_mm, first_azimuth_deg), or take smaller boards"
+        f"boards of two faces meet in the core: {meeting_boards}. The object can be simulated, but not "
+        "built. Move sensors inwards or turn them (sensors.positions_mm, first_azimuth_deg), "
+        "or take smaller boards"
     )
 
 
@@ -150,12 +153,12 @@ def _meeting(spec: ObjectSpec) -> Iterator[tuple[Mounted, Mounted, float]]:
         if np.linalg.norm(a.board.centre_mm - b.board.centre_mm) > 2 * reach:
             continue
         pairs = product((a.board, a.chip), (b.board, b.chip))
-        common = -min(gap_mm(one, other) for one, other in pairs)
+        common = -min(gap_mm(block_a, block_b) for block_a, block_b in pairs)
         if common > _EXACT_MM:
             yield a, b, common
 
 
-def beyond_core_mm(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
+def distance_beyond_core_mm(spec: ObjectSpec, points_mm: np.ndarray) -> np.ndarray:
     """Return how far points lie outside the core, or the base with its border (mm)."""
     body = body_of(spec)
     beside = np.max(abs(points_mm) - body.half_mm, axis=1)

@@ -149,8 +149,8 @@ def _check_sealed(spec: ObjectSpec, index: int, pocket: Pocket) -> Iterator[str]
 def _check_pockets_apart(pockets: tuple[Pocket, ...]) -> Iterator[str]:
     axes = [pocket.axis_ends_mm for pocket in pockets]
     near = near_pairs(axes, [pocket.outline.radius_mm for pocket in pockets])
-    for one, other, distance in islice(near, MOST_TOLD):
-        a, b = pockets[one], pockets[other]
+    for index_a, index_b, distance in islice(near, MOST_TOLD):
+        a, b = pockets[index_a], pockets[index_b]
         needed = a.outline.radius_mm + b.outline.radius_mm
         yield (
             f"the pockets of {a.body.label} and {b.body.label} touch or overlap: axes "
@@ -163,9 +163,9 @@ def _check_pockets_across_edges(
     faces: tuple[tuple[Pocket, ...], ...], halves_mm: list[tuple[float, float]], part: str
 ) -> Iterator[str]:
     """The boxes round the pockets of neighbouring faces must not meet at an edge."""
-    every = [(p, half) for face, half in zip(faces, halves_mm, strict=True) for p in face]
-    deepest = max(-pocket.lowest_mm for pocket, _ in every)
-    for pocket, half in every:
+    all_pockets = [(p, half) for face, half in zip(faces, halves_mm, strict=True) for p in face]
+    deepest = max(-pocket.lowest_mm for pocket, _ in all_pockets)
+    for pocket, half in all_pockets:
         half_x, half_y = (edge - deepest for edge in half)
         if (pocket.reach_mm >= (half_x, half_y)).any():
             at_most = [h - r + abs(c) for h, r, c in _columns((half_x, half_y), pocket)]
@@ -273,9 +273,9 @@ def check_box_presses(spec: ObjectSpec) -> Iterator[str]:
 def check_tips(spec: ObjectSpec) -> Iterator[str]:
     from design.layout.tips import tip_places_mm, tips_overlap
 
-    one = spec.indenter.changed(tip_count=1)
+    single_tip = spec.indenter.changed(tip_count=1)
     for a, b in combinations(tip_places_mm(spec.indenter), 2):
-        if tips_overlap(one, b - a):
+        if tips_overlap(single_tip, b - a):
             yield (
                 f"indenter.tip_spacing_mm = {spec.indenter.tip_spacing_mm} makes the tips overlap. Space "
                 f"them by {least_spacing_mm(spec.indenter):g} or more"
@@ -283,7 +283,7 @@ def check_tips(spec: ObjectSpec) -> Iterator[str]:
 
 
 def fewer_places(count: tuple[int, int], pitch_mm: float, axis: int, room_mm: float) -> str:
-    """What makes a grid fit whose places, with half a pitch round them, have so much room on an axis."""
+    """Advise how a grid fits whose places, with half a pitch round them, have `room_mm` on an axis."""
     most, widest = int(room_mm / pitch_mm + 1e-9), floor(100 * room_mm / count[axis]) / 100
     fewer = f"fewer places ({most} at most)" if most >= LEAST_COUNT else "fewer places"
     nearer = f", contact_grid.pitch_mm of {widest:g} or less" if widest > 0 else ""

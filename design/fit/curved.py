@@ -43,7 +43,7 @@ _STEP_MM = 0.2
 
 
 def check_body(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
-    """What does not fit in a body that has room for its core; unless `ways` without places that are looked
+    """Problems of a body that has room for its core; unless `ways` without places that are looked
     for."""
     yield from check_recesses(spec)
     yield from _check_pockets(spec, ways)
@@ -67,7 +67,7 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
     for frame in face_frames(spec):
         if not _corners_stay(frame, corner, np.ones(1), reach)[0]:
             stays = _corners_stay(frame, corner, np.linspace(0.0, 1.0, 201), reach)
-            half, fewer = frame.half_lengths_mm, _at_most(spec, int(stays.argmin()))
+            half, fewer = frame.half_lengths_mm, _largest_grid(spec, int(stays.argmin()))
             yield (
                 f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
                 f"round the tip, leave face {frame.number}, {'an ellipse' if frame.round else 'a rectangle'} "
@@ -86,9 +86,10 @@ def _corners_stay(
     return np.asarray(stays.reshape(-1, len(signs)).all(axis=1))
 
 
-def _at_most(spec: ObjectSpec, left: int) -> str:
-    """Of a grid whose corner leaves its patch at the step `left` of 200 from the middle."""
-    grid, share = spec.contact_grid, max(left - 1, 0) / 200
+def _largest_grid(spec: ObjectSpec, first_outside: int) -> str:
+    """Largest grid in words, for one whose corner leaves its patch at the step `first_outside` of 200 from
+    the middle."""
+    grid, share = spec.contact_grid, max(first_outside - 1, 0) / 200
     assert grid.count != "fill"
     pitch, count = int(100 * share * grid.pitch_mm) / 100, [int(share * n) for n in grid.count]
     fewer = f" ({count[0]} × {count[1]} at most)" if min(count) >= LEAST_COUNT else ""
@@ -168,8 +169,8 @@ def _check_pockets(spec: ObjectSpec, ways: bool) -> Iterator[str]:
     yield from patch_problems(spec, ways)
     axes = [axis_in_object_mm(frame, pocket) for frame, pocket in placed]
     near = near_pairs(axes, [pocket.outline.radius_mm for _, pocket in placed])
-    for one, other, distance in islice(near, MOST_TOLD):
-        yield _too_near(placed[one], placed[other], distance)
+    for index_a, index_b, distance in islice(near, MOST_TOLD):
+        yield _describe_near_pockets(placed[index_a], placed[index_b], distance)
 
 
 def _check_depth(spec: ObjectSpec, pocket: Pocket) -> Iterator[str]:
@@ -198,11 +199,11 @@ def _inwards(frame: FaceFrame, xy_mm: np.ndarray) -> str:
     return f"inwards, as to ({x:.4g}, {y:.4g})"
 
 
-def _too_near(one: Placed, other: Placed, distance_mm: float) -> str:
-    (face, a), (beside, b) = one, other
+def _describe_near_pockets(placed_a: Placed, placed_b: Placed, distance_mm: float) -> str:
+    (face, a), (other_face, b) = placed_a, placed_b
     needed = a.outline.radius_mm + b.outline.radius_mm
     return (
-        f"the pockets of {a.body.label} of face {face.number} and {b.body.label} of face {beside.number} "
+        f"the pockets of {a.body.label} of face {face.number} and {b.body.label} of face {other_face.number} "
         f"touch or overlap: axes {distance_mm:.3g} mm apart, more than {needed:.4g} mm needed. Move one of "
         f"them away by more than {needed - distance_mm:.3g} mm, or leave a face out with body.sensed_faces"
     )
@@ -261,16 +262,16 @@ def _too_deep(
 def _no_room_for_boards(spec: ObjectSpec, sensors_of: dict[int, list[int]]) -> str:
     """Boards, by face, of which no depth is known that makes them flush with the core."""
     faces_of: dict[tuple[int, ...], list[int]] = {}
-    for face, found in sensors_of.items():
-        faces_of.setdefault(tuple(found), []).append(face)
-    told = "; ".join(
-        f"{_listed('sensor', found)} of {_listed('face', faces)}"
-        for found, faces in faces_of.items()
+    for face, sensor_list in sensors_of.items():
+        faces_of.setdefault(tuple(sensor_list), []).append(face)
+    board_list = "; ".join(
+        f"{_listed('sensor', sensor_list)} of {_listed('face', faces)}"
+        for sensor_list, faces in faces_of.items()
     )
     width, length, _ = spec.sensors.package_mm
     return (
         f"boards of {width:g} × {length:g} mm reach beyond the core's patch, or find no room in it: "
-        f"{told}. {_nearer_boards(spec)}"
+        f"{board_list}. {_nearer_boards(spec)}"
     )
 
 

@@ -59,28 +59,28 @@ def _check_blocks(spec: ObjectSpec) -> Iterator[str]:
         (f"core.keys: key {index % count + 1} of face {spec.body.sensed[index // count]}", key)
         for index, key in enumerate(core_keys(spec))
     ]
-    for (where, key), (other, another) in combinations(placed, 2):
-        if gap_mm(key, another) <= 0:
-            yield f"{where} meets {other.removeprefix('core.keys: ')}. Move one of them"
+    for (label, key), (other_label, other_key) in combinations(placed, 2):
+        if gap_mm(key, other_key) <= 0:
+            yield f"{label} meets {other_label.removeprefix('core.keys: ')}. Move one of them"
     cuts = cuts_of_core(spec)
-    for where, key in placed:
+    for label, key in placed:
         if any(gap_mm(key, cut) <= 0 for cut in cuts):
             yield (
-                f"{where} stands over a sensor's recess or a wire channel. Move it, or make "
+                f"{label} stands over a sensor's recess or a wire channel. Move it, or make "
                 "core.keys.size_mm smaller"
             )
-        yield from check_passages(spec, where, key)
-        yield from _check_pockets(spec, where, key)
+        yield from check_passages(spec, label, key)
+        yield from _check_pockets(spec, label, key)
 
 
 def check_passages(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
     """Wire holes, through which pins may stand, and the bore."""
     body, radius = body_of(spec), passage_radius_mm(spec)
     for core, face in zip(core_frames(spec), face_frames(spec), strict=True):
-        if _from_line_mm(key, 0.5 * core.centre_mm, face.centre_mm) < radius:
+        if _line_distance_mm(key, 0.5 * core.centre_mm, face.centre_mm) < radius:
             yield f"{where} stands over the wire hole of face {core.number}. Move it outwards"
     low = np.array([0.0, 0.0, -spec.body.size_mm[2] / 2])
-    if body.opening == "bore" and _from_line_mm(key, 0 * low, low) < body.bore_mm / 2:
+    if body.opening == "bore" and _line_distance_mm(key, 0 * low, low) < body.bore_mm / 2:
         yield f"{where} stands in the bore. Move it away from face 6"
 
 
@@ -88,8 +88,8 @@ def _check_pockets(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
     for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket in face:
             ends = axis_in_object_mm(frame, pocket)
-            away = _from_line_mm(key, *ends)
-            if away < pocket.outline.radius_mm and _under(key, ends, away):
+            away = _line_distance_mm(key, *ends)
+            if away < pocket.outline.radius_mm and _is_under(key, ends, away):
                 yield (
                     f"{where} reaches {spec.core.keys.height_mm:g} mm up, into the pocket of "
                     f"{pocket.body.label} of face {frame.number}. Lower core.keys.height_mm, or move the "
@@ -97,23 +97,23 @@ def _check_pockets(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
                 )
 
 
-def _under(key: Block, ends_mm: np.ndarray, away_mm: float) -> bool:
+def _is_under(key: Block, ends_mm: np.ndarray, away_mm: float) -> bool:
     """Return whether a key that is nearer to a pocket's axis than its radius reaches above its floor."""
-    along = (ends_mm[1] - ends_mm[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
-    return bool(((key.corners_mm - ends_mm[0]) @ along).max() > 0 or away_mm == 0)
+    direction = (ends_mm[1] - ends_mm[0]) / np.linalg.norm(ends_mm[1] - ends_mm[0])
+    return bool(((key.corners_mm - ends_mm[0]) @ direction).max() > 0 or away_mm == 0)
 
 
 def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
     """Slits that leave silicone over the core and end before the body does, clear of pockets and keys."""
-    slits, body, found = spec.shell.slits, body_of(spec), relief_slits(spec)
-    if found and body.opening != "open":
+    slits, body, slit_blocks = spec.shell.slits, body_of(spec), relief_slits(spec)
+    if slit_blocks and body.opening != "open":
         yield (
             "shell.slits need a mould that is open at one side: round a core that is cast in it parts into "
             f"two halves, and fins in their seam would hook the silicone; this {spec.body.kind} has "
             f"body.open_faces = {list(spec.body.opened)}. Leave shell.slits.depth_mm out, or cut the slits"
         )
         return
-    if not found:
+    if not slit_blocks:
         yield (
             f"shell.slits lie between sensed sides 2 to 5 that meet; this {spec.body.kind} has none. Leave "
             "shell.slits.depth_mm out"
@@ -124,23 +124,25 @@ def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
             f"the body's height ({spec.body.size_mm[2] / 2:g} mm); got {slits.end_mm:g}"
         )
         return
-    for slit in found:
-        along = np.linspace(-1, 1, _STEPS)
-        floor = np.column_stack([along, np.ones(_STEPS), np.zeros(_STEPS)]) * slit.half_mm
-        left = float(body.core_distance_mm(slit.centre_mm + floor @ slit.axes.T).min())
-        if left < spec.silicone.thinnest_wall_mm:
+    for slit in slit_blocks:
+        steps = np.linspace(-1, 1, _STEPS)
+        floor = np.column_stack([steps, np.ones(_STEPS), np.zeros(_STEPS)]) * slit.half_mm
+        cover_mm = float(body.core_distance_mm(slit.centre_mm + floor @ slit.axes.T).min())
+        if cover_mm < spec.silicone.thinnest_wall_mm:
             yield (
-                f"shell.slits.depth_mm = {slits.depth_mm:g} leaves {left:.3g} mm of silicone over the core, "
-                f"less than silicone.thinnest_wall_mm = {spec.silicone.thinnest_wall_mm:g}. Make the slits "
-                "shallower or the shell thicker"
+                f"shell.slits.depth_mm = {slits.depth_mm:g} leaves {cover_mm:.3g} mm of silicone over "
+                f"the core, less than silicone.thinnest_wall_mm = {spec.silicone.thinnest_wall_mm:g}. Make "
+                "the slits shallower or the shell thicker"
             )
             break
-    if any(gap_mm(slit, key) <= 0 for slit in found for key in core_keys(spec)):
+    if any(gap_mm(slit, key) <= 0 for slit in slit_blocks for key in core_keys(spec)):
         yield "a relief slit meets a key of the core. Move the key, or make shell.slits.depth_mm smaller"
     for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket in face:
             ends = axis_in_object_mm(frame, pocket)
-            if any(_from_line_mm(slit, *ends) <= pocket.outline.radius_mm for slit in found):
+            if any(
+                _line_distance_mm(slit, *ends) <= pocket.outline.radius_mm for slit in slit_blocks
+            ):
                 yield (
                     f"the pocket of {pocket.body.label} of face {frame.number} meets a relief slit. Move "
                     "the magnet inwards or make shell.slits.depth_mm smaller"
@@ -166,10 +168,10 @@ def check_curved_bay(spec: ObjectSpec) -> Iterator[str]:
     )
     middle = bay.centre_mm + np.array([0.0, 0.0, bay.half_mm[2]])
     above = body.core_distance_mm(np.vstack([upper, middle]))
-    left = -max(float(np.max(np.maximum(above[:-1], beside))), float(above[-1]))
-    if left < wall:
+    wall_left_mm = -max(float(np.max(np.maximum(above[:-1], beside))), float(above[-1]))
+    if wall_left_mm < wall:
         yield (
-            f"core.bay_mm leaves {left:.3g} mm of the core's wall at its upper corners, less than "
+            f"core.bay_mm leaves {wall_left_mm:.3g} mm of the core's wall at its upper corners, less than "
             f"printer.wall_mm = {wall:g}. Make the bay smaller by twice what is missing"
         )
     gaps = [gap_mm(bay, cut) for cut in cuts_of_core(spec)]
@@ -180,7 +182,7 @@ def check_curved_bay(spec: ObjectSpec) -> Iterator[str]:
         )
 
 
-def _from_line_mm(block: Block, start_mm: np.ndarray, end_mm: np.ndarray) -> float:
+def _line_distance_mm(block: Block, start_mm: np.ndarray, end_mm: np.ndarray) -> float:
     """Least distance of points along a straight piece from a block."""
     points = start_mm + np.linspace(0, 1, _STEPS)[:, None] * (end_mm - start_mm)
     return float(block.distance_mm(points).min())

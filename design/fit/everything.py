@@ -67,6 +67,6 @@ def _but_mould(spec: ObjectSpec, table: bool, ways: bool) -> Iterator[str]:
 
 def require_fit(spec: ObjectSpec, table: bool = True) -> None:
     """Raise ValueError with all that `problems_of` finds, a line each."""
-    found = problems_of(spec, table)
-    if found:
-        raise ValueError("\n".join(found))
+    problems = problems_of(spec, table)
+    if problems:
+        raise ValueError("\n".join(problems))

@@ -27,7 +27,7 @@ MEETING_MM3 = 1e-3
 MOST_TOLD = 20
 """Pairs of pockets, or magnets, of one kind of problem: nobody reads on."""
 _STEPS = 101
-"""Of places between a magnet and the middle of its face."""
+"""Number of places between a magnet and the middle of its face."""
 
 
 def placed_pockets(spec: ObjectSpec) -> list[Placed]:
@@ -41,18 +41,18 @@ def lies_on_patch(frame: FaceFrame, pocket: Pocket, cover_mm: float) -> bool:
     return bool(np.isfinite(cover_mm)) and bool(frame.covers(pocket.reach_mm))
 
 
-def beside_patches(spec: ObjectSpec) -> dict[str, list[Placed]]:
+def pockets_off_patches(spec: ObjectSpec) -> dict[str, list[Placed]]:
     """Pockets that do not lie on their patches, by what the specification calls their magnets: one of a
     list that faces share is one there."""
-    found: dict[str, list[Placed]] = {}
+    pockets: dict[str, list[Placed]] = {}
     covers = np.concatenate(shell_covers_mm(spec)).tolist()
     for (frame, pocket), cover in zip(placed_pockets(spec), covers, strict=True):
         if not lies_on_patch(frame, pocket, cover):
-            found.setdefault(pocket.body.label, []).append((frame, pocket))
-    return found
+            pockets.setdefault(pocket.body.label, []).append((frame, pocket))
+    return pockets
 
 
-def where_on_patches(spec: ObjectSpec, placed: Sequence[Placed]) -> str:
+def place_on_patches(spec: ObjectSpec, placed: Sequence[Placed]) -> str:
     """Return where one magnet of these faces would lie on the patches of all, its pin clear of the flange."""
     closing = flange_solids(spec) if _is_split(spec) else []
 
@@ -77,14 +77,14 @@ def nearest_inwards(
 ) -> tuple[float, float] | None:
     """The first place on a magnet's way to the middle of its face that works on all the faces given."""
     for share in np.linspace(1, 0, _STEPS)[1:]:
-        moved = [(frame, _at_share(pocket, float(share))) for frame, pocket in placed]
+        moved = [(frame, _moved_to_share(pocket, float(share))) for frame, pocket in placed]
         if all(works(frame, pocket) for frame, pocket in moved):
             x, y, _ = moved[0][1].body.centre_mm
             return float(x) + 0.0, float(y) + 0.0
     return None
 
 
-def _at_share(pocket: Pocket, share: float) -> Pocket:
+def _moved_to_share(pocket: Pocket, share: float) -> Pocket:
     x, y, height = pocket.body.centre_mm
     return replace(
         pocket, body=replace(pocket.body, centre_mm=np.array([share * x, share * y, height]))
@@ -101,7 +101,8 @@ def moved_pin(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> Pin | None:
 def head_is_clear(
     spec: ObjectSpec, flange: Sequence[Manifold], frame: FaceFrame, pocket: Pocket
 ) -> bool:
-    """Whether a pocket's pin keeps the least rim of its head below the clips, and out of the flange."""
+    """Return whether a pocket's pin keeps the least rim of its head below the clips, and out of the
+    flange."""
     pin = moved_pin(spec, frame, pocket)
     return pin is not None and not (flange and common_mm3(pin.head(), flange) > MEETING_MM3)
 
@@ -118,7 +119,7 @@ def flange_solids(spec: ObjectSpec) -> list[Manifold]:
 
 def common_mm3(solid: Manifold, others: Sequence[Manifold]) -> float:
     """Largest volume that a solid has in common with one of others."""
-    return max(float((solid ^ other).volume()) for other in others)
+    return max(float((solid ^ other_solid).volume()) for other_solid in others)
 
 
 def _is_split(spec: ObjectSpec) -> bool:
@@ -128,12 +129,12 @@ def _is_split(spec: ObjectSpec) -> bool:
 def patch_problems(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
     """Magnets whose pockets do not lie on their patches, one line for each, with a place that works on
     every face; without it, which takes a while, unless `ways`."""
-    for label, placed in islice(beside_patches(spec).items(), MOST_TOLD):
+    for label, placed in islice(pockets_off_patches(spec).items(), MOST_TOLD):
         half = np.min([frame.half_extents_mm for frame, _ in placed], axis=0)
         numbers = [frame.number for frame, _ in placed]
         faces = f"face{'s' * (len(numbers) > 1)} {', '.join(map(str, numbers))}"
         over = all(frame.covers(pocket.reach_mm) for frame, pocket in placed)
         unknown = "reaches so near the rim that the silicone over it is not known, on"
         what = unknown if over else "puts its pocket outside"
-        way = where_on_patches(spec, placed) if ways else ""
+        way = place_on_patches(spec, placed) if ways else ""
         yield f"{label} {what} {faces} (±{half[0]:.4g}, ±{half[1]:.4g} mm). {way}"

@@ -13,13 +13,13 @@ from design.fit.magnet_places import (
     MEETING_MM3,
     MOST_TOLD,
     Placed,
-    beside_patches,
     common_mm3,
     flange_solids,
     head_is_clear,
     moved_pin,
     nearest_inwards,
     placed_pockets,
+    pockets_off_patches,
 )
 from design.layout.body import face_frame
 from design.layout.core_hold import why_no_mould
@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 
 
 def check_mould(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
-    """What cannot be moulded, what was given and how to fix it; unless `ways` without places and widths that
-    are looked for."""
+    """Parts that cannot be moulded, what was given and how to fix it; unless `ways` without places and
+    widths that are looked for."""
     opening = opening_of(spec)
     if spec.mould.style == "one-piece" and opening != "open":
         yield (
@@ -43,7 +43,7 @@ def check_mould(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
             f'body.open_faces = {list(spec.body.opened)}. Use "split", or leave the style out'
         )
     elif mould_style(spec) == "split" and spec.silicone.cure != "none":
-        if beside_patches(spec):
+        if pockets_off_patches(spec):
             return  # told with the patches: where such pins stand is not known
         yield from _check_closure(spec, ways)
         yield from check_pins_apart(spec)
@@ -63,11 +63,11 @@ def _check_closure(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
             yield (
                 f"the head of the pin of {label} of face {pin.frame.number} stands {volume:.2g} mm³ in the "
                 "flange by which the mould's rod or plug hangs over its walls. "
-                f"{_where(alike, clear) if ways else ''}"
+                f"{_place_for_magnet(alike, clear) if ways else ''}"
             )
 
 
-def _where(placed: Sequence[Placed], works: Callable[[FaceFrame, Pocket], bool]) -> str:
+def _place_for_magnet(placed: Sequence[Placed], works: Callable[[FaceFrame, Pocket], bool]) -> str:
     """Return where a magnet of these faces is to go, so that its pins work."""
     place = nearest_inwards(placed, works)
     if place is None:
@@ -79,8 +79,8 @@ def check_pins_apart(spec: ObjectSpec) -> Iterator[str]:
     """Beyond the silicone, where pins of a hollow lean towards each other."""
     pins = loose_pins(spec)
     near = near_pairs([pin.axis_mm for pin in pins], [pin.radius_mm + pin.rim_mm for pin in pins])
-    for one, other, _ in islice(near, MOST_TOLD**2):
-        a, b = pins[one], pins[other]
+    for index_a, index_b, _ in islice(near, MOST_TOLD**2):
+        a, b = pins[index_a], pins[index_b]
         volume = common_mm3(a.room(), [b.room()])
         if volume > MEETING_MM3:
             yield (
@@ -97,11 +97,11 @@ def check_pouring(spec: ObjectSpec, ways: bool = True) -> Iterator[str]:
         try:
             pour_holes(spec, first)
         except InputError as error:
-            yield f"{error}. {_how_poured(spec, first) if ways else ''}"
+            yield f"{error}. {_pour_advice(spec, first) if ways else ''}"
             return
 
 
-def _how_poured(spec: ObjectSpec, first: bool) -> str:
+def _pour_advice(spec: ObjectSpec, first: bool) -> str:
     """The widest holes that find room, else the place of the one magnet that is in the way."""
     width = _widest_mm(spec, first)
     if width is not None:
@@ -111,7 +111,7 @@ def _how_poured(spec: ObjectSpec, first: bool) -> str:
         others = (*pins[:index], *pins[index + 1 :])
         if pin.locator is None and _is_poured(spec, first, others):
             placed = [(face_frame(spec, pin.frame.number), pin.pocket)]
-            way = _where(placed, partial(_is_poured_beside, spec, first, others))
+            way = _place_for_magnet(placed, partial(_is_poured_beside, spec, first, others))
             return f"{pin.pocket.body.label} of face {pin.frame.number} is in the way. {way}"
     return "Move magnets towards the middles of their faces, or leave a face out with body.sensed_faces"
 

@@ -20,12 +20,12 @@ Check = Callable[["ObjectSpec"], Iterator[str]]
 Place = tuple[float, float]
 
 _STEP_MM, _REACH_MM = 2.0, 8.0
-"""Of the lattice round a key on which another place is looked for."""
+"""Step and reach of the lattice round a key on which another place is looked for."""
 _HALVINGS = 7
 _LEAST_BAY_MM = 1.5
 """Nothing goes into a smaller one."""
 _SMALLER = (0.7, 0.5, 0.35, 0.25)
-"""Of keys that fit nowhere near."""
+"""Factors by which keys shrink that fit nowhere near."""
 
 
 def with_nearest(
@@ -65,8 +65,8 @@ def nearest_bay(spec: ObjectSpec, check: Check) -> str | None:
 
     share = _largest_share(lambda share: _is_sound(changed(share), check))
     fits = list(changed(share).core.bay_mm or ())
-    told = share and min(fits) >= _LEAST_BAY_MM
-    return f"a bay would fit with core.bay_mm = {fits}" if told else None
+    has_bay = share and min(fits) >= _LEAST_BAY_MM
+    return f"a bay would fit with core.bay_mm = {fits}" if has_bay else None
 
 
 def nearest_keys(spec: ObjectSpec, check: Check) -> str | None:
@@ -93,10 +93,10 @@ def _nearest_places(spec: ObjectSpec, check: Check) -> list[Place] | None:
         return _is_sound(spec.changed(core=spec.core.changed(keys=changed)), check)
 
     for wanted in keys.positions_mm:
-        found = _nearest_place(spec, wanted, works)
-        if found is None:
+        nearest = _nearest_place(spec, wanted, works)
+        if nearest is None:
             return None
-        placed.append(found)
+        placed.append(nearest)
     return placed
 
 
@@ -106,19 +106,21 @@ def _nearest_place(spec: ObjectSpec, wanted: Place, works: Callable[[Place], boo
     limit = np.min([frame.half_extents_mm for frame in core_frames(spec)], axis=0)
     start = np.clip(wanted, -limit, limit)
     steps = np.arange(-_REACH_MM, _REACH_MM + _STEP_MM / 2, _STEP_MM)
-    tried = sorted((start + step for step in product(steps, steps)), key=_from(np.array(wanted)))
+    tried = sorted(
+        (start + step for step in product(steps, steps)), key=_distance_from(np.array(wanted))
+    )
     tried = [place for place in tried if (abs(place) <= limit).all()]
-    found = next((place for place in tried if works(_rounded(place))), None)
-    if found is None:
+    nearest = next((place for place in tried if works(_rounded(place))), None)
+    if nearest is None:
         return None
-    low, high = np.array(wanted, float), found
+    low, high = np.array(wanted, float), nearest
     for _ in range(3):
         middle = (low + high) / 2
         low, high = (low, middle) if works(_rounded(middle)) else (middle, high)
     return _rounded(high)
 
 
-def _from(wanted: np.ndarray) -> Callable[[np.ndarray], float]:
+def _distance_from(wanted: np.ndarray) -> Callable[[np.ndarray], float]:
     return lambda place: float(np.linalg.norm(place - wanted))
 
 
@@ -141,12 +143,12 @@ def _largest_share(works: Callable[[float], bool]) -> float:
 
 
 def least_spacing_mm(indenter: IndenterSpec) -> float:
-    """Of tips that do not overlap, rounded up to 0.1 mm."""
-    one = indenter.changed(tip_count=1)
+    """Least spacing of tips that do not overlap, rounded up to 0.1 mm."""
+    single_tip = indenter.changed(tip_count=1)
 
     def apart(spacing: float) -> bool:
         places = tip_places_mm(indenter.changed(tip_spacing_mm=spacing))
-        return not any(tips_overlap(one, b - a) for a, b in combinations(places, 2))
+        return not any(tips_overlap(single_tip, b - a) for a, b in combinations(places, 2))
 
     low, high = 0, ceil(40 * float(np.linalg.norm(tip_shape(indenter).corners_mm, axis=1).max()))
     while high - low > 1:

@@ -95,7 +95,7 @@ def _check_pocket_width(spec: ObjectSpec) -> Iterator[str]:
 
 
 def _check_dents(spec: ObjectSpec) -> Iterator[str]:
-    measured = [found for found in spec.as_built.magnets if found.dent_mm is not None]
+    measured = [magnet for magnet in spec.as_built.magnets if magnet.dent_mm is not None]
     if measured and spec.arrangement == "sensors-in-shell":
         yield (
             "as_built gives dent_mm of a magnet, but the magnets lie in the core. Leave it out; "
@@ -136,7 +136,7 @@ def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> Iter
                     "core.keys.size_mm smaller"
                 )
     others = [rectangle(p, _half(spec.core.keys.size_mm), 0.0) for p in spec.core.keys.positions_mm]
-    if sum(overlap(key, other) for other in others) > 1:
+    if sum(overlap(key, other_key) for other_key in others) > 1:
         yield f"{where} meets another key. Move one of them"
 
 
@@ -147,14 +147,14 @@ def core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
     hub = ("the wire hole", rectangle((0.0, 0.0), (middle, middle), 0.0))
     faces = []
     for places in sensor_places(spec):
-        found: list[tuple[str, Corners]] = [hub]
+        openings: list[tuple[str, Corners]] = [hub]
         for x, y, azimuth in places if spec.arrangement == "sensors-in-core" else ():
-            found.append(("a sensor's recess", recess_outline(spec, x, y, azimuth)))
+            openings.append(("a sensor's recess", recess_outline(spec, x, y, azimuth)))
             if core.wire_channel_width_mm:
                 reach = (0.0, hypot(x, y))
                 channel = _radial(atan2(y, x), reach, core.wire_channel_width_mm)
-                found.append(("a wire channel", channel))
-        faces.append(found)
+                openings.append(("a wire channel", channel))
+        faces.append(openings)
     return faces
 
 
@@ -209,7 +209,8 @@ def _along(pocket: Pocket) -> Float[np.ndarray, "n 3"]:
 
 
 def _slit_meets(slit: Block, axis_mm: np.ndarray, pocket: Pocket) -> bool:
-    """Whether a slit comes within a pocket's radius of its axis, in steps of an eighth of its depth."""
+    """Return whether a slit comes within a pocket's radius of its axis, in steps of an eighth of its
+    depth."""
     local = abs((axis_mm - slit.centre_mm) @ slit.axes) - slit.half_mm
     return bool((np.linalg.norm(local.clip(min=0), axis=1) <= pocket.outline.radius_mm).any())
 
@@ -235,8 +236,12 @@ def check_channels(spec: ObjectSpec) -> Iterator[str]:
     )
     if deepest >= core.wall_mm:
         fall = deepest - core.wire_channel_depth_mm
-        left = core.wall_mm - max(fall, 0.0)
-        shallower = f"Make the channels less than {left:.3g} mm deep, " if left > 0 else "Make "
+        wall_left_mm = core.wall_mm - max(fall, 0.0)
+        shallower = (
+            f"Make the channels less than {wall_left_mm:.3g} mm deep, "
+            if wall_left_mm > 0
+            else "Make "
+        )
         curved = f" and {fall:.3g} mm of the curved core's fall" if fall > 0 else ""
         yield (
             f"core.wire_channel_depth_mm{curved} must be below core.wall_mm = {core.wall_mm:g}; got "
@@ -290,10 +295,10 @@ def _radial(azimuth: float, radii: tuple[float, float], width: float) -> Corners
 
 def overlap(a: Corners, b: Corners) -> bool:
     """Return whether two convex polygons (corners counter-clockwise) overlap: no edge separates them."""
-    for polygon, other in ((a, b), (b, a)):
+    for polygon, other_polygon in ((a, b), (b, a)):
         edge = np.roll(polygon, -1, axis=0) - polygon
         outward = np.column_stack([edge[:, 1], -edge[:, 0]])
-        heights = (other[None] - polygon[:, None]) @ outward[:, :, None]
+        heights = (other_polygon[None] - polygon[:, None]) @ outward[:, :, None]
         if (heights[..., 0].min(axis=1) >= -1e-9).any():
             return False
     return True
@@ -303,8 +308,8 @@ def distance_mm(polygon: Corners, point: Float[np.ndarray, "2"]) -> float:
     """Distance of a point from a convex polygon (corners counter-clockwise); 0 inside."""
     edge = np.roll(polygon, -1, axis=0) - polygon
     away = point - polygon
-    left = edge[:, 0] * away[:, 1] - edge[:, 1] * away[:, 0]
-    if (left >= 0).all():
+    left_of_edge = edge[:, 0] * away[:, 1] - edge[:, 1] * away[:, 0]
+    if (left_of_edge >= 0).all():
         return 0.0
     length2 = np.maximum((edge**2).sum(axis=1), 1e-12)  # of a recess without length, 0
     share = np.clip((away * edge).sum(axis=1) / length2, 0, 1)

@@ -70,13 +70,13 @@ def _rough_faces(spec: ObjectSpec) -> Iterator[tuple[str, float]]:
     if not body.from_file:
         return
     for index, frame in enumerate(face_frames(spec)):
-        found = roughness(body, frame.number)
-        used = _distance_to_use_mm(spec, index, frame, found.points_mm) <= 0
+        face_roughness = roughness(body, frame.number)
+        used = _distance_to_use_mm(spec, index, frame, face_roughness.points_mm) <= 0
         if not used.any():
             continue
-        off = np.where(used, found.off_mm, 0.0)
+        off = np.where(used, face_roughness.off_mm, 0.0)
         worst = int(off.argmax())
-        place = ", ".join(f"{x:.1f}" for x in found.points_mm[worst])
+        place = ", ".join(f"{x:.1f}" for x in face_roughness.points_mm[worst])
         yield (
             f"face {frame.number} has grooves or ridges finer than the grid on which its surface is "
             f"sampled: magnets and contact locations are up to {off[worst]:.2g} mm off, as at ({place}) mm",
@@ -90,11 +90,11 @@ def _distance_to_use_mm(
     """Return the distance of points to the nearest pocket or touched disk of a face; 0 or less within."""
     from scipy.spatial import KDTree
 
-    at = ((points_mm - frame.centre_mm) @ frame.axes)[:, :2]
+    plane_mm = ((points_mm - frame.centre_mm) @ frame.axes)[:, :2]
     places = frame.to_plane(contact_grid(spec).xy_mm[contact_places(spec)[index]])
     # the tree answers infinity where a face has no contact location
-    distances = [KDTree(places).query(at)[0] - touched_reach_mm(spec)]
+    distances = [KDTree(places).query(plane_mm)[0] - touched_reach_mm(spec)]
     for pocket in shell_pockets(spec)[index]:
-        away = np.linalg.norm(at - pocket.body.centre_mm[:2], axis=1)
+        away = np.linalg.norm(plane_mm - pocket.body.centre_mm[:2], axis=1)
         distances.append(away - pocket.outline.radius_mm)
     return np.min(distances, axis=0)

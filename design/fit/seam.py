@@ -1,4 +1,4 @@
-"""Faults of a split mould's seam that `check --fabrication` fails on, told before anything is built.
+"""Faults of a split mould's seam that `check --fabrication` fails on, reported before anything is built.
 
 Such an object fits together and can be simulated, but its mould has thin walls or does not come off.
 """
@@ -16,34 +16,34 @@ from design.layout.blocks import relief_slits
 from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import (
-    YIELD_SHARE,
+    COMPLIANCE_FRACTION,
     Parting,
-    hooked_depth_mm,
     mould_frame,
     mould_style,
     opening_of,
     parting,
+    undercut_depth_mm,
     wall_to_plane_mm,
 )
 from design.layout.mould.pins import Pin, pin_holes
 from design.layout.mould.pouring import (
     Hole,
     hole_thins_the_seam,
+    hole_within_mould,
     pins_of,
     pour_holes,
     thin_beside_others,
-    within_mould,
 )
 from design.spec.object import ObjectSpec
 
 _FAILS = "check --fabrication fails on it"
 _ALONG_THE_SEAM = 1e-9
 _AZIMUTHS_DEG = np.arange(0.0, 180.0, 3.0)
-"""Of seams that are tried, until one does neither."""
+"""Azimuths of seams that are tried, until one does neither."""
 
 
 def seam_in_words(spec: ObjectSpec) -> list[str]:
-    """Thin walls between the seam and holes of pins, or beside holes to pour through, and halves or fins of
+    """Thin walls between the seam and holes of pins, or next to holes to pour through, and halves or fins of
     slits that hook, with places and the nearest `mould.parting_azimuth_deg` that has none of them; of a
     specification that fits."""
     wrong, hooking = _faults(spec)
@@ -51,11 +51,11 @@ def seam_in_words(spec: ObjectSpec) -> list[str]:
         return []
     better = _nearest_azimuth(spec)
     if better is None:
-        way = f"No azimuth of the seam does without: {_without_a_seam(spec)}"
-        told = [f"{one}; {_FAILS}. {way}" for one in wrong]
-        return told + [f"{one}; {_FAILS}. {_without_fins(spec)}" for one in hooking]
+        way = f"No azimuth of the seam does without: {_seamless_advice(spec)}"
+        messages = [f"{fault}; {_FAILS}. {way}" for fault in wrong]
+        return messages + [f"{fault}; {_FAILS}. {_finless_advice(spec)}" for fault in hooking]
     way = f"A seam with mould.parting_azimuth_deg = {better:g} does without"
-    return [f"{one}; {_FAILS}. {way}" for one in (*wrong, *hooking)]
+    return [f"{fault}; {_FAILS}. {way}" for fault in (*wrong, *hooking)]
 
 
 def better_azimuth(spec: ObjectSpec) -> float | None:
@@ -73,17 +73,17 @@ def _faults(spec: ObjectSpec) -> tuple[list[str], list[str]]:
 
 def _thin(spec: ObjectSpec) -> Iterator[str]:
     least = spec.printer.wall_mm
-    found = [
+    thin_walls = [
         (wall, place, pin) for wall, place, pin, whole in _walls(spec) if whole and wall < least
     ]
-    if not found:
+    if not thin_walls:
         return
-    wall, place, pin = min(found, key=lambda one: one[0])
+    wall, place, pin = min(thin_walls, key=lambda thin_wall: thin_wall[0])
     label, face = pin.pocket.body.label, f"face {pin.frame.number}: "
     what = label if label.startswith(face) else f"{face}{label}"
-    left = "a wall that ends in nothing" if wall == 0 else f"a wall of {wall:.2g} mm"
+    remainder = "a wall that ends in nothing" if wall == 0 else f"a wall of {wall:.2g} mm"
     yield (
-        f"the mould's seam leaves {left} beside the hole for the pin of {what}, at "
+        f"the mould's seam leaves {remainder} beside the hole for the pin of {what}, at "
         f"({', '.join(f'{x:.1f}' for x in place)}), where {spec.printer.wall_mm:g} mm can be printed"
     )
 
@@ -103,7 +103,7 @@ def _walls(spec: ObjectSpec) -> Iterator[tuple[float, Float[np.ndarray, "3"], Pi
 def _thin_pouring(spec: ObjectSpec) -> Iterator[str]:
     """Yield where no place of the pouring holes is free of them."""
     for hole in _thin_pour_holes(spec)[:1]:
-        place = ", ".join(f"{x:.1f}" for x in within_mould(spec, hole)[1])
+        place = ", ".join(f"{x:.1f}" for x in hole_within_mould(spec, hole)[1])
         yield (
             f"wherever the mould's pouring holes (mould.pour_mm = {spec.mould.pour_mm:g}) are clear of "
             f"pins, they leave a wall thinner than {spec.printer.wall_mm:g} mm to the seam, a side of its "
@@ -121,7 +121,7 @@ def _thin_pour_holes(spec: ObjectSpec) -> list[Hole]:
 
 
 def _hooked(spec: ObjectSpec) -> Iterator[str]:
-    depth, room = hooked_depth_mm(spec), _room_mm(spec)
+    depth, room = undercut_depth_mm(spec), _room_mm(spec)
     if depth > room:
         beside = "" if body_of(spec).from_file else ": the seam is not along the body's sides"
         yield (
@@ -130,9 +130,9 @@ def _hooked(spec: ObjectSpec) -> Iterator[str]:
         )
 
 
-def _without_a_seam(spec: ObjectSpec) -> str:
+def _seamless_advice(spec: ObjectSpec) -> str:
     """Return what else helps where the seam cannot be turned."""
-    if body_of(spec).from_file and hooked_depth_mm(spec) > _room_mm(spec):
+    if body_of(spec).from_file and undercut_depth_mm(spec) > _room_mm(spec):
         return "turn the body in its file so that both halves come off level"
     return "move magnets, or choose another mould.style"
 
@@ -141,7 +141,7 @@ def _hooking_fins(spec: ObjectSpec) -> Iterator[str]:
     fins = [(depth, slit) for depth, slit in _fins(spec, parting(spec)) if depth > _room_mm(spec)]
     if not fins:
         return
-    depth, slit = max(fins, key=lambda one: one[0])
+    depth, slit = max(fins, key=lambda fin: fin[0])
     place = ", ".join(f"{x:.1f}" for x in slit.centre_mm)
     yield (
         f"fins that form {len(fins)} of {len(relief_slits(spec))} slits hook the halves of the mould, as by "
@@ -150,7 +150,7 @@ def _hooking_fins(spec: ObjectSpec) -> Iterator[str]:
 
 
 def _fins(spec: ObjectSpec, plane: Parting) -> Iterator[tuple[float, Block]]:
-    """Of every slit, by how much its fin moves the silicone aside, until it is out, when a half is drawn; one
+    """Yield by how much every slit's fin moves the silicone aside, until it is out, when a half is drawn; one
     that is drawn across its own side, or that the seam splits, by its whole depth."""
     deep = spec.shell.slits.depth_mm
     for slit in relief_slits(spec):
@@ -159,14 +159,14 @@ def _fins(spec: ObjectSpec, plane: Parting) -> Iterator[tuple[float, Block]]:
         yield deep * float(min(1.0, aside / max(outward, _ALONG_THE_SEAM))), slit
 
 
-def _without_fins(spec: ObjectSpec) -> str:
+def _finless_advice(spec: ObjectSpec) -> str:
     one_piece = 'choose mould.style = "one-piece"'
     way = one_piece if opening_of(spec) == "open" else "open a side of the body (body.open_faces)"
     return f"Leave shell.slits.depth_mm out and cut the slits after casting, or {way}"
 
 
 def _room_mm(spec: ObjectSpec) -> float:
-    return YIELD_SHARE * spec.shell.thickness_mm
+    return COMPLIANCE_FRACTION * spec.shell.thickness_mm
 
 
 def _nearest_azimuth(spec: ObjectSpec) -> float | None:
@@ -184,6 +184,6 @@ def _nearest_azimuth(spec: ObjectSpec) -> float | None:
             thin = thin or bool(_thin_pour_holes(turned))
         except InputError:
             continue
-        if not thin and hooked_depth_mm(turned) <= room:
+        if not thin and undercut_depth_mm(turned) <= room:
             return azimuth
     return None

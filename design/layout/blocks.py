@@ -16,7 +16,7 @@ from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
 from design.body.triangles import Block, block_surface
 from design.layout.body import body_of, core_frames, face_frames
-from design.spec.worked_out import once
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     from manifold3d import Manifold
@@ -31,7 +31,7 @@ _RAY_STEPS = 4001
 """Points of a ray from the middle to the surface."""
 
 
-@once
+@cached_geometry
 def core_keys(spec: ObjectSpec) -> tuple[Block, ...]:
     """Keys of every face of the core, face by face, each along the surface's normal at its place.
 
@@ -73,7 +73,7 @@ def keys_volume_mm3(spec: ObjectSpec) -> float:
     return per_key * len(keys.positions_mm) * len(core_frames(spec))
 
 
-@once
+@cached_geometry
 def relief_slits(spec: ObjectSpec) -> tuple[Block, ...]:
     """One slit per edge between two sensed faces; each begins outside the body, past its edge.
 
@@ -98,8 +98,8 @@ def _slit_between(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
     way = np.linspace(0, float(np.linalg.norm(body.half_mm)), _RAY_STEPS)
     within = replace(body, thickness_mm=0.0).core_distance_mm(way[:, None] * out) < 0
     surface = float(way[within].max())
-    along, start = np.array([0.0, 0.0, 1.0]), surface + slits.width_mm
-    axes = np.column_stack([along, -out, np.cross(along, -out)])
+    axis, start = np.array([0.0, 0.0, 1.0]), surface + slits.width_mm
+    axes = np.column_stack([axis, -out, np.cross(axis, -out)])
     deep = slits.width_mm + slits.depth_mm
     length = 2 * (float(body.half_mm[2]) - slits.end_mm)
     half = np.array([length, deep, slits.width_mm]) / 2
@@ -108,17 +108,17 @@ def _slit_between(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
 
 def _slit(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
     slits, half_body = spec.shell.slits, np.asarray(spec.body.size_mm) / 2
-    along = np.cross(a.normal, b.normal)
+    edge_axis = np.cross(a.normal, b.normal)
     inward = -(a.normal + b.normal) / np.sqrt(2)
     edge = (a.normal + b.normal) * half_body
-    reach = float(abs(along) @ half_body)
+    reach = float(abs(edge_axis) @ half_body)
     low, high = slits.end_mm - reach, reach - slits.end_mm
-    if abs(along[2]) > 0.5 and not _sensed_below(spec):
+    if abs(edge_axis[2]) > 0.5 and not _sensed_below(spec):
         past = reach + slits.width_mm
-        low, high = (-past, high) if along[2] > 0 else (low, past)
+        low, high = (-past, high) if edge_axis[2] > 0 else (low, past)
     start, end = -slits.width_mm, slits.depth_mm
-    centre = edge + (low + high) / 2 * along + (start + end) / 2 * inward
-    axes = np.column_stack([along, inward, np.cross(along, inward)])
+    centre = edge + (low + high) / 2 * edge_axis + (start + end) / 2 * inward
+    axes = np.column_stack([edge_axis, inward, np.cross(edge_axis, inward)])
     return Block(centre, axes, np.array([high - low, end - start, slits.width_mm]) / 2)
 
 
@@ -130,7 +130,7 @@ def slits_volume_mm3(spec: ObjectSpec, below_mm: float = 0.0) -> float:
     """Volume that the slits take from the body, or from the body less a layer on its faces.
 
     A slit's section inside the right-angled edge is its width w times its depth d less the corner's
-    triangle, w d − w²/4; a layer t takes √2 t of the depth. Without edges it is that of triangles.
+    triangle, w d − w²/4; a layer t takes √2 t of the depth. Without edges the section is a triangle's.
     """
     if not body_of(spec).cuboid:
         within = (
@@ -149,8 +149,8 @@ def slits_volume_mm3(spec: ObjectSpec, below_mm: float = 0.0) -> float:
 
 def _length_in_body_mm(slit: Block, half_body_mm: np.ndarray) -> float:
     """Length of a slit, along its first axis, within the body."""
-    along, reach = slit.axes[:, 0], float(abs(slit.axes[:, 0]) @ half_body_mm)
-    middle = float(along @ slit.centre_mm)
+    axis, reach = slit.axes[:, 0], float(abs(slit.axes[:, 0]) @ half_body_mm)
+    middle = float(axis @ slit.centre_mm)
     ends = np.clip([middle - slit.half_mm[0], middle + slit.half_mm[0]], -reach, reach)
     return float(ends[1] - ends[0])
 

@@ -19,11 +19,11 @@ from design.layout.places.positions import (
     shell_body_layout,
 )
 from design.layout.pockets import board_frame, sensor_places
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
-from design.spec.worked_out import once
 
 WIRE_DIAMETER_MM = 0.4
-"""Of a wire with its insulation (AWG 30 wrapping wire has 0.5 mm, enamelled wire less)."""
+"""Diameter of a wire with its insulation (AWG 30 wrapping wire has 0.5 mm, enamelled wire less)."""
 PACKING = 0.7
 """Share of a round hole that loose wires fill, at most (densest packing of equal circles: 0.91)."""
 _AT_THE_HOLE_MM = 1e-3
@@ -129,12 +129,12 @@ def wires_through(diameter_mm: float, spec: ObjectSpec) -> int:
 
 
 def hole_for_wires_mm(count: int, spec: ObjectSpec) -> float:
-    """Diameter of the round hole that takes so many wires: that of their bundle."""
+    """Diameter of the round hole that takes `count` wires: the diameter of their bundle."""
     return WIRE_DIAMETER_MM * float(np.sqrt(count / PACKING))
 
 
 def count_wires(spec: ObjectSpec) -> int:
-    """Of all sensors of the object."""
+    """Number of wires of all sensors of the object."""
     faces = len(spec.body.sensed)
     return spec.core.wires_per_sensor * spec.sensors.count_per_face * faces
 
@@ -146,7 +146,7 @@ class Recess(Block):
     face: int
 
 
-@once
+@cached_geometry
 def sensor_recesses(spec: ObjectSpec) -> tuple[Recess, ...]:
     """Every recess of the core, face by face, in the object's frame (sensors in the core)."""
     return _recesses(spec, board_sinks_mm(spec))
@@ -155,7 +155,7 @@ def sensor_recesses(spec: ObjectSpec) -> tuple[Recess, ...]:
 def _recesses(spec: ObjectSpec, sinks_mm: tuple[tuple[float, ...], ...]) -> tuple[Recess, ...]:
     core = spec.core
     length = core.recess_outer_radius_mm - core.recess_inner_radius_mm
-    found = []
+    recesses = []
     for frame, places, sinks in zip(core_frames(spec), sensor_places(spec), sinks_mm, strict=True):
         for (x, y, azimuth), sink in zip(places, sinks, strict=True):
             depth = core.recess_depth_mm + sink
@@ -166,8 +166,8 @@ def _recesses(spec: ObjectSpec, sinks_mm: tuple[tuple[float, ...], ...]) -> tupl
             local = np.array([x + aside * cosine, y + aside * sine, -depth / 2])
             tangent = frame.tangent(np.array([x, y]))
             centre = np.asarray(tangent.to_object(local))
-            found.append(Recess(centre, tangent.axes @ turn, half, frame.number))
-    return tuple(found)
+            recesses.append(Recess(centre, tangent.axes @ turn, half, frame.number))
+    return tuple(recesses)
 
 
 def smallest_recess_wall_mm(spec: ObjectSpec, sunk: bool = True) -> float:
@@ -180,8 +180,8 @@ def smallest_recess_wall_mm(spec: ObjectSpec, sunk: bool = True) -> float:
     """
     flat = tuple((0.0,) * len(places) for places in sensor_places(spec))
     recesses = sensor_recesses(spec) if sunk else _recesses(spec, flat)
-    one, other = zip(*combinations(recesses, 2), strict=True)
-    return float(_gaps_mm(one, other).min())
+    first_of_pairs, second_of_pairs = zip(*combinations(recesses, 2), strict=True)
+    return float(_gaps_mm(first_of_pairs, second_of_pairs).min())
 
 
 @dataclass(frozen=True)
@@ -193,16 +193,16 @@ class WireHole:
 
 
 def wire_holes(spec: ObjectSpec) -> dict[str, WireHole]:
-    """Of every key that gives wire holes their diameter, the first hole that has it, face by face."""
-    found: dict[str, WireHole] = {}
+    """Return the first wire hole, face by face, of every key that gives wire holes their diameter."""
+    holes: dict[str, WireHole] = {}
     for frame in core_frames(spec):
         hole = WireHole(wire_hole_diameter_mm(spec, frame.number), frame.centre_mm)
-        found.setdefault(_wire_hole_key(spec, frame.number), hole)
-    return found
+        holes.setdefault(_wire_hole_key(spec, frame.number), hole)
+    return holes
 
 
 def wire_hole_diameter_mm(spec: ObjectSpec, face: int) -> float:
-    """Of the hole in the middle of a face of the core."""
+    """Diameter of the hole in the middle of a face of the core."""
     return getattr(spec.core, _wire_hole_key(spec, face))
 
 
@@ -213,7 +213,7 @@ def _wire_hole_key(spec: ObjectSpec, face: int) -> str:
 
 
 def passage_radius_mm(spec: ObjectSpec) -> float:
-    """Of the widest passage for wires in the middle of a core's face: hub, or wire hole."""
+    """Radius of the widest passage for wires in the middle of a core's face: hub, or wire hole."""
     core = spec.core
     widest = max(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm)
     return max(core.hub_radius_mm, widest / 2)
@@ -225,15 +225,17 @@ def gap_mm(a: Block, b: Block) -> float:
     return float(_gaps_mm([a], [b])[0])
 
 
-def _gaps_mm(one: Sequence[Block], other: Sequence[Block]) -> Float[np.ndarray, "pair"]:
+def _gaps_mm(blocks_a: Sequence[Block], blocks_b: Sequence[Block]) -> Float[np.ndarray, "pair"]:
     """The same between each of some blocks and its partner."""
-    axes_a, axes_b = (np.stack([block.axes for block in blocks]) for blocks in (one, other))
-    half_a, half_b = (np.stack([block.half_mm for block in blocks]) for blocks in (one, other))
-    between = np.stack([b.centre_mm - a.centre_mm for a, b in zip(one, other, strict=True)])
+    axes_a, axes_b = (np.stack([block.axes for block in blocks]) for blocks in (blocks_a, blocks_b))
+    half_a, half_b = (
+        np.stack([block.half_mm for block in blocks]) for blocks in (blocks_a, blocks_b)
+    )
+    between = np.stack([b.centre_mm - a.centre_mm for a, b in zip(blocks_a, blocks_b, strict=True)])
     normals_a, normals_b = axes_a.transpose(0, 2, 1), axes_b.transpose(0, 2, 1)
     # Separating axis theorem for boxes: the 3 + 3 normals and their 9 cross products are enough
     # (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996).
-    crossed = np.cross(normals_a[:, :, None], normals_b[:, None]).reshape(len(one), -1, 3)
+    crossed = np.cross(normals_a[:, :, None], normals_b[:, None]).reshape(len(blocks_a), -1, 3)
     directions = np.concatenate([normals_a, normals_b, crossed], axis=1)
     length = np.linalg.norm(directions, axis=2)
     # Parallel edges have no cross product; the normals serve them.
@@ -283,5 +285,5 @@ def channel_heights_mm(
     wire hole to a place; the top is so far above it.
     """
     way = np.linspace(0.0, 1.0, 17)[:, None] * np.asarray(xy_mm, float)
-    heights = frame.relief.at(way)[0]
+    heights = frame.relief.evaluate(way)[0]
     return float(heights.min()) - spec.core.wire_channel_depth_mm, float(heights.max()) + over_mm

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from design.body.kinds.registry import KINDS
-from design.spec.worked_out import once
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     from design.body.kinds.base import BodyKind
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 
-@once
+@cached_geometry
 def body_of(spec: ObjectSpec) -> BodyKind:
     """The body with the measures of the specification: ask it, not `spec.body.kind`."""
     body = spec.body
@@ -33,7 +33,7 @@ def body_of(spec: ObjectSpec) -> BodyKind:
     )
 
 
-@once
+@cached_geometry
 def face_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
     """The sensed faces of the body, in the order of their numbers."""
     body = body_of(spec)
@@ -45,7 +45,7 @@ def face_frame(spec: ObjectSpec, number: int) -> FaceFrame:
     return {frame.number: frame for frame in face_frames(spec)}[number]
 
 
-@once
+@cached_geometry
 def core_frames(spec: ObjectSpec) -> tuple[FaceFrame, ...]:
     """The sensed faces' frames moved inwards onto the core's faces."""
     body = body_of(spec)

@@ -21,7 +21,7 @@ from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_sockets import Socket, roomiest_sockets, socket_beside
 from design.layout.mould.frame import opening_of
 from design.layout.pockets import Pocket, shell_pockets
-from design.spec.worked_out import once
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 FLAT_SHARE = 0.7
 """Distance of the outlet's flat from its axis, of its radius."""
 NOSE_MM = 4.0
-"""Of the rod's nose beyond the core's wall."""
+"""Length of the rod's nose beyond the core's wall."""
 LOCATOR_NOSE_MM = 6.0
 LOCATOR_GAP_MM = 0.8
 """Between a locating pin and a pocket that it does not go through, at least."""
@@ -45,8 +45,8 @@ class Locator:
     `socket`.
 
     `frame` is flat: its normal is the line through the middles of the face and of the core's, also where
-    the surface leans there. `depth_mm` is that of the core below the face, and its hole is `hole_mm`
-    deep; `pockets` are those that the pin meets, and with whose pins it is one.
+    the surface leans there. `depth_mm` is the depth of the core below the face, and its hole is `hole_mm`
+    deep; `pockets` are the ones that the pin meets, and with whose pins it is one.
     """
 
     frame: FaceFrame
@@ -64,12 +64,12 @@ class Locator:
 
     @property
     def rise_mm(self) -> float:
-        """By how much a leaning surface rises beside the pin, per mm."""
+        """Rise of a leaning surface next to the pin, per mm."""
         return 0.0 if self.socket is None else float(np.tan(self.socket.lean))
 
     @property
     def volume_mm3(self) -> float:
-        """Of silicone that is missing besides the pockets; exact on flat faces."""
+        """Volume of silicone that is missing besides the pockets; exact on flat faces."""
         met = sum(
             common_area_mm2(self.radius_mm, pocket) * -float(pocket.axis_ends_mm[0, 2])
             for pocket in self.pockets
@@ -103,9 +103,9 @@ class Outlet:
         return self.floor_mm + min(self.wall_mm + NOSE_MM, 0.8 * abs(self.floor_mm))
 
 
-@once
+@cached_geometry
 def core_outlet(spec: ObjectSpec) -> Outlet:
-    """Of a body that is open through a bore; the wall is at most half of the core."""
+    """Outlet of a body that is open through a bore; the wall is at most half of the core."""
     floor = body_of(spec).core_floor_mm
     radius = min(spec.body.bore_mm / 2, 0.9 * abs(floor))
     return Outlet(radius, floor, min(spec.core.wall_mm, 0.5 * abs(floor)))
@@ -116,7 +116,7 @@ def least_bore_mm(spec: ObjectSpec) -> float:
     return 2 * hole_for_wires_mm(count_wires(spec), spec) / (1 + FLAT_SHARE)
 
 
-@once
+@cached_geometry
 def locators(spec: ObjectSpec) -> tuple[Locator, ...]:
     """Two pins at right angles that hold the core of a closed body, one where there is no second.
 
@@ -135,13 +135,13 @@ def locators(spec: ObjectSpec) -> tuple[Locator, ...]:
     ]
     fit.sort(key=lambda locator: (-locator.radius_mm, locator.frame.number))
     if not fit:
-        return tuple(map(_in_socket, roomiest_sockets(spec)))
+        return tuple(map(_locator_in_socket, roomiest_sockets(spec)))
     second = [l for l in fit[1:] if abs(l.frame.normal @ fit[0].frame.normal) < 0.5]
-    beside = second or map(_in_socket, socket_beside(spec, fit[0].frame.normal))
+    beside = second or map(_locator_in_socket, socket_beside(spec, fit[0].frame.normal))
     return (fit[0], *list(beside)[:1])
 
 
-def _in_socket(socket: Socket) -> Locator:
+def _locator_in_socket(socket: Socket) -> Locator:
     return Locator(socket.frame, socket.radius_mm, socket.depth_mm, socket.length_mm, socket=socket)
 
 
@@ -190,14 +190,14 @@ def _away_mm(pocket: Pocket) -> float:
 
 
 def common_area_mm2(radius_mm: float, pocket: Pocket) -> float:
-    """Of the pin's section and a pocket's: the lens of two circles, or all of the pin."""
-    r, away, other = radius_mm, _away_mm(pocket), pocket.outline.half_mm[0]
+    """Common area of the pin's section and a pocket's: the lens of two circles, or all of the pin."""
+    r, away, radius_b = radius_mm, _away_mm(pocket), pocket.outline.half_mm[0]
     if away + r <= min(pocket.outline.half_mm):
         return float(np.pi * r**2)
-    if away >= r + other:
+    if away >= r + radius_b:
         return 0.0
-    if away + other <= r:
+    if away + radius_b <= r:
         return pocket.outline.area_mm2
-    x = (away**2 + r**2 - other**2) / (2 * away)
-    sectors = r**2 * np.arccos(x / r) + other**2 * np.arccos((away - x) / other)
+    x = (away**2 + r**2 - radius_b**2) / (2 * away)
+    sectors = r**2 * np.arccos(x / r) + radius_b**2 * np.arccos((away - x) / radius_b)
     return float(sectors - away * np.sqrt(r**2 - x**2))

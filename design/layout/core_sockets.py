@@ -20,25 +20,25 @@ from design.layout.boards import cuts_of_core, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.mould.frame import parting, up
 from design.layout.pockets import axis_in_object_mm, core_pockets, shell_pockets
-from design.spec.worked_out import once
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 CLEAR_MM = 0.8
-"""Of silicone between a pin in a socket and a pocket or a slit, at least."""
+"""Silicone between a pin in a socket and a pocket or a slit, at least."""
 _ROOMY_MM = 2.5
 """From where on more silicone there is no better: heads of pins then have their rims."""
 _PRINTED = 1.25
-"""Walls of the core beside a socket, in the printer's thinnest."""
+"""Walls of the core next to a socket, in the printer's thinnest."""
 _STEEPEST_DEG = 20.0
 """Lean of the surface against a pin, at most."""
 _CROSSING_DEG = 38.0
 """Least angle between a socket and a wire hole that it meets: less leaves knife edges."""
 _ASIDE_COS = 0.6
-"""Of the angle between two pins, at most: they hold the core from turning."""
+"""Cosine of the angle between two pins, at most: they hold the core from turning."""
 _EVEN_MM, _BENT_MM, _RIM = 1e-6, 0.5, 16
-"""How much deeper than a plane the core may be at a pin's rim, flat and curved; points of the rim."""
+"""Depth below a plane that the core may have at a pin's rim, flat and curved; points of the rim."""
 _FINEST, _STEPS, _SEAM_MM, OUT_MM = 9, 13, 8.0, 5.0
 
 
@@ -75,23 +75,23 @@ class Ways:
     end_mm: np.ndarray
     lean: np.ndarray
 
-    def of(self, rows: np.ndarray) -> Ways:
+    def select(self, rows: np.ndarray) -> Ways:
         return Ways(*(values[rows] for values in vars(self).values()))
 
-    def at(self, heights_mm: np.ndarray) -> Float[np.ndarray, "way step 3"]:
+    def points_at(self, heights_mm: np.ndarray) -> Float[np.ndarray, "way step 3"]:
         """Points on the axes at heights (way, step) above the surface."""
         return self.start_mm[:, None] + heights_mm[..., None] * self.way[:, None]
 
 
-@once
+@cached_geometry
 def roomiest_sockets(spec: ObjectSpec) -> tuple[Socket, ...]:
     """Two sockets clear of pockets, recesses, keys and each other, the one with most room first.
 
     One where no second lies well aside of it, none where there is no room. Places in the middles of
     faces that have no sensors are as good as any other.
     """
-    found = _sockets(spec, ())
-    return found if not found else (*found, *_sockets(spec, (found[0].frame.normal,)))
+    sockets = _sockets(spec, ())
+    return sockets if not sockets else (*sockets, *_sockets(spec, (sockets[0].frame.normal,)))
 
 
 def socket_beside(spec: ObjectSpec, way: Float[np.ndarray, "3"]) -> tuple[Socket, ...]:
@@ -99,11 +99,11 @@ def socket_beside(spec: ObjectSpec, way: Float[np.ndarray, "3"]) -> tuple[Socket
     return _sockets(spec, (way,))
 
 
-def _sockets(spec: ObjectSpec, others: tuple[np.ndarray, ...]) -> tuple[Socket, ...]:
+def _sockets(spec: ObjectSpec, other_ways: tuple[np.ndarray, ...]) -> tuple[Socket, ...]:
     radius = spec.core.wire_hole_side_diameter_mm / 2
     ways = ways_to_wires(spec)
-    for other in others:
-        ways = ways.of(abs(ways.way @ other) < _ASIDE_COS)
+    for other_way in other_ways:
+        ways = ways.select(abs(ways.way @ other_way) < _ASIDE_COS)
     if not len(ways.face):
         return ()
     depth = core_depth_mm(spec, ways)
@@ -139,15 +139,17 @@ def ways_to_wires(spec: ObjectSpec) -> Ways:
         way = way / np.linalg.norm(way, axis=2, keepdims=True)
         # Cosines of the ways with the normal and with wires: p place, t target, k coordinate, a wire
         rise = np.einsum("ptk,pk->pt", way, normal[:, :, 2])
-        along = np.einsum("ptk,tak->pta", way, axes)
-        along[:, 1:] = abs(along[:, 1:])  # in the middle wire holes end, elsewhere they pass
-        sharp = np.any(along > np.cos(np.deg2rad(_CROSSING_DEG)), axis=2)
+        wire_cosine = np.einsum("ptk,tak->pta", way, axes)
+        wire_cosine[:, 1:] = abs(
+            wire_cosine[:, 1:]
+        )  # in the middle wire holes end, elsewhere they pass
+        sharp = np.any(wire_cosine > np.cos(np.deg2rad(_CROSSING_DEG)), axis=2)
         rise = np.where(sharp, -1.0, rise)
         best = np.argmax(rise.round(9), axis=1)
         row = np.arange(len(xy))
         lean = np.arccos(np.clip(rise[row, best], -1, 1))
         ways = Ways(np.full(len(xy), number), xy, start, way[row, best], targets[best], lean)
-        kept.append(ways.of(lean < np.deg2rad(_STEEPEST_DEG)))
+        kept.append(ways.select(lean < np.deg2rad(_STEEPEST_DEG)))
     if not kept:
         empty = np.zeros((0, 3))
         return Ways(np.zeros(0, int), empty[:, :2], empty, empty, empty, empty[:, 0])
@@ -183,8 +185,8 @@ def wire_targets(spec: ObjectSpec) -> tuple[np.ndarray, np.ndarray]:
 def foot_on_a_face(
     spec: ObjectSpec, ways: Ways, depth_mm: np.ndarray, radius_mm: float
 ) -> Bool[np.ndarray, "way"]:
-    """Where the core's surface is nowhere deeper along a pin's rim than the lean makes it, nor than solids
-    cut: a pin that meets an edge of the core goes on beside it."""
+    """Return where the core's surface is nowhere deeper along a pin's rim than the lean makes it, nor than
+    solids cut: a pin that meets an edge of the core goes on next to it."""
     flat = body_of(spec).cuboid
     most = depth_mm + radius_mm * np.tan(ways.lean) + (_EVEN_MM if flat else _BENT_MM)
     side = np.cross(ways.way, np.eye(3)[abs(ways.way).argmin(axis=1)])
@@ -213,18 +215,18 @@ def core_depth_mm(spec: ObjectSpec, ways: Ways) -> Float[np.ndarray, "way"]:
 def room_mm(
     spec: ObjectSpec, ways: Ways, depth_mm: np.ndarray, radius_mm: float
 ) -> Float[np.ndarray, "way"]:
-    """Silicone left beside each pin beyond the least, less what speaks against the place; −∞: no room."""
+    """Silicone left next to each pin beyond the least, less what speaks against the place; −∞: no room."""
     share = np.linspace(0, 1, _STEPS)
     reach = spec.mould.wall_mm + OUT_MM
-    outer = ways.at(-depth_mm[:, None] + share * (depth_mm + reach)[:, None])
+    outer = ways.points_at(-depth_mm[:, None] + share * (depth_mm + reach)[:, None])
     length = np.linalg.norm(ways.start_mm - ways.end_mm, axis=1) - depth_mm
-    within = ways.at(-depth_mm[:, None] - share * length[:, None])
+    within = ways.points_at(-depth_mm[:, None] - share * length[:, None])
     room = np.full(len(depth_mm), _ROOMY_MM)
     for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket in pockets:
             ends = axis_in_object_mm(frame, pocket)
-            along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
-            away = from_segment_mm(outer, np.stack([ends[0], ends[1] + reach * along]))
+            pocket_axis = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
+            away = segment_distance_mm(outer, np.stack([ends[0], ends[1] + reach * pocket_axis]))
             room = np.minimum(room, away - pocket.outline.radius_mm - radius_mm - CLEAR_MM)
     for block in (*relief_slits(spec), *core_keys(spec)):
         room = np.minimum(room, block.distance_mm(outer).min(axis=1) - radius_mm - CLEAR_MM)
@@ -234,9 +236,9 @@ def room_mm(
     for frame, pockets in zip(core_frames(spec), core_pockets(spec), strict=True):
         for pocket in pockets:
             ends = axis_in_object_mm(frame, pocket)
-            clear = from_segment_mm(within, ends) - pocket.outline.radius_mm > radius_mm + wall
+            clear = segment_distance_mm(within, ends) - pocket.outline.radius_mm > radius_mm + wall
             room = np.where(clear, room, -np.inf)
-    core = ways.at(-depth_mm[:, None])[:, 0]
+    core = ways.points_at(-depth_mm[:, None])[:, 0]
     for frame in core_frames(spec):
         hole = passage_radius_mm(spec)
         away = np.linalg.norm(core - frame.centre_mm, axis=1)
@@ -258,11 +260,11 @@ def off_pour(spec: ObjectSpec, ways: Ways, radius_mm: float) -> np.ndarray:
     return (np.linalg.norm(across - top, axis=1) > needed) | (high < corner / 2)
 
 
-def from_segment_mm(points_mm: np.ndarray, ends_mm: np.ndarray) -> Float[np.ndarray, "way"]:
+def segment_distance_mm(points_mm: np.ndarray, ends_mm: np.ndarray) -> Float[np.ndarray, "way"]:
     """Least distance of each way's points (way, step, 3) from a straight piece."""
-    along = ends_mm[1] - ends_mm[0]
-    share = np.clip((points_mm - ends_mm[0]) @ along / (along @ along), 0, 1)
-    return np.linalg.norm(points_mm - ends_mm[0] - share[..., None] * along, axis=2).min(axis=1)
+    piece = ends_mm[1] - ends_mm[0]
+    share = np.clip((points_mm - ends_mm[0]) @ piece / (piece @ piece), 0, 1)
+    return np.linalg.norm(points_mm - ends_mm[0] - share[..., None] * piece, axis=2).min(axis=1)
 
 
 def flat_frame(face: int, centre_mm: np.ndarray, way: np.ndarray) -> FaceFrame:

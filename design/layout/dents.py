@@ -12,20 +12,20 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layout.pockets import Pocket, shell_pockets
-from design.spec.worked_out import once
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 
-@once
+@cached_geometry
 def dents_mm(spec: ObjectSpec) -> Float[np.ndarray, "face body"]:
     """Depth of every dent in its middle, sensed face by face: `shell.dent_mm`, or as found."""
     count = len(shell_pockets(spec)[0])
     depth = np.full((len(spec.body.sensed), count), spec.shell.dent_mm)
-    for found in spec.as_built.magnets:
-        if found.dent_mm is not None:
-            depth[spec.body.sensed.index(found.face), found.magnet - 1] = found.dent_mm
+    for magnet in spec.as_built.magnets:
+        if magnet.dent_mm is not None:
+            depth[spec.body.sensed.index(magnet.face), magnet.magnet - 1] = magnet.dent_mm
     return depth
 
 
@@ -42,7 +42,7 @@ def sunk_mm(
 def _dish(pocket: Pocket, xy_mm: Float[np.ndarray, "point 2"]) -> Float[np.ndarray, "point"]:
     """1 in the middle of the mouth, 0 at its rim and beyond."""
     mouth = pocket.body.centre_mm[:2] + pocket.mouth_mm * pocket.axis[:2]
-    along = (xy_mm - mouth) @ pocket.body.frame[:2, :2] / np.asarray(pocket.outline.half_mm)
+    mouth_share = (xy_mm - mouth) @ pocket.body.frame[:2, :2] / np.asarray(pocket.outline.half_mm)
     if pocket.outline.round:
-        return np.clip(1 - np.sum(along**2, axis=1), 0, None)
-    return np.prod(np.clip(1 - along**2, 0, None), axis=1)
+        return np.clip(1 - np.sum(mouth_share**2, axis=1), 0, None)
+    return np.prod(np.clip(1 - mouth_share**2, 0, None), axis=1)

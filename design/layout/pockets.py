@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 from jaxtyping import Float
 
-from design.spec.worked_out import once, read_only
+from design.spec.cached_geometry import cached_geometry, read_only
 
 if TYPE_CHECKING:
     from design.body.surface_chart import FaceFrame
@@ -41,7 +41,7 @@ class Outline:
 
     @property
     def radius_mm(self) -> float:
-        """Of the circumscribed circle."""
+        """Radius of the circumscribed circle."""
         return self.half_mm[0] if self.round else float(np.hypot(*self.half_mm))
 
     def inset(self, by_mm: float) -> Outline:
@@ -55,7 +55,7 @@ class Outline:
             return self.half_mm[0] * float(np.hypot(*across))
         return float(abs(across) @ np.asarray(self.half_mm))
 
-    def beyond_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
+    def signed_distance_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
         """Distance of points in the outline's plane to it, negative inside."""
         if self.round:
             return np.linalg.norm(xy_mm, axis=1) - self.half_mm[0]
@@ -82,7 +82,7 @@ class Body:
     outline: Outline
     height_mm: float
     label: str
-    """How the specification calls it, for errors."""
+    """Name in the specification, for errors."""
 
     @property
     def volume_mm3(self) -> float:
@@ -107,7 +107,7 @@ class Pocket:
 
     @property
     def volume_mm3(self) -> float:
-        """Of what is left out: the face cuts the prism obliquely, but at its mean length."""
+        """Volume that is left out: the face cuts the prism obliquely, but at its mean length."""
         return self.outline.area_mm2 * (self.body.height_mm / 2 + self.mouth_mm)
 
     @cached_property
@@ -128,10 +128,12 @@ class Pocket:
         lean = self.axis[:2] / self.axis[2]
         middle = self.body.centre_mm[:2] + self.mouth_mm * self.axis[:2]
         reach = []
-        for k, along in enumerate(np.eye(3)[:2]):
-            floor = abs(self.axis_ends_mm[0, k]) + self._support_mm(along)
+        for k, direction in enumerate(np.eye(3)[:2]):
+            floor = abs(self.axis_ends_mm[0, k]) + self._support_mm(direction)
             # along the axis, the mouth's points lie where the face cuts the prism
-            mouth = abs(middle[k]) + self._support_mm(along - lean[k] * np.array([0.0, 0.0, 1.0]))
+            mouth = abs(middle[k]) + self._support_mm(
+                direction - lean[k] * np.array([0.0, 0.0, 1.0])
+            )
             reach.append(max(floor, mouth))
         return read_only(np.array(reach))
 
@@ -139,13 +141,13 @@ class Pocket:
         return self.outline.support_mm(direction @ self.body.frame[:, :2])
 
 
-@once
+@cached_geometry
 def shell_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     """Return what moves with the silicone, face by face, heights above the body's face."""
     return magnet_bodies(spec) if spec.arrangement == "sensors-in-core" else sensor_boards(spec)
 
 
-@once
+@cached_geometry
 def shell_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
     """The shell's pockets, face by face: round ones as much wider than their bodies as
     `shell.pocket_diameter_mm` is than the widest."""
@@ -163,7 +165,7 @@ def _pocket_outline(spec: ObjectSpec, body: Outline) -> Outline:
     return Outline((radius, radius), True)
 
 
-@once
+@cached_geometry
 def core_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
     """The core's pockets for magnets, face by face, heights above the core's face."""
     if spec.arrangement == "sensors-in-core":
@@ -171,7 +173,7 @@ def core_pockets(spec: ObjectSpec) -> tuple[tuple[Pocket, ...], ...]:
     return tuple(tuple(Pocket(body, body.outline) for body in face) for face in magnet_bodies(spec))
 
 
-@once
+@cached_geometry
 def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     """Magnets of every face, in the order of `magnets.positions_mm`; of one list all faces share them.
 
@@ -182,7 +184,7 @@ def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     depths = magnets.depths_mm or tuple(_seated_depth_mm(spec, size.height_mm) for size in sizes)
     rows = list(zip(depths, tilts, sizes, strict=True))
 
-    def on_face(key: str, places: Places) -> tuple[Body, ...]:
+    def bodies_on_face(key: str, places: Places) -> tuple[Body, ...]:
         return tuple(
             Body(
                 np.array([x, y, -depth]),
@@ -196,9 +198,9 @@ def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
         )
 
     if len(magnets.lists) == 1:
-        return (on_face("magnets.positions_mm", magnets.lists[0]),) * len(spec.body.sensed)
+        return (bodies_on_face("magnets.positions_mm", magnets.lists[0]),) * len(spec.body.sensed)
     return tuple(
-        on_face(f"face {face}: magnets.positions_mm", places)
+        bodies_on_face(f"face {face}: magnets.positions_mm", places)
         for face, places in zip(spec.body.sensed, magnet_places(spec), strict=True)
     )
 
@@ -206,10 +208,10 @@ def magnet_bodies(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
 def magnet_places(spec: ObjectSpec) -> tuple[Places, ...]:
     """x, y (mm, in the face's frame) of every magnet, sensed face by face."""
     lists = spec.magnets.lists
-    return by_sensed_face(spec, lists * len(spec.body.sensed) if len(lists) == 1 else lists)
+    return lists_of_sensed_faces(spec, lists * len(spec.body.sensed) if len(lists) == 1 else lists)
 
 
-@once
+@cached_geometry
 def widest_mm(spec: ObjectSpec) -> float:
     """Diameter of the widest round magnet."""
     return max(size.diameter_mm for size in spec.magnets.sizes)
@@ -222,13 +224,13 @@ def _seated_depth_mm(spec: ObjectSpec, height_mm: float) -> float:
     return spec.magnets.depth_below_core_face_mm + height_mm / 2
 
 
-@once
+@cached_geometry
 def sensor_places(spec: ObjectSpec) -> tuple[tuple[tuple[float, float, float], ...], ...]:
     """x, y (mm, in the face's frame) and azimuth (rad) of every sensor, sensed face by face."""
-    return by_sensed_face(spec, spec.sensors.places)
+    return lists_of_sensed_faces(spec, spec.sensors.places)
 
 
-def by_sensed_face(spec: ObjectSpec, lists: tuple[PerFace, ...]) -> tuple[PerFace, ...]:
+def lists_of_sensed_faces(spec: ObjectSpec, lists: tuple[PerFace, ...]) -> tuple[PerFace, ...]:
     """The sensed faces' own: lists for faces 1, 2, …, over again where there are more faces."""
     sensed = spec.body.sensed
     if len(lists) == len(sensed):
@@ -236,7 +238,7 @@ def by_sensed_face(spec: ObjectSpec, lists: tuple[PerFace, ...]) -> tuple[PerFac
     return tuple(lists[(number - 1) % len(lists)] for number in sensed)
 
 
-@once
+@cached_geometry
 def sensor_boards(spec: ObjectSpec) -> tuple[tuple[Body, ...], ...]:
     """Sensor boards in the shell, seated on the floors of their pockets."""
     width, length, thickness = spec.sensors.package_mm
@@ -279,8 +281,8 @@ def tilted_frame(about_x_deg: float, about_y_deg: float) -> Float[np.ndarray, "3
     turn = np.deg2rad([about_x_deg, about_y_deg])
     angle = float(np.hypot(*turn))
     across = np.array([[0, 0, turn[1]], [0, 0, -turn[0]], [-turn[1], turn[0], 0]])
-    along = np.sinc(angle / np.pi) * across
-    return np.eye(3) + along + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
+    turn_part = np.sinc(angle / np.pi) * across
+    return np.eye(3) + turn_part + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
 
 
 def near_pairs(
@@ -302,11 +304,11 @@ def near_pairs(
     )
     pairs = pairs[np.lexsort(pairs.T[::-1])]
     for some in np.array_split(pairs, 1 + len(pairs) // _PAIRS_AT_ONCE):
-        one, other = some.T
-        distance = np.linalg.norm(_way_between(ends[one], ends[other]), axis=1)
-        meet = distance <= reach[one] + reach[other]
+        index_a, index_b = some.T
+        distance = np.linalg.norm(_way_between(ends[index_a], ends[index_b]), axis=1)
+        meet = distance <= reach[index_a] + reach[index_b]
         yield from zip(
-            one[meet].tolist(), other[meet].tolist(), distance[meet].tolist(), strict=True
+            index_a[meet].tolist(), index_b[meet].tolist(), distance[meet].tolist(), strict=True
         )
 
 
@@ -323,16 +325,16 @@ def _way_between(
     a: Float[np.ndarray, "*n 2 3"], b: Float[np.ndarray, "*n 2 3"]
 ) -> Float[np.ndarray, "*n 3"]:
     p, q = a[..., 0, :], b[..., 0, :]
-    along, other, between = a[..., 1, :] - p, b[..., 1, :] - q, p - q
-    aa, bb, ab = np.vecdot(along, along), np.vecdot(other, other), np.vecdot(along, other)
-    pa, pb = np.vecdot(along, between), np.vecdot(other, between)
+    way_a, way_b, between = a[..., 1, :] - p, b[..., 1, :] - q, p - q
+    aa, bb, ab = np.vecdot(way_a, way_a), np.vecdot(way_b, way_b), np.vecdot(way_a, way_b)
+    pa, pb = np.vecdot(way_a, between), np.vecdot(way_b, between)
     determinant = aa * bb - ab**2
     parallel = determinant < 1e-12 * aa * bb
     across = _share((ab * pb - bb * pa) / np.where(parallel, 1.0, determinant))
     s = np.where(parallel, 0.0, across)
     t = _share((ab * s + pb) / bb)
     s = _share((ab * t - pa) / aa)
-    return between + s[..., None] * along - t[..., None] * other
+    return between + s[..., None] * way_a - t[..., None] * way_b
 
 
 def _share(of_length: Any) -> Any:
@@ -346,7 +348,7 @@ def axis_in_object_mm(frame: FaceFrame, pocket: Pocket) -> Float[np.ndarray, "2 
 
 
 def neighbours(frames: tuple[FaceFrame, ...]) -> list[tuple[FaceFrame, FaceFrame]]:
-    """Pairs of faces that lie beside each other: of a box those that meet at an edge."""
+    """Pairs of faces that lie next to each other: of a box the ones that meet at an edge."""
     return [(a, b) for a, b in combinations(frames, 2) if abs(a.normal @ b.normal) < 0.5]
 
 
@@ -380,8 +382,8 @@ def gaps_across_edge_mm(ones: PocketEnds, others: PocketEnds) -> Float[np.ndarra
         radii[..., None] * np.sqrt(np.maximum(1 - np.vecdot(d, d[..., k : k + 1, :]) ** 2, 0.0))
         for radii, k in ((ones.radii_mm[:, None], 1), (others.radii_mm[None], 2))
     )
-    one, another = (d @ np.swapaxes(ends, -1, -2) for ends in (a, b))
+    shares_a, shares_b = (d @ np.swapaxes(ends, -1, -2) for ends in (a, b))
     apart = np.maximum(
-        one.min(axis=-1) - another.max(axis=-1), another.min(axis=-1) - one.max(axis=-1)
+        shares_a.min(axis=-1) - shares_b.max(axis=-1), shares_b.min(axis=-1) - shares_a.max(axis=-1)
     )
     return np.nanmax(apart - reach, axis=-1)

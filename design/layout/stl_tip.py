@@ -49,5 +49,5 @@ def read_stl_tip(path: Path) -> Trimesh:
     from trimesh import Trimesh
 
     missing = f"no indenter.file at {path}. Give the path from the specification's folder"
-    found = read_foreign_surface(path, missing)
-    return Trimesh(found.vertices_mm, found.triangles)
+    surface = read_foreign_surface(path, missing)
+    return Trimesh(surface.vertices_mm, surface.triangles)

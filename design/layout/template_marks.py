@@ -1,4 +1,4 @@
-"""Marks of polarity on a template that sets magnets: where they stand, and the walls beside them."""
+"""Marks of polarity on a template that sets magnets: where they stand, and the walls next to them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ MARK_GAP_MM = 1.3
 CORNER_MM = 4.0
 """Cut off a template at the face's +x, +y."""
 _ANGLES, _CLOSER_MM, _ROUNDS = 32, (0.0, 0.25), 6
-"""Of places that are tried where marks stand too close: round a hole, by how much nearer to it, how often."""
+"""Number of places that are tried where marks stand too close: round a hole, by how much nearer to it, how
+often."""
 
 Places = Float[np.ndarray, "mark 2"]
 
@@ -42,7 +43,7 @@ def mark_places(
 ) -> Places:
     """Middle of every magnet's mark on a template of these half extents, in the face's frame (mm).
 
-    Each stands where most room is beside its own hole; where that leaves a wall that cannot be printed, or
+    Each stands where most room is next to its own hole; where that leaves a wall that cannot be printed, or
     none, they make room for each other.
     """
     plate = _Plate(spec, pockets, half_mm)
@@ -50,10 +51,10 @@ def mark_places(
     if plate.least_mm(places) >= spec.printer.wall_mm:
         return places
     for _ in range(_ROUNDS):
-        before = places.copy()
+        places_before = places.copy()
         for index in range(len(places)):
             places[index] = plate.roomiest(places, index)
-        if (before == places).all():
+        if (places_before == places).all():
             break
     return places
 
@@ -112,22 +113,22 @@ class _Plate:
         object.__setattr__(self, "centres", centres)
 
     def thinnest_mm(self, places: Places) -> float:
-        """Of all walls between marks and what is beside them."""
-        walls = self._every_wall_mm(places)
+        """Thinnest of all walls between marks and what is next to them."""
+        walls = self._all_walls_mm(places)
         return float(walls[walls > -np.inf].min(initial=np.inf))
 
     def least_mm(self, places: Places) -> float:
         """The same, −∞ where marks meet or reach past the edge."""
-        return float(self._every_wall_mm(places).min(initial=np.inf))
+        return float(self._all_walls_mm(places).min(initial=np.inf))
 
-    def _every_wall_mm(self, places: Places) -> Float[np.ndarray, "wall"]:
+    def _all_walls_mm(self, places: Places) -> Float[np.ndarray, "wall"]:
         each = range(len(places))
-        every = [self._walls_mm(places[index, None], places, index) for index in each]
-        return np.concatenate(every, axis=None)
+        walls = [self._walls_mm(places[index, None], places, index) for index in each]
+        return np.concatenate(walls, axis=None)
 
     def roomiest(self, places: Places, index: int) -> Float[np.ndarray, "2"]:
-        """Where a mark has the thickest walls beside it, the others standing where they do; first where it
-        stands."""
+        """Place where a mark has the thickest walls next to it, the others standing where they do; first
+        where it stands."""
         centre = hole_centre_mm(self.pockets[index])
         radius = self.pockets[index].outline.radius_mm
         tried = [_round_hole(centre, radius, _ANGLES, closer) for closer in _CLOSER_MM]
@@ -138,19 +139,19 @@ class _Plate:
     def _walls_mm(
         self, candidates: Float[np.ndarray, "n 2"], places: Places, index: int
     ) -> Float[np.ndarray, "n wall"]:
-        """Of one mark, wherever it may stand, to holes, the plate's edges and the other marks; −∞ where
+        """Walls of one mark, wherever it may stand, to holes, the plate's edges and the other marks; −∞ where
         there is none, as they meet."""
         polarities, half = self.spec.magnets.polarities, np.asarray(self.half_mm)
-        found = list[np.ndarray]()
+        walls = list[np.ndarray]()
         for mine in map(np.array, bars(polarities[index])):
             beside = (abs(candidates[:, None] - self.centres) - mine).clip(min=0)
-            found.append(np.linalg.norm(beside, axis=2) - self.radii)
+            walls.append(np.linalg.norm(beside, axis=2) - self.radii)
             corner = (half - candidates - mine).sum(axis=1, keepdims=True) - CORNER_MM
-            found += [_or_none(half - abs(candidates) - mine), _or_none(corner / np.sqrt(2))]
-            for other, theirs in self._bars_of_others(index):
-                apart = (abs(candidates - places[other]) - mine - theirs).clip(min=0)
-                found.append(_or_none(np.linalg.norm(apart, axis=1, keepdims=True)))
-        return np.concatenate(found, axis=1)
+            walls += [_or_none(half - abs(candidates) - mine), _or_none(corner / np.sqrt(2))]
+            for other_index, theirs in self._bars_of_others(index):
+                apart = (abs(candidates - places[other_index]) - mine - theirs).clip(min=0)
+                walls.append(_or_none(np.linalg.norm(apart, axis=1, keepdims=True)))
+        return np.concatenate(walls, axis=1)
 
     def _bars_of_others(self, index: int) -> list[tuple[int, Float[np.ndarray, "2"]]]:
         others = [k for k in range(len(self.pockets)) if k != index]

@@ -53,7 +53,7 @@ def tip_shape(indenter: IndenterSpec) -> TipShape:
 
 
 def tip_heights_mm(shape: TipShape, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
-    """Height of the tip's surface above its lowest point at lateral offsets; ∞ beside the tip."""
+    """Height of the tip's surface above its lowest point at lateral offsets; ∞ off the tip."""
     if shape.sphere_radius_mm is not None:
         radius, r2 = shape.sphere_radius_mm, np.sum(np.asarray(xy_mm) ** 2, axis=-1)
         return np.where(r2 <= radius**2, radius - np.sqrt(np.clip(radius**2 - r2, 0, None)), np.inf)
@@ -80,7 +80,7 @@ def footprint_mm(indenter: IndenterSpec) -> Float[np.ndarray, "2 2"]:
 
 
 def tips_overlap(indenter: IndenterSpec, offset_mm: Float[np.ndarray, "2"]) -> bool:
-    """Return whether tips of two such indenters overlap, the second `offset_mm` beside the first.
+    """Return whether tips of two such indenters overlap, the second `offset_mm` next to the first.
 
     Convex outlines are apart where some direction separates them; directions are tried every 1°.
     """

@@ -100,7 +100,7 @@ def _with_dowels(spec: ObjectSpec, side: int, half: Shape) -> Shape:
 
 
 def _holes(spec: ObjectSpec, pins: tuple[Pin, ...], holes: tuple[Hole, ...]) -> list[cq.Solid]:
-    """Of pins, pouring, vents and a rod."""
+    """Solids of the holes of pins, pouring, vents and a rod."""
     through = [hole for pin in pins for hole in pin_holes(spec, pin)]
     rod = [rod_hole(spec)] if mould_frame(spec).opening == "bore" else []
     return [*through, *rod, *(hole_solid(hole) for hole in holes)]
@@ -114,7 +114,7 @@ def _parting_plane(spec: ObjectSpec) -> cq.Plane:
     return cq.Plane(origin, cq.Vector(*across), cq.Vector(*plane.normal))
 
 
-def _in_plane(spec: ObjectSpec, low: list[float], high: list[float]) -> cq.Solid:
+def _box_in_plane(spec: ObjectSpec, low: list[float], high: list[float]) -> cq.Solid:
     """Box given across, along `out` and along the normal."""
     return box_between(low, high).moved(cq.Location(_parting_plane(spec)))
 
@@ -122,19 +122,21 @@ def _in_plane(spec: ObjectSpec, low: list[float], high: list[float]) -> cq.Solid
 def flange_solid(spec: ObjectSpec, first: Flange, second: Flange) -> Shape:
     """Both halves' flanges along the seam, notched for pins; below the block there are two strips."""
     thick, block = FLANGE_THICKNESS_MM, float(mould_frame(spec).low_mm[2])
-    slab = _in_plane(spec, [first.low_mm, block, -thick], [second.high_mm, first.top_mm, thick])
+    slab = _box_in_plane(spec, [first.low_mm, block, -thick], [second.high_mm, first.top_mm, thick])
     strips = [
-        _in_plane(spec, [side.low_mm, side.bottom_mm, -thick], [side.high_mm, block + 1.0, thick])
+        _box_in_plane(
+            spec, [side.low_mm, side.bottom_mm, -thick], [side.high_mm, block + 1.0, thick]
+        )
         for side in (first, second)
         if side.bottom_mm < block
     ]
     past, (left, right) = thick + 1.0, roots_mm(spec)
     notches = [
-        _in_plane(spec, [first.low_mm - 1.0, start, -past], [left, end, past])
+        _box_in_plane(spec, [first.low_mm - 1.0, start, -past], [left, end, past])
         for start, end in first.notches
     ]
     notches += [
-        _in_plane(spec, [right, start, -past], [second.high_mm + 1.0, end, past])
+        _box_in_plane(spec, [right, start, -past], [second.high_mm + 1.0, end, past])
         for start, end in second.notches
     ]
     return cut(join(slab, *strips), *notches)
@@ -143,7 +145,7 @@ def flange_solid(spec: ObjectSpec, first: Flange, second: Flange) -> Shape:
 def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
     reach = 4 * max(spec.body.size_mm) + 4 * spec.mould.flange_mm
     low, high = (0.0, reach) if side > 0 else (-reach, 0.0)
-    return _in_plane(spec, [-reach, -reach, low], [reach, reach, high])
+    return _box_in_plane(spec, [-reach, -reach, low], [reach, reach, high])
 
 
 def dowel_solid(spec: ObjectSpec, across: float, level: float, grow_mm: float) -> Shape:
@@ -156,10 +158,10 @@ def dowel_solid(spec: ObjectSpec, across: float, level: float, grow_mm: float) -
 
 
 def bolt_holes(spec: ObjectSpec, *ends: Flange) -> list[cq.Solid]:
-    long, along = 2 * FLANGE_THICKNESS_MM + 2 * OVERSHOOT_MM, cq.Vector(0, 0, 1)
+    long, axis = 2 * FLANGE_THICKNESS_MM + 2 * OVERSHOOT_MM, cq.Vector(0, 0, 1)
     return [
         cq.Solid.makeCylinder(
-            BOLT_HOLE_MM / 2, long, cq.Vector(across, level, -long / 2), along
+            BOLT_HOLE_MM / 2, long, cq.Vector(across, level, -long / 2), axis
         ).moved(cq.Location(_parting_plane(spec)))
         for end in ends
         for across, level in end.places_mm[1::2]

@@ -4,7 +4,7 @@ The paper's box (Knopke et al., RA-L 2024), 45 × 45 × 47.5 mm and 16 477.68 mm
 within 1.5 mm walls on the five sensed faces is 45 × 45 × 43.5 mm and, with its 25 bosses,
 45·45·43.5 − 42³ + 25·π·9·3 = 16 120.08 mm³; what the end walls are raised by for the plug
 (`design/mould/plug_flange.py`) is 2 · 1.5 · (2 · 30.4 + 4 · 2 · 7.3) = 357.6 mm³. The open side is where
-the silicone is poured in, beside the plug's flange.
+the silicone is poured in, next to the plug's flange.
 
 No part has draft. The side bosses are undercuts: the plug comes out first, then the soft wall
 folds inwards. `design/mould/halves.py` makes the same cavity from halves that draw apart.

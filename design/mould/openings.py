@@ -24,17 +24,17 @@ from design.layout.mould.pouring import (
     far_mm,
     hole_from,
     hole_thins_the_seam,
+    hole_within_mould,
     is_clear,
     pins_of,
     pour_holes,
     thin_beside_others,
-    within_mould,
 )
 from design.layout.surface import finished_surface
 from design.solids.kernel import cq
 from design.solids.sampled import sampled_shell
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
-from design.spec.worked_out import once
 
 if TYPE_CHECKING:
     import trimesh
@@ -46,27 +46,27 @@ _LEAST_TRAP_MM = 0.1
 _SHIFTS_MM, _WAYS = (0.5, 1.0, 1.5, 2.0), 12
 """From a high point to where a vent stands as well, and directions of these."""
 _ROUND = 24
-"""Of places along the rim of a bore."""
+"""Number of places along the rim of a bore."""
 _LOWER_MM = 0.5 * _LEAST_TRAP_MM
-"""By which a vent that is shifted may begin below its high point."""
+"""Depth by which a vent that is shifted may begin below its high point."""
 
 
 def hole_solid(hole: Hole) -> cq.Solid:
-    """Of CadQuery."""
+    """CadQuery solid of a hole."""
     way = hole.end_mm - hole.start_mm
     length = float(np.linalg.norm(way))
     start = cq.Vector(*hole.start_mm)
     return cq.Solid.makeCylinder(hole.diameter_mm / 2, length, start, cq.Vector(*way))
 
 
-@once
+@cached_geometry
 def mould_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
     """Pouring holes, then vents."""
     pour = pour_holes(spec)
     return (*pour, *_vents(spec, pour))
 
 
-@once
+@cached_geometry
 def seal_holes(spec: ObjectSpec) -> tuple[Hole, ...]:
     """The same of the mould for the seal layer, where that is in halves."""
     if not spec.shell.seal_layer_mm or mould_frame(spec).opening == "open":
@@ -107,12 +107,12 @@ def _vents(spec: ObjectSpec, pour: tuple[Hole, ...]) -> list[Hole]:
 def _vents_of(
     spec: ObjectSpec, silicone: trimesh.Trimesh, pins: tuple[Pin, ...], pour: tuple[Hole, ...]
 ) -> list[Hole]:
-    """One for every high point, each beside pouring holes and the vents before it."""
-    found = list[Hole]()
+    """One for every high point, each next to pouring holes and the vents before it."""
+    vents = list[Hole]()
     for trap in air_traps(spec, silicone, pour):
-        vent = vent_for(spec, silicone, pins, trap, [*pour, *found])
-        found += [] if vent is None else [vent]
-    return found
+        vent = vent_for(spec, silicone, pins, trap, [*pour, *vents])
+        vents += [] if vent is None else [vent]
+    return vents
 
 
 def vent_for(
@@ -124,7 +124,7 @@ def vent_for(
 ) -> Hole | None:
     """The first of some ways on which neither silicone nor a pin is, and which leaves no thin wall to the
     seam, to a side of the flange or to another hole, if there is one; or None."""
-    solid, found = manifold_of(shell), None
+    solid, fallback = manifold_of(shell), None
     for top, way in _ways_out(spec, solid, trap):
         hole = hole_from(spec, "vent", top, way / np.linalg.norm(way), spec.printer.hole_mm)
         way = (hole.end_mm - hole.start_mm) / np.linalg.norm(hole.end_mm - hole.start_mm)
@@ -137,15 +137,15 @@ def vent_for(
             or thin_beside_others(spec, hole, pins, holes)
         ):
             return hole
-        found = found or hole
-    return found
+        fallback = fallback or hole
+    return fallback
 
 
 def _ways_out(
     spec: ObjectSpec, solid: Manifold, trap: Trap
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Where a vent may begin, and in which direction: from the high point, then beside it straight up, or
-    elsewhere on the level rim round a bore."""
+    """Yield where a vent may begin, and in which direction: from the high point, then next to it straight
+    up, or elsewhere on the level rim round a bore."""
     above = up(spec)
     yield from ((trap.place_mm, above + outward * trap.normal) for outward in (0.0, 0.5, 1.0, 2.0))
     side = np.cross(above, np.eye(3)[int(abs(above).argmin())])
@@ -180,8 +180,8 @@ def _round_the_rod(
 
 
 def holes_thin_walls(spec: ObjectSpec) -> bool:
-    """Whether holes for pouring or for air leave walls to the parting plane, to holes of pins or a rod, or to
-    each other, that are too thin."""
+    """Return whether holes for pouring or for air leave walls to the parting plane, to holes of pins or a
+    rod, or to each other, that are too thin."""
     pins, holes = pins_of(spec, first=True), mould_holes(spec)
     return any(
         hole_thins_the_seam(spec, hole) or thin_beside_others(spec, hole, pins, holes[:index])
@@ -192,6 +192,6 @@ def holes_thin_walls(spec: ObjectSpec) -> bool:
 def _thin_at_flange(spec: ObjectSpec, hole: Hole) -> bool:
     """A side of the flange by which a plug or a rod hangs, through which vents go."""
     frame = mould_frame(spec)
-    ends, radius = within_mould(spec, hole), hole.diameter_mm / 2
+    ends, radius = hole_within_mould(spec, hole), hole.diameter_mm / 2
     sides = [Parting(frame.across, side) for side in flange_span_mm(spec)]
     return frame.plugged and any(thin_beside(spec, ends, side, radius) for side in sides)

@@ -1,7 +1,7 @@
 """Flange of a plug or a rod, by which it hangs in the mould, and the tabs of the mould that take it.
 
 The shape of the authors' public mould (Knopke et al., RA-L 2024), read off its STEP file: the walls at
-the ends of `along` are raised by 2 mm under the flange and by 4 mm beside it, in posts of 7.3 mm,
+the ends of `along` are raised by 2 mm under the flange and by 4 mm next to it, in posts of 7.3 mm,
 between which the flange cannot slide. It is 10 mm high: a bridge of 2 mm between the walls; blocks
 10 mm long over them, with clips down to the rim outside; and between the blocks a gabled grip with
 chamfers of 3 mm where it meets them. Theirs has 0.05 mm of play along and 0.2 mm across, ours
@@ -53,7 +53,7 @@ def flange_solids(spec: ObjectSpec) -> list[cq.Shape]:
 
 
 def tabs(spec: ObjectSpec) -> list[cq.Solid]:
-    """Return what the walls at the ends of `along` are raised by, in the object's frame (mm)."""
+    """Return what the walls at the ends of `wall_span` are raised by, in the object's frame (mm)."""
     frame = mould_frame(spec)
     if not frame.plugged:
         return []
@@ -68,10 +68,10 @@ def tabs(spec: ObjectSpec) -> list[cq.Solid]:
     outer = max(left - gap - POST_MM, corners[0]), min(right + gap + POST_MM, corners[1])
     solids = []
     for side in (1, -1):
-        along = sorted((side * (end - wall), side * end))
-        solids.append(_box(frame, outer, along, (low, frame.rim_mm + SEAT_MM)))
+        wall_span = sorted((side * (end - wall), side * end))
+        solids.append(_box(frame, outer, wall_span, (low, frame.rim_mm + SEAT_MM)))
         for post in ((outer[0], left - gap), (right + gap, outer[1])):
-            solids.append(_box(frame, post, along, (low, high)))
+            solids.append(_box(frame, post, wall_span, (low, high)))
     return solids
 
 
@@ -101,11 +101,11 @@ def grip_solid(
         foot, ridge = (
             frame.axes @ np.array(p) for p in ((edge, 0.0, seat), (middle, 0.0, seat + rise))
         )
-        cutters.append(common(over_slope(frame, foot, ridge, inner_mm), room))
+        cutters.append(common(prism_over_slope(frame, foot, ridge, inner_mm), room))
     return whole.cut(*cutters)
 
 
-def over_slope(
+def prism_over_slope(
     frame: MouldFrame, foot_mm: np.ndarray, ridge_mm: np.ndarray, inner_mm: float
 ) -> cq.Solid:
     """All above the plane through foot and ridge, between the blocks, but for the chamfers."""

@@ -11,16 +11,16 @@ from design.body.kinds.pad import Pad
 from design.body.kinds.registry import KINDS
 from design.errors import SpecError
 from design.fit.roughness import rough_patches
-from design.placement.hooking import trims_of, with_thinnest
+from design.placement.hooking import shell_variants_of, with_thinnest
 from design.placement.objects import (
     COARSE,
     SHARES,
     Request,
     Tables,
     bare_tables,
-    every_fit,
     fits_roughly,
     fitting,
+    fitting_tables,
     roomy_faces,
     spec_of,
 )
@@ -33,14 +33,15 @@ often the last step is halved."""
 _MARGIN = 1.05
 """Step in which a size that fits roughly grows until it is placed."""
 _DIGITS, _ROUNDED = 4, 0.999
-"""Of a scale that is named, which may be rounded up by a thousandth; what that leaves of the longest edge."""
+"""Digits of a scale that is named, which may be rounded up by a thousandth; what that leaves of the
+longest edge."""
 _MOULD_MM = 30.0
-"""Of walls and flanges, beyond the body."""
+"""Room for walls and flanges, beyond the body."""
 _PLATE = 0.5
-"""Of the shorter of the other edges, up to which a height is that of a plate."""
+"""Share of the shorter of the other edges, up to which a height makes a plate."""
 
 
-def placed(request: Request) -> Tables:
+def place_parts(request: Request) -> Tables:
     """Tables of a specification in which everything fits and can be made.
 
     Raises
@@ -62,13 +63,13 @@ def placements(request: Request) -> Iterator[Tables]:
     Raises
     ------
     SpecError
-        As `placed`.
+        As `place_parts`.
     """
-    found, request = False, with_thinnest(request)
-    for tables in fitting(request, trims_of(request), SHARES):
-        found = True
+    has_tables, request = False, with_thinnest(request)
+    for tables in fitting(request, shell_variants_of(request), SHARES):
+        has_tables = True
         yield tables
-    if not found:
+    if not has_tables:
         raise SpecError(_too_small(request))
 
 
@@ -80,7 +81,7 @@ def _too_small(request: Request) -> str:
     message = f"{body} of {size} mm is too small for {sensors} and {magnets} per face"
     bare = bare_tables(request, request.thinnest)
     rough = rough_patches(spec_of(bare)) if request.file else []
-    ways = [*_larger(request), *on_base(request), *_fewer(request)]
+    ways = [*_larger(request), *base_advice(request), *_fewer(request)]
     if not ways:
         longest = max(request.size_mm)
         growth = _most_growth(longest)
@@ -105,9 +106,9 @@ def _larger(request: Request) -> Iterator[str]:
         yield f"{'with' if whole else 'With'} its short edges longer about {_told(thicker)} works"
 
 
-def _shorter_somewhere(one: Request, other: Request) -> bool:
+def _shorter_somewhere(size_a: Request, size_b: Request) -> bool:
     """Return whether one size is below the other along any edge."""
-    return any(a < b for a, b in zip(one.size_mm, other.size_mm, strict=True))
+    return any(a < b for a, b in zip(size_a.size_mm, size_b.size_mm, strict=True))
 
 
 def _told(request: Request) -> str:
@@ -132,20 +133,24 @@ def smallest_working(
         larger = grown(request, growth)
         return _fitting_roughly(larger) if KINDS[larger.kind].takes_size(larger.size_mm) else None
 
-    low, high, found = 1.0, 1.0, None
+    low, high, fitting_request = 1.0, 1.0, None
     largest = _most_growth(edge_mm, most)
-    while found is None and high < largest:
+    while fitting_request is None and high < largest:
         low, high = high, min(high * _GROWTH, largest)
-        found = working(high)
-    for _ in range(_HALVINGS if found else 0):
+        fitting_request = working(high)
+    for _ in range(_HALVINGS if fitting_request else 0):
         middle = (low + high) / 2
         smaller = working(middle)
-        low, high, found = (low, middle, smaller) if smaller else (middle, high, found)
+        low, high, fitting_request = (
+            (low, middle, smaller) if smaller else (middle, high, fitting_request)
+        )
     # what fits roughly may not be placed when a user asks for it
-    while found is not None and not _is_placed(replace(found, faces=request.faces)):
+    while fitting_request is not None and not _is_placed(
+        replace(fitting_request, faces=request.faces)
+    ):
         high *= _MARGIN
-        found = working(high) if high <= largest else None
-    return found
+        fitting_request = working(high) if high <= largest else None
+    return fitting_request
 
 
 def _most_growth(edge_mm: float, most: float = _LARGEST_GROWTH) -> float:
@@ -157,10 +162,10 @@ def _most_growth(edge_mm: float, most: float = _LARGEST_GROWTH) -> float:
 def _is_placed(request: Request) -> bool:
     """Return whether everything is placed where a user asks for that size."""
     request = with_thinnest(request)
-    return next(fitting(request, trims_of(request), SHARES), None) is not None
+    return next(fitting(request, shell_variants_of(request), SHARES), None) is not None
 
 
-def on_base(request: Request) -> Iterator[str]:
+def base_advice(request: Request) -> Iterator[str]:
     """A plate whose core has no room for its walls, as a slab on a rigid base."""
     x, y, z = request.size_mm
     plate = KINDS[request.kind].cuboid and z <= _PLATE * min(x, y)
@@ -175,9 +180,11 @@ def _fewer(request: Request) -> Iterator[str]:
             yield f"{count} sensor{'s' * (count > 1)} per face would fit"
             break
     if request.magnets is not None and request.magnets > 1:
-        found = next(every_fit(replace(request, magnets=None), (request.thinnest,), COARSE), None)
-        if found is not None:
-            count = len(found["magnets"]["positions_mm"])
+        tables = next(
+            fitting_tables(replace(request, magnets=None), (request.thinnest,), COARSE), None
+        )
+        if tables is not None:
+            count = len(tables["magnets"]["positions_mm"])
             yield f"{count} magnet{'s' * (count > 1)} per face would fit"
 
 
@@ -193,15 +200,16 @@ def _fitting_roughly(request: Request) -> Request | None:
 
 
 def grown_request(request: Request, growth: float) -> Request:
-    """By half millimetres; a file's body by a scale of four digits, of which its size follows."""
+    """Return the request grown by half millimetres; a file's body by a scale of four digits, of which its
+    size follows."""
     if not request.file:
         x, y, z = (float(np.ceil(2 * growth * edge)) / 2 for edge in request.size_mm)
         return replace(request, size_mm=(x, y, z))
     file = dict(request.file)
-    before = file.get("scale", 1.0)
-    digits = _DIGITS - int(np.ceil(np.log10(before * growth)))
-    scale = float(np.ceil(before * growth * 10.0**digits - 1e-6)) / 10.0**digits
-    x, y, z = (edge * scale / before for edge in request.size_mm)
+    scale_before = file.get("scale", 1.0)
+    digits = _DIGITS - int(np.ceil(np.log10(scale_before * growth)))
+    scale = float(np.ceil(scale_before * growth * 10.0**digits - 1e-6)) / 10.0**digits
+    x, y, z = (edge * scale / scale_before for edge in request.size_mm)
     return replace(request, size_mm=(x, y, z), file=tuple((file | {"scale": scale}).items()))
 
 

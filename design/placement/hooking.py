@@ -1,8 +1,8 @@
 """Shells for a file's body: silicone that gives way where the halves of its mould hook it.
 
-A half may drive into the silicone by a share of its thickness (`YIELD_SHARE`), so that a body that hooks
-takes a thick shell: with smaller magnets where the usual ones find no room, or a thicker one than usual,
-whose magnets lie as far from the core as under the others.
+A half may drive into the silicone by a share of its thickness (`COMPLIANCE_FRACTION`), so that a body that
+hooks takes a thick shell: with smaller magnets where the usual ones find no room, or a thicker one than
+usual, whose magnets lie as far from the core as under the others.
 """
 
 from __future__ import annotations
@@ -16,22 +16,28 @@ from jaxtyping import Float
 
 from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
-from design.layout.mould.frame import YIELD_SHARE, hooked_along_mm, hooked_depth_mm
-from design.placement.objects import TRIMS, Request, Tables, Trim, bare_tables, spec_of
+from design.layout.mould.frame import COMPLIANCE_FRACTION, undercut_along_mm, undercut_depth_mm
+from design.placement.objects import (
+    SHELL_VARIANTS,
+    Request,
+    ShellVariant,
+    Tables,
+    bare_tables,
+    spec_of,
+)
 
 _AZIMUTHS_DEG = tuple(np.arange(0.0, 180.0, 5.0).tolist())
 _MOST_REFINED, _FINER_DEG = 3, (-2.0, -1.0, 1.0, 2.0)
-"""Where seams of a file's body are looked for that hook it least deep: first these, then beside the best
-of them."""
+"""Number of best seams of a file's body round which finer ones are tried, and steps of these."""
 _WAYS, _NEARER_DEG = 60, (8.0, 4.0)
 """Ways along which halves may be drawn, that are looked at where no seam about z frees the body."""
 _LOOKED_AT_MM = 60.0
 """Longest edge of a body whose hooks are measured; they grow as it does."""
 _SPARE, _EXACT_MM = 1.1, 1e-6
-"""By which the mould's triangles may hook deeper."""
+"""Factor by which the mould's triangles may hook deeper."""
 _THICKEST_MM = 16.0
 """Thickest shell that is proposed against a hooking seam."""
-_SILICONE_BELOW_MM = TRIMS[0].thickness_mm - TRIMS[0].pocket_depth_mm
+_SILICONE_BELOW_MM = SHELL_VARIANTS[0].thickness_mm - SHELL_VARIANTS[0].pocket_depth_mm
 
 
 def turned(tables: Tables, azimuth_deg: float) -> Tables:
@@ -40,10 +46,12 @@ def turned(tables: Tables, azimuth_deg: float) -> Tables:
 
 
 def hooked_by_azimuth_mm(tables: Tables) -> dict[float, float]:
-    """Return how deep halves hook the body, of seams 5° apart and finer beside those that do least."""
+    """Return how deep halves hook the body, of seams 5° apart and finer next to those which hook least."""
 
     def depths(azimuths: Iterable[float]) -> dict[float, float]:
-        return {azimuth: hooked_depth_mm(spec_of(turned(tables, azimuth))) for azimuth in azimuths}
+        return {
+            azimuth: undercut_depth_mm(spec_of(turned(tables, azimuth))) for azimuth in azimuths
+        }
 
     coarse = depths(_AZIMUTHS_DEG)
     least = sorted(coarse, key=lambda azimuth: coarse[azimuth])[:_MOST_REFINED]
@@ -51,12 +59,12 @@ def hooked_by_azimuth_mm(tables: Tables) -> dict[float, float]:
 
 
 def way_that_hooks_least(body: BodyKind) -> tuple[float, Float[np.ndarray, "3"]]:
-    """How deep halves hook a body that are drawn along the best of all ways, and that unit vector: of ways
-    about 18° apart first, then nearer ones beside the best of them."""
+    """Least depth to which halves hook a body, drawn along the best of all ways, and that unit vector: of
+    ways about 18° apart first, then nearer ones next to the best of them."""
 
     def least(ways: Iterable[Float[np.ndarray, "3"]]) -> list[tuple[float, Float[np.ndarray, "3"]]]:
-        found = [(hooked_along_mm(body, way), way) for way in ways]
-        return sorted(found, key=lambda one: one[0])[:_MOST_REFINED]
+        hooked = [(undercut_along_mm(body, way), way) for way in ways]
+        return sorted(hooked, key=lambda depth_and_way: depth_and_way[0])[:_MOST_REFINED]
 
     best = least(_ways_of_half_a_ball(_WAYS))
     for apart in _NEARER_DEG:
@@ -81,32 +89,37 @@ def _ways_beside(way: Float[np.ndarray, "3"], apart_deg: float) -> Iterable[Floa
         yield near / np.linalg.norm(near)
 
 
-def trims_of(request: Request) -> tuple[Trim, ...]:
-    """Shells that are tried, first those that give way by what the halves hook; `TRIMS` where they do not."""
+def shell_variants_of(request: Request) -> tuple[ShellVariant, ...]:
+    """Shells that are tried, first the ones that give way by what the halves hook; `SHELL_VARIANTS` where
+    they do not."""
     needed = _needed_mm(request)
-    if needed <= TRIMS[-1].thickness_mm or needed > _THICKEST_MM:
-        return TRIMS
-    thick = [trim for trim in TRIMS if trim.thickness_mm >= needed - _EXACT_MM]
+    if needed <= SHELL_VARIANTS[-1].thickness_mm or needed > _THICKEST_MM:
+        return SHELL_VARIANTS
+    thick = [shell for shell in SHELL_VARIANTS if shell.thickness_mm >= needed - _EXACT_MM]
     if not thick:
         high = float(np.ceil(needed - _EXACT_MM))
-        thick = [replace(TRIMS[0], thickness_mm=high, pocket_depth_mm=high - _SILICONE_BELOW_MM)]
-    widths = sorted({trim.pocket_diameter_mm for trim in TRIMS}, reverse=True)
+        thick = [
+            replace(SHELL_VARIANTS[0], thickness_mm=high, pocket_depth_mm=high - _SILICONE_BELOW_MM)
+        ]
+    widths = sorted({shell.pocket_diameter_mm for shell in SHELL_VARIANTS}, reverse=True)
     firm = [
-        replace(trim, pocket_diameter_mm=width)
-        for trim in thick
+        replace(shell, pocket_diameter_mm=width)
+        for shell in thick
         for width in widths
-        if width <= trim.pocket_diameter_mm
+        if width <= shell.pocket_diameter_mm
     ]
-    return (*firm, *(trim for trim in TRIMS if trim not in firm))
+    return (*firm, *(shell for shell in SHELL_VARIANTS if shell not in firm))
 
 
 def with_thinnest(request: Request) -> Request:
     """The same, under the thinnest of its shells that give way."""
     needed = _needed_mm(request)
-    enough = [trim for trim in trims_of(request) if trim.thickness_mm >= needed - _EXACT_MM]
+    enough = [
+        shell for shell in shell_variants_of(request) if shell.thickness_mm >= needed - _EXACT_MM
+    ]
     if not enough:
-        return replace(request, thinnest=TRIMS[-1])
-    thinnest = min(enough, key=lambda trim: (trim.thickness_mm, trim.pocket_diameter_mm))
+        return replace(request, thinnest=SHELL_VARIANTS[-1])
+    thinnest = min(enough, key=lambda shell: (shell.thickness_mm, shell.pocket_diameter_mm))
     return replace(request, thinnest=thinnest)
 
 
@@ -120,10 +133,10 @@ def _needed_mm(request: Request) -> float:
     alike = Request(
         request.kind, (x, y, z), file=tuple((file | {"scale": round(scale, 9)}).items())
     )
-    return _SPARE * least_hooked_mm(alike) * longest / _LOOKED_AT_MM / YIELD_SHARE
+    return _SPARE * least_hooked_mm(alike) * longest / _LOOKED_AT_MM / COMPLIANCE_FRACTION
 
 
 @lru_cache(maxsize=16)
 def least_hooked_mm(request: Request) -> float:
     """Return how deep halves hook the body at the best azimuth."""
-    return min(hooked_by_azimuth_mm(bare_tables(request, TRIMS[-1])).values())
+    return min(hooked_by_azimuth_mm(bare_tables(request, SHELL_VARIANTS[-1])).values())

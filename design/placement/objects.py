@@ -53,23 +53,23 @@ Tables = dict[str, dict[str, Any]]
 """Tables of a specification, with what differs from the paper's cube."""
 
 SHARES = tuple(np.arange(0.66, 0.2, -0.04).round(2).tolist())
-"""Of a face's half extents: how far out parts are tried."""
+"""Shares of a face's half extents: how far out parts are tried."""
 COARSE = SHARES[::3]
 """Fewer of them, while a size that works is looked for."""
 _COUNTS = (5, 4, 3, 2, 1)
 _FEWEST = (1, 2)
-"""Of magnets, where none is asked for: as many as fit, or one, or two where its pocket in the middle of
-the face is in the way."""
+"""Numbers of magnets, where none is asked for: as many as fit, or one, or two where its pocket in the
+middle of the face is in the way."""
 _SIDE_HOLE_MM = 3.0
 _LEAST_BORE_MM = 4.0
 _FLOOR_MM = 1.0
-"""Of a core's wall behind a recess: more than the printer's thinnest by a quarter."""
+"""Thickness of a core's wall behind a recess: more than the printer's thinnest by a quarter."""
 _HALF_RECESS_MM = 3.25
-"""Of a recess along the board, a little longer than the board."""
+"""Half length of a recess along the board, a little longer than the board."""
 
 
 @dataclass(frozen=True)
-class Trim:
+class ShellVariant:
     """A shell and its magnets, disks 1 mm high that fill their pockets (mm)."""
 
     thickness_mm: float
@@ -77,11 +77,11 @@ class Trim:
     pocket_depth_mm: float
 
 
-TRIMS = (
-    Trim(8.0, 6.0, 3.0),
-    Trim(7.0, 5.0, 3.0),
-    Trim(6.0, 4.0, 3.0),
-    Trim(5.0, 4.0, 2.5),
+SHELL_VARIANTS = (
+    ShellVariant(8.0, 6.0, 3.0),
+    ShellVariant(7.0, 5.0, 3.0),
+    ShellVariant(6.0, 4.0, 3.0),
+    ShellVariant(5.0, 4.0, 2.5),
 )
 _TIP_RADII_MM = (5.0, 4.0, 3.0, 2.0)
 PITCHES_MM = (3.0, 2.5, 2.0, 1.5, 1.0)
@@ -95,7 +95,7 @@ _TURNED = {4: 2, 5: 3}
 
 @dataclass(frozen=True)
 class Request:
-    """What a user asks for: kind of body, its box (mm), sensors and magnets per face.
+    """Request of a user: kind of body, its box (mm), sensors and magnets per face.
 
     Without a number of magnets, as many as fit, five at most. An imported body has `size_mm` of its
     file, and the keys of `[body]` that read it in `file`. Without `faces` all are sensed on which
@@ -108,64 +108,73 @@ class Request:
     magnets: int | None = None
     file: tuple[tuple[str, Any], ...] = ()
     faces: tuple[int, ...] | None = None
-    thinnest: Trim = TRIMS[-1]
+    thinnest: ShellVariant = SHELL_VARIANTS[-1]
 
 
 def first_fit(
-    request: Request, trims: tuple[Trim, ...] = TRIMS, shares: tuple[float, ...] = SHARES
+    request: Request,
+    shells: tuple[ShellVariant, ...] = SHELL_VARIANTS,
+    shares: tuple[float, ...] = SHARES,
 ) -> Tables | None:
-    """The same, or None where nothing fits of these trims and shares of the faces' half extents.
+    """The same, or None where nothing fits of these shells and shares of the faces' half extents.
 
-    Where not all faces take everything, those that do by themselves are sensed.
+    Where not all faces take everything, the faces that do by themselves are sensed.
     """
-    return next(fitting(request, trims, shares), None)
+    return next(fitting(request, shells, shares), None)
 
 
 def fitting(
-    request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...]
+    request: Request, shells: tuple[ShellVariant, ...], shares: tuple[float, ...]
 ) -> Iterator[Tables]:
-    """Of each shell that takes everything: on all faces, else on those that do by themselves, else on the
-    largest that do together."""
-    found = False
-    for tables in every_fit(request, trims, shares):
-        found = True
+    """Yield the tables of each shell that takes everything: on all faces, else on faces that do by
+    themselves, else on the largest that do together."""
+    has_tables = False
+    for tables in fitting_tables(request, shells, shares):
+        has_tables = True
         yield tables
-    if found or request.faces is not None:
+    if has_tables or request.faces is not None:
         return
     for fewer in (roomy_faces, _largest_together):
         faces = fewer(request)
-        for tables in every_fit(replace(request, faces=faces), trims, shares) if faces else ():
-            found = True
+        for tables in (
+            fitting_tables(replace(request, faces=faces), shells, shares) if faces else ()
+        ):
+            has_tables = True
             yield tables
-        if found:
+        if has_tables:
             return
 
 
-def every_fit(
+def fitting_tables(
     request: Request,
-    trims: tuple[Trim, ...],
+    shells: tuple[ShellVariant, ...],
     shares: tuple[float, ...],
     counts: tuple[int, ...] = _COUNTS,
 ) -> Iterator[Tables]:
-    """Of each shell that takes everything; at last as sizes are tried, so that one that is named works."""
-    found = False
-    for tables in _of_shells(request, trims, shares, counts):
-        found = True
+    """Yield the tables of each shell that takes everything; at last as sizes are tried, so that one that
+    is named works."""
+    has_tables = False
+    for tables in _tables_of_shells(request, shells, shares, counts):
+        has_tables = True
         yield tables
-    if not found and shares != COARSE:
+    if not has_tables and shares != COARSE:
         yield from _roughly(request)
 
 
 def _roughly(request: Request) -> Iterator[Tables]:
-    """As sizes are tried: under the thinnest shell, which leaves the most room, with few magnets."""
-    return every_fit(request, (request.thinnest,), COARSE, _FEWEST)
+    """Yield tables as sizes are tried: under the thinnest shell, which leaves the most room, with few
+    magnets."""
+    return fitting_tables(request, (request.thinnest,), COARSE, _FEWEST)
 
 
-def _of_shells(
-    request: Request, trims: tuple[Trim, ...], shares: tuple[float, ...], counts: tuple[int, ...]
+def _tables_of_shells(
+    request: Request,
+    shells: tuple[ShellVariant, ...],
+    shares: tuple[float, ...],
+    counts: tuple[int, ...],
 ) -> Iterator[Tables]:
-    for trim in trims:
-        tables = _with_sensors(request, trim, shares)
+    for shell in shells:
+        tables = _with_sensors(request, shell, shares)
         tables = tables and next(_with_magnets(request, tables, shares, counts), None)
         tables = tables and with_contacts(tables)
         if tables:
@@ -179,24 +188,26 @@ def fits_roughly(request: Request) -> bool:
 
 def roomy_faces(request: Request) -> tuple[int, ...]:
     """Faces on which everything finds room by itself, under the thinnest shell; () where all have it."""
-    every = spec_of(bare_tables(request, request.thinnest)).body.sensed
-    if len(every) == 1:
+    all_faces = spec_of(bare_tables(request, request.thinnest)).body.sensed
+    if len(all_faces) == 1:
         return ()
     roomy = dict[int, bool]()
-    for face in every:
+    for face in all_faces:
         alike = None if KINDS[request.kind].from_file else _TURNED.get(face)
-        known = roomy.get(alike) if alike else None
-        roomy[face] = fits_roughly(replace(request, faces=(face,))) if known is None else known
-    found = tuple(face for face in every if roomy[face])
-    return found if len(found) < len(every) else ()
+        is_roomy = roomy.get(alike) if alike else None
+        roomy[face] = (
+            fits_roughly(replace(request, faces=(face,))) if is_roomy is None else is_roomy
+        )
+    with_room = tuple(face for face in all_faces if roomy[face])
+    return with_room if len(with_room) < len(all_faces) else ()
 
 
 def _largest_together(request: Request) -> tuple[int, ...]:
     """The most faces, largest first, that take everything together; () where there are none."""
-    every = spec_of(bare_tables(request, request.thinnest)).body.sensed
-    frames = [frame for face in every for frame in _frame_where_there_is(request, face)]
+    all_faces = spec_of(bare_tables(request, request.thinnest)).body.sensed
+    frames = [frame for face in all_faces for frame in _frame_where_there_is(request, face)]
     frames = sorted(frames, key=lambda frame: -float(np.prod(frame.half_extents_mm)))
-    for count in range(min(len(frames), len(every) - 1), 0, -1):
+    for count in range(min(len(frames), len(all_faces) - 1), 0, -1):
         faces = tuple(sorted(frame.number for frame in frames[:count]))
         if fits_roughly(replace(request, faces=faces)):
             return faces
@@ -204,7 +215,7 @@ def _largest_together(request: Request) -> tuple[int, ...]:
 
 
 def _frame_where_there_is(request: Request, face: int) -> tuple[FaceFrame, ...]:
-    """Of a face by itself; () where the surface about it is too steep or too small for a patch."""
+    """Return the frame of a face; () where the surface about it is too steep or too small for a patch."""
     try:
         return face_frames(spec_of(bare_tables(replace(request, faces=(face,)), request.thinnest)))
     except InputError:
@@ -216,25 +227,25 @@ def spec_of(tables: Tables) -> ObjectSpec:
     return ObjectSpec.model_validate({"name": "placed", **tables})
 
 
-def bare_tables(request: Request, trim: Trim) -> Tables:
-    """Of a body without sensors and with one tiny magnet, to begin with."""
+def bare_tables(request: Request, shell: ShellVariant) -> Tables:
+    """Tables of a body without sensors and with one tiny magnet, to begin with."""
     kind = KINDS[request.kind]
     body: dict[str, Any] = {"kind": request.kind, **dict(request.file)}
     body["size_mm"] = list(request.size_mm)
     if request.faces is not None:
         body["sensed_faces"] = list(request.faces)
     if kind.openable and not kind.opens_sides:
-        room = min(request.size_mm) - 2 * trim.thickness_mm
+        room = min(request.size_mm) - 2 * shell.thickness_mm
         body["bore_mm"] = float(np.clip(np.floor(room / 2), _LEAST_BORE_MM, 10.0))
-    shell = {
-        "thickness_mm": trim.thickness_mm,
-        "pocket_diameter_mm": trim.pocket_diameter_mm,
-        "pocket_depth_mm": trim.pocket_depth_mm,
+    shell_table = {
+        "thickness_mm": shell.thickness_mm,
+        "pocket_diameter_mm": shell.pocket_diameter_mm,
+        "pocket_depth_mm": shell.pocket_depth_mm,
     }
     # one tiny magnet and few places, until there are sensors
     return {
         "body": body,
-        "shell": shell,
+        "shell": shell_table,
         "magnets": {"diameter_mm": 0.5, "height_mm": 0.5, "positions_mm": [[0.0, 0.0]]},
         "contact_grid": {"count": [2, 2], "pitch_mm": 0.5},
         "indenter": {"radius_mm": _TIP_RADII_MM[-1]},
@@ -245,8 +256,10 @@ def bare_tables(request: Request, trim: Trim) -> Tables:
 _DEPTHS_MM = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0)
 
 
-def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Tables | None:
-    body = bare_tables(request, trim)
+def _with_sensors(
+    request: Request, shell: ShellVariant, shares: tuple[float, ...]
+) -> Tables | None:
+    body = bare_tables(request, shell)
     try:
         start = spec_of(body)
     except ValidationError as error:
@@ -261,9 +274,9 @@ def _with_sensors(request: Request, trim: Trim, shares: tuple[float, ...]) -> Ta
     if min(min(half) for half in halves) <= 0:
         return None
     for patterns in sensor_patterns(request.sensors):
-        found = with_patterns(request, body, halves, [*product(shares, patterns)])
-        if found is not None:
-            return found
+        tables = with_patterns(request, body, halves, [*product(shares, patterns)])
+        if tables is not None:
+            return tables
     return None
 
 
@@ -325,7 +338,7 @@ def electronics_tables(request: Request, faces: list[Shares]) -> Tables:
     sensors = {
         "count_per_face": request.sensors,
         "radius_mm": radius,
-        "positions_mm": _per_face(places),
+        "positions_mm": _lists_per_face(places),
     }
     return {"core": core, "sensors": sensors}
 
@@ -345,15 +358,15 @@ def wall_mm(spec: ObjectSpec) -> float | None:
 
 
 HARD_TO_MAKE = (tight_marks, narrow_heads)
-"""What other patterns of magnets are tried against."""
+"""Faults against which other patterns of magnets are tried."""
 
 
 def _with_magnets(
     request: Request, tables: Tables, shares: tuple[float, ...], counts: tuple[int, ...]
 ) -> Iterator[Tables]:
-    """Most magnets first; of their patterns and spreads, over each face or alike on all, those that fit, the
-    one with the shortest signal paths first, but those without a template and pins that can be printed
-    last."""
+    """Most magnets first; of their patterns and spreads, over each face or alike on all, the ones that
+    fit, the one with the shortest signal paths first, but patterns without a template and pins that can be
+    printed last."""
     diameter = tables["shell"]["pocket_diameter_mm"]
     counts = counts if request.magnets is None else (request.magnets,)
     halves = np.array([frame.half_extents_mm for frame in face_frames(spec_of(tables))])
@@ -367,7 +380,7 @@ def _with_magnets(
             spec = spec_of(tables | {"magnets": magnets})
             tried.append((long_path_mm(spec, sensors), magnets, spec))
         spare = []
-        for _, magnets, spec in sorted(tried, key=lambda one: one[0]):
+        for _, magnets, spec in sorted(tried, key=lambda trial: trial[0]):
             if fits(spec, mould=False) and not tight_shell(spec) and can_be_moulded(spec):
                 if any(hard(spec) for hard in HARD_TO_MAKE):
                     spare.append(tables | {"magnets": magnets})
@@ -379,26 +392,26 @@ def _with_magnets(
 def relaid(
     request: Request, tables: Tables, shares: tuple[float, ...] = SHARES
 ) -> Iterator[Tables]:
-    """The same shell and sensors with as many magnets elsewhere, those that fit."""
+    """The same shell and sensors with as many magnets elsewhere, where they fit."""
     count = int(np.shape(tables["magnets"]["positions_mm"])[-2])
-    trim = Trim(**tables["shell"])
-    bare = bare_tables(request, trim) | {key: tables[key] for key in ("body", "core", "sensors")}
-    for other in _with_magnets(request, bare, shares, (count,)):
-        found = None if other["magnets"] == tables["magnets"] else with_contacts(other)
-        if found is not None:
-            yield found
+    shell = ShellVariant(**tables["shell"])
+    bare = bare_tables(request, shell) | {key: tables[key] for key in ("body", "core", "sensors")}
+    for moved in _with_magnets(request, bare, shares, (count,)):
+        complete = None if moved["magnets"] == tables["magnets"] else with_contacts(moved)
+        if complete is not None:
+            yield complete
 
 
 def _different_places(
     count: int, shares: tuple[float, ...], spreads: list[np.ndarray]
 ) -> list[list[Any]]:
-    """Of every pattern, share and spread; once those that come out alike, as one in the middle does."""
-    found = list[list[Any]]()
+    """Return the places of every pattern, share and spread, without repeats, as one in the middle gives."""
+    different = list[list[Any]]()
     for pattern, share, spread in product(magnet_patterns(count), shares, spreads):
-        places = _per_face([rounded_places(share * half * pattern) for half in spread])
-        if places not in found:
-            found.append(places)
-    return found
+        places = _lists_per_face([rounded_places(share * half * pattern) for half in spread])
+        if places not in different:
+            different.append(places)
+    return different
 
 
 def with_contacts(tables: Tables) -> Tables | None:
@@ -423,7 +436,7 @@ def pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
     return PITCHES_MM if least < PITCHES_MM[0] else (float(np.ceil(least)),)
 
 
-def _per_face(places: list[list[list[float]]]) -> list[Any]:
+def _lists_per_face(places: list[list[list[float]]]) -> list[Any]:
     """One list for all faces where they are alike."""
     return places[0] if all(face == places[0] for face in places) else places
 

@@ -12,21 +12,23 @@ from design.layout.places.positions import SensorLayout, magnet_layout
 from design.spec.object import ObjectSpec
 
 _SHARES = np.linspace(-0.75, 0.75, 7)
-"""Of a face's half extents, where paths are looked at: a tip reaches about so far."""
+"""Shares of a face's half extents, where paths are looked at: a tip reaches about so far."""
 _LONG = 0.9
 """Quantile of the paths that stands for the long ones."""
 
 
 def long_path_mm(spec: ObjectSpec, sensors: SensorLayout) -> float:
     """The signal path that a tenth of the sensed faces exceeds, about; infinite where a magnet lies
-    beside its patch."""
+    off its patch."""
     try:
         spots, magnets = spots_over_bodies(spec), magnet_layout(spec)
     except InputError:
         return float("inf")
-    found = [_paths(spec, number, spots, magnets.centre_mm, sensors) for number in spec.body.sensed]
-    every = np.concatenate(found)
-    return float(np.quantile(every, _LONG)) if np.isfinite(every).all() else float("inf")
+    paths_by_face = [
+        _paths(spec, number, spots, magnets.centre_mm, sensors) for number in spec.body.sensed
+    ]
+    paths = np.concatenate(paths_by_face)
+    return float(np.quantile(paths, _LONG)) if np.isfinite(paths).all() else float("inf")
 
 
 def _paths(

@@ -11,8 +11,8 @@ _CORNERS_DEG = 45.0
 
 
 def sensor_patterns(count: int) -> tuple[list[Shares], list[Shares]]:
-    """Patterns of sensors, evenest first: rings, then rows; and those that leave a half of the face
-    without any."""
+    """Patterns of sensors, evenest first: rings, then rows, then patterns that leave a half of
+    the face without any."""
     if count == 1:
         return [np.zeros((1, 2))], []
     rings = [_ring(count, first) for first in (90.0, 0.0, 45.0, 75.0)]
@@ -49,5 +49,5 @@ def _ring(count: int, first_deg: float) -> Shares:
 
 
 def _row(count: int) -> Shares:
-    along = np.linspace(-1, 1, count) if count > 1 else np.zeros(1)
-    return np.column_stack([along, np.zeros(count)])
+    steps = np.linspace(-1, 1, count) if count > 1 else np.zeros(1)
+    return np.column_stack([steps, np.zeros(count)])

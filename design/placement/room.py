@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.body.surface_chart import FaceFrame
-from design.fit.boards import beyond_core_mm
+from design.fit.boards import distance_beyond_core_mm
 from design.layout.boards import (
     Recess,
     passage_radius_mm,
@@ -33,7 +33,7 @@ Points = Float[np.ndarray, "point 3"]
 _ROOMY = 1.25
 """Times the least that can be made, below which the checks of fabrication warn."""
 _LAYER_MM = 0.25
-"""Of a floor below a sloping core, at least: what a printer lays in one layer."""
+"""Thickness of a floor below a sloping core, at least: what a printer lays in one layer."""
 _WALL_DEG, _STEP_MM, _EDGE_POINTS = 45.0, 0.05, 5
 _EXACT_MM = 1e-6
 _FACING_DEG, _ROUND, _ALONG_MM = 18.0, 24, 0.25
@@ -56,7 +56,7 @@ def low_rim(spec: ObjectSpec) -> bool:
     slopes away, the wall is low there.
     """
     floors = np.concatenate([recess.corners_mm[:4] for recess in sensor_recesses(spec)])
-    return bool(beyond_core_mm(spec, floors).max() > -_ROOMY * spec.printer.wall_mm)
+    return bool(distance_beyond_core_mm(spec, floors).max() > -_ROOMY * spec.printer.wall_mm)
 
 
 def tight_rim(spec: ObjectSpec) -> bool:
@@ -70,25 +70,25 @@ def tight_rim(spec: ObjectSpec) -> bool:
     points, outward = map(
         np.concatenate, zip(*map(_floor_edges, sensor_recesses(spec)), strict=True)
     )
-    if beyond_core_mm(spec, points).max() > -_LAYER_MM:
+    if distance_beyond_core_mm(spec, points).max() > -_LAYER_MM:
         return True
     past = points + least * outward
-    beyond = beyond_core_mm(spec, past)
-    rise = beyond - beyond_core_mm(spec, past - _STEP_MM * outward)
+    beyond = distance_beyond_core_mm(spec, past)
+    rise = beyond - distance_beyond_core_mm(spec, past - _STEP_MM * outward)
     return bool(np.any((beyond > 0) & (rise > np.cos(np.deg2rad(_WALL_DEG)) * _STEP_MM)))
 
 
 def _floor_edges(recess: Recess) -> tuple[Points, Points]:
     """Points along the edges of a recess's floor, each with the normal outward of its side, and of
     the floor."""
-    along = np.linspace(-1, 1, _EDGE_POINTS)
+    steps = np.linspace(-1, 1, _EDGE_POINTS)
     ones, (x, y, z) = np.ones(_EDGE_POINTS), recess.axes.T
     sides = [
         (share, normal)
         for sign in (-1, 1)
         for share, normal in (
-            (np.column_stack([sign * ones, along, -ones]), sign * x),
-            (np.column_stack([along, sign * ones, -ones]), sign * y),
+            (np.column_stack([sign * ones, steps, -ones]), sign * x),
+            (np.column_stack([steps, sign * ones, -ones]), sign * y),
         )
     ]
     shares = np.concatenate([share for share, _ in sides] * 2)
@@ -110,8 +110,8 @@ def tight_middle(spec: ObjectSpec) -> bool:
 
 
 def thin_beside_wire_hole(spec: ObjectSpec) -> bool:
-    """Whether a recess that leans towards the wire hole of its face, as on a curved core, comes so near it at
-    its floor that the wall between them is too thin to print.
+    """Return whether a recess that leans towards the wire hole of its face, as on a curved core, comes so
+    near it at its floor that the wall between them is too thin to print.
 
     One that leans by more than what rays take for a wall leaves a wedge.
     """
@@ -147,8 +147,8 @@ def _points_of(recess: Recess) -> Points:
 
 
 def thin_over_outlet(spec: ObjectSpec) -> bool:
-    """Whether a recess ends too little above the middle of a core without a cavity, from where wires leave
-    downwards in a hole of their own: the floor between both is too thin to print."""
+    """Return whether a recess ends too little above the middle of a core without a cavity, from where
+    wires leave downwards in a hole of their own: the floor between both is too thin to print."""
     room, _ = body_of(spec).room_for_recesses
     if body_of(spec).on_base or spec.core.wall_mm < room:
         return False
@@ -167,10 +167,10 @@ def thin_round_bore(spec: ObjectSpec) -> bool:
     heights = np.arange(-float(body_of(spec).core_half_mm[2]), 0.0, _ALONG_MM)
     rings = spec.body.bore_mm / 2 * outward + heights[:, None, None] * [0.0, 0.0, 1.0]
     points, outward = rings.reshape(-1, 3), np.tile(outward, (len(heights), 1))
-    beyond = beyond_core_mm(spec, points)
+    beyond = distance_beyond_core_mm(spec, points)
     thin = (beyond < 0) & (beyond > -spec.printer.wall_mm)
     points, outward, beyond = points[thin], outward[thin], beyond[thin]
-    further = [beyond_core_mm(spec, points + _STEP_MM * way) for way in np.eye(3)]
+    further = [distance_beyond_core_mm(spec, points + _STEP_MM * way) for way in np.eye(3)]
     normal = np.column_stack(further) - beyond[:, None]
     # Cosine between the core's outward normal (difference quotients of its distance) and the bore's
     # (i point, j coordinate).
@@ -179,7 +179,7 @@ def thin_round_bore(spec: ObjectSpec) -> bool:
 
 
 def tight_shell(spec: ObjectSpec) -> bool:
-    """Return whether silicone over, under, between or beside the magnets' pockets is too thin to cast, or is
+    """Return whether silicone over, under, between or next to the magnets' pockets is too thin to cast, or is
     not known, where a pocket reaches past its patch."""
     least = _ROOMY * spec.silicone.thinnest_wall_mm
     placed = [
@@ -196,7 +196,7 @@ def tight_shell(spec: ObjectSpec) -> bool:
         ),
         default=np.inf,
     )
-    beside = min(_beside_mm(frame, pocket) for frame, pocket, _ in placed)
+    beside = min(_border_silicone_mm(frame, pocket) for frame, pocket, _ in placed)
     return not np.min([over, under, between, beside]) >= least
 
 
@@ -208,12 +208,13 @@ def tight_marks(spec: ObjectSpec) -> bool:
 
 
 def narrow_heads(spec: ObjectSpec) -> bool:
-    """Whether pins of a split mould stand so close that their heads rest on rims too narrow to print."""
+    """Return whether pins of a split mould stand so close that their heads rest on rims too narrow to
+    print."""
     pins = loose_pins(spec) if mould_style(spec) == "split" else ()
     return bool(pins) and pins[0].rim_mm < least_rim_mm(spec)
 
 
-def _beside_mm(frame: FaceFrame, pocket: Pocket) -> float:
+def _border_silicone_mm(frame: FaceFrame, pocket: Pocket) -> float:
     """Silicone between a pocket and the border of a flat face, which on a pad ends in the air."""
     if not frame.flat:
         return np.inf

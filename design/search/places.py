@@ -30,7 +30,7 @@ class PlaceMap:
     constant: Float[np.ndarray, "part column"]
     matrix: Float[np.ndarray, "part column variable"]
 
-    def at(self, values: Float[np.ndarray, "variable"]) -> Float[np.ndarray, "part column"]:
+    def places_at(self, values: Float[np.ndarray, "variable"]) -> Float[np.ndarray, "part column"]:
         """The places of these values of the variables."""
         return self.constant + self.matrix @ values
 
@@ -40,14 +40,14 @@ def magnet_maps(structured: ObjectSpec, names: tuple[str, ...]) -> tuple[PlaceMa
     continuous variables'."""
     count = structured.magnets.count
     tilts = structured.magnets.tilt_deg or ((0.0, 0.0),) * count
-    found = []
+    maps = []
     for group, label in zip(layout_groups(structured), group_labels(structured), strict=True):
         bodies = magnet_bodies(structured)[structured.body.sensed.index(group[0])]
         base = np.array(
             [[*(b.centre_mm * [1, 1, -1]), *tilt] for b, tilt in zip(bodies, tilts, strict=True)]
         )
-        found.append(_place_map(names, label, "magnet", base))
-    return tuple(found)
+        maps.append(_place_map(names, label, "magnet", base))
+    return tuple(maps)
 
 
 def sensor_maps(structured: ObjectSpec, names: tuple[str, ...]) -> tuple[PlaceMap, ...]:

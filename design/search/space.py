@@ -92,9 +92,13 @@ def reaches_that_fit_mm(spec: ObjectSpec) -> dict[str, float]:
     corners and gaps are limits of the search itself.
     """
     in_core = spec.arrangement == "sensors-in-core"
-    pockets = [one for face in (shell_pockets if in_core else core_pockets)(spec) for one in face]
-    beyond = max(float((one.reach_mm - abs(one.body.centre_mm[:2])).max()) for one in pockets)
-    deepest = max(one.body.height_mm / 2 - float(one.body.centre_mm[2]) for one in pockets)
+    pockets = [
+        pocket for face in (shell_pockets if in_core else core_pockets)(spec) for pocket in face
+    ]
+    beyond = max(
+        float((pocket.reach_mm - abs(pocket.body.centre_mm[:2])).max()) for pocket in pockets
+    )
+    deepest = max(pocket.body.height_mm / 2 - float(pocket.body.centre_mm[2]) for pocket in pockets)
     core = max(max(frame.half_extents_mm) for frame in core_frames(spec))
     wall = spec.printer.wall_mm
     outwards = spec.core.recess_outer_radius_mm - spec.sensors.radius_mm
@@ -103,7 +107,7 @@ def reaches_that_fit_mm(spec: ObjectSpec) -> dict[str, float]:
         longest = max(max(frame.half_extents_mm) for frame in face_frames(spec))
         room["magnet"] = longest - deepest - beyond
     present = {
-        "magnet": max(float(abs(one.body.centre_mm[:2]).max()) for one in pockets),
+        "magnet": max(float(abs(pocket.body.centre_mm[:2]).max()) for pocket in pockets),
         "sensor": max(
             max(abs(x), abs(y)) for of_face in sensor_places(spec) for x, y, _ in of_face
         ),
@@ -125,32 +129,32 @@ def structure_of(space: SearchSpace, params: Params) -> tuple[tuple[str, Any], .
 
 def params_at(space: SearchSpace, unit: Float[np.ndarray, "variable"]) -> dict[str, Any]:
     """Values at a point of the unit cube; choices share [0, 1] evenly."""
-    found: dict[str, Any] = {}
+    params: dict[str, Any] = {}
     for variable, u in zip(space.variables, unit, strict=True):
         if variable.choices:
             count = len(variable.choices)
-            found[variable.name] = variable.choices[min(int(u * count), count - 1)]
+            params[variable.name] = variable.choices[min(int(u * count), count - 1)]
         else:
-            found[variable.name] = variable.low + float(u) * (variable.high - variable.low)
-    return found
+            params[variable.name] = variable.low + float(u) * (variable.high - variable.low)
+    return params
 
 
 def unit_of(space: SearchSpace, params: Params) -> Float[np.ndarray, "variable"]:
     """The point of the unit cube; a choice's is the middle of its share."""
-    found = []
+    shares = []
     for variable in space.variables:
         value = params[variable.name]
         if variable.choices:
-            found.append((variable.choices.index(value) + 0.5) / len(variable.choices))
+            shares.append((variable.choices.index(value) + 0.5) / len(variable.choices))
         else:
-            found.append((value - variable.low) / (variable.high - variable.low))
-    return np.array(found)
+            shares.append((value - variable.low) / (variable.high - variable.low))
+    return np.array(shares)
 
 
 def start_params(space: SearchSpace) -> dict[str, Any] | None:
     """The specification's own layout as variables; None where the space does not hold it."""
     spec = space.spec
-    found: dict[str, Any] = structure_choices(spec)
+    values_by_name: dict[str, Any] = structure_choices(spec)
     tilts = spec.magnets.tilt_deg or ((0.0, 0.0),) * spec.magnets.count
     norths, parts = spec.magnets.north or ("outward",) * len(tilts), part_names(spec.magnets)
     for k, (depth, tilt) in enumerate(zip(_depths(spec), tilts, strict=True), start=1):
@@ -158,7 +162,7 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
         values["north"] = norths[k - 1]
         values["size"] = parts[k - 1]
         values["grade"] = typical_grade(spec.magnets.remanences_t[k - 1])
-        found |= {f"magnet{k}_{name}": value for name, value in values.items()}
+        values_by_name |= {f"magnet{k}_{name}": value for name, value in values.items()}
     for group, label in zip(layout_groups(spec), group_labels(spec), strict=True):
         face = spec.body.sensed.index(group[0])
         places = {
@@ -167,12 +171,14 @@ def start_params(space: SearchSpace) -> dict[str, Any] | None:
         }
         for part, of_part in places.items():
             for k, (x, y) in enumerate(of_part, start=1):
-                found |= {f"{label}{part}{k}_x_mm": x, f"{label}{part}{k}_y_mm": y}
+                values_by_name |= {f"{label}{part}{k}_x_mm": x, f"{label}{part}{k}_y_mm": y}
     for variable in space.variables:
-        found.setdefault(variable.name, middle_value(variable))  # of parts that the start lacks
-    if not all(_holds(v, found[v.name]) for v in space.variables):
+        values_by_name.setdefault(
+            variable.name, middle_value(variable)
+        )  # of parts that the start lacks
+    if not all(_holds(v, values_by_name[v.name]) for v in space.variables):
         return None
-    return {v.name: found[v.name] for v in space.variables}
+    return {v.name: values_by_name[v.name] for v in space.variables}
 
 
 def _depths(spec: ObjectSpec) -> list[float]:
@@ -205,10 +211,10 @@ def with_layout(spec: ObjectSpec, params: Params) -> ObjectSpec:
     values = np.array([params[name] for name in names], dtype=float)
     content = structured.model_dump(mode="json")
     vary = spec.search.vary
-    magnets = [each.at(values) for each in magnet_maps(structured, names)]
+    magnets = [each.places_at(values) for each in magnet_maps(structured, names)]
     if vary.magnet_reach_mm is not None:
         lists = [places[:, :2].round(2).tolist() for places in magnets]
-        content["magnets"]["positions_mm"] = _of_faces(spec, lists)
+        content["magnets"]["positions_mm"] = _lists_by_face(spec, lists)
     if vary.magnet_depth_mm is not None:
         content["magnets"]["depth_mm"] = magnets[0][:, 2].round(2).tolist()
     if vary.magnet_tilt_deg is not None:
@@ -219,41 +225,45 @@ def with_layout(spec: ObjectSpec, params: Params) -> ObjectSpec:
         del content["magnets"]["remanence_t"]
         content["magnets"]["grade"] = choices_of_magnets(structured, params, "grade")
     if vary.sensor_reach_mm is not None:
-        lists = [each.at(values).round(2).tolist() for each in sensor_maps(structured, names)]
-        content["sensors"]["positions_mm"] = _of_faces(spec, lists)
+        lists = [
+            each.places_at(values).round(2).tolist() for each in sensor_maps(structured, names)
+        ]
+        content["sensors"]["positions_mm"] = _lists_by_face(spec, lists)
         content["sensors"]["count_per_face"] = len(lists[0])
     return parse_spec(content, "the layout")
 
 
-def _of_faces(spec: ObjectSpec, of_groups: list[Any]) -> Any:
+def _lists_by_face(spec: ObjectSpec, of_groups: list[Any]) -> Any:
     """One list for all faces, or that of its group for each."""
     if len(of_groups) == 1:
         return of_groups[0]
     groups = layout_groups(spec)
     return [
-        next(one for one, group in zip(of_groups, groups, strict=True) if face in group)
+        next(
+            group_list for group_list, group in zip(of_groups, groups, strict=True) if face in group
+        )
         for face in spec.body.sensed
     ]
 
 
 def _magnet_variables(spec: ObjectSpec) -> list[Variable]:
     vary, tilt = spec.search.vary, spec.search.vary.magnet_tilt_deg
-    found: list[Variable] = []
+    variables: list[Variable] = []
     for number in range(1, max(vary.magnet_count or (spec.magnets.count,)) + 1):
         name = f"magnet{number}"
         for label, reach in _reaches(spec, vary.magnet_reach_mm):
-            found += _pair(label + name, ("x_mm", "y_mm"), reach)
+            variables += _pair(label + name, ("x_mm", "y_mm"), reach)
         if vary.magnet_depth_mm is not None:
-            found.append(Variable(f"{name}_depth_mm", *vary.magnet_depth_mm))
+            variables.append(Variable(f"{name}_depth_mm", *vary.magnet_depth_mm))
         turns = None if tilt is None else (tilt, tilt)
-        found += _pair(name, ("tilt_x_deg", "tilt_y_deg"), turns)
+        variables += _pair(name, ("tilt_x_deg", "tilt_y_deg"), turns)
         if vary.magnet_sizes is not None:
-            found.append(Variable(name + SIZE, choices=vary.magnet_sizes))
+            variables.append(Variable(name + SIZE, choices=vary.magnet_sizes))
         if vary.magnet_north:
-            found.append(Variable(f"{name}_north", choices=("outward", "inward")))
+            variables.append(Variable(f"{name}_north", choices=("outward", "inward")))
         if vary.magnet_grade is not None:
-            found.append(Variable(f"{name}_grade", choices=vary.magnet_grade))
-    return found
+            variables.append(Variable(f"{name}_grade", choices=vary.magnet_grade))
+    return variables
 
 
 def _sensor_variables(spec: ObjectSpec) -> list[Variable]:
@@ -307,7 +317,7 @@ def _check(spec: ObjectSpec) -> None:
     listed = (magnets.depth_mm, magnets.grade, magnets.remanence_t)
     listed += (magnets.part, magnets.diameter_mm, magnets.inner_diameter_mm, magnets.height_mm)
     if vary.magnet_count and (
-        magnets.north or magnets.tilt_deg or any(isinstance(one, tuple) for one in listed)
+        magnets.north or magnets.tilt_deg or any(isinstance(entry, tuple) for entry in listed)
     ):
         raise InputError(
             "search.vary.magnet_count changes how many magnets there are, and magnets.north, tilt_deg, "

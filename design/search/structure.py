@@ -42,7 +42,7 @@ def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
     if spec.search.vary.magnet_sizes is not None:
         counted = _constructed(spec, {"magnets": update.get("magnets", spec.magnets)})
         parts = tuple(choices_of_magnets(counted, params, "size"))
-        update |= _with_magnets(spec, _of_parts(counted.magnets, parts))
+        update |= _with_magnets(spec, _changes_for_parts(counted.magnets, parts))
     if "silicone" in chosen:
         update["silicone"] = SiliconeSpec(name=chosen["silicone"])
     update |= _with_sizes(spec, update.get("shell", spec.shell), chosen)
@@ -65,11 +65,11 @@ def _unplaced(spec: ObjectSpec, count: int) -> dict[str, Any]:
 def _with_part(spec: ObjectSpec, name: str) -> dict[str, Any]:
     """Another magnet for all places."""
     graded = magnet_part(name).grade
-    new = _of_parts(spec.magnets, name, {} if graded is None else {"grade": graded})
+    new = _changes_for_parts(spec.magnets, name, {} if graded is None else {"grade": graded})
     return _with_magnets(spec, new)
 
 
-def _of_parts(
+def _changes_for_parts(
     magnets: MagnetSpec,
     part: str | tuple[str, ...],
     graded: Mapping[str, Any] = MappingProxyType({}),
@@ -126,7 +126,7 @@ def _with_sensors(spec: ObjectSpec, chosen: dict[str, Any]) -> SensorSpec:
     return SensorSpec.model_validate(content)
 
 
-def of_each_size(spec: ObjectSpec) -> list[ObjectSpec]:
+def size_variants(spec: ObjectSpec) -> list[ObjectSpec]:
     """The specification with all magnets of one of its sizes, size by size, pockets as they are for it: not
     validated as a whole. Itself where there is one size, or sensors move and magnets do not."""
     magnets = spec.magnets
@@ -149,14 +149,14 @@ def of_each_size(spec: ObjectSpec) -> list[ObjectSpec]:
     ]
 
 
-def of_each_searched_size(spec: ObjectSpec) -> list[ObjectSpec]:
+def searched_size_variants(spec: ObjectSpec) -> list[ObjectSpec]:
     """The same for the specification's own sizes and all that `search.vary.magnet_sizes` names."""
-    found = {one.magnets.sizes[0]: one for one in of_each_size(spec)}
+    by_size = {of_size.magnets.sizes[0]: of_size for of_size in size_variants(spec)}
     if spec.arrangement == "sensors-in-core":
         for name in spec.search.vary.magnet_sizes or ():
-            one = _constructed(spec, _with_part(spec, name))
-            found.setdefault(one.magnets.sizes[0], one)
-    return list(found.values())
+            of_size = _constructed(spec, _with_part(spec, name))
+            by_size.setdefault(of_size.magnets.sizes[0], of_size)
+    return list(by_size.values())
 
 
 def _constructed(spec: ObjectSpec, update: dict[str, Any]) -> ObjectSpec:

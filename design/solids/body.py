@@ -39,18 +39,19 @@ def _slab_added(body: BodyKind, room: Shape, frame: MouldFrame, layer_mm: float)
 
 @dataclass(frozen=True)
 class ExactSolids:
-    """How a kind's solids are made from a body of it (mm)."""
+    """Functions that make a kind's solids from a body of it (mm)."""
 
     outer: Callable[[Any], cq.Solid]
     """The silicone's outside as if it were solid."""
     core: Callable[[Any], cq.Solid]
     """The core without recesses, passages and its own cavity."""
     cavity: Callable[[Any, float], cq.Solid | None] | None = None
-    """What core and passage keep free, so far beyond open faces; by default the core and its bore."""
+    """Room that core and passage keep free, to that length beyond open faces; by default the core and its
+    bore."""
     room: Callable[[Any, float], cq.Solid | None] | None = None
     """The core's own cavity, so far inside its surface; None where that leaves no room."""
     drawn_out: Callable[[Any, Shape, MouldFrame, float], Shape] = _slab_added
-    """The room for silicone, drawn out a little past its open side; it lacks a layer of so many mm."""
+    """Room for silicone, drawn out a little past its open side; it lacks a layer of that thickness (mm)."""
     cast: Callable[[Any, float, tuple[int, ...]], cq.Solid] | None = None
     """The outside less a layer on the sensed faces; by default that of the body `less` it."""
 
@@ -115,7 +116,7 @@ def cast_outer_solid(spec: ObjectSpec) -> cq.Solid:
 
 
 def past_opening(spec: ObjectSpec, room: Shape, frame: MouldFrame, layer_mm: float = 0.0) -> Shape:
-    """The room for silicone drawn out a little past its open side; it lacks a layer of so many mm."""
+    """Room for silicone drawn out a little past its open side; it lacks a layer of `layer_mm`."""
     return _solids(spec).drawn_out(body_of(spec), room, frame, layer_mm)
 
 
@@ -279,4 +280,4 @@ SOLIDS: dict[str, ExactSolids] = {
         ),
     ),
 }
-"""By the name of the kind; a kind that is known by its triangles has none."""
+"""Solids by the name of the kind; a kind that is known by its triangles has none."""

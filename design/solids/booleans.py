@@ -27,7 +27,7 @@ _NOTHING_MM3 = 1e-9
 FINENESS = (0.005, 0.1)
 """Tools leave their solids by 5 µm where they become triangles."""
 _TRIANGLES_ALONE = ContextVar("triangles alone", default=False)
-"""Whether exact solids are made triangles in every operation."""
+"""True where exact solids are made triangles in every operation."""
 _FOLD_DEG, _FILM_MM = 175.0, 1e-3
 """Turn between neighbouring triangles beyond which they are a fold, and height below which a triangle
 is a film, whose normal says nothing."""
@@ -47,21 +47,21 @@ def exact_or_triangles(make: Callable[[], Solid], fineness: tuple[float, float])
     try:
         solid = make()
     except (NotOneSolid, Standard_Failure):
-        return _of_triangles(make)
+        return _make_of_triangles(make)
     # of a copy: triangles that a solid keeps widen its box
     if not isinstance(solid, cq.Shape) or not _is_folded(
-        as_triangles(solid.copy(), fineness, False)
+        convert_to_triangles(solid.copy(), fineness, False)
     ):
         return solid
     try:
-        surface = _of_triangles(make)
+        surface = _make_of_triangles(make)
     except NotOneSolid:
         return solid
-    return solid if _is_folded(as_triangles(surface, fineness, False)) else surface
+    return solid if _is_folded(convert_to_triangles(surface, fineness, False)) else surface
 
 
-def _of_triangles(make: Callable[[], Solid]) -> Solid:
-    before = _TRIANGLES_ALONE.set(True)
+def _make_of_triangles(make: Callable[[], Solid]) -> Solid:
+    token = _TRIANGLES_ALONE.set(True)
     try:
         return make()
     except Standard_Failure as error:  # of what is exact throughout
@@ -70,7 +70,7 @@ def _of_triangles(make: Callable[[], Solid]) -> Solid:
             cq.Compound.makeCompound([]),
         ) from None
     finally:
-        _TRIANGLES_ALONE.reset(before)
+        _TRIANGLES_ALONE.reset(token)
 
 
 def _is_folded(surface: trimesh.Trimesh) -> bool:
@@ -142,18 +142,20 @@ def one_body(shape: Shape, part: str) -> Solid:
     return surface if len(pieces) == 1 else next(piece for piece in pieces if piece.volume > 0)
 
 
-def pieces_that_meet(shape: Shape, other: Shape) -> Shape:
-    """Of a shape's separate pieces those that share volume with another shape.
+def pieces_that_meet(shape: Shape, other_shape: Shape) -> Shape:
+    """Keep a shape's separate pieces that share volume with another shape.
 
     Folded triangles without volume, which booleans leave where surfaces touch, are dropped.
     """
     if isinstance(shape, cq.Shape):
         solids = shape.Solids()
-        kept = [solid for solid in solids if volume_mm3(common(solid, other)) > 0]
+        kept = [solid for solid in solids if volume_mm3(common(solid, other_shape)) > 0]
         return shape if len(kept) == len(solids) else cq.Compound.makeCompound(kept)
     pieces = shape.split(only_watertight=False)
     solid = [piece for piece in pieces if abs(signed_mm3(piece)) > _NOTHING_MM3]
-    kept = [piece for piece in solid if piece.volume < 0 or volume_mm3(common(piece, other)) > 0]
+    kept = [
+        piece for piece in solid if piece.volume < 0 or volume_mm3(common(piece, other_shape)) > 0
+    ]
     if len(kept) == len(pieces):
         return shape
     joined: Any = trimesh.util.concatenate(kept)
@@ -176,11 +178,11 @@ def without_offcuts(shape: Shape, share: float) -> Shape:
 
 
 TRIANGLES = 0.05, 0.2
-"""How far triangles of STL, 3MF and GLB files may leave the solids (mm), and turn at a step (rad): on a
-sphere of 50 mm the first holds, on fillets of 1 mm the second."""
+"""Distance by which triangles of STL, 3MF and GLB files may leave the solids (mm), and turn at a step
+(rad): on a sphere of 50 mm the first holds, on fillets of 1 mm the second."""
 
 
-def as_triangles(
+def convert_to_triangles(
     shape: Shape, fineness: tuple[float, float] = FINENESS, relative: bool = True
 ) -> trimesh.Trimesh:
     """Triangles of an exact solid within a tolerance (mm, of edges' lengths where `relative`) and an angle
@@ -197,7 +199,7 @@ def as_triangles(
     return mesh
 
 
-def as_written(mesh: trimesh.Trimesh) -> trimesh.Trimesh | None:
+def stl_surface(mesh: trimesh.Trimesh) -> trimesh.Trimesh | None:
     """The surface as an STL holds it, in single precision; None where it does not close then.
 
     Corners that become one are merged; triangles that lose a corner by it, and pairs that become one
@@ -231,5 +233,5 @@ def _exact(*shapes: Shape) -> list[cq.Shape]:
 def _manifold(
     operation: Literal["union", "difference", "intersection"], shapes: Sequence[Shape]
 ) -> Any:
-    meshes = [as_triangles(shape) for shape in shapes]
+    meshes = [convert_to_triangles(shape) for shape in shapes]
     return boolean_of(operation, meshes)

@@ -58,20 +58,21 @@ def _cavity(spec: ObjectSpec) -> list[cq.Solid]:
 
 
 def _outlets(spec: ObjectSpec) -> list[cq.Solid]:
-    """Of a core without a cavity: from its middle, where the wire holes meet, out of every open face."""
+    """Outlets of a core without a cavity: from its middle, where the wire holes meet, out of every open
+    face."""
     if core_hollow(spec):
         return []
     radius, half = spec.core.wire_hole_side_diameter_mm / 2, body_of(spec).core_half_mm
-    middle, found = cq.Vector(0, 0, 0), []
+    middle, outlets = cq.Vector(0, 0, 0), []
     for face in spec.body.opened:
         normal = np.asarray(FACE_AXES[face][0], float)
         length = float(abs(normal) @ half) + OVERSHOOT_MM
-        found.append(cq.Solid.makeCylinder(radius, length, middle, cq.Vector(*normal)))
-    return found
+        outlets.append(cq.Solid.makeCylinder(radius, length, middle, cq.Vector(*normal)))
+    return outlets
 
 
 def _sockets(spec: ObjectSpec) -> list[cq.Solid]:
-    """Holes for pins that stand beside the wire holes."""
+    """Holes for pins that stand next to the wire holes."""
     return [
         cylinder_on_face(
             l.frame, (0.0, 0.0), l.radius_mm, -l.depth_mm - l.hole_mm, OVERSHOOT_MM - l.depth_mm

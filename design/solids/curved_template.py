@@ -26,10 +26,10 @@ if TYPE_CHECKING:
     import trimesh
 
 RIM_MM = 6.0
-"""Of the sheet beyond the pockets, where the face is as large."""
+"""Width of the sheet beyond the pockets, where the face is as large."""
 NOTCH_MM = 2.0
 _WITHIN = 1 - 1e-9
-"""Of a face: rounding puts some of its rim beyond it, where the surface is not known."""
+"""Used share of a face: rounding puts some of its rim beyond it, where the surface is not known."""
 _LINES, _FEW, _SECTIONS, _OVER_MM, _ALIKE_MM = 49, 9, 48, 1.0, 0.05
 
 
@@ -39,9 +39,9 @@ def curved_template_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
     for frame, pockets in pockets_by_face(spec):
         sheet = _lattice(frame, _FEW).share * sheet_half_mm(frame, pockets)
         shape = np.concatenate([sheet, _centres(pockets)])
-        alike = np.column_stack([shape, frame.relief.at(shape)[0]])
-        for known, numbers in groups:
-            if known.shape == alike.shape and np.abs(known - alike).max() < _ALIKE_MM:
+        alike = np.column_stack([shape, frame.relief.evaluate(shape)[0]])
+        for group_shape, numbers in groups:
+            if group_shape.shape == alike.shape and np.abs(group_shape - alike).max() < _ALIKE_MM:
                 numbers.append(frame.number)
                 break
         else:

@@ -19,7 +19,7 @@ from design.body.foreign import STEP
 
 _TOLERANCE_MM, _ANGLE_RAD = 0.03, 0.2
 _LARGEST_MM = 2000.0
-"""Of a STEP solid: at that tolerance, larger ones take millions of triangles."""
+"""Largest size of a STEP solid: at that tolerance, larger ones take millions of triangles."""
 
 _NOTHING = np.empty((0, 3)), np.empty((0, 3), np.int64)
 """Vertices and triangles of what has no surface."""
@@ -35,7 +35,7 @@ def solid_of_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def solid_of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """By the kernel itself: CadQuery's import took 2.4 s more."""
+    """Read by the kernel itself: CadQuery's import took 2.4 s more."""
     from OCP.BRepMesh import BRepMesh_IncrementalMesh
     from OCP.IFSelect import IFSelect_RetDone
     from OCP.Interface import Interface_Static
@@ -57,7 +57,7 @@ def solid_of_step(path: Path) -> tuple[np.ndarray, np.ndarray]:
         BRepMesh_IncrementalMesh(shape, _TOLERANCE_MM, True, _ANGLE_RAD)
         faces = TopExp_Explorer(shape, TopAbs_FACE)
         while faces.More():
-            points, corners = _of_face(TopoDS.Face_s(faces.Current()))
+            points, corners = _face_triangles(TopoDS.Face_s(faces.Current()))
             vertices.append(points)
             triangles.append(corners + count)
             count += len(points)
@@ -76,7 +76,7 @@ def _require_length(shape: Any) -> None:
         raise ValueError(f"it is {length_mm / 1e3:.3g} m long, more than {_LARGEST_MM / 1e3:g} m")
 
 
-def _of_face(face: Any) -> tuple[np.ndarray, np.ndarray]:
+def _face_triangles(face: Any) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (vertex, 3) and triangles (triangle, 3) of a meshed face, turned outwards."""
     from OCP.BRep import BRep_Tool
     from OCP.TopAbs import TopAbs_REVERSED

@@ -37,14 +37,14 @@ WIRE_CHANNEL_MM = (8.0, 3.0)
 MARK_MM = (1.0, 0.8)
 RECESS_MM = 3.0
 CLEAR_MM = 1.0
-"""Of the silicone round a bore above the plate: the core alone carries the object."""
+"""Clearance of the silicone round a bore above the plate: the core alone carries the object."""
 CUP_SHARE = 0.2
-"""Of the body's height that lies in a cup."""
+"""Share of the body's height that lies in a cup."""
 _UP = np.array([0.0, 0.0, 1.0])
 _SEAT_LINES, _SEAT_STEP_MM = 25, 0.02
-"""Of places over a post, and of levels: its seat is below the core by up to the step."""
+"""Lines of places over a post, and step of levels: its seat is below the core by up to the step."""
 SLOT_SHARES = (0.9, 0.1)
-"""Of a post's radius: width of its slot, and how far it goes beyond the middle."""
+"""Shares of a post's radius: width of its slot, and how far it goes beyond the middle."""
 
 
 def make_jig(spec: ObjectSpec) -> Solid:
@@ -56,17 +56,17 @@ def make_jig(spec: ObjectSpec) -> Solid:
         The dimensions do not give one valid solid.
     """
     top, half, body = _seat_mm(spec), _half_plate_mm(spec), body_of(spec)
-    bottom = top - PLATE_MM - (_cup_mm(spec) if _in_cup(spec) else 0.0)
+    bottom = top - PLATE_MM - (_cup_mm(spec) if _stands_in_cup(spec) else 0.0)
     plate = box_between((-half, -half, bottom), (half, half, top))
     cutters: list[Shape] = [*bolt_holes(half, top, top - bottom), *axis_marks(half, top)]
     if body.opening == "bore":
         post, slot = _post_in_bore(spec, top)
         plate, cutters = plate.fuse(post), [*cutters, slot, channel_solid(half, top)]
-    elif _on_post(spec):
+    elif _stands_on_post(spec):
         post, passage = core_post(spec, top)
         plate, cutters = plate.fuse(post), [*cutters, passage, channel_solid(half, top)]
     else:
-        cutters.append(cup_solid(spec, top) if _in_cup(spec) else recess_solid(spec, top))
+        cutters.append(cup_solid(spec, top) if _stands_in_cup(spec) else recess_solid(spec, top))
     return one_body(cut(plate, *cutters), "jig")
 
 
@@ -75,16 +75,16 @@ def _seat_mm(spec: ObjectSpec) -> float:
     low = -spec.body.size_mm[2] / 2
     if body_of(spec).opening == "bore":
         return low - CLEAR_MM
-    if _in_cup(spec):
+    if _stands_in_cup(spec):
         return low + _cup_mm(spec)
-    return low if _on_post(spec) else low + RECESS_MM
+    return low if _stands_on_post(spec) else low + RECESS_MM
 
 
-def _on_post(spec: ObjectSpec) -> bool:
+def _stands_on_post(spec: ObjectSpec) -> bool:
     return body_of(spec).cuboid and spec.body.opened == (6,) and bool(core_hollow(spec))
 
 
-def _in_cup(spec: ObjectSpec) -> bool:
+def _stands_in_cup(spec: ObjectSpec) -> bool:
     """Return whether the body's lower end is round: a closed one, that has no flat end to stand on."""
     body = body_of(spec)
     return body.opening == "closed" and not (body.on_base or body.opens_sides)
@@ -126,7 +126,7 @@ def _post_in_bore(spec: ObjectSpec, top: float) -> tuple[cq.Shape, cq.Solid]:
 
 
 def flat_seat_mm(spec: ObjectSpec) -> float:
-    """Level below all of the core that stands over the post, beside its outlet: on a body that leans or is
+    """Level below all of the core that stands over the post, next to its outlet: on a body that leans or is
     lopsided the core is lowest anywhere there, not at the flat's middle."""
     outlet, body = core_outlet(spec), body_of(spec)
     radius = spec.body.bore_mm / 2 - spec.printer.clearance_mm
@@ -179,13 +179,13 @@ def channel_solid(half: float, top: float) -> cq.Solid:
 
 
 def bolt_holes(half: float, top: float, thick: float) -> list[cq.Solid]:
-    at, length = half - BOLT_INSET_MM, thick + 2 * OVERSHOOT_MM
+    bolt_mm, length = half - BOLT_INSET_MM, thick + 2 * OVERSHOOT_MM
     return [
         cq.Solid.makeCylinder(
             BOLT_HOLE_MM / 2, length, cq.Vector(x, y, top + OVERSHOOT_MM), cq.Vector(0, 0, -1)
         )
-        for x in (-at, at)
-        for y in (-at, at)
+        for x in (-bolt_mm, bolt_mm)
+        for y in (-bolt_mm, bolt_mm)
     ]
 
 

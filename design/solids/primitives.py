@@ -42,7 +42,7 @@ def block_solid(block: Block) -> cq.Solid:
 def tapered_rod(
     start: cq.Vector, axis: cq.Vector, radius_mm: float, end_radius_mm: float | None = None
 ) -> cq.Solid:
-    """As long as its axis: a cylinder, or a cone where the radius at the end is another, mm."""
+    """Solid as long as its axis: a cylinder, or a cone where the radius at the end is another, mm."""
     if end_radius_mm is None or end_radius_mm == radius_mm:
         return cq.Solid.makeCylinder(radius_mm, axis.Length, start, axis)
     return cq.Solid.makeCone(radius_mm, end_radius_mm, axis.Length, start, axis)
@@ -156,7 +156,7 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
     """The one valid solid that `shape` is made of, with split faces merged where that leaves it valid
     and its edges where they were.
 
-    Crumbs beside it are left out. The kernel's merging may fail or spoil a sound solid, such as one in
+    Crumbs next to it are left out. The kernel's merging may fail or spoil a sound solid, such as one in
     which many passages meet.
 
     Raises
@@ -182,12 +182,12 @@ def single_solid(shape: cq.Shape, part: str) -> cq.Solid:
 
 
 def _loose_mm(shape: cq.Shape) -> float:
-    """By how much the worst edge may leave the faces that it lies on."""
+    """Distance by which the worst edge may leave the faces that it lies on."""
     return ShapeAnalysis_ShapeTolerance().Tolerance(shape.wrapped, 1)
 
 
 def _tight_mm(shape: cq.Shape) -> float:
-    """Return what merging may leave: a hole through a ball's seam got an edge 6.2 mm beside the ball, whose
+    """Return what merging may leave: a hole through a ball's seam got an edge 6.2 mm off the ball, whose
     triangles then closed half of the hole."""
     return max(_LOOSE_MM, _loose_mm(shape))
 

@@ -31,7 +31,7 @@ _OVERSHOOT_MM = 0.5
 _SECTIONS = 64
 _LEAST_HOLLOW_MM = 3.0
 _LEANING = 0.5
-"""Of its radius, by which a hole goes on beyond a surface that leans."""
+"""Share of its radius, by which a hole goes on beyond a surface that leans."""
 
 
 def sampled_shell(spec: ObjectSpec) -> trimesh.Trimesh:
@@ -156,7 +156,7 @@ def _recess(
 
 
 def _wire_hole(spec: ObjectSpec, frame: FaceFrame) -> trimesh.Trimesh:
-    """From beyond the body's centre out of its box: where the core leans, it stands on beside a face's
+    """From beyond the body's centre out of its box: where the core leans, it stands on next to a face's
     middle. Holes that ended at the centre met those of opposite faces in a circle alone."""
     import trimesh
 

@@ -1,6 +1,6 @@
 """The built object in a specification: measured parts, and tolerances of all others.
 
-What was measured lies beside a specification as `<specification>.as_built.toml`, or is named by its
+What was measured lies next to a specification as `<specification>.as_built.toml`, or is named by its
 key `as_built`. Places and directions are in the face's frame: x, y, and height above the face
 (negative inside). Magnets and sensors are counted from 1, in the order of the specification.
 
@@ -77,7 +77,7 @@ class AsBuiltSpec(SpecPart):
     sensors: tuple[BuiltSensor, ...] = ()
 
     @model_validator(mode="after")
-    def _each_once(self) -> AsBuiltSpec:
+    def _require_each_once(self) -> AsBuiltSpec:
         named = [("magnet", m.face, m.magnet) for m in self.magnets]
         named += [("sensor", s.face, s.sensor) for s in self.sensors]
         for kind, face, number in named:
@@ -110,7 +110,7 @@ class TolerancesSpec(SpecPart):
     Magnets, sensors and channels vary independently of each other; core, silicone, temperature and
     surroundings are common to the whole object. `magnet_seat_mm` is each of the two lateral
     directions, `magnet_seat_depth_mm` the third; `sensor_seat_mm` and `core_shift_mm` each of three.
-    `core_yaw_deg` turns the core about z in the shell. `modulus_relative` is that of ln E.
+    `core_yaw_deg` turns the core about z in the shell. `modulus_relative` is the deviation of ln E.
     `earth_field_ut` is the field's size: its direction is unknown when the signals are zeroed, and
     again in the press, because a gripper turns the object.
     """

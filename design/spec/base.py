@@ -33,7 +33,7 @@ Wall = Annotated[float, Field(ge=0.3, le=200)]
 Angle = Annotated[float, Field(ge=-720, le=720)]
 """Degrees, two turns at most."""
 Component = Annotated[float, Field(ge=-1e4, le=1e4)]
-"""Of a direction of any length."""
+"""Component of a direction of any length."""
 Force = Annotated[float, Field(ge=0.001, le=500)]
 """N; 500 N is more than a hand presses with."""
 Remanence = Annotated[float, Field(ge=0.01, le=2.0)]
@@ -50,7 +50,7 @@ Count = Annotated[int, Field(ge=1, le=100_000)]
 
 
 def _distinct(given: tuple[Any, ...]) -> tuple[Any, ...]:
-    repeated = sorted({str(one) for one in given if given.count(one) > 1})
+    repeated = sorted({str(name) for name in given if given.count(name) > 1})
     if repeated:
         message = "names {twice} twice. Name each once"
         raise PydanticCustomError("repeated", message, {"twice": ", ".join(repeated)})
@@ -78,7 +78,7 @@ _UNITS = {
     "relative": ("", {"percent": 1e-2}),
     "tolerance": ("", {"percent": 1e-2}),
 }
-"""By the end of a key: its unit, and others in its unit that values are often given in."""
+"""Units by the end of a key: its unit, and others in its unit that values are often given in."""
 _BOUNDS = {
     "gt": "greater than",
     "ge": "greater than or equal to",
@@ -145,7 +145,7 @@ class SpecPart(BaseModel):
     def model_copy(
         self: Part, *, update: Mapping[str, Any] | None = None, deep: bool = False
     ) -> Part:
-        """As pydantic's, but what is updated is validated (`changed`)."""
+        """Copy as pydantic does, but what is updated is validated (`changed`)."""
         if update:
             return self.changed(**update)
         return super().model_copy(deep=deep)  # pyright: ignore[reportReturnType]
@@ -157,28 +157,30 @@ def complaints(error: ValidationError, model: type[BaseModel]) -> list[str]:
     Without those of a list that is too short because its entries are wrong, and, where a key takes values
     of several kinds, without those of kinds that the value is not.
     """
-    every = _of_fitting_kinds(error.errors(), model)
-    within = {problem["loc"][:length] for problem in every for length in range(len(problem["loc"]))}
-    return [_complaint(problem, model) for problem in every if problem["loc"] not in within]
+    all_problems = _keep_fitting_kinds(error.errors(), model)
+    within = {
+        problem["loc"][:length] for problem in all_problems for length in range(len(problem["loc"]))
+    }
+    return [_complaint(problem, model) for problem in all_problems if problem["loc"] not in within]
 
 
-def _of_fitting_kinds(problems: list[Any], model: type[BaseModel]) -> list[Any]:
-    """Of a key that takes several kinds pydantic tells what is wrong with each: the kinds that the value
-    is not are left out, or, where it is none of them, told together."""
-    found: dict[tuple[Any, ...], list[Any]] = {}
+def _keep_fitting_kinds(problems: list[Any], model: type[BaseModel]) -> list[Any]:
+    """Keep the problems of kinds that a value is: of a key that takes several, pydantic reports each; where
+    the value is none of them, they are reported together."""
+    by_key: dict[tuple[Any, ...], list[Any]] = {}
     for problem in problems:
         kind = _place_of_kind(problem["loc"], model)
         key = problem["loc"] if kind is None else problem["loc"][:kind]
         rest = () if kind is None else problem["loc"][kind + 1 :]
-        other = kind is not None and not rest and problem["type"].endswith(_OTHER_KIND)
-        found.setdefault(key, []).append((other, problem | {"loc": (*key, *rest)}))
-    told = []
-    for tried in found.values():
-        fitting = [problem for other, problem in tried if not other]
-        told += fitting or [
+        is_other_kind = kind is not None and not rest and problem["type"].endswith(_OTHER_KIND)
+        by_key.setdefault(key, []).append((is_other_kind, problem | {"loc": (*key, *rest)}))
+    fitting_problems = []
+    for tried in by_key.values():
+        fitting = [problem for is_other_kind, problem in tried if not is_other_kind]
+        fitting_problems += fitting or [
             tried[0][1] | {"msg": _any_of([problem["msg"] for _, problem in tried])}
         ]
-    return told
+    return fitting_problems
 
 
 def _any_of(messages: list[str]) -> str:
@@ -187,8 +189,8 @@ def _any_of(messages: list[str]) -> str:
 
 
 def _place_of_kind(location: tuple[Any, ...], model: type[BaseModel]) -> int | None:
-    """Where in the location pydantic names the kind that it tried, as it does in keys of several kinds;
-    None where the kind is found first and named by us, with a space ("each face")."""
+    """Return where in the location pydantic names the kind that it tried, as it does in keys of several
+    kinds; None where the kind is found first and named by us, with a space ("each face")."""
     annotation: Any = model
     for place, part in enumerate(location):
         kinds = _kinds(annotation)
@@ -215,7 +217,10 @@ def _kinds(annotation: Any) -> list[Any]:
         return _kinds(get_args(annotation)[0])
     if get_origin(annotation) in (Union, UnionType):
         return [
-            kind for one in get_args(annotation) for kind in _kinds(one) if kind is not NoneType
+            kind
+            for argument in get_args(annotation)
+            for kind in _kinds(argument)
+            if kind is not NoneType
         ]
     return [annotation]
 
@@ -282,14 +287,14 @@ def _bounds(problem: Any, model: type[BaseModel]) -> dict[str, float]:
             inner for field in fields for inner in _nested(field.annotation, metadata)
         ] or kinds
     for constraints in metadata:
-        found = {
-            kind: float(getattr(one, kind))
+        all_bounds = {
+            kind: float(getattr(constraint, kind))
             for kind in _BOUNDS
-            for one in constraints
-            if getattr(one, kind, None) is not None
+            for constraint in constraints
+            if getattr(constraint, kind, None) is not None
         }
-        if broken.items() <= found.items():
-            return found
+        if broken.items() <= all_bounds.items():
+            return all_bounds
     return {kind: float(bound) for kind, bound in broken.items()}
 
 
@@ -297,9 +302,14 @@ def _nested(annotation: Any, metadata: list[list[Any]]) -> list[Any]:
     """Return all that an annotation is made of, and collect the constraints of its parts."""
     if get_origin(annotation) is Annotated:
         inner, *given = get_args(annotation)
-        metadata.append([one for each in given for one in getattr(each, "metadata", [each])])
+        metadata.append(
+            [constraint for each in given for constraint in getattr(each, "metadata", [each])]
+        )
         return _nested(inner, metadata)
-    return [annotation, *(kind for one in get_args(annotation) for kind in _nested(one, metadata))]
+    return [
+        annotation,
+        *(kind for constraint in get_args(annotation) for kind in _nested(constraint, metadata)),
+    ]
 
 
 def _proposal(problem: Any, bounds: dict[str, float]) -> str:
@@ -312,37 +322,37 @@ def _proposal(problem: Any, bounds: dict[str, float]) -> str:
         return f". Write it as [{', '.join(part.strip() for part in value.split(','))}]"
     if not isinstance(value, int | float) or not (bounds and value > 0):
         return ""
-    for other, factor in others.items():
+    for other_unit, factor in others.items():
         changed = factor * value
         # a value that is too large is taken for one in a smaller unit, and the other way round
         if (factor < 1) == (value >= high) and low <= changed <= high:
-            return f". In {other} it would be {f'{changed:g} {unit}'.strip()}"
+            return f". In {other_unit} it would be {f'{changed:g} {unit}'.strip()}"
     return ""
 
 
 def _nearest_key(location: tuple[Any, ...], model: type[BaseModel]) -> str:
-    known = sorted(_known_keys(location[:-1], model))
+    keys = sorted(_known_keys(location[:-1], model))
     name = str(location[-1])
-    close = difflib.get_close_matches(name, known, n=1, cutoff=0.6)
+    close = difflib.get_close_matches(name, keys, n=1, cutoff=0.6)
     stem = name.rsplit("_", 1)[0]
-    close = close or [key for key in known if key.rsplit("_", 1)[0] == stem]
+    close = close or [key for key in keys if key.rsplit("_", 1)[0] == stem]
     close = close or sorted(_keys_named(name, model), key=len)
-    return f"Did you mean {close[0]!r}?" if close else f"Known keys: {', '.join(known)}"
+    return f"Did you mean {close[0]!r}?" if close else f"Known keys: {', '.join(keys)}"
 
 
 def _keys_named(name: str, model: Any) -> list[str]:
     """Dotted keys of that very name in any table of a model."""
-    found = []
+    dotted_keys = []
     for key, field in model.model_fields.items():
         for kind in _kinds(field.annotation):
             kind = get_args(kind)[0] if get_origin(kind) is tuple else kind
             if isinstance(kind, type) and issubclass(kind, BaseModel):
-                found += [
+                dotted_keys += [
                     f"{key}.{inner}"
                     for inner in (name, *_keys_named(name, kind))
                     if inner != name or name in kind.model_fields
                 ]
-    return found
+    return dotted_keys
 
 
 def _known_keys(location: tuple[Any, ...], model: type[BaseModel]) -> set[str]:

@@ -28,9 +28,9 @@ FaceNumber = Annotated[int, Field(ge=1, le=6)]
 Unit = Literal["mm", "cm", "m", "in"]
 MM: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 Edge = Annotated[float, Field(gt=0, le=1e8)]
-"""mm; what is too long for a body is told with the unit that its file may be drawn in."""
+"""Edge of a body, mm; the error for one too long names the unit that its file may be drawn in."""
 LONGEST_EDGE_MM = (5.0, 1000.0)
-"""Of a body: from a fingertip to a person's arms."""
+"""Longest edge of a body: from a fingertip to a person's arms."""
 
 
 class BodySpec(SpecPart):
@@ -123,14 +123,16 @@ def _question(body: BodySpec) -> str:
     likely: list[Unit] = (
         [] if step else [u for u, mm in MM.items() if least <= drawn * mm * body.scale <= most]
     )
-    asked = [
+    questions = [
         f'body.unit = "{unit}" (instobj new: --unit {unit}) makes it {drawn * MM[unit] * body.scale:.4g} mm'
         for unit in likely
     ]
-    if not asked:
+    if not questions:
         power = 10.0 ** -round(float(np.log10(max(body.size_mm) / 50)))
-        asked = [f"body.scale = {body.scale * power:g} makes it {max(body.size_mm) * power:.4g} mm"]
-    return f"In which unit is its file drawn? {', '.join(asked)}"
+        questions = [
+            f"body.scale = {body.scale * power:g} makes it {max(body.size_mm) * power:.4g} mm"
+        ]
+    return f"In which unit is its file drawn? {', '.join(questions)}"
 
 
 def _check_unit(body: BodySpec) -> None:
@@ -152,7 +154,7 @@ def _check_faces(body: BodySpec) -> None:
     closed = [face for face in kind.faces if face not in body.opened]
     if not closed:
         raise ValueError("body.open_faces leaves no face of silicone. Close one of them")
-    if kind.in_pieces(closed):
+    if kind.falls_apart(closed):
         raise ValueError(
             f"body.open_faces leaves two faces {closed} that do not meet: the shell would be in two "
             "pieces. Close another face, or open one of the two"
@@ -169,13 +171,14 @@ def _check_inside(body: BodySpec) -> None:
     kind = KINDS[body.kind]
     if body.inside not in kind.insides:
         raise ValueError(
-            f"body.inside = {body.inside!r} is for {_kinds(lambda one: body.inside in one.insides)}; got "
-            f"body.kind = {body.kind!r}. Leave it out"
+            f"body.inside = {body.inside!r} is for "
+            f"{_kinds(lambda body_kind: body.inside in body_kind.insides)}; got body.kind = "
+            f"{body.kind!r}. Leave it out"
         )
     if kind.from_file != (body.file is not None):
         raise ValueError(
-            f"body.file goes with body.kind = {_kinds(lambda one: one.from_file)}; got {body.kind!r} and "
-            f"file = {body.file!r}. Give both or neither"
+            f"body.file goes with body.kind = {_kinds(lambda body_kind: body_kind.from_file)}; got "
+            f"{body.kind!r} and file = {body.file!r}. Give both or neither"
         )
 
 

@@ -60,7 +60,7 @@ class SteelPlateSpec(SpecPart):
 class EnvironmentSpec(SpecPart):
     """Earth's field, magnets and steel plates about the object.
 
-    `earth_field_ut` is 25 to 65 µT on Earth's surface. `earth_direction` is that of the field in
+    `earth_field_ut` is 25 to 65 µT on Earth's surface. `earth_direction` is its direction in
     the object's frame: (cos I, 0, −sin I) at the inclination I for an object whose x points to
     magnetic north; "random" draws one orientation with the specification's seed.
     """

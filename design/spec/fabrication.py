@@ -17,7 +17,7 @@ from design.spec.base import Angle, SpecPart
 Gap = Annotated[float, Field(ge=0.005, le=2)]
 """Between printed parts (mm)."""
 Thickness = Annotated[float, Field(ge=0.1, le=100)]
-"""Of walls and features of printed parts (mm)."""
+"""Thickness of walls and features of printed parts (mm)."""
 Bed = Annotated[float, Field(ge=20, le=5000)]
 
 
@@ -46,9 +46,9 @@ class MouldSpec(SpecPart):
 
 
 class PrinterSpec(SpecPart):
-    """What the printer of core, mould and probes can make; figures left out are those of `name`.
+    """Limits of the printer of core, mould and probes; figures left out are those of `name`.
 
-    In a file, `printer = "profile.toml"` takes this table from another one beside it. Walls,
+    In a file, `printer = "profile.toml"` takes this table from another one next to it. Walls,
     features (pins, ribs) and holes below the given sizes fail; bosses too slender
     and walls of too little draft for the `process` are warned of.
     """
@@ -64,13 +64,13 @@ class PrinterSpec(SpecPart):
     @property
     def process_figures(self) -> Printer:
         """Aspect, draft and density of what the process makes, as of the first printer of its kind."""
-        return next(one for one in PRINTERS.values() if one.process == self.process)
+        return next(printer for printer in PRINTERS.values() if printer.process == self.process)
 
     @model_validator(mode="before")
     @classmethod
     def _figures_left_out(cls, given: Any) -> Any:
         if not isinstance(given, dict) or not isinstance(given.get("name", ""), str):
             return given
-        own = set(cls.model_fields) - {"name"} <= set(given)
-        preset = {} if own else asdict(printer_preset(given.get("name", "fdm-0.4")))
+        has_all_figures = set(cls.model_fields) - {"name"} <= set(given)
+        preset = {} if has_all_figures else asdict(printer_preset(given.get("name", "fdm-0.4")))
         return {key: value for key, value in preset.items() if key in cls.model_fields} | given

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from design.spec.base import Angle, Coordinate, Counts, Force, SpecPart
-from design.spec.renamed import under_names_now
+from design.spec.renamed import rename_older_keys
 
 ProbePose = tuple[Coordinate, Coordinate, Angle]
 """Centre of a probe in the face's frame (x, y in mm) and its turn about the normal (degrees)."""
@@ -133,10 +133,10 @@ class TrainingSpec(SpecPart):
     `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that
     it copes with presses on other faces; "inversion" is no network but the most probable contacts
     of the forward model (`[inversion]`), for which nothing else here counts. With
-    `history_frames` the estimator also reads the change over so many frames, which tells loading
+    `history_frames` the estimator also reads the change over that number of frames, which separates loading
     from unloading (hysteresis of the silicone). `ensemble`: networks that are averaged, each
     stopped and calibrated by its own fold of the presses. `trees`: extremely randomised trees
-    beside each network, whose answers are weighed in. `process`: a Gaussian process answers where
+    with each network, whose answers are weighed in. `process`: a Gaussian process answers where
     a frame is novel. Left out, these four follow from the data (`estimator.networks.defaults`).
     `coverage`: share of frames whose intervals hold the true value. `twins`: simulated objects
     that `instobj run --to pretraining` draws within `[tolerances]`, or `--twin` within what
@@ -158,14 +158,15 @@ class TrainingSpec(SpecPart):
     @model_validator(mode="before")
     @classmethod
     def _names_now(cls, given: Any) -> Any:
-        return under_names_now("training", given)
+        return rename_older_keys("training", given)
 
 
-Use = Literal["grasp", "touch", "presence"]
+Use = Literal["grasp", "touch", "presence", "bench"]
 LIMITS_OF_USE: dict[str, dict[str, float]] = {
     "grasp": {"position_bound_mm": 1.5, "detectable_force_n": 5.0},
     "touch": {"position_bound_mm": 1.0, "detectable_force_n": 1.0},
     "presence": {"position_bound_mm": 5.0, "detectable_force_n": 5.0},
+    "bench": {"position_bound_mm": 1.5, "detectable_force_n": 5.0},
 }
 
 
@@ -173,7 +174,8 @@ class LimitsSpec(SpecPart):
     """Go or no-go limits of the report; those left out are the `use`'s.
 
     A grasp: where each finger of a hand presses and how hard. A touch: light ones too, placed within
-    a millimetre. Presence: whether the object is held, and about where.
+    a millimetre. Presence: whether the object is held, and about where. In these three the object is
+    turned and warms up after its zero, by what `tolerances` say. Bench: it stands still as zeroed.
     """
 
     use: Use = "grasp"

@@ -1,4 +1,4 @@
-"""The load cell of the bench in a specification: what the sensors' board reads beside the sensors."""
+"""The load cell of the bench in a specification: what the sensors' board reads besides the sensors."""
 
 from __future__ import annotations
 

@@ -108,7 +108,7 @@ class MagnetSpec(SpecPart):
     Where magnets sit in the core (`arrangement`), their outer pole lies `depth_below_core_face_mm`
     below the core's face.
 
-    `depth_mm` is that of the mid-plane's centre below the face, one for all magnets or one each;
+    `depth_mm` is the depth of the mid-plane's centre below the face, one for all magnets or one each;
     left out, magnets lie on the floor of pockets of `shell.pocket_depth_mm`. `tilt_deg` turns each
     magnet, with its pocket, about its centre by the rotation vector (about x, about y) of the
     face's frame.
@@ -158,32 +158,32 @@ class MagnetSpec(SpecPart):
     @property
     def depths_mm(self) -> tuple[float, ...]:
         """`depth_mm` of every magnet; empty where it is left out."""
-        return () if self.depth_mm is None else self._each(self.depth_mm)
+        return () if self.depth_mm is None else self._list_for_each_magnet(self.depth_mm)
 
     @property
     def grades(self) -> tuple[str, ...]:
         """`grade` of every magnet; empty where it is left out."""
-        return () if self.grade is None else self._each(self.grade)
+        return () if self.grade is None else self._list_for_each_magnet(self.grade)
 
     @property
     def remanences_t(self) -> tuple[float, ...]:
         """`remanence_t` of every magnet."""
-        return self._each(self.remanence_t)
+        return self._list_for_each_magnet(self.remanence_t)
 
     @property
     def parts(self) -> tuple[str, ...]:
         """`part` of every magnet; empty where it is left out."""
-        return () if self.part is None else self._each(self.part)
+        return () if self.part is None else self._list_for_each_magnet(self.part)
 
     @property
     def sizes(self) -> tuple[MagnetSize, ...]:
         """Outline and height of every magnet."""
         edges = self.size_mm if _holds_lists(self.size_mm) else (self.size_mm,) * self.count
         rows = zip(
-            self._each(self.diameter_mm),
-            self._each(self.inner_diameter_mm),
+            self._list_for_each_magnet(self.diameter_mm),
+            self._list_for_each_magnet(self.inner_diameter_mm),
             edges,
-            self._each(self.height_mm),
+            self._list_for_each_magnet(self.height_mm),
             strict=True,
         )
         return tuple(MagnetSize(self.shape, *row) for row in rows)  # pyright: ignore[reportArgumentType]
@@ -195,23 +195,23 @@ class MagnetSpec(SpecPart):
 
     @property
     def size_numbers(self) -> tuple[int, ...]:
-        """Of every magnet, which of `distinct_sizes` it has."""
+        """Number of every magnet's size in `distinct_sizes`."""
         distinct = self.distinct_sizes
         return tuple(distinct.index(size) for size in self.sizes)
 
     @property
-    def by_size(self) -> tuple[tuple[int, ...], ...]:
+    def numbers_by_size(self) -> tuple[tuple[int, ...], ...]:
         """Magnets of a face, counted from 0, of every one of `distinct_sizes`."""
         numbers = self.size_numbers
         return tuple(
-            tuple(magnet for magnet, own in enumerate(numbers) if own == number)
+            tuple(magnet for magnet, size_number in enumerate(numbers) if size_number == number)
             for number in range(len(self.distinct_sizes))
         )
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """Return what tells magnets apart: size where there are several, and grade, else remanence."""
-        names = self.grades or tuple(f"{one:g} T" for one in self.remanences_t)
+        """Return what distinguishes magnets: size where there are several, and grade, else remanence."""
+        names = self.grades or tuple(f"{remanence_t:g} T" for remanence_t in self.remanences_t)
         if len(self.distinct_sizes) == 1:
             return names
         alike = len(set(names)) == 1
@@ -221,21 +221,21 @@ class MagnetSpec(SpecPart):
         )
 
     @property
-    def by_kind(self) -> dict[str, tuple[int, ...]]:
+    def numbers_by_kind(self) -> dict[str, tuple[int, ...]]:
         """Magnets of a face, counted from 0, of every kind: each is bought by itself."""
-        found: dict[str, tuple[int, ...]] = {}
+        numbers_by_kind: dict[str, tuple[int, ...]] = {}
         for number, kind in enumerate(self.kinds):
-            found[kind] = (*found.get(kind, ()), number)
-        return found
+            numbers_by_kind[kind] = (*numbers_by_kind.get(kind, ()), number)
+        return numbers_by_kind
 
     @property
     def strengths(self) -> tuple[float, ...]:
         """Polarization of every magnet over that of one of its size and the first's remanence, with which
         it goes."""
         first = self.remanences_t[0]
-        return tuple(one / first for one in self.remanences_t)
+        return tuple(remanence_t / first for remanence_t in self.remanences_t)
 
-    def _each(self, given: Value | tuple[Value, ...]) -> tuple[Value, ...]:
+    def _list_for_each_magnet(self, given: Value | tuple[Value, ...]) -> tuple[Value, ...]:
         return given if isinstance(given, tuple) else (given,) * self.count
 
     @property
@@ -355,5 +355,5 @@ def _figures_of_parts(names: str | Sequence[str], graded: bool) -> dict[str, Any
         )
     figures = {key: tuple(part.figures()[key] for part in parts) for key in parts[0].figures()}
     grades = tuple(part.grade for part in parts)
-    own = {"grade": grades} if graded and all(grades) else {}
-    return figures | {"shape": shapes[0]} | own
+    grade_figures = {"grade": grades} if graded and all(grades) else {}
+    return figures | {"shape": shapes[0]} | grade_figures

@@ -91,12 +91,12 @@ class ObjectSpec(SpecPart):
         return (x - t, y - t, z - t)
 
     @property
-    def judged_forces_n(self) -> tuple[float, ...]:
+    def scoring_forces_n(self) -> tuple[float, ...]:
         """Forces at which a search judges layouts: `search.forces_n`, or `score.force_n` alone."""
         return self.search.forces_n or (self.score.force_n,)
 
     @property
-    def as_judged(self) -> ObjectSpec:
+    def for_scoring(self) -> ObjectSpec:
         """With the disturbances that a search judges layouts by: where `search.baseline` is "drifted", a
         baseline is as far off as the sensors drift."""
         if self.search.baseline == "fresh":
@@ -172,7 +172,7 @@ class ObjectSpec(SpecPart):
         return self
 
     @model_validator(mode="after")
-    def _as_built_parts_exist(self) -> ObjectSpec:
+    def _require_as_built_parts(self) -> ObjectSpec:
         magnets, sensors = self.magnets.count, self.sensors.count_per_face
         self.as_built.require_known(magnets, sensors, self.body.sensed)
         return self

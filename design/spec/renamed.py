@@ -1,4 +1,4 @@
-"""Keys that a specification once had: a renamed one still reads, with a warning; a removed one is told."""
+"""Keys that a specification once had: renamed ones still read, with a warning; removed ones are errors."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ RENAMED = {
     "search.objectives": _OBJECTIVES,
     "search.limits.times_start": _OBJECTIVES,
 }
-"""Table (or list) → older key → its name now; tables after those that hold them."""
+"""Table (or list) → older key → its name now; tables after the tables that hold them."""
 _OBJECTIVES_GONE = {
     "build_minutes": "search.vary counts the parts",
     "compliance_deviation": "layouts are not judged by softness",
@@ -100,7 +100,7 @@ def name_now(table: str, key: str) -> str:
     return now
 
 
-def under_names_now(table: str, given: Any) -> Any:
+def rename_older_keys(table: str, given: Any) -> Any:
     """The table (or list) `given` with every key under its name now; anything else comes back as it is.
 
     Raises
@@ -109,7 +109,10 @@ def under_names_now(table: str, given: Any) -> Any:
         A key is given under both names.
     """
     if isinstance(given, list | tuple):
-        return [name_now(table, one) if isinstance(one, str) else one for one in given]
+        return [
+            name_now(table, key_name) if isinstance(key_name, str) else key_name
+            for key_name in given
+        ]
     if not isinstance(given, dict):
         return given
     for older, now in RENAMED[table].items():

@@ -21,7 +21,7 @@ from design.spec.base import (
     SpecPart,
     Wall,
 )
-from design.spec.renamed import under_names_now
+from design.spec.renamed import rename_older_keys
 
 Objective = Literal[
     "worst_position_bound_mm",
@@ -40,10 +40,11 @@ Some = Field(min_length=1, max_length=20)
 
 
 class VarySpec(SpecPart):
-    """What may change; magnets, and sensors that move, have one layout for all faces, one for each size
-    of face (`layouts`: half extents within 10 %), or one for each; depths, tilts, poles and grades are the
-    same on all. Where there are several, names of places in trials begin with `face` and the first face that
-    has them. `magnet_part` are catalogued magnets for all places, `magnet_sizes` for each by itself.
+    """Variables that may change; magnets, and sensors that move, have one layout for all faces, one for
+    each size of face (`layouts`: half extents within 10 %), or one for each; depths, tilts, poles and
+    grades are the same on all. Where there are several, names of places in trials begin with `face` and
+    the first face that has them. `magnet_part` are catalogued magnets for all places, `magnet_sizes` for
+    each by itself.
 
     A changed magnet keeps its pocket's clearance and the silicone above it; where thickness
     changes, the core stays and the body grows or shrinks. `magnet_reach_mm` and `sensor_reach_mm`
@@ -84,7 +85,7 @@ class VarySpec(SpecPart):
 
 
 class SearchLimitsSpec(SpecPart):
-    """What every layout must keep, beyond what any specification must and what `check --fabrication`
+    """Limits that every layout must keep, beyond what any specification must and what `check --fabrication`
     asks of layouts: `silicone.thinnest_wall_mm` round pockets, `printer.wall_mm` round recesses.
 
     `times_start` says how many
@@ -102,7 +103,7 @@ class SearchLimitsSpec(SpecPart):
     @field_validator("times_start", mode="before")
     @classmethod
     def _names_now(cls, given: Any) -> Any:
-        return under_names_now("search.limits.times_start", given)
+        return rename_older_keys("search.limits.times_start", given)
 
 
 class SearchSpec(SpecPart):
@@ -145,7 +146,7 @@ class SearchSpec(SpecPart):
     @field_validator("objectives", mode="before")
     @classmethod
     def _names_now(cls, given: Any) -> Any:
-        return under_names_now("search.objectives", given)
+        return rename_older_keys("search.objectives", given)
 
     @model_validator(mode="after")
     def _agrees(self) -> SearchSpec:

@@ -103,7 +103,7 @@ class SensorSpec(SpecPart):
 
     @model_validator(mode="before")
     @classmethod
-    def _what_is_left_out(cls, given: Any) -> Any:
+    def _fill_in_defaults(cls, given: Any) -> Any:
         if not isinstance(given, dict):
             return given
         turns = _lists_of_faces(given.get("rotations_deg"))
@@ -111,7 +111,7 @@ class SensorSpec(SpecPart):
         return {**_part_figures(given), **given, **_explicit_places(given), **turned}
 
     @model_validator(mode="after")
-    def _as_many_on_every_face(self) -> SensorSpec:
+    def _require_equal_counts(self) -> SensorSpec:
         counts = {len(face) for face in self.positions_mm or ()} or {self.count_per_face}
         if counts != {self.count_per_face}:
             raise ValueError(
@@ -192,7 +192,7 @@ def _part_figures(given: dict[str, Any]) -> dict[str, Any]:
         counts_per_mt = part.range_covering(float(range_mt)).counts_per_mt
     noise_counts = given.get("noise_counts")
     if noise_counts is None and counts_per_mt is not None and part.noise is not None:
-        noise_counts = part.noise.at(float(counts_per_mt), int(averaging))
+        noise_counts = part.noise.scaled(float(counts_per_mt), int(averaging))
     figures = {"range_mt": range_mt, "counts_per_mt": counts_per_mt, "noise_counts": noise_counts}
     missing = [f"sensors.{key}" for key, value in figures.items() if value is None]
     if missing:

@@ -100,15 +100,16 @@ class SiliconeSpec(SpecPart):
 
     @property
     def casting(self) -> Casting | None:
-        """Mixing ratio and times of the preset; None of a silicone of one's own: its maker's sheet tells."""
+        """Mixing ratio and times of the preset; None of a silicone of one's own: its maker's sheet has
+        them."""
         return SILICONES[self.name].casting if self.name in SILICONES else None
 
     @property
     def modulus_source(self) -> str:
         """Return where the modulus comes from, in words."""
-        known = _estimate(self.name, self.shore)
-        if known is not None and known.youngs_modulus_mpa == self.youngs_modulus_mpa:
-            return known.source
+        estimate = _estimate(self.name, self.shore)
+        if estimate is not None and estimate.youngs_modulus_mpa == self.youngs_modulus_mpa:
+            return estimate.source
         return f"fitted to {self.tensile_data}" if self.tensile_data else "given"
 
     @property
@@ -139,7 +140,10 @@ def _figures(given: dict[str, Any]) -> dict[str, Any]:
     spread = (
         estimate.range_mpa if estimate and numeric and estimate.admits(float(modulus)) else None
     )
-    return _of_preset(name) | {"youngs_modulus_mpa": modulus, "youngs_modulus_range_mpa": spread}
+    return _preset_figures(name) | {
+        "youngs_modulus_mpa": modulus,
+        "youngs_modulus_range_mpa": spread,
+    }
 
 
 def _estimate(name: str, shore: str | None) -> ModulusEstimate | None:
@@ -148,7 +152,7 @@ def _estimate(name: str, shore: str | None) -> ModulusEstimate | None:
     return SILICONES[name].modulus if name in SILICONES else None
 
 
-def _of_preset(name: str) -> dict[str, Any]:
+def _preset_figures(name: str) -> dict[str, Any]:
     if name not in SILICONES:
         return {}
     preset = SILICONES[name]

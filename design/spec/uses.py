@@ -52,7 +52,7 @@ def require_used(content: dict[str, Any], keys: Iterable[str] = tuple(USES)) -> 
             continue
         value = _value(content, deciding)
         if value not in values:
-            wanted = " or ".join(repr(one) for one in values if one is not None)
+            wanted = " or ".join(repr(allowed) for allowed in values if allowed is not None)
             unused.append(
                 f"{key} = {_value(content, key)!r} has no effect with {deciding} = {value!r}. Leave it out, "
                 f"or give {deciding} = {wanted}"
@@ -69,9 +69,11 @@ def _value(content: dict[str, Any], key: str) -> Any:
     if not name:
         return given
     written = isinstance(given, dict) and name in given
-    return _as_lists(given[name] if written else getattr(default, name))
+    return _convert_to_lists(given[name] if written else getattr(default, name))
 
 
-def _as_lists(value: Any) -> Any:
+def _convert_to_lists(value: Any) -> Any:
     """Return tuples as the lists that TOML gives."""
-    return [_as_lists(one) for one in value] if isinstance(value, list | tuple) else value
+    return (
+        [_convert_to_lists(entry) for entry in value] if isinstance(value, list | tuple) else value
+    )

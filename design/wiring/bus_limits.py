@@ -29,7 +29,7 @@ def _smallest_pullup_kohm(supply_v: float) -> float:
 
 
 def largest_capacitance_pf(khz: float, supply_v: float) -> float:
-    """Of a line whose pull-up is as small as chips that sink 3 mA allow, 400 pF at most."""
+    """Capacitance of a line whose pull-up is as small as chips that sink 3 mA allow, 400 pF at most."""
     by_rise = rise_time_ns(khz) / (_RISE * _smallest_pullup_kohm(supply_v))
     return min(_LARGEST_PF, by_rise)
 
@@ -43,7 +43,7 @@ def pullup_kohm(khz: float, supply_v: float, capacitance_pf: float) -> float | N
 
 @dataclass(frozen=True)
 class FrameTime:
-    """Where the time of a frame goes (ms), and the fastest rate (Hz) with a status line a second and
+    """Time of a frame by its parts (ms), and the fastest rate (Hz) with a status line a second and
     the lines of a load cell (`loads_ms`, a second)."""
 
     conversion_ms: float

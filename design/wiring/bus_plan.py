@@ -42,7 +42,7 @@ _BUFFERS_A_PACKAGE = 6
 class BusPlan:
     """A plan that works: chips in the order of the frame's channels, and its figures.
 
-    `capacitance_pf` is that of the largest line as the board sees it with one channel switched on;
+    `capacitance_pf` is the capacitance of the largest line as the board sees it with one channel switched on;
     `reset` the output that resets the multiplexers.
     """
 
@@ -66,8 +66,8 @@ class BusPlan:
     @property
     def multiplexers(self) -> tuple[tuple[int, int], ...]:
         """Bus and address of every multiplexer."""
-        found = {(c.bus, c.multiplexer) for c in self.chips if c.multiplexer is not None}
-        return tuple(sorted(found))
+        addresses = {(c.bus, c.multiplexer) for c in self.chips if c.multiplexer is not None}
+        return tuple(sorted(addresses))
 
     @property
     def pins(self) -> int:
@@ -86,7 +86,7 @@ class BusPlan:
 
     @property
     def cost_eur(self) -> float:
-        """Of what the plan needs beyond board and sensors, at the middle of the guide prices."""
+        """Cost of what the plan needs beyond board and sensors, at the middle of the guide prices."""
         return sum(ORDERS[name].middle_eur * count for name, count in self.extras)
 
 
@@ -109,13 +109,13 @@ def choose_plan(
         No plan works: every reason, and what the other boards can do.
     """
     choice = all_plans(spec, board, lead_mm)
-    found = [plan for plan in choice.plans if way in (None, plan.way)]
-    if found:
-        return found[0], choice
+    plans = [plan for plan in choice.plans if way in (None, plan.way)]
+    if plans:
+        return plans[0], choice
     reasons = "; ".join(f"{name}: {why}" for name, why in choice.refused if way in (None, name))
     raise InputError(
         f"no bus plan{f' ({way})' if way else ''} reads {spec.name} with {board.title}: {reasons}. "
-        f"{_what_can(spec, board, lead_mm, choice)}"
+        f"{_working_plans(spec, board, lead_mm, choice)}"
     )
 
 
@@ -155,10 +155,10 @@ def all_plans(spec: ObjectSpec, board: Board, lead_mm: float = LEAD_MM) -> Choic
     return Choice(tuple(plans), tuple(refused))
 
 
-def _what_can(spec: ObjectSpec, board: Board, lead_mm: float, choice: Choice) -> str:
+def _working_plans(spec: ObjectSpec, board: Board, lead_mm: float, choice: Choice) -> str:
     """Plans that work, here or on another board."""
     named = [(board, plan) for plan in choice.plans[:1]]
-    others = (other for other in BOARDS.values() if other is not board)
+    others = (other_board for other_board in BOARDS.values() if other_board is not board)
     named += [(o, plan) for o in others for plan in all_plans(spec, o, lead_mm).plans[:1]]
     if not named:
         return (
@@ -175,7 +175,7 @@ def _what_can(spec: ObjectSpec, board: Board, lead_mm: float, choice: Choice) ->
 def _plan(spec: ObjectSpec, board: Board, lead_mm: float, way: str, buses: int) -> BusPlan:
     chip = bus_chip(spec.sensors.part)
     load = load_cell_plan(spec.load_cell, board)
-    free = replace(board, outputs=_without(board.outputs, load))
+    free = replace(board, outputs=_pins_left(board.outputs, load))
     chips = dealt(way, bare_chips(spec, lead_mm), free, buses)
     require_current(chips, chip, board, load)
     reset = free.outputs[0] if chips[0].multiplexer is not None else None
@@ -185,7 +185,7 @@ def _plan(spec: ObjectSpec, board: Board, lead_mm: float, way: str, buses: int) 
     return BusPlan(board, way, chips, khz, baud, capacitance, pullup, time, reset, extras, load)
 
 
-def _without(outputs: tuple[str, ...], load: LoadCellPlan | None) -> tuple[str, ...]:
+def _pins_left(outputs: tuple[str, ...], load: LoadCellPlan | None) -> tuple[str, ...]:
     """Pins that the load cell leaves for the sensors."""
     taken = () if load is None else load.pins
     return tuple(pin for pin in outputs if pin not in taken)
@@ -267,10 +267,10 @@ def _extras(
     muxes = len({(c.bus, c.multiplexer) for c in chips if c.multiplexer is not None})
     buses = len({c.bus for c in chips})
     lines = 2 * (buses + len({(c.bus, c.multiplexer, c.channel) for c in chips if muxes}))
-    found = {RESISTOR: lines, MUX: muxes}
+    counts = {RESISTOR: lines, MUX: muxes}
     if board.logic_v > _CHIP_V and not muxes:
-        found[SHIFTER] = buses
-        found[BUFFER] = -(-sum(c.supply is not None for c in chips) // _BUFFERS_A_PACKAGE)
+        counts[SHIFTER] = buses
+        counts[BUFFER] = -(-sum(c.supply is not None for c in chips) // _BUFFERS_A_PACKAGE)
     for name, count in () if load is None else load.parts(board):
-        found[name] = found.get(name, 0) + count
-    return tuple((name, count) for name, count in found.items() if count)
+        counts[name] = counts.get(name, 0) + count
+    return tuple((name, count) for name, count in counts.items() if count)

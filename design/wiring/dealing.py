@@ -82,7 +82,7 @@ def _with_address(chip: ChipOnBus, family: BusChip, index: int) -> ChipOnBus:
     return replace(chip, part=part, set_by=set_by, factory=address, address=address)
 
 
-def _on_buses(chips: Sequence[ChipOnBus], buses: int) -> Iterator[list[ChipOnBus]]:
+def _split_over_buses(chips: Sequence[ChipOnBus], buses: int) -> Iterator[list[ChipOnBus]]:
     """The chips of each bus, split as evenly as possible in their order."""
     edges = [round(len(chips) * k / buses) for k in range(buses + 1)]
     for bus, (first, last) in enumerate(pairwise(edges)):
@@ -100,7 +100,7 @@ def _deal_factory(
         )
     return tuple(
         _with_address(chip, family, k)
-        for dealt in _on_buses(chips, buses)
+        for dealt in _split_over_buses(chips, buses)
         for k, chip in enumerate(dealt)
     )
 
@@ -120,7 +120,7 @@ def _deal_started(
     pins = iter(outputs)
     return tuple(
         replace(chip, address=free[k], supply=next(pins))
-        for dealt in _on_buses(chips, buses)
+        for dealt in _split_over_buses(chips, buses)
         for k, chip in enumerate(dealt)
     )
 
@@ -128,13 +128,13 @@ def _deal_started(
 def _deal_multiplexed(
     chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
 ) -> tuple[ChipOnBus, ...]:
-    return _behind_multiplexers(chips, family, buses, 1)
+    return _put_behind_multiplexers(chips, family, buses, 1)
 
 
 def _deal_mixed(
     chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
 ) -> tuple[ChipOnBus, ...]:
-    return _behind_multiplexers(chips, family, buses, len(family.addresses))
+    return _put_behind_multiplexers(chips, family, buses, len(family.addresses))
 
 
 _DEALT: dict[str, Callable[..., tuple[ChipOnBus, ...]]] = {
@@ -145,27 +145,27 @@ _DEALT: dict[str, Callable[..., tuple[ChipOnBus, ...]]] = {
 }
 
 
-def _behind_multiplexers(
+def _put_behind_multiplexers(
     chips: list[ChipOnBus], family: BusChip, buses: int, per_channel: int
 ) -> tuple[ChipOnBus, ...]:
     room = len(MUX_ADDRESSES) * MUX_CHANNELS * per_channel
-    found = []
-    for dealt in _on_buses(chips, buses):
+    chips_behind = []
+    for dealt in _split_over_buses(chips, buses):
         if len(dealt) > room:
             raise CannotError(f"{len(dealt)} chips on a bus, eight multiplexers take {room}")
         for k, chip in enumerate(dealt):
             number, channel = divmod(k // per_channel, MUX_CHANNELS)
             placed = _with_address(chip, family, k % per_channel) if per_channel > 1 else chip
-            found.append(replace(placed, multiplexer=MUX_ADDRESSES[number], channel=channel))
-    return tuple(found)
+            chips_behind.append(replace(placed, multiplexer=MUX_ADDRESSES[number], channel=channel))
+    return tuple(chips_behind)
 
 
 def dealt(way: str, chips: list[ChipOnBus], board: Board, buses: int) -> tuple[ChipOnBus, ...]:
-    """The chips on so many of the board's buses, one way.
+    """Deal the chips over `buses` of the board's buses, one way.
 
     Raises
     ------
     CannotError
-        Too many chips for the addresses or pins, or chips that cannot be told apart that way.
+        Too many chips for the addresses or pins, or chips that cannot be distinguished that way.
     """
     return _DEALT[way](chips, bus_chip(chips[0].part), board, buses)

@@ -10,7 +10,7 @@ from design.errors import InputError
 from design.spec.load_cell import LoadCellSpec
 
 LINE_CHARACTERS = 28
-"""Of a line `L` with a clock of nine digits and a force of three: $L,170300123,1,-99.9999*FFFF."""
+"""Length of a line `L` with a clock of nine digits and a force of three: $L,170300123,1,-99.9999*FFFF."""
 ANALOG_LINES_HZ = 40.0
 """At most: the firmware sends the mean of at least 25 ms."""
 HX711_STEPS_PER_V_PER_V = 128 * 2**24
@@ -103,7 +103,7 @@ def load_cell_plan(cell: LoadCellSpec, board: Board) -> LoadCellPlan | None:
 
 
 def newtons_per_step(cell: LoadCellSpec, board: Board) -> float:
-    """Of an HX711's count, or of a step of the board's converter."""
+    """Newtons of an HX711's count, or of a step of the board's converter."""
     if cell.kind == "hx711":
         return cell.capacity_n / (1e-3 * cell.output_mv_per_v * HX711_STEPS_PER_V_PER_V)
     full_v, steps, share = board.adc

@@ -10,12 +10,12 @@ from design.wiring.dealing import ChipOnBus
 
 COLOURS = {"VCC": "red", "GND": "black", "SDA": "blue", "SCL": "yellow"}
 _BRIDGE_COLOURS = {"E+": "red", "E-": "black", "A-": "white", "A+": "green"}
-"""Of the cable that hangs on most load cells; its maker's sheet counts."""
+"""Colours of the cable that hangs on most load cells; its maker's sheet counts."""
 _ALL_COLOURS = COLOURS | _BRIDGE_COLOURS
 _STRIP_MM = 60.0
-"""Of a wire between the strip, where the sensors' wires end, and a pin of the board."""
+"""Length of a wire between the strip, where the sensors' wires end, and a pin of the board."""
 LOAD_CABLE_MM = 200.0
-"""Of a load cell's own cable, at least."""
+"""Length of a load cell's own cable, at least."""
 
 
 @dataclass(frozen=True)
@@ -78,35 +78,39 @@ def _switched(plan: BusPlan, supply: str) -> str:
 
 def _board_ends(plan: BusPlan) -> list[tuple[str, str, str]]:
     """Start, end and signal of the wires between strip, multiplexers and board."""
-    board, found = (
+    board, ends = (
         plan.board,
         [("strip GND", "board GND", "GND"), ("strip 3V3", "board 3V3", "VCC")],
     )
     for bus in plan.buses:
         pins = board.buses[bus]
         shifted = " by level shifter" if board.logic_v > 4 and not plan.multiplexers else ""
-        found += [
+        ends += [
             (f"strip bus {bus} SDA", f"board {pins.sda}{shifted}", "SDA"),
             (f"strip bus {bus} SCL", f"board {pins.scl}{shifted}", "SCL"),
         ]
     for bus, address in plan.multiplexers:
         name = _mux(bus, address)
-        found += [
+        ends += [
             (f"{name} VIN", "strip 3V3", "VCC"),
             (f"{name} GND", "strip GND", "GND"),
             (f"{name} SDA", f"strip bus {bus} SDA", "SDA"),
             (f"{name} SCL", f"strip bus {bus} SCL", "SCL"),
             (f"{name} RST", f"board {plan.reset}", "VCC"),
         ]
-    found += [
-        (f"strip {_switched(plan, chip.supply)}", f"board {_by_buffer(plan, chip.supply)}", "VCC")
+    ends += [
+        (
+            f"strip {_switched(plan, chip.supply)}",
+            f"board {_buffered_pin(plan, chip.supply)}",
+            "VCC",
+        )
         for chip in plan.chips
         if chip.supply
     ]
-    return found
+    return ends
 
 
-def _by_buffer(plan: BusPlan, supply: str) -> str:
+def _buffered_pin(plan: BusPlan, supply: str) -> str:
     return supply if plan.board.logic_v < 4 else f"{supply} by CD74HC4050E on 3V3"
 
 

@@ -12,7 +12,7 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.recordings.formats.text import as_number
+from estimator.recordings.formats.text import parse_number
 from estimator.signals.hall import full_scale_counts
 
 _CHANNEL = re.compile(r"F([1-6])-([XYZ])(\d+)")
@@ -105,7 +105,7 @@ def _numbers(path: Path, header: list[str]) -> Float[np.ndarray, "row column"]:
     if not rows:
         raise InputError(f"{path} holds no frame below its header. Record some frames at rest")
     try:
-        values = np.array([[as_number(cell) for cell in row] for row in rows])
+        values = np.array([[parse_number(cell) for cell in row] for row in rows])
     except ValueError as error:
         raise InputError(f"{path}: {error}. Every row needs {len(header)} numbers") from None
     if values.ndim != 2 or values.shape[1] != len(header):

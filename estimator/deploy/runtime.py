@@ -22,7 +22,7 @@ from estimator.frames.face_data import (
     Channel,
     channel_counts,
     channel_label,
-    told_frames,
+    frames_with_readings,
     with_history,
 )
 from estimator.networks.prediction import UNITS, Prediction
@@ -151,7 +151,7 @@ def predict_frames(model: DeployedModel, frames: FrameSet) -> Prediction:
     return run_model(model, channel_counts(wide, model.channels))
 
 
-def predict_told(
+def predict_with_gaps(
     model: DeployedModel, frames: FrameSet
 ) -> tuple[Bool[np.ndarray, "frame"], Prediction]:
     """Which frames have all readings (and the change since such), and what `predict_frames` gives there.
@@ -161,7 +161,7 @@ def predict_told(
     InputError
         No frame has the readings of all channels that the model uses.
     """
-    told, chosen = told_frames(frames, model.channels, model.history_frames)
+    told, chosen = frames_with_readings(frames, model.channels, model.history_frames)
     return told, run_model(model, channel_counts(chosen, model.channels))
 
 

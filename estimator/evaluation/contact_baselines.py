@@ -91,6 +91,7 @@ def training_mean(trained: FrameSet, frames: int) -> ContactSets:
 
 def contact_sets_of(every: list[Found]) -> ContactSets:
     """Without any uncertainty."""
+    from estimator.inversion.model.forward import NONE
     from estimator.inversion.readings import ContactSets
 
     slots = max(1, *map(len, every))
@@ -100,4 +101,6 @@ def contact_sets_of(every: list[Found]) -> ContactSets:
     face = np.nan_to_num(values[..., 0]).astype(int)
     unknown = np.full((*face.shape, 3, 3), np.nan)
     pulls, ones = np.full((*face.shape, 2), np.nan), np.ones(len(every))
-    return ContactSets(face, values[..., 1:3], values[..., 3], unknown, pulls, pulls, ones, ones)
+    out = np.full(len(every), NONE)
+    places = face, values[..., 1:3], values[..., 3]
+    return ContactSets(*places, unknown, pulls, pulls, ones, ones, out)

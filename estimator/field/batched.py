@@ -1,6 +1,6 @@
 """Flux density of many magnets at many points as torch tensors, with gradients, on any device.
 
-The law is that of `estimator.field.models`; this module only cuts the pairs into pieces that fit the
+The law is `estimator.field.models`'; this module only cuts the pairs into pieces that fit the
 processor's cache and puts the results together, so that gradients in magnet position, axis and
 sensor position come from autograd. Where no gradient is wanted on a processor, the pieces are
 worked on as NumPy arrays that share the tensors' memory: its operations start a third quicker.
@@ -23,7 +23,7 @@ from estimator.field.models import MagnetsModel, sum_over_magnets
 from estimator.field.vectors import Vector
 
 _CPU_ARRAY_BYTES = 96 * 1024
-"""Of one temporary of a chunk: a dozen of them about fill a second-level cache, and each is well
+"""Size of one temporary of a chunk: a dozen of them about fill a second-level cache, and each is well
 below the size at which allocators ask the system for memory every time."""
 _ACCELERATOR_PAIRS = 1 << 22
 """Pairs of a chunk where launching a kernel costs more than memory does."""
@@ -42,7 +42,7 @@ def batched_field(
     """Flux density (T) of all magnets together, at every point of every press.
 
     Differentiable in all three tensors; autograd then keeps about 25 numbers per pair. float32 costs
-    1e-6 of the field beside the model's own error and is about twice as fast as float64 on a
+    1e-6 of the field compared with the model's own error and is about twice as fast as float64 on a
     processor.
 
     Parameters
@@ -107,7 +107,7 @@ def _components(
 
 
 def _piece(point: Vector, first: int, count: int) -> Vector:
-    x, y, z = (along[:, first : first + count] for along in point)
+    x, y, z = (component[:, first : first + count] for component in point)
     return x, y, z
 
 
@@ -125,7 +125,7 @@ def _default_chunk_pairs(like: Tensor) -> int:
 
 
 def _check(points_mm: Tensor, centres_mm: Tensor, axes: Tensor, model: MagnetsModel) -> None:
-    exact = [one.magnet.description for one in model.of_sizes if one.exact]
+    exact = [size_model.magnet.description for size_model in model.size_models if size_model.exact]
     if exact:
         raise InputError(
             f"the exact field of {exact[0]} has no torch "

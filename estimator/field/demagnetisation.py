@@ -14,7 +14,7 @@ import numpy as np
 from scipy.integrate import quad
 
 
-def of_cylinders(cylinders: Sequence[tuple[float, float]], height_mm: float) -> float:
+def cylinders_factor(cylinders: Sequence[tuple[float, float]], height_mm: float) -> float:
     """N of a body that is a sum of coaxial cylinders (radius in mm, weight) of one height.
 
     One less the mean of B / J. For a disk that mean is Nagaoka's coefficient of a current sheet
@@ -26,23 +26,23 @@ def of_cylinders(cylinders: Sequence[tuple[float, float]], height_mm: float) -> 
 
 
 @lru_cache(maxsize=1024)
-def _linked_flux_mm3(radius: float, other: float, height: float) -> float:
+def _linked_flux_mm3(radius: float, other_radius: float, height: float) -> float:
     """Integral of B / J of a full cylinder over another on the same axis, of the same height.
 
     Neumann's integral over two current sheets, of which the one over the angle between them is
     left: angle = π t³ takes away the logarithm where the two are one.
     """
 
-    def at(t: float) -> float:
+    def integrand(t: float) -> float:
         angle = pi * t**3
-        apart = hypot(radius - other, 2 * sqrt(radius * other) * sin(angle / 2))
+        apart = hypot(radius - other_radius, 2 * sqrt(radius * other_radius) * sin(angle / 2))
         sheets = height * asinh(height / apart) - hypot(height, apart) + apart
         return 6 * pi * t**2 * cos(angle) * sheets
 
-    return radius * other * quad(at, 0, 1, epsabs=0, epsrel=1e-10, limit=200)[0]
+    return radius * other_radius * quad(integrand, 0, 1, epsabs=0, epsrel=1e-10, limit=200)[0]
 
 
-def of_block(x: float, y: float, z: float) -> float:
+def block_factor(x: float, y: float, z: float) -> float:
     """N along z of a block of these edges (Aharoni, J. Appl. Phys. 83, 1998, equation 1)."""
     a, b, c = x / 2, y / 2, z / 2
     ab, bc, ca = np.hypot(a, b), np.hypot(b, c), np.hypot(c, a)

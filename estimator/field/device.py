@@ -32,23 +32,26 @@ def compute_device() -> torch.device:
     """
     import torch
 
-    asked = os.environ.get(SWITCH) or "cpu"
-    kind, _, number = asked.partition(":")
+    device_name = os.environ.get(SWITCH) or "cpu"
+    kind, _, number = device_name.partition(":")
     if (
         kind not in ("cpu", "cuda")
         or (number and not number.isdecimal())
         or (kind == "cpu" and number)
     ):
-        raise InputError(f'{SWITCH} must be "cpu", "cuda" or "cuda:1" and so on; got "{asked}"')
+        raise InputError(
+            f'{SWITCH} must be "cpu", "cuda" or "cuda:1" and so on; got "{device_name}"'
+        )
     if kind == "cuda":
-        found = torch.cuda.device_count() if torch.cuda.is_available() else 0
-        if int(number or 0) >= found:
+        device_count = torch.cuda.device_count() if torch.cuda.is_available() else 0
+        if int(number or 0) >= device_count:
             raise InputError(
-                f"{SWITCH} = {asked}, but torch {torch.__version__} sees "
-                f"{found or 'no'} CUDA device{'s' * (found > 1)} here. Leave it out, or install "
+                f"{SWITCH} = {device_name}, but torch {torch.__version__} sees "
+                f"{device_count or 'no'} CUDA device{'s' * (device_count > 1)} here. "
+                "Leave it out, or install "
                 "torch for CUDA (README.md)"
             )
-    return torch.device(asked)
+    return torch.device(device_name)
 
 
 @contextmanager
@@ -61,13 +64,13 @@ def one_thread() -> Iterator[None]:
     """
     import torch
 
-    before = torch.get_num_threads()
+    threads_before = torch.get_num_threads()
     torch.set_num_threads(1)
     try:
         with one_blas_thread():
             yield
     finally:
-        torch.set_num_threads(before)
+        torch.set_num_threads(threads_before)
 
 
 def card_tensor() -> torch.Tensor | None:

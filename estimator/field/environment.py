@@ -21,7 +21,7 @@ from jaxtyping import Float, Int
 
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, MagnetsModel, sum_over_magnets
-from estimator.field.sources import DiskMagnet, at_working_point
+from estimator.field.sources import DiskMagnet, self_demagnetised
 from estimator.field.vectors import Vector, dot
 
 
@@ -59,7 +59,7 @@ class Environment:
         """B (T) without the object's own magnets and their images, at points of any one shape."""
         total = _vector(self.uniform_t)
         for model, *place in self.strays:
-            centre, axis = (_before(given, points_mm) for given in place)
+            centre, axis = (_lead_with_magnet(given, points_mm) for given in place)
             total = _plus(total, with_images(points_mm, centre, axis, model, self.plates))
         return total
 
@@ -70,7 +70,7 @@ def environment(spec: ObjectSpec) -> Environment:
     strays = []
     for stray in around.magnets:
         outline = DiskMagnet(stray.diameter_mm, stray.height_mm, 1.0)
-        body = at_working_point(outline, stray.remanence_t, stray.recoil_permeability)
+        body = self_demagnetised(outline, stray.remanence_t, stray.recoil_permeability)
         place, axis = np.asarray(stray.position_mm), _unit(stray.axis)
         strays.append((FieldModel(body, "exact"), _column(place), _column(axis)))
     plates = tuple(
@@ -134,7 +134,7 @@ def _column(array: Float[np.ndarray, "3"]) -> Vector:
     return x, y, z
 
 
-def _before(magnet: Vector, points_mm: Vector) -> Vector:
+def _lead_with_magnet(magnet: Vector, points_mm: Vector) -> Vector:
     """Components of one magnet, in a dimension before those of the points."""
     dimensions = max(np.ndim(part) for part in points_mm)
     x, y, z = (part.reshape(-1, *[1] * dimensions) for part in magnet)
@@ -146,7 +146,7 @@ def _minus(a: Vector, b: Vector) -> Vector:
 
 
 def _minus_scaled(a: Vector, factor: object, b: Float[np.ndarray, "3"]) -> Vector:
-    x, y, z = (part - factor * along for part, along in zip(a, _vector(b), strict=True))  # pyright: ignore[reportOperatorIssue]
+    x, y, z = (part - factor * component for part, component in zip(a, _vector(b), strict=True))  # pyright: ignore[reportOperatorIssue]
     return x, y, z
 
 

@@ -48,18 +48,18 @@ def field_change(
     order : of the series, odd
     """
     r, n = offset_mm, axis
-    u, along = (r * r).sum(0), (r * n).sum(0)
+    u, axial_mm = (r * r).sum(0), (r * n).sum(0)
     inverse = 1 / u
     cubed = inverse * inverse.sqrt()
     sums = _sums(
-        inverse * magnet.circumscribed_radius_mm**2, along * along * inverse, magnet, order
+        inverse * magnet.circumscribed_radius_mm**2, axial_mm * axial_mm * inverse, magnet, order
     )
-    ratio = along * inverse
+    ratio = axial_mm * inverse
     radial, axial = ratio * cubed * sums[0], cubed * sums[1]
     radial_a, axial_a = cubed * inverse * sums[4], ratio * cubed * sums[5]
     # 2 u ∂/∂u = −(degree) − a ∂/∂a, term by term
-    radial_2u = -(ratio * cubed * sums[2] + along * radial_a) * inverse
-    axial_2u = -(cubed * sums[3] + along * axial_a) * inverse
+    radial_2u = -(ratio * cubed * sums[2] + axial_mm * radial_a) * inverse
+    axial_2u = -(cubed * sums[3] + axial_mm * axial_a) * inverse
     slope_r = radial_2u * r + radial_a * n
     slope_n = axial_2u * r + axial_a * n
     turned = radial_a * r + axial_a * n

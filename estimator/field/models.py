@@ -22,7 +22,7 @@ from estimator.field.sources import (
     BlockMagnet,
     DiskMagnet,
     Magnet,
-    in_space,
+    from_local_coordinates,
     local_coordinates,
     magnet_sources,
 )
@@ -42,7 +42,7 @@ _REFERENCE_ORDER = 61
 class FieldModel:
     """A model of one magnet's field; calling it gives B (T) at an offset (mm) from its centre.
 
-    `order` is that of the multipole series, `charges` the number of charges along a block's edge.
+    `order` belongs to the multipole series, `charges` the number of charges along a block's edge.
     """
 
     magnet: Magnet
@@ -51,7 +51,7 @@ class FieldModel:
     charges: int = 0
 
     @property
-    def of_sizes(self) -> tuple[FieldModel, ...]:
+    def size_models(self) -> tuple[FieldModel, ...]:
         """This one alone: all magnets are of one size."""
         return (self,)
 
@@ -80,16 +80,16 @@ class FieldModel:
 class MixedModel:
     """Models of magnets of several sizes, in the order of `MagnetSpec.distinct_sizes`."""
 
-    of_sizes: tuple[FieldModel, ...]
+    size_models: tuple[FieldModel, ...]
 
     @property
     def exact(self) -> bool:
         """Return whether that of any size is."""
-        return any(one.exact for one in self.of_sizes)
+        return any(model.exact for model in self.size_models)
 
     @property
     def has_side(self) -> bool:
-        return self.of_sizes[0].has_side
+        return self.size_models[0].has_side
 
 
 MagnetsModel = FieldModel | MixedModel
@@ -99,17 +99,17 @@ def magnets_model(
     magnets: MagnetSpec, nearest_distance_mm: float, tolerance: float = 1e-3
 ) -> MagnetsModel:
     """`field_model` of every size of a specification's magnets."""
-    return _of_sizes(
-        [field_model(one, nearest_distance_mm, tolerance) for one in magnet_sources(magnets)]
+    return _combined_model(
+        [field_model(magnet, nearest_distance_mm, tolerance) for magnet in magnet_sources(magnets)]
     )
 
 
 def exact_model(magnets: MagnetSpec) -> MagnetsModel:
     """The exact bodies of a specification's magnets."""
-    return _of_sizes([FieldModel(one, "exact") for one in magnet_sources(magnets)])
+    return _combined_model([FieldModel(magnet, "exact") for magnet in magnet_sources(magnets)])
 
 
-def _of_sizes(models: list[FieldModel]) -> MagnetsModel:
+def _combined_model(models: list[FieldModel]) -> MagnetsModel:
     return models[0] if len(models) == 1 else MixedModel(tuple(models))
 
 
@@ -164,17 +164,17 @@ def multipole_field(offset_mm: Vector, axis: Vector, magnet: Magnet, order: int)
     a_l = J V/(4π) l M_{l−1} and M_n the mean of rⁿ P_n(cos θ) over the magnet's volume. It is the
     gradient of the scalar potential of a uniformly polarized body outside its circumscribed
     sphere (Jackson, Classical Electrodynamics, section 5.9); it diverges inside. Of a block it is
-    the part of rotational symmetry alone. The gradient in `axis` is that of this formula as
+    the part of rotational symmetry alone. The gradient in `axis` follows this formula as
     written: keep the axis a unit vector.
     """
     x, y, z = offset_mm
     nx, ny, nz = axis
     inverse_squared = 1 / dot(offset_mm, offset_mm)
     inverse_cubed = inverse_squared * inverse_squared**0.5
-    along = dot(offset_mm, axis)
+    axial_mm = dot(offset_mm, axis)
     s = magnet.circumscribed_radius_mm**2 * inverse_squared
-    ratio = along * inverse_squared
-    powers = (s, along * ratio * s, s * s)
+    ratio = axial_mm * inverse_squared
+    powers = (s, axial_mm * ratio * s, s * s)
     radial_series, axial_series = _series(magnet, order)
     radial = inverse_cubed * ratio * _clenshaw(radial_series, *powers)
     axial = inverse_cubed * _clenshaw(axial_series, *powers)
@@ -193,22 +193,22 @@ def charges_field(
     The poles carry the surface charge ±J; a rule of n points an edge is exact for the multipoles
     up to order 2n, so that the error falls as (size / distance)^2n.
     """
-    along, first, second = local_coordinates(offset_mm, axis, side)
+    axial, first, second = local_coordinates(offset_mm, axis, side)
     nodes, weights = np.polynomial.legendre.leggauss(count)
     (x, y), half_height = (edge / 2 * nodes for edge in block.size_mm), block.height_mm / 2
     strength = block.polarization_t * block.size_mm[0] * block.size_mm[1] / (16 * np.pi)
-    b_along, b_first, b_second = 0.0, 0.0, 0.0
+    b_axial, b_first, b_second = 0.0, 0.0, 0.0
     for sign in (1.0, -1.0):
-        height = along - sign * half_height
+        height = axial - sign * half_height
         for i, j in np.ndindex(count, count):
             a, b = first - float(x[i]), second - float(y[j])
             inverse_squared = 1 / dot((a, b, height), (a, b, height))
             weight = float(sign * strength * weights[i] * weights[j])
             pull = weight * inverse_squared * inverse_squared**0.5
-            b_along = b_along + pull * height
+            b_axial = b_axial + pull * height
             b_first = b_first + pull * a
             b_second = b_second + pull * b
-    return in_space((b_along, b_first, b_second), axis, side)
+    return from_local_coordinates((b_axial, b_first, b_second), axis, side)
 
 
 @dataclass(frozen=True)
@@ -265,8 +265,8 @@ def _gegenbauer_series(parity: int, strengths: list[float]) -> _Series:
         m = 2 * k + parity
         weights.append(strength * leading)
         shifts.append(float(-up[m] * down[m + 1] - (down[m] * up[m - 1] if m else 0)))
-        before = down[m] * down[m - 1] * up[m - 2] * up[m - 1] if k else 0
-        feedbacks.append(float(-before))
+        feedback = down[m] * down[m - 1] * up[m - 2] * up[m - 1] if k else 0
+        feedbacks.append(float(-feedback))
         leading /= float(up[m] * up[m + 1])
     return _Series(tuple(weights), tuple(shifts), tuple(feedbacks))
 
@@ -329,10 +329,10 @@ def sum_over_magnets(
         bx, by, bz = (strength * part for part in model(offset, axes, sides))
         return bx.sum(axis=0), by.sum(axis=0), bz.sum(axis=0)
     x, y, z = 0.0, 0.0, 0.0
-    for one, those in _by_size(model, size):
-        each = sides and _rows(sides, those)
-        weight = strength if np.ndim(strength) == 0 or len(strength) == 1 else strength[those]
-        bx, by, bz = (weight * b for b in one(_rows(offset, those), _rows(axes, those), each))
+    for size_model, rows in _models_by_size(model, size):
+        each = sides and _rows(sides, rows)
+        weight = strength if np.ndim(strength) == 0 or len(strength) == 1 else strength[rows]
+        bx, by, bz = (weight * b for b in size_model(_rows(offset, rows), _rows(axes, rows), each))
         x, y, z = x + bx.sum(axis=0), y + by.sum(axis=0), z + bz.sum(axis=0)
     return x, y, z
 
@@ -348,28 +348,28 @@ def field_of_each(
     if isinstance(model, FieldModel):
         return model(offset_mm, axes, sides)
     parts, rows = [], []
-    for one, those in _by_size(model, size):
-        each = sides and _rows(sides, those)
-        parts.append(one(_rows(offset_mm, those), _rows(axes, those), each))
-        rows.append(those)
+    for size_model, members in _models_by_size(model, size):
+        each = sides and _rows(sides, members)
+        parts.append(size_model(_rows(offset_mm, members), _rows(axes, members), each))
+        rows.append(members)
     back = np.argsort(np.concatenate(rows))
     x, y, z = (np.concatenate([part[k] for part in parts])[back] for k in range(3))
     return x, y, z
 
 
-def _by_size(
+def _models_by_size(
     model: MixedModel, size: Int[np.ndarray, "magnet"] | None
 ) -> Iterator[tuple[FieldModel, Int[np.ndarray, "some"]]]:
     """The model of every size that some magnets have, and which they are."""
     if size is None:
-        raise ValueError(f"a model of {len(model.of_sizes)} sizes needs to know which each has")
-    for number, one in enumerate(model.of_sizes):
+        raise ValueError(f"a model of {len(model.size_models)} sizes needs to know which each has")
+    for number, size_model in enumerate(model.size_models):
         if (size == number).any():
-            yield one, np.flatnonzero(size == number)
+            yield size_model, np.flatnonzero(size == number)
 
 
 def _rows(vector: Vector, those: np.ndarray) -> Vector:
-    """Of some magnets; what all share is left as it is."""
+    """Rows of some magnets; what all share is left as it is."""
     x, y, z = (part if len(part) == 1 else part[those] for part in vector)
     return x, y, z
 

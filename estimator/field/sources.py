@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.spec.magnets import MagnetSize, MagnetSpec
-from estimator.field.demagnetisation import of_block, of_cylinders
+from estimator.field.demagnetisation import block_factor, cylinders_factor
 from estimator.field.vectors import Vector, cross, dot, plus_product
 
 
@@ -48,7 +48,7 @@ class DiskMagnet:
 
     @property
     def demagnetising_factor(self) -> float:
-        return of_cylinders(self.cylinders, self.height_mm)
+        return cylinders_factor(self.cylinders, self.height_mm)
 
     @property
     def description(self) -> str:
@@ -58,16 +58,18 @@ class DiskMagnet:
 
     def mean_solid_harmonics(self, count: int) -> Float[np.ndarray, "n"]:
         """Mean of rⁿ P_n(cos θ) over the source, n < `count`."""
-        parts = [(w * r**2, _of_cylinder(r, self.height_mm / 2, count)) for r, w in self.cylinders]
+        parts = [
+            (w * r**2, _cylinder_means(r, self.height_mm / 2, count)) for r, w in self.cylinders
+        ]
         weights = np.array([v for v, _ in parts])
         return weights @ np.array([mean for _, mean in parts]) / weights.sum()
 
     def holds(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Any:
         """Return whether points (offsets from the centre, mm) lie in the outline; a hole counts as full."""
         del side
-        along = dot(offset_mm, axis)
-        across_squared = dot(offset_mm, offset_mm) - along * along
-        return (abs(along) <= self.height_mm / 2) & (across_squared <= self.diameter_mm**2 / 4)
+        axial_mm = dot(offset_mm, axis)
+        across_squared = dot(offset_mm, offset_mm) - axial_mm * axial_mm
+        return (abs(axial_mm) <= self.height_mm / 2) & (across_squared <= self.diameter_mm**2 / 4)
 
 
 @dataclass(frozen=True)
@@ -89,7 +91,7 @@ class BlockMagnet:
 
     @property
     def demagnetising_factor(self) -> float:
-        return of_block(*self.size_mm, self.height_mm)
+        return block_factor(*self.size_mm, self.height_mm)
 
     @property
     def description(self) -> str:
@@ -107,9 +109,11 @@ class BlockMagnet:
 
     def holds(self, offset_mm: Vector, axis: Vector, side: Vector | None = None) -> Any:
         """Return whether points (offsets from the centre, mm) lie in the block or on its surface."""
-        along, first, second = local_coordinates(offset_mm, axis, side)
+        axial_mm, first, second = local_coordinates(offset_mm, axis, side)
         x, y = self.size_mm
-        return (abs(along) <= self.height_mm / 2) & (abs(first) <= x / 2) & (abs(second) <= y / 2)
+        return (
+            (abs(axial_mm) <= self.height_mm / 2) & (abs(first) <= x / 2) & (abs(second) <= y / 2)
+        )
 
 
 Magnet = DiskMagnet | BlockMagnet
@@ -141,12 +145,12 @@ def _source(magnets: MagnetSpec, size: MagnetSize) -> Magnet:
     hole, height = size.inner_diameter_mm, size.height_mm
     remanence_t, permeability = magnets.working_remanence_t, magnets.recoil_permeability
     if size.shape == "block":
-        return at_working_point(BlockMagnet(size.edges_mm, height, 1.0), remanence_t, permeability)
+        return self_demagnetised(BlockMagnet(size.edges_mm, height, 1.0), remanence_t, permeability)
     disk = DiskMagnet(size.diameter_mm, height, 1.0, hole)
-    return at_working_point(disk, remanence_t, permeability)
+    return self_demagnetised(disk, remanence_t, permeability)
 
 
-def at_working_point(outline: _Body, remanence_t: float, recoil_permeability: float) -> _Body:
+def self_demagnetised(outline: _Body, remanence_t: float, recoil_permeability: float) -> _Body:
     """A magnet that demagnetises itself: its mean polarization in place of the outline's.
 
     On the recoil line J = B_r + (μ_r − 1) μ0 H, and the mean of μ0 H inside a magnet that is alone
@@ -163,11 +167,11 @@ def local_coordinates(offset_mm: Vector, axis: Vector, side: Vector | None) -> V
     return dot(offset_mm, axis), dot(offset_mm, first), dot(offset_mm, second)
 
 
-def in_space(local: Vector, axis: Vector, side: Vector | None) -> Vector:
+def from_local_coordinates(local: Vector, axis: Vector, side: Vector | None) -> Vector:
     """Undo `local_coordinates`."""
-    (along, first, second), (u, v) = local, _edges(axis, side)
+    (axial, first, second), (u, v) = local, _edges(axis, side)
     x, y, z = (
-        plus_product(plus_product(along * axis[k], first, u[k]), second, v[k]) for k in range(3)
+        plus_product(plus_product(axial * axis[k], first, u[k]), second, v[k]) for k in range(3)
     )
     return x, y, z
 
@@ -178,7 +182,7 @@ def _edges(axis: Vector, side: Vector | None) -> tuple[Vector, Vector]:
     return side, cross(axis, side)
 
 
-def _of_cylinder(radius: float, half_height: float, count: int) -> Float[np.ndarray, "n"]:
+def _cylinder_means(radius: float, half_height: float, count: int) -> Float[np.ndarray, "n"]:
     """Volume means of rⁿ P_n(cos θ) of a full cylinder."""
     nodes, weights = np.polynomial.legendre.leggauss(count // 2 + 2)
     weight = weights[:, None] * weights / 4
@@ -191,9 +195,12 @@ def _means(z: Any, across_squared: Any, weight: Any, count: int) -> Float[np.nda
     The explicit sum over powers cancels badly for tall magnets; the recurrence does not.
     """
     r_squared = z**2 + across_squared
-    before, here = np.ones_like(r_squared), np.broadcast_to(z, r_squared.shape)
+    previous, current = np.ones_like(r_squared), np.broadcast_to(z, r_squared.shape)
     means = []
     for n in range(count):
-        means.append(np.sum(weight * before))
-        before, here = here, ((2 * n + 3) * z * here - (n + 1) * r_squared * before) / (n + 2)
+        means.append(np.sum(weight * previous))
+        previous, current = (
+            current,
+            ((2 * n + 3) * z * current - (n + 1) * r_squared * previous) / (n + 2),
+        )
     return np.array(means)

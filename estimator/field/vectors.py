@@ -18,7 +18,7 @@ Vector = tuple[Any, Any, Any]
 _SMALL_SQUARED = 0.25**2
 """Below this the series is exact to rounding: what it leaves out is 1e-17."""
 _SINE_SERIES = tuple((-1) ** k / math.factorial(2 * k + 1) for k in range(6))
-"""Of sin h/h in powers of h²."""
+"""Coefficients of sin h/h in powers of h²."""
 
 
 def dot(a: Vector, b: Vector) -> Any:
@@ -60,17 +60,17 @@ def rotated(vector: Vector, turn: Vector) -> Vector:
     """
     (x, y, z), (wx, wy, wz) = vector, turn
     squared = 0.25 * (wx * wx + wy * wy + wz * wz)
-    share, cosine_of_half = _of_half_the_angle(squared)
+    share, cosine_of_half = _sine_and_cosine_of_half(squared)
     cosine, sine = 1 - 2 * squared * share * share, share * cosine_of_half
-    along = 0.5 * share * share * (wx * x + wy * y + wz * z)
+    along_turn = 0.5 * share * share * (wx * x + wy * y + wz * z)
     return (
-        cosine * x + sine * (wy * z - wz * y) + along * wx,
-        cosine * y + sine * (wz * x - wx * z) + along * wy,
-        cosine * z + sine * (wx * y - wy * x) + along * wz,
+        cosine * x + sine * (wy * z - wz * y) + along_turn * wx,
+        cosine * y + sine * (wz * x - wx * z) + along_turn * wy,
+        cosine * z + sine * (wx * y - wy * x) + along_turn * wz,
     )
 
 
-def _of_half_the_angle(squared: Any) -> tuple[Any, Any]:
+def _sine_and_cosine_of_half(squared: Any) -> tuple[Any, Any]:
     """sin h/h and cos h of h²; of small angles by the series, in a third of the time."""
     if isinstance(squared, np.ndarray) and np.max(squared, initial=0.0) < _SMALL_SQUARED:
         share = _SINE_SERIES[-1] * squared

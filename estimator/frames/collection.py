@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.spec.object import ObjectSpec
-from estimator.frames.collection_recipe import Recipe, anywhere_recipe, periodic_recipe
+from estimator.frames.collection_recipe import Recipe, periodic_recipe, scattered_recipe
 from estimator.frames.contact_cases import contact_groups
 from estimator.frames.contact_traces import ContactTraces, JointMechanics, force_at_travel
 from estimator.frames.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
@@ -57,7 +57,7 @@ def simulate_collection(
     rng = np.random.default_rng((spec.seed, 3))
     kind = spec.collection.kind
     if kind == "continuous":
-        recipe = anywhere_recipe(spec, signals, mechanics, rng, progress, shear)
+        recipe = scattered_recipe(spec, signals, mechanics, rng, progress, shear)
         return _recorded(spec, signals, recipe, rng, spec_hash)
     parts = []
     for cases in contact_groups(spec):
@@ -142,9 +142,12 @@ def pressed_tips(
     spec: ObjectSpec, recipe: Recipe, part: slice
 ) -> tuple[Float[np.ndarray, "case frame tip"], Float[np.ndarray, "case frame channel"]]:
     """Forces felt at all tips (N) and undisturbed changes of counts of some cases."""
-    every = recipe.traces
+    all_traces = recipe.traces
     traces = ContactTraces(
-        every.travel_mm[part], every.force_n[part], every.tip_force_n[part], every.counts[part]
+        all_traces.travel_mm[part],
+        all_traces.force_n[part],
+        all_traces.tip_force_n[part],
+        all_traces.counts[part],
     )
     turns = recipe.turns[part]
     travel = recipe.peak_mm[part, None] * (1 - np.cos(2 * np.pi * turns)) / 2
@@ -159,7 +162,7 @@ def pressed_tips(
     ratio = np.divide(felt, total, out=np.zeros_like(felt), where=total > 0)
     counts = values[..., :channels]
     if recipe.pull is not None:
-        pull = recipe.pull.of(part)
+        pull = recipe.pull.select(part)
         counts = counts + pulled_counts(pull.slopes, total, felt[..., None] * pull.share[:, None])
     return elastic * ratio[..., None], counts
 
@@ -181,7 +184,7 @@ def _labelled(
     identity[: len(recipe.cases)] = [case.place_id for case in recipe.cases]
     count, slots = cases * frames, contact.shape[1]
 
-    def in_contact(values: np.ndarray, empty: float | int) -> np.ndarray:
+    def fill_contacts(values: np.ndarray, empty: float | int) -> np.ndarray:
         shown = pressed.reshape(*pressed.shape, *[1] * (values.ndim - 3))
         return np.where(shown, values, empty).reshape(count, *values.shape[2:])
 
@@ -189,14 +192,14 @@ def _labelled(
         spec,
         spec_hash,
         counts,
-        contact_face=in_contact(contact[:, None] + np.zeros((1, frames, 1), int), NO_FACE),
-        contact_xy_mm=in_contact(places[:, None] + np.zeros((1, frames, 1, 1)), np.nan),
-        force_n=in_contact(label, np.nan),
+        contact_face=fill_contacts(contact[:, None] + np.zeros((1, frames, 1), int), NO_FACE),
+        contact_xy_mm=fill_contacts(places[:, None] + np.zeros((1, frames, 1, 1)), np.nan),
+        force_n=fill_contacts(label, np.nan),
         valid=np.broadcast_to(sure | ~recipe.moving, (cases, frames)).ravel(),
         press_id=press_ids(recipe),
         place_id=np.where(recipe.moving, identity[:, None], REST_PLACE_ID).ravel(),
         session_id=np.repeat(np.arange(cases), frames),
-        true_force_n=in_contact(true, np.nan).reshape(count, slots, 3),
+        true_force_n=fill_contacts(true, np.nan).reshape(count, slots, 3),
     )
 
 
@@ -228,11 +231,11 @@ def _forces(
             shown = felt_n[row][:, tips].sum(axis=1) + rng.normal(0, noise, shape[1])
             label[row][:, tips] = (shown / len(tips))[:, None]
             sure[row] &= shown > LEAST_FORCE_NOISES * noise
-    along = np.zeros((shape[0], 3))
-    along[:, 2] = 1.0
+    direction = np.zeros((shape[0], 3))
+    direction[:, 2] = 1.0
     if recipe.pull is not None:
-        along[:, :2] = recipe.pull.share
-    true, label = (values[..., None] * along[:, None, None] for values in (true, label))
+        direction[:, :2] = recipe.pull.share
+    true, label = (values[..., None] * direction[:, None, None] for values in (true, label))
     if recipe.pull is not None:  # a cell of three axes shows each with its own noise
         label[..., :2] = true[..., :2] + rng.normal(0, noise, (*shape, 2))
     return true, label, sure

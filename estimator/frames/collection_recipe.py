@@ -34,7 +34,7 @@ class Pull:
     share: Float[np.ndarray, "case 2"]
     slopes: tuple[Traces, Traces]
 
-    def of(self, part: slice) -> Pull:
+    def select(self, part: slice) -> Pull:
         """That of some cases."""
         x, y = (
             replace(t, force_n=t.force_n[part], counts=t.counts[part], corrected=t.corrected[part])
@@ -93,7 +93,7 @@ def drift_rms_counts(spec: ObjectSpec) -> float:
     return spec.sensors.drift_counts * float(np.sqrt(seconds / 2 / DRIFT_TIME_S))
 
 
-def anywhere_recipe(
+def scattered_recipe(
     spec: ObjectSpec,
     signals: Signals,
     mechanics: JointMechanics | None,
@@ -102,15 +102,17 @@ def anywhere_recipe(
     shear: ShearSignals | None,
 ) -> Recipe:
     """One press at each of many places, after some frames at rest."""
-    asked, protocol = spec.collection, spec.protocol
-    cases = [random_case(spec, rng, number, asked.contacts) for number in range(asked.presses)]
+    collection, protocol = spec.collection, spec.protocol
+    cases = [
+        random_case(spec, rng, number, collection.contacts) for number in range(collection.presses)
+    ]
     traces = contact_traces(spec, signals, cases, mechanics, progress)
-    wanted = asked.contacts * rng.uniform(*protocol.peak_force_n, (len(cases), 1))
+    wanted = collection.contacts * rng.uniform(*protocol.peak_force_n, (len(cases), 1))
     peak = travel_at_force(traces, wanted)[:, 0]
     rest, frames = protocol.rest_frames_per_press, protocol.frames_per_press
     turns = (rng.uniform(0, 1, (len(cases), 1)) + np.arange(frames)) / frames
     turns = np.concatenate([np.zeros((len(cases), rest)), turns], axis=1)
-    pull = pull_of(spec, signals, cases, shear, rng) if asked.tangential_share else None
+    pull = pull_of(spec, signals, cases, shear, rng) if collection.tangential_share else None
     return Recipe(cases, traces, pull, peak, turns, np.arange(rest + frames) >= rest)
 
 

@@ -30,10 +30,10 @@ GRASP_POSES: tuple[tuple[ProbePose, ...], ...] = (
     ((0.0, 0.0, 0.0), (0.0, -9.0, 0.0), (9.0, 0.0, 90.0)),
     ((0.0, -3.0, 0.0), (0.0, 3.0, 180.0)),
 )
-"""Where the paper's grasps pressed is said in words only: evenly over both faces."""
+"""Places of the paper's grasps, known in words only: evenly over both faces."""
 
 _BORDER_MM = 0.01
-"""By which a tip may reach beside a flat face."""
+"""Length by which a tip may reach off a flat face."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ def contact_groups(spec: ObjectSpec) -> list[list[ContactCase]]:
     Raises
     ------
     InputError
-        As `recorded_faces` and `grasp_cases`; a probe's pose with a tip beside its face.
+        As `recorded_faces` and `grasp_cases`; a probe's pose with a tip off its face.
     """
     if spec.collection.kind == "grasp":
         return [grasp_cases(spec)]
@@ -81,15 +81,15 @@ def recorded_faces(spec: ObjectSpec) -> list[int]:
     InputError
         None of them is sensed, or not all that are named.
     """
-    asked, sensed = spec.collection.faces, spec.body.sensed
-    found = [face for face in asked if face in sensed]
-    named = asked != CollectionSpec().faces
-    if not found or (named and len(found) < len(asked)):
+    named_faces, sensed = spec.collection.faces, spec.body.sensed
+    recorded = [face for face in named_faces if face in sensed]
+    named = named_faces != CollectionSpec().faces
+    if not recorded or (named and len(recorded) < len(named_faces)):
         raise InputError(
-            f"collection.faces = {list(asked)} names faces without sensors; sensed are {list(sensed)}. "
+            f"collection.faces = {list(named_faces)} names faces without sensors; sensed are {list(sensed)}. "
             "Name only those"
         )
-    return found
+    return recorded
 
 
 def _require_on_face(spec: ObjectSpec, case: ContactCase) -> None:
@@ -111,10 +111,10 @@ def _require_on_face(spec: ObjectSpec, case: ContactCase) -> None:
 def paper_cases(spec: ObjectSpec, face: int) -> list[ContactCase]:
     """Every contact location on its own, then the poses of the probes of two and three tips."""
     ids = 1000 * face
-    there = contact_places(spec)[spec.body.sensed.index(face)]
+    has_place = contact_places(spec)[spec.body.sensed.index(face)]
     cases = [
         _probe(face, contact_grid(spec).xy_mm[[place]], ids + place)
-        for place in np.flatnonzero(there).tolist()
+        for place in np.flatnonzero(has_place).tolist()
     ]
     poses = ((2, spec.collection.dual_poses), (3, spec.collection.triple_poses))
     for (tips, given), first in zip(poses, (DUAL_CASES, TRIPLE_CASES), strict=True):
@@ -153,7 +153,7 @@ def _random_tips_mm(
     for _ in range(1000):
         x, y, turn = rng.uniform([*low, 0.0], [*high, 360.0])
         places = probe_tips_mm(spec, tips, (x, y, turn))
-        if np.all((places >= low) & (places <= high)) and _among_places(spec, first, places):
+        if np.all((places >= low) & (places <= high)) and _lie_among_places(spec, first, places):
             return places
     raise InputError(
         f"a probe of {tips} tips does not find room within the contact grid, {low} to {high} mm. "
@@ -177,14 +177,14 @@ def opposed(spec: ObjectSpec, places_mm: Sequence[Float[np.ndarray, "_ 2"]]) -> 
             "collection.grasp_faces to [3, 5] or [2, 4]"
         )
     cases = []
-    for here in places_mm:
-        tips = len(here)
-        touched = frames[first].to_plane(here)
+    for tips_mm in places_mm:
+        tips = len(tips_mm)
+        touched = frames[first].to_plane(tips_mm)
         through = frames[first].to_object(np.column_stack([touched, np.zeros(tips)]))
-        there = frames[second].from_plane(frames[second].in_plane(through)[:, :2])
+        opposite_mm = frames[second].from_plane(frames[second].plane_coordinates(through)[:, :2])
         cell = np.repeat([0, 1], tips)
         number = GRASP_CASES + 1000 * first + len(cases)
-        face, xy = np.repeat([first, second], tips), np.vstack([here, there])
+        face, xy = np.repeat([first, second], tips), np.vstack([tips_mm, opposite_mm])
         cases.append(ContactCase(face, xy, cell, np.ones(2 * tips), number, squeezed=True))
     return cases
 
@@ -209,7 +209,7 @@ def random_case(
     for _ in range(1000):
         face, xy = rng.choice(faces, contacts), rng.uniform(low, high, (contacts, 2))
         if _apart(spec, face, xy) and all(
-            map(partial(_among_places, spec), face.tolist(), xy[:, None])
+            map(partial(_lie_among_places, spec), face.tolist(), xy[:, None])
         ):
             share = np.concatenate([[1.0], rng.uniform(0.5, 1.0, contacts - 1)])
             return ContactCase(face, xy, np.arange(contacts), share, place_id)
@@ -219,10 +219,10 @@ def random_case(
     )
 
 
-def _among_places(spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "tip 2"]) -> bool:
+def _lie_among_places(spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "tip 2"]) -> bool:
     """Return whether tips land between contact locations that the face has."""
-    there = contact_places(spec)[spec.body.sensed.index(face)]
-    return bool(among_pressed(contact_grid(spec), there, *xy_mm.T).all())
+    has_place = contact_places(spec)[spec.body.sensed.index(face)]
+    return bool(among_pressed(contact_grid(spec), has_place, *xy_mm.T).all())
 
 
 def _apart(spec: ObjectSpec, face: np.ndarray, xy_mm: np.ndarray) -> bool:

@@ -28,7 +28,7 @@ from fem.presses.to_force import squeeze_path
 
 @dataclass(frozen=True)
 class JointMechanics:
-    """What contact between several tips is solved on; `assembly` where the object is a twin."""
+    """Mechanics that contact between several tips is solved on; `assembly` where the object is a twin."""
 
     response: ResponseOperator
     correction: StrainCorrection | None = None
@@ -86,9 +86,9 @@ def contact_traces(
         joint = _joint_presses(
             spec, signals, [cases[index] for index in several], mechanics, progress
         )
-        for index, (moved, forces, seen) in zip(several, joint, strict=True):
+        for index, (moved, forces, changes) in zip(several, joint, strict=True):
             travel[index, 1:], force[index, 1:] = moved, forces.sum(axis=1)
-            tip_force[index, 1:, : forces.shape[1]], counts[index, 1:] = forces, seen
+            tip_force[index, 1:, : forces.shape[1]], counts[index, 1:] = forces, changes
     return ContactTraces(travel, force, tip_force, counts)
 
 
@@ -146,7 +146,7 @@ def _joint_presses(
             progress(f"several simultaneous tips: {number} of {len(cases)} cases")
     motions = np.concatenate([motion for _, _, motion in pressed])
     parts = twin_changes(spec, assembly, motions).reshape(len(cases), len(signals.depth_mm), -1)
-    return [(t, f, seen) for (t, f, _), seen in zip(pressed, parts, strict=True)]
+    return [(t, f, changes) for (t, f, _), changes in zip(pressed, parts, strict=True)]
 
 
 def corrected_traces(

@@ -92,7 +92,7 @@ class FrameSet:
                 chosen[name] = getattr(self, name)[frames]
         return replace(self, **chosen)
 
-    def on_faces(self, faces: Sequence[int]) -> FrameSet:
+    def select_faces(self, faces: Sequence[int]) -> FrameSet:
         """With the signals of these faces alone, where the others are dead and nothing pressed them;
         else as it is."""
         others = ~np.isin(self.faces, faces)

@@ -71,8 +71,10 @@ def face_data(frames: FrameSet, face: int) -> FaceData:
     """
     index = np.flatnonzero(frames.faces == face)
     if not len(index):
-        known = frames.faces[frames.faces < HISTORY].tolist()
-        raise InputError(f"face {face} is not in the data set; it has {known}. Choose one of these")
+        known_faces = frames.faces[frames.faces < HISTORY].tolist()
+        raise InputError(
+            f"face {face} is not in the data set; it has {known_faces}. Choose one of these"
+        )
     recorded = np.any(np.isfinite(frames.signal_counts[:, index[0]]), axis=(1, 2))
     faint = np.any((frames.contact_face == face) & ~(frames.force_n[..., 2] > 0), axis=1)
     used = frames.valid & recorded & ~faint
@@ -119,7 +121,7 @@ def channel_counts(
     InputError
         A channel does not exist or misses a reading.
     """
-    chosen = _of_channels(frames, channels)
+    chosen = _select_channels(frames, channels)
     missing = np.isnan(chosen).any(axis=0)
     if missing.any():
         names = ", ".join(channel_label(channels[k]) for k in np.flatnonzero(missing))
@@ -138,14 +140,14 @@ def has_readings(frames: FrameSet, channels: tuple[Channel, ...]) -> Bool[np.nda
     InputError
         A channel does not exist.
     """
-    return np.all(np.isfinite(_of_channels(frames, channels)), axis=1)
+    return np.all(np.isfinite(_select_channels(frames, channels)), axis=1)
 
 
-def told_frames(
+def frames_with_readings(
     frames: FrameSet, channels: tuple[Channel, ...], history_frames: int
 ) -> tuple[Bool[np.ndarray, "frame"], FrameSet]:
-    """Which frames have readings of all channels (and the one that a change starts from), and these, with
-    changes; all of them where none has, for `channel_counts` to say which channel is missing.
+    """Return which frames have readings of all channels (and the one that a change starts from), and
+    these, with changes; all of them where none has, for `channel_counts` to say which channel is missing.
 
     Raises
     ------
@@ -153,11 +155,11 @@ def told_frames(
         A channel does not exist.
     """
     wide = with_history(frames, history_frames)
-    told = has_readings(wide, channels)
-    return told, wide.select(told) if told.any() else wide
+    is_complete = has_readings(wide, channels)
+    return is_complete, wide.select(is_complete) if is_complete.any() else wide
 
 
-def _of_channels(
+def _select_channels(
     frames: FrameSet, channels: tuple[Channel, ...]
 ) -> Float[np.ndarray, "frame channel"]:
     face, sensor, axis = np.array(channels).T
@@ -190,8 +192,8 @@ def with_history(frames: FrameSet, history_frames: int) -> FrameSet:
         return frames
     row = np.arange(len(frames))
     _, first, press = np.unique(frames.press_id, return_index=True, return_inverse=True)
-    before = np.maximum(row - history_frames, first[press])
-    change = frames.signal_counts - frames.signal_counts[before]
+    start_row = np.maximum(row - history_frames, first[press])
+    change = frames.signal_counts - frames.signal_counts[start_row]
     lost = np.any(np.isnan(change) & np.isfinite(frames.signal_counts), axis=(1, 2, 3))
     return replace(
         frames,

@@ -36,7 +36,7 @@ PLACE_ID_STRIDE = 1000
 DRIFT_TIME_S = 900.0
 """The rms drift of a channel, `sensors.drift_counts`, is that after 15 minutes."""
 PEAK_FORCE_SPREAD = 0.1
-"""By which peak forces vary from press to press at one place, either way: an estimate."""
+"""Share by which peak forces vary from press to press at one place, either way: an estimate."""
 LEAST_FORCE_NOISES = 2.5
 """Contact frames labelled below this many `force_noise_n` are invalid: neither contact nor rest."""
 
@@ -98,7 +98,7 @@ def nominal_peaks(spec: ObjectSpec, signals: Signals) -> NominalPeaks:
     wanted = np.clip(force_at_depth(traces, travel), low, high)
     force = np.minimum(wanted, traces.force_n[:, -1])
     values = force, depth_at_force(traces, force[:, None])[:, 0], wanted > force
-    return NominalPeaks(travel, *(on_places(places, [one]) for one in values))
+    return NominalPeaks(travel, *(on_places(places, [value]) for value in values))
 
 
 def _common_travel_mm(traces: Traces, median_force_n: float) -> float:

@@ -32,9 +32,10 @@ def require_same_object(
     grids = grid_mm, (frames.grid_x_mm, frames.grid_y_mm)
     if same_grid(*grids):
         return
-    own, other = (" by ".join(_grid_text(axis) for axis in grid) for grid in grids)
+    model_grid, data_grid = (" by ".join(_grid_text(axis) for axis in grid) for grid in grids)
     raise InputError(
-        f"the model's contact grid is {own}; that of {source} is {other}, so it is of another object "
+        f"the model's contact grid is {model_grid}; that of {source} is {data_grid}, so "
+        "it is of another object "
         "or was read without its specification. Use the model of the object that was recorded, or "
         "read the recording with `instobj recordings --spec`"
     )
@@ -64,15 +65,15 @@ def require_same_sensors(
     InputError
         Such a sensor.
     """
-    known = {(face % HISTORY, sensor) for face, sensor, _ in channels}
-    read = {face for face, _ in known}
+    known_sensors = {(face % HISTORY, sensor) for face, sensor, _ in channels}
+    read = {face for face, _ in known_sensors}
     numbers = faces.tolist()
-    found = np.argwhere(np.isfinite(counts).any(axis=(0, 3)))
-    live = {(numbers[row], int(sensor)) for row, sensor in found}
-    unknown = {(face, sensor) for face, sensor in live - known if face in read}
+    live_pairs = np.argwhere(np.isfinite(counts).any(axis=(0, 3)))
+    live = {(numbers[row], int(sensor)) for row, sensor in live_pairs}
+    unknown = {(face, sensor) for face, sensor in live - known_sensors if face in read}
     if unknown:
         raise InputError(
-            f"the model reads {len(channels)} channels, of the sensors {_sensor_names(known)}; "
+            f"the model reads {len(channels)} channels, of the sensors {_sensor_names(known_sensors)}; "
             f"{source} also has readings of {_sensor_names(unknown)}, so it is of another object. "
             "Use the model of the object that was recorded, or train one on its recordings"
         )

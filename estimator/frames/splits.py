@@ -58,7 +58,7 @@ def split_presses(
     single = np.isin(places, names[counts == 1])
     pooled = rng.permutation(np.flatnonzero(single))
     part[pooled] = split_parts(len(pooled), shares)
-    return _as_split(frames.press_id, presses, fill_empty(part, single))
+    return _split_of_groups(frames.press_id, presses, fill_empty(part, single))
 
 
 def split_places(
@@ -80,7 +80,7 @@ def split_places(
         zip(rng.permutation(cases).tolist(), split_parts(len(cases), shares).tolist(), strict=True)
     )
     part = np.array([part_of_case.get(int(place), 0) for place in places])
-    return _as_split(frames.press_id, presses, part)
+    return _split_of_groups(frames.press_id, presses, part)
 
 
 def split_paper_random_frames(
@@ -138,7 +138,7 @@ def fill_empty(
     return part
 
 
-def _as_split(
+def _split_of_groups(
     frame_group: Int[np.ndarray, "frame"],
     groups: Int[np.ndarray, "group"],
     part: Int[np.ndarray, "group"],

@@ -33,7 +33,7 @@ def slope_traces(
         A place beyond the outermost contact locations.
     """
     force = signals.force_n[:, grid_places_in_lattice(spec)]
-    found = []
+    traces_by_axis = []
     for axis in range(2):
         per_n = Signals(
             shear.faces,
@@ -46,8 +46,8 @@ def slope_traces(
         traces = press_traces(per_n, face, xy_mm[:, 0], xy_mm[:, 1])
         counts = traces.counts.copy()
         carry_over_missing(counts)
-        found.append(replace(traces, counts=counts))
-    return found[0], found[1]
+        traces_by_axis.append(replace(traces, counts=counts))
+    return traces_by_axis[0], traces_by_axis[1]
 
 
 def pulled_counts(
@@ -56,5 +56,5 @@ def pulled_counts(
     pull_n: Float[np.ndarray, "press frame 2"],
 ) -> Float[np.ndarray, "press frame channel"]:
     """Change of counts by tangential forces at given normal forces."""
-    along = [counts_at_force(traces, force_n, "clamp").counts for traces in slopes]
-    return along[0] * pull_n[..., :1] + along[1] * pull_n[..., 1:]
+    counts_per_n = [counts_at_force(traces, force_n, "clamp").counts for traces in slopes]
+    return counts_per_n[0] * pull_n[..., :1] + counts_per_n[1] * pull_n[..., 1:]

@@ -16,7 +16,7 @@ def all_counts(frames: FrameSet) -> Float[np.ndarray, "frame channel"]:
 def window_means(
     frames: FrameSet, window_frames: int
 ) -> tuple[Float[np.ndarray, "frame channel"], Int[np.ndarray, "frame"]]:
-    """Mean of every frame and those before it in its press, so many in all, and how many there were.
+    """Mean of every frame and the ones before it in its press, over the window, and how many there were.
 
     A channel that misses one of these readings has none.
     """
@@ -25,16 +25,16 @@ def window_means(
     begins = np.concatenate([[True], np.diff(frames.press_id) != 0])
     number = np.minimum(rows - np.maximum.accumulate(rows * begins) + 1, window_frames)
 
-    def over_window(values: np.ndarray) -> np.ndarray:
+    def mean_over_window(values: np.ndarray) -> np.ndarray:
         summed = np.vstack([np.zeros(values.shape[1]), np.cumsum(values, axis=0)])
         return summed[rows + 1] - summed[rows + 1 - number]
 
-    means = over_window(np.nan_to_num(counts)) / number[:, None]
-    return np.where(over_window(np.isnan(counts).astype(float)) > 0, np.nan, means), number
+    means = mean_over_window(np.nan_to_num(counts)) / number[:, None]
+    return np.where(mean_over_window(np.isnan(counts).astype(float)) > 0, np.nan, means), number
 
 
 def chosen_rows(frames: FrameSet, most: int, seed: int = 0) -> Int[np.ndarray, "chosen"]:
-    """At most so many valid frames, at random but in order."""
+    """Keep at most `count` valid frames, at random but in order."""
     (valid,) = np.nonzero(frames.valid)
     if len(valid) <= most:
         return valid

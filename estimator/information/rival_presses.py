@@ -106,7 +106,7 @@ def rival_presses(
     lattice, unresolved = signals.lattice, unresolved_presses(signals)[index]
     there = signals.pressed[index] & ~unresolved[:, -1] & (unresolved.mean(axis=1) < 0.5)
     x, y = lattice.xy_mm[there].T
-    traces = press_traces(signals, np.full(len(x), face), x, y).of_channels(channels)
+    traces = press_traces(signals, np.full(len(x), face), x, y).select_channels(channels)
     reach = np.zeros(len(there))
     reach[there] = traces.force_n[:, -1]
     force = reach.max() * (np.arange(1, _FORCES + 1) / _FORCES) ** 2
@@ -134,7 +134,7 @@ def _at_forces(
 ) -> tuple[Float[np.ndarray, "press force channel"], Float[np.ndarray, "press force channel"]]:
     """Counts at given forces and their slopes per N; beyond the deepest press on the last slope."""
     held = np.minimum(force_n, traces.force_n[:, -1:])
-    at = traces.curves.at(held + 1j * _STEP)
+    at = traces.curves.evaluate(held + 1j * _STEP)
     per_n = np.imag(at) / _STEP
     return np.real(at) + (force_n - held)[..., None] * per_n, per_n
 

@@ -229,14 +229,14 @@ def _score_face(
         )
     where = (np.full(len(xy_mm), face), xy_mm[:, 0], xy_mm[:, 1])
     every = press_traces(signals, *where)
-    traces = every.of_channels(used)
+    traces = every.select_channels(used)
     reach = traces.force_n[:, -1]
     force = np.minimum(spec.score.force_n, reach)
     depth = depth_at_force(traces, force[:, None])[:, 0]
     jacobian = live_jacobian(spec, signals, *where, force)[:, used]
     noise = channel_noise(spec.sensors, live.size)[own]
     rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
-    press = periodic_press(every.of_channels(own), force, COVARIANCE_SAMPLES)
+    press = periodic_press(every.select_channels(own), force, COVARIANCE_SAMPLES)
     press = read_change(rest[own], press, most)
     row: dict[str, Any] = sensitivities(press, force, noise)
     for state, suffix in SUFFIXES.items():

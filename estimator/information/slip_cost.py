@@ -86,7 +86,7 @@ def _face_cost(
     own = own_channels(calibrated, spec.sensors, face)
     where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
     before, after = (
-        press_traces(signals, *where).of_channels(own) for signals in (calibrated, slipped)
+        press_traces(signals, *where).select_channels(own) for signals in (calibrated, slipped)
     )
     force = np.minimum(before.force_n[:, -1], after.force_n[:, -1])
     force = np.minimum(force, spec.score.force_n)

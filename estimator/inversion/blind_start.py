@@ -33,9 +33,8 @@ from estimator.information.identifiability import (
 )
 from estimator.information.sensitivity import own_channels
 from estimator.inversion.model.forward import ContactModel, contact_model
-from estimator.inversion.model.noise import BLIND
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import Observed
+from estimator.inversion.problems import BLIND, Observed
 from estimator.inversion.search import Search
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces

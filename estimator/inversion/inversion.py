@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -16,10 +16,12 @@ from design.spec.object import ObjectSpec
 from estimator.field.device import card_tensor
 from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
-from estimator.inversion.model.forward import ContactModel, contact_model
-from estimator.inversion.model.noise import BLIND, Disturbances, disturbances
+from estimator.inversion.explained import ErrorShare
+from estimator.inversion.lying import lying_chips
+from estimator.inversion.model.forward import NONE, ContactModel, contact_model
+from estimator.inversion.model.noise import Disturbances, disturbances
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import Observed, Problems
+from estimator.inversion.problems import BLIND, Observed, Problems
 from estimator.inversion.readings import ContactSets, among_sets, contact_sets
 from estimator.inversion.search import Search
 from estimator.signals.presses import Signals
@@ -87,6 +89,10 @@ class Inversion:
     def _on_cards(self) -> dict[str, Search]:
         return {}
 
+    def error_share(self) -> ErrorShare:
+        """How much of the model's error frames show; nothing is known of it yet."""
+        return ErrorShare(self.model, self.priors)
+
     def read(
         self,
         counts: Float[np.ndarray, "frame channel"],
@@ -111,26 +117,51 @@ class Inversion:
             raise InputError("there is no frame to read contacts in. Give a file that holds frames")
         search = self.search_for(len(counts))
         at_once = _FRAMES_AT_ONCE if search is self.search else FRAMES_ON_A_CARD
-        parts = []
+        parts, error = [], self.error_share()
         for start in range(0, len(counts), at_once):
             part = slice(start, start + at_once)
             means_of = None if averaged is None else averaged[part]
-            parts.append(self.read_part(search, self.disturbances.observed(counts[part], means_of)))
+            parts.append(
+                self.read_part(search, self.disturbances.observed(counts[part], means_of), error)
+            )
             if progress is not None:
                 progress(min(start + at_once, len(counts)))
         best, second = zip(*parts, strict=True)
         return ContactSets.joined(best), ContactSets.joined(second)
 
-    def read_part(self, search: Search, seen: Observed) -> tuple[ContactSets, ContactSets]:
+    def read_part(
+        self, search: Search, seen: Observed, error: ErrorShare
+    ) -> tuple[ContactSets, ContactSets]:
+        """Some frames at once; those that nothing explains again without a chip that lies."""
+        sets = self.read_once(search, seen, error)
+        rows = np.flatnonzero(~sets[0].explained)
+        if not len(rows):
+            return sets
+        chip = lying_chips(search, seen.select(rows), error)
+        rows, chip = rows[chip != NONE], chip[chip != NONE]
+        if not len(rows):
+            return sets
+        again = self.read_once(search, seen.select(rows).without(chip), error)
+        best, second = (
+            one.replaced(rows, replace(other, chip_out=chip))
+            for one, other in zip(sets, again, strict=True)
+        )
+        return best, second
+
+    def read_once(
+        self, search: Search, seen: Observed, error: ErrorShare
+    ) -> tuple[ContactSets, ContactSets]:
+        """Some frames at once, all chips believed."""
         found = search.contacts(seen)
         best = found.best()
         second = found.second(best)
         odds_of_second = np.where(second == best, 0.0, found.odds[second])
         one, other = (found.problems.select(rows).on_host() for rows in (best, second))
         spread = among_sets(found, best, self.priors)
+        error.learn(seen, one)
         return (
-            self.reading(seen, one, found.odds[best], spread),
-            self.reading(seen, other, odds_of_second),
+            self.reading(seen, one, found.odds[best], error, spread),
+            self.reading(seen, other, odds_of_second, error),
         )
 
     def reading(
@@ -138,10 +169,12 @@ class Inversion:
         seen: Observed,
         problems: Problems,
         odds: Float[np.ndarray, "frame"],
+        error: ErrorShare,
         covariance: Float[np.ndarray, "frame contact 3 3"] | None = None,
     ) -> ContactSets:
         """Contacts with all that is uncertain of them; `covariance` as in `contact_sets`."""
-        sets = contact_sets(self.model, self.priors, seen, problems, odds, covariance)
+        p_value = error.p_of(seen, problems, error.share)
+        sets = contact_sets(self.model, self.priors, seen, problems, odds, p_value, covariance)
         return sets.with_force_error(self.disturbances.force_error)
 
 

@@ -27,6 +27,7 @@ from estimator.inversion.model.arrays import (
     zeros,
 )
 from estimator.inversion.model.forward import NONE, ContactModel
+from estimator.inversion.model.whitening import Whitening
 from estimator.inversion.priors import Pairs, Priors, Quadratic, held_between
 from estimator.inversion.problems import Observed, Problems, identities
 
@@ -146,7 +147,7 @@ class _Fit:
         if rounds == 1 or not bool(several.any()):
             return contact, start.extra, at
         extra = self.model.interaction(start.face, contact)
-        changed = (abs(extra - start.extra) * posterior.weight >= _SAME_SIGMA).any(axis=1)
+        changed = (abs(extra - start.extra) * posterior.white.weight >= _SAME_SIGMA).any(axis=1)
         going = where_true(changed)
         if not len(going):
             return contact, extra, at
@@ -194,7 +195,7 @@ class HeldBounds:
     def __call__(self, face: Array, contact: Array) -> Array:
         xp = library(contact)
         inside = xp.minimum(xp.maximum(contact, self.lowest), self.highest)
-        return self.model.on_faces(face, inside)
+        return self.model.select_faces(face, inside)
 
 
 def _descend(
@@ -275,8 +276,8 @@ class _Posterior:
 
     Attributes
     ----------
-    weight : (problem, channel) one over the standard deviations
-    wanted : (problem, channel) counts that the contacts' own signals have to give, weighed
+    white : makes the disturbances of each problem's frame independent and of unit size
+    wanted : (problem, channel) counts that the contacts' own signals have to give
     nothing, resting : problems without contacts; their misfit and log spread; None where there is none
     unused : (problem, 3k) 1 where a slot is empty
     """
@@ -284,7 +285,7 @@ class _Posterior:
     model: ContactModel
     face: Int[Array, "problem contact"]
     pairs: Pairs
-    weight: Float[Array, "problem channel"]
+    white: Whitening
     wanted: Float[Array, "problem channel"]
     unused: Float[Array, "problem parameter"]
     nothing: Bool[Array, "problem"] | None = None
@@ -296,7 +297,7 @@ class _Posterior:
             self,
             face=self.face[rows],
             pairs=self.pairs.select(rows),
-            weight=self.weight[rows],
+            white=self.white.select(rows),
             wanted=self.wanted[rows],
             unused=self.unused[rows],
             nothing=None if self.nothing is None else self.nothing[rows],
@@ -307,7 +308,7 @@ class _Posterior:
         """Misfit and its derivatives at contacts."""
         # Rows r, J: residual and its derivatives. One product gives ½ rᵀr, the slope Jᵀr and the
         # Gauss–Newton curvature JᵀJ; second derivatives of the model are left out.
-        white = self._white(contact)
+        white = self.white(self._left(contact))
         turned = white.swapaxes(1, 2)
         gram = white @ turned
         quadratic = Quadratic(
@@ -317,10 +318,9 @@ class _Posterior:
             zeros(white, (len(white),)),
         )
         if self.model.shear is not None:
-            pulls = self.model.pulls(self.face, contact) * self.weight[:, None, None]
-            _loosen(
-                quadratic, turned, pulls.reshape(len(pulls), 2 * contact.shape[1], white.shape[2])
-            )
+            pulls = self.model.pulls(self.face, contact)
+            pulls = pulls.reshape(len(pulls), 2 * contact.shape[1], white.shape[2])
+            _loosen(quadratic, turned, self.white(pulls))
         # Frames without contacts have a noise of their own (no error of a model of presses).
         if self.nothing is not None:
             pairs = zip((quadratic.misfit, quadratic.log_spread), self.resting, strict=True)
@@ -332,28 +332,27 @@ class _Posterior:
         diagonal += self.unused
         return quadratic
 
-    def _white(self, contact: Array) -> Float[Array, "problem row channel"]:
-        """Return residuals (row 0) and their derivatives by x, y, force of each slot, over the noise."""
-        singles = self.model.singles(self.face, contact) * self.weight[:, None, None]
+    def _left(self, contact: Array) -> Float[Array, "problem row channel"]:
+        """Return residuals (row 0) and their derivatives by x, y, force of each slot, counts."""
+        singles = self.model.singles(self.face, contact)
         problems, slots, _, channels = singles.shape
-        white = zeros(singles, (problems, 1 + 3 * slots, channels))
-        white[:, 0] = singles[:, :, 0].sum(axis=1) - self.wanted
-        white[:, 1:] = singles[:, :, 1:].reshape(problems, 3 * slots, channels)
-        return white
+        rows = zeros(self.wanted, (problems, 1 + 3 * slots, channels))
+        rows[:, 0] = singles[:, :, 0].sum(axis=1) - self.wanted
+        rows[:, 1:] = singles[:, :, 1:].reshape(problems, 3 * slots, channels)
+        return rows
 
 
 def _posterior(
     model: ContactModel, priors: Priors, seen: Observed, frame: Array, face: Array, extra: Array
 ) -> _Posterior:
-    weight = 1 / seen.sigma[frame]
     nothing = (face == NONE).all(axis=1)
     some = bool(nothing.any())
     return _Posterior(
         model,
         face,
         Pairs(priors, face),
-        weight,
-        (seen.counts[frame] - extra) * weight,
+        seen.white.select(frame),
+        seen.counts[frame] - extra,
         # (problem, 3 · contact): each slot's flag for x, y and force
         float64(chosen(face == NONE, like(face, np.arange(3 * face.shape[1]) // 3))),
         nothing if some else None,
@@ -390,12 +389,3 @@ def curvature_at(
     nothing = Priors((1.0,), len(model.signals.faces), 1.0, (0.0, 1.0))
     extra = np.zeros((len(frame), model.channels))
     return _posterior(model, nothing, seen, frame, face, extra).at(contact).curvature
-
-
-def strict_misfit(
-    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
-) -> Float[np.ndarray, "problem"]:
-    """Return the misfit of problems with the strict standard deviations instead of the true ones."""
-    strict = replace(seen, sigma=seen.strict)
-    given = problems.frame, problems.face, problems.extra
-    return _posterior(model, priors, strict, *given).at(problems.contact).misfit

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -11,6 +11,10 @@ from jaxtyping import Float, Int
 from estimator.inversion.model.arrays import Array, diagonals, library, like, on_host, zeros
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE
+from estimator.inversion.model.whitening import Whitening, whitening
+
+BLIND = 1e9
+"""Standard deviation (counts) of a channel that says nothing."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +30,8 @@ class Problems(Columns):
     slope : (problem, 3k) of the misfit
     curvature : (problem, 3k, 3k) of the misfit, empty slots as ones on the diagonal
     log_spread : (problem,) half the log determinant of the covariance of the signals over that of the
-        noise: tangential forces widen it; of no contact below 0, as it has no error of the model
+        noise and nuisances: tangential forces widen it; of no contact below 0, as it has no error of
+        the model
     """
 
     frame: Int[np.ndarray, "problem"]
@@ -58,25 +63,62 @@ class Observed:
     sigma : their standard deviations around contacts
     still : the same without the error of the forward model, which nothing pressed has not
     strict : the same as `sigma` with no more of that error than a model may have that explains a frame
+    columns : counts that nuisances common to all channels add, a standard deviation of each; or None
     """
 
     counts: Float[Array, "frame channel"]
     sigma: Float[Array, "frame channel"]
     still: Float[Array, "frame channel"]
     strict: Float[Array, "frame channel"]
+    columns: Float[Array, "channel k"] | None = None
 
     def on(self, reference: Array) -> Observed:
         """The same where the reference is."""
-        parts = (self.counts, self.sigma, self.still, self.strict)
+        parts = (self.counts, self.sigma, self.still, self.strict, self._shared)
         return Observed(*(like(reference, part) for part in parts))
+
+    def select(self, frames: Int[np.ndarray, "some"]) -> Observed:
+        """Some of the frames, on the processor."""
+        counts, sigma, still, strict = (
+            part[frames] for part in (self.counts, self.sigma, self.still, self.strict)
+        )
+        return Observed(counts, sigma, still, strict, self.columns)
+
+    def without(self, chip: Int[np.ndarray, "frame"]) -> Observed:
+        """The same without what one chip shows in each frame; all of it where that is `NONE`."""
+        out = np.arange(self.counts.shape[1]) // 3 == chip[:, None]
+        sigma, still, strict = (
+            np.where(out, BLIND, part) for part in (self.sigma, self.still, self.strict)
+        )
+        return Observed(np.where(out, 0.0, self.counts), sigma, still, strict, self.columns)
+
+    def with_error_share(self, share: float) -> Observed:
+        """The same around contacts of a model with that share of the strict error."""
+        still, strict = self.still**2, self.strict**2
+        return replace(self, sigma=(still + share**2 * (strict - still)) ** 0.5)
+
+    @cached_property
+    def white(self) -> Whitening:
+        """What makes the disturbances around contacts independent and of unit size."""
+        return whitening(self.sigma, self._shared)
+
+    @cached_property
+    def _white_still(self) -> Whitening:
+        return whitening(self.still, self._shared)
+
+    @property
+    def _shared(self) -> Float[Array, "channel k"]:
+        none = zeros(self.counts, (self.counts.shape[1], 0))
+        return none if self.columns is None else self.columns
 
     def resting(
         self, frame: Int[Array, "problem"]
     ) -> tuple[Float[Array, "problem"], Float[Array, "problem"]]:
         """Misfit and log spread of frames in which nothing is pressed."""
-        still = self.still[frame]
-        misfit = 0.5 * ((self.counts[frame] / still) ** 2).sum(axis=1)
-        return misfit, library(still).log(still / self.sigma[frame]).sum(axis=1)
+        white = self._white_still.select(frame)(self.counts[frame][:, None])
+        ratio = library(self.still).log(self.still / self.sigma).sum(axis=1)
+        spread = ratio + self._white_still.log_spread() - self.white.log_spread()
+        return 0.5 * (white * white).sum(axis=2)[:, 0], spread[frame]
 
 
 def empty(seen: Observed, frame: Int[np.ndarray, "problem"], slots: int) -> Problems:

@@ -9,17 +9,14 @@ from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE
 from estimator.inversion.evidence import bounded_curvature, covariances
+from estimator.inversion.explained import UNEXPLAINED
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
-from estimator.inversion.model.noise import BLIND
-from estimator.inversion.posterior import strict_misfit
 from estimator.inversion.priors import Priors
 from estimator.inversion.problems import Observed, Problems
 from estimator.inversion.search import Hypotheses
 
 COVERAGE = 0.9
-UNEXPLAINED = 1e-3
-"""p value below which no contact that the model knows explains a frame."""
 _LEAST_ODDS = 1e-3
 """Sets less probable do not widen the regions."""
 
@@ -39,6 +36,8 @@ class ContactSets(Columns):
     odds : (frame,) posterior probability of as many contacts on each face, among all numbers found
     p_value : (frame,) chance of a misfit as large if the set were true; a frame far below 0.001 is
         explained by no contact that the model knows
+    chip_out : (frame,) chip that was not believed, as the row of its sensor among all of the object;
+        `NONE` where all were
     """
 
     face: Int[np.ndarray, "frame contact"]
@@ -49,6 +48,14 @@ class ContactSets(Columns):
     tangential_sigma_n: Float[np.ndarray, "frame contact 2"]
     odds: Float[np.ndarray, "frame"]
     p_value: Float[np.ndarray, "frame"]
+    chip_out: Int[np.ndarray, "frame"]
+
+    def replaced(self, rows: Int[np.ndarray, "some"], others: ContactSets) -> ContactSets:
+        """The same with the sets of some frames replaced."""
+        columns = [column.copy() for column in self._columns()]
+        for column, other in zip(columns, others._columns(), strict=True):
+            column[rows] = other
+        return ContactSets(*columns)
 
     def with_force_error(self, relative: float) -> ContactSets:
         """The same with forces also wrong by so much, all together."""
@@ -98,6 +105,7 @@ def contact_sets(
     seen: Observed,
     problems: Problems,
     odds: Float[np.ndarray, "frame"],
+    p_value: Float[np.ndarray, "frame"],
     covariance: Float[np.ndarray, "frame contact 3 3"] | None = None,
 ) -> ContactSets:
     """Contacts of one problem per frame, in the order of the problems; `covariance` is `covariances`, if
@@ -116,7 +124,8 @@ def contact_sets(
         pulls[0],
         pulls[1],
         odds,
-        strict_p_values(model, priors, seen, problems),
+        p_value,
+        np.full(len(there), NONE),
     )
 
 
@@ -152,15 +161,13 @@ def tangential_forces(
     of simulated presses are 1.15 times the deviations (rms; 300 presses of a synthetic object).
     """
     slots = problems.face.shape[1]
-    face, contact, sigma = problems.face, problems.contact, seen.sigma[problems.frame]
-    singles = model.singles(face, contact) / sigma[:, None, None]
-    pulls = model.pulls(face, contact).reshape(len(face), 2 * slots, model.channels)
-    pulls = pulls / sigma[:, None]
-    left = seen.counts[problems.frame] - problems.extra
-    left = left / sigma - singles[:, :, 0].sum(axis=1)
-    jacobian = singles[:, :, 1:].reshape(len(face), 3 * slots, model.channels)
+    face, contact, white = problems.face, problems.contact, seen.white.select(problems.frame)
+    singles = model.singles(face, contact)
+    pulls = white(model.pulls(face, contact).reshape(len(face), 2 * slots, model.channels))
+    left = seen.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
+    jacobian = white(singles[:, :, 1:].reshape(len(face), 3 * slots, model.channels))
     own = np.linalg.inv(np.eye(2 * slots) + pulls @ pulls.transpose(0, 2, 1))
-    mean = (own @ (pulls @ left[..., None]))[..., 0]
+    mean = (own @ (pulls @ white(left[:, None]).transpose(0, 2, 1)))[..., 0]
     carried = own @ pulls @ jacobian.transpose(0, 2, 1)
     contacts = np.linalg.inv(bounded_curvature(problems, priors))
     covariance = own + carried @ contacts @ carried.transpose(0, 2, 1)
@@ -168,27 +175,3 @@ def tangential_forces(
     scale = model.pull_sigma_n(contact)[..., None]
     shape = (*face.shape, 2)
     return scale * mean.reshape(shape), scale * deviation.reshape(shape)
-
-
-def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
-    """Chance of a misfit as large if a problem's contacts were true."""
-    return _chance(seen, problems, problems.misfit)
-
-
-def strict_p_values(
-    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
-) -> Float[np.ndarray, "problem"]:
-    """The same were the model wrong by no more than one that explains something (`MOST_ERROR`): one
-    that is known to be worse would else explain any frame."""
-    if np.array_equal(seen.strict, seen.sigma):
-        return p_values(seen, problems)
-    return _chance(seen, problems, strict_misfit(model, priors, seen, problems))
-
-
-def _chance(
-    seen: Observed, problems: Problems, misfit: Float[np.ndarray, "problem"]
-) -> Float[np.ndarray, "problem"]:
-    from scipy.special import chdtrc
-
-    told = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
-    return chdtrc(np.maximum(told - 3 * problems.number, 1), 2 * misfit)

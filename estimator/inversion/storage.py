@@ -18,6 +18,7 @@ from estimator.inversion.model.noise import Disturbances
 from estimator.inversion.model.spline import cubic_axis
 from estimator.inversion.model.table import PressTable
 from estimator.inversion.priors import Priors
+from estimator.signals.nuisances import Nuisance
 
 _KIND = FileKind(
     "estimators that invert the forward model",
@@ -35,10 +36,11 @@ _KIND = FileKind(
         "noise_counts": ("channel", "count"),
         "offset_counts": ("channel", "count"),
         "model_error": ("channel", "1"),
+        "nuisances": ("channel unknown", "count"),
     },
-    optional=("shear", "shear_x_mm", "shear_y_mm"),
-    attributes=("specification", "priors", "force_error", "nearest_mm"),
-    schema=("inversion_schema", 2),
+    optional=("shear", "shear_x_mm", "shear_y_mm", "nuisances"),
+    attributes=("specification", "priors", "force_error", "nearest_mm", "nuisances"),
+    schema=("inversion_schema", 3),
     origin="`instobj train SPEC --set training.model=inversion` makes one",
     remedy="Train it anew",
     others={
@@ -51,7 +53,7 @@ _KIND = FileKind(
 def save_inversion(inversion: Inversion, path: Path | str) -> None:
     """Write an estimator as NetCDF with checksums; `load_inversion` reads it."""
     model, table = inversion.model, inversion.model.signals
-    shear = model.shear
+    shear, told = model.shear, inversion.disturbances
     values = {
         "shear": None if shear is None else shear.coefficients,
         "shear_x_mm": None if shear is None else shear.x.nodes,
@@ -63,14 +65,18 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
         "root_n": table.root.nodes,
         "faces": table.faces,
         "rest": model.rest,
-        "noise_counts": inversion.disturbances.noise_counts,
-        "offset_counts": inversion.disturbances.offset_counts,
-        "model_error": inversion.disturbances.model_error,
+        "noise_counts": told.noise_counts,
+        "offset_counts": told.offset_counts,
+        "model_error": told.model_error,
+        "nuisances": told.columns if told.nuisances else None,
     }
     attributes = {
         "specification": json.dumps(model.spec.model_dump(mode="json")),
         "priors": json.dumps(asdict(inversion.priors)),
-        "force_error": inversion.disturbances.force_error,
+        "force_error": told.force_error,
+        "nuisances": json.dumps(
+            [(one.name, one.unit, one.deviation, one.columns.shape[1]) for one in told.nuisances]
+        ),
         "nearest_mm": model.nearest_mm,
     }
     write_netcdf(_KIND, path, values, attributes)
@@ -100,6 +106,15 @@ def is_inversion(path: Path | str) -> bool:
     return holds(path, _KIND.schema[0])
 
 
+def _nuisances(values: dict[str, np.ndarray], described: list[list[Any]]) -> tuple[Nuisance, ...]:
+    ends = np.cumsum([size for *_, size in described])[:-1]
+    columns = np.split(values["nuisances"], ends, axis=1) if described else []
+    return tuple(
+        Nuisance(name, unit, deviation, own)
+        for (name, unit, deviation, _), own in zip(described, columns, strict=True)
+    )
+
+
 def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inversion:
     spec = ObjectSpec.model_validate(json.loads(attributes["specification"]))
     x, y, root = (cubic_axis(values[name]) for name in ("x_mm", "y_mm", "root_n"))
@@ -124,6 +139,7 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
             values["offset_counts"],
             values["model_error"],
             float(attributes["force_error"]),
+            _nuisances(values, json.loads(attributes["nuisances"])),
         ),
         Priors(**described),
     )

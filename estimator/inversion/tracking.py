@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections import deque
+from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Float
 
 from estimator.inversion.evidence import covariances
+from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
+from estimator.inversion.lying import lying_chips
+from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observed, Problems, empty
-from estimator.inversion.readings import UNEXPLAINED, ContactSets, p_values
+from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, together
 
 _STEPS = 3
@@ -24,6 +28,8 @@ _LONGEST_PAUSE = 8
 """Frames after which a further contact is tried again, at most; the pause doubles up to it."""
 _WORSE = 0.1
 """A p value that falls by more than this ends the wait."""
+_LEARNT_EVERY = 5
+"""Pressed frames of which one tells how wrong the model is."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
 
@@ -35,7 +41,8 @@ class Tracker:
     the contacts of the last frame no longer explain what is seen, one more is tried, then all are
     looked for anew; after a vain try only every second frame, every fourth, every eighth, unless the
     misfit grows: meanwhile the odds of the last try stand. `seen_anew` counts the frames in which all
-    were looked for.
+    were looked for. A chip without which frames are explained that are not with it is left out until
+    frames without it are not explained either.
     """
 
     def __init__(self, inversion: Inversion) -> None:
@@ -45,14 +52,31 @@ class Tracker:
         self._last: Problems | None = None
         self._wait, self._pause, self._tried_p = 0, 1, 1.0
         self._odds = np.ones(1)
+        self._error = inversion.error_share()
+        self._pressed = 0
+        self._strange, self._chip_out = 0, NONE
 
     def feed(self, counts: Float[np.ndarray, "channel"]) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest), or of the mean of the last
         `window_frames`."""
         self._window.append(counts)
-        seen = self.inversion.disturbances.observed(
+        whole = seen = self.inversion.disturbances.observed(
             np.mean(self._window, axis=0)[None], np.array([len(self._window)])
         )
+        if self._chip_out != NONE:
+            seen = seen.without(np.array([self._chip_out]))
+        sets = self._followed(seen)
+        self._strange = 0 if sets.explained[0] else self._strange + 1
+        # Looked for in the second, fourth, eighth, … frame on end that nothing explains
+        if self._strange > 1 and self._strange & (self._strange - 1) == 0:
+            (self._chip_out,) = lying_chips(self.inversion.search, whole, self._error).tolist()
+            if self._chip_out != NONE:
+                self._last = None
+                sets = self._followed(whole.without(np.array([self._chip_out])))
+        return replace(sets, chip_out=np.full(1, self._chip_out))
+
+    def _followed(self, seen: Observed) -> ContactSets:
+        """The next frame's contacts, of channels that are believed."""
         found = self._same(seen)
         p_value = float(p_values(seen, found)[0])
         if p_value >= _STRAINED and not self.faint_contacts(found):
@@ -66,7 +90,10 @@ class Tracker:
                 self._pause = min(2 * self._pause, _LONGEST_PAUSE)
                 self._wait = self._pause - 1
         self._last = found
-        return self.inversion.reading(seen, found, self._odds)
+        self._pressed += int(found.number[0] > 0)
+        if found.number[0] and self._pressed % _LEARNT_EVERY == 0:
+            self._error.learn(seen, found)
+        return self.inversion.reading(seen, found, self._odds, self._error)
 
     def _same(self, seen: Observed) -> Problems:
         """The last contacts refitted."""

@@ -148,7 +148,7 @@ def _moving_faces(
 ) -> list[_MovingFace]:
     """The pressed face, then its neighbours, size by size."""
     found = []
-    for source, (presses, some, _) in zip(scorer.sizes, scorer.of_each_size(layouts), strict=True):
+    for source, (presses, some, _) in zip(scorer.sizes, scorer.size_variants(layouts), strict=True):
         shape = some.magnet_mm.shape[:2]
         own, other = mixed_rows(presses, some)
         rows = other.reshape(*shape, len(presses.neighbours), 6, -1).unbind(2)

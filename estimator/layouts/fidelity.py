@@ -51,7 +51,7 @@ class FidelityScore:
     ----------
     worst_position_bound_mm, percentile_99_position_bound_mm, percentile_95_position_bound_mm,
     median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over the contact locations of
-        all faces, with `search.baseline`; at every one of `spec.judged_forces_n`, then the geometric mean of
+        all faces, with `search.baseline`; at every one of `spec.scoring_forces_n`, then the geometric mean of
         these, so that every force counts alike
     median_false_force_n, percentile_95_false_force_n : force that a face reads on itself, by its own
         channels alone, from presses of 10 N on an adjacent face; over pairs of faces and places, at
@@ -139,10 +139,10 @@ def score_signals(
     InputError
         Signals that cannot be scored (`score_places`).
     """
-    spec = spec.as_judged
+    spec = spec.for_scoring
     each = [
         _at_force(spec.changed(score=spec.score.changed(force_n=force)), signals)
-        for force in spec.judged_forces_n
+        for force in spec.scoring_forces_n
     ]
     places = [scores.pop("places") for scores in each]
     means = {
@@ -179,8 +179,8 @@ def bounds_by_press(
 ) -> dict[tuple[float, int], Float[np.ndarray, "place"]]:
     """Position bounds (mm) of the locations that a face has, by force and face."""
     counts = contact_places(spec).sum(axis=1).tolist()
-    keys = [(force, face) for force in spec.judged_forces_n for face in spec.body.sensed]
-    ends = np.cumsum(counts * len(spec.judged_forces_n))[:-1]
+    keys = [(force, face) for force in spec.scoring_forces_n for face in spec.body.sensed]
+    ends = np.cumsum(counts * len(spec.scoring_forces_n))[:-1]
     return dict(zip(keys, np.split(np.array(score.position_bounds_mm), ends), strict=True))
 
 

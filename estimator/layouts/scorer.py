@@ -52,7 +52,7 @@ class LayoutScorer:
     def sensors_move(self) -> bool:
         return self.spec.arrangement == "sensors-in-shell"
 
-    def of_each_size(
+    def size_variants(
         self, layouts: Layouts
     ) -> list[tuple[PressBasis, Layouts, tuple[int, ...] | None]]:
         """What moves with the silicone, size by size: its presses, its bodies alone, and which of a face's
@@ -64,7 +64,9 @@ class LayoutScorer:
             return [(self.presses, bodies, None)]
         return [
             (presses, bodies.kept(which, (), partial(bodies.magnets, which)), which)
-            for presses, which in zip(self.presses_of, self.spec.magnets.by_size, strict=True)
+            for presses, which in zip(
+                self.presses_of, self.spec.magnets.numbers_by_size, strict=True
+            )
         ]
 
 

@@ -21,8 +21,8 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import core_frames, face_frames
 from design.layout.places.positions import chip_on_board, sinks_of_boards_mm
 from design.layout.pockets import board_frame, boards_depth_mm
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
-from design.spec.worked_out import once
 
 _STEP = 1e-4
 """Of central differences, mm: in double precision good to 1e-8 mm."""
@@ -140,7 +140,7 @@ def surfaces(spec: ObjectSpec) -> dict[int, Surface]:
     return {one.number: one for one in _surfaces(spec)}
 
 
-@once
+@cached_geometry
 def _surfaces(spec: ObjectSpec) -> tuple[Surface, ...]:
     pairs = zip(face_frames(spec), core_frames(spec), strict=True)
     return tuple(Surface(frame, core, spec) for frame, core in pairs)

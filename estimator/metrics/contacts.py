@@ -20,7 +20,7 @@ from estimator.inversion.posterior import curvature_at
 from estimator.inversion.readings import ContactSets
 
 FORCE_BANDS_N = ((0.0, 1.0), (1.0, 4.0), (4.0, np.inf))
-"""Of the force that the most heavily pressed face bears."""
+"""Bands of the force that the most heavily pressed face bears."""
 FAR_MM = 5.0
 """A pair further apart counts as one contact missed and one ghost."""
 
@@ -58,39 +58,39 @@ class MatchedContacts:
     force_covered: Bool[np.ndarray, "pair"]
 
 
-def matched_contacts(frames: FrameSet, found: ContactSets) -> MatchedContacts:
-    """Pair what was found in frames with what is true; forces are those that each tip really bears,
+def matched_contacts(frames: FrameSet, contact_sets: ContactSets) -> MatchedContacts:
+    """Pair what was found in frames with what is true; forces are what each tip really bears,
     where the data set knows them, else the labels."""
     true_n = frames.force_n if frames.true_force_n is None else frames.true_force_n
     force = np.nan_to_num(true_n[..., 2])
-    radius, halfwidth = found.position_radius_mm, found.force_halfwidth_n
+    radius, halfwidth = contact_sets.position_radius_mm, contact_sets.force_halfwidth_n
     faces = frames.faces.tolist()
     pairs = []
     for row in range(len(frames)):
         for face in faces:
             (true,) = np.nonzero(frames.contact_face[row] == face)
-            (mine,) = np.nonzero(found.face[row] == face)
+            (mine,) = np.nonzero(contact_sets.face[row] == face)
             for t, m, distance in _paired(
-                frames.contact_xy_mm[row, true], found.xy_mm[row, mine], true, mine
+                frames.contact_xy_mm[row, true], contact_sets.xy_mm[row, mine], true, mine
             ):
-                missed = found.force_n[row, m] - force[row, t]
+                missed = contact_sets.force_n[row, m] - force[row, t]
                 covered = distance <= radius[row, m], abs(missed) <= halfwidth[row, m]
                 pull = np.nan_to_num(true_n[row, t, :2])
-                pull_error = np.linalg.norm(found.tangential_n[row, m] - pull)
+                pull_error = np.linalg.norm(contact_sets.tangential_n[row, m] - pull)
                 pulled = pull_error, np.linalg.norm(pull)
                 pairs.append((row, distance, missed, *pulled, *covered))
     columns = np.array(pairs, float).reshape(-1, 7).T
-    per_face = np.stack([_of_face(frames.contact_face == f, force) for f in faces], axis=1)
+    per_face = np.stack([_force_on_face(frames.contact_face == f, force) for f in faces], axis=1)
     tips = np.stack([np.sum(frames.contact_face == f, axis=1) for f in faces], axis=1)
-    found_tips = np.stack([np.sum(found.face == f, axis=1) for f in faces], axis=1)
+    found_tips = np.stack([np.sum(contact_sets.face == f, axis=1) for f in faces], axis=1)
     return MatchedContacts(
         tips.sum(axis=1),
-        found.number,
+        contact_sets.number,
         np.all(tips == found_tips, axis=1),
         per_face.max(axis=1),
-        np.nansum(found.force_n, axis=1) - per_face.sum(axis=1),
+        np.nansum(contact_sets.force_n, axis=1) - per_face.sum(axis=1),
         tips.max(axis=1),
-        found.explained,
+        contact_sets.explained,
         columns[0].astype(int),
         columns[1],
         *columns[2:5],
@@ -99,34 +99,34 @@ def matched_contacts(frames: FrameSet, found: ContactSets) -> MatchedContacts:
 
 
 def _paired(
-    true_mm: np.ndarray, found_mm: np.ndarray, true: np.ndarray, found: np.ndarray
+    true_mm: np.ndarray, found_mm: np.ndarray, true: np.ndarray, found_tips: np.ndarray
 ) -> list[tuple[int, int, float]]:
     from scipy.optimize import linear_sum_assignment
 
-    if not len(true) or not len(found):
+    if not len(true) or not len(found_tips):
         return []
     distance = np.linalg.norm(true_mm[:, None] - found_mm[None], axis=2)
     rows, columns = linear_sum_assignment(distance)
     return [
-        (int(true[r]), int(found[c]), float(distance[r, c]))
+        (int(true[r]), int(found_tips[c]), float(distance[r, c]))
         for r, c in zip(rows, columns, strict=True)
     ]
 
 
-def _of_face(there: np.ndarray, force_n: np.ndarray) -> Float[np.ndarray, "frame"]:
-    return np.where(there, force_n, 0.0).sum(axis=1)
+def _force_on_face(is_on_face: np.ndarray, force_n: np.ndarray) -> Float[np.ndarray, "frame"]:
+    return np.where(is_on_face, force_n, 0.0).sum(axis=1)
 
 
 def rows_beside_bound(
     inversion: Inversion,
     frames: FrameSet,
-    found: ContactSets,
+    contact_sets: ContactSets,
     averaged: Int[np.ndarray, "frame"] | None = None,
 ) -> list[dict[str, float | int | str | None]]:
-    """`contact_rows` of what an estimator found in labelled frames, or in the means of so many, with
+    """`contact_rows` of what an estimator found in labelled frames, or in the means of a number of them, with
     the distances possible."""
     possible_mm = possible_distance_mm(inversion, frames, averaged)
-    return contact_rows(matched_contacts(frames, found), possible_mm)
+    return contact_rows(matched_contacts(frames, contact_sets), possible_mm)
 
 
 def contact_rows(
@@ -212,16 +212,16 @@ def possible_distance_mm(
     face = np.vectorize(index.__getitem__, otypes=[int])(frames.contact_face)
     contact = np.concatenate([frames.contact_xy_mm, true_n[..., 2:]], axis=2)
     contact = np.where((face != NONE)[..., None], contact, 0.0)
-    seen = inversion.disturbances.observed(all_counts(frames), averaged)
-    curvature = curvature_at(model, seen, np.arange(len(frames)), face, contact)
+    observed = inversion.disturbances.observed(all_counts(frames), averaged)
+    curvature = curvature_at(model, observed, np.arange(len(frames)), face, contact)
     blocks = np.linalg.pinv(curvature, hermitian=True).reshape(
         len(frames), *face.shape[1:], 3, -1, 3
     )
-    own = np.moveaxis(np.diagonal(blocks, axis1=1, axis2=3), -1, 1)[..., :2, :2]
-    variance = np.maximum(np.linalg.eigvalsh(own), 1e-12)
+    place_covariance = np.moveaxis(np.diagonal(blocks, axis1=1, axis2=3), -1, 1)[..., :2, :2]
+    variance = np.maximum(np.linalg.eigvalsh(place_covariance), 1e-12)
     large, ratio = np.sqrt(variance[..., 1]), variance[..., 0] / variance[..., 1]
     distance = np.where(face != NONE, large * np.sqrt(2 / np.pi) * ellipe(1 - ratio), np.nan)
-    there = (face != NONE).any(axis=1)
-    found = np.full(len(frames), np.nan)
-    found[there] = np.nanmean(distance[there], axis=1)
-    return found
+    has_contact = (face != NONE).any(axis=1)
+    mean_mm = np.full(len(frames), np.nan)
+    mean_mm[has_contact] = np.nanmean(distance[has_contact], axis=1)
+    return mean_mm

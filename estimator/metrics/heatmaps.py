@@ -30,7 +30,7 @@ LEAST_SIMILARITY = 0.3
 
 @dataclass(frozen=True)
 class ForceReference:
-    """What a data set says about forces: its smallest contact force (N), and the range of force
+    """Scales that a data set gives forces: its smallest contact force (N), and the range of force
     (N) at each pixel, NaN where fewer than two different forces were seen."""
 
     smallest_contact_n: float
@@ -224,9 +224,9 @@ def _displaced(
     frame, x, y = np.nonzero(true_n)
     kept = aligned.similarity[frame] >= LEAST_SIMILARITY
     away = np.where(kept[:, None], aligned.displacement_px[frame], 0.0).astype(int)
-    there = np.stack([x, y], axis=1) + away
-    inside = np.all((there >= 0) & (there < true_n.shape[1:]), axis=1)
-    i, j = np.where(inside[:, None], there, 0).T
+    read_px = np.stack([x, y], axis=1) + away
+    inside = np.all((read_px >= 0) & (read_px < true_n.shape[1:]), axis=1)
+    i, j = np.where(inside[:, None], read_px, 0).T
     read = np.where(inside, predicted_n[frame, i, j], 0.0)
     return np.where(kept, np.abs(read - true_n[frame, x, y]), np.nan)
 

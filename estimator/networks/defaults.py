@@ -1,6 +1,6 @@
 """Defaults of `history_frames`, `ensemble`, `trees` and `process`, where none are given.
 
-A recording of few presses gets the change over nine frames, up to four networks and trees beside
+A recording of few presses gets the change over nine frames, up to four networks with trees next to
 them: there one network alone errs more than simple regressions do, and has too few validation
 presses to calibrate its intervals. A Gaussian process answers where a frame is novel: networks and
 trees read known places better, new places worse. Measured on public recordings of 17 and 25
@@ -18,7 +18,8 @@ from design.spec.object import TrainingSpec
 from estimator.frames.dataset import FrameSet
 
 BATCH_FRAMES, LEARNING_RATE, PATIENCE_EPOCHS = 512, 3e-3, 15
-"""Of training; within a factor of two they hardly matter to what a network of simulated presses reads."""
+"""Settings of training; within a factor of two they hardly matter to what a network of simulated presses
+reads."""
 SMALL_PRESSES = 60
 """Fewer presses with contact on the face make a recording small."""
 

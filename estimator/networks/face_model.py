@@ -19,7 +19,7 @@ from estimator.frames.face_data import (
     HISTORY,
     Channel,
     channel_counts,
-    told_frames,
+    frames_with_readings,
     with_history,
 )
 from estimator.networks.forest import Forest, ForestShape
@@ -39,9 +39,9 @@ _LONGEST_HISTORY = 100
 
 @dataclass(frozen=True)
 class Architecture:
-    """What an estimator is built of, besides the numbers among its weights.
+    """Architecture of an estimator, besides the numbers among its weights.
 
-    `forest` and `process` are the shapes of what stands beside the networks, `references` how many
+    `forest` and `process` are the shapes of what supports the networks, `references` how many
     training frames novelty is measured from.
     """
 
@@ -101,16 +101,17 @@ def predict(model: FaceModel, frames: FrameSet) -> Prediction:
     return read_counts(model.network, channel_counts(frames, model.channels))
 
 
-def predict_told(model: FaceModel, frames: FrameSet) -> Prediction:
-    """As `predict`, with NaN in frames that lack a reading (or the one that a change starts from).
+def predict_with_gaps(model: FaceModel, frames: FrameSet) -> Prediction:
+    """Predict as `predict` does, with NaN in frames that lack a reading (or the one that a change starts
+    from).
 
     Raises
     ------
     InputError
         No frame has the readings of all channels that the model uses.
     """
-    told, chosen = told_frames(frames, model.channels, model.history_frames)
-    return predict(model, chosen).spread(told)
+    has_readings, chosen = frames_with_readings(frames, model.channels, model.history_frames)
+    return predict(model, chosen).spread(has_readings)
 
 
 def predict_heatmaps(model: FaceModel, frames: FrameSet) -> Float[np.ndarray, "frame nx ny"]:
@@ -156,7 +157,7 @@ def empty_network(
 
 
 def description(model: FaceModel) -> dict[str, Any]:
-    """Return what is written beside the weights."""
+    """Return what is written with the weights."""
     return {
         "format": MODEL_FORMAT,
         "name": model.name,
@@ -201,10 +202,10 @@ def load_model(path: Path | str) -> FaceModel:
 
 def _described(path: Path) -> tuple[dict[str, Any], dict[str, Tensor]]:
     described, weights = load_tensors(path, "Give a trained model")
-    found = described.get("format") if isinstance(described, dict) else None
-    if found != MODEL_FORMAT:
+    found_format = described.get("format") if isinstance(described, dict) else None
+    if found_format != MODEL_FORMAT:
         raise StoreError(
-            f"{path} has model format {found}, this version reads "
+            f"{path} has model format {found_format}, this version reads "
             f"{MODEL_FORMAT}. Train the model anew"
         )
     return described, weights

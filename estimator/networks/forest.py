@@ -1,4 +1,4 @@
-"""Extremely randomised trees beside the networks, as tensors, so that they are saved and exported alike.
+"""Extremely randomised trees that support the networks, as tensors, saved and exported alike.
 
 Geurts, Ernst & Wehenkel, Machine Learning 63 (2006), grown by scikit-learn. On recordings of a few
 tens of presses they read force and place as well as networks, and err elsewhere: the mean of both
@@ -86,7 +86,7 @@ def fit_forest(data: FaceData, channels: tuple[Channel, ...], trees: int, seed: 
             random_state=seed,
         )
         answer = target if target.shape[1] == 2 else target[:, 0]
-        grown += [one.tree_ for one in regressor.fit(inputs, answer).estimators_]
+        grown += [tree.tree_ for tree in regressor.fit(inputs, answer).estimators_]
     return _forest_of(grown)
 
 

@@ -22,7 +22,7 @@ from jaxtyping import Float
 from torch import Tensor, nn
 
 from estimator.networks.forest import Forest
-from estimator.networks.intervals.coverage import Coverage, growth, newness
+from estimator.networks.intervals.coverage import Coverage, gp_weight, growth
 from estimator.networks.process import Process
 
 SIGMA_SPAN = 3.0
@@ -47,7 +47,7 @@ _LEAST_FORCE_N = 1e-6
 
 
 class Reading(NamedTuple):
-    """What an estimator says of each frame.
+    """Reading of each frame by an estimator.
 
     Attributes
     ----------
@@ -171,11 +171,11 @@ class HeadsNetwork(nn.Module):
 
 
 class ContactEstimator(nn.Module):
-    """Networks, averaged, and beside them trees and a process where there are any, with calibrated
+    """Networks, averaged, with trees and a process where there are any, with calibrated
     intervals.
 
-    The total force is that of the networks and that of the trees, whose share is `force_share`; the
-    centre is weighed by `place_shares` from the networks' own, that of their heatmap, and the
+    The total force comes from the networks and from the trees, whose share is `force_share`; the
+    centre is weighed by `place_shares` from the networks' own, their heatmap's, and the
     trees'. Where a frame is novel, force and centre are those of the process. The members' spreads
     times `force_quantile` and `position_quantile` (`estimator.networks.intervals.conformal`) and
     what novelty adds (`estimator.networks.intervals.coverage`) are the intervals' half-widths.
@@ -219,7 +219,7 @@ class ContactEstimator(nn.Module):
         if self.process is None:
             new, grown = torch.zeros_like(novelty), growth(novelty)
         else:
-            new = grown = newness(novelty)
+            new = grown = gp_weight(novelty)
             force_n, xy_mm = self.process(counts)
             mean = with_force(mean, torch.lerp(mean.force_n, force_n, new))
             xy = torch.lerp(xy, xy_mm, new[:, None])

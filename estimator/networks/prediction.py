@@ -33,12 +33,12 @@ class Prediction:
             "xy_mm (frame, 2) and position_radius_mm (frame,) mm, contact and novelty (frame,)"
         )
 
-    def spread(self, told: Bool[np.ndarray, "all_frames"]) -> Prediction:
-        """These readings at the frames that are told, NaN at all others."""
+    def spread(self, has_readings: Bool[np.ndarray, "all_frames"]) -> Prediction:
+        """Spread these readings over the frames that have readings, NaN at all others."""
         columns = {}
         for name, values in vars(self).items():
-            columns[name] = np.full((len(told), *values.shape[1:]), np.nan)
-            columns[name][told] = values
+            columns[name] = np.full((len(has_readings), *values.shape[1:]), np.nan)
+            columns[name][has_readings] = values
         return Prediction(**columns)
 
     @property
@@ -49,7 +49,7 @@ class Prediction:
 
 @dataclass(frozen=True)
 class ContactReadings:
-    """What a model reads in the contact frames of its face, beside what was there.
+    """Readings of a model in the contact frames of its face, with what was there.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class ContactReadings:
 
 @dataclass(frozen=True)
 class ContactAnswers:
-    """What one estimator says in the contact frames of the test: total force (N) and centre (mm)."""
+    """Answers of one estimator in the contact frames of the test: total force (N) and centre (mm)."""
 
     name: str
     force_n: Float[np.ndarray, "frame"]
@@ -76,7 +76,7 @@ class ContactAnswers:
 
 @dataclass(frozen=True)
 class HeldOutAnswers:
-    """Answers of the model (first) and of all baselines, beside what was labelled.
+    """Answers of the model (first) and of all baselines, with what was labelled.
 
     Attributes
     ----------

@@ -1,9 +1,9 @@
-"""Gaussian process beside the networks, as tensors, so that it is saved and exported alike.
+"""Gaussian process that supports the networks, as tensors, so that it is saved and exported alike.
 
 Rasmussen & Williams, Gaussian Processes for Machine Learning (2006), chapter 2: squared-exponential
 kernel and noise of the greatest likelihood, found by scikit-learn. Between contact locations that
 were pressed its answer is drawn smoothly, and far from them it goes back to the mean of what was
-learned: on recordings of a few places nothing errs less at a new one, and a linear trend beside it,
+learned: on recordings of a few places nothing errs less at a new one, and a linear trend with it,
 which follows strong signals to any force, errs far more.
 """
 
@@ -57,8 +57,12 @@ class ProcessRegression(nn.Module):
             self.register_buffer(name, torch.ones(shape, dtype=torch.float64))
 
     def forward(self, counts: Float[Tensor, "frame channel"]) -> Float[Tensor, "frame target"]:
-        seen = (counts.double() - self.mean_counts) / self.scale_counts
-        apart = (seen**2).sum(1, keepdim=True) + (self.known**2).sum(1) - 2 * seen @ self.known.T
+        standardised = (counts.double() - self.mean_counts) / self.scale_counts
+        apart = (
+            (standardised**2).sum(1, keepdim=True)
+            + (self.known**2).sum(1)
+            - 2 * standardised @ self.known.T
+        )
         alike = torch.exp(-apart.clamp(min=0.0) / (2 * self.length**2))
         return alike @ self.weights + self.mean
 
@@ -68,17 +72,17 @@ class ProcessRegression(nn.Module):
         """Standardise, choose the kernel, and solve with its matrix over all given frames."""
         mean, scale = counts.mean(axis=0), counts.std(axis=0)
         scale = np.where(scale > 0, scale, 1.0)
-        seen, middle = (counts - mean) / scale, target.mean(axis=0)
+        standardised, middle = (counts - mean) / scale, target.mean(axis=0)
         spread = float(np.sqrt(target.var(axis=0).mean())) or 1.0
         aim = (target - middle) / spread
-        variance, length, noise = chosen_kernel(seen, aim)
-        square = (seen**2).sum(axis=1)
-        apart = np.maximum(square[:, None] + square - 2 * seen @ seen.T, 0.0)
-        matrix = variance * np.exp(-apart / (2 * length**2)) + noise * np.eye(len(seen))
+        variance, length, noise = chosen_kernel(standardised, aim)
+        square = (standardised**2).sum(axis=1)
+        apart = np.maximum(square[:, None] + square - 2 * standardised @ standardised.T, 0.0)
+        matrix = variance * np.exp(-apart / (2 * length**2)) + noise * np.eye(len(standardised))
         columns = {
             "mean_counts": mean,
             "scale_counts": scale,
-            "known": seen,
+            "known": standardised,
             "weights": spread * variance * np.linalg.solve(matrix, aim),
             "length": length,
             "mean": middle,
@@ -127,7 +131,7 @@ def fit_process(data: FaceData, channels: tuple[Channel, ...], seed: int) -> Pro
 
 
 def chosen_kernel(
-    seen: Float[np.ndarray, "frame channel"], aim: Float[np.ndarray, "frame target"]
+    standardised: Float[np.ndarray, "frame channel"], aim: Float[np.ndarray, "frame target"]
 ) -> tuple[float, float, float]:
     """Variance and length of the kernel, variance of the noise.
 
@@ -138,12 +142,12 @@ def chosen_kernel(
     from sklearn.gaussian_process.kernels import RBF, ConstantKernel, WhiteKernel
 
     kernel: Any = ConstantKernel(1.0, (1e-2, 1e4)) * RBF(
-        np.sqrt(seen.shape[1]), (1e-1, 1e3)
+        np.sqrt(standardised.shape[1]), (1e-1, 1e3)
     ) + WhiteKernel(1e-2, _NOISES)
     if np.ptp(aim, axis=0).max() > 0:
         few = slice(FRAMES_OF_KERNEL)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ConvergenceWarning)  # noise at its bound is an answer
-            kernel = GaussianProcessRegressor(kernel).fit(seen[few], aim[few]).kernel_
+            kernel = GaussianProcessRegressor(kernel).fit(standardised[few], aim[few]).kernel_
     variance, length, noise = np.exp(kernel.theta).tolist()
     return variance, length, noise

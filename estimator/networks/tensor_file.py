@@ -21,10 +21,10 @@ def save_tensors(tensors: Mapping[str, Tensor], described: Any, path: Path | str
     held = {name: value.detach().cpu().clone().contiguous() for name, value in tensors.items()}
     content = save(held, {"instobj": json.dumps(described), "seal": SEAL})
     with atomic_path(path) as temporary:
-        temporary.write_bytes(sealed(_in_order(content)))
+        temporary.write_bytes(sealed(_sort_header(content)))
 
 
-def _in_order(content: bytes) -> bytes:
+def _sort_header(content: bytes) -> bytes:
     """With the keys of the header sorted: the library writes the description's in any order.
 
     The header is JSON, its length before it in 8 bytes, filled up with spaces to a multiple of 8;

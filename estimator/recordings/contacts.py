@@ -41,9 +41,9 @@ def carried_labels(
         following = stated[np.minimum(after, len(stated) - 1)]
         preceding = stated[np.maximum(after - 1, 0)]
         source = np.where(session[following] == session, following, preceding)
-        known = session[source] == session
-        face[known, cell] = face[source[known], cell]
-        tip_xy_mm[known, cell] = tip_xy_mm[source[known], cell]
+        has_label = session[source] == session
+        face[has_label, cell] = face[source[has_label], cell]
+        tip_xy_mm[has_label, cell] = tip_xy_mm[source[has_label], cell]
     return face, tip_xy_mm
 
 

@@ -1,4 +1,4 @@
-"""Levels of signals at rest under presses: white noise and drift, a random walk, told apart.
+"""Levels of signals at rest under presses: white noise and drift, a random walk, separated.
 
 Levels are what all frames at rest of a session tell of the signals without contact at every frame (Kalman
 filter forwards, Rauch–Tung–Striebel smoother backwards; Rauch, Tung & Striebel, AIAA J. 3, 1965). Near a
@@ -18,7 +18,7 @@ from estimator.recordings.presses import runs
 LEAST_FRAMES = 5
 """At rest between two presses, for their mean to tell of drift."""
 LARGEST_DRIFT_NOISES = 6.0
-"""Of a channel between two rests: more is a jump, and jumps have a moment that nobody knows."""
+"""Largest drift of a channel between two rests: more is a jump, and jumps have a moment that nobody knows."""
 LONGEST_GAP_S = 120.0
 """Time between two rests over which drift is still taken from them."""
 USUAL_S = 3.0
@@ -32,7 +32,7 @@ _ROUNDS = 5
 _TOUCH_FRAMES = 2
 """Beside a contact: its first and last frames are below the force that counts as one."""
 _LEAST_NOISE_COUNTS = 0.3
-"""Of whole numbers."""
+"""Noise of whole numbers."""
 _UNKNOWN_COUNTS2 = 1e8
 """Variance of an offset of which nothing is known."""
 
@@ -74,15 +74,15 @@ def levels_under_presses(
     rest: Bool[np.ndarray, "frame"],
     noise_counts: Float[np.ndarray, "5 sensor 3"],
 ) -> RestLevels:
-    """From frames at rest, but for those beside a contact. Sessions do not tell of each other, nor do the
-    two sides of a jump of a channel."""
+    """Levels from frames at rest, but for those next to a contact. Sessions say nothing of each other, nor
+    do the two sides of a jump of a channel."""
     flat, loaded = counts.reshape(len(counts), -1), contact_ranges(loaded)
-    known = np.any(np.isfinite(flat), axis=0)
+    has_reading = np.any(np.isfinite(flat), axis=0)
     noise = np.maximum(np.nan_to_num(noise_counts.ravel()), _LEAST_NOISE_COUNTS)
     used = rest & ~rests_beside(loaded)
     if used.sum() < LEAST_FRAMES:
         used = rest
-    flat, noise = flat[:, known], noise[known]
+    flat, noise = flat[:, has_reading], noise[has_reading]
     rests = rests_of(flat, time_s, loaded, used)
     new = np.diff(session, prepend=session[:1]) != 0
     jumps = channel_jumps(rests, session, noise)
@@ -94,8 +94,8 @@ def levels_under_presses(
     level, variance, memory = smoothed_levels(
         np.where(used[:, None], flat, np.nan), noise**2, grows
     )
-    whole = np.zeros((len(counts), known.size))
-    whole[:, known] = level
+    whole = np.zeros((len(counts), has_reading.size))
+    whole[:, has_reading] = level
     error = np.stack([variance.mean(axis=1), memory.mean(axis=1)], axis=1)
     return RestLevels(whole.reshape(counts.shape), error, rate)
 
@@ -135,9 +135,9 @@ def rests_of(
     )
 
 
-def last_contact_before(loaded: Bool[np.ndarray, "frame"], before: int) -> int:
+def last_contact_before(loaded: Bool[np.ndarray, "frame"], frame: int) -> int:
     """The last frame of a contact before a frame, or -1."""
-    return before - 1 - int(np.argmax(loaded[:before][::-1])) if loaded[:before].any() else -1
+    return frame - 1 - int(np.argmax(loaded[:frame][::-1])) if loaded[:frame].any() else -1
 
 
 def channel_jumps(
@@ -155,10 +155,10 @@ def drift_rate(
     noise: Float[np.ndarray, "channel"],
     frame_s: float,
 ) -> float:
-    """By how much the variance grows a second, from what neighbouring rests differ by beyond white
+    """Growth of the variance a second, from what neighbouring rests differ by beyond white
     noise: the median of all channels, within what lets half a second to 30 s of frames be averaged.
 
-    Squared differences weigh by how much drift beside noise they are expected to hold.
+    Squared differences weigh by how much drift compared with noise they are expected to hold.
     """
     white = float(np.median(noise)) ** 2 * frame_s
     apart_s = np.diff(rests.time_s) - (rests.lasts_s[1:] + rests.lasts_s[:-1]) / 6
@@ -171,39 +171,41 @@ def drift_rate(
     rate, least, most = white / USUAL_S**2, white / _LONGEST_S**2, white / _LEAST_S**2
     for _ in range(_ROUNDS):
         weight = np.where(shown, apart_s[:, None] / (noises + rate * apart_s[:, None]) ** 2, 0.0)
-        told = np.any(weight > 0, axis=0)
-        seconds = (weight * apart_s[:, None]).sum(axis=0)[told]
-        rates = (weight * beyond).sum(axis=0)[told] / seconds
+        has_weight = np.any(weight > 0, axis=0)
+        seconds = (weight * apart_s[:, None]).sum(axis=0)[has_weight]
+        rates = (weight * beyond).sum(axis=0)[has_weight] / seconds
         rate = float(np.clip(np.median(rates), least, most))
     return rate
 
 
 def smoothed_levels(
-    seen: Float[np.ndarray, "frame channel"],
+    rest_counts: Float[np.ndarray, "frame channel"],
     noise2: Float[np.ndarray, "channel"],
     grows: Float[np.ndarray, "frame channel"],
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Level, its variance, and its memory: minus the logarithm of the smoother's gain, summed up.
 
-    `seen` holds NaN where there is no frame at rest, `grows` the variance added before each frame.
+    `rest_counts` holds NaN where there is no frame at rest, `grows` the variance added before each frame.
     """
-    there = np.isfinite(seen)
-    first = there.argmax(axis=0)
-    level = np.where(there.any(axis=0), np.nan_to_num(seen)[first, np.arange(len(noise2))], 0.0)
+    is_rest = np.isfinite(rest_counts)
+    first = is_rest.argmax(axis=0)
+    level = np.where(
+        is_rest.any(axis=0), np.nan_to_num(rest_counts)[first, np.arange(len(noise2))], 0.0
+    )
     spread = np.full(len(noise2), _UNKNOWN_COUNTS2)
-    levels, spreads, beforehand = (np.empty_like(seen) for _ in range(3))
-    values = np.where(there, seen, 0.0)
-    for k in range(len(seen)):
+    levels, spreads, beforehand = (np.empty_like(rest_counts) for _ in range(3))
+    values = np.where(is_rest, rest_counts, 0.0)
+    for k in range(len(rest_counts)):
         spread = spread + grows[k]
         beforehand[k] = spread
-        if there[k].any():
-            gain = np.where(there[k], spread / (spread + noise2), 0.0)
+        if is_rest[k].any():
+            gain = np.where(is_rest[k], spread / (spread + noise2), 0.0)
             level = level + gain * (values[k] - level)
             spread = (1 - gain) * spread
         levels[k], spreads[k] = level, spread
-    back = np.ones_like(seen)
+    back = np.ones_like(rest_counts)
     back[:-1] = spreads[:-1] / beforehand[1:]
-    for k in range(len(seen) - 2, -1, -1):
+    for k in range(len(rest_counts) - 2, -1, -1):
         levels[k] += back[k] * (levels[k + 1] - levels[k])
         spreads[k] += back[k] ** 2 * (spreads[k + 1] - beforehand[k + 1])
     memory = np.concatenate([np.zeros((1, len(noise2))), -np.log(back[:-1]).cumsum(axis=0)])

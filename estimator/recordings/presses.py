@@ -77,7 +77,7 @@ def frame_times_s(
         return np.arange(len(stretch)) / nominal_rate_hz, nominal_rate_hz
     if np.all(np.diff(time_s) > 0):
         return time_s, float(1 / np.median(np.diff(time_s)))
-    position, mean_position, mean_time = _within(time_s, stretch)
+    position, mean_position, mean_time = _frames_within(time_s, stretch)
     centred, time_centred = position - mean_position, time_s - mean_time
     slope = np.sum(centred * time_centred) / max(np.sum(centred**2), 1.0)
     period = slope if slope > 0 else 1 / nominal_rate_hz
@@ -87,7 +87,7 @@ def frame_times_s(
     return times, float(1 / period)
 
 
-def _within(
+def _frames_within(
     time_s: Float[np.ndarray, "frame"], stretch: Int[np.ndarray, "frame"]
 ) -> tuple[Float[np.ndarray, "frame"], Float[np.ndarray, "frame"], Float[np.ndarray, "frame"]]:
     """Position of each frame, and mean position and time of its stretch."""
@@ -135,7 +135,7 @@ def _tared_cell(
 def _rest_level_n(
     force_n: Float[np.ndarray, "frame"], level_n: float, rest_force_n: float
 ) -> float:
-    """Where forces gather, from a level near it: the median of those within `rest_force_n` of it, again
+    """Level where forces gather, from a level near it: the median of those within `rest_force_n` of it, again
     and again (noise puts the lowest ones far below it)."""
     for _ in range(_LEVEL_ROUNDS):
         before_n = level_n
@@ -220,10 +220,10 @@ def estimate_lag(
         return LagReport(0, (), 0.0, 1.0, 1.0, False)
     mean = curves.mean(axis=0)
     best, zero = int(np.argmin(mean)), LAGS.index(0)
-    own = curves.argmin(axis=1)
-    agreement = float(np.mean(np.abs(own - best) <= 2))
+    best_lags = curves.argmin(axis=1)
+    agreement = float(np.mean(np.abs(best_lags - best) <= 2))
     trusted = agreement >= 0.5 and mean[best] < 0.8 * mean[zero]
-    lags = tuple(int(LAGS[k]) for k in own)
+    lags = tuple(int(LAGS[k]) for k in best_lags)
     return LagReport(
         LAGS[best], lags, agreement, float(mean[zero]), float(mean[best]), bool(trusted)
     )
@@ -297,7 +297,7 @@ def rest_limit_n(force_n: Float[np.ndarray, "frame cell"]) -> float:
     return float(np.clip(3 * noise_n, _STEADY_REST_N, CONTACT_FORCE_N))
 
 
-def at_rest(
+def is_at_rest(
     force_n: Float[np.ndarray, "frame cell"], rest_force_n: float
 ) -> Bool[np.ndarray, "frame"]:
     """Frames in which every cell stays within `rest_force_n` of its rest level."""

@@ -34,9 +34,9 @@ from estimator.recordings.checks.faults import (
 from estimator.recordings.checks.labels import place_label_faults
 from estimator.recordings.checks.limits import (
     Limits,
+    limit_to_range,
     places_off_the_body,
     usual_limits,
-    within_range,
 )
 from estimator.recordings.checks.readings import without_faults
 from estimator.recordings.checks.repeats import Repeats, repeat_faults, repeated_readings
@@ -56,9 +56,9 @@ from estimator.recordings.formats.text import naming
 from estimator.recordings.presses import (
     CONTACT_FORCE_N,
     LagReport,
-    at_rest,
     estimate_lag,
     frame_times_s,
+    is_at_rest,
     number_presses,
     rest_limit_n,
     shifted_forces,
@@ -87,7 +87,7 @@ Grid = tuple[Float[np.ndarray, "nx"], Float[np.ndarray, "ny"]]
 class Recording:
     """Frames of one file with its report.
 
-    `rest_counts` (press, face, sensor, axis) are the raw counts at rest beside each press: subtracted
+    `rest_counts` (press, face, sensor, axis) are the raw counts at rest next to each press: subtracted
     from it, but in generic recordings, whose level is followed frame by frame.
     """
 
@@ -163,7 +163,7 @@ def read_recording(
             np.any(presses.force_n >= CONTACT_FORCE_N, axis=1),
             presses.rest & ~presses.hidden,
         )
-    zero, zeroed_after = zeros.counts, int(np.sum(~zeros.before))
+    zero, zeroed_after = zeros.counts, int(np.sum(~zeros.is_before))
     jumping, jumps = jump_faults(zero)
     block, place, places = contact_cases(
         presses.face, presses.tip_xy_mm, presses.force_n >= CONTACT_FORCE_N
@@ -205,9 +205,15 @@ def _believed(
     if not np.isfinite(counts).any():
         raise RecordingError(f"no reading is left: {'; '.join(map(str, faults[:3]))}")
     spoilt, left_out = spoilt_channels(counts, np.isfinite(raw) & np.isnan(counts))
-    table, unreachable = within_range(replace(table, counts=counts), limits)
-    told = [*faults, *unreachable, *left_out, *dead_faults(raw), *unread_faces(raw, table.face)]
-    return table, spoilt | dead_channels(raw), told
+    table, unreachable = limit_to_range(replace(table, counts=counts), limits)
+    faults_found = [
+        *faults,
+        *unreachable,
+        *left_out,
+        *dead_faults(raw),
+        *unread_faces(raw, table.face),
+    ]
+    return table, spoilt | dead_channels(raw), faults_found
 
 
 def _report(
@@ -273,7 +279,7 @@ def _find_presses(table: RawTable) -> _Presses:
     late = lag.frames if lag.corrected else 0
     aligned_n = shifted_forces(force_n, stretch, late)
     unsure = np.any(shifted_forces(wrong.astype(float), stretch, late) > 0, axis=1)
-    rest = at_rest(aligned_n, limit_n)
+    rest = is_at_rest(aligned_n, limit_n)
     shear_n = np.zeros((*aligned_n.shape, 2))
     if table.shear_n is not None:
         shear_n = shifted_shear(table.shear_n, stretch, late, rest)
@@ -282,10 +288,10 @@ def _find_presses(table: RawTable) -> _Presses:
     case = Judged(
         table, face, force_n, press, responses, no_contact, rest, stretch, block, noise
     )  # fmt: skip
-    (named, found), (hidden, concealed) = judged(case, PRESSES), judged(case, RESTS)
+    (named, press_faults), (hidden, concealed) = judged(case, PRESSES), judged(case, RESTS)
     return _Presses(
         time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm, named | hidden | unsure,
-        repeats, noise, lag, (*misread, *turns, *corrected, *found, *concealed),
+        repeats, noise, lag, (*misread, *turns, *corrected, *press_faults, *concealed),
     )  # fmt: skip
 
 
@@ -301,7 +307,7 @@ def _frames(
     if table.kind == "generic":
         levels = levels_under_presses(
             table.counts, presses.time_s, session, np.any(touching, axis=1),
-            at_rest(presses.force_n, rest_limit_n(presses.force_n))
+            is_at_rest(presses.force_n, rest_limit_n(presses.force_n))
             & ~presses.hidden & ~presses.repeats.rows,
             presses.noise_counts,
         )  # fmt: skip
@@ -342,9 +348,9 @@ def _frames(
 
 
 def _recorded(table: RawTable) -> Bool[np.ndarray, "frame 5 1 1"]:
-    """Which faces ought to have readings in each frame: those that ever have, in a training file the one
-    of the frame."""
-    own = np.any(np.isfinite(table.counts), axis=(2, 3), keepdims=True)
+    """Return which faces ought to have readings in each frame: faces that ever have, in a training file
+    the one of the frame."""
+    has_reading = np.any(np.isfinite(table.counts), axis=(2, 3), keepdims=True)
     if table.kind == "training":
-        return own
-    return np.broadcast_to(own.any(axis=0), own.shape)
+        return has_reading
+    return np.broadcast_to(has_reading.any(axis=0), has_reading.shape)

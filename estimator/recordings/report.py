@@ -17,9 +17,9 @@ from estimator.recordings.table import channel_name
 
 @dataclass(frozen=True)
 class RecordingReport:
-    """What was read, measured, found and fixed; `as_dict` for JSON, `str` for people.
+    """Report of what was read, measured, found and fixed; `as_dict` for JSON, `str` for people.
 
-    `largest_force_n` is that of one load cell from its rest level; `places` lists the contact case of
+    `largest_force_n` is of one load cell from its rest level; `places` lists the contact case of
     each place id, `noise_counts` the white noise at rest by channel name. `presses_zeroed_after` counts
     the presses without enough rest before them, zeroed from the rest that follows.
     """
@@ -71,11 +71,11 @@ def _noise_text(noise_counts: dict[str, float | None]) -> str:
         axis: [noise for name, noise in noise_counts.items() if noise is not None and axis in name]
         for axis in "XYZ"
     }
-    known = [f"{median(noises):.3g} ({axis})" for axis, noises in by_axis.items() if noises]
-    if not known:
+    noise_texts = [f"{median(noises):.3g} ({axis})" for axis, noises in by_axis.items() if noises]
+    if not noise_texts:
         return "not known"
     number = sum(map(len, by_axis.values()))
-    return f"{', '.join(known)} counts, medians over {number} channels"
+    return f"{', '.join(noise_texts)} counts, medians over {number} channels"
 
 
 def _lag_text(lag: LagReport) -> str:

@@ -18,7 +18,7 @@ LARGEST_FORCE_N = 1000.0
 LARGEST_PLACE_MM = 300.0
 """Farthest place that may be meant."""
 _LEAST_FALLS = 3
-"""Steps back on end, without a step forward between them, that no clock started anew makes."""
+"""Steps back on end, without a step forward between them, that no clock that was started again makes."""
 _SLOWEST_FRAME_S = 5.0
 """Median time between frames from which stamps are taken for another unit."""
 
@@ -74,7 +74,7 @@ def channels_text(channels: list[tuple[int, ...]], live: Bool[np.ndarray, "5 sen
     chips = {channel[:2] for channel in channels}
     whole = [chip for chip in sorted(chips) if all((*chip, axis) in channels for axis in range(3))]
     names = [f"F{FACES[face]}-S{sensor + 1}" for face, sensor in whole]
-    names += [channel_name(*one) for one in sorted(channels) if one[:2] not in whole]
+    names += [channel_name(*index) for index in sorted(channels) if index[:2] not in whole]
     others = f" and {len(names) - 4} others" if len(names) > 4 else ""
     return ", ".join(names[:4]) + others
 
@@ -95,10 +95,10 @@ def check_plausible(table: RawTable) -> None:
     if table.shear_n is not None:
         _check_below("shear forces (N)", table.shear_n, LARGEST_FORCE_N, "forces in N")
     _check_below("places (mm)", table.tip_xy_mm, LARGEST_PLACE_MM, "places in mm")
-    known = np.abs(table.tip_xy_mm[np.isfinite(table.tip_xy_mm)])
-    if known.size and 0 < known.max() < 0.1:
+    stated_mm = np.abs(table.tip_xy_mm[np.isfinite(table.tip_xy_mm)])
+    if stated_mm.size and 0 < stated_mm.max() < 0.1:
         raise RecordingError(
-            f"every place lies within {known.max():g} mm of its face's middle. Give places "
+            f"every place lies within {stated_mm.max():g} mm of its face's middle. Give places "
             "in mm, not in m"
         )
 
@@ -127,7 +127,7 @@ def check_signals(
 
 
 def _check_order(time_s: Float[np.ndarray, "stamp"]) -> None:
-    """A clock that starts anew falls once and rises again; rows in reverse order fall on end, in whole
+    """A clock that starts again falls once and rises again; rows in reverse order fall on end, in whole
     seconds with equal stamps between the falls."""
     step = np.diff(time_s)
     falling = int(np.sum(step < 0))
@@ -157,9 +157,9 @@ def _exchanged(step: Float[np.ndarray, "step"]) -> Int[np.ndarray, "pair"]:
     the usual, to no less than the row before has. A clock that is set back makes no such steps."""
     if len(step) < 2:
         return np.zeros(0, int)
-    before, after = np.r_[np.inf, step[:-1]], np.r_[step[1:], np.inf]
-    long = np.minimum(before, after) > 1.5 * max(0.0, float(np.median(step)))
-    return np.flatnonzero((step < 0) & long & (before + step >= 0) & (step + after >= 0))
+    step_before, step_after = np.r_[np.inf, step[:-1]], np.r_[step[1:], np.inf]
+    long = np.minimum(step_before, step_after) > 1.5 * max(0.0, float(np.median(step)))
+    return np.flatnonzero((step < 0) & long & (step_before + step >= 0) & (step + step_after >= 0))
 
 
 def check_forces(force_n: Float[np.ndarray, "frame cell"]) -> None:

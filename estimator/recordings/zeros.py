@@ -18,11 +18,11 @@ LEAST_ZERO_FRAMES = 5
 
 @dataclass(frozen=True)
 class Zeros:
-    """Mean counts at rest of every press (`counts`: press, face, sensor, axis); `before` tells which
+    """Mean counts at rest of every press (`counts`: press, face, sensor, axis); `is_before` says which
     come from the rest before their press, not after it."""
 
     counts: Float[np.ndarray, "press 5 sensor 3"]
-    before: Bool[np.ndarray, "press"]
+    is_before: Bool[np.ndarray, "press"]
 
 
 def rest_levels(
@@ -31,7 +31,7 @@ def rest_levels(
     loaded: Bool[np.ndarray, "frame"],
     rest: Bool[np.ndarray, "frame"],
 ) -> Zeros:
-    """Of up to `ZERO_FRAMES` rest frames before each press, or after it where there are too few.
+    """Levels of up to `ZERO_FRAMES` rest frames before each press, or after it where there are too few.
 
     Raises
     ------
@@ -44,16 +44,16 @@ def rest_levels(
             f"it holds {len(at_rest)} frames at rest; at least {LEAST_ZERO_FRAMES} are needed to "
             "zero the signals. Record some frames before each press"
         )
-    levels, before = [], []
+    levels, is_before = [], []
     for number in range(int(press.max()) + 1):
         frames = np.flatnonzero(press == number)
         begin = frames[loaded[frames]][0] if loaded[frames].any() else frames[-1] + 1
         split = int(np.searchsorted(at_rest, begin))
         chosen = at_rest[max(0, split - ZERO_FRAMES) : split]
-        before.append(len(chosen) >= LEAST_ZERO_FRAMES)
-        if not before[-1]:
+        is_before.append(len(chosen) >= LEAST_ZERO_FRAMES)
+        if not is_before[-1]:
             chosen = at_rest[split : split + ZERO_FRAMES]
         if len(chosen) < LEAST_ZERO_FRAMES:
             chosen = at_rest[-ZERO_FRAMES:]
         levels.append(known_mean(counts[chosen]))
-    return Zeros(np.array(levels), np.array(before))
+    return Zeros(np.array(levels), np.array(is_before))

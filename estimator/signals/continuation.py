@@ -1,7 +1,7 @@
 """Smooth continuation of tables of presses beyond the places that a face has.
 
 Splines of the press lattice need all of it. Where a face has not all places, the values of the others
-are those that make third differences along x and y least (in the mean square), with the pressed
+make third differences along x and y least (in the mean square), with the pressed
 places as they are: parabolas go on as parabolas. No place beyond the pressed ones is ever read; a
 spline's weights there fall by a factor of 3.7 with every node.
 """
@@ -28,8 +28,8 @@ def continued(
     """The table of one face with all places of the lattice; values of pressed ones stay."""
     matrix = _continuation(pressed.tobytes(), shape)
     whole = values.copy()
-    known = values[pressed].reshape(int(pressed.sum()), -1)
-    whole[~pressed] = (matrix @ known).reshape(-1, *values.shape[1:])
+    pressed_values = values[pressed].reshape(int(pressed.sum()), -1)
+    whole[~pressed] = (matrix @ pressed_values).reshape(-1, *values.shape[1:])
     return whole
 
 
@@ -46,22 +46,22 @@ def _continuation(pressed_bytes: bytes, shape: tuple[int, int]) -> np.ndarray:
     rows = sp.vstack([_differences(shape, axis) for axis in (0, 1)]).tocsc()
     used = np.asarray(abs(rows[:, away.ravel() > _REACH]).sum(axis=1)).ravel() == 0
     rows = rows[used]
-    unknown, known = rows[:, near], rows[:, pressed]
-    solved = splu((unknown.T @ unknown).tocsc()).solve(-(unknown.T @ known).toarray())
-    every = np.zeros((pressed.size, int(pressed.sum())))
-    every[pressed] = np.eye(int(pressed.sum()))
-    every[near] = solved
+    near_rows, pressed_rows = rows[:, near], rows[:, pressed]
+    solved = splu((near_rows.T @ near_rows).tocsc()).solve(-(near_rows.T @ pressed_rows).toarray())
+    all_nodes = np.zeros((pressed.size, int(pressed.sum())))
+    all_nodes[pressed] = np.eye(int(pressed.sum()))
+    all_nodes[near] = solved
     flat = np.ravel_multi_index(tuple(nearest), shape).ravel()
-    every[away.ravel() > _REACH] = every[flat[away.ravel() > _REACH]]
-    return every[~pressed]
+    all_nodes[away.ravel() > _REACH] = all_nodes[flat[away.ravel() > _REACH]]
+    return all_nodes[~pressed]
 
 
 def _differences(shape: tuple[int, int], axis: int) -> sp.csr_matrix:
     """Third differences along an axis, everywhere on the lattice."""
-    along = [
+    factors = [
         sp.diags_array(_THIRD_DIFFERENCE, offsets=range(4), shape=(max(n - 3, 0), n))  # pyright: ignore[reportArgumentType]
         if k == axis
         else sp.identity(n)
         for k, n in enumerate(shape)
     ]
-    return sp.csr_matrix(sp.kron(*along))
+    return sp.csr_matrix(sp.kron(*factors))

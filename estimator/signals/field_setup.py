@@ -91,14 +91,14 @@ def sensed_field(
         group = max(1, chunk // moved.shape[2])
         for first in range(0, sensors, group):
             some = slice(first, first + group)
-            parts = _at_sensors(scene, some, moved, magnets, model)
+            parts = _field_at_sensors(scene, some, moved, magnets, model)
             field[rows, some] = np.stack(parts, axis=-1).swapaxes(0, 1)
     return field
 
 
 @dataclass(frozen=True)
 class KnownField:
-    """What `sensed_field` found for a scene and its motions; others that differ in few magnets cost
+    """Field that `sensed_field` found for a scene and its motions; others that differ in few magnets cost
     those alone."""
 
     scene: Scene
@@ -108,7 +108,7 @@ class KnownField:
         default_factory=dict, init=False, repr=False, compare=False
     )
 
-    def of(
+    def field_of(
         self, scene: Scene, motion: Float[np.ndarray, "press body 6"], model: MagnetsModel
     ) -> Float[np.ndarray, "press sensor 3"]:
         """`sensed_field` of another scene, to rounding."""
@@ -163,7 +163,7 @@ def counts(
     return counts_of_field(1e3 * field_t, axes, spec.sensors) + offset
 
 
-def at_rest(scene: Scene) -> Float[np.ndarray, "1 body 6"]:
+def zero_motion(scene: Scene) -> Float[np.ndarray, "1 body 6"]:
     """No motion of any body."""
     return np.zeros((1, scene.bodies, 6))
 
@@ -189,7 +189,7 @@ def _magnets(
     return shifted, rotated(axis, turn), side
 
 
-def _at_sensors(
+def _field_at_sensors(
     scene: Scene,
     some: slice,
     moved: Float[np.ndarray, "6 body press"],
@@ -202,9 +202,13 @@ def _at_sensors(
     """
     shape = len(scene.sensors.face[some]), moved.shape[2]
     point = components(scene.sensors.position_mm[some, None])
-    own = moved[:, some] if scene.sensors_move else None
-    if own is not None:
-        point = (point[0] + own[0], point[1] + own[1], point[2] + own[2])
+    sensor_motion = moved[:, some] if scene.sensors_move else None
+    if sensor_motion is not None:
+        point = (
+            point[0] + sensor_motion[0],
+            point[1] + sensor_motion[1],
+            point[2] + sensor_motion[2],
+        )
     centres, axes, sides = (_among_sensors(given) for given in magnets)
     size = scene.magnets.size
     if model.exact:
@@ -213,8 +217,8 @@ def _at_sensors(
     field = with_images(point, centres, axes, model, plates, sides, strength, size)
     around = scene.environment.field_at(point)
     field = (field[0] + around[0], field[1] + around[1], field[2] + around[2])
-    if own is not None:
-        field = rotated(field, (-own[3], -own[4], -own[5]))
+    if sensor_motion is not None:
+        field = rotated(field, (-sensor_motion[3], -sensor_motion[4], -sensor_motion[5]))
     return [np.broadcast_to(part, shape) for part in field]
 
 
@@ -227,12 +231,12 @@ def _among_sensors(vector: Vector) -> Vector:
 def check_sensor_clear(
     point: Vector, magnets: _Magnets, model: MagnetsModel, size: Int[np.ndarray, "magnet"]
 ) -> None:
-    for number, one in enumerate(model.of_sizes):
+    for number, size_model in enumerate(model.size_models):
         centres, axes, sides = (tuple(part[size == number] for part in given) for given in magnets)
         offset = (point[0] - centres[0], point[1] - centres[1], point[2] - centres[2])
-        if one.magnet.holds(offset, axes, sides).any():
+        if size_model.magnet.holds(offset, axes, sides).any():
             raise InputError(
-                f"a press drives {one.magnet.description} onto a sensor. "
+                f"a press drives {size_model.magnet.description} onto a sensor. "
                 "Press less deep or move sensors and magnets further apart"
             )
 

@@ -46,7 +46,7 @@ def counts_of_field(
 
 @dataclass(frozen=True)
 class ChipErrors:
-    """What sets real chips apart from nominal ones: signals = matrix · B + offset.
+    """Deviations of real chips from nominal ones: signals = matrix · B + offset.
 
     `matrix` (sensor, axis, axis) holds gains on its diagonal and cross-axis shares off it.
     """
@@ -118,9 +118,11 @@ def check_sensors_outside_magnets(
     offset = (layout.position_mm[:, None] - magnets.centre_mm).transpose(2, 0, 1)
     inside = np.zeros(offset.shape[1:], bool)
     for number, body in enumerate(bodies):
-        own = magnets.size == number
-        axis, side = magnets.axis[own].T[:, None], magnets.side[own].T[:, None]
-        inside[:, own] = body.holds(tuple(offset[:, :, own]), tuple(axis), tuple(side))
+        is_of_size = magnets.size == number
+        axis, side = magnets.axis[is_of_size].T[:, None], magnets.side[is_of_size].T[:, None]
+        inside[:, is_of_size] = body.holds(
+            tuple(offset[:, :, is_of_size]), tuple(axis), tuple(side)
+        )
     if inside.any():
         sensor, magnet = np.argwhere(inside)[0]
         distance = np.linalg.norm(offset[:, sensor, magnet])

@@ -6,7 +6,7 @@ through (force, counts) with rest, (0, 0), as first point.
 
 Error between the places of a 1.5 mm lattice: within 0.3 % of a face's largest signal for smooth
 dimples (tested). For the cube's finite elements (1.7 mm surface edges) against presses simulated
-at the places themselves: 3 % of the signals' rms, 5 % of the largest signal at worst, beside the
+at the places themselves: 3 % of the signals' rms, 5 % of the largest signal at worst, next to the
 rims of the rigid magnets; both simulations' mesh errors of 1 to 2 % of force are part of it.
 
 Where a shallow press found no contact on the mesh its force does not grow: such points are put on
@@ -38,7 +38,7 @@ _ON_EDGE_MM = 1e-6
 
 @dataclass(frozen=True)
 class Traces:
-    """What presses pass through with growing depth; node 0 is rest.
+    """Traces that presses pass through with growing depth; node 0 is rest.
 
     `depth_mm` (node,), `force_n` (press, node) increasing from 0, `counts` (press, node, channel)
     change against rest with channel = sensor · 3 + axis. `corrected` (press, node) marks points that
@@ -55,7 +55,7 @@ class Traces:
         """Counts over force."""
         return MonotoneCurves(self.force_n, self.counts)
 
-    def of_channels(self, channels: Int[np.ndarray, "some"]) -> Traces:
+    def select_channels(self, channels: Int[np.ndarray, "some"]) -> Traces:
         """The same presses seen by some of the channels."""
         return replace(self, counts=self.counts[..., channels])
 
@@ -136,7 +136,7 @@ def counts_at_force(
             f"press reaches {largest[press, 0]:.3g} N. Ask for less, or add to press.depths_mm"
         )
     held = np.minimum(force_n, largest)
-    return SignalsAtForce(traces.curves.at(held), held, clamped)
+    return SignalsAtForce(traces.curves.evaluate(held), held, clamped)
 
 
 def depth_at_force(
@@ -178,7 +178,7 @@ def signal_gradient(
     derivatives = []
     for change, force_change in ((along_x, 0.0), (along_y, 0.0), (0 * value, 1.0)):
         trace = _traces(signals, face, value + 1j * _STEP * change)
-        changed = trace.curves.at(force + 1j * _STEP * force_change)
+        changed = trace.curves.evaluate(force + 1j * _STEP * force_change)
         derivatives.append(np.imag(changed[:, 0]) / _STEP)
     return SignalGradient(counts, *derivatives)
 
@@ -263,8 +263,8 @@ def among_pressed(
     y_mm: Float[np.ndarray, "press"],
 ) -> Bool[np.ndarray, "press"]:
     """Return whether places of one face lie in a cell of the lattice whose corners are all pressed."""
-    at = pressed.reshape(lattice.shape)
-    cells = at[:-1, :-1] & at[1:, :-1] & at[:-1, 1:] & at[1:, 1:]
+    is_pressed = pressed.reshape(lattice.shape)
+    cells = is_pressed[:-1, :-1] & is_pressed[1:, :-1] & is_pressed[:-1, 1:] & is_pressed[1:, 1:]
     within = np.zeros(len(x_mm), bool)
     for aside_x, aside_y in product((-_ON_EDGE_MM, _ON_EDGE_MM), repeat=2):
         rows, columns = (
@@ -281,9 +281,11 @@ def unresolved_presses(signals: Signals) -> Bool[np.ndarray, "face place step"]:
 
 
 def grows_by_step(force_n: Float[np.ndarray, "*any step"]) -> Bool[np.ndarray, "*any step"]:
-    before = np.maximum.accumulate(force_n, axis=-1)[..., :-1]
-    before = np.concatenate([np.zeros_like(force_n[..., :1]), np.maximum(before, 0)], axis=-1)
-    return np.greater(force_n, before + _LEAST_RISE_N)
+    highest_before = np.maximum.accumulate(force_n, axis=-1)[..., :-1]
+    highest_before = np.concatenate(
+        [np.zeros_like(force_n[..., :1]), np.maximum(highest_before, 0)], axis=-1
+    )
+    return np.greater(force_n, highest_before + _LEAST_RISE_N)
 
 
 def corrected_traces(traces: Traces, face: Int[np.ndarray, "press"]) -> Traces:

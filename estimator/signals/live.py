@@ -22,7 +22,7 @@ _Array = TypeVar("_Array", bound=Any)
 def is_live(rest_counts: _Array, change_counts: _Array, range_counts: Any) -> Any:
     """Return whether channels are within their range at rest and in a press, arrays or tensors.
 
-    A change is known against rest alone, so that one clipped at rest tells of no press either.
+    A change is known against rest alone, so that one clipped at rest shows no press either.
     """
     at_rest = abs(rest_counts) <= range_counts
     return at_rest & (abs(rest_counts + change_counts) <= range_counts)
@@ -34,8 +34,8 @@ def live_in_press(
     change_counts: Float[np.ndarray, "press channel"],
 ) -> Bool[np.ndarray, "press channel"]:
     """Return the flat channels that are live in each press: measured, not dead, within their range."""
-    found = is_live(rest_counts.ravel(), change_counts, full_scale_counts(spec.sensors))
-    return found & live_channels(spec).ravel()
+    in_range = is_live(rest_counts.ravel(), change_counts, full_scale_counts(spec.sensors))
+    return in_range & live_channels(spec).ravel()
 
 
 def live_jacobian(

@@ -29,20 +29,20 @@ class MonotoneCurves:
         wherever the curves are asked."""
         width, rise = np.diff(self.nodes, axis=1)[..., None], np.diff(self.values, axis=1)
         slope = _monotone_slopes(width, rise / width)
-        left, right = width * slope[:, :-1], width * slope[:, 1:]
-        bend = left + right - 2 * rise
-        return np.stack([self.values[:, :-1], left, rise - left - bend, bend], axis=2)
+        begin_rise, end_rise = width * slope[:, :-1], width * slope[:, 1:]
+        bend = begin_rise + end_rise - 2 * rise
+        return np.stack([self.values[:, :-1], begin_rise, rise - begin_rise - bend, bend], axis=2)
 
-    def at(
-        self, at: Inexact[np.ndarray, "press point"]
+    def evaluate(
+        self, points: Inexact[np.ndarray, "press point"]
     ) -> Inexact[np.ndarray, "press point channel"]:
         """Values of each press at its own points, within the nodes; complex where an argument is, so
         that derivatives can be taken by a complex step."""
         nodes = self.nodes
-        interval = np.sum(np.real(at)[:, :, None] >= np.real(nodes)[:, None, 1:-1], axis=2)
+        interval = np.sum(np.real(points)[:, :, None] >= np.real(nodes)[:, None, 1:-1], axis=2)
         row = np.arange(len(nodes))[:, None]
         begin, end = nodes[row, interval], nodes[row, interval + 1]
-        t = ((at - begin) / (end - begin))[..., None]
+        t = ((points - begin) / (end - begin))[..., None]
         pieces = self.pieces[row, interval]
         constant, linear, square, cube = (pieces[:, :, power] for power in range(4))
         return constant + t * (linear + t * (square + t * cube))
@@ -51,10 +51,10 @@ class MonotoneCurves:
 def monotone_cubic(
     nodes: Inexact[np.ndarray, "press node"],
     values: Inexact[np.ndarray, "press node channel"],
-    at: Inexact[np.ndarray, "press point"],
+    points: Inexact[np.ndarray, "press point"],
 ) -> Inexact[np.ndarray, "press point channel"]:
     """`MonotoneCurves` asked once."""
-    return MonotoneCurves(nodes, values).at(at)
+    return MonotoneCurves(nodes, values).evaluate(points)
 
 
 def _monotone_slopes(

@@ -1,4 +1,4 @@
-"""Motions of all magnets in presses of a given force at given places, and a little beside them.
+"""Motions of all magnets in presses of a given force at given places, and a little next to them.
 
 The same interpolation as that of signals (`estimator.signals.interpolation`), of motions instead of counts:
 what reads them may then move magnets and sensors as it likes, without new mechanics.
@@ -26,7 +26,7 @@ SIDES_MM = ASIDE_MM * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1)])
 
 @dataclass(frozen=True)
 class PressStates:
-    """Presses of `force_n` (press,) N at places, ±`ASIDE_MM` beside them in x and y, and ±1 % of force.
+    """Presses of `force_n` (press,) N at places, ±`ASIDE_MM` from them in x and y, and ±1 % of force.
 
     `motion` gives seven states of each press; `differentiate` takes values in them to derivatives.
     """
@@ -36,7 +36,7 @@ class PressStates:
     rest: Float[np.ndarray, "body 6"]
 
     @cached_property
-    def of_design(self) -> Float[np.ndarray, "7 press body 6"]:
+    def design_motion(self) -> Float[np.ndarray, "7 press body 6"]:
         """`motion` in the design's silicone."""
         return self.motion(1.0)
 
@@ -52,14 +52,14 @@ class PressStates:
         """
         force = self.force_n / modulus_ratio
         rise = 1 + _FORCE_STEP * np.array([0.0, 1.0, -1.0])
-        at, more, less = np.moveaxis(
+        in_place, more, less = np.moveaxis(
             counts_at_force(self.traces[0], force[:, None] * rise, "clamp").counts, 1, 0
         )
-        beside = [
+        aside = [
             counts_at_force(traces, force[:, None], "clamp").counts[:, 0]
             for traces in self.traces[1:]
         ]
-        moved = np.stack([at, *beside, more, less])
+        moved = np.stack([in_place, *aside, more, less])
         return self.rest + moved.reshape(7, len(force), *self.rest.shape)
 
     def simulated(self, modulus_ratio: float) -> Bool[np.ndarray, "press"]:

@@ -23,7 +23,7 @@ from design.spec.object import ObjectSpec
 from estimator.field.models import MagnetsModel, exact_model, magnets_model
 from estimator.field.sources import magnet_sources
 from estimator.signals.continuation import continued
-from estimator.signals.field_setup import at_rest, counts, min_distance_mm, scene, sensed_field
+from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field, zero_motion
 from estimator.signals.hall import (
     check_rest,
     check_sensors_outside_magnets,
@@ -65,7 +65,7 @@ _GRID_SIGNALS = FileKind(
     },
 )
 NOT_READ = np.iinfo(np.int32).min
-"""Of `reading_counts` at places that a face has not."""
+"""Value of `reading_counts` at places that a face has not."""
 Progress = Callable[[str], None]
 """Called with a line about each part that is done."""
 
@@ -130,8 +130,8 @@ def press_signals(
     """
     place = scene(spec)
     check_sensors_outside_magnets(place.sensors, place.magnets, magnet_sources(spec.magnets))
-    model = magnets_model(spec.magnets, min_distance_mm(place, motions.every))
-    still = at_rest(place) if motions.rest is None else motions.rest[None]
+    model = magnets_model(spec.magnets, min_distance_mm(place, motions.all_motions))
+    still = zero_motion(place) if motions.rest is None else motions.rest[None]
     baseline = counts(place, sensed_field(place, still, model)[0], spec)
     check_rest(baseline, place.sensors, spec.sensors)
     delta = np.full((*motions.motion.shape[:3], *baseline.shape), np.nan)
@@ -156,7 +156,7 @@ def rest_counts(
     """
     place = scene(spec, core_slipped=True)
     model = model or exact_model(spec.magnets)
-    return counts(place, sensed_field(place, at_rest(place), model)[0], spec)
+    return counts(place, sensed_field(place, zero_motion(place), model)[0], spec)
 
 
 def require_finite(spec: ObjectSpec, signals: Signals) -> None:
@@ -243,9 +243,9 @@ def save_grid_signals(spec: ObjectSpec, signals: Signals, path: Path | str, seed
     places, grid = grid_places_in_lattice(spec), contact_grid(spec)
     delta = signals.delta_counts[:, places]
     expected = signals.baseline_counts + delta
-    there, rng = contact_places(spec), np.random.default_rng(seed)
+    has_place, rng = contact_places(spec), np.random.default_rng(seed)
     reading = np.full(expected.shape, NOT_READ, np.int32)
-    reading[there] = read_out(expected[there], spec.sensors, rng).astype(np.int32)
+    reading[has_place] = read_out(expected[has_place], spec.sensors, rng).astype(np.int32)
     values = {
         "force_n": signals.force_n[:, places],
         "delta_counts": delta,

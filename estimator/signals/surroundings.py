@@ -56,14 +56,14 @@ def surroundings(spec: ObjectSpec, jaw_gap_mm: tuple[float, ...] = (0.0, 10.0)) 
         [[jaw_change(spec, frame, gap) for gap in jaw_gap_mm] for frame in face_frames(spec)]
     )
     size = np.abs(changes).max(axis=-1)
-    own = sensors_of_faces(spec)[:, None] == scene(spec).sensors.face
+    is_own_face = sensors_of_faces(spec)[:, None] == scene(spec).sensors.face
     return Surroundings(
         earth_ut,
         2 * per_channel,
         float(np.sqrt(2 / 3) * per_channel),
         np.asarray(jaw_gap_mm, float),
-        np.where(own[:, None], size, 0.0).max(axis=-1),
-        np.where(own[:, None], 0.0, size).max(axis=-1),
+        np.where(is_own_face[:, None], size, 0.0).max(axis=-1),
+        np.where(is_own_face[:, None], 0.0, size).max(axis=-1),
     )
 
 

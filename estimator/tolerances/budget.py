@@ -98,12 +98,12 @@ class Setting:
         return face if self.spec.score.channels == "own" else None
 
     @cached_property
-    def of_design(self) -> tuple[KnownField, ...]:
+    def design_motion(self) -> tuple[KnownField, ...]:
         """Fields of the design in the states of every face."""
         known = []
         for face, states in zip(self.faces, self.states, strict=True):
             place, motion = read_by(
-                self.design.pressed_scene, _in_a_row(states.of_design), self.read_by(face)
+                self.design.pressed_scene, _in_a_row(states.design_motion), self.read_by(face)
             )
             known.append(KnownField(place, motion, sensed_field(place, motion, self.model)))
         return tuple(known)
@@ -190,7 +190,7 @@ def setting_of(spec: ObjectSpec, forces: PressForces, motions: MagnetMotions) ->
         states.append(press_states(forces, motions, *some))
         own = design.scene.sensors.face == face
         live.append((working[own] if spec.score.channels == "own" else working).ravel())
-    nearest = min_distance_mm(design.scene, motions.every)
+    nearest = min_distance_mm(design.scene, motions.all_motions)
     reach = np.concatenate(reaches)
     reached = reach >= spec.score.force_n
     require_reached(spec, reach, reached)
@@ -205,15 +205,15 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
     baseline = counts_of(spec, assembly.scene, setting.states[0].rest[None], model)[0]
     pressed, ratio = assembly.pressed_scene, assembly.modulus_ratio
     for face, states, live, known in zip(
-        setting.faces, setting.states, setting.live, setting.of_design, strict=True
+        setting.faces, setting.states, setting.live, setting.design_motion, strict=True
     ):
-        motion = states.of_design if ratio == 1 else states.motion(ratio)
+        motion = states.design_motion if ratio == 1 else states.motion(ratio)
         motion = moved_aside(assembly, states, motion, face)
         own = setting.read_by(face)
         place, moved = read_by(pressed, _in_a_row(motion), own)
-        if motion is states.of_design:
+        if motion is states.design_motion:
             moved = known.motion  # which `known` need not compare
-        values = counts(place, known.of(place, moved, model), spec)
+        values = counts(place, known.field_of(place, moved, model), spec)
         values = values.reshape(*motion.shape[:2], live.size)[..., live]
         rest = baseline if own is None else baseline[assembly.scene.sensors.face == face]
         rest, most = rest.ravel()[live], full_scale_counts(spec.sensors)

@@ -20,7 +20,7 @@ from scipy.special import chdtrc
 
 from design.spec.object import ObjectSpec
 from estimator.field.models import MagnetsModel, magnets_model
-from estimator.signals.field_setup import at_rest, min_distance_mm, scene
+from estimator.signals.field_setup import min_distance_mm, scene, zero_motion
 from estimator.signals.hall import full_scale_counts
 from estimator.tolerances.assembly import (
     CONTRIBUTIONS,
@@ -134,7 +134,7 @@ def rest_model(spec: ObjectSpec, noise_counts: float = 0.0) -> RestModel:
 def design_at_rest(spec: ObjectSpec) -> tuple[Assembly, MagnetsModel]:
     """The specification's object at rest, and a field model good for tolerances about it."""
     design = undisturbed(scene(spec, core_slipped=True))
-    nearest = min_distance_mm(design.scene, at_rest(design.scene))
+    nearest = min_distance_mm(design.scene, zero_motion(design.scene))
     return design, magnets_model(spec.magnets, nearest - _NEARER_MM)
 
 
@@ -150,7 +150,7 @@ def resting_counts(
     spec: ObjectSpec, assembly: Assembly, model: MagnetsModel
 ) -> Float[np.ndarray, "channel"]:
     place = assembly.scene
-    return counts_of(spec, place, at_rest(place), model)[0].ravel()
+    return counts_of(spec, place, zero_motion(place), model)[0].ravel()
 
 
 def _faults(spec: ObjectSpec, design: Assembly, model: MagnetsModel) -> Iterator[Fault]:

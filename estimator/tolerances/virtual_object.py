@@ -40,7 +40,7 @@ def twin_signals(
     Forces scale with its modulus. The object is not turned between zeroing and the press, so that
     Earth's field does not show.
     """
-    model, rest = twin_model(spec, assembly, motions.every), rest_motion(motions)
+    model, rest = twin_model(spec, assembly, motions.all_motions), rest_motion(motions)
     baseline = counts_of(spec, assembly.scene, rest[None], model)[0]
     delta = np.full((*motions.motion.shape[:3], *baseline.shape), np.nan)
     for index, (face, here) in enumerate(zip(motions.faces.tolist(), motions.pressed, strict=True)):

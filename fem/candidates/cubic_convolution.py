@@ -17,7 +17,7 @@ _ON_BORDER = 1e-9
 
 
 def axis_weights(
-    nodes: Float[np.ndarray, "node"], at: Float[np.ndarray, "point"]
+    nodes: Float[np.ndarray, "node"], points: Float[np.ndarray, "point"]
 ) -> tuple[Int[np.ndarray, "point 4"], Float[np.ndarray, "point 4"]]:
     """Neighbours of each point among equally spaced nodes (four or more), and their weights.
 
@@ -27,7 +27,7 @@ def axis_weights(
         Fewer than four nodes, or a point beyond them.
     """
     count, step = len(nodes), (nodes[-1] - nodes[0]) / (len(nodes) - 1)
-    place = (at - nodes[0]) / step
+    place = (points - nodes[0]) / step
     if count < 4:
         raise InputError(
             f"interpolation needs four nodes an axis; got {count}. Use a finer lattice"
@@ -35,14 +35,14 @@ def axis_weights(
     outside = (place < -_ON_BORDER) | (place > count - 1 + _ON_BORDER)
     if outside.any():
         raise InputError(
-            f"{at[outside][0]:g} mm lies outside the lattice ({nodes[0]:g} to {nodes[-1]:g} mm). Keep "
+            f"{points[outside][0]:g} mm lies outside the lattice ({nodes[0]:g} to {nodes[-1]:g} mm). Keep "
             "magnets within it"
         )
     cell = np.clip(np.floor(place).astype(int), 0, count - 2)
     weight = _kernel(place - cell)
     first = np.clip(cell - 1, 0, count - 4)
-    full = np.zeros((len(at), 6))
-    row = np.arange(len(at))[:, None]
+    full = np.zeros((len(points), 6))
+    row = np.arange(len(points))[:, None]
     full[row, cell[:, None] - first[:, None] + np.arange(4)] = weight  # column 0 is node first − 1
     full[:, 1:4] += full[:, :1] * [3, -3, 1]
     full[:, 2:5] += full[:, 5:] * [1, -3, 3]
@@ -62,22 +62,22 @@ def _kernel(t: np.ndarray) -> np.ndarray:
     )
 
 
-def extension(known: Bool[np.ndarray, "nx ny"]) -> sp.csr_matrix:
+def extension(known_nodes: Bool[np.ndarray, "nx ny"]) -> sp.csr_matrix:
     """Values at all nodes of a lattice from those at the known ones, (node, known).
 
     Values go on beyond the known nodes with the smallest third differences along both axes (least
     squares): up to parabolas exactly, so that interpolation near their border is as good as within.
     """
-    index = np.arange(known.size).reshape(known.shape)
+    index = np.arange(known_nodes.size).reshape(known_nodes.shape)
     rows = [
         np.stack([lines[k : len(lines) - 3 + k].ravel() for k in range(4)], axis=1)
         for lines in (index, index.T)
     ]
     nodes = np.concatenate(rows)
-    differences = np.zeros((len(nodes), known.size))
+    differences = np.zeros((len(nodes), known_nodes.size))
     differences[np.arange(len(nodes))[:, None], nodes] = [-1.0, 3.0, -3.0, 1.0]
-    there = known.ravel()
-    beyond = np.linalg.lstsq(differences[:, ~there], -differences[:, there], rcond=None)[0]
-    values = np.zeros((known.size, int(there.sum())))
-    values[there], values[~there] = np.eye(values.shape[1]), beyond
+    is_known = known_nodes.ravel()
+    beyond = np.linalg.lstsq(differences[:, ~is_known], -differences[:, is_known], rcond=None)[0]
+    values = np.zeros((known_nodes.size, int(is_known.sum())))
+    values[is_known], values[~is_known] = np.eye(values.shape[1]), beyond
     return sp.csr_matrix(values)

@@ -3,7 +3,7 @@
 A layout search moves magnets thousands of times: it needs what each press does at any point of the
 silicone, without mechanics. A candidate moves as one rigid magnet there would in the field of the
 silicone without it (`fem.candidates.rigid_body`); pressures are those of the magnet-free shell. What the
-others round it add is told by the strain that each of them resists (`fem.candidates.influence`).
+others round it add is given by the strain that each of them resists (`fem.candidates.influence`).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from fem.candidates.cubic_convolution import axis_weights
 
 MOTIONS_FILE = "candidate_motions.npy"
 MM_PER_RAD = 4.0
-"""Weight of rotations beside displacements: both then change a magnet's field about alike."""
+"""Weight of rotations compared with displacements: both then change a magnet's field about alike."""
 _TABLE_FILE = "candidates.npz"
 _PITCH_MM = 2.0
 """Largest distance of candidates along a face."""
@@ -95,7 +95,7 @@ class Influence:
 
 @dataclass(frozen=True)
 class CandidateMotions:
-    """What every press does at every candidate of every face.
+    """Motions under every press at every candidate of every face.
 
     `by_candidate` (candidate, face, mode, 6): displacement (mm) and rotation (rad) in the object's frame, for
     each mode of the pressed face; candidates run face by face as in `candidates`; memory-mapped where it
@@ -116,8 +116,8 @@ class CandidateMotions:
     by_candidate: Float32[np.ndarray, "candidate face mode 6"]
     presses: Float32[np.ndarray, "face place step mode"]
     error: InterpolationError
-    turns_with_plane: float
-    """Of magnets: `RigidBody.turns_with_plane`."""
+    jeffery_parameter: float
+    """Share of strain that turns magnets: `RigidBody.jeffery_parameter`."""
     strain: Float32[np.ndarray, "candidate mode 5"]
     influence: Influence
 
@@ -132,7 +132,7 @@ class CandidateMotions:
         nearest = int(abs(middle - force_n).argmin())
         return [2 * nearest, 2 * nearest + 1]
 
-    def at(
+    def motions_at(
         self,
         face: int,
         xy_mm: Float[np.ndarray, "magnet 2"],
@@ -157,9 +157,9 @@ class CandidateMotions:
         numbers = [lattice.face for lattice in self.candidates]
         if face not in numbers:
             raise InputError(f"face {face} has no candidates. Choose one of {numbers}")
-        before = self.candidates[: numbers.index(face)]
+        faces_before = self.candidates[: numbers.index(face)]
         lattice = self.candidates[numbers.index(face)]
-        return _tricubic(lattice, xyd_mm, sum(len(one) for one in before))
+        return _tricubic(lattice, xyd_mm, sum(len(face_lattice) for face_lattice in faces_before))
 
 
 def candidate_lattices(
@@ -211,9 +211,9 @@ def middle_of(
     spec: ObjectSpec, lattice: FaceCandidates
 ) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "3 3"]]:
     """Place in the face's plane of the candidate nearest to its middle, and its axes as columns."""
-    frame, known = face_frame(spec, lattice.face), known_places(spec, lattice)
+    frame, is_known = face_frame(spec, lattice.face), known_places(spec, lattice)
     away = np.hypot(*np.meshgrid(lattice.x_mm, lattice.y_mm, indexing="ij"))
-    ix, iy = np.unravel_index(int(np.where(known, away, np.inf).argmin()), known.shape)
+    ix, iy = np.unravel_index(int(np.where(is_known, away, np.inf).argmin()), is_known.shape)
     plane = frame.to_plane(np.array([[lattice.x_mm[ix], lattice.y_mm[iy]]]))
     return plane[0], frame.axes if frame.flat else frame.axes_at(plane)[0]
 
@@ -246,7 +246,7 @@ def require_below_the_surface(spec: ObjectSpec, lattice: FaceCandidates) -> None
 
 
 def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:
-    """Write what stands beside `MOTIONS_FILE`, which `simulate_candidates` fills itself."""
+    """Write all but `MOTIONS_FILE`, which `simulate_candidates` fills itself."""
     arrays: dict[str, np.ndarray] = {
         "faces": motions.faces,
         "place_x_mm": motions.places.x_mm,
@@ -256,7 +256,7 @@ def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:
         "deepest_n": motions.deepest_n,
         "presses": motions.presses,
         "candidate_faces": np.array([lattice.face for lattice in motions.candidates]),
-        "turns_with_plane": np.array(motions.turns_with_plane),
+        "turns_with_plane": np.array(motions.jeffery_parameter),
         "strain": motions.strain,
     }
     arrays |= {f"influence_{f.name}": getattr(motions.influence, f.name) for f in fields(Influence)}

@@ -1,6 +1,6 @@
 """Displacements of points in the silicone, as rows on nodal displacements.
 
-How a rigid magnet there moves is told by `fem.candidates.rigid_body`.
+`fem.candidates.rigid_body` says how a rigid magnet there moves.
 """
 
 from __future__ import annotations
@@ -60,9 +60,9 @@ def containing_tets(
     corner = np.moveaxis(np.asarray(mesh.p)[:, np.asarray(mesh.t)], 0, -1)  # (4, tet, 3)
     inverse = np.linalg.inv(np.moveaxis(corner[1:] - corner[0], 0, -1))
     tree = KDTree(corner.mean(axis=0))
-    found = np.full(len(points_mm), -1)
+    tets = np.full(len(points_mm), -1)
     for count in _NEAREST:
-        missing = np.flatnonzero(found < 0)
+        missing = np.flatnonzero(tets < 0)
         for some in np.array_split(missing, 1 + len(missing) * count // _LOOKUPS):
             if len(some) == 0:
                 continue
@@ -75,11 +75,11 @@ def containing_tets(
             inside = np.minimum(share.min(axis=2), 1 - share.sum(axis=2))
             best = inside.argmax(axis=1)
             row = np.arange(len(some))
-            found[some] = np.where(inside[row, best] > -_TOLERANCE, near[row, best], -1)
-    if (found < 0).any():
-        x, y, z = points_mm[found < 0][0]
+            tets[some] = np.where(inside[row, best] > -_TOLERANCE, near[row, best], -1)
+    if (tets < 0).any():
+        x, y, z = points_mm[tets < 0][0]
         raise InputError(
             f"the point ({x:g}, {y:g}, {z:g}) mm lies outside the silicone. Keep points inside the "
             "shell"
         )
-    return found
+    return tets

@@ -47,10 +47,11 @@ from fem.presses.table import press_places, surface_weights_mm2
 
 FORCE_SHARES = (0.8, 1.2)
 _LEAST_PRESSURE = 1e-7
-"""Of the largest pattern of pressure."""
+"""Share of the largest pattern of pressure below which a pattern is left out."""
 _LEAST_MODE = 3e-4
-"""Of the largest mode of what candidates do: the others change position bounds by less than 0.1 % (rms over
-places of fourteen layouts of the paper's cube; 1.5 % at most), those below 1e-3 by 0.24 % (3 %)."""
+"""Share of the largest mode below which a mode of the candidates is left out: such modes change position
+bounds by less than 0.1 % (rms over places of fourteen layouts of the paper's cube; 1.5 % at most), modes
+below 1e-3 by 0.24 % (3 %)."""
 _TEST_POINTS_PER_FACE = 60
 """Random points of each face at which the interpolation is tested."""
 _CHUNK = 128
@@ -81,7 +82,7 @@ def simulate_candidates(
 ) -> CandidateMotions:
     """Press every place of the lattice on a magnet-free mesh, record every candidate, write the folder.
 
-    Presses go to `force_shares` of every one of `spec.judged_forces_n`, or of less where the deepest
+    Presses go to `force_shares` of every one of `spec.scoring_forces_n`, or of less where the deepest
     simulated press does not reach the largest share. Between simulated depths pressures are interpolated
     linearly: forces and equilibrium stay exact. A slip of the core is left out.
 
@@ -98,19 +99,19 @@ def simulate_candidates(
         presses.append(presses_at_forces(spec, response, index, force_shares))
         if progress:
             progress(f"face {surface.number}: contact at {len(presses[-1].force_n)} places")
-    there = pressed_nodes(spec)
+    has_place = pressed_nodes(spec)
     force, depth, deepest = (
         np.stack(
             [
-                values_on_grid(own, getattr(press, name))
-                for own, press in zip(there, presses, strict=True)
+                values_on_grid(face_places, getattr(press, name))
+                for face_places, press in zip(has_place, presses, strict=True)
             ]
         )
         for name in ("force_n", "depth_mm", "deepest_n")
     )
     tests = _test_points(spec, lattices)
     recorded, body, between = _record(spec, mesh, response, presses, lattices, tests, progress)
-    modes = max(len(one.presses.T) for one in recorded)
+    modes = max(len(face_motions.presses.T) for face_motions in recorded)
     count = sum(len(lattice) for lattice in lattices)
     motions_file = Path(folder) / MOTIONS_FILE
     by_candidate = np.lib.format.open_memmap(
@@ -119,11 +120,13 @@ def simulate_candidates(
     reserve_room(motions_file, by_candidate.offset)
     mixed = np.zeros((*force.shape, modes), np.float32)
     strain = np.zeros((count, modes, 5), np.float32)
-    for index, (own, one) in enumerate(zip(there, recorded, strict=True)):
-        used = one.presses.shape[1]
-        by_candidate[:, index, :used] = one.by_candidate
-        mixed[index, own, :, :used] = one.presses.reshape(int(own.sum()), -1, used)
-        strain[one.under_face, :used] = one.strain
+    for index, (face_places, face_motions) in enumerate(zip(has_place, recorded, strict=True)):
+        used = face_motions.presses.shape[1]
+        by_candidate[:, index, :used] = face_motions.by_candidate
+        mixed[index, face_places, :, :used] = face_motions.presses.reshape(
+            int(face_places.sum()), -1, used
+        )
+        strain[face_motions.under_face, :used] = face_motions.strain
     by_candidate.flush()
     faces = np.array([surface.number for surface in response.surfaces])
     unknown = InterpolationError(*(4 * [np.nan]))
@@ -137,11 +140,11 @@ def simulate_candidates(
         by_candidate,
         mixed,
         unknown,
-        body.turns_with_plane,
+        body.jeffery_parameter,
         strain,
         between,
     )
-    table = with_error(table, tests, [one.at_tests for one in recorded])
+    table = with_error(table, tests, [face_motions.at_tests for face_motions in recorded])
     save_candidates(table, folder)
     return table
 
@@ -164,7 +167,7 @@ def presses_at_forces(
     pressed = np.concatenate([np.zeros_like(pressed[:, :1]), pressed], axis=1)
     reached = pressed @ surface_weights_mm2(response.surfaces[face_index])
     shares = np.asarray(force_shares)
-    most = np.minimum(np.array(spec.judged_forces_n), reached[:, -1:] / shares.max())
+    most = np.minimum(np.array(spec.scoring_forces_n), reached[:, -1:] / shares.max())
     force = (shares * most[:, :, None]).reshape(len(places), -1)
     after = np.argmax(reached[:, None] >= force[:, :, None] * (1 - 1e-12), axis=2)
     place = np.arange(len(places))[:, None]
@@ -178,8 +181,8 @@ def presses_at_forces(
 
 @dataclass(frozen=True)
 class _Recorded:
-    """What presses of one face do, in its own modes: motions of candidates and of test points, strain round
-    candidates under that face, and what each press has of every mode."""
+    """Motions under presses of one face, in its own modes: motions of candidates and of test points,
+    strain round candidates under that face, and what each press has of every mode."""
 
     under_face: slice
     strain: Float32[np.ndarray, "own_candidate mode 5"]
@@ -197,12 +200,18 @@ def _record(
     tests: list[np.ndarray],
     progress: Progress | None,
 ) -> tuple[list[_Recorded], RigidBody, Influence]:
-    """Of every pressed face; the magnet that moves so, and how others move it."""
+    """Record every pressed face; return the magnet that moves so and how others move it too."""
     system = elastic_system(mesh, spec)
     tractions = face_pressure_loads(system.space, spec)[1]
-    known = [np.repeat(known_places(spec, one), len(one.depth_mm)) for one in lattices]
-    points = [*(one.xyd_mm[here] for one, here in zip(lattices, known, strict=True)), *tests]
-    filled, count, recorded = filled_candidates(lattices, known), sum(map(len, tests)), []
+    is_known = [
+        np.repeat(known_places(spec, candidates), len(candidates.depth_mm))
+        for candidates in lattices
+    ]
+    points = [
+        *(candidates.xyd_mm[here] for candidates, here in zip(lattices, is_known, strict=True)),
+        *tests,
+    ]
+    filled, count, recorded = filled_candidates(lattices, is_known), sum(map(len, tests)), []
     with Factorization(system.matrix) as factor:
         body, tied = tied_magnets(spec, system, factor, lattices)
         between = influence(spec, system.space, body, tied, lattices)
@@ -210,26 +219,26 @@ def _record(
             _placed(spec, lattice.face, xyd)
             for lattice, xyd in zip(lattices * 2, points, strict=True)
         ]
-        rows = rows_of([candidate_rows(system.space, *at, body) for at in placed])
-        strained = [strain_rows(system.space, *at, body) for at in placed[: len(lattices)]]
+        rows = rows_of([candidate_rows(system.space, *place, body) for place in placed])
+        strained = [strain_rows(system.space, *place, body) for place in placed[: len(lattices)]]
         for index, press in enumerate(presses):
             share, patterns = _patterns(press.pressure_mpa)
             loads = tractions[:, response.face_loads(index)] @ patterns.T
             number = response.surfaces[index].number
-            (under,) = (k for k, one in enumerate(lattices) if one.face == number)
-            every = rows_of([rows, strained[under]])
-            found = np.empty((shape_of(every)[0], len(patterns)), np.float32)
+            (under,) = (k for k, candidates in enumerate(lattices) if candidates.face == number)
+            all_rows = rows_of([rows, strained[under]])
+            moved = np.empty((shape_of(all_rows)[0], len(patterns)), np.float32)
             for first in range(0, len(patterns), _CHUNK):
                 column = slice(first, first + _CHUNK)
-                found[:, column] = every @ displacements(system, factor, loads[:, column])
-            found, strain = np.split(found, [shape_of(rows)[0]])
-            motion, of_patterns = compressed(found.reshape(-1, 6, len(patterns)))
+                moved[:, column] = all_rows @ displacements(system, factor, loads[:, column])
+            moved, strain = np.split(moved, [shape_of(rows)[0]])
+            motion, of_patterns = compressed(moved.reshape(-1, 6, len(patterns)))
             strain = (strain @ of_patterns.astype(np.float32)).reshape(-1, 5, of_patterns.shape[1])
             begin = sum(map(len, lattices[:under]))
             recorded.append(
                 _Recorded(
                     slice(begin, begin + len(lattices[under])),
-                    filled_candidates((lattices[under],), [known[under]])(
+                    filled_candidates((lattices[under],), [is_known[under]])(
                         strain.transpose(0, 2, 1)
                     ),
                     filled(motion[: len(motion) - count]),
@@ -245,10 +254,10 @@ def _record(
 def _patterns(
     pressure_mpa: Float[np.ndarray, "place step vertex"],
 ) -> tuple[Float[np.ndarray, "press pattern"], Float[np.ndarray, "pattern vertex"]]:
-    """Of presses, what each has of patterns of pressure that are orthogonal and as large as their part in
-    all: far fewer than presses, so that it takes few solves."""
-    every = pressure_mpa.reshape(-1, pressure_mpa.shape[-1])
-    share, size, pattern = np.linalg.svd(every, full_matrices=False)
+    """Return each press's share of patterns of pressure, and the patterns: orthogonal, as large as their
+    part in all presses, and far fewer than these, so that few solves are needed."""
+    all_pressures = pressure_mpa.reshape(-1, pressure_mpa.shape[-1])
+    share, size, pattern = np.linalg.svd(all_pressures, full_matrices=False)
     kept = size > _LEAST_PRESSURE * size[0]
     return share[:, kept], size[kept, None] * pattern[kept]
 
@@ -257,7 +266,7 @@ def compressed(
     motion: Float[np.ndarray, "candidate 6 press"], least: float = _LEAST_MODE
 ) -> tuple[Float32[np.ndarray, "candidate mode 6"], Float[np.ndarray, "press mode"]]:
     """Modes of motions under presses, rotations weighed by `MM_PER_RAD`, and what each press has of them;
-    without those that are smaller than `least` of the largest."""
+    modes smaller than `least` of the largest are left out."""
     weighted = motion * np.repeat([1.0, MM_PER_RAD], 3)[:, None]
     flat = weighted.reshape(-1, motion.shape[2])
     gram = np.zeros((motion.shape[2], motion.shape[2]))
@@ -282,44 +291,44 @@ def _placed(
 
 def _test_points(spec: ObjectSpec, lattices: tuple[FaceCandidates, ...]) -> list[np.ndarray]:
     """Random (x, y, depth) among the candidates of every face, where a pocket lies under its patch."""
-    random, found = np.random.default_rng(1), []
+    random, inside = np.random.default_rng(1), []
     for lattice in lattices:
         frame = face_frame(spec, lattice.face)
         ends = lattice.xyd_mm.min(0), lattice.xyd_mm.max(0)
         points = random.uniform(*ends, (_TEST_POINTS_PER_FACE, 3))
         beside = abs(frame.to_plane(points[:, :2])) + spec.shell.pocket_diameter_mm / 2
-        found.append(points[frame.covers(beside)])
-    return found
+        inside.append(points[frame.covers(beside)])
+    return inside
 
 
 def values_on_grid(
-    there: Bool[np.ndarray, "place"], values: Float[np.ndarray, "own *step"]
+    has_place: Bool[np.ndarray, "place"], values: Float[np.ndarray, "own *step"]
 ) -> Float[np.ndarray, "place *step"]:
-    """Of the places that a face has; NaN elsewhere."""
-    found = np.full((len(there), *values.shape[1:]), np.nan)
-    found[there] = values
-    return found
+    """Spread values of a face's places over the lattice; NaN elsewhere."""
+    on_grid = np.full((len(has_place), *values.shape[1:]), np.nan)
+    on_grid[has_place] = values
+    return on_grid
 
 
 def filled_candidates(
-    lattices: tuple[FaceCandidates, ...], known: list[np.ndarray]
+    lattices: tuple[FaceCandidates, ...], is_known: list[np.ndarray]
 ) -> Callable[[np.ndarray], np.ndarray]:
     """Return what goes on from the known candidates of every face to all of them."""
-    if all(here.all() for here in known):
+    if all(here.all() for here in is_known):
         return lambda values: values
     blocks = [
-        extension(here.reshape(one.shape)[:, :, 0])
-        for one, here in zip(lattices, known, strict=True)
+        extension(here.reshape(candidates.shape)[:, :, 0])
+        for candidates, here in zip(lattices, is_known, strict=True)
     ]
-    every = [
-        sp.kron(block, sp.eye(len(one.depth_mm)))
-        for block, one in zip(blocks, lattices, strict=True)
+    all_blocks = [
+        sp.kron(block, sp.eye(len(candidates.depth_mm)))
+        for block, candidates in zip(blocks, lattices, strict=True)
     ]
-    matrix = sp.csr_matrix(sp.block_diag(every), dtype=np.float32)
+    matrix = sp.csr_matrix(sp.block_diag(all_blocks), dtype=np.float32)
 
     def filled(values: np.ndarray) -> np.ndarray:
-        found = matrix @ values.reshape(len(values), -1)
-        return found.reshape(-1, *values.shape[1:])
+        extended = matrix @ values.reshape(len(values), -1)
+        return extended.reshape(-1, *values.shape[1:])
 
     return filled
 
@@ -336,11 +345,11 @@ def with_error(
         for row in np.flatnonzero(table.faces == lattice.face).tolist():
             index, weight = table.weights(lattice.face, points)
             # m test point, k of its 64 candidates, r mode, v of 6 motions
-            found = np.einsum("mk,mkrv->mrv", weight, table.by_candidate[index, row])
-            own = direct[row][end - len(points) : end]
+            interpolated = np.einsum("mk,mkrv->mrv", weight, table.by_candidate[index, row])
+            direct_modes = direct[row][end - len(points) : end]
             modes = table.presses[row].reshape(-1, table.presses.shape[-1])
-            exact.append(modes[:, : own.shape[1]] @ own)
-            wrong.append(modes @ found - exact[-1])
+            exact.append(modes[:, : direct_modes.shape[1]] @ direct_modes)
+            wrong.append(modes @ interpolated - exact[-1])
     exact, wrong = (
         np.concatenate([m.reshape(-1, 2, 3) for m in parts]) for parts in (exact, wrong)
     )

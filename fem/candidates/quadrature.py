@@ -52,8 +52,8 @@ def _rim_quadrature(outline: Outline, around: int) -> tuple[np.ndarray, np.ndarr
         return points, np.full(around, 2 * np.pi * radius / around)
     node, weight = np.polynomial.legendre.leggauss(max(2, around // 4))
     x, y = outline.half_mm
-    one = np.ones_like(node)
-    sides = [(x * one, y * node, y), (-x * one, y * node, y), (x * node, y * one, x)]
-    sides.append((x * node, -y * one, x))
+    ones = np.ones_like(node)
+    sides = [(x * ones, y * node, y), (-x * ones, y * node, y), (x * node, y * ones, x)]
+    sides.append((x * node, -y * ones, x))
     points = np.concatenate([np.column_stack([a, b]) for a, b, _ in sides])
     return points, np.concatenate([half * weight for *_, half in sides])

@@ -83,7 +83,7 @@ class RigidBody:
     strain_weights: Float[np.ndarray, "5 3 point"]
 
     @property
-    def turns_with_plane(self) -> float:
+    def jeffery_parameter(self) -> float:
         """Share λ of strain E in how it turns, ½ curl u − λ n × E n with n its axis (Jeffery, Proc. R. Soc.
         A 102 (1922) 161): 1 for a thin disk, which turns with the plane it lies in, 0 for a sphere. In a
         shell of 8 mm a disk of 6 × 1 mm has 0.64."""
@@ -161,7 +161,7 @@ def candidate_rows(
     """Motions (c, ω) of rigid bodies at these places under nodal displacements; (6·body, 3·node).
 
     `axes` are the body's x, y and axis as columns, one frame of all places or of each; motions are
-    told in the object's frame.
+    given in the object's frame.
     """
     each = np.broadcast_to(axes, (len(centres_mm), 3, 3))
     local = body.weights.reshape(2, 3, 3, -1)
@@ -194,8 +194,8 @@ def _weighted_rows(
 ) -> sp.csr_matrix:
     """Sums over the bodies' points, body by body, of displacement components in the object's frame."""
     count, points = len(centres_mm), len(body.points_mm)
-    at = centres_mm[:, None] + body.points_mm @ np.swapaxes(axes, 1, 2)
-    values = interpolate_at(space, at.reshape(-1, 3))
+    skin_mm = centres_mm[:, None] + body.points_mm @ np.swapaxes(axes, 1, 2)
+    values = interpolate_at(space, skin_mm.reshape(-1, 3))
     # CSR by hand: row b holds the weights of the points of body b, which follow each other.
     ends, columns = np.arange(0, count * points + 1, points), np.arange(count * points)
 

@@ -8,7 +8,7 @@ any layout is answered by the one factorization of the magnet-free mesh.
 Elements that the skin crosses stiffen too, so on coarse elements a magnet acts as if it were larger.
 Ties therefore lie `INSET` = 0.035 mean edge lengths inside the skin (at most a fifth of the height),
 found to suit edges of 1 to 3 mm. Against a mesh that resolves one magnet with edges of 0.5 mm
-(largest error of four patch loads over and beside it, in compliance, displacement and rotation of
+(largest error of four patch loads over and next to it, in compliance, displacement and rotation of
 the magnet), 36 functionals:
 
 | mean edge at the magnet | compliance | displacement | rotation |
@@ -23,7 +23,7 @@ the magnet), 36 functionals:
 
 The last row shows too few functionals for fine elements: the silicone then squeezes between them,
 and a higher `degree` is due. The default of 2 takes 36 for a disk. Layouts tied to one mesh differ
-by nothing but the layout, where meshing each anew adds the scatter between meshes.
+by nothing but the layout, where meshing each again adds the scatter between meshes.
 """
 
 from __future__ import annotations
@@ -176,9 +176,9 @@ def polynomials(points_mm: np.ndarray, weights: np.ndarray, degree: int) -> np.n
 def rigid_motions(arm_mm: np.ndarray) -> list[np.ndarray]:
     """Columns of u_x, u_y and u_z under unit (c, ω): u = c + ω × r."""
     x, y, z = arm_mm.T
-    one, zero = np.ones_like(x), np.zeros_like(x)
+    ones, zeros = np.ones_like(x), np.zeros_like(x)
     return [
-        np.column_stack([one, zero, zero, zero, z, -y]),
-        np.column_stack([zero, one, zero, -z, zero, x]),
-        np.column_stack([zero, zero, one, y, -x, zero]),
+        np.column_stack([ones, zeros, zeros, zeros, z, -y]),
+        np.column_stack([zeros, ones, zeros, -z, zeros, x]),
+        np.column_stack([zeros, zeros, ones, y, -x, zeros]),
     ]

@@ -31,7 +31,7 @@ _TOUCHES_BELOW = 0.6
 class Contact:
     """Pressures (MPa) at each depth, and how firmly each unknown is in contact or out of it.
 
-    `firmness_mm3` is p_i C_ii in contact and −g_i beside it: it changes little from place to place.
+    `firmness_mm3` is p_i C_ii in contact and −g_i out of it: it changes little from place to place.
     """
 
     pressure_mpa: Float[np.ndarray, "step i"]
@@ -53,7 +53,7 @@ def contact(
     profile_moments: Float[np.ndarray, "i"],
     weights: Float[np.ndarray, "i"],
     depths_mm: Float[np.ndarray, "step"],
-    beside: Contact | None = None,
+    nearby: Contact | None = None,
 ) -> Contact:
     """Pressures (MPa) at each depth, for candidate unknowns i of one tip.
 
@@ -62,7 +62,7 @@ def contact(
     compliance : ∫ φ_i u_n dA for unit φ_j, mm³/MPa
     profile_moments : ∫ φ_i profile dA, mm³, the tip's surface above its lowest point
     weights : ∫ φ_i dA, mm²
-    beside : the same tip at the same depths elsewhere, which says where to begin (the pressures are
+    nearby : the same tip at the same depths elsewhere, which says where to begin (the pressures are
         the same: a third fewer systems are solved)
 
     Raises
@@ -71,14 +71,14 @@ def contact(
         A compliance that is not positive definite.
     """
     pressures = np.zeros((len(depths_mm), len(weights)))
-    firmness, own = np.zeros_like(pressures), compliance.diagonal()
+    firmness, own_compliance = np.zeros_like(pressures), compliance.diagonal()
     active = np.zeros(len(weights), bool)
     for step, depth in enumerate(depths_mm):
         gap = profile_moments - depth * weights
-        if beside is None:
+        if nearby is None:
             guess = active | (profile_moments < _TOUCHES_BELOW * depth * weights)
         else:
-            guess = _expected(beside, firmness, step)
+            guess = _expected(nearby, firmness, step)
         try:
             pressures[step], after, active = _solve_complementarity(compliance, gap, guess)
         except np.linalg.LinAlgError as error:
@@ -86,19 +86,19 @@ def contact(
                 "contact cannot be solved: the face's compliance is not positive definite under the "
                 "indenter. Use smaller mesh.surface_edge_mm, or magnets further below the surface"
             ) from error
-        firmness[step] = pressures[step] * own - after
+        firmness[step] = pressures[step] * own_compliance - after
     return Contact(pressures, firmness)
 
 
-def _expected(beside: Contact, firmness: np.ndarray, step: int) -> Bool[np.ndarray, "i"]:
-    """Return what touches: as beside, corrected by how the steps before differed from there."""
-    there = beside.firmness_mm3
-    expected = there[step]
+def _expected(nearby: Contact, firmness: np.ndarray, step: int) -> Bool[np.ndarray, "i"]:
+    """Return what touches: as nearby, corrected by how the steps before differed from there."""
+    nearby_firmness = nearby.firmness_mm3
+    expected = nearby_firmness[step]
     if step:
-        off = firmness[step - 1] - there[step - 1]
+        off = firmness[step - 1] - nearby_firmness[step - 1]
         expected = expected + off
     if step > 1:
-        expected += (off - (firmness[step - 2] - there[step - 2])) / 2
+        expected += (off - (firmness[step - 2] - nearby_firmness[step - 2])) / 2
     return expected > 0
 
 
@@ -122,7 +122,7 @@ def _solve_complementarity(
         if (switched == active).all():
             return pressure, after, active
         active = switched
-    pressure, active = _by_least_squares(compliance, gap)
+    pressure, active = _solve_least_squares(compliance, gap)
     return pressure, compliance @ pressure + gap, active
 
 
@@ -142,7 +142,7 @@ def solve_positive(matrix: np.ndarray, right_side: np.ndarray) -> np.ndarray:
     return solution
 
 
-def _by_least_squares(compliance: np.ndarray, gap: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _solve_least_squares(compliance: np.ndarray, gap: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The same problem as min |Lᵀp + L⁻¹ gap|, p ≥ 0, with C = L Lᵀ: slower, never cycles."""
     lower = np.linalg.cholesky(compliance)
     pressure, _ = nnls(lower.T, -scipy.linalg.solve_triangular(lower, gap, lower=True))

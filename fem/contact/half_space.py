@@ -38,7 +38,7 @@ class Patches:
     area_mm2: Float[np.ndarray, "patch"]
     centre_mm: Float[np.ndarray, "patch dim"]
     variance_mm2: Float[np.ndarray, "patch"]
-    own: float = SQUARE_OWN
+    own_factor: float = SQUARE_OWN
 
 
 def normal_compliance(
@@ -71,17 +71,17 @@ def traction_compliance(
     scale = products * np.sqrt(np.pi / 2 / spread) * factor
     zeroth, first = i0e(argument), i1e(argument)
     distance = np.linalg.norm(offset, axis=-1)
-    along = offset / np.where(distance > 0, distance, 1)[..., None]
+    direction = offset / np.where(distance > 0, distance, 1)[..., None]
     result = np.zeros((3, len(a.area_mm2), 3, len(b.area_mm2)))
     result[0, :, 0] = normal_compliance(a, b, youngs_modulus_mpa, poisson_ratio)
     drawn_in = factor * (1 - 2 * poisson_ratio) / 2 * products * np.expm1(-2 * argument)
     drawn_in = drawn_in / np.where(distance > 0, distance, 1)
     for i in range(2):
-        result[1 + i, :, 0] = drawn_in * along[..., i]
-        result[0, :, 1 + i] = -drawn_in * along[..., i]
+        result[1 + i, :, 0] = drawn_in * direction[..., i]
+        result[0, :, 1 + i] = -drawn_in * direction[..., i]
         for j in range(2):
             same = float(i == j)
-            turned = (zeroth - first) * same / 2 + first * along[..., i] * along[..., j]
+            turned = (zeroth - first) * same / 2 + first * direction[..., i] * direction[..., j]
             sheared = (1 - poisson_ratio) * same * zeroth + poisson_ratio * turned
             result[1 + i, :, 1 + j] = scale * sheared
     return result
@@ -90,7 +90,10 @@ def traction_compliance(
 def chosen(patches: Patches, index: Int[np.ndarray, "chosen"]) -> Patches:
     """Some of the patches, in that order."""
     return Patches(
-        patches.area_mm2[index], patches.centre_mm[index], patches.variance_mm2[index], patches.own
+        patches.area_mm2[index],
+        patches.centre_mm[index],
+        patches.variance_mm2[index],
+        patches.own_factor,
     )
 
 
@@ -100,7 +103,7 @@ def joined(patches: Sequence[Patches]) -> Patches:
         np.concatenate([group.area_mm2 for group in patches]),
         np.concatenate([group.centre_mm for group in patches]),
         np.concatenate([group.variance_mm2 for group in patches]),
-        patches[0].own,
+        patches[0].own_factor,
     )
 
 
@@ -108,7 +111,7 @@ def _products(a: Patches, b: Patches) -> np.ndarray:
     """Products of areas; the diagonal of patches with themselves has the factor of their shape."""
     products = np.multiply.outer(a.area_mm2, b.area_mm2)
     if a is b:
-        products[np.diag_indices_from(products)] *= a.own
+        products[np.diag_indices_from(products)] *= a.own_factor
     return products
 
 

@@ -92,7 +92,7 @@ def core_state(
 def with_open_core(
     response: ResponseOperator, open_: Bool[np.ndarray, "i"], hold_n_per_mm: Float[np.ndarray, "i"]
 ) -> ResponseOperator:
-    """The response with `open_` vertices of its core let go; `core` still tells of the closed one."""
+    """The response with `open_` vertices of its core let go; `core` still describes the closed one."""
     core = response.core
     if core is None or not open_.any():
         return response

@@ -32,7 +32,7 @@ from fem.contact.rigid_base import LEAST_WEIGHT, RigidBase, rigid_bases
 from fem.linear.response import FaceSurface, ResponseOperator
 
 _FAR_MM = 1e3
-"""Where cells are put that miss the face."""
+"""Place of cells that miss the face."""
 
 
 @dataclass(frozen=True)
@@ -57,8 +57,11 @@ class RefinedFace:
         length = np.diff(self.narrowing.indptr)
         neighbours = np.repeat(np.arange(len(length))[:, None], length.max(), axis=1)
         weights = np.zeros(neighbours.shape)
-        there = np.arange(length.max()) < length[:, None]
-        neighbours[there], weights[there] = self.narrowing.indices, self.narrowing.data
+        has_neighbour = np.arange(length.max()) < length[:, None]
+        neighbours[has_neighbour], weights[has_neighbour] = (
+            self.narrowing.indices,
+            self.narrowing.data,
+        )
         return neighbours, weights
 
 
@@ -68,7 +71,7 @@ class Spread:
 
     `patches` lie on the face, `in_plane` are the same in the plane that touches it where the indenter
     lands. `matrix` (row, cell) is for the face's vertices `rows`; `height_mm` is the face's own over that
-    plane, `cosine` that of how it leans there; both are NaN beside the patch. `above_mm` is how
+    plane, `cosine` that of how it leans there; both are NaN off the patch. `above_mm` is how
     far a slipped or dented face lies above the one at rest.
     """
 
@@ -111,7 +114,7 @@ def spread_cells(face: RefinedFace, patches: Patches, place_mm: Float[np.ndarray
 
     `patches` lie in the plane that touches the face at `place_mm`, called by the place's own x, y.
     """
-    on_face, height, cosine = _onto_face(face.frame, patches.centre_mm, place_mm)
+    on_face, height, cosine = _project_onto_face(face.frame, patches.centre_mm, place_mm)
     missed = ~np.isfinite(height)
     vertices, share = barycentric(face.triangulation, np.where(missed[:, None], 0, on_face)[:, :2])
     area = patches.area_mm2 / np.where(missed, 1, cosine)
@@ -142,7 +145,7 @@ def _narrowed(
     return rows, np.bincount(slot.ravel(), entry.ravel(), len(rows) * cells).reshape(-1, cells)
 
 
-def _onto_face(
+def _project_onto_face(
     frame: FaceFrame, xy_mm: np.ndarray, place_mm: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Points of the touching plane on the face (in its frame), how much higher, how it leans."""
@@ -151,9 +154,9 @@ def _onto_face(
         return flat, np.zeros(len(flat)), np.ones(len(flat))
     tangent = frame.tangent(place_mm)
     points = tangent.to_object(flat)
-    on_face = frame.onto(points, tangent.normal)
+    on_face = frame.project_along(points, tangent.normal)
     on_face[~frame.covers(np.nan_to_num(on_face[:, :2], nan=np.inf))] = np.nan
-    height = (on_face - frame.in_plane(points)) @ (tangent.normal @ frame.axes)
+    height = (on_face - frame.plane_coordinates(points)) @ (tangent.normal @ frame.axes)
     return on_face, height, frame.axes_at(on_face[:, :2])[..., 2] @ tangent.normal
 
 
@@ -237,11 +240,11 @@ def hat_patches(surface: FaceSurface) -> Patches:
     weights, first, second = np.zeros(count), np.zeros((count, 3)), np.zeros(count)
     total, squares = corner.sum(axis=1), np.sum(corner**2, axis=(1, 2))
     for k in range(3):
-        own = corner[:, k]
+        vertex = corner[:, k]
         np.add.at(weights, surface.triangles[:, k], area / 3)
-        np.add.at(first, surface.triangles[:, k], area[:, None] / 12 * (total + own))
-        # ∫ λ_k |x|² = A/60 (Σ_ab x_a·x_b (1 + δ_ab) + 2 own·Σ x + 2 own²), by ∫ λ_k λ_a λ_b
-        moment = np.sum(total**2, axis=1) + squares + 2 * np.sum(own * (total + own), axis=1)
+        np.add.at(first, surface.triangles[:, k], area[:, None] / 12 * (total + vertex))
+        # ∫ λ_k |x|² = A/60 (Σ_ab x_a·x_b (1 + δ_ab) + 2 vertex·Σ x + 2 vertex²), by ∫ λ_k λ_a λ_b
+        moment = np.sum(total**2, axis=1) + squares + 2 * np.sum(vertex * (total + vertex), axis=1)
         np.add.at(second, surface.triangles[:, k], area / 60 * moment)
     centre = first / weights[:, None]
     return Patches(weights, centre, (second / weights - np.sum(centre**2, axis=1)) / 2, HAT_OWN)

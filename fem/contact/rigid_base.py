@@ -7,7 +7,7 @@ to the same patches, each of them wider by v in its variance per axis. v makes t
 shortest wave that triangles hold, two edges: there finite elements hand over to the closed form. Longer
 waves are theirs, so that on finer meshes what is taken back of cells and of their hats becomes the same.
 
-The magnet is no layer without end: beside its rim the share fades. Only that is set by forces, of NGSolve
+The magnet is no layer without end: outside its rim the share fades. Only that is set by forces, of NGSolve
 on a cube, a ball and a capsule; a box with other magnets at three depths and a pear came after
 (`benchmarks/forces_over_magnets.py`). What is left at 1 and 2 mm depth stands in docs/measured/presses.md.
 """
@@ -30,12 +30,12 @@ from fem.linear.response import FaceSurface
 
 _FADES, _REACHES = 1.0, 0.8
 """In depths: width of the fading, and how far outside the rim its middle lies. By forces of NGSolve over
-and beside magnets of Ø 6 mm, 2 mm deep; 0.6 and 0.4 instead change forces by 1 % at 1 mm at most. They
+and next to magnets of Ø 6 mm, 2 mm deep; 0.6 and 0.4 instead change forces by 1 % at 1 mm at most. They
 were tried on magnets 1 to 2.5 mm deep that are twice as wide as deep, or wider."""
 _HAT_VARIANCE = 1 / 8
-"""Of the hat function of an equilateral triangulation, per axis, over its edge squared."""
+"""Variance of the hat function of an equilateral triangulation, per axis, over its edge squared."""
 LEAST_WEIGHT = 0.02
-"""Cells that count less are left out, which takes time only: beside magnets forces change by 0.006 %."""
+"""Cells that count less are left out, which takes time only: next to magnets forces change by 0.006 %."""
 _LEAST_DEPTH_MM, _DEPTH_STEP_MM, _EDGE_STEP_MM = 0.3, 0.05, 0.1
 """Depths and edges are rounded, so that presses over a tilted magnet, and magnets, share what is kept: 0.1 %
 of force."""
@@ -56,7 +56,7 @@ class RigidBase:
     def weights(self, points_mm: Float[np.ndarray, "n 3"]) -> tuple[Float[np.ndarray, "n"], float]:
         """Return how far the body is what lies under points of the face (0 to 1), and its depth (mm)."""
         x, y, z = ((points_mm - self.centre_mm) @ self.axes).T
-        beyond = self.outline.beyond_mm(np.column_stack([x, y]))
+        beyond = self.outline.signed_distance_mm(np.column_stack([x, y]))
         depth = np.clip(abs(z) - self.height_mm / 2, _LEAST_DEPTH_MM, None)
         weight = erfc((beyond / depth - _REACHES) / _FADES) / 2
         total = weight.sum()
@@ -66,7 +66,7 @@ class RigidBase:
     def taken_back(self, patches: Patches, depth_mm: float) -> Float[np.ndarray, "patch patch"]:
         """∫ u_n dA over each patch per unit pressure on each that a base takes back, mm³/MPa."""
         variance = patches.variance_mm2 + widening_mm2(depth_mm, self.edge_mm, self.elastic[1])
-        wider = replace(patches, variance_mm2=variance, own=1.0)
+        wider = replace(patches, variance_mm2=variance, own_factor=1.0)
         return normal_compliance(wider, wider, *self.elastic)
 
     def taken_back_wherever(
@@ -75,7 +75,7 @@ class RigidBase:
         """The same, kept: in its plane an indenter's cells are the same at every place. Read-only."""
         away = patches.centre_mm - patches.centre_mm[0]
         pattern = np.column_stack([away, patches.area_mm2, patches.variance_mm2]).round(9)
-        return _of_pattern(self.elastic, pattern.tobytes(), len(pattern), depth_mm, self.edge_mm)
+        return _pattern_share(self.elastic, pattern.tobytes(), len(pattern), depth_mm, self.edge_mm)
 
 
 def widening_mm2(depth_mm: float, edge_mm: float, poisson_ratio: float) -> float:
@@ -90,7 +90,7 @@ def widening_mm2(depth_mm: float, edge_mm: float, poisson_ratio: float) -> float
 
 
 @functools.lru_cache(maxsize=32)
-def _of_pattern(
+def _pattern_share(
     elastic: tuple[float, float], pattern: bytes, count: int, depth_mm: float, edge_mm: float
 ) -> Float[np.ndarray, "patch patch"]:
     """Return what is taken back of patches known by their centroids, area and variance."""
@@ -111,7 +111,7 @@ def rigid_bases(
     layout, bases = shell_body_layout(spec), []
     elastic = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
     for i in np.flatnonzero(layout.face == frame.number):
-        centre, axes = frame.in_plane(layout.centre_mm[i]), frame.axes.T @ layout.frame[i]
+        centre, axes = frame.plane_coordinates(layout.centre_mm[i]), frame.axes.T @ layout.frame[i]
         if surface.slip_mm is not None:
             from_there = np.linalg.norm(surface.xy_mm - surface.slip_mm - centre[:2], axis=1)
             centre[:2] += surface.slip_mm[np.argmin(from_there)]

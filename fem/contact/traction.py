@@ -39,7 +39,7 @@ from fem.mesh.tetrahedra import TetMesh
 
 @dataclass(frozen=True)
 class TractionResponse:
-    """What cells do to each other and to the magnets, per unit traction on each.
+    """Response of cells to each other and to the magnets, per unit traction on each.
 
     Directions are inwards, then along the face's x and y. `compliance` holds ∫ u_i dA, mm³/MPa;
     `motion` the magnets' six motions each, mm and rad per MPa.
@@ -82,8 +82,8 @@ def traction_response(
     condensed = condensed_compliance(system, spec, mesh, columns_of(tractions))
     hats = [chosen(spread.face.hats, spread.rows) for spread in spreads]
     count = 3 * sum(len(group.area_mm2) for group in hats)
-    one = np.asarray(scipy.linalg.block_diag(*(spread.matrix for spread in spreads)))
-    share = np.kron(np.eye(3), one)
+    spread_matrix = np.asarray(scipy.linalg.block_diag(*(spread.matrix for spread in spreads)))
+    share = np.kron(np.eye(3), spread_matrix)
     wide = condensed[:count, :count] - half_space_compliance(spec, faces, hats)
     compliance = share.T @ wide @ share + half_space_compliance(spec, faces, groups)
     cells, first = share.shape[1] // 3, 0
@@ -120,8 +120,8 @@ def require_flat(frame: FaceFrame) -> None:
 
 def traction_loads(frame: FaceFrame, direction: int, moments: sp.csc_matrix) -> sp.csr_matrix:
     """Nodal forces of unit hats inwards (0), along the face's x (1) or y (2)."""
-    along = (-frame.normal, frame.x, frame.y)[direction]
-    return rows_of([part * moments for part in along])
+    axis = (-frame.normal, frame.x, frame.y)[direction]
+    return rows_of([part * moments for part in axis])
 
 
 def condensed_compliance(

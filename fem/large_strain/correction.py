@@ -50,7 +50,7 @@ class PressPair:
     linear_force_n: Float[np.ndarray, "step"]
     motion: Float[np.ndarray, "step magnet 6"]
     linear_motion: Float[np.ndarray, "step magnet 6"]
-    own: Bool[np.ndarray, "magnet"]
+    on_pressed_face: Bool[np.ndarray, "magnet"]
     normal: Float[np.ndarray, "3"]
 
 
@@ -114,14 +114,16 @@ def fit_correction(pairs: Sequence[PressPair], thickness_mm: float) -> StrainCor
 def leave_one_out(pairs: Sequence[PressPair], thickness_mm: float) -> CorrectionError:
     """Predict each press from a fit to all others."""
     nothing = StrainCorrection(thickness_mm)
-    before = [_errors(pair, nothing) for pair in pairs]
-    after = [
+    uncorrected = [_errors(pair, nothing) for pair in pairs]
+    corrected = [
         _errors(pair, _fit([*pairs[:index], *pairs[index + 1 :]], thickness_mm))
         for index, pair in enumerate(pairs)
     ]
     return CorrectionError(
         *(
-            _quantity([one[part] for one in before], [one[part] for one in after])
+            _quantity(
+                [errors[part] for errors in uncorrected], [errors[part] for errors in corrected]
+            )
             for part in range(3)
         )
     )
@@ -158,14 +160,14 @@ def corrected_joint(
     """
     force, moved = force_n.copy(), None
     for face in dict.fromkeys(faces.tolist()):
-        here, (own, normal) = faces == face, own_bodies(spec, face)
+        here, (on_face, normal) = faces == face, own_bodies(spec, face)
         deepest = depth_mm[:, here].max(axis=1)
-        on_face, motions = corrected_presses(
-            correction, deepest, force_n[:, here].T, motion, own, normal
+        face_force_n, motions = corrected_presses(
+            correction, deepest, force_n[:, here].T, motion, on_face, normal
         )
-        force[:, here] = on_face.T
+        force[:, here] = face_force_n.T
         moved = motions if moved is None else moved
-        moved[:, own] = motions[:, own]
+        moved[:, on_face] = motions[:, on_face]
     return force, motion if moved is None else moved
 
 
@@ -173,17 +175,17 @@ def _fit(pairs: Sequence[PressPair], thickness_mm: float) -> StrainCorrection:
     force, shift, rotation = [], [], []
     for pair in pairs:
         share = pair.depth_mm / thickness_mm
-        squeeze = _squeeze(pair.depth_mm, pair.linear_motion, pair.own, pair.normal)
+        squeeze = _squeeze(pair.depth_mm, pair.linear_motion, pair.on_pressed_face, pair.normal)
         columns = [share, share * squeeze]
         force.append(_row(columns, pair.force_n / pair.linear_force_n - 1))
         moved, turned = pair.linear_motion[..., :3], pair.linear_motion[..., 3:]
-        along = share[:, None, None]
+        depth_share = share[:, None, None]
         difference = pair.motion - pair.linear_motion
         weight = 1 / _largest(moved)[:, None, None]
-        columns = [weight * along * moved, weight * np.cross(turned, moved)]
+        columns = [weight * depth_share * moved, weight * np.cross(turned, moved)]
         shift.append(_row(columns, weight * difference[..., :3]))
         weight = 1 / _largest(turned)[:, None, None]
-        rotation.append(_row([weight * along * turned], weight * difference[..., 3:]))
+        rotation.append(_row([weight * depth_share * turned], weight * difference[..., 3:]))
     a, b = _solve(force)
     c, d = _solve(shift)
     return StrainCorrection(thickness_mm, (a, b), (c, d), (_solve(rotation)[0],))
@@ -199,10 +201,10 @@ def _solve(rows: list[tuple[np.ndarray, np.ndarray]]) -> list[float]:
 
 
 def _squeeze(
-    depth_mm: np.ndarray, motion: np.ndarray, own: np.ndarray, normal: np.ndarray
+    depth_mm: np.ndarray, motion: np.ndarray, on_pressed_face: np.ndarray, normal: np.ndarray
 ) -> np.ndarray:
     """s: the largest inward shift of a magnet of the pressed face over the depth; ≥ 0."""
-    inward = -(motion[..., own, :3] @ normal)
+    inward = -(motion[..., on_pressed_face, :3] @ normal)
     return np.maximum(inward.max(axis=-1, initial=0), 0) / depth_mm
 
 
@@ -219,17 +221,17 @@ def corrected_presses(
     depth_mm: Float[np.ndarray, "step"],
     force_n: Float[np.ndarray, "*any step"],
     motion: Float[np.ndarray, "*some step magnet 6"],
-    own: Bool[np.ndarray, "magnet"],
+    on_pressed_face: Bool[np.ndarray, "magnet"],
     normal: Float[np.ndarray, "3"],
 ) -> tuple[Float[np.ndarray, "*any step"], Float[np.ndarray, "*some step magnet 6"]]:
-    """Presses of a face corrected; `own` and `normal` are those of `own_bodies`."""
+    """Presses of a face corrected; `on_pressed_face` and `normal` are those of `own_bodies`."""
     (a, b), (c, d), (e,) = correction.force, correction.shift, correction.rotation
     share = depth_mm / correction.thickness_mm
-    squeeze = _squeeze(depth_mm, motion, own, normal)
+    squeeze = _squeeze(depth_mm, motion, on_pressed_face, normal)
     moved, turned = motion[..., :3], motion[..., 3:]
-    along = share[:, None, None]
-    shift = moved * (1 + c * along) + d * np.cross(turned, moved)
-    rotation = turned * (1 + e * along)
+    depth_share = share[:, None, None]
+    shift = moved * (1 + c * depth_share) + d * np.cross(turned, moved)
+    rotation = turned * (1 + e * depth_share)
     return (
         force_n * (1 + share * (a + b * squeeze)),
         np.concatenate([shift, rotation], axis=-1),
@@ -241,7 +243,12 @@ def _errors(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Errors of force, shift and rotation at every depth, as shares of the nonlinear press."""
     force, motion = corrected_presses(
-        correction, pair.depth_mm, pair.linear_force_n, pair.linear_motion, pair.own, pair.normal
+        correction,
+        pair.depth_mm,
+        pair.linear_force_n,
+        pair.linear_motion,
+        pair.on_pressed_face,
+        pair.normal,
     )
     off = motion - pair.motion
     shift = _largest(off[..., :3]) / _largest(pair.motion[..., :3])
@@ -254,8 +261,10 @@ def _largest(vectors: np.ndarray) -> np.ndarray:
     return np.linalg.norm(vectors, axis=-1).max(axis=-1)
 
 
-def _quantity(before: list[np.ndarray], after: list[np.ndarray]) -> QuantityError:
-    uncorrected, corrected = np.concatenate(before), np.concatenate(after)
+def _quantity(
+    uncorrected_parts: list[np.ndarray], corrected_parts: list[np.ndarray]
+) -> QuantityError:
+    uncorrected, corrected = np.concatenate(uncorrected_parts), np.concatenate(corrected_parts)
     return QuantityError(
         float(np.sqrt((uncorrected**2).mean())),
         float(uncorrected.max()),

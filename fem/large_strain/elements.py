@@ -35,7 +35,7 @@ class InvertedElementError(SolverError):
 
 @dataclass(frozen=True)
 class FiniteStrainElements:
-    """What does not change while the body deforms; the quadrature is that of `space`.
+    """Quantities that do not change while the body deforms, in the quadrature of `space`.
 
     `pressure_nodes` count from 0 over the pressure unknowns only.
     """
@@ -178,11 +178,11 @@ def _chunk_tangent(
     modulus *= weights[..., None, None, None, None]
     count, points = weights.shape
     rows = np.swapaxes(gradients.reshape(count, points, 10, 3), 2, 3)  # (tet, q, j, a)
-    left = rows.reshape(count, points * 3, 10).swapaxes(1, 2).copy()
+    test_rows = rows.reshape(count, points * 3, 10).swapaxes(1, 2).copy()
     blocks = np.empty((len(UPPER_BLOCKS), count, 100))
     for block, (i, k) in enumerate(UPPER_BLOCKS):
-        right = modulus[:, :, i, :, k, :] @ rows
-        blocks[block] = (left @ right.reshape(count, points * 3, 10)).reshape(count, 100)
+        trial_rows = modulus[:, :, i, :, k, :] @ rows
+        blocks[block] = (test_rows @ trial_rows.reshape(count, points * 3, 10)).reshape(count, 100)
     tested = -weights[..., None] * elements.hats  # (tet, q, hat)
     slopes = cofactor @ rows  # (tet, q, i, a)
     # −∫ ψ_c ∂J/∂u_ia, ∂J/∂F = cof F: e tet, q quadrature point, c pressure hat, i coordinate, a node

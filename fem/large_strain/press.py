@@ -1,4 +1,4 @@
-"""Presses of the hemisphere with large deformation, beside small strain on the same mesh."""
+"""Presses of the hemisphere with large deformation, compared with small strain on the same mesh."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def press_large_strain(
     material: Hyperelastic,
     progress: Progress | None = None,
 ) -> LargeStrainPress:
-    """Press one place of a face to each depth with large deformation, and linearly beside it.
+    """Press one place of a face to each depth with large deformation, and linearly on the same mesh.
 
     The linear model has the material's modulus at small strain. Depths increase; between them
     load steps are halved where Newton's method diverges, down to 0.02 mm, and the press ends

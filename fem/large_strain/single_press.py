@@ -64,7 +64,7 @@ class PressSetting:
 
 @dataclass(frozen=True)
 class PressRow:
-    """What one depth gives; the area is of the undeformed face."""
+    """Result of one depth; the area is of the undeformed face."""
 
     depth_mm: float
     force_n: float
@@ -142,12 +142,12 @@ def linear_press(setting: PressSetting, depths_mm: Float[np.ndarray, "step"]) ->
 def require_modulus(spec: ObjectSpec, material: Hyperelastic) -> None:
     """Raise InputError where the material at small strain is not the specification's, to 1 %."""
     silicone = spec.silicone
-    own = 2 * (1 + silicone.poisson_ratio) * material.shear_modulus_mpa
-    if abs(own / silicone.youngs_modulus_mpa - 1) > _MODULUS_TOLERANCE:
+    modulus_mpa = 2 * (1 + silicone.poisson_ratio) * material.shear_modulus_mpa
+    if abs(modulus_mpa / silicone.youngs_modulus_mpa - 1) > _MODULUS_TOLERANCE:
         raise InputError(
-            f"the {material.name} constants give E = {own:.4g} MPa at small strain, but "
-            f"silicone.youngs_modulus_mpa is {silicone.youngs_modulus_mpa:g}. Set it to {own:.4g}, or "
-            "scale the constants"
+            f"the {material.name} constants give E = {modulus_mpa:.4g} MPa at small strain, but "
+            f"silicone.youngs_modulus_mpa is {silicone.youngs_modulus_mpa:g}. Set it to {modulus_mpa:.4g}, "
+            "or scale the constants"
         )
 
 

@@ -205,18 +205,18 @@ def _pressure_at_points(face: ContactFace, pressure_mpa: np.ndarray) -> np.ndarr
 
 
 def _scatter_hats(candidate: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
-    known = candidate >= 0
-    return np.bincount(candidate[known], values[known], count)
+    has_candidate = candidate >= 0
+    return np.bincount(candidate[has_candidate], values[has_candidate], count)
 
 
 def _gradient_matrix(face: ContactFace, slope: np.ndarray) -> sp.csr_matrix:
     """(candidate, 3·node) from (component, facet, hat, node) of every facet."""
-    known = face.candidate >= 0
-    rows = np.repeat(face.candidate[known], 10)
-    columns = np.repeat(face.nodes[:, None, :], 4, axis=1)[known].ravel()
+    has_candidate = face.candidate >= 0
+    rows = np.repeat(face.candidate[has_candidate], 10)
+    columns = np.repeat(face.nodes[:, None, :], 4, axis=1)[has_candidate].ravel()
     shape = (len(face.weights_mm2), face.node_count)
     blocks = [
-        sp.csr_matrix((component[known].ravel(), (rows, columns)), shape=shape)
+        sp.csr_matrix((component[has_candidate].ravel(), (rows, columns)), shape=shape)
         for component in slope
     ]
     return columns_of(blocks)

@@ -48,7 +48,7 @@ class CoreContact:
 
 @dataclass(frozen=True)
 class CoreState:
-    """What the vertices of a frictionless core bear (N) and how far the shell has left them (mm)."""
+    """Load (N) on the vertices of a frictionless core, and how far the shell has left them (mm)."""
 
     force_n: Float[np.ndarray, "i"]
     opening_mm: Float[np.ndarray, "i"]
@@ -73,9 +73,9 @@ def held_components(
     else:
         held = np.zeros((3, len(nodes_mm)), bool)
         for axis, sign in WALLS:
-            held[axis] |= on_wall(nodes_mm, axis, sign, spec)
+            held[axis] |= nodes_on_wall(nodes_mm, axis, sign, spec)
     if spec.mechanics.slip.rim == "held":
-        held |= on_rim(nodes_mm, spec)
+        held |= nodes_on_rim(nodes_mm, spec)
     return held
 
 
@@ -90,7 +90,7 @@ def touches_core(
     return touching
 
 
-def on_wall(
+def nodes_on_wall(
     nodes_mm: Float[np.ndarray, "node 3"], axis: int, sign: int, spec: ObjectSpec
 ) -> Bool[np.ndarray, "node"]:
     """Nodes on one wall of the core, its edges included."""
@@ -98,7 +98,9 @@ def on_wall(
     return touches_core(nodes_mm, spec) & (abs(height) < surface_tolerance_mm(spec))
 
 
-def on_rim(nodes_mm: Float[np.ndarray, "node 3"], spec: ObjectSpec) -> Bool[np.ndarray, "node"]:
+def nodes_on_rim(
+    nodes_mm: Float[np.ndarray, "node 3"], spec: ObjectSpec
+) -> Bool[np.ndarray, "node"]:
     """Nodes of the flat ring round the open face."""
     height = nodes_mm[:, 2] + spec.body.size_mm[2] / 2
     return abs(height) < surface_tolerance_mm(spec)
@@ -135,7 +137,7 @@ def wall_openings(space: DisplacementSpace, spec: ObjectSpec) -> WallOpenings:
     """P1 openings of every wall of the core."""
     parts, vertices, normals, weights = [], [], [], []
     for axis, sign in WALLS:
-        here = on_wall(space.nodes_mm, axis, sign, spec)
+        here = nodes_on_wall(space.nodes_mm, axis, sign, spec)
         hats, corners = vertex_hats(space, here)
         area = wall_areas_mm2(space, here)
         blocks = [sign * hats if a == axis else sp.csr_matrix(shape_of(hats)) for a in range(3)]

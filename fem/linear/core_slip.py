@@ -82,7 +82,7 @@ def resting_shell(mesh: TetMesh, spec: ObjectSpec) -> RestingShell:
     nodes = system.space.nodes_mm
     moved = solution.displacement_mm.T - _linear_rigid(amplitudes, nodes)
     moved += turn.apply(np.array(nodes)) + shift - nodes
-    return RestingShell(finite + deviation, deviation, at_faces(system, spec, moved))
+    return RestingShell(finite + deviation, deviation, deviation_at_faces(system, spec, moved))
 
 
 def move_interface(
@@ -144,7 +144,7 @@ def _linear_rigid(amplitudes: np.ndarray, points_mm: np.ndarray) -> np.ndarray:
     return amplitudes[:3] + np.cross(amplitudes[3:], points_mm)
 
 
-def at_faces(
+def deviation_at_faces(
     system: ElasticSystem, spec: ObjectSpec, moved_mm: np.ndarray
 ) -> tuple[np.ndarray, ...]:
     """Displacement (vertex, 3) at the vertices of every sensed face, in the order of its surface."""

@@ -41,7 +41,7 @@ def dissect(
     """Dissection of the unknowns that are not `kept`.
 
     A `late` unknown stands in the lowest node below which all its other neighbours are eliminated,
-    and there behind those that are not late.
+    and there behind the early ones.
     """
     early = np.flatnonzero(~late & ~kept)
     group, graph = _vertices(matrix, early)
@@ -52,13 +52,13 @@ def dissect(
         of_group[vertices] = number
     owner[early] = of_group[group]
     parent = np.array(parents)
-    own, waiting = owner.copy(), np.flatnonzero(late & ~kept)
+    owner_of_early, waiting = owner.copy(), np.flatnonzero(late & ~kept)
     rows, first = matrix[waiting], first_descendants(parent)
     for number, begin, end in zip(waiting, rows.indptr[:-1], rows.indptr[1:], strict=True):
-        beside = own[rows.indices[begin:end]]
-        beside = beside[beside >= 0]
-        node = int(beside.max()) if len(beside) else len(parent) - 1
-        while (beside < first[node]).any():
+        neighbours = owner_of_early[rows.indices[begin:end]]
+        neighbours = neighbours[neighbours >= 0]
+        node = int(neighbours.max()) if len(neighbours) else len(parent) - 1
+        while (neighbours < first[node]).any():
             node = parent[node]
         owner[number] = node
     ordered = np.flatnonzero(~kept)
@@ -112,8 +112,8 @@ def _tree(
             halves = _halves(inside, weight[vertices])
         if halves is None:
             return add(vertices, ())
-        separator, left = halves
-        sides = [np.flatnonzero(side) for side in (left, ~left & ~separator)]
+        separator, first_side = halves
+        sides = [np.flatnonzero(side) for side in (first_side, ~first_side & ~separator)]
         children = [split(vertices[side], inside[side][:, side]) for side in sides]
         return add(vertices[separator], tuple(children))
 
@@ -138,13 +138,15 @@ def _halves(
         upto = np.cumsum(weight[order])
         shares = np.linspace(0.4, 0.6, 5 if large else 3) * total
         for limit in np.unique(level[order[np.searchsorted(upto, shares)]]):
-            left = level <= limit
-            separator = vertex_cover(rows, graph.indices, left)
+            lower_side = level <= limit
+            separator = vertex_cover(rows, graph.indices, lower_side)
             width = weight[separator].sum()
-            smaller = min(weight[left & ~separator].sum(), weight[~left & ~separator].sum())
+            smaller = min(
+                weight[lower_side & ~separator].sum(), weight[~lower_side & ~separator].sum()
+            )
             cost = width * (1 + 0.5 * (total - width - 2 * smaller) / total)
             if smaller > 0.25 * total and (best is None or cost < best[0]):
-                best = cost, separator, left & ~separator
+                best = cost, separator, lower_side & ~separator
     return None if best is None else best[1:]
 
 
@@ -167,25 +169,27 @@ def _levels(graph: sp.csr_matrix, pairs: int) -> list[Float[np.ndarray, "vertex"
 def vertex_cover(
     rows: Int[np.ndarray, "edge"],
     columns: Int[np.ndarray, "edge"],
-    left: Bool[np.ndarray, "vertex"],
+    from_side: Bool[np.ndarray, "vertex"],
 ) -> Bool[np.ndarray, "vertex"]:
     """Smallest set of vertices that covers all edges from left to right."""
-    across = left[rows] & ~left[columns]
-    here, row = np.unique(rows[across], return_inverse=True)
-    there, column = np.unique(columns[across], return_inverse=True)
-    edges = sp.csr_matrix((np.ones(len(row)), (row, column)), shape=(len(here), len(there)))
+    across = from_side[rows] & ~from_side[columns]
+    from_vertices, row = np.unique(rows[across], return_inverse=True)
+    to_vertices, column = np.unique(columns[across], return_inverse=True)
+    edges = sp.csr_matrix(
+        (np.ones(len(row)), (row, column)), shape=(len(from_vertices), len(to_vertices))
+    )
     match = csgraph.maximum_bipartite_matching(edges, perm_type="column")
-    partner = np.full(len(there), -1)
+    partner = np.full(len(to_vertices), -1)
     partner[match[match >= 0]] = np.flatnonzero(match >= 0)
-    reached, beyond = match < 0, np.zeros(len(there), bool)
+    reached, beyond = match < 0, np.zeros(len(to_vertices), bool)
     newly, back = reached, sp.csr_matrix(edges.T)
-    while newly.any():  # along paths of edges outside and inside the matching, by turns
+    while newly.any():  # along paths of edges outside and inside the matching, in turn
         beyond |= np.asarray(back @ newly.astype(float)) > 0
-        found = np.zeros(len(here), bool)
-        found[partner[beyond & (partner >= 0)]] = True
-        newly = found & ~reached
+        newly_matched = np.zeros(len(from_vertices), bool)
+        newly_matched[partner[beyond & (partner >= 0)]] = True
+        newly = newly_matched & ~reached
         reached = reached | newly
-    cover = np.zeros(len(left), bool)
-    cover[here[~reached]] = True
-    cover[there[beyond]] = True
+    cover = np.zeros(len(from_side), bool)
+    cover[from_vertices[~reached]] = True
+    cover[to_vertices[beyond]] = True
     return cover

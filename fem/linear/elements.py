@@ -56,7 +56,7 @@ class DisplacementSpace:
 
     @property
     def node_count(self) -> int:
-        """Nodes of the whole mesh, those that no silicone element touches included."""
+        """Number of nodes of the whole mesh, with the nodes that no silicone element touches."""
         return int(self.displacement.N)
 
     @property

@@ -65,8 +65,8 @@ def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Complian
         A is singular to working precision.
     """
     if not pardiso_available():
-        left = eliminate(*_bordered(matrix, loads), solves=False)
-        return Compliance(-left.schur, left.negative_pivots)
+        eliminated = eliminate(*_bordered(matrix, loads), solves=False)
+        return Compliance(-eliminated.schur, eliminated.negative_pivots)
     solver = Pardiso(_bordered_triangle(matrix, loads))
     try:
         schur = solver.condense(shape_of(loads)[1], _SCHUR_ALONE)
@@ -76,10 +76,10 @@ def compliance_of_loads(matrix: sp.csr_matrix, loads: sp.csr_matrix) -> Complian
 
 
 class LoadedFactor:
-    """What `compliance_of_loads` factors, kept: it answers any mixture of the loads at once.
+    """Factorization of `compliance_of_loads`, kept: it answers any mixture of the loads at once.
 
     Costs no more time than the compliance alone, but its memory (1.5 GB for the default mesh) until it is
-    released; use it as a context. `compliance` is that of `compliance_of_loads`. Loads act on
+    released; use it as a context. `compliance` equals `compliance_of_loads`. Loads act on
     displacements, so that the compliance is positive definite.
 
     Raises
@@ -112,8 +112,8 @@ class LoadedFactor:
         """x of A x = L w for every column w: backward substitution from the loads alone."""
         if self._solver is None:
             raise ValueError("the factorization was released. Solve inside its context")
-        beside = self._solver.beside(-np.asarray(weights, float))
-        return beside[: len(beside) - self._loads]
+        extended = self._solver.extend_kept(-np.asarray(weights, float))
+        return extended[: len(extended) - self._loads]
 
     def release(self) -> None:
         """Give the memory of the factor back; nothing can be solved afterwards."""
@@ -227,7 +227,7 @@ def mkl_library() -> Any | None:
 
 @functools.cache
 def _mkl_library() -> Any:
-    """By the list of files of MKL's own package.
+    """Find MKL by the list of files of MKL's own package.
 
     Importing pypardiso costs 3 s: it looks through the whole environment.
     """
@@ -314,14 +314,14 @@ class Pardiso:
         self.call(_FACTOR, unused, schur)
         return schur
 
-    def beside(self, kept: Float[np.ndarray, "kept m"]) -> Float[np.ndarray, "n m"]:
+    def extend_kept(self, kept: Float[np.ndarray, "kept m"]) -> Float[np.ndarray, "n m"]:
         """All unknowns where the marked ones, the last, have these values and nothing else loads the
         others."""
         given = np.zeros((len(self.marked), kept.shape[1]), order="F")
         given[len(given) - len(kept) :] = kept
-        found = np.zeros_like(given, order="F")
-        self.call(_BACKWARD, given, found)
-        return found
+        solution = np.zeros_like(given, order="F")
+        self.call(_BACKWARD, given, solution)
+        return solution
 
     def solve(self, right_sides: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
         rhs = np.asfortranarray(right_sides)

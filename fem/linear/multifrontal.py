@@ -4,7 +4,7 @@ Multifrontal elimination (Duff & Reid, ACM TOMS 9 (1983) 302) along a nested dis
 one dense symmetric front, whose unknowns are eliminated by LAPACK's Cholesky factorization and
 level-3 BLAS; what is left is added to a front above. Matrices of elasticity are quasi-definite
 (Vanderbei, SIAM J. Optim. 5 (1995) 100): positive definite on displacements, negative semidefinite on
-pressures. A pressure is eliminated once the displacements beside it are, so signs take the place of
+pressures. A pressure is eliminated once the displacements next to it are, so signs take the place of
 pivoting: Cholesky of the displacements, then of the pressures with their sign turned.
 """
 
@@ -24,9 +24,10 @@ from fem.linear.sparse import shape_of
 (_POTRF,) = get_lapack_funcs(("potrf",), dtype="float64")
 _TRSM, _SYRK = get_blas_funcs(("trsm", "syrk"), dtype="float64")
 _LEAST_PIVOT = 1e-13
-"""Of an unknown's own stiffness; rounding leaves some 1e-16 where a matrix is singular."""
+"""Least pivot over an unknown's own stiffness; rounding leaves some 1e-16 where a matrix is singular."""
 MOST_RUNS = 150
-"""Of neighbouring rows that are added block by block; more of them are added one by one."""
+"""Largest number of runs of neighbouring rows that are added block by block; more of them are added one by
+one."""
 
 
 class SingularSystemError(SolverError):
@@ -37,7 +38,7 @@ class SingularSystemError(SolverError):
 class _Column:
     """Columns of L of one front's unknowns; `positive` of them come first."""
 
-    own: slice
+    pivots: slice
     later: Int[np.ndarray, "later"]
     positive: int
     triangle: Float[np.ndarray, "own own"]
@@ -45,8 +46,8 @@ class _Column:
 
 
 @dataclass(frozen=True)
-class _Left:
-    """What the elimination of a front leaves at later unknowns, in the lower triangle."""
+class _Remainder:
+    """Remainder that the elimination of a front leaves at later unknowns, in the lower triangle."""
 
     later: Int[np.ndarray, "later"]
     matrix: Float[np.ndarray, "later later"]
@@ -69,11 +70,11 @@ class Elimination:
         """x of A x = b for every column b; nothing may have been kept."""
         x = np.array(right_sides, float)[self.order]
         for column in self.columns:
-            x[column.own] = _triangular(column.triangle, x[column.own])
-            x[column.later] -= column.below @ x[column.own]
+            x[column.pivots] = _triangular(column.triangle, x[column.pivots])
+            x[column.later] -= column.below @ x[column.pivots]
         return self._backward(x)
 
-    def beside(self, kept: Float[np.ndarray, "kept m"]) -> Float[np.ndarray, "n m"]:
+    def extend_kept(self, kept: Float[np.ndarray, "kept m"]) -> Float[np.ndarray, "n m"]:
         """All unknowns where the kept ones have these values and nothing else loads the others."""
         x = np.zeros((len(self.order), kept.shape[1]))
         x[len(x) - len(kept) :] = kept
@@ -82,10 +83,10 @@ class Elimination:
     def _backward(self, x: Float[np.ndarray, "n m"]) -> Float[np.ndarray, "n m"]:
         """Backward substitution in place, then the unknowns in their own order."""
         for column in reversed(self.columns):
-            own = x[column.own].copy()
-            own[column.positive :] *= -1
-            own -= column.below.T @ x[column.later]
-            x[column.own] = _triangular(column.triangle, own, transposed=True)
+            values = x[column.pivots].copy()
+            values[column.positive :] *= -1
+            values -= column.below.T @ x[column.later]
+            x[column.pivots] = _triangular(column.triangle, values, transposed=True)
         solution = np.empty_like(x)
         solution[self.order] = x
         return solution
@@ -108,88 +109,90 @@ def eliminate(
     order = np.concatenate([plan.order, np.flatnonzero(kept)])
     upper = sp.csr_matrix(sp.triu(matrix[order][:, order], format="csr"))
     local, columns = np.empty(size, np.int64), []
-    waiting: dict[int, list[_Left]] = {}
+    waiting: dict[int, list[_Remainder]] = {}
     for node, parent in enumerate(plan.parent):
-        own = slice(int(plan.start[node]), int(plan.start[node + 1]))
-        column, left = _front(
-            upper, own, int(negative[order[own]].sum()), waiting.pop(node, []), local
+        pivots = slice(int(plan.start[node]), int(plan.start[node + 1]))
+        column, remainder = _front(
+            upper, pivots, int(negative[order[pivots]].sum()), waiting.pop(node, []), local
         )
         if solves:
             columns.append(column)
-        if len(left.later):
-            waiting.setdefault(int(parent), []).append(left)
+        if len(remainder.later):
+            waiting.setdefault(int(parent), []).append(remainder)
     schur = _schur(upper, len(plan.order), waiting.pop(len(plan.parent), []))
     return Elimination(order, tuple(columns), schur, int(negative.sum()))
 
 
-def _schur(upper: sp.csr_matrix, first: int, lefts: list[_Left]) -> Float[np.ndarray, "kept kept"]:
+def _schur(
+    upper: sp.csr_matrix, first: int, remainders: list[_Remainder]
+) -> Float[np.ndarray, "kept kept"]:
     """The last front, both triangles."""
     schur = np.asfortranarray(upper[first:, first:].toarray().T)
-    for left in lefts:
-        add_front(schur, left.later - first, left.matrix)
+    for remainder in remainders:
+        add_front(schur, remainder.later - first, remainder.matrix)
     lower = np.tril(schur)
     return lower + np.tril(lower, -1).T
 
 
 def _front(
     upper: sp.csr_matrix,
-    own: slice,
+    pivots: slice,
     negatives: int,
-    children: list[_Left],
+    children: list[_Remainder],
     local: Int[np.ndarray, "n"],
-) -> tuple[_Column, _Left]:
+) -> tuple[_Column, _Remainder]:
     """Assemble one front, eliminate its own unknowns; `local` is scratch."""
-    pointer = upper.indptr[own.start : own.stop + 1]
+    pointer = upper.indptr[pivots.start : pivots.stop + 1]
     entries = slice(int(pointer[0]), int(pointer[-1]))
     near, values = upper.indices[entries], upper.data[entries]
-    every = np.unique(np.concatenate([near, *(left.later for left in children)]))
-    later = every[every >= own.stop]
-    count, more = own.stop - own.start, len(later)
-    local[own], local[later] = np.arange(count), np.arange(more)
+    rows = np.unique(np.concatenate([near, *(child.later for child in children)]))
+    later = rows[rows >= pivots.stop]
+    count, more = pivots.stop - pivots.start, len(later)
+    local[pivots], local[later] = np.arange(count), np.arange(more)
     inner = np.zeros((count, count), order="F")
     below = np.zeros((more, count), order="F")
     rest = np.zeros((more, more), order="F")
-    row, inside = np.repeat(np.arange(count), np.diff(pointer)), near < own.stop
+    row, inside = np.repeat(np.arange(count), np.diff(pointer)), near < pivots.stop
     inner[local[near[inside]], row[inside]] = values[inside]
     below[local[near[~inside]], row[~inside]] = values[~inside]
     stiffness = abs(np.diag(inner))
-    for left in children:
-        split = int(np.searchsorted(left.later, own.stop))
-        here, there = local[left.later[:split]], local[left.later[split:]]
-        inner[np.ix_(here, here)] += left.matrix[:split, :split]
-        below[np.ix_(there, here)] += left.matrix[split:, :split]
-        add_front(rest, there, left.matrix[split:, split:])
-    return _eliminated(own, later, count - negatives, (inner, below, rest), stiffness)
+    for child in children:
+        split = int(np.searchsorted(child.later, pivots.stop))
+        to_pivots, to_later = local[child.later[:split]], local[child.later[split:]]
+        inner[np.ix_(to_pivots, to_pivots)] += child.matrix[:split, :split]
+        below[np.ix_(to_later, to_pivots)] += child.matrix[split:, :split]
+        add_front(rest, to_later, child.matrix[split:, split:])
+    return _eliminated(pivots, later, count - negatives, (inner, below, rest), stiffness)
 
 
 def add_front(
     front: Float[np.ndarray, "row row"],
-    at: Int[np.ndarray, "part"],
+    rows: Int[np.ndarray, "part"],
     part: Float[np.ndarray, "part part"],
 ) -> None:
     """Add a lower triangle at rows in rising order: by blocks of neighbours, `np.ix_` is slow."""
-    if not len(at):
+    if not len(rows):
         return
-    starts = np.flatnonzero(np.diff(at, prepend=-2) != 1)
+    starts = np.flatnonzero(np.diff(rows, prepend=-2) != 1)
     if len(starts) > MOST_RUNS:
-        front[np.ix_(at, at)] += part
+        front[np.ix_(rows, rows)] += part
         return
     runs = [
-        (slice(a, b), slice(int(at[a]), int(at[a]) + b - a))
-        for a, b in zip(starts.tolist(), [*starts[1:].tolist(), len(at)], strict=True)
+        (slice(a, b), slice(int(rows[a]), int(rows[a]) + b - a))
+        for a, b in zip(starts.tolist(), [*starts[1:].tolist(), len(rows)], strict=True)
     ]
     for number, (column, to_column) in enumerate(runs):
-        for row, to_row in runs[number:]:
-            front[to_row, to_column] += part[row, column]
+        for row_part, to_row in runs[number:]:
+            front[to_row, to_column] += part[row_part, column]
 
 
 def _eliminated(
-    own: slice,
+    pivots: slice,
     later: Int[np.ndarray, "later"],
     positive: int,
     blocks: tuple[np.ndarray, np.ndarray, np.ndarray],
     stiffness: Float[np.ndarray, "own"],
-) -> tuple[_Column, _Left]:
+) -> tuple[_Column, _Remainder]:
     """Displacements, then pressures: columns of L, and the blocks' Schur complement."""
     inner, below, rest = blocks
     triangle = np.zeros_like(inner)
@@ -198,13 +201,13 @@ def _eliminated(
     side = _divided(root, below[:, plus])
     rest = _updated(rest, side, -1.0)
     if positive < len(inner):
-        triangle[minus, plus] = beside = _divided(root, inner[minus, plus])
-        left = beside @ beside.T - inner[minus, minus]
-        triangle[minus, minus] = turned = _cholesky(left, np.diag(left))
-        other = _divided(turned, below[:, minus] - side @ beside.T)
-        rest = _updated(rest, other, 1.0)
-        side = np.hstack([side, -other])
-    return _Column(own, later, positive, triangle, side), _Left(later, rest)
+        triangle[minus, plus] = coupling = _divided(root, inner[minus, plus])
+        pressure_schur = coupling @ coupling.T - inner[minus, minus]
+        triangle[minus, minus] = turned = _cholesky(pressure_schur, np.diag(pressure_schur))
+        pressure_side = _divided(turned, below[:, minus] - side @ coupling.T)
+        rest = _updated(rest, pressure_side, 1.0)
+        side = np.hstack([side, -pressure_side])
+    return _Column(pivots, later, positive, triangle, side), _Remainder(later, rest)
 
 
 def _cholesky(

@@ -54,7 +54,7 @@ class FaceSurface:
     """Triangulation of one sensed face: places (x, y) of its vertices and triangles.
 
     `relief_mm` is the height of a curved face at the vertices over its frame's plane; `height_mm` is
-    how far they lie above the face at rest, `slip_mm` how far they lie beside it, on a slipped shell.
+    how far they lie above the face at rest, `slip_mm` how far they lie to the side of it, on a slipped shell.
     None where there is none.
     """
 
@@ -283,7 +283,7 @@ def face_surface(
     vertices, triangles = np.unique(np.asarray(mesh.facets)[:, facets], return_inverse=True)
     moments = _normal_product.assemble(pressure, displacement).tocsc()[:, vertices]
     xy = np.asarray(frame.from_object(mesh.p[:, vertices].T)[:, :2])
-    relief = None if frame.flat else frame.relief.at(xy)[0]
+    relief = None if frame.flat else frame.relief.evaluate(xy)[0]
     surface = FaceSurface(frame.number, xy, triangles.reshape(3, -1).T, relief_mm=relief)
     return surface, moments
 

@@ -68,9 +68,9 @@ def wall_distance_mm(layout: ShellBodies, points_mm: np.ndarray) -> np.ndarray:
     distance = np.full(len(points_mm), np.inf)
     for centre, frame, body in zip(layout.centre_mm, layout.frame, layout.bodies, strict=True):
         local = abs((points_mm - centre) @ frame)
-        across = body.outline.beyond_mm(local[:, :2])
-        along = np.clip(local[:, 2] - body.height_mm / 2, 0, None)
-        distance = np.minimum(distance, np.hypot(across, along))
+        across = body.outline.signed_distance_mm(local[:, :2])
+        beyond_height = np.clip(local[:, 2] - body.height_mm / 2, 0, None)
+        distance = np.minimum(distance, np.hypot(across, beyond_height))
     return distance
 
 

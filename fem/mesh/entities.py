@@ -9,7 +9,7 @@ from jaxtyping import Float, Int
 from skfem import MeshTet
 
 _BITS = 21
-"""Of a vertex: three make a number of 63 bits."""
+"""Bits of a vertex: three make a number of 63 bits."""
 
 
 def tet_mesh(points_mm: Float[np.ndarray, "vertex 3"], tets: Int[np.ndarray, "tet 4"]) -> MeshTet:

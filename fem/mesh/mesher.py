@@ -63,12 +63,12 @@ def run_mesher(
             ) from None
         except ChildFailed as failure:
             raise SolverError(f"the mesher failed on this body: {failure}. {_ADVICE}") from None
-        with np.load(made, allow_pickle=False) as found:
-            return found["points"], found["tets"]
+        with np.load(made, allow_pickle=False) as mesh:
+            return mesh["points"], mesh["tets"]
 
 
 def expected_vertices(content: dict[str, np.ndarray]) -> float:
-    """Of a mesh in the whole box of the background mesh: no fewer than in the body.
+    """Number of vertices of a mesh in the whole box of the background mesh: no fewer than in the body.
 
     A vertex for a volume of h³/2.2, which resources count with too, where edges are h long.
     """
@@ -85,12 +85,12 @@ def expected_vertices(content: dict[str, np.ndarray]) -> float:
 def _run_again_if_it_hangs(
     command: Sequence[str], folder: Path, seconds: float, gib: float
 ) -> None:
-    for left in reversed(range(_TRIES)):
+    for tries_left in reversed(range(_TRIES)):
         try:
             run_child(command, folder, seconds, gib)
             return
         except ChildTooSlow:
-            if not left:
+            if not tries_left:
                 raise
 
 

@@ -52,7 +52,7 @@ def body_surfaces(spec: ObjectSpec) -> list[trimesh.Trimesh]:
     return surfaces
 
 
-def in_body(
+def points_in_body(
     points_mm: Float[np.ndarray, "n 3"], layout: ShellBodies, index: int, spec: ObjectSpec
 ) -> Bool[np.ndarray, "n"]:
     """Return whether points lie inside the prism of one rigid body."""
@@ -60,8 +60,8 @@ def in_body(
     body = layout.bodies[index]
     corner = body.outline.corners_mm(spec.mesh.magnet_sides)
     edge = np.roll(corner, -1, axis=0) - corner
-    left = edge[:, :1] * (y - corner[:, 1:]) - edge[:, 1:] * (x - corner[:, :1])
-    return (left > 0).all(axis=0) & (abs(z) < body.height_mm / 2)
+    left_of_edge = edge[:, :1] * (y - corner[:, 1:]) - edge[:, 1:] * (x - corner[:, :1])
+    return (left_of_edge > 0).all(axis=0) & (abs(z) < body.height_mm / 2)
 
 
 def prism_surface(corners_mm: np.ndarray, height_mm: float) -> trimesh.Trimesh:

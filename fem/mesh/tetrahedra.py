@@ -17,7 +17,7 @@ from design.spec.object import ObjectSpec
 from fem.mesh.edge_lengths import EdgeLength, edge_length_field
 from fem.mesh.mesher import run_mesher
 from fem.mesh.support_line import with_support_lines
-from fem.mesh.surfaces import all_surfaces, in_body
+from fem.mesh.surfaces import all_surfaces, points_in_body
 
 SILICONE = -1
 """Value of `TetMesh.magnet` in elements of silicone."""
@@ -51,7 +51,7 @@ def tetrahedralize(
 
     `edge_length` gives the wanted edge length (mm) at points (n, 3); by default edges are fine
     under all sensed faces and at the rims of magnets. The mesher is not deterministic: store the
-    mesh, never compare counts; `mesh_sha256` tells two meshes apart. Surfaces are followed to
+    mesh, never compare counts; `mesh_sha256` distinguishes two meshes. Surfaces are followed to
     within `mesh.envelope_mm`.
 
     Raises
@@ -162,7 +162,7 @@ def _containing_magnet(spec: ObjectSpec, points: np.ndarray) -> np.ndarray:
     layout = shell_body_layout(spec)
     owner = np.full(len(points), SILICONE)
     for index in range(len(layout.face)):
-        inside = in_body(points, layout, index, spec)
+        inside = points_in_body(points, layout, index, spec)
         if not inside.any():
             raise SolverError(
                 f"rigid body {index} got no element of the mesh. Use a smaller mesh.envelope_mm "

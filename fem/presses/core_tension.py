@@ -32,7 +32,7 @@ class CoreTension:
     force_drop: float | None = None
 
     def to_dict(self) -> dict[str, float]:
-        """As JSON and tables show it."""
+        """Return the values that JSON and tables show."""
         x, y, z = (float(value) for value in self.point_mm)
         shown = {
             "largest_tension_kpa_per_n": 1e3 * self.pressure_mpa_per_n,
@@ -83,16 +83,16 @@ def core_tension(spec: ObjectSpec, response: ResponseOperator) -> CoreTension:
         The shell is bonded to its core.
     """
     deepest = np.array(spec.press.depths_mm[-1:])
-    found = []
-    for index, (surface, there) in enumerate(
+    tensions = []
+    for index, (surface, has_place) in enumerate(
         zip(response.surfaces, contact_places(spec), strict=True)
     ):
-        xy = contact_grid(spec).xy_mm[there]
+        xy = contact_grid(spec).xy_mm[has_place]
         pressures = press_places(spec, response, index, xy, deepest)[:, 0]
         tension, press = largest_core_tension(response, index, pressures)
         x, y = xy[press].tolist()
-        found.append(replace(tension, press=(surface.number, x, y)))
-    worst = max(found, key=lambda tension: tension.pressure_mpa_per_n)
+        tensions.append(replace(tension, press=(surface.number, x, y)))
+    worst = max(tensions, key=lambda tension: tension.pressure_mpa_per_n)
     return replace(worst, force_drop=_force_drop(spec, response, worst, deepest))
 
 

@@ -25,7 +25,7 @@ COARSENING = 1.5
 """Ratio of the edges of the two meshes."""
 
 ORDER = 2.0
-"""Of the error: as observed on the paper's cube on three meshes, see `discretisation_error`."""
+"""Order of the error: as observed on the paper's cube on three meshes, see `discretisation_error`."""
 
 _PLACES_PER_AXIS = 5
 """Places along each axis of the grid that are compared."""
@@ -136,8 +136,8 @@ def sample_presses(spec: ObjectSpec, response: ResponseOperator) -> PressSample:
     count = len(response.compliance) - response.magnet_loads.start
     arm = np.tile(np.repeat([1.0, ROTATION_ARM_MM], 3), count // 6)
     forces, motions = [], []
-    for face, there in enumerate(contact_places(spec)):
-        xy = grid.xy_mm[there & spread_places(there.reshape(grid.shape))]
+    for face, has_place in enumerate(contact_places(spec)):
+        xy = grid.xy_mm[has_place & spread_places(has_place.reshape(grid.shape))]
         presses = press_face(spec, response, face, xy, depths)
         rows = response.compliance[response.magnet_loads, response.face_loads(face)]
         forces.append(presses.force_n)
@@ -200,13 +200,13 @@ def _largest(values: np.ndarray) -> float:
     return float(abs(values).max())
 
 
-def spread_places(there: Bool[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "place"]:
+def spread_places(has_place: Bool[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "place"]:
     """Up to five rows and columns of the locations that a face has, the first and last among them."""
     chosen = []
-    for other in (1, 0):
-        used = np.flatnonzero(there.any(axis=other))
+    for across in (1, 0):
+        used = np.flatnonzero(has_place.any(axis=across))
         some = used[np.unique(np.linspace(0, len(used) - 1, _PLACES_PER_AXIS).round().astype(int))]
-        chosen.append(np.isin(np.arange(there.shape[1 - other]), some))
+        chosen.append(np.isin(np.arange(has_place.shape[1 - across]), some))
     return np.outer(*chosen).ravel()
 
 

@@ -105,10 +105,10 @@ def press_tips(
         An indenter on no sensed face, over a face's border, or overlapping another.
     """
     depths = np.asarray(depths_mm, float)
-    return on_core(spec, response, lambda given: presser(spec, given, tips)(depths))
+    return press_on_core(spec, response, lambda given: presser(spec, given, tips)(depths))
 
 
-def on_core(
+def press_on_core(
     spec: ObjectSpec, response: ResponseOperator, press: Callable[[ResponseOperator], JointPress]
 ) -> JointPress:
     """The press as it is on a bonded core; a frictionless one only pushes."""
@@ -156,7 +156,7 @@ def spread_motion(
 ) -> Float[np.ndarray, "magnet 6"]:
     """Motions of all magnets under the pressures of cells."""
     per_load = response.compliance[response.magnet_loads]
-    return by_spreads(response, per_load, spreads, pressure_mpa).reshape(-1, 6)
+    return sum_over_spreads(response, per_load, spreads, pressure_mpa).reshape(-1, 6)
 
 
 def _held_core(
@@ -165,11 +165,11 @@ def _held_core(
     """Forces of a frictionless core that holds the shell both ways."""
     if response.core is None:
         return None
-    force = by_spreads(response, response.core.force_per_load, spreads, pressure_mpa)
+    force = sum_over_spreads(response, response.core.force_per_load, spreads, pressure_mpa)
     return CoreState(force, np.zeros(len(force)))
 
 
-def by_spreads(
+def sum_over_spreads(
     response: ResponseOperator,
     per_load: Float[np.ndarray, "row load"],
     spreads: Sequence[Spread],

@@ -69,7 +69,7 @@ class MagnetMotions:
         return np.asarray(~np.isnan(self.motion).all(axis=(2, 3, 4)))
 
     @property
-    def every(self) -> Float[np.ndarray, "press magnet 6"]:
+    def all_motions(self) -> Float[np.ndarray, "press magnet 6"]:
         """The motions in all presses that were made."""
         pressed = self.pressed
         motion = self.motion if pressed.all() else self.motion[pressed]

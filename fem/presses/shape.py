@@ -198,7 +198,8 @@ def save_deformed_shape(
 
 
 def _vtu(grid: pyvista.UnstructuredGrid) -> str:
-    """As PyVista writes it, less thoroughly compressed: a hundredth larger in two thirds of the time.
+    """Write the file as PyVista does, less thoroughly compressed: a hundredth larger in two thirds of the
+    time.
 
     In memory, as VTK's writer crashes on a disk that fills.
     """

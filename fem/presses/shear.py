@@ -89,17 +89,17 @@ def simulate_shear(
         )
     grid, depths = contact_grid(spec), np.asarray(spec.press.depths_mm)
     faces = []
-    for index, (surface, there) in enumerate(
+    for index, (surface, has_place) in enumerate(
         zip(response.surfaces, contact_places(spec), strict=True)
     ):
-        pressures = press_places(spec, response, index, grid.xy_mm[there], depths)
+        pressures = press_places(spec, response, index, grid.xy_mm[has_place], depths)
         force = pressures @ surface_weights_mm2(surface)
         share = pressures / np.maximum(force, _LEAST_FORCE_N)[..., None]
         here = per_traction[response.face_loads(index)]
         motion = share.reshape(-1, here.shape[0]) @ here.reshape(here.shape[0], -1)
         motion = motion.reshape(len(pressures), len(depths), 2, -1, 6)
         faces.append(np.full((len(grid), *motion.shape[1:]), np.nan))
-        faces[-1][there] = motion
+        faces[-1][has_place] = motion
     numbers = np.array([surface.number for surface in response.surfaces])
     return ShearMotions(numbers, grid, depths, np.stack(faces))
 
@@ -128,14 +128,14 @@ def _tangential_loads(system: ElasticSystem, spec: ObjectSpec) -> sp.csr_matrix:
     """
     surfaces, inward = face_pressure_loads(system.space, spec)
     nodes, first = shape_of(inward)[0] // 3, 0
-    along: dict[str, list[sp.csr_matrix]] = {"x": [], "y": []}
+    loads_by_axis: dict[str, list[sp.csr_matrix]] = {"x": [], "y": []}
     for frame, surface in zip(face_frames(spec), surfaces, strict=True):
         columns = sp.csc_matrix(inward)[:, first : first + len(surface.xy_mm)]
         first += len(surface.xy_mm)
         moments = sum(-n * columns[a * nodes : (a + 1) * nodes] for a, n in enumerate(frame.normal))
         for name, axis in (("x", frame.x), ("y", frame.y)):
-            along[name].append(rows_of([component * moments for component in axis]))
-    return columns_of([columns_of(along["x"]), columns_of(along["y"])])
+            loads_by_axis[name].append(rows_of([component * moments for component in axis]))
+    return columns_of([columns_of(loads_by_axis["x"]), columns_of(loads_by_axis["y"])])
 
 
 def _magnet_loads(

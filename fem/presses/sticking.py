@@ -148,10 +148,10 @@ def next_state(
 ) -> StickingState:
     """Equilibrium at the next depth: cells in contact are switched until all signs are right."""
     area = setting.cells.patches.area_mm2
-    before = displacement_mm(setting, state)[1:]
+    previous_mm = displacement_mm(setting, state)[1:]
     path = path_mm(setting.spec.indenter, depth_mm).T[:, setting.indenter]
-    anchor = np.where(state.touching, state.anchor_mm, before - state.path_mm)
-    slid_over = heights_mm(setting, path - before)
+    anchor = np.where(state.touching, state.anchor_mm, previous_mm - state.path_mm)
+    slid_over = heights_mm(setting, path - previous_mm)
     height = np.where(state.touching, state.height_mm, slid_over)
     reach = depth_mm[setting.indenter] - height
     touching = state.touching | (reach > 0.4 * depth_mm[setting.indenter])
@@ -197,7 +197,7 @@ def displacement_mm(setting: StickingSetting, state: StickingState) -> np.ndarra
 def heights_mm(
     setting: StickingSetting, slip_mm: Float[np.ndarray, "2 cell"]
 ) -> Float[np.ndarray, "cell"]:
-    """Height of the indenter over cells that it has slid over by `slip_mm`; ∞ beside it."""
+    """Height of the indenter over cells that it has slid over by `slip_mm`; ∞ off it."""
     cells = setting.cells
     local = cells.patches.centre_mm - tip_places_mm(setting.spec.indenter)[cells.tip]
     mean_less_middle = cells.height_mm - tip_heights_mm(setting.shape, local)

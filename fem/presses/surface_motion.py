@@ -53,16 +53,16 @@ def mesh_vertices(
     StoreError
         The response belongs to another mesh.
     """
-    tree, found, normals = KDTree(points_mm), [], []
+    tree, vertices, normals = KDTree(points_mm), [], []
     for surface in response.surfaces:
         frame = face_frame(spec, surface.number)
-        at = frame.centre_mm + surface.points_mm @ frame.axes.T
-        distance, index = map(np.asarray, tree.query(at))
+        vertices_mm = frame.centre_mm + surface.points_mm @ frame.axes.T
+        distance, index = map(np.asarray, tree.query(vertices_mm))
         if distance.max() > surface_tolerance_mm(spec) or len(set(index)) < len(index):
             raise StoreError(
                 f"the stored response of face {surface.number} belongs to another mesh. Delete the "
                 "store's folders mesh and response, and run again"
             )
-        found.append(index)
+        vertices.append(index)
         normals.append(frame.axes_at(surface.xy_mm)[..., 2])
-    return np.concatenate(found), np.concatenate(normals)
+    return np.concatenate(vertices), np.concatenate(normals)

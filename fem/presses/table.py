@@ -137,7 +137,7 @@ def press_face(
 ) -> FacePresses:
     """Press the indenter at every place on its own, without friction.
 
-    On a curved face places are told by lengths along the surface (`FaceFrame.to_plane`).
+    On a curved face places are given by lengths along the surface (`FaceFrame.to_plane`).
 
     On one BLAS thread: with two, these many small dense systems cost fifteen times the work in
     waiting for each other.
@@ -167,19 +167,19 @@ def _press_each(
     force, touched = np.zeros(shape), np.zeros(shape)
     vertex = np.zeros((*shape, len(face.surface.xy_mm)))
     together = [np.arange(len(depths_mm))] if not sideways.any() else np.arange(shape[1])[:, None]
-    beside: dict[int, Contact] = {}
+    nearby: dict[int, Contact] = {}
     for place, centre in enumerate(face.frame.to_plane(xy_mm)):
         for steps in together:
             spread = spread_cells(face, moved(tip.patches, centre + sideways[steps[0]]), centre)
             require_on_patch(tip, spread, float(depths_mm[steps[-1]]))
-            found = beside[steps[0]] = contact(
+            solved = nearby[steps[0]] = contact(
                 place_compliance(spread, near),
                 resting_gap_mm(tip, spread) * tip.patches.area_mm2,
                 tip.patches.area_mm2,
                 np.asarray(depths_mm)[steps],
-                beside.get(steps[0]),
+                nearby.get(steps[0]),
             )
-            pressure = found.pressure_mpa
+            pressure = solved.pressure_mpa
             force[place, steps] = pressure @ tip.patches.area_mm2
             touched[place, steps] = (pressure > 0) @ spread.patches.area_mm2
             vertex[place, steps[:, None], spread.rows] = pressure @ spread.matrix.T
@@ -189,7 +189,7 @@ def _press_each(
 def resting_gap_mm(tip: TipCells, spread: Spread) -> Float[np.ndarray, "cell"]:
     """Gap between every cell of the face and an indenter that just touches it.
 
-    Along the touching plane's normal; cells beside a curved patch never touch.
+    Along the touching plane's normal; cells off a curved patch never touch.
     """
     gap = tip.height_mm - spread.height_mm
     gap = gap - (np.nanmin(gap) - tip.height_mm.min())
@@ -266,7 +266,7 @@ def require_on_face(
 
 
 def require_on_patch(tip: TipCells, spread: Spread, depth_mm: float) -> None:
-    """Raise InputError where a press to a depth might touch a curved body beside the patch."""
+    """Raise InputError where a press to a depth might touch a curved body off the patch."""
     if np.any(np.isnan(spread.height_mm) & (tip.height_mm < depth_mm)):
         frame = spread.face.frame
         half = frame.half_lengths_mm

@@ -12,7 +12,7 @@ from design.layout.tips import tip_shape
 from design.spec.object import ObjectSpec
 from fem.contact.refined import RefinedFace
 from fem.linear.response import ResponseOperator
-from fem.presses.joint import JointPress, Tip, on_core, presser
+from fem.presses.joint import JointPress, Tip, press_on_core, presser
 
 _FORCE_TOLERANCE = 1e-6
 """Relative error of a force that is reached."""
@@ -41,7 +41,7 @@ def press_to_force(
     def press(given: ResponseOperator) -> JointPress:
         return press_to_depths(spec, presser(spec, given, tips), groups, force_n)
 
-    return on_core(spec, response, press)
+    return press_on_core(spec, response, press)
 
 
 def squeeze(
@@ -119,10 +119,10 @@ def _solve_depths(
             return press
         step = -np.linalg.solve(stiffness, residual)
         step = np.clip(step, -depth / 2, (deepest_mm - depth) / 2)
-        before = residual
+        previous_residual = residual
         depth = depth + step
         residual, press = missing(depth)
-        change = residual - before - stiffness @ step
+        change = residual - previous_residual - stiffness @ step
         stiffness = stiffness + np.outer(change, step) / (step @ step)
     raise SolverError(
         f"the press to {force_n:g} N did not converge: off by {abs(residual).max():.2g} N"

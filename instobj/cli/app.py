@@ -18,11 +18,11 @@ import typer
 from design.errors import InputError, InstobjError
 from design.imports import missing_extra
 from design.processes import ONE_THREAD
-from instobj.cli import bench as cli_bench
 from instobj.cli import estimators as cli_estimators
 from instobj.cli import presses as cli_presses
 from instobj.cli import recorded as cli_recorded
 from instobj.cli import search as cli_search
+from instobj.cli.bench import Bench
 from instobj.cli.options import (
     DESIGN,
     HERE,
@@ -209,7 +209,8 @@ def store(
 
 for _commands in (cli_search, cli_estimators, cli_presses, cli_recorded):
     app.add_typer(_commands.app)
-app.add_typer(cli_bench.app, name="bench", rich_help_panel=MEASURE)
+bench = typer.Typer(cls=Bench, help="Boards, machines and built objects.", no_args_is_help=True)
+app.add_typer(bench, name="bench", rich_help_panel=MEASURE)
 add_renamed(app, score)
 
 

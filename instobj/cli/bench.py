@@ -1,240 +1,35 @@
-"""Commands of the bench: boards, machines and built objects, `instobj bench …`."""
+"""The group `instobj bench`, whose commands are loaded when one of them is named."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-from typing import Annotated
+from importlib import import_module
+from typing import Any
 
 import typer
+from typer.core import TyperGroup
+from typer.main import get_group
 
-from design.errors import InputError
-from instobj.cli import rig as cli_rig
-from instobj.cli.options import (
-    HERE,
-    AsJson,
-    Forces,
-    LoadPort,
-    Out,
-    Overrides,
-    Places,
-    Port,
-    Replay,
-    Seconds,
-    Spec,
-    Zero,
-    port_and_baud,
-    replayed_file,
-    show,
-    zero_and_frames,
-)
-
-app = typer.Typer(help="Boards, machines and built objects.", no_args_is_help=True)
-app.add_typer(cli_rig.app)
+MODULE = "instobj.bench.cli"
+"""Module of the commands: known by name alone, so that nothing outside the room imports it."""
+NAMES = ("bringup", "collect", "firmware", "live", "rig", "selftest")
+"""Commands that stood at top level before 0.2.0."""
 
 
-@app.command()
-def collect(
-    out: Annotated[
-        Path,
-        typer.Argument(
-            metavar="OUT", help="Recording: OUT.csv grows, OUT.nc is written at the end."
-        ),
-    ],
-    port: Port = None,
-    replay: Replay = None,
-    load_port: LoadPort = None,
-    place: Places = None,
-    force: Forces = None,
-    zero: Annotated[
-        int,
-        typer.Option(
-            min=0, help="Frames of the baseline, taken at the start with nothing touching."
-        ),
-    ] = 20,
-    seconds: Seconds = None,
-    frames: Annotated[int | None, typer.Option(min=1, help="Stop after this many frames.")] = None,
-    session: Annotated[
-        int | None, typer.Option(min=1, help="Session number (default: continue the last session).")
-    ] = None,
-    cells: Annotated[int | None, typer.Option(min=1, max=9, help="Number of load cells.")] = None,
-    tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips per load cell.")] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
-    from instobj.commands.hardware.collect import collect as collect_frames
-    from instobj.commands.hardware.collect_options import CollectOptions
+class Bench(TyperGroup):
+    """Group that takes its commands from their module at the first question for them."""
 
-    serial_port, baud = port_and_baud(port)
-    file, speed = replayed_file(replay)
-    options = CollectOptions(
-        out, serial_port, file, load_port, baud, speed, tuple(place or ()), tuple(force or ()),
-        cells, tips, session, zero, seconds, frames,
-    )  # fmt: skip
-    show(collect_frames(options), as_json)
+    @property
+    def commands(self) -> Any:
+        """Return name → command."""
+        return get_group(import_module(MODULE).app).commands
+
+    @commands.setter
+    def commands(self, given: Any) -> None:
+        """Drop the empty dictionary that Typer gives."""
 
 
-@app.command()
-def firmware(
-    spec: Spec,
-    board: Annotated[str, typer.Option(help="Board that reads the sensors: mega2560 or pico.")],
-    way: Annotated[
-        str | None,
-        typer.Option(
-            help="How I²C chips are kept apart, e.g. multiplexers (default: the cheapest way)."
-        ),
-    ] = None,
-    lead: Annotated[
-        float,
-        typer.Option(min=0, max=5000, help="Length of the wires from the object to the board, mm."),
-    ] = 200.0,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Plan the sensors' buses on a board and write its firmware."""
-    from instobj.commands.hardware.firmware import write_firmware
-
-    show(write_firmware(spec, board, way, lead, out, overrides or []), as_json)
-
-
-@app.command()
-def live(
-    spec: Annotated[
-        Path | None,
-        typer.Argument(help="Specification (TOML); --demo brings one.", show_default=False),
-    ] = None,
-    model: Annotated[
-        list[Path] | None,
-        typer.Option(
-            help="Estimator: contacts.nc, or one exported face_<n>.onnx per face (repeat the option); "
-            "without it only channels are shown."
-        ),
-    ] = None,
-    port: Port = None,
-    replay: Replay = None,
-    demo: Annotated[
-        bool,
-        typer.Option("--demo", help="A simulated object in a hand; no board and no files needed."),
-    ] = False,
-    record: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="OUT",
-            help="Record from the start, as collect does: OUT.csv grows, OUT.nc is written at the end "
-            "(default: <name>_live, once the page's button is pressed).",
-        ),
-    ] = None,
-    load_port: LoadPort = None,
-    place: Places = None,
-    force: Forces = None,
-    zero: Zero = None,
-    page: Annotated[
-        str,
-        typer.Option(
-            metavar="[ADDRESS:]PORT",
-            help="Where the page is served: TCP port (0: any free one), and network address.",
-        ),
-    ] = "127.0.0.1:8765",
-    remote: Annotated[
-        bool,
-        typer.Option("--remote", help="Let other machines connect; an access token is printed."),
-    ] = False,
-    seconds: Seconds = None,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Contacts, channels and their health on a page in the browser, while a board is read."""
-    from instobj.commands.hardware.collect_options import CollectOptions
-    from instobj.commands.hardware.live import live as show_live
-    from instobj.commands.hardware.live_source import LiveOptions
-    from instobj.commands.hardware.readings import Zeroing
-
-    serial_port, baud = port_and_baud(port)
-    file, speed = replayed_file(replay)
-    mode, zero_frames = zero_and_frames(zero, 20)
-    address, page_port = _served_at(page)
-    readings = CollectOptions(
-        record or Path(f"{spec.stem if spec else 'demo'}_live"), serial_port, file, load_port, baud,
-        speed, tuple(place or ()), tuple(force or ()), zero_frames=zero_frames,
-    )  # fmt: skip
-    options = LiveOptions(
-        spec, readings, tuple(model or ()), demo, Zeroing(mode, zero_frames),
-        tuple(overrides or ()), address, page_port, remote,
-        record is not None, seconds,
-    )  # fmt: skip
-    show(show_live(options), as_json)
-
-
-@app.command()
-def bringup(
-    spec: Spec,
-    port: Port = None,
-    replay: Annotated[
-        Path | None, typer.Option(help="bringup.csv of an earlier bring-up, in place of a board.")
-    ] = None,
-    simulated: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="FAULT",
-            help="A simulated object with this fault in place of a board, e.g. swap=F1-S2,F3-S1; none: "
-            "without; can be repeated.",
-        ),
-    ] = None,
-    again: Annotated[
-        list[str] | None,
-        typer.Option(help="Step or recording to repeat, e.g. held or 'held F1-S2'."),
-    ] = None,
-    out: Out = HERE,
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Bring a newly soldered object up, question by question, and write how it was built."""
-    from instobj.commands.bringup.command import BringupOptions, bring_up
-
-    serial_port, baud = port_and_baud(port)
-    faults = None if simulated is None else tuple(one for one in simulated if one != "none")
-    result = bring_up(
-        BringupOptions(
-            spec, out, serial_port, replay, faults, tuple(again or ()), baud, tuple(overrides or ())
-        )
-    )
-    show(result, as_json)
-    if not result["passed"]:
-        raise typer.Exit(1)
-
-
-@app.command()
-def selftest(
-    spec: Spec,
-    resting: Annotated[
-        Path,
-        typer.Argument(help="Recording, or CSV of frames at rest.", show_default=False),
-    ],
-    as_json: AsJson = False,
-    overrides: Overrides = None,
-) -> None:
-    """Flipped magnets, swapped or dead channels, from the resting signals of a built object."""
-    from instobj.commands.recorded.validate import self_test_of
-
-    result = self_test_of(spec, resting, overrides or [])
-    show(result, as_json)
-    if not result["passed"]:
-        raise typer.Exit(1)
-
-
-def _served_at(page: str) -> tuple[str, int]:
-    """Network address and TCP port of `[ADDRESS:]PORT`."""
-    address, _, port = page.rpartition(":")
-    if not port.isdecimal() or int(port) > 65535:
-        raise InputError(
-            f"--page {page}: give a TCP port up to 65535, 0 for any free one, behind an address where not "
-            "this machine alone is served: 192.168.0.5:8765"
-        )
-    return address or "127.0.0.1", int(port)
-
-
-def commands() -> list[Callable[..., None]]:
-    """Functions of all commands of the bench."""
-    registered = (*app.registered_commands, *cli_rig.app.registered_commands)
-    return [command.callback for command in registered if command.callback is not None]
+def run_on_bench(context: typer.Context, name: str) -> None:
+    """Run `instobj bench NAME` with what stands behind the command of `context`."""
+    bench = Bench(name="bench")
+    with bench.make_context("bench", [name, *context.args], parent=context.parent) as inner:
+        bench.invoke(inner)

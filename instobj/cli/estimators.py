@@ -75,7 +75,7 @@ def export(
     as_json: AsJson = False,
 ) -> None:
     """Trained estimators as ONNX files with scaling, units and channel order inside."""
-    from instobj.commands.hardware.predict import export_models
+    from instobj.commands.predict import export_models
 
     show(export_models(models, out), as_json)
 
@@ -101,14 +101,14 @@ def predict(
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document per frame)."""
     from estimator.inversion.storage import is_inversion
-    from instobj.commands.hardware.readings import Zeroing
+    from instobj.commands.readings import Zeroing
 
     if is_inversion(model):
-        from instobj.commands.hardware.contacts import contacts_in_file as in_file
-        from instobj.commands.hardware.contacts import contacts_on_port as on_port
+        from instobj.commands.contacts import contacts_in_file as in_file
+        from instobj.commands.contacts import contacts_on_port as on_port
     else:
-        from instobj.commands.hardware.predict import predict_file as in_file
-        from instobj.commands.hardware.predict import predict_port as on_port
+        from instobj.commands.predict import predict_file as in_file
+        from instobj.commands.predict import predict_port as on_port
     board, baud = port_and_baud(port)
     zeroing = Zeroing(*zero_and_frames(zero, 8))
     if (file is None) == (board is None):

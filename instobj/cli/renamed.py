@@ -9,7 +9,7 @@ from typing import Any
 import typer
 
 from design.errors import InputError
-from instobj.cli import bench as cli_bench
+from instobj.cli.bench import NAMES, run_on_bench
 from instobj.cli.estimators import train
 from instobj.cli.options import HERE, TARGETS, AsJson, Out, Overrides, Specs, Workers, run_to
 
@@ -58,9 +58,9 @@ def add_renamed(app: typer.Typer, score: Callable[..., None]) -> None:
     """Add every old name to the command line, hidden."""
     for name, target in CHAIN.items():
         app.command(name, hidden=True)(_said(_chain(target), name, f"run --to {target}"))
-    for command in cli_bench.commands():
-        name = command.__name__
-        app.command(name, hidden=True)(_said(command, name, f"bench {name}"))
+    for name in NAMES:
+        command = app.command(name, hidden=True, add_help_option=False, context_settings=ANYTHING)
+        command(_on_bench(name))
     app.command("evaluate", hidden=True)(_said(train, "evaluate", "train"))
     app.command("compare", hidden=True)(_said(score, "compare", "score"))
     for name, instead in GONE.items():
@@ -72,10 +72,14 @@ def _said(command: Callable[..., None], old: str, new: str) -> Callable[..., Non
 
     @wraps(command)
     def renamed(*arguments: Any, **options: Any) -> None:
-        typer.echo(f"warning: `instobj {old}` is now `instobj {new}`", err=True)
+        _say(old, new)
         command(*arguments, **options)
 
     return renamed
+
+
+def _say(old: str, new: str) -> None:
+    typer.echo(f"warning: `instobj {old}` is now `instobj {new}`", err=True)
 
 
 def _chain(target: str) -> Callable[..., None]:
@@ -87,6 +91,14 @@ def _chain(target: str) -> Callable[..., None]:
         overrides: Overrides = None,
     ) -> None:
         run_to(TARGETS[target], specs, out, as_json, overrides, workers)
+
+    return command
+
+
+def _on_bench(name: str) -> Callable[..., None]:
+    def command(context: typer.Context) -> None:
+        _say(name, f"bench {name}")
+        run_on_bench(context, name)
 
     return command
 

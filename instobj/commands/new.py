@@ -22,12 +22,12 @@ from design.files import atomic_path
 from design.fit.roughness import roughness_in_words
 from design.layout.body import body_of
 from design.layout.mould.frame import (
-    YIELD_SHARE,
-    hooked_depth_mm,
-    hooked_share,
+    COMPLIANCE_FRACTION,
     mould_frame,
     mould_style,
     parting,
+    undercut_depth_mm,
+    undercut_fraction,
 )
 from design.placement.asked import most_printed_mm, placements
 from design.placement.hooking import hooked_by_azimuth_mm, turned, way_that_hooks_least
@@ -153,7 +153,7 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     more of the body (a fluted vase's by a whole flute)."""
     spec = spec_of(tables)
     if body_of(spec).from_file and mould_style(spec) == "split":
-        yield from _seams_of_a_file(tables, YIELD_SHARE * spec.shell.thickness_mm)
+        yield from _seams_of_a_file(tables, COMPLIANCE_FRACTION * spec.shell.thickness_mm)
         return
     yield tables
     if mould_style(spec) != "split":
@@ -162,13 +162,13 @@ def seams_of(tables: Tables) -> Iterator[Tables]:
     azimuth = np.rad2deg(np.arctan2(plane.normal @ frame.along, plane.normal @ frame.across))
     azimuths = [round(float(azimuth) + turn, 1) for turn in _TURNS_DEG]
     turns = [turned(tables, azimuth) for azimuth in azimuths]
-    yield from sorted(turns, key=lambda one: round(hooked_share(spec_of(one)), 3))
+    yield from sorted(turns, key=lambda one: round(undercut_fraction(spec_of(one)), 3))
 
 
 def _seams_of_a_file(tables: Tables, room_mm: float) -> Iterator[Tables]:
     """Those whose halves hook the body no deeper than it gives way, the least first; as placed, where the
     seam hooks the least area, before all others if it is one of them, or if there are none."""
-    as_placed = hooked_depth_mm(spec_of(tables)) <= room_mm
+    as_placed = undercut_depth_mm(spec_of(tables)) <= room_mm
     if as_placed:
         yield tables
     hooked = hooked_by_azimuth_mm(tables)
@@ -183,7 +183,7 @@ def parts_somewhere(tables: Tables) -> bool:
     spec = spec_of(tables)
     if not body_of(spec).from_file or mould_style(spec) != "split":
         return True
-    room = YIELD_SHARE * spec.shell.thickness_mm
+    room = COMPLIANCE_FRACTION * spec.shell.thickness_mm
     return any(depth <= room for depth in hooked_by_azimuth_mm(tables).values())
 
 
@@ -215,7 +215,7 @@ def _how_it_hooks(tables: Tables) -> str:
     if not KINDS[tables["body"].get("kind", BodySpec().kind)].from_file:
         return ""
     spec = spec_of(tables)
-    room = YIELD_SHARE * spec.shell.thickness_mm
+    room = COMPLIANCE_FRACTION * spec.shell.thickness_mm
     depth, azimuth = min((depth, one) for one, depth in hooked_by_azimuth_mm(tables).items())
     deep, way = way_that_hooks_least(body_of(spec))
     drawn = (

@@ -12,6 +12,7 @@ from design.body.kinds.base import BodyKind
 from design.body.kinds.registry import KINDS
 from design.placement.objects import Tables
 from design.spec.body import BodySpec
+from design.tables import toml_value
 
 TEMPLATE = Path(__file__).parents[1] / "templates" / "cube.toml"
 """Every key with its default: the page `instobj docs specification`."""
@@ -130,12 +131,6 @@ def _commented(line: str, comment: str | None) -> str:
 
 def _with_value(line: str, key: str, value: Any) -> str:
     comment = _COMMENT.search(line)
-    written = f"{key} = {_toml(value)}"
+    written = f"{key} = {toml_value(value)}"
     past = "" if len(written) < _COLUMN else "    "
     return f"{written:<{_COLUMN}}{past}{comment[0].strip()}" if comment else written
-
-
-def _toml(value: Any) -> str:
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_toml, value))}]"
-    return f'"{value}"' if isinstance(value, str) else repr(value)

@@ -226,7 +226,7 @@ def models_of_object(frames: FrameSet, spec: ObjectSpec) -> tuple[FrameSet, list
     """
     from estimator.frames.dataset import NO_FACE
 
-    frames, count = frames.on_faces(spec.body.sensed), spec.sensors.count_per_face
+    frames, count = frames.select_faces(spec.body.sensed), spec.sensors.count_per_face
     pressed = set(np.unique(frames.contact_face).tolist()) - {NO_FACE}
     if pressed and not pressed & set(spec.body.sensed):
         raise InputError(

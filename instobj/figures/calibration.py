@@ -1,4 +1,4 @@
-"""Residuals of a digital twin at held-out contact locations, beside those of the design."""
+"""Residuals of a digital twin at held-out contact locations, compared with the design's."""
 
 from __future__ import annotations
 
@@ -25,14 +25,18 @@ def draw_calibration(spec: ObjectSpec, rows: list[dict[str, Any]], path: Path) -
     for row, pair in zip(rows, panels, strict=True):
         places = np.array(row["places mm"])
         for (name, title), axes in zip(_PANELS.items(), pair, strict=True):
-            left = np.array(row[name])
-            dots = axes.scatter(*places.T, c=left, s=330, vmin=0, vmax=largest, cmap="viridis")
-            for place, value in zip(places, left, strict=True):
+            residual_percent = np.array(row[name])
+            dots = axes.scatter(
+                *places.T, c=residual_percent, s=330, vmin=0, vmax=largest, cmap="viridis"
+            )
+            for place, value in zip(places, residual_percent, strict=True):
                 colour = "white" if value < 0.6 * largest else "black"
                 axes.annotate(
                     f"{value:.2g}", place, ha="center", va="center", fontsize=7, color=colour
                 )
-            axes.set(title=f"face {row['face']}, {title}: median {np.median(left):.2g} %")
+            axes.set(
+                title=f"face {row['face']}, {title}: median {np.median(residual_percent):.2g} %"
+            )
             axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
             axes.margins(0.12)
     figure.colorbar(dots, ax=panels, label="residual signal beyond noise (%, rms)", shrink=0.8)

@@ -18,7 +18,7 @@ _COLOURS = ("#777777", "#1b6ca8", "#c8553d", "#2a9d8f", "#8e6bbf")
 
 
 def draw_contacts(
-    frames: FrameSet, found: ContactSets, matched: MatchedContacts, path: Path
+    frames: FrameSet, contact_sets: ContactSets, matched: MatchedContacts, path: Path
 ) -> None:
     """Share of contacts within a distance; numbers found against true; total force (PNG)."""
     from matplotlib.figure import Figure
@@ -27,7 +27,7 @@ def draw_contacts(
     distance, number, force = figure.subplots(1, 3)
     _draw_distances(distance, matched)
     _draw_numbers(number, matched)
-    _draw_forces(force, found, matched)
+    _draw_forces(force, contact_sets, matched)
     figure.suptitle(
         f"Contacts read by inversion in {len(frames)} {frames.source} frames", fontsize=11
     )
@@ -70,14 +70,14 @@ def _draw_numbers(axes: Any, matched: MatchedContacts) -> None:
     axes.set_title("% of the frames of each true number", fontsize=9)
 
 
-def _draw_forces(axes: Any, found: ContactSets, matched: MatchedContacts) -> None:
-    total = np.nansum(found.force_n, axis=1)
+def _draw_forces(axes: Any, contact_sets: ContactSets, matched: MatchedContacts) -> None:
+    total = np.nansum(contact_sets.force_n, axis=1)
     true = total - matched.total_error_n
     end = 1.05 * float(max(true.max(), total.max(), 1.0))
     axes.plot([0, end], [0, end], color=_COLOURS[0], lw=0.9, label="equal")
-    right = matched.right
-    axes.plot(true[right], total[right], ".", color=_COLOURS[1], ms=4, label="number right")
-    axes.plot(true[~right], total[~right], ".", color=_COLOURS[2], ms=4, label="number wrong")
+    is_right = matched.right
+    axes.plot(true[is_right], total[is_right], ".", color=_COLOURS[1], ms=4, label="number right")
+    axes.plot(true[~is_right], total[~is_right], ".", color=_COLOURS[2], ms=4, label="number wrong")
     axes.set(xlim=(0, end), ylim=(0, end), aspect="equal")
     axes.set(xlabel="true total force (N)", ylabel="total force found (N)")
     axes.legend(frameon=False, fontsize=8, loc="upper left")

@@ -34,7 +34,9 @@ def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:
     force = signals.force_n[:, lattice_places]
     size = _whitened_size(spec, signals)[:, lattice_places]
     for area, colour in _AREA_COLOURS.items():
-        inside = np.stack([area_places(grid, area, own) for own in contact_places(spec)])  # type: ignore[arg-type]
+        inside = np.stack(
+            [area_places(grid, area, face_places) for face_places in contact_places(spec)]
+        )  # type: ignore[arg-type]
         if not inside.any():
             continue
         label = area.replace("_", "-")
@@ -70,6 +72,6 @@ def _whitened_size(spec: ObjectSpec, signals: Signals) -> np.ndarray:
     owner = sensor_layout(spec).face
     sizes = []
     for index, face in enumerate(signals.faces):
-        own = signals.delta_counts[index][:, :, owner == face] / sigma
-        sizes.append(np.sqrt((own**2).sum(axis=(-2, -1))))
+        whitened = signals.delta_counts[index][:, :, owner == face] / sigma
+        sizes.append(np.sqrt((whitened**2).sum(axis=(-2, -1))))
     return np.stack(sizes)

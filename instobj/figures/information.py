@@ -74,13 +74,15 @@ def _draw_line(axes: Any, rows: Sequence[Identifiability], top_mm: float) -> Non
     low, middle, high = (
         np.array([getattr(r, f"bound_{name}_mm") for r in rows]) for name in ("10", "median", "90")
     )
-    seen = np.isfinite(middle)
+    is_finite = np.isfinite(middle)
     label = f"{contacts} contact{'s' if contacts > 1 else ''} ({3 * contacts} unknowns)"
-    axes.plot(sensors[seen], middle[seen], color=colour, marker="o", label=label)
+    axes.plot(sensors[is_finite], middle[is_finite], color=colour, marker="o", label=label)
     upper = np.where(np.isfinite(high), high, top_mm)
-    axes.fill_between(sensors[seen], low[seen], upper[seen], color=colour, alpha=0.15, lw=0)
+    axes.fill_between(
+        sensors[is_finite], low[is_finite], upper[is_finite], color=colour, alpha=0.15, lw=0
+    )
     offset = 0.06 * (contacts - 2)
-    blind = sensors[~seen] + offset
+    blind = sensors[~is_finite] + offset
     axes.plot(blind, np.full(len(blind), top_mm / 1.25), color=colour, marker="x", ls="", mew=2)
     if len(blind) and contacts == max(_COLOURS):
         axes.text(blind.max() + 0.12, top_mm / 1.25, "blind", va="center", fontsize=9, color="0.35")
@@ -138,9 +140,9 @@ def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
         axes.annotate("", tip, xy, arrowprops={"arrowstyle": "-|>", "color": "#1a1a1a", "lw": 1.8})
         axes.annotate(f"{change[2]:+.2f} N", xy, (0, -13), textcoords="offset points", ha="center",
                       va="top", fontsize=9)  # fmt: skip
-    told = f"condition {worst.condition:.3g}"
+    figure_text = f"condition {worst.condition:.3g}"
     if not np.isfinite(worst.condition):
-        told = f"rank {row.rank_least} of {row.unknowns}"
+        figure_text = f"rank {row.rank_least} of {row.unknowns}"
     axes.set(aspect="equal", xlabel=f"x of face {worst.face} (mm)", ylabel="y (mm)")
-    axes.set_title(f"{row.contacts} contact{'s' if row.contacts > 1 else ''}: {told}")
+    axes.set_title(f"{row.contacts} contact{'s' if row.contacts > 1 else ''}: {figure_text}")
     axes.autoscale_view()

@@ -21,7 +21,7 @@ _AXES = (("ΔX", "#1b6ca8"), ("ΔY", "#c8553d"), ("ΔZ", "#6a994e"))
 
 @dataclass(frozen=True)
 class Pressed:
-    """What loads do together: a row for each, the magnets' motions, and the way there.
+    """Effect of loads together: a row for each, the magnets' motions, and the way there.
 
     `curve` holds the joint presses on the way, the last one complete; it is empty for patches.
     `alone` holds each press by itself, empty where superposition means nothing or everything.
@@ -88,9 +88,13 @@ def _draw_signals(axes: Any, spec: ObjectSpec, change: np.ndarray) -> None:
     for index, (name, colour) in enumerate(_AXES):
         axes.bar(place + 0.27 * (index - 1), change[:, index], 0.25, color=colour, label=name)
     for face in np.unique(faces):
-        own = place[faces == face]
+        face_places = place[faces == face]
         axes.text(
-            own.mean(), 1.01, f"face {face}", transform=axes.get_xaxis_transform(), ha="center"
+            face_places.mean(),
+            1.01,
+            f"face {face}",
+            transform=axes.get_xaxis_transform(),
+            ha="center",
         )
     numbers = [int(np.sum(faces[:index] == face)) + 1 for index, face in enumerate(faces)]
     axes.set_xticks(place, [f"S{number}" for number in numbers], fontsize=8)

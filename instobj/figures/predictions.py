@@ -25,7 +25,7 @@ def draw_predictions(
     readings: Sequence[ContactReadings], source: Literal["simulated", "recorded"], path: Path
 ) -> Figure:
     """A panel per face, predicted against true force, and below it the share of localisation errors
-    (PNG); three faces beside each other, so that words stay readable."""
+    (PNG); three faces side by side, so that words stay readable."""
     from matplotlib.figure import Figure
 
     columns = min(len(readings), _MOST_COLUMNS)
@@ -33,11 +33,11 @@ def draw_predictions(
     figure = Figure(figsize=(max(3.3 * columns, 5.2), 7.2 * blocks), layout="constrained")
     panels = figure.subplots(2 * blocks, columns, squeeze=False)
     forces, places = panels[::2].ravel(), panels[1::2].ravel()
-    largest = max(max(one.true_force_n.max(), one.force_n.max()) for one in readings)
-    furthest = max(float(one.away_mm.max(initial=0.0)) for one in readings)
-    for one, force_axes, place_axes in zip(readings, forces, places, strict=False):
-        _draw_forces(force_axes, one, 1.05 * float(largest))
-        _draw_place_errors(place_axes, one)
+    largest = max(max(reading.true_force_n.max(), reading.force_n.max()) for reading in readings)
+    furthest = max(float(reading.away_mm.max(initial=0.0)) for reading in readings)
+    for reading, force_axes, place_axes in zip(readings, forces, places, strict=False):
+        _draw_forces(force_axes, reading, 1.05 * float(largest))
+        _draw_place_errors(place_axes, reading)
         place_axes.set_xlim(0, 1.05 * furthest or 1.0)
     for axes in (*forces[len(readings) :], *places[len(readings) :]):
         axes.remove()
@@ -49,24 +49,26 @@ def draw_predictions(
     return figure
 
 
-def _draw_forces(axes: Any, one: ContactReadings, end_n: float) -> None:
-    error = np.median(np.abs(one.force_n - one.true_force_n))
+def _draw_forces(axes: Any, reading: ContactReadings, end_n: float) -> None:
+    error = np.median(np.abs(reading.force_n - reading.true_force_n))
     axes.plot([0, end_n], [0, end_n], color=_GREY, lw=0.9, label="equal")
-    axes.plot(one.true_force_n, one.force_n, ".", color=_BLUE, ms=3, alpha=0.4)
+    axes.plot(reading.true_force_n, reading.force_n, ".", color=_BLUE, ms=3, alpha=0.4)
     axes.set(xlim=(0, end_n), ylim=(0, end_n), aspect="equal", xlabel="true total force (N)")
-    axes.set_title(f"Face {one.face}: median error {error:.2f} N", fontsize=10)
+    axes.set_title(f"Face {reading.face}: median error {error:.2f} N", fontsize=10)
     axes.legend(frameon=False, fontsize=8, loc="upper left")
 
 
-def _draw_place_errors(axes: Any, one: ContactReadings) -> None:
-    away = np.sort(one.away_mm)
+def _draw_place_errors(axes: Any, reading: ContactReadings) -> None:
+    away = np.sort(reading.away_mm)
     share = 100 * np.arange(1, len(away) + 1) / len(away)
     axes.plot(away, share, color=_BLUE)
     for level, style in ((50, "--"), (90, ":")):
-        at = float(np.percentile(away, level))
-        axes.axvline(at, color=_RED, ls=style, lw=1, label=f"{level} %: {at:.2f} mm")
+        percentile_mm = float(np.percentile(away, level))
+        axes.axvline(
+            percentile_mm, color=_RED, ls=style, lw=1, label=f"{level} %: {percentile_mm:.2f} mm"
+        )
     axes.set(xlabel="localisation error (mm)", ylim=(0, 102))
-    axes.set_title(f"{len(away)} frames of {one.presses} presses", fontsize=10)
+    axes.set_title(f"{len(away)} frames of {reading.presses} presses", fontsize=10)
     axes.grid(alpha=0.3)
     axes.legend(frameon=False, fontsize=8, loc="lower right")
 
@@ -80,51 +82,60 @@ def draw_over_time(held_out: Sequence[HeldOutAnswers], path: Path) -> Figure:
     panels = figure.subplots(
         len(held_out), 2, squeeze=False, gridspec_kw={"width_ratios": (2.6, 1)}
     )
-    for one, (time_axes, face_axes) in zip(held_out, panels, strict=True):
-        model, *baselines = one.answers
-        best = min(baselines, key=lambda it: np.abs(it.force_n - one.true_force_n).mean())
-        _draw_force_over_time(time_axes, one, model, best)
-        _draw_places(face_axes, one, model, best)
+    for answers_of_face, (time_axes, face_axes) in zip(held_out, panels, strict=True):
+        model, *baselines = answers_of_face.answers
+        best = min(
+            baselines, key=lambda it: np.abs(it.force_n - answers_of_face.true_force_n).mean()
+        )
+        _draw_force_over_time(time_axes, answers_of_face, model, best)
+        _draw_places(face_axes, answers_of_face, model, best)
     figure.suptitle("Held-out presses, contact frames: model and best baseline")
     save_figure(figure, path)
     return figure
 
 
 def _draw_force_over_time(
-    axes: Any, one: HeldOutAnswers, model: ContactAnswers, best: ContactAnswers
+    axes: Any, held_out: HeldOutAnswers, model: ContactAnswers, best: ContactAnswers
 ) -> None:
     """Presses one after another: what lies between them is left out."""
-    presses = np.unique(one.press_id)[:_MOST_PRESSES]
-    shown = np.flatnonzero(np.isin(one.press_id, presses))
+    presses = np.unique(held_out.press_id)[:_MOST_PRESSES]
+    shown = np.flatnonzero(np.isin(held_out.press_id, presses))
     frame = np.arange(len(shown))
-    low = np.maximum(model.force_n - one.force_halfwidth_n, 0)[shown]
-    high = (model.force_n + one.force_halfwidth_n)[shown]
-    for start in np.flatnonzero(np.diff(one.press_id[shown])) + 1:
+    low = np.maximum(model.force_n - held_out.force_halfwidth_n, 0)[shown]
+    high = (model.force_n + held_out.force_halfwidth_n)[shown]
+    for start in np.flatnonzero(np.diff(held_out.press_id[shown])) + 1:
         axes.axvline(start - 0.5, color=_GREY, lw=0.6, ls=":")
-    interval = f"model's {100 * one.interval_cover:.0f} % interval"
+    interval = f"model's {100 * held_out.interval_cover:.0f} % interval"
     axes.fill_between(frame, low, high, color=_BLUE, alpha=0.18, lw=0, label=interval)
-    axes.plot(frame, one.true_force_n[shown], color=_BLACK, lw=1.6, label="labelled")
+    axes.plot(frame, held_out.true_force_n[shown], color=_BLACK, lw=1.6, label="labelled")
     axes.plot(frame, best.force_n[shown], color=_RED, lw=0.9, label=best.name)
     axes.plot(frame, model.force_n[shown], color=_BLUE, lw=0.9, label="model")
     axes.set(xlabel="contact frame of the held-out presses", ylabel="total force (N)")
     axes.set_xlim(0, max(1, len(shown) - 1))
     axes.set_ylim(0, 1.2 * float(high.max()))
     axes.set_title(
-        f"Face {one.face}: {len(presses)} of {len(np.unique(one.press_id))} held-out presses",
+        f"Face {held_out.face}: {len(presses)} of {len(np.unique(held_out.press_id))} held-out presses",
         fontsize=10,
     )
     axes.legend(frameon=False, fontsize=8, ncols=4, loc="upper right")
 
 
 def _draw_places(
-    axes: Any, one: HeldOutAnswers, model: ContactAnswers, best: ContactAnswers
+    axes: Any, held_out: HeldOutAnswers, model: ContactAnswers, best: ContactAnswers
 ) -> None:
-    grid = np.meshgrid(one.grid_x_mm, one.grid_y_mm, indexing="ij")
+    grid = np.meshgrid(held_out.grid_x_mm, held_out.grid_y_mm, indexing="ij")
     axes.plot(*(axis.ravel() for axis in grid), ".", color=_GREY, ms=1.5, alpha=0.6)
     axes.plot(*best.xy_mm.T, ".", color=_RED, ms=2.5, alpha=0.4, label=best.name)
     axes.plot(*model.xy_mm.T, ".", color=_BLUE, ms=2.5, alpha=0.4, label="model")
     axes.plot(
-        *one.true_xy_mm.T, "o", mfc="none", mec=_BLACK, ms=9, mew=1.2, ls="none", label="labelled"
+        *held_out.true_xy_mm.T,
+        "o",
+        mfc="none",
+        mec=_BLACK,
+        ms=9,
+        mew=1.2,
+        ls="none",
+        label="labelled",
     )
     axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
     axes.set_title("Centre of force on the face", fontsize=10)

@@ -20,7 +20,7 @@ _PANELS = (
 )
 
 _SHORT_BAR = 0.05
-"""Of the axis: where the longest bar is shorter, the axis is logarithmic."""
+"""Share of the axis: where the longest bar is shorter, the axis is logarithmic."""
 
 
 def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:

@@ -55,7 +55,9 @@ def draw_sections(panels: list[SectionPanel], path: Path) -> None:
     largest = max(float(size.max()) for size in sizes)
     figure = Figure(figsize=(8.2, 3.5 * len(panels)), layout="constrained")
     axes = figure.subplots(len(panels), 1, squeeze=False)[:, 0]
-    images = [_draw(one, panel, largest) for panel, one in zip(panels, axes, strict=True)]
+    images = [
+        _draw(panel_axes, panel, largest) for panel, panel_axes in zip(panels, axes, strict=True)
+    ]
     figure.colorbar(images[0], ax=list(axes), label="displacement (mm)", shrink=0.8)
     save_figure(figure, path)
 
@@ -87,22 +89,24 @@ def _draw(axes: Any, panel: SectionPanel, largest_mm: float) -> Any:
     from matplotlib.collections import LineCollection
     from matplotlib.patches import Circle
 
-    cut, (before, after) = _cut(panel), _outline(panel)
+    cut, (outline_before, outline_after) = _cut(panel), _outline(panel)
     silicone, inside = cut.triangles[cut.magnet < 0], cut.triangles[cut.magnet >= 0]
     image = axes.tripcolor(
         *cut.points_mm.T, silicone, cut.size_mm, shading="gouraud", cmap="viridis", vmin=0,
         vmax=largest_mm,
     )  # fmt: skip
     if len(inside):
-        one = np.zeros(len(cut.points_mm))
-        axes.tripcolor(*cut.points_mm.T, inside, one, cmap="binary_r", vmin=0, vmax=1)
-    axes.add_collection(LineCollection(list(before), colors="#bbbbbb", lw=0.9, ls=(0, (3, 2))))
-    axes.add_collection(LineCollection(list(after), colors="#111111", lw=0.9))
+        zeros = np.zeros(len(cut.points_mm))
+        axes.tripcolor(*cut.points_mm.T, inside, zeros, cmap="binary_r", vmin=0, vmax=1)
+    axes.add_collection(
+        LineCollection(list(outline_before), colors="#bbbbbb", lw=0.9, ls=(0, (3, 2)))
+    )
+    axes.add_collection(LineCollection(list(outline_after), colors="#111111", lw=0.9))
     if panel.tip_radius_mm is not None:
         radius = panel.tip_radius_mm
         centre = (panel.xy_mm[0], radius - panel.depth_mm)
         axes.add_patch(Circle(centre, radius, fc="#dddddd", ec="#c8553d", lw=1.4, zorder=0))
-    ends = before[..., 0].min() - 2, before[..., 0].max() + 2
+    ends = outline_before[..., 0].min() - 2, outline_before[..., 0].max() + 2
     axes.set(
         xlim=ends, ylim=(-_BELOW_MM, _ABOVE_MM), aspect="equal", xlabel="x on the face (mm)",
         ylabel="outwards (mm)", title=panel.title,
@@ -116,7 +120,7 @@ def _cut(panel: SectionPanel) -> _Cut:
     sliced = _sliced(panel, vtk_grid(panel.shape)).triangulate()
     moved = np.asarray(sliced["displacement_mm"])
     return _Cut(
-        _in_plane(panel, np.asarray(sliced.points) + moved),
+        _section_coordinates(panel, np.asarray(sliced.points) + moved),
         np.asarray(sliced.faces).reshape(-1, 4)[:, 1:],
         np.asarray(sliced.cell_data["magnet"]),
         np.linalg.norm(moved, axis=1),
@@ -132,7 +136,9 @@ def _outline(panel: SectionPanel) -> tuple[np.ndarray, np.ndarray]:
     sliced = _sliced(panel, surface)
     ends = np.asarray(sliced.lines).reshape(-1, 3)[:, 1:]
     points, moved = np.asarray(sliced.points), np.asarray(sliced["displacement_mm"])
-    return _in_plane(panel, points)[ends], _in_plane(panel, points + moved)[ends]
+    return _section_coordinates(panel, points)[ends], _section_coordinates(panel, points + moved)[
+        ends
+    ]
 
 
 def _sliced(panel: SectionPanel, body: Any) -> Any:
@@ -143,5 +149,5 @@ def _sliced(panel: SectionPanel, body: Any) -> Any:
     return body.slice(normal=across, origin=origin)
 
 
-def _in_plane(panel: SectionPanel, points_mm: np.ndarray) -> np.ndarray:
+def _section_coordinates(panel: SectionPanel, points_mm: np.ndarray) -> np.ndarray:
     return np.asarray(panel.frame.from_object(points_mm))[:, [0, 2]]

@@ -1,4 +1,4 @@
-"""Predicted beside recorded change of every chip over a pad, from presses of one travel."""
+"""Predicted compared with recorded change of every chip over a pad, from presses of one travel."""
 
 from __future__ import annotations
 
@@ -59,12 +59,12 @@ def draw_travel(
         figure.colorbar(shown, ax=panels[2 * axis : 2 * axis + 2], label=f"change of {letter}, mT")
     for panel in panels[-1]:
         panel.set_xlabel("x, mm")
-    found = document["agreement"]["registered"]["all"]
+    agreement = document["agreement"]["registered"]["all"]
     figure.suptitle(
         f"{spec.name}: {int(rows.sum())} presses {middle - _HALF_BAND_MM:.1f} to "
         f"{middle + _HALF_BAND_MM:.1f} mm deep, registered on 5 % of the places\n"
-        f"all travels: median cosine {found['cosine']:.2f}, "
-        f"{100 * found['explained']:.0f} % of the change explained, no modulus"
+        f"all travels: median cosine {agreement['cosine']:.2f}, "
+        f"{100 * agreement['explained']:.0f} % of the change explained, no modulus"
     )
     save_figure(figure, path)
 
@@ -82,32 +82,39 @@ def draw_residuals(
 
     xy = fitted.twin.pose.in_object(judged.tip_mm)[0]
     recorded = judged.field_mt - fitted.resting_mt
-    left = recorded - model.pressed(fitted.twin, judged.tip_mm)
+    residual = recorded - model.pressed(fitted.twin, judged.tip_mm)
     place = judged.place_id
     count = np.bincount(place)
-    there = np.flatnonzero(count)
-    at = np.stack([np.bincount(place, weights=c)[there] / count[there] for c in xy.T])
+    has_press = np.flatnonzero(count)
+    mean_place = np.stack(
+        [np.bincount(place, weights=c)[has_press] / count[has_press] for c in xy.T]
+    )
 
-    def per_place(values: np.ndarray) -> np.ndarray:
-        return np.sqrt(np.bincount(place, weights=values)[there] / count[there])
+    def rms_per_place(values: np.ndarray) -> np.ndarray:
+        return np.sqrt(np.bincount(place, weights=values)[has_press] / count[has_press])
 
-    sensors = left.shape[1]
+    sensors = residual.shape[1]
     figure = Figure(figsize=(2.4 * sensors + 1.2, 5.6), layout="constrained")
     grid = figure.add_gridspec(2, sensors, height_ratios=(1.1, 1))
     panels = [figure.add_subplot(grid[0, k]) for k in range(sensors)]
-    maps = [per_place(np.sum(left[:, k] ** 2, axis=1)) for k in range(sensors)]
+    maps = [rms_per_place(np.sum(residual[:, k] ** 2, axis=1)) for k in range(sensors)]
     largest = float(np.quantile(np.concatenate(maps), 0.99))
     for number, (panel, values) in enumerate(zip(panels, maps, strict=True), start=1):
-        shown = panel.scatter(*at, c=values, s=8, marker="s", cmap="viridis", vmin=0, vmax=largest)
-        share = np.sum(left[:, number - 1] ** 2) / np.sum(recorded[:, number - 1] ** 2)
+        shown = panel.scatter(
+            *mean_place, c=values, s=8, marker="s", cmap="viridis", vmin=0, vmax=largest
+        )
+        share = np.sum(residual[:, number - 1] ** 2) / np.sum(recorded[:, number - 1] ** 2)
         panel.set(aspect="equal", xlabel="x, mm")
         panel.set_title(f"chip {number}: {100 * share:.0f} % unexplained", fontsize=8)
     panels[0].set_ylabel("y, mm")
     figure.colorbar(shown, ax=panels, label="left over, mT (rms)")
     axes = figure.add_subplot(grid[1, :])
-    names = [f"{one.name} ({one.numbers}): {one.found}" for one in suspects][::-1]
+    names = [f"{suspect.name} ({suspect.numbers}): {suspect.found}" for suspect in suspects][::-1]
     gains = np.array(
-        [[one.gained, one.gained - one.low, one.high - one.gained] for one in suspects]
+        [
+            [suspect.gained, suspect.gained - suspect.low, suspect.high - suspect.gained]
+            for suspect in suspects
+        ]
     )
     axes.barh(names, 100 * gains[::-1, 0], xerr=100 * gains[::-1, 1:].T, color="#31688e", capsize=3)
     axes.axvline(0, color="black", lw=0.8)

@@ -1,4 +1,4 @@
-"""Predicted against recorded changes of signal, and each case's cosine beside its null."""
+"""Predicted against recorded changes of signal, and each case's cosine with its null."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def draw_validation(
     document: dict[str, Any],
     path: Path,
 ) -> None:
-    """One scatter plot per pressed face (own channels), and the figures of merit beside their nulls (PNG)."""
+    """One scatter plot per pressed face (own channels), and the figures of merit with their nulls (PNG)."""
     from matplotlib.figure import Figure
 
     from estimator.calibration.recorded_presses import pressed_faces
@@ -51,16 +51,17 @@ def draw_scatter(
     predictions: Predictions,
     face: int,
 ) -> None:
-    """One point per channel and case: means over its presses. Cases are told apart as far as colours go."""
+    """One point per channel and case: means over its presses. Cases are distinguished as far as colours
+    go."""
     from estimator.calibration.recorded_presses import own_channels
 
-    own = own_channels(spec, face)
+    face_channels = own_channels(spec, face)
     largest, cases = 0.0, np.flatnonzero(presses.face_of_case(face))
     named = len(cases) <= _MOST_NAMED
     for case in cases:
         rows = np.flatnonzero(presses.case == case)
-        recorded = presses.signal_counts[rows][:, own].mean(axis=0)
-        predicted = predictions.counts[rows, case][:, own].mean(axis=0)
+        recorded = presses.signal_counts[rows][:, face_channels].mean(axis=0)
+        predicted = predictions.counts[rows, case][:, face_channels].mean(axis=0)
         places = "; ".join(f"({x:g}, {y:g})" for f, x, y in presses.cases[case] if f == face)
         look = {"label": places} if named else {"color": _FACE_COLOURS[0]}
         axes.plot(predicted, recorded, "o", markersize=4, alpha=0.8 if named else 0.4, **look)
@@ -89,10 +90,10 @@ def draw_scatter(
 
 
 def _draw_nulls(axes: Any, document: dict[str, Any]) -> None:
-    """Cosines and signs as bars, the median of the null as a tick, p beside them."""
+    """Cosines and signs as bars, the median of the null as a tick, p next to them."""
     rows = [
-        (f"{found['what']}: {title}", found[key])
-        for found in document["agreement"]
+        (f"{agreement['what']}: {title}", agreement[key])
+        for agreement in document["agreement"]
         for title, key in (("cosine", "cosine"), ("signs", "signs"))
     ]
     rows += [

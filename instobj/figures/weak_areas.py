@@ -43,9 +43,9 @@ def draw_weak_areas(
     for empty in panels[len(shown) :]:
         empty.set_axis_off()
     bound = scores.position_bound_mm[scores.judged]
-    known = bound[np.isfinite(bound)]
-    top = 1.3 * float(known.max()) if len(known) else 1.0
-    low = float(known.min()) / 1.3 if len(known) else 0.1
+    finite_bounds = bound[np.isfinite(bound)]
+    top = 1.3 * float(finite_bounds.max()) if len(finite_bounds) else 1.0
+    low = float(finite_bounds.min()) / 1.3 if len(finite_bounds) else 0.1
     for axes, name in zip(panels, shown, strict=False):
         axes.axhline(limit_mm, color="0.35", ls="--", lw=1)
         axes.set(yscale="log", ylim=(min(low, limit_mm / 1.3), max(top, limit_mm * 1.3)))

@@ -26,12 +26,12 @@ _SHOWN = (
 )
 _DRAWN_MM, _GAP_MM, _COLUMNS = 14.0, 18.0, 3
 _APART = 0.55
-"""How far parts are drawn, of the body's largest edge."""
+"""Distance that parts are drawn, as a share of the body's largest edge."""
 
 
 @dataclass(frozen=True)
 class Step:
-    """What is done, and all that is seen then."""
+    """Step that is done, and all that is seen then."""
 
     text: str
     pieces: tuple[Piece, ...]
@@ -40,7 +40,7 @@ class Step:
 def draw_demoulding(spec: ObjectSpec, folder: Path, pins: tuple[Pin, ...], target: Path) -> Path:
     """Draw the steps row by row, as the mould stands when silicone is poured.
 
-    `folder` is that of a build with a mould, `pins` are its loose pins (none of a mould in one piece).
+    `folder` holds a build with a mould, `pins` are its loose pins (none of a mould in one piece).
     """
     from matplotlib.figure import Figure
 
@@ -57,7 +57,7 @@ def draw_demoulding(spec: ObjectSpec, folder: Path, pins: tuple[Pin, ...], targe
     }
     shown = split_steps(spec, parts, pins) if split else one_piece_steps(spec, parts)
     shown += _seal_steps(spec, parts, pins)
-    placed, places = _in_columns(shown, camera)
+    placed, places = _place_in_columns(shown, camera)
     picture = picture_of(placed, *view)
     left, right, bottom, top = picture.extent_mm
     figure = Figure(figsize=(12, 12 * (top - bottom) / (right - left)), layout="constrained")
@@ -152,14 +152,14 @@ def _body(pin: Pin) -> trimesh.Trimesh:
     return cast("trimesh.Trimesh", trimesh.util.concatenate([shank, head]))
 
 
-def _in_columns(
+def _place_in_columns(
     steps: list[Step], camera: np.ndarray
 ) -> tuple[list[Piece], list[tuple[float, float]]]:
     """Pieces of all steps, in rows, and where each step's text begins (right, up)."""
     spans = []
     for step in steps:
-        seen = np.concatenate([piece.mesh.vertices @ camera[:2].T for piece in step.pieces])
-        spans.append((seen.min(axis=0), seen.max(axis=0)))
+        on_screen = np.concatenate([piece.mesh.vertices @ camera[:2].T for piece in step.pieces])
+        spans.append((on_screen.min(axis=0), on_screen.max(axis=0)))
     wide, tall = np.max([high - low for low, high in spans], axis=0) + _GAP_MM
     placed, places = [], []
     for index, (step, (low, high)) in enumerate(zip(steps, spans, strict=True)):

@@ -36,8 +36,8 @@ def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
     axes.imshow(picture.rgb, extent=picture.extent_mm)
     for piece in pieces:
         if piece.label:
-            seen = piece.mesh.vertices @ picture.camera.T
-            height = (seen[:, 1].min() + seen[:, 1].max()) / 2
+            on_screen = piece.mesh.vertices @ picture.camera.T
+            height = (on_screen[:, 1].min() + on_screen[:, 1].max()) / 2
             axes.text(right + 2, height, piece.label, va="center", fontsize=12)
     axes.set_axis_off()
     save_figure(figure, png_path)

@@ -28,7 +28,7 @@ _GREY = (0.72, 0.74, 0.78)
 _COLOURS = {"fail": "#c1121f", "warn": "#e07b00"}
 _LINE = 76
 _FLATTER = 0.8
-"""Of a part's least extent along the object's axes, below which it is looked at across its own."""
+"""Share of a part's least extent along the object's axes, below which it is looked at across its own."""
 
 
 def draw_findings(
@@ -50,8 +50,8 @@ def draw_findings(
         axes.set_axis_off()
     if not marked:
         places[0].text(0.5, 0.5, "nothing to mark: all checks pass", ha="center", fontsize=14)
-    for axes, (part, found) in zip(places, marked.items(), strict=False):
-        _draw_part(axes, part, meshes[part], found)
+    for axes, (part, part_findings) in zip(places, marked.items(), strict=False):
+        _draw_part(axes, part, meshes[part], part_findings)
     save_figure(figure, png_path)
     return png_path
 
@@ -61,17 +61,17 @@ def marked_parts(
 ) -> dict[str, list[Finding]]:
     """Findings with a place that did not pass, by part, parts with failures first."""
     order = {"fail": 0, "warn": 1}
-    found = [f for f in findings if f.status != "pass" and f.place_mm and f.part in meshes]
+    to_mark = [f for f in findings if f.status != "pass" and f.place_mm and f.part in meshes]
     by_part: dict[str, list[Finding]] = {}
-    for finding in sorted(found, key=lambda finding: order[finding.status]):
+    for finding in sorted(to_mark, key=lambda finding: order[finding.status]):
         by_part.setdefault(finding.part, []).append(finding)
     return dict(list(by_part.items())[:PANELS])
 
 
-def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding]) -> None:
+def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, findings: list[Finding]) -> None:
     from matplotlib.patches import Circle
 
-    towards = viewing_direction(mesh, np.array(found[0].place_mm))
+    towards = viewing_direction(mesh, np.array(findings[0].place_mm))
     up = (0.0, 0.0, 1.0) if abs(towards[2]) < 0.95 else (0.0, 1.0, 0.0)
     camera = camera_axes(tuple(towards), up)
     view = PartView(part, part, tuple(towards), up, _GREY)
@@ -79,7 +79,7 @@ def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding
     axes.imshow(shade(image, mesh, camera, view), extent=image.extent_mm)
     draw_axes_and_scale(axes, camera, image.extent_mm)
     lines = []
-    for number, finding in enumerate(found, start=1):
+    for number, finding in enumerate(findings, start=1):
         x, y = (camera @ np.array(finding.place_mm))[:2]
         colour = _COLOURS[finding.status]
         hidden = _hidden(image, camera @ np.array(finding.place_mm))
@@ -94,7 +94,7 @@ def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, found: list[Finding
             f"{number}  {finding.status}: {finding.check} {finding.value:.3g} {finding.unit} "
             f"(limit {finding.limit:.3g})"
         )
-    worst = "fail" if any(finding.status == "fail" for finding in found) else "warn"
+    worst = "fail" if any(finding.status == "fail" for finding in findings) else "warn"
     axes.set_title(part.replace("_", " "), fontsize=13, color=_COLOURS[worst])
     text = "\n".join(line[:_LINE] for line in lines)
     axes.text(
@@ -115,9 +115,9 @@ def viewing_direction(mesh: trimesh.Trimesh, place: np.ndarray) -> np.ndarray:
     """Direction to the viewer: obliquely over the side of the part on which the place lies, and across
     the part where it is flat."""
     axes, shares = _axes_of(mesh)
-    along = mesh.vertices @ axes.T
-    extents = np.maximum(np.ptp(along, axis=0), 1e-9)
-    away = (axes @ place - (along.min(axis=0) + along.max(axis=0)) / 2) / extents
+    coordinates = mesh.vertices @ axes.T
+    extents = np.maximum(np.ptp(coordinates, axis=0), 1e-9)
+    away = (axes @ place - (coordinates.min(axis=0) + coordinates.max(axis=0)) / 2) / extents
     side = np.where(away >= 0, 1.0, -1.0) * shares
     side[np.argmax(abs(away))] *= 1.7
     side *= np.sqrt(extents.max() / extents)
@@ -128,8 +128,8 @@ def _axes_of(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
     """Axes that a part is looked at over, as rows, and how much over each: the object's, but for a part
     that is flatter across its own, as a mould half between two edges of its block."""
     spread = np.cov(mesh.triangles_center, rowvar=False, aweights=mesh.area_faces)
-    own = np.linalg.eigh(spread)[1].T[::-1]
-    own *= np.sign(own[np.arange(3), abs(own).argmax(axis=1)])[:, None]
-    if np.ptp(mesh.vertices @ own[2]) < _FLATTER * mesh.extents.min():
-        return own, np.array([0.4, 0.5, 0.9])
+    part_axes = np.linalg.eigh(spread)[1].T[::-1]
+    part_axes *= np.sign(part_axes[np.arange(3), abs(part_axes).argmax(axis=1)])[:, None]
+    if np.ptp(mesh.vertices @ part_axes[2]) < _FLATTER * mesh.extents.min():
+        return part_axes, np.array([0.4, 0.5, 0.9])
     return np.eye(3), np.array([0.8, 0.9, 0.55])

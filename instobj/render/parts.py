@@ -25,7 +25,7 @@ PIXELS = 1100
 EDGE_ANGLE_DEG = 25.0
 DEPTH_STEP_MM = 0.4
 STEEPEST_PIXELS = 5.0
-"""Surfaces that fall by less than so many pixels in one are drawn without lines."""
+"""Surfaces that fall by fewer pixels in one are drawn without lines."""
 _LINE_GREY = 0.12
 _ARROW = {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
 CUT_COLOUR = (0.80, 0.36, 0.25)
@@ -43,12 +43,12 @@ COLOURS = {
     "pin": (0.80, 0.45, 0.30),
     "board": (0.10, 0.45, 0.22),
 }
-"""Of parts by their name, in every picture; pins and boards have several names."""
+"""Colours of parts by their name, in every picture; pins and boards have several names."""
 
 
 @dataclass(frozen=True)
 class PartView:
-    """How one part is shown: direction towards the viewer, object axis drawn upwards, colour.
+    """View of one part: direction towards the viewer, object axis drawn upwards, colour.
 
     The colour is one, or one a triangle.
     """
@@ -90,12 +90,12 @@ VIEWS = {
         ),
     )
 }
-"""Shown in this order, of those that the build has."""
+"""Parts in the order shown, where the build has them."""
 
 
 @dataclass(frozen=True)
 class DepthImage:
-    """What each pixel shows: the triangle nearest to the viewer (−1: none), and its depth in mm."""
+    """Content of each pixel: the triangle nearest to the viewer (−1: none), and its depth in mm."""
 
     triangle: Int[np.ndarray, "row column"]
     depth_mm: Float[np.ndarray, "row column"]
@@ -239,14 +239,14 @@ def shade(
     brightness = 0.45 + 0.55 * np.clip(normals @ (light / np.linalg.norm(light)), 0, 1)
     colours = np.broadcast_to(view.colour, (len(normals), 3)).copy()
     if view.cut_open:
-        colours[_on_cut(mesh)] = CUT_COLOUR
+        colours[_is_on_cut(mesh)] = CUT_COLOUR
     palette = np.vstack([colours * brightness[:, None], np.full(3, _LINE_GREY), np.ones(3)])
     line = len(palette) - 2  # the last one, at −1, is for pixels without a triangle
     shown = np.where(_edges(image, normals), line, image.triangle)
     return np.rint(255 * palette).astype(np.uint8)[shown]
 
 
-def _on_cut(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "triangle"]:
+def _is_on_cut(mesh: trimesh.Trimesh) -> Bool[np.ndarray, "triangle"]:
     """Triangles on the planes x = 0 and y = 0 of the removed quarter."""
     x, y = np.abs(np.asarray(mesh.triangles)[..., :2]).max(axis=1).T
     return (x < 1e-4) | (y < 1e-4)

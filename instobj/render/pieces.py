@@ -20,7 +20,7 @@ Direction = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Piece:
-    """Triangles in their place in the view, their colour, and what is written beside them."""
+    """Triangles in their place in the view, their colour, and what is written next to them."""
 
     mesh: trimesh.Trimesh
     colour: tuple[float, float, float]

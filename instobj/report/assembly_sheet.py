@@ -95,7 +95,9 @@ def _face(
     """One face seen from outside, x to the right and y up, each magnet with its outward pole."""
     magnets = list[dict[str, Any]]()
     places = dict(zip(spec.body.sensed, magnet_places(spec), strict=True)).get(frame.number, ())
-    kinds = spec.magnets.kinds if len(spec.magnets.by_kind) > 1 else ("",) * spec.magnets.count
+    kinds = (
+        spec.magnets.kinds if len(spec.magnets.numbers_by_kind) > 1 else ("",) * spec.magnets.count
+    )
     each = zip(spec.magnets.polarities, kinds, spec.magnets.sizes, strict=True)
     for (x, y), (way, kind, size) in zip(places, each, strict=bool(places)):
         pole, colour = ("N", _NORTH) if way > 0 else ("S", _SOUTH)

@@ -157,7 +157,7 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
 
 def _kinds(spec: ObjectSpec) -> str:
     """Return which of several kinds of magnets goes where."""
-    kinds = spec.magnets.by_kind
+    kinds = spec.magnets.numbers_by_kind
     if len(kinds) == 1:
         return ""
     told = "; ".join(f"{numbered(which)} {kind}" for kind, which in kinds.items())

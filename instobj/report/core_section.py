@@ -5,8 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from markupsafe import Markup
-
 from design.spec.object import ObjectSpec
 from instobj.report.pages import render
 from instobj.store import readers
@@ -34,7 +32,7 @@ FIGURES = tuple(_ROWS.values())
 """Names of the figures of a slip that tables show, of those that the stage stores."""
 
 
-def core_section(spec: ObjectSpec, presses: Path, slip: Path) -> Markup:
+def core_section(spec: ObjectSpec, presses: Path, slip: Path) -> str:
     """HTML; empty for a bonded core that has not slipped.
 
     `presses` and `slip` are the folders of these stages.
@@ -43,7 +41,7 @@ def core_section(spec: ObjectSpec, presses: Path, slip: Path) -> Markup:
     if tension is not None:
         return render("core.html.j2", tension=tension)
     if not spec.mechanics.slip.slipped:
-        return Markup()
+        return ""
     content = readers.SLIP.read(slip)
     rows = slip_rows(content["figures"])
     return render(

@@ -5,16 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from markupsafe import Markup
-
 from design.spec.object import ObjectSpec
 from instobj.report.pages import render
 from instobj.store import readers
 
 
-def deformation_section(
-    spec: ObjectSpec, inputs: dict[str, Path], protocol: dict[str, Any]
-) -> Markup:
+def deformation_section(spec: ObjectSpec, inputs: dict[str, Path], protocol: dict[str, Any]) -> str:
     """HTML: section through the deformed shell, error of small strain, its correction."""
     content = readers.LARGE_STRAIN.read(inputs["large_strain"])
     corrected = content["correction"] is not None
@@ -27,7 +23,7 @@ def deformation_section(
     )
 
 
-def compliance_section(folder: Path) -> Markup:
+def compliance_section(folder: Path) -> str:
     """HTML: the map of compliance that the stage `tied_compliance` drew into its folder."""
     return render("compliance.html.j2", map=readers.TIED_COMPLIANCE_MAP.path(folder))
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from markupsafe import Markup
-
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
 from instobj.report.pages import render
 
@@ -37,6 +35,6 @@ def _told(value: float) -> str:
     return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
 
 
-def surroundings_section(row: dict[str, Any]) -> Markup:
+def surroundings_section(row: dict[str, Any]) -> str:
     """The report's section: what looks like a press and is none."""
     return render("surroundings.html.j2", lines=surroundings_lines(row))

@@ -22,15 +22,15 @@ _CLOSING_S = 5.0
 Prepare = Callable[[Any], Callable[[Any], Any]]
 
 
-class GivenUp(Exception):
+class WorkerTimeout(Exception):
     """The work took too long, crashed or failed; says which."""
 
 
 @dataclass
-class Apart:
+class WorkerProcess:
     """`prepare(argument)` gives the function that answers questions, over there.
 
-    The process starts with the first question, and anew after one that was given up.
+    The process starts with the first question, and again after one that was given up.
     """
 
     prepare: Prepare
@@ -43,7 +43,7 @@ class Apart:
 
         Raises
         ------
-        GivenUp
+        WorkerTimeout
             No answer in that time, the process died, or an unforeseen error.
         InputError
             What the work itself refused.
@@ -53,16 +53,16 @@ class Apart:
             connection.send(question)
             if not connection.poll(seconds):
                 self.close()
-                raise GivenUp(f"no result after {seconds:g} s")
+                raise WorkerTimeout(f"no result after {seconds:g} s")
             kind, answer = connection.recv()
         except (EOFError, BrokenPipeError, ConnectionResetError):
             code = self._exit_code()
             self.close()
-            raise GivenUp(f"the process that worked on it died (exit code {code})") from None
+            raise WorkerTimeout(f"the process that worked on it died (exit code {code})") from None
         if kind == "refused":
             raise InputError(answer)
         if kind == "failed":
-            raise GivenUp(answer)
+            raise WorkerTimeout(answer)
         return answer
 
     def close(self) -> None:
@@ -77,14 +77,14 @@ class Apart:
 
     def _connected(self) -> Any:
         if self._connection is None:
-            here, there = multiprocessing.Pipe()
+            own_end, worker_end = multiprocessing.Pipe()
             spawn = multiprocessing.get_context("spawn")
             self._process = spawn.Process(
-                target=_serve, args=(there, self.prepare, self.argument), daemon=True
+                target=_serve, args=(worker_end, self.prepare, self.argument), daemon=True
             )
             self._process.start()
-            there.close()
-            self._connection = here
+            worker_end.close()
+            self._connection = own_end
         return self._connection
 
     def _exit_code(self) -> int | None:
@@ -106,26 +106,28 @@ def answers(
 ) -> Iterator[Ask]:
     """A function that answers questions of several parts, by a separate process or by Dask's workers.
 
-    It gives an answer to each, or in its place `GivenUp` or `InputError`; meanwhile, every few seconds,
+    It gives an answer to each, or in its place `WorkerTimeout` or `InputError`; meanwhile, every few seconds,
     `waiting` gets the number of parts of all questions. Each may take the seconds that it is given, and is
     asked again where its worker was lost.
     """
     if isinstance(workers, OnDask):
-        yield lambda questions, seconds: _Asked(prepare, argument, workers, waiting).answers(
-            questions, seconds
-        )
+        yield lambda questions, seconds: _ClusterQuestions(
+            prepare, argument, workers, waiting
+        ).answers(questions, seconds)
         return
-    process = Apart(prepare, argument)
+    process = WorkerProcess(prepare, argument)
     with ThreadPoolExecutor(1) as thread:
         try:
-            yield lambda questions, seconds: _in_turn(process, thread, questions, seconds, waiting)
+            yield lambda questions, seconds: _answer_in_turn(
+                process, thread, questions, seconds, waiting
+            )
         finally:
             thread.shutdown(wait=False, cancel_futures=True)
             process.close()  # the thread, where it still waits for an answer, ends with it
 
 
-def _in_turn(
-    process: Apart,
+def _answer_in_turn(
+    process: WorkerProcess,
     thread: ThreadPoolExecutor,
     questions: Sequence[Sequence[Any]],
     seconds: float,
@@ -134,7 +136,7 @@ def _in_turn(
     def answer(question: Sequence[Any]) -> Any:
         try:
             return process.ask(question, seconds)
-        except (GivenUp, InputError) as error:
+        except (WorkerTimeout, InputError) as error:
             return error
 
     jobs = [thread.submit(answer, question) for question in questions]
@@ -144,7 +146,7 @@ def _in_turn(
 
 
 @dataclass
-class _Asked:
+class _ClusterQuestions:
     """Questions to Dask's workers, as many at a time as there are."""
 
     prepare: Prepare
@@ -155,36 +157,36 @@ class _Asked:
     def answers(self, questions: Sequence[Sequence[Any]], seconds: float) -> list[Any]:
         from distributed import wait as wait_for
 
-        found: dict[int, Any] = {}
-        left = dict(enumerate(questions))
+        answers_by_index: dict[int, Any] = {}
+        waiting_questions = dict(enumerate(questions))
         at_work: dict[Any, tuple[int, float]] = {}
-        while left or at_work:
-            while left and len(at_work) < self.workers.count:
-                index = next(iter(left))
+        while waiting_questions or at_work:
+            while waiting_questions and len(at_work) < self.workers.count:
+                index = next(iter(waiting_questions))
                 future = self.workers.client.submit(
-                    _answered, self.prepare, self.argument, left.pop(index), pure=False
+                    _answered, self.prepare, self.argument, waiting_questions.pop(index), pure=False
                 )
                 at_work[future] = index, time.monotonic() + seconds
             with suppress(TimeoutError):
                 wait_for(list(at_work), timeout=NEWS_EVERY_S, return_when="FIRST_COMPLETED")
             for future, (index, ends) in list(at_work.items()):
                 if future.done():
-                    found[index] = _answer_of(future)
+                    answers_by_index[index] = _answer_of(future)
                 elif time.monotonic() > ends:
                     self._give_up(future)
-                    found[index] = GivenUp(f"no result after {seconds:g} s")
-                if index in found:
+                    answers_by_index[index] = WorkerTimeout(f"no result after {seconds:g} s")
+                if index in answers_by_index:
                     del at_work[future]
             if at_work:
                 self.waiting(sum(map(len, questions)))
-        return [found[index] for index in range(len(questions))]
+        return [answers_by_index[index] for index in range(len(questions))]
 
     def _give_up(self, future: Any) -> None:
         """End the process that is at it; its nanny starts another."""
         client = self.workers.client
-        at: Any = client.processing()
+        work_by_address: Any = client.processing()
         client.cancel(future)
-        address = [worker for worker, keys in at.items() if future.key in keys]
+        address = [worker for worker, keys in work_by_address.items() if future.key in keys]
         client.restart_workers(address, raise_for_error=False)
 
 
@@ -194,19 +196,19 @@ def _answered(prepare: Prepare, argument: Any, question: Any) -> Any:
 
 @lru_cache(maxsize=1)
 def _prepared(prepare: Prepare, argument: Any) -> Callable[[Any], Any]:
-    """Of this process: mechanics are read once."""
+    """Return this process's function: mechanics are read once."""
     return prepare(argument)
 
 
 def _answer_of(future: Any) -> Any:
     if future.cancelled():
-        return GivenUp("it was cancelled")
+        return WorkerTimeout("it was cancelled")
     error = future.exception()
     if error is None:
         return future.result()
     if isinstance(error, InputError):
         return error
-    return GivenUp(f"{type(error).__name__}: {error}")
+    return WorkerTimeout(f"{type(error).__name__}: {error}")
 
 
 def _serve(connection: Any, prepare: Callable[[Any], Any], argument: Any) -> None:

@@ -24,12 +24,12 @@ from instobj.search.lowest_fidelity import StartScores, misfit_of, structure_fid
 from instobj.search.verdict import FIRST, SECOND, Promoted, score_at
 
 _REACH = 0.04
-"""Of every variable's range, to either side: how far the correction is trusted."""
+"""Share of every variable's range, to either side: how far the correction is trusted."""
 _STEPS, _RATE = 300, 0.05
 _SPREAD = (0.0, 0.02, 0.05, 0.1)
-"""Of that reach (rms): where copies of the layout begin."""
+"""Shares of that reach (rms): where copies of the layout begin."""
 _CHAIN_OVER_WALKED = 1.07
-"""Of the largest counts, beside what the second level makes of the leader's: of twelve walked finalists 0.91
+"""Largest counts over what the second level makes of the leader's: of twelve walked finalists 0.91
 to 1.064."""
 
 
@@ -37,14 +37,14 @@ def corrected_params(
     space: SearchSpace,
     params: Mapping[str, Any],
     start: Promoted,
-    one: Promoted,
+    layout: Promoted,
     over: Callable[[], bool] = lambda: False,
 ) -> dict[str, Any] | None:
     """Variables of the layout after its walk; None where nothing near it is better within all limits.
 
-    `start` and `one` hold the scores of both levels. The walk ends where it is once the time is `over`.
+    `start` and `layout` hold the scores of both levels. The walk ends where it is once the time is `over`.
     """
-    lowest = corrected_fidelity(space, params, start, one)
+    lowest = corrected_fidelity(space, params, start, layout)
     free = np.array([not v.choices for v in space.variables])
     if not free.any():
         return None
@@ -64,59 +64,61 @@ def corrected_params(
     with torch.no_grad():
         judged = judged_at(walked)
         broken, worth = judged.broken_mm, judged.loss(weights)
-        before = float(judged_at(torch.full_like(walked[:1], 0.5)).loss(weights))
+        loss_before = float(judged_at(torch.full_like(walked[:1], 0.5)).loss(weights))
     for row in worth.argsort().tolist():
         unit[free] = (centre + _REACH * (2 * walked[row] - 1)).clamp(0, 1).numpy()
         chosen = {v.name: params[v.name] for v in space.variables if v.choices}
-        found = params_at(space, unit) | chosen
-        if float(worth[row]) >= before:
+        walked_params = params_at(space, unit) | chosen
+        if float(worth[row]) >= loss_before:
             return None
-        if float(broken[row]) == 0 and not misfit_of(space.spec, found):
-            return found
+        if float(broken[row]) == 0 and not misfit_of(space.spec, walked_params):
+            return walked_params
     return None
 
 
 def corrected_fidelity(
-    space: SearchSpace, params: Mapping[str, Any], start: Promoted, one: Promoted
+    space: SearchSpace, params: Mapping[str, Any], start: Promoted, layout: Promoted
 ) -> LowestFidelity:
     """The lowest level with a start that the layout compares with as it does at the second one.
 
     The start's scores at the second level, times the layout's at the lowest over those at the second.
     """
     limited = space.spec.search.limits.times_start
-    scores = {name: _corrected(name, start, one) for name in limited}
-    before = StartScores(scores, _place_bounds(one, start), _counts_over_lowest(one), 1.0)
-    return structure_fidelity(space, dict(params), before)
+    scores = {name: _corrected(name, start, layout) for name in limited}
+    corrected_start = StartScores(
+        scores, _place_bounds(layout, start), _counts_over_lowest(layout), 1.0
+    )
+    return structure_fidelity(space, dict(params), corrected_start)
 
 
 _NEVER_WORSE_MM = 1e9
 """Bound that stands for places without one: no other bound is larger."""
 
 
-def _counts_over_lowest(one: Promoted) -> float:
+def _counts_over_lowest(layout: Promoted) -> float:
     low, high = (
-        np.array([1 - getattr(one.levels[level], name) for name in MARGINS])
+        np.array([1 - getattr(layout.levels[level], name) for name in MARGINS])
         for level in (FIRST, SECOND)
     )
     return _CHAIN_OVER_WALKED * float(np.max(high / low))
 
 
-def _corrected(name: str, start: Promoted, one: Promoted) -> float:
-    low, high = (score_at(name, one, level) for level in (FIRST, SECOND))
+def _corrected(name: str, start: Promoted, layout: Promoted) -> float:
+    low, high = (score_at(name, layout, level) for level in (FIRST, SECOND))
     return score_at(name, start, SECOND) * (low / high)
 
 
-def _place_bounds(one: Promoted, start: Promoted) -> dict[tuple[float, int], torch.Tensor]:
+def _place_bounds(layout: Promoted, start: Promoted) -> dict[tuple[float, int], torch.Tensor]:
     """Position bounds (1, place) of the corrected start, by force and face."""
-    low, high, before = (
+    low, high, start_bounds = (
         bounds_by_press(start.spec, score)
-        for score in (one.levels[FIRST], one.levels[SECOND], start.levels[SECOND])
+        for score in (layout.levels[FIRST], layout.levels[SECOND], start.levels[SECOND])
     )
     return {
         key: torch.as_tensor(
             # a location that one of the two does not press so hard is never worse
-            np.nan_to_num(before[key] * low[key] / high[key], nan=_NEVER_WORSE_MM),
+            np.nan_to_num(start_bounds[key] * low[key] / high[key], nan=_NEVER_WORSE_MM),
             dtype=torch.float32,
         )[None]
-        for key in before
+        for key in start_bounds
     }

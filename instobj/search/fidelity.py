@@ -23,7 +23,7 @@ METRIC_LABELS = {
     "total_force_error_percent": "total force, %",
     "non_contact_accuracy": "A_non",
 }
-"""What estimators of a layout are compared by: the paper's metrics and the total force's error."""
+"""Metrics by which estimators of a layout are compared: the paper's metrics and the total force's error."""
 
 
 def second_score(spec: ObjectSpec) -> FidelityScore:
@@ -66,12 +66,14 @@ def estimator_errors(spec: ObjectSpec) -> dict[str, float]:
     values = {
         name: [face[name] for face in faces if face[name] is not None] for name in METRIC_LABELS
     }
-    return {name: float(np.mean(found)) for name, found in values.items() if found}
+    return {
+        name: float(np.mean(face_values)) for name, face_values in values.items() if face_values
+    }
 
 
 @dataclass(frozen=True)
 class TwinRatio:
-    """How many times smaller a bound is than the start's: of the designs, and between twins.
+    """Ratio of the start's bound to a layout's: of the designs, and between twins.
 
     `low`, `high` hold 95 % of the ratios between any twin of the start and any of the layout.
     """
@@ -89,16 +91,16 @@ def twin_ratios(start: ObjectSpec, old: list[Bounds], new: list[Bounds]) -> dict
 
     Twins share their design's mechanics; `tolerances` of each specification sizes their errors.
     Geometric means over the judged forces. Places that do not reach a force are left out;
-    those that reach it only near the deepest press are judged at less, of both alike
+    places that reach it only near the deepest press are judged at less, of both alike
     (`estimator.tolerances.budget`).
     """
-    before, after = (_summaries(one) for one in (old, new))
+    start_summary, layout_summary = (_summaries(bounds) for bounds in (old, new))
     ratios = {
         name: TwinRatio(
-            float(before[name][0] / after[name][0]),
-            *_interval(before[name][1:, None] / after[name][1:]),
+            float(start_summary[name][0] / layout_summary[name][0]),
+            *_interval(start_summary[name][1:, None] / layout_summary[name][1:]),
         )
-        for name in before
+        for name in start_summary
     }
     but = start.search.limits.places_worse
     return ratios if but == 1 else ratios | {OVER_START: _place_by_place(old, new, but)}
@@ -108,21 +110,27 @@ def bounds_of_twins(spec: ObjectSpec, twins: int = TWINS) -> list[Bounds]:
     """Bounds of the design, then of its twins, at each judged force, with `search.baseline`."""
     from estimator.tolerances.budget import twin_bounds
 
-    presses, judged = Run(spec).read(PRESSES), spec.as_judged
+    presses, judged = Run(spec).read(PRESSES), spec.for_scoring
     return [
         twin_bounds(judged.changed(score=spec.score.changed(force_n=force_n)), *presses, twins)
-        for force_n in spec.judged_forces_n
+        for force_n in spec.scoring_forces_n
     ]
 
 
-def _place_by_place(before: list[Bounds], after: list[Bounds], but: float) -> TwinRatio:
+def _place_by_place(
+    start_bounds: list[Bounds], layout_bounds: list[Bounds], but: float
+) -> TwinRatio:
     """Bounds of every pair of objects at the same force and location, where they grow most."""
     old, new = (
-        torch.as_tensor(np.concatenate([one["position_mm"] for one in bounds], axis=1))
-        for bounds in (before, after)
+        torch.as_tensor(
+            np.concatenate([force_bounds["position_mm"] for force_bounds in bounds], axis=1)
+        )
+        for bounds in (start_bounds, layout_bounds)
     )
-    there = (old.isfinite() & new.isfinite()).all(dim=0)
-    over = torch.stack([worst_ratio(new[:, there] / one, but) for one in old[:, there]])
+    has_bound = (old.isfinite() & new.isfinite()).all(dim=0)
+    over = torch.stack(
+        [worst_ratio(new[:, has_bound] / force_bounds, but) for force_bounds in old[:, has_bound]]
+    )
     better = 1 / over.numpy()
     return TwinRatio(float(better[0, 0]), *_interval(better[1:, 1:]))
 
@@ -140,7 +148,10 @@ def _summaries(bounds: list[Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
                 "worst_force_bound_n": np.nanmax(force, axis=1),
             }
         )
-    return {name: np.exp(np.mean([np.log(one[name]) for one in each], axis=0)) for name in each[0]}
+    return {
+        name: np.exp(np.mean([np.log(summary[name]) for summary in each], axis=0))
+        for name in each[0]
+    }
 
 
 def _interval(ratios: Float[np.ndarray, "before after"]) -> tuple[float, float]:

@@ -17,7 +17,7 @@ _SPARE = 2.0
 """A joined run shall take half of the time at most that is left to all trials."""
 
 
-def joined(space: SearchSpace, at_once: int) -> SearchSpace:
+def merge_restarts(space: SearchSpace, at_once: int) -> SearchSpace:
     """The search with its `trials` joined to fewer of up to 600 generations, as many in all or a little
     fewer.
 
@@ -31,31 +31,31 @@ def joined(space: SearchSpace, at_once: int) -> SearchSpace:
     combinations = prod(len(v.choices) for v in space.variables if v.choices)
     fewest = max(combinations, at_once)
     times = max(1, min(_LONGEST // search.polish_steps, search.trials // fewest))
-    return _with(
+    return _changed_space(
         space,
         trials=search.trials // times,
         polish_steps=search.polish_steps * times,
     )
 
 
-def in_time(
+def fit_budget(
     space: SearchSpace, generations: int, generation_s: float, layouts: int, left_s: float
 ) -> SearchSpace:
-    """The search as asked for with joined runs of so many `generations`, or as many as half of the time
-    `left_s` of all trials allows where one of each of so many layouts takes so long; never fewer than asked
+    """The search as asked for with joined runs of `generations`, or as many as half of the time
+    `left_s` of all trials allows where one of `layouts` takes `generation_s`; never fewer than asked
     for."""
     search = space.spec.search
     fits = int(left_s / _SPARE / max(generation_s * layouts, 1e-9))
-    return _with(space, polish_steps=min(generations, max(fits, search.polish_steps)))
+    return _changed_space(space, polish_steps=min(generations, max(fits, search.polish_steps)))
 
 
-def joining(asked: SearchSpec, now: SearchSpec) -> str:
+def describe_merge(requested: SearchSpec, merged: SearchSpec) -> str:
     """Return what becomes of the trials that are asked for, in words."""
     return (
-        f"{asked.trials} trials of {asked.polish_steps} generations are merged into {now.trials} longer "
-        f"ones of {now.polish_steps}, or as many as time allows, which usually finds more"
+        f"{requested.trials} trials of {requested.polish_steps} generations are merged into {merged.trials} longer "
+        f"ones of {merged.polish_steps}, or as many as time allows, which usually finds more"
     )
 
 
-def _with(space: SearchSpace, **budget: float) -> SearchSpace:
+def _changed_space(space: SearchSpace, **budget: float) -> SearchSpace:
     return replace(space, spec=space.spec.changed(search=space.spec.search.changed(**budget)))

@@ -42,14 +42,14 @@ Score = Callable[[ObjectSpec], FidelityScore]
 
 def lowest_scoring() -> AbstractContextManager[Score]:
     """Scorers of the lowest level, the same ones for layouts that share them."""
-    known: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
+    scorers_by_key: dict[tuple[Any, ...], tuple[LayoutScorer, ...]] = {}
 
     def score(spec: ObjectSpec) -> FidelityScore:
         choices = structure_choices(spec)
         key = *(choices[name] for name in _SCORER_CHOICES), *spec.magnets.sizes
-        if key not in known:
-            known[key] = scorers(spec, each_alone(spec.body.sensed))
-        return lowest_fidelity_score(spec, known[key])
+        if key not in scorers_by_key:
+            scorers_by_key[key] = scorers(spec, each_alone(spec.body.sensed))
+        return lowest_fidelity_score(spec, scorers_by_key[key])
 
     return nullcontext(score)
 
@@ -97,7 +97,7 @@ class Levels:
         """Make stages of several layouts side by side where there are several workers.
 
         Scoring, which takes one layout after the other, then finds them in the store. What fails here is
-        made again by whoever needs it, and told there.
+        made again by whoever needs it, and reported there.
         """
         if self.workers.count > 1:
             tasks, _ = tasks_of([layout.spec for layout in layouts], stages)
@@ -106,36 +106,38 @@ class Levels:
     def score(
         self, layouts: Sequence[Promoted], name: str, enough: Callable[[], bool] = lambda: False
     ) -> list[Promoted]:
-        """Fill in a level of the start and of layouts after it, from the file or anew.
+        """Fill in a level of the start and of layouts after it, from the file or scored again.
 
         Layouts that cannot be scored fall out, with a reason. Once `enough`, what is neither on file nor
         the start or the first layout falls out too.
         """
-        known = json.loads(self.path.read_text(encoding="utf-8")) if self.path.is_file() else {}
+        scored_layouts = (
+            json.loads(self.path.read_text(encoding="utf-8")) if self.path.is_file() else {}
+        )
         share = layouts[0].spec.search.limits.places_worse
         scored: list[Promoted] = []
         with self.table[name].scoring() as score:
             for layout in layouts:
                 key = f"{name} {search_key(layout.spec)}"
                 step = f"fidelity level {name}: {layout.label}"
-                if known.get(key, {}).keys() != _KEPT:
+                if scored_layouts.get(key, {}).keys() != _KEPT:
                     # the start and one layout are scored however late it is
                     if len(scored) > 1 and enough():
                         self.say(f"{step} falls out: time runs short")
                         continue
                     self.say(step)
                     try:
-                        known[key] = asdict(score(layout.spec))
+                        scored_layouts[key] = asdict(score(layout.spec))
                     except (ValueError, ArithmeticError) as error:
                         if layout.trial is None:
                             raise
                         self.say(f"{step} falls out: {error}")
                         continue
                     with atomic_path(self.path) as temporary:
-                        temporary.write_text(json.dumps(known, indent=1), encoding="utf-8")
-                reached, before = score_of(known[key]), layouts[0].levels
+                        temporary.write_text(json.dumps(scored_layouts, indent=1), encoding="utf-8")
+                reached, start_levels = score_of(scored_layouts[key]), layouts[0].levels
                 if share < 1:
-                    reached = against_start(before.get(name, reached), reached, share)
+                    reached = against_start(start_levels.get(name, reached), reached, share)
                 layout.levels[name] = reached
                 scored.append(layout)
         return scored

@@ -13,7 +13,7 @@ from design.errors import InputError
 from design.search.space import Params, SearchSpace, structure_of
 from design.spec.search import SearchSpec
 from estimator.field.device import SWITCH
-from instobj.search.apart import GivenUp
+from instobj.search.apart import WorkerTimeout
 from instobj.search.trials import KeptTrials, Scored, Trial, failed_trial
 
 PLAIN_BATCH, CARD_BATCH = 16, 64
@@ -22,9 +22,9 @@ graphics card runs of CMA-ES go on side by side, and 32 or more of them fill it.
 _FAILURES_IN_A_ROW = 3
 """Batches without a single result after which a search is given up."""
 
-Answer = list[Scored] | GivenUp | InputError
+Answer = list[Scored] | WorkerTimeout | InputError
 Score = Callable[[list[list[dict[str, Any]]], float], list[Answer]]
-"""Scores lists of trials, each of one structure and within so many seconds, or says why it does not."""
+"""Scores lists of trials, each of one structure and within a number of seconds, or says why it does not."""
 Say = Callable[[str], None]
 
 
@@ -48,10 +48,13 @@ def run_search(
     """
     search, failed = space.spec.search, 0
     together = layouts_at_once(search, at_once)
-    while (seen := len(kept.trials)) < search.trials:
-        count = min(together, search.trials - seen)
-        starts = [drawn_start(space, number, first) for number in range(seen, seen + count)]
-        finished = _scored_batch(space, seen, starts, score, at_once)
+    while (finished_count := len(kept.trials)) < search.trials:
+        count = min(together, search.trials - finished_count)
+        starts = [
+            drawn_start(space, number, first)
+            for number in range(finished_count, finished_count + count)
+        ]
+        finished = _scored_batch(space, finished_count, starts, score, at_once)
         kept.keep(finished)
         for reason in sorted({trial.failure for trial in finished} - {""}):
             say(f"no result, kept as failed: {reason}")
@@ -69,7 +72,7 @@ def layouts_at_once(search: SearchSpec, processes: int) -> int:
 
 
 def drawn_start(space: SearchSpace, number: int, first: Params | None = None) -> Params:
-    """Draw the layout that trial `number` begins at: uniform in every range, choices by turns.
+    """Draw the layout that trial `number` begins at: uniform in every range, choices in turn.
 
     All choices of a list come once before one comes again, in an order that is new every time, so that few
     trials leave none out; the first turn begins with those of `first`, which is trial 0.
@@ -97,7 +100,7 @@ def _choice(space: SearchSpace, place: int, number: int, first: Params) -> Any:
 
 
 def _scored_batch(
-    space: SearchSpace, seen: int, starts: Sequence[Params], score: Score, at_once: int
+    space: SearchSpace, first_number: int, starts: Sequence[Params], score: Score, at_once: int
 ) -> list[Trial]:
     """All trials of the batch, finished: scored, or failed with a reason.
 
@@ -114,7 +117,7 @@ def _scored_batch(
     finished: dict[int, Trial] = {}
     for share, answer in zip(shares, answers, strict=True):
         for place, index in enumerate(share):
-            number = seen + index
+            number = first_number + index
             finished[index] = (
                 failed_trial(number, dict(starts[index]), str(answer))
                 if isinstance(answer, Exception)
@@ -123,9 +126,9 @@ def _scored_batch(
     return [finished[index] for index in range(len(starts))]
 
 
-def _count_failed(finished: list[Trial], before: int) -> int:
+def _count_failed(finished: list[Trial], failed_before: int) -> int:
     reasons = [trial.failure for trial in finished if trial.failure]
-    failed = before + 1 if len(reasons) == len(finished) else 0
+    failed = failed_before + 1 if len(reasons) == len(finished) else 0
     if failed >= _FAILURES_IN_A_ROW:
         raise InputError(
             f"the search gave up: {failed} batches in a row had no result. The last reason: "

@@ -32,7 +32,7 @@ from design.search.space import (
     unit_of,
     with_layout,
 )
-from design.search.structure import of_each_size, with_structure
+from design.search.structure import size_variants, with_structure
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from design.spec_io import parse_spec
@@ -61,29 +61,30 @@ from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
-from instobj.search.joined import in_time
+from instobj.search.joined import fit_budget
 from instobj.search.trials import Scored
 from instobj.stages.run import Run
 
 _UNFIT_MM = 0.5
 """For what only the specification's own check refuses."""
 _START_RATE = 0.01
-"""Of every variable's range: steps of the start's walk, short beside what its limits leave."""
+"""Share of every variable's range: steps of the start's walk, short compared with what its limits leave."""
 _START_STEPS = 300
 """At most: on a handle 200 found 0.928, 300 0.927 and 600 0.925 of the start's bound."""
 
 _CHAIN_OVER_LOWEST = {"flat": 1.155, "curved": 1.25, "sensors-in-shell": 1.7}
-"""What `estimator.layouts.scoring.PlaceInformation` tells was measured: at flat and curved faces above
+"""Factor measured with `estimator.layouts.scoring.PlaceInformation`: at flat and curved faces above
 sensors in the core (of a pear the chain had 1.20 times as many), and of boards. The leaders' walk takes
 their own figure."""
 
 _PLACES_OVER_START = 0.8
-"""Of the start's bounds, at most, where a layout gains least: there the chain has 1.0 to 1.3 times this
+"""Share of the start's bounds, at most, where a layout gains least: there the chain has 1.0 to 1.3 times this
 level's ratio to the start (twelve layouts found for a cube, a box, a handle and a pear), the second level
 1.05 to 1.55."""
 
 _HELD: WeakValueDictionary[tuple[str, int, float, bool, str], PressBasis] = WeakValueDictionary()
-"""Of scorers: structures that differ in single magnets' sizes share them, at tens of MB each."""
+"""Press bases of scorers: structures that differ in single magnets' sizes share them, at tens of MB
+each."""
 
 Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
 
@@ -106,17 +107,17 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
     """The function that scores trials of one structure; takes and gives what pipes can carry.
 
     Of a specification as JSON, how many generations a trial has once trials are joined, and the seconds that
-    are left to all trials: fewer generations where that is short (`in_time`). On the device that
+    are left to all trials: fewer generations where that is short (`fit_budget`). On the device that
     `INSTOBJ_DEVICE` names.
     """
     content, generations, left_s = question
     torch.set_num_threads(1)
     device = compute_device()
     space = search_space(parse_spec(json.loads(content), "the specification"))
-    there = (
+    device_context = (
         nullcontext() if device.type == "cpu" else device
     )  # a context that costs each call a little
-    with there:
+    with device_context:
         start = start_scores(space.spec)
     by_structure: dict[Any, tuple[SearchSpace, LowestFidelity]] = {}
 
@@ -127,12 +128,12 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
             if space.spec.search.polish_steps:
                 generation_s = seconds_per_generation(space, lowest, trials[0], len(trials))
                 require_in_time(space.spec.search, generation_s, len(trials))
-                timed = in_time(space, generations, generation_s, len(trials), left_s)
+                timed = fit_budget(space, generations, generation_s, len(trials), left_s)
             by_structure[structure] = timed, lowest
         return score_trials(*by_structure[structure], trials)
 
     def evaluate_there(trials: list[dict[str, Any]]) -> list[Scored]:
-        with there:
+        with device_context:
             return evaluate(trials)
 
     return evaluate_there
@@ -141,8 +142,8 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
 def seconds_per_generation(
     space: SearchSpace, lowest: LowestFidelity, params: dict[str, Any], layouts: int
 ) -> float:
-    """How long as many layouts as a generation of one layout's CMA-ES has in the mean take here among so
-    many, in generations as small as the last; the faster of two. 0 for choices alone."""
+    """Seconds that as many layouts as a generation of one layout's CMA-ES has in the mean take here among
+    `layouts`, in generations as small as the last; the faster of two. 0 for choices alone."""
     free = sum(not v.choices for v in space.variables)
     if not free:
         return 0.0
@@ -183,11 +184,11 @@ def structure_fidelity(
     """Scorers of a structure, from stored mechanics or after it."""
     structured = with_structure(space.spec, params)
     pressed = pressed_faces(structured)
-    every = scorers(structured, pressed)
+    all_scorers = scorers(structured, pressed)
     share = structured.search.limits.places_worse
-    before = tuple(
+    start_bounds = tuple(
         torch.cat([start.position_mm[force, face] for face in pressed[number]])
-        for force, number in map(_pressed, every)
+        for force, number in map(_pressed, all_scorers)
     )
     limits = structured.search.limits.times_start
     most_counts = full_scale_counts(structured.sensors) / start.counts_over_lowest
@@ -200,23 +201,26 @@ def structure_fidelity(
     }
     return LowestFidelity(
         layout_space(space, structured),
-        every,
+        all_scorers,
         at_most,
-        None if share == 1 else PlaceBounds(before, share, start.over_start),
+        None if share == 1 else PlaceBounds(start_bounds, share, start.over_start),
     )
 
 
 def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[LayoutScorer, ...]:
     """A scorer for every judged force and pressed face, on the stage `candidates` of every size; places of
     parts, which that does not depend on, need not fit yet."""
-    known = [
-        (one, Run(one, checked=False).require("candidates").folder) for one in of_each_size(spec)
+    folders = [
+        (variant, Run(variant, checked=False).require("candidates").folder)
+        for variant in size_variants(spec)
     ]
-    judged = spec.as_judged
-    by_face = {face: [_presses(one, folder, face) for one, folder in known] for face in faces}
+    judged = spec.for_scoring
+    by_face = {
+        face: [_presses(variant, folder, face) for variant, folder in folders] for face in faces
+    }
     return tuple(
         layout_scorer(judged, [of_size[index] for of_size in by_face[face]], faces=len(alike))
-        for index in range(len(spec.judged_forces_n))
+        for index in range(len(spec.scoring_forces_n))
         for face, alike in faces.items()
     )
 
@@ -225,17 +229,17 @@ def _presses(spec: ObjectSpec, folder: Path, face: int) -> tuple[PressBasis, ...
     """The bases of one size's candidates, force by force; those of scorers which still are, where they are
     the same."""
     shared = spec.model_dump_json(exclude={"magnets"})
-    forces_n = spec.judged_forces_n
+    forces_n = spec.scoring_forces_n
     keys = [(str(folder), face, force, faces_differ(spec), shared) for force in forces_n]
-    found = [_HELD.get(key) for key in keys]
-    if None in found:
-        found = press_bases(spec, load_candidates(folder), face, forces_n)
-        _HELD.update(zip(keys, found, strict=True))
-    return tuple(one for one in found if one is not None)
+    bases = [_HELD.get(key) for key in keys]
+    if None in bases:
+        bases = press_bases(spec, load_candidates(folder), face, forces_n)
+        _HELD.update(zip(keys, bases, strict=True))
+    return tuple(basis for basis in bases if basis is not None)
 
 
 def pressed_faces(spec: ObjectSpec) -> dict[int, tuple[int, ...]]:
-    """Faces that are pressed, and those that each stands for, itself included.
+    """Faces that are pressed, and the faces that each stands for, itself included.
 
     On a cube whose sensors move, the side faces are alike.
     """
@@ -254,15 +258,15 @@ def each_alone(faces: tuple[int, ...]) -> dict[int, tuple[int, ...]]:
 
 def start_scores(spec: ObjectSpec) -> StartScores:
     """Lowest-fidelity scores of the specification as it is, and its position bounds place by place."""
-    found = scorers(spec, each_alone(spec.body.sensed))
-    layouts = [layouts_of(spec, one.presses.face) for one in found]
+    all_scorers = scorers(spec, each_alone(spec.body.sensed))
+    layouts = [layouts_of(spec, scorer.presses.face) for scorer in all_scorers]
     with torch.no_grad():
-        scores = batch_scores(found, layouts, DEARER)
-        bounds = position_bounds(found, layouts)
-    own = {name: float(value) for name, value in scores.items()}
-    by_press = {_pressed(one): bound for one, bound in zip(found, bounds, strict=True)}
+        scores = batch_scores(all_scorers, layouts, DEARER)
+        bounds = position_bounds(all_scorers, layouts)
+    start_values = {name: float(value) for name, value in scores.items()}
+    by_press = {_pressed(scorer): bound for scorer, bound in zip(all_scorers, bounds, strict=True)}
     return StartScores(
-        own | {OVER_START: 1.0}, by_press, counts_over_lowest(spec), _PLACES_OVER_START
+        start_values | {OVER_START: 1.0}, by_press, counts_over_lowest(spec), _PLACES_OVER_START
     )
 
 
@@ -306,13 +310,13 @@ def score_trials(
     with torch.no_grad():
         judged = judge_at(point, torch.arange(len(point)))
     units[:, flags] = point.cpu().numpy()
-    found = []
+    scored = []
     for row, (unit, trial) in enumerate(zip(units, trials, strict=True)):
         params = params_at(space, unit) | {
             v.name: trial[v.name] for v in space.variables if v.choices
         }
-        found.append(_scored(spec, params, judged, row, int(scorings[row])))
-    return found
+        scored.append(_scored(spec, params, judged, row, int(scorings[row])))
+    return scored
 
 
 def _start_rows(space: SearchSpace, units: np.ndarray) -> list[int]:
@@ -355,14 +359,14 @@ def _scored(
 
 
 def misfit_of(spec: ObjectSpec, params: dict[str, Any]) -> str:
-    """What the specification's own check and that of fabrication say of a layout; nothing where it fits."""
+    """Return what the specification's own check and fabrication's say of a layout; nothing where it fits."""
     try:
-        found = with_layout(spec, params)
+        layout_spec = with_layout(spec, params)
     except InputError as error:
         return str(error)
     recessed = spec.arrangement == "sensors-in-core"
     moved = recessed and spec.search.vary.sensor_reach_mm is not None
-    failed = failures(layout_findings(found, recesses=moved))
+    failed = failures(layout_findings(layout_spec, recesses=moved))
     if failed:
         return "cannot be fabricated: " + "; ".join(failed)
     return ""

@@ -14,14 +14,14 @@ from design.layout.places.contact_places import shared_counts
 from design.layout.places.coverage import covered_share
 from design.search.faces import layout_groups
 from design.search.space import SearchSpace, start_params, with_layout
-from design.search.structure import of_each_searched_size
+from design.search.structure import searched_size_variants
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from estimator.field.device import compute_device
 from instobj.search.apart import answers
 from instobj.search.fidelity import METRIC_LABELS, score_row
-from instobj.search.joined import joined, joining
+from instobj.search.joined import describe_merge, merge_restarts
 from instobj.search.levels import Levels
 from instobj.search.loop import layouts_at_once, run_search
 from instobj.search.lowest_fidelity import lowest_fidelity
@@ -96,15 +96,18 @@ def nothing_better(spec: ObjectSpec, kept: KeptTrials, limit: TimeLimit) -> dict
     InputError
         Not even the start does.
     """
-    (*_, own), trials = [None, *(one for one in kept.finished if one.feasible)], kept.trials
-    if own is None:
+    (*_, start_trial), trials = (
+        [None, *(trial for trial in kept.finished if trial.feasible)],
+        kept.trials,
+    )
+    if start_trial is None:
         raise InputError(
             f"none of {len(trials)} trials keeps every limit. Raise search.trials and go on with "
             "--resume, or loosen [search.limits]"
         )
     verdict = (
         f"Nothing better was found in {limit.searching_s - limit.left_s:.0f} s of search: of "
-        f"{len(trials)} trials, what keeps every limit is your own layout (trial {own.number}). Give "
+        f"{len(trials)} trials, what keeps every limit is your own layout (trial {start_trial.number}). Give "
         f"search.seconds = {2 * limit.seconds:g} or more, or raise search.trials, and go on with --resume"
     )
     return {
@@ -133,7 +136,8 @@ def first_look(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path)
 def _mechanics_plan(spec: ObjectSpec, limit: TimeLimit) -> str:
     estimate = search_seconds(spec)
     missing = sum(
-        Run(one, checked=False).stored("candidates") is None for one in of_each_searched_size(spec)
+        Run(variant, checked=False).stored("candidates") is None
+        for variant in searched_size_variants(spec)
     )
     return limit.mechanics_plan(missing * estimate.lowest, estimate.chain)
 
@@ -153,7 +157,7 @@ def _kept_on_interrupt(kept: KeptTrials, progress: ProgressLine) -> Iterator[Non
 
 def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, SearchSpace]:
     """Another object is sought: what was measured on the built one goes. One layout serves all faces:
-    it is judged at the contact locations that they share. A device that is not there is told at once."""
+    it is judged at the contact locations that they share. A device that is not there is reported at once."""
     compute_device()
     spec = load_spec(path, overrides).changed(as_built=AsBuiltSpec())
     require_writable(out)
@@ -171,14 +175,14 @@ def _search(
     left_s: Callable[[], float],
     workers: Workers,
 ) -> None:
-    asked, content = space.spec.search, space.spec.model_dump_json()
-    space = joined(space, layouts_at_once(asked, workers.count))
+    requested, content = space.spec.search, space.spec.model_dump_json()
+    space = merge_restarts(space, layouts_at_once(requested, workers.count))
     if len(kept.trials) >= space.spec.search.trials:
         return
-    if space.spec.search.trials < asked.trials:
-        progress.say(joining(asked, space.spec.search))
-    for one in of_each_searched_size(space.spec):
-        Run(one, progress, checked=False).require("candidates")
+    if space.spec.search.trials < requested.trials:
+        progress.say(describe_merge(requested, space.spec.search))
+    for variant in searched_size_variants(space.spec):
+        Run(variant, progress, checked=False).require("candidates")
     first = start_params(space)
 
     def waiting(trials: int) -> None:
@@ -190,67 +194,73 @@ def _search(
 
 
 def _document(
-    spec: ObjectSpec, kept: KeptTrials, found: Promotion, files: list[Path]
+    spec: ObjectSpec, kept: KeptTrials, promotion: Promotion, files: list[Path]
 ) -> dict[str, Any]:
     verdict = (
-        f"{found.best.label} is better than the start, at the highest fidelity level"
-        if found.better
+        f"{promotion.best.label} is better than the start, at the highest fidelity level"
+        if promotion.better
         else f"no layout is known to be better than the start at the highest fidelity level "
-        f"({'; '.join(found.objections)}); best.toml is not written"
+        f"({'; '.join(promotion.objections)}); best.toml is not written"
     )
-    covered = f"{100 * covered_share(found.best.spec):.0f} % of the sensed surface"
+    covered = f"{100 * covered_share(promotion.best.spec):.0f} % of the sensed surface"
     verdict += f". Judged at contact locations that cover {covered}"
-    if found.shortened:
-        verdict += f". {found.shortened}"
+    if promotion.shortened:
+        verdict += f". {promotion.shortened}"
     ratios = [
         {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}
-        for name, ratio in found.ratios.items()
+        for name, ratio in promotion.ratios.items()
     ]
     return {
         "command": "optimize",
         "name": spec.name,
         "spec_hash": spec_hash(spec),
-        "better": found.better,
+        "better": promotion.better,
         "verdict": verdict,
         "tables": {
             f"search of {spec.name}: {verdict}": [_trial_counts(kept)],
             "lowest fidelity level: rigid magnets in first reflection, linear signals": _rows(
-                found, FIRST
+                promotion, FIRST
             ),
             "second fidelity level: rigid magnets, contact and fields in full": _rows(
-                found, SECOND
+                promotion, SECOND
             ),
-            "highest fidelity level: the chain": _rows(found, LAST),
+            "highest fidelity level: the chain": _rows(promotion, LAST),
             "highest fidelity level, between objects within tolerance": ratios,
-            "estimators trained for a layout, simulated presses held out": estimator_rows(found),
-            "how well a fidelity level ranks the next (Spearman)": correlation_rows(found),
+            "estimators trained for a layout, simulated presses held out": estimator_rows(
+                promotion
+            ),
+            "how well a fidelity level ranks the next (Spearman)": correlation_rows(promotion),
         },
         "files": file_rows(files),
     }
 
 
-def estimator_rows(found: Promotion) -> list[dict[str, Any]]:
+def estimator_rows(promotion: Promotion) -> list[dict[str, Any]]:
     """One row per metric, one column per layout; none where no estimator was trained in time."""
-    names = next(iter(found.estimators.values()), {})
+    names = next(iter(promotion.estimators.values()), {})
     return [
         {"mean of faces": METRIC_LABELS[name]}
-        | {label: errors.get(name) for label, errors in found.estimators.items()}
+        | {label: errors.get(name) for label, errors in promotion.estimators.items()}
         for name in names
     ]
 
 
-def correlation_rows(found: Promotion) -> list[dict[str, Any]]:
+def correlation_rows(promotion: Promotion) -> list[dict[str, Any]]:
     """Rank correlations of every score, from a level to the next."""
     return [
-        {"score": name, "1 to 2": found.correlations[FIRST][name], "2 to 3": second}
-        for name, second in found.correlations[SECOND].items()
+        {"score": name, "1 to 2": promotion.correlations[FIRST][name], "2 to 3": second}
+        for name, second in promotion.correlations[SECOND].items()
     ]
 
 
-def _rows(found: Promotion, level: str) -> list[dict[str, Any]]:
+def _rows(promotion: Promotion, level: str) -> list[dict[str, Any]]:
     """One row per score, one column per layout: there are more scores than fit side by side."""
-    layouts: tuple[Promoted, ...] = (found.start, *found.leaders)
-    columns = {one.label: score_row(one.levels[level]) for one in layouts if level in one.levels}
+    layouts: tuple[Promoted, ...] = (promotion.start, *promotion.leaders)
+    columns = {
+        layout.label: score_row(layout.levels[level])
+        for layout in layouts
+        if level in layout.levels
+    }
     return [
         {"score": score} | {label: values[score] for label, values in columns.items()}
         for score in columns["start"]

@@ -36,11 +36,11 @@ from fem.candidates.motions import candidate_lattices
 from instobj.search.lowest_fidelity import misfit_of
 
 _FEWEST_IN_A_ROW = 4
-"""Of a cubic spline."""
+"""Fewest contact locations in a row of a cubic spline."""
 _FEWEST_OF_A_FACE = 10
-"""Of an r⁵ spline with parabolas, and some more."""
+"""Fewest contact locations of a face of an r⁵ spline with parabolas, and some more."""
 _UNKNOWNS = 6
-"""Of two contacts: place and force of each."""
+"""Unknowns of two contacts: place and force of each."""
 _STARTS = 24
 _STEPS, WALKS = 30, 5
 _STRUCTURES = 24
@@ -107,11 +107,12 @@ def _require_mechanics(spec: ObjectSpec) -> None:
             f"a layout search takes {_FEWEST_IN_A_ROW} contact locations in a row, for slopes along the "
             f"face; got {fewest}. Raise contact_grid.count, or lower contact_grid.pitch_mm"
         )
-    own = contact_places(spec).sum(axis=1)
-    if own.min() < _FEWEST_OF_A_FACE:
+    face_places = contact_places(spec).sum(axis=1)
+    if face_places.min() < _FEWEST_OF_A_FACE:
         raise InputError(
             f"a layout search takes {_FEWEST_OF_A_FACE} contact locations on a face, for slopes along it; "
-            f"face {spec.body.sensed[int(own.argmin())]} has {own.min()}. Lower contact_grid.pitch_mm, or "
+            f"face {spec.body.sensed[int(face_places.argmin())]} has {face_places.min()}. "
+            "Lower contact_grid.pitch_mm, or "
             "leave the face out with body.sensed_faces"
         )
     if spec.mechanics.interface == "frictionless":
@@ -165,16 +166,16 @@ def _possible(space: SearchSpace) -> SearchSpace:
 def _nearest_of_structures(space: SearchSpace) -> Iterator[tuple[ObjectSpec, _Nearest]]:
     """The start's structure, then others drawn at random, each with the layout that comes nearest to
     its limits: from random layouts, the start among them."""
-    rng, seen, start = np.random.default_rng(space.spec.seed), set(), start_params(space)
+    rng, drawn, start = np.random.default_rng(space.spec.seed), set(), start_params(space)
     for number in range(_STRUCTURES):
         units = rng.random((_STARTS, len(space.variables)))
         if number == 0 and start is not None:
             units[0] = unit_of(space, start)
         params = params_at(space, units[0])
         structure = structure_of(space, params)
-        if structure in seen:
+        if structure in drawn:
             continue
-        seen.add(structure)
+        drawn.add(structure)
         structured = with_structure(space.spec, params)
         yield structured, _nearest(space, structured, params, units)
 
@@ -211,13 +212,14 @@ def _nearest(
 
 def _require_candidates(structured: ObjectSpec) -> None:
     """Depths must lie where magnets' motions are known."""
-    known = candidate_lattices(structured)[0].depth_mm
+    depths_mm = candidate_lattices(structured)[0].depth_mm
     lie = [-float(body.centre_mm[2]) for body in shell_bodies(structured)[0]]
     low, high = structured.search.vary.magnet_depth_mm or (min(lie), max(lie))
     what = "magnets" if structured.arrangement == "sensors-in-core" else "sensor boards"
-    if low < known[0] - 1e-9 or high > known[-1] + 1e-9:
+    if low < depths_mm[0] - 1e-9 or high > depths_mm[-1] + 1e-9:
         raise InputError(
-            f"a search takes {what} whose mid-planes lie {known[0]:g} to {known[-1]:g} mm deep, 1.5 mm "
+            f"a search takes {what} whose mid-planes lie {depths_mm[0]:g} to "
+            f"{depths_mm[-1]:g} mm deep, 1.5 mm "
             f"from both skins of the shell; got {low:g} to {high:g} mm. Narrow "
             f"search.vary.magnet_depth_mm, or move the {what}"
         )

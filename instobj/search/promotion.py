@@ -29,7 +29,7 @@ from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion, mer
 from instobj.store.readers import FINDINGS, METRICS
 
 _APART = 0.05
-"""Of the unit cube: leaders differ by at least that much in some variable."""
+"""Share of the unit cube: leaders differ by at least that much in some variable."""
 _SAME = 1e-3
 """Share of a variable's range: a trial as near the start in all variables is the start, rounded."""
 _ALLOWANCE = 1.25
@@ -102,7 +102,8 @@ class Promoter:
         return twins
 
     def _judge_leaders(self, trials: Sequence[Trial]) -> list[Promoted]:
-        """Score as many as there is time for at the lower levels, then those that have walked on."""
+        """Score as many as there is time for at the lower levels, then the ones that the space mapping has
+        improved."""
         spec, second = self.space.spec, self.levels.table[SECOND]
         layouts = [
             Promoted(f"trial {trial.number}", trial.number, with_layout(spec, trial.params), {})
@@ -229,7 +230,7 @@ def leaders(space: SearchSpace, kept: KeptTrials, count: int) -> list[Trial]:
         point = unit_of(space, trial.params)
         if start is not None and abs(point - unit_of(space, start)).max() <= _SAME:
             continue
-        if all(abs(point - other).max() >= _APART for other in points):
+        if all(abs(point - chosen_point).max() >= _APART for chosen_point in points):
             chosen.append(trial)
             points.append(point)
         if len(chosen) == count:
@@ -238,4 +239,6 @@ def leaders(space: SearchSpace, kept: KeptTrials, count: int) -> list[Trial]:
 
 
 def _correlations(layouts: list[Promoted], lower: str, upper: str) -> dict[str, float]:
-    return rank_correlations(*([one.levels[level] for one in layouts] for level in (lower, upper)))
+    return rank_correlations(
+        *([layout.levels[level] for layout in layouts] for level in (lower, upper))
+    )

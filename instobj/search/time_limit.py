@@ -13,9 +13,10 @@ from types import FrameType
 from design.errors import InputError
 
 TRIALS_SHARE = 0.4
-"""Of the search's time, for mechanics and trials: measured, leaders and finalists took 15 of 25 minutes."""
+"""Share of the search's time, for mechanics and trials: measured, leaders and finalists took 15 of 25
+minutes."""
 _PAGE_SHARE = 0.06
-"""Of the whole time, for the page: plain engines beside the search, and its pictures."""
+"""Share of the whole time, for the page: plain engines to compare with, and its pictures."""
 _OF_PLAIN_ENGINES = 2 / 3
 _CHAINS = 2
 """The start and a finalist."""
@@ -79,7 +80,7 @@ class TimeLimit:
             return "mechanics of the lowest fidelity level are stored"
         text = (
             "mechanics of the lowest fidelity level are not stored: about "
-            f"{_in_words(lowest_s)} of one free core, half to twice as long"
+            f"{_describe_seconds(lowest_s)} of one free core, half to twice as long"
         )
         whole_s = lowest_s + _CHAINS * chain_s
         needed_s = max(lowest_s / TRIALS_SHARE, 2 * whole_s) / (1 - _PAGE_SHARE)
@@ -89,7 +90,8 @@ class TimeLimit:
         if whole_s > _QUICKER * self.searching_s:
             raise InputError(
                 f"search.seconds = {self.seconds:g} ends before a search has a result: {text}, and "
-                f"{_CHAINS} × {_in_words(chain_s)} for the chain of the start and of a finalist. Instead "
+                f"{_CHAINS} × {_describe_seconds(chain_s)} for the chain of the start and "
+                "of a finalist. Instead "
                 f"{give}"
             )
         holds = (
@@ -117,7 +119,7 @@ class TimeLimit:
         if not hasattr(signal, "setitimer"):
             yield
             return
-        before = signal.signal(signal.SIGALRM, _raise_alarm)
+        previous_handler = signal.signal(signal.SIGALRM, _raise_alarm)
         try:
             signal.setitimer(signal.ITIMER_REAL, max(self.left_s, _SHORTEST_S))
             yield
@@ -130,10 +132,10 @@ class TimeLimit:
             ) from None
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
-            signal.signal(signal.SIGALRM, before)
+            signal.signal(signal.SIGALRM, previous_handler)
 
 
-def _in_words(seconds: float) -> str:
+def _describe_seconds(seconds: float) -> str:
     return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
 
 

@@ -19,14 +19,14 @@ from design.spec.object import ObjectSpec
 from instobj.store.keys import content_key
 
 _BUDGET = ("trials", "seconds", "leaders", "finalists", "polish_steps")
-"""Of `[search]`: may change while a search goes on."""
+"""Keys of `[search]` that may change while a search goes on."""
 _MATTERS_NOT = ("name", "as_built", "collection")
 """The first line holds the name; the others change no score on any level."""
 
 
 @dataclass(frozen=True)
 class Scored:
-    """What became of a trial: its polished variables, values to minimise and scores.
+    """Outcome of a trial: its polished variables, values to minimise and scores.
 
     `broken_mm` is 0 where every limit is kept; `misfit` says what else does not fit, or nothing;
     `scorings` are the layouts that were scored for it.
@@ -113,15 +113,15 @@ def open_trials(spec: ObjectSpec, path: Path, resume: bool = False) -> KeptTrial
     """
     head = {"search": spec.name, "specification": search_key(spec)}
     try:
-        known = path.is_file() and path.stat().st_size > 0
-        if known and not resume:
+        has_search = path.is_file() and path.stat().st_size > 0
+        if has_search and not resume:
             raise InputError(
                 f"{path} holds a search already. Go on with --resume, or give the specification another "
                 "name to start anew"
             )
-        if resume and not known:
+        if resume and not has_search:
             raise InputError(f"{path} holds no search to resume. Leave --resume out to start one")
-        if known:
+        if has_search:
             return _read(path, head)
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -139,7 +139,7 @@ def search_key(spec: ObjectSpec) -> str:
     content = alike.model_dump(mode="json")
     for name in _BUDGET:
         del content["search"][name]
-    del content["limits"]["use"]  # its figures stand beside it
+    del content["limits"]["use"]  # its figures stand next to it
     return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
 
 
@@ -147,12 +147,12 @@ def _read(path: Path, head: dict[str, str]) -> KeptTrials:
     content = path.read_bytes()
     whole = content.rfind(b"\n") + 1
     lines = content[:whole].decode(errors="replace").splitlines()
-    found = [_record(path, number, line) for number, line in enumerate(lines, start=1)]
-    if not found or found[0].keys() != head.keys():
+    records = [_record(path, number, line) for number, line in enumerate(lines, start=1)]
+    if not records or records[0].keys() != head.keys():
         raise InputError(f"{path} is no file of a search. Move it away to start anew")
-    _require_same(path, found[0], head)
+    _require_same(path, records[0], head)
     try:
-        trials = [_trial(**one) for one in found[1:]]
+        trials = [_trial(**record) for record in records[1:]]
     except TypeError as error:
         raise InputError(
             f"{path} holds a trial that cannot be read ({error}). Restore the file from a copy, or move "
@@ -170,15 +170,15 @@ def _trial(values: list[float], **others: Any) -> Trial:
 
 def _record(path: Path, number: int, line: str) -> dict[str, Any]:
     try:
-        found = json.loads(line)
+        record = json.loads(line)
     except ValueError:
-        found = None
-    if not isinstance(found, dict):
+        record = None
+    if not isinstance(record, dict):
         raise InputError(
             f"{path}, line {number}: no trial of a search. Restore the file from a copy, or move it away "
             "to start anew"
         )
-    return found
+    return record
 
 
 def _require_same(path: Path, kept: dict[str, str], head: dict[str, str]) -> None:

@@ -1,4 +1,4 @@
-"""Verdict on promoted layouts: merit beside the start at a fidelity level, and what speaks against one."""
+"""Verdict on promoted layouts: merit compared with the start at a fidelity level, and objections."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from instobj.search.fidelity import TwinRatio
 
 FIRST, SECOND, LAST = "1", "2", "3"
 _EXCESS_WEIGHT = 10.0
-"""Weight of exceeded limits beside the logarithm of the objectives: limits come first."""
+"""Weight of exceeded limits compared with the logarithm of the objectives: limits come first."""
 
 
 @dataclass(frozen=True)
@@ -52,16 +52,17 @@ class Promotion:
     ratios: dict[str, TwinRatio]
     estimators: dict[str, dict[str, float]]
     objections: tuple[str, ...]
-    asked: tuple[int, int]
+    requested: tuple[int, int]
 
     @property
     def shortened(self) -> str:
         """Return how many were scored, in words, where that is fewer than asked for."""
         scored = sum(not layout.corrected for layout in self.leaders), len(self.finalists)
-        if scored == self.asked:
+        if scored == self.requested:
             return ""
         return (
-            f"{scored[0]} of {self.asked[0]} leaders and {scored[1]} of {self.asked[1]} finalists were "
+            f"{scored[0]} of {self.requested[0]} leaders and {scored[1]} of "
+            f"{self.requested[1]} finalists were "
             "scored: the others fell out for want of time, or could not be fabricated or scored"
         )
 
@@ -81,32 +82,32 @@ class Promotion:
         return LAST if self.finalists else SECOND
 
 
-def merit(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
+def merit(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> float:
     """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
     better, the start has 0."""
-    exceeded = sum(excess(search, one, start, level).values())
-    return _mean_log(search, one, start, level) + _EXCESS_WEIGHT * exceeded
+    exceeded = sum(excess(search, layout, start, level).values())
+    return _mean_log(search, layout, start, level) + _EXCESS_WEIGHT * exceeded
 
 
-def excess(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> dict[str, float]:
+def excess(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> dict[str, float]:
     """Shares by which limits are exceeded, that of places worse than the start's among them.
 
     Where no place may be worse, each counts as one limit exceeded by as much again.
     """
-    reached = one.levels[level]
-    found = {
-        "saturation_margin": one.spec.limits.saturation_margin - reached.saturation_margin,
+    reached = layout.levels[level]
+    excesses = {
+        "saturation_margin": layout.spec.limits.saturation_margin - reached.saturation_margin,
         "objects_margin": -reached.objects_margin,
     }
     if search.limits.places_worse < 1:
-        worse = worse_share(start.levels[level], one.levels[level])
+        worse = worse_share(start.levels[level], layout.levels[level])
         most = search.limits.places_worse
-        one_place = 1 / len(one.levels[level].position_bounds_mm)
-        found["places_worse"] = (worse - most) / max(most, one_place)
+        one_place = 1 / len(layout.levels[level].position_bounds_mm)
+        excesses["places_worse"] = (worse - most) / max(most, one_place)
     for name, factor in search.limits.times_start.items():
         most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
-        found[name] = _over_start(name, one, start, level) / most - 1
-    return {name: share for name, share in found.items() if share > 0}
+        excesses[name] = _score_over_start(name, layout, start, level) / most - 1
+    return {name: share for name, share in excesses.items() if share > 0}
 
 
 def objections(
@@ -114,54 +115,54 @@ def objections(
 ) -> tuple[str, ...]:
     """Return what keeps a layout from being better at the highest fidelity level, in words; at the second one
     where the time ended before the highest."""
-    found, level = [], LAST if LAST in best.levels else SECOND
+    reasons, level = [], LAST if LAST in best.levels else SECOND
     if level != LAST:
-        found.append(
+        reasons.append(
             "the time ended before the whole chain had scored it, these are scores of the second fidelity "
             "level: give more search.seconds and go on with --resume"
         )
     if _mean_log(search, best, start, level) >= 0:
-        found.append("the objectives' mean is not better")
+        reasons.append("the objectives' mean is not better")
     for name, share in excess(search, best, start, level).items():
         if name == "places_worse":
             worse = worse_share(start.levels[level], best.levels[level])
-            found.append(
+            reasons.append(
                 f"the position bound is larger than the start's at {100 * worse:.2g} % of contact "
                 f"locations and forces, more than places_worse = {search.limits.places_worse:g}"
             )
         elif name == "saturation_margin":
             free, least = best.levels[level].saturation_margin, best.spec.limits.saturation_margin
-            found.append(
+            reasons.append(
                 f"{100 * free:.2g} % of the sensors' range stays free in the deepest press, less than "
                 f"limits.saturation_margin = {least:g}"
             )
         elif name == "objects_margin":
-            found.append(
+            reasons.append(
                 f"chips leave their range by {100 * share:.2g} % in the deepest press of more than 5 % of "
                 "virtual objects"
             )
         else:
-            found.append(f"{name} misses its limit by {100 * share:.2g} %")
+            reasons.append(f"{name} misses its limit by {100 * share:.2g} %")
     first = search.objectives[0]
     if level == LAST and not ratios:
-        found.append("the time ended before virtual objects within tolerance were scored")
+        reasons.append("the time ended before virtual objects within tolerance were scored")
     if first in ratios and not ratios[first].low > 1:
-        found.append(f"{first} is not better in 95 % of pairs of twins")
-    return tuple(found)
+        reasons.append(f"{first} is not better in 95 % of pairs of twins")
+    return tuple(reasons)
 
 
-def _mean_log(search: SearchSpec, one: Promoted, start: Promoted, level: str) -> float:
-    logs = [np.log(_over_start(name, one, start, level)) for name in search.objectives]
+def _mean_log(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> float:
+    logs = [np.log(_score_over_start(name, layout, start, level)) for name in search.objectives]
     return float(np.mean(logs))
 
 
-def _over_start(name: str, one: Promoted, start: Promoted, level: str) -> float:
+def _score_over_start(name: str, layout: Promoted, start: Promoted, level: str) -> float:
     """A score over the start's, as something to minimise."""
-    before, after = (max(score_at(name, who, level), 1e-9) for who in (start, one))
-    value = after / before
+    start_score, layout_score = (max(score_at(name, who, level), 1e-9) for who in (start, layout))
+    value = layout_score / start_score
     return 1 / value if name in OBJECTIVES_TO_MAXIMIZE else value
 
 
-def score_at(name: str, one: Promoted, level: str) -> float:
+def score_at(name: str, layout: Promoted, level: str) -> float:
     """A layout's score at a fidelity level."""
-    return float(getattr(one.levels[level], name))
+    return float(getattr(layout.levels[level], name))

@@ -54,7 +54,9 @@ def _contact_grid(spec: ObjectSpec) -> dict[str, Any]:
     places = contact_places(spec)
     if places.all():
         return grid
-    return grid | {"places": ["".join("01"[there] for there in face) for face in places.tolist()]}
+    return grid | {
+        "places": ["".join("01"[has_place] for has_place in face) for face in places.tolist()]
+    }
 
 
 def _shell(spec: ObjectSpec) -> dict[str, Any]:

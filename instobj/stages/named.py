@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import xarray as xr
+
+from design.netcdf import read_arrays
+
+_OF_THE_FILE = ("coordinates", "_FillValue")
+"""Attributes that say how a file keeps an array."""
 
 
 class Results(xr.Dataset):
@@ -35,9 +41,26 @@ class Results(xr.Dataset):
         try:
             return super().__getattr__(name)
         except AttributeError:
-            known = ", ".join(map(str, self.variables))
+            names = ", ".join(map(str, self.variables))
             # a name of its own, so that Python proposes no other quantity by its spelling
-            raise AttributeError(f"there is no {name!r}; there are {known}", name="") from None
+            raise AttributeError(f"there is no {name!r}; there are {names}", name="") from None
+
+
+def results_in(path: Path) -> Results:
+    """Return what a NetCDF file of ours holds; `coordinates` of a variable, and labels, are coordinates."""
+    arrays, attributes = read_arrays(path)
+    labels = {name for name, array in arrays.items() if array.axes == (name,)}
+    for array in arrays.values():
+        labels.update(array.attributes.get("coordinates", "").split())
+    taken = {
+        name: (array.axes, array.values, _of_content(array.attributes))
+        for name, array in arrays.items()
+    }
+    return Results(taken, attrs=attributes).set_coords(labels)
+
+
+def _of_content(attributes: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in attributes.items() if name not in _OF_THE_FILE}
 
 
 def _range(variable: xr.DataArray) -> str:

@@ -42,7 +42,7 @@ _CUBE_NODES = 71_000
 _MESH_S, _CURVED_MESH_S = 2e-3, 8e-3
 """A vertex: the paper's cube took 15 to 28 s, the pear 73 s."""
 _RESPONSE_S, _SOLVE_S = 35.0, 0.05
-"""Of the paper's cube: the response, and one pattern of pressure at all candidates."""
+"""Seconds of the paper's cube: the response, and one pattern of pressure at all candidates."""
 _PATTERNS_PER_LOAD = 0.75
 """Presses to three forces on every place of the cube's lattice are made of 466 to 482 for each face's 660."""
 
@@ -110,14 +110,14 @@ class SearchSeconds:
 
 
 def search_seconds(spec: ObjectSpec) -> SearchSeconds:
-    """On one core of the machine of benchmarks/README.md, rough: it took 1.1 times as long
-    on the paper's cube and 1.8 times on the pear, beside other programs; no other body was tried."""
+    """Seconds on one core of the machine of benchmarks/README.md, rough: it took 1.1 times as long
+    on the paper's cube and 1.8 times on the pear, with other programs running; no other body was tried."""
     vertices = mesh_vertices(spec)
     nodes = _NODES_PER_VERTEX[spec.mechanics.element] * vertices
     curved = not all(frame.flat for frame in face_frames(spec))
     mesh = (_CURVED_MESH_S if curved else _MESH_S) * vertices
     response = _RESPONSE_S * (nodes / _CUBE_NODES) ** 1.5
-    presses = 2 * len(spec.judged_forces_n) * int(pressed_nodes(spec).sum())
+    presses = 2 * len(spec.scoring_forces_n) * int(pressed_nodes(spec).sum())
     patterns = min(presses, _PATTERNS_PER_LOAD * _face_loads(spec))
     solves = patterns * _SOLVE_S * (nodes / _CUBE_NODES) ** 1.25
     return SearchSeconds(mesh + 1.5 * response + solves, mesh + response)
@@ -156,14 +156,16 @@ def _frames(spec: ObjectSpec) -> Need:
 
 
 def _collection(spec: ObjectSpec) -> Need:
-    asked, protocol = spec.collection, spec.protocol
-    if asked.kind == "continuous":
+    collection, protocol = spec.collection, spec.protocol
+    if collection.kind == "continuous":
         each = protocol.frames_per_press + protocol.rest_frames_per_press
-        frames, keys = asked.presses * each, "collection.presses or protocol.frames_per_press"
+        frames, keys = collection.presses * each, "collection.presses or protocol.frames_per_press"
     else:
-        poses = len(asked.dual_poses) + len(asked.triple_poses) + asked.non_contact_cases
-        cases = len(asked.faces) * (prod(grid_count(spec)) + poses)
-        frames, keys = cases * asked.frames_per_case, "collection.frames_per_case"
+        poses = (
+            len(collection.dual_poses) + len(collection.triple_poses) + collection.non_contact_cases
+        )
+        cases = len(collection.faces) * (prod(grid_count(spec)) + poses)
+        frames, keys = cases * collection.frames_per_case, "collection.frames_per_case"
     return Need(_frames_gib(spec, frames), keys)
 
 

@@ -49,9 +49,9 @@ _UNITS_BY_NAME = {
 class Run:
     """The results of one specification: made when first asked for, stored, and reused.
 
-    The store is that of the commands (`INSTOBJ_STORE`, by default `.instobj` in the current
+    The store is the one of the commands (`INSTOBJ_STORE`, by default `.instobj` in the current
     folder): what `instobj run` has made is read, and a run that was interrupted goes on from its
-    last complete stage. Progress is not told, but by the command line.
+    last complete stage. Progress is not printed, but by the command line.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ class Run:
     progress: ProgressLine = field(default_factory=ProgressLine)
     root: Path = field(default_factory=store_root)
     results: dict[str, StoredResult] = field(default_factory=dict)
-    found: dict[str, StoredResult] = field(default_factory=dict)
+    known_results: dict[str, StoredResult] = field(default_factory=dict)
     call: Call | None = None
     checked: bool = True
 
@@ -103,12 +103,12 @@ class Run:
 
     def __getattr__(self, name: str) -> Any:
         """Called for names that a run has not."""
-        known = [one for one in dir(type(self)) if not one.startswith("_")]
-        raise AttributeError(f"a Run has no {name!r}. It has {', '.join(known)}")
+        names = [entry for entry in dir(type(self)) if not entry.startswith("_")]
+        raise AttributeError(f"a Run has no {name!r}. It has {', '.join(names)}")
 
     def __repr__(self) -> str:
-        asked = ", ".join(self.results) or "nothing asked for yet"
-        return f"Run of {self.spec.name} in {self.root}: {asked}"
+        stage_names = ", ".join(self.results) or "nothing asked for yet"
+        return f"Run of {self.spec.name} in {self.root}: {stage_names}"
 
     def require(self, name: str) -> StoredResult:
         """The stage's result, after those of every stage that it needs."""
@@ -131,26 +131,26 @@ class Run:
             if result is None:
                 return None
             origins[need] = result.origin
-        for need, (other, spec) in stage.of_others(self.spec).items():
-            result = self._of(spec).stored(other)
+        for need, (stage_of_other, spec) in stage.of_others(self.spec).items():
+            result = self._run_of(spec).stored(stage_of_other)
             if result is None:
                 return None
             origins[need] = result.origin
         key = stage_key(name, stage_inputs(stage, self.spec, origins, versions()))
-        return self.found.get(key) or find(self.root, name, key, self.progress.say)
+        return self.known_results.get(key) or find(self.root, name, key, self.progress.say)
 
     def _made(self, name: str, call: Call) -> StoredResult:
         stage = STAGES[name]
         require_memory(name, self.spec)
         needs = {need: self.require(need) for need in stage.needs}
-        for need, (other, spec) in stage.of_others(self.spec).items():
-            needs[need] = self._of(spec).require(other)
+        for need, (stage_of_other, spec) in stage.of_others(self.spec).items():
+            needs[need] = self._run_of(spec).require(stage_of_other)
         origins = {need: result.origin for need, result in needs.items()}
         inputs = stage_inputs(stage, self.spec, origins, versions())
         folders = {need: result.folder for need, result in needs.items()}
         key = stage_key(name, inputs)
-        if key in self.found:
-            self.results[name] = self.found[key]
+        if key in self.known_results:
+            self.results[name] = self.known_results[key]
             return self.results[name]
 
         def make(folder: Path) -> None:
@@ -165,19 +165,21 @@ class Run:
 
         with self.progress.stage(stage.title):
             result = stored(self.root, name, inputs, make, self.progress.say)
-        self.results[name] = self.found[key] = result
+        self.results[name] = self.known_results[key] = result
         if result.reused:
             self.progress.step(f"{stage.title}: reused")
         elif result.seconds >= _WORTH_A_LINE_S:
             self.progress.say(f"{stage.title}: made in {result.seconds:.1f} s")
         return result
 
-    def _of(self, spec: ObjectSpec) -> Run:
+    def _run_of(self, spec: ObjectSpec) -> Run:
         """The chain of another specification, on the same store; results that both have are asked
-        for, verified and told once."""
+        for, verified and reported once."""
         if spec == self.spec:
             return self
-        return Run(spec, self.progress, self.root, found=self.found, checked=self.checked)
+        return Run(
+            spec, self.progress, self.root, known_results=self.known_results, checked=self.checked
+        )
 
     def read(self, file: ResultFile[Content]) -> Content:
         """A result file of `instobj.store.readers`, its stage made first where it is not stored."""
@@ -225,14 +227,9 @@ class Run:
         `baseline_counts` and `reading_counts`, a simulated noisy reading (counts). Places that a
         face has not are NaN, −2147483648 among the readings.
         """
-        import xarray as xr
+        from instobj.stages.named import results_in
 
-        from instobj.stages.named import Results
-
-        content = xr.load_dataset(
-            self.read(readers.GRID_SIGNALS), engine="h5netcdf", decode_timedelta=False
-        )
-        return Results(content.data_vars, coords=content.coords, attrs=content.attrs)
+        return results_in(self.read(readers.GRID_SIGNALS))
 
     @property
     def scores(self) -> xr.Dataset:
@@ -243,7 +240,7 @@ class Run:
         `detectable_force_n` (N); further `position_error_mm` (mm, root mean square of what maximum
         likelihood reads, freshly tared), `delta_raw`, `delta_scaled` (convex-hull sensitivity),
         `weakest_direction_deg`, `force_at_score_n`, `reaches_score_force`, `depth_at_score_mm`,
-        `stiffness_n_per_mm`. The coordinate `on_face` (face, place) tells which places of the grid a
+        `stiffness_n_per_mm`. The coordinate `on_face` (face, place) says which places of the grid a
         face has; variables are NaN at the others; bounds and
         δ also where no press `reaches_score_force`. Source: `estimator.information.scores`.
         """
@@ -324,5 +321,5 @@ def with_needs(*names: str) -> frozenset[str]:
 
 
 def versions() -> dict[str, str]:
-    """Of what a result depends on besides its specification."""
+    """Versions that a result depends on besides its specification."""
     return {name: version(name) for name in _LIBRARIES} | {"machine": platform.machine()}

@@ -280,10 +280,10 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics"),
-            *("indenter", "inversion", "tolerances", "seed"),
+            *("indenter", "inversion", "limits.use", "tolerances", "seed"),
         ),
         make_inversion,
-        version=5,
+        version=6,
         of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(
@@ -291,7 +291,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=5,
+        version=6,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
@@ -365,4 +365,4 @@ STAGES: dict[str, Stage] = {
         version=20,
     ),
 }
-"""In the order in which a command works through those that it needs."""
+"""Stages in the order in which a command works through the ones that it needs."""

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 Say = Callable[[str], None]
 Done = dict[str, dict[str, Any]]
-"""By the task's key: the key of its result in the store, or the error."""
+"""Outcomes by the task's key: the key of its result in the store, or the error."""
 MEMORY = "instobj_gib"
-"""What workers offer and stages ask for, as one of Dask's resources."""
+"""Memory that workers offer and stages ask for, as one of Dask's resources."""
 _RETRIES = 3
 _BETWEEN_LOOKS_S = 0.05
 ANSWER_S = 10.0
@@ -38,7 +38,7 @@ samples. Two processes take a fifth less time for a sweep of paper's cubes."""
 
 
 class Workers(Protocol):
-    """What carries tasks out."""
+    """Workers that carry tasks out."""
 
     @property
     def count(self) -> int:
@@ -52,7 +52,7 @@ class Workers(Protocol):
         say: Say,
         enough: Callable[[], bool] = lambda: False,
     ) -> Done:
-        """Every task once, after those that it needs, in the store at `root`.
+        """Make every task once, after the tasks that it needs, in the store at `root`.
 
         Once `enough`, no further task is begun; those are not among what is done.
         """
@@ -96,15 +96,15 @@ class Here:
         say: Say,
         enough: Callable[[], bool] = lambda: False,
     ) -> Done:
-        """As `Workers.make`."""
+        """Make tasks as `Workers.make` does."""
         done: Done = {}
-        found: dict[str, StoredResult] = {}
+        known_results: dict[str, StoredResult] = {}
         counted = WorkersProgress(len(tasks), say)
         for key, task in tasks.items():
             if enough():
                 break
-            before = [done[need] for need in task.needs]
-            done[key] = work(task.content, before, str(root), self.progress, found)
+            outcomes_before = [done[need] for need in task.needs]
+            done[key] = work(task.content, outcomes_before, str(root), self.progress, known_results)
             counted.finished(task, done[key])
         return done
 
@@ -132,7 +132,7 @@ class OnDask:
         say: Say,
         enough: Callable[[], bool] = lambda: False,
     ) -> Done:
-        """As `Workers.make`.
+        """Make tasks as `Workers.make` does.
 
         Raises
         ------
@@ -158,7 +158,7 @@ class OnDask:
         names = {future.key: key for key, future in futures.items()}
         done: Done = {}
         step = self.progress.step if self.progress else say
-        for future in self._finished(futures, lambda at: progress.waiting(at, step)):
+        for future in self._finished(futures, lambda count: progress.waiting(count, step)):
             key = names[future.key]
             if future.cancelled():
                 continue
@@ -188,7 +188,7 @@ class OnDask:
 
 
 def _outcome(future: Any) -> dict[str, Any]:
-    """Of a finished future; of one whose workers all died, why."""
+    """Outcome of a finished future; of one whose workers all died, why."""
     error = future.exception()
     if error is None:
         return future.result()
@@ -229,10 +229,10 @@ def _client(workers: int, scheduler: str | None) -> Iterator[Client]:
 
 def _require_memory(client: Client, tasks: Mapping[str, StageTask]) -> bool:
     """Return whether workers say what memory they have; refuse a task that none could ever take."""
-    found = client.scheduler_info(n_workers=-1)["workers"].values()
-    if not found:
+    workers = client.scheduler_info(n_workers=-1)["workers"].values()
+    if not workers:
         raise InputError("the scheduler has no workers. Start some with `dask worker ADDRESS`")
-    offers = [worker["resources"].get(MEMORY) for worker in found]
+    offers = [worker["resources"].get(MEMORY) for worker in workers]
     if None in offers:
         return False
     largest = max(tasks.values(), key=lambda task: task.gib)
@@ -266,5 +266,5 @@ class WorkersProgress:
         if now - self._said < NEWS_EVERY_S and self._finished < self._count:
             return
         self._said = now
-        left = (now - self._began) / self._finished * (self._count - self._finished)
-        self._say(f"{self._finished} of {self._count} stages, about {left:.0f} s left")
+        seconds_left = (now - self._began) / self._finished * (self._count - self._finished)
+        self._say(f"{self._finished} of {self._count} stages, about {seconds_left:.0f} s left")

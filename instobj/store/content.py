@@ -87,9 +87,9 @@ def stored(
         The store cannot be written, or a file in it cannot be read for lack of permission.
     """
     key, shared = stage_key(stage, inputs), shared_store()
-    found = find(root, stage, key, say)
-    if found is not None:
-        return found
+    kept = find(root, stage, key, say)
+    if kept is not None:
+        return kept
     with _temporary_folder(root, stage, key) as temporary:
         started = time.perf_counter()
         make(temporary)
@@ -112,13 +112,13 @@ def find(root: Path, stage: str, key: str, say: Say = _say) -> StoredResult | No
     StoreError
         As `stored`, and where the shared store does not answer.
     """
-    found, shared = _found(root, stage, key, say), shared_store()
+    kept, shared = _found(root, stage, key, say), shared_store()
     if shared is None:
-        return found
-    if found is None:
+        return kept
+    if kept is None:
         return _fetched(shared, root, stage, key, say)
-    shared.send(stage, key, found.folder)
-    return found
+    shared.send(stage, key, kept.folder)
+    return kept
 
 
 def _fetched(
@@ -134,8 +134,8 @@ def _fetched(
         if record is None:
             return None
         folder = _folder(root, stage, key)
-        found = StoredResult(stage, key, folder, True, record["seconds"], content_of(record))
-        return _moved_into_place(temporary, found, root, say)
+        fetched = StoredResult(stage, key, folder, True, record["seconds"], content_of(record))
+        return _moved_into_place(temporary, fetched, root, say)
 
 
 def _folder(root: Path, stage: str, key: str) -> Path:
@@ -213,8 +213,8 @@ def _moved_into_place(temporary: Path, made: StoredResult, root: Path, say: Say)
         except OSError as error:
             if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
                 raise
-            if (other := _found(root, made.stage, made.key, say)) is not None:
-                return other
+            if (made_elsewhere := _found(root, made.stage, made.key, say)) is not None:
+                return made_elsewhere
         else:
             flush_to_disk(made.folder.parent)
             flush_to_disk(root)

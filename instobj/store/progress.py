@@ -28,7 +28,7 @@ def show_progress() -> None:
 
 @dataclass
 class ProgressLine:
-    """What the stage at work is doing now; `step` is handed to the stages.
+    """Line that shows what the stage at work is doing now; `step` is handed to the stages.
 
     On a terminal a stage that says nothing for 5 s shows its last step again with the time it has
     taken. In a log a step is written once a minute at most.
@@ -47,17 +47,17 @@ class ProgressLine:
     @contextmanager
     def stage(self, title: str) -> Iterator[None]:
         """Show `title` while the stage works; the live line is one, however stages lie in each other."""
-        before = self._title, self._step, self._started
+        outer = self._title, self._step, self._started
         self._title, self._step = title, ""
         self._started = self._told = time.perf_counter()
         try:
-            if before[0]:
+            if outer[0]:
                 yield
                 return
             with self._live_line(title), self._reminder():
                 yield
         finally:
-            self._title, self._step, self._started = before
+            self._title, self._step, self._started = outer
 
     def step(self, message: str) -> None:
         """Say what is being done within the stage."""
@@ -97,7 +97,7 @@ class ProgressLine:
 
     @contextmanager
     def _reminder(self) -> Iterator[None]:
-        """Tells the last step again wherever nothing was told for a while."""
+        """Print the last step again wherever nothing was printed for a while."""
         ended = Event()
 
         def remind() -> None:

@@ -20,7 +20,7 @@ _BESIDE_THE_PARTS = ("fabrication", "sheet")
 """Stages whose files go to the parts, not to the results."""
 TUNED, TWIN = "tuned", "twin"
 OWN_FOLDERS = (TUNED, TWIN, f"{TUNED}+{TWIN}")
-"""Of estimators that began with others (`--start`), or saw presses of a twin (`--twin`)."""
+"""Mark of estimators that began with others (`--start`), or saw presses of a twin (`--twin`)."""
 
 
 def run_folder(out: Path, name: str) -> Path:
@@ -32,7 +32,7 @@ def run_name(data_set: Path) -> str:
     """Name of the results on a data set or recording: that of the file, of `frames.nc` its folder's.
 
     Simulated recordings, `frames_<kind>.nc`, are called so in every run: their results lie in a folder
-    of that kind below the run's own (`cube/grasp`), beside what other runs and this one made.
+    of that kind below the run's own (`cube/grasp`), next to what other runs and this one made.
     """
     folder, stem = data_set.absolute().parent.name, data_set.stem
     if stem == Path(FRAMES.name).stem:
@@ -42,8 +42,8 @@ def run_name(data_set: Path) -> str:
 
 
 def own_folder(started: bool, with_twin: bool) -> str:
-    """Where estimators that are more than a training on the data set lie below its results, so that they
-    stand beside those of the plain training; "" for these."""
+    """Folder below the results of a data set for estimators that are more than a training on it, next to
+    the plain training's; "" for these."""
     return "+".join(name for name, on in ((TUNED, started), (TWIN, with_twin)) if on)
 
 
@@ -108,8 +108,11 @@ def publish_parts(spec: ObjectSpec, source: Path, target: Path) -> list[Path]:
 
 def _copy(source: Path, target: Path) -> Path:
     """Copy unless the target is already that file (same size and time of change)."""
-    before, now = source.stat(), target.stat() if target.exists() else None
-    if now and (now.st_size, now.st_mtime_ns) == (before.st_size, before.st_mtime_ns):
+    source_status, target_status = source.stat(), target.stat() if target.exists() else None
+    if target_status and (target_status.st_size, target_status.st_mtime_ns) == (
+        source_status.st_size,
+        source_status.st_mtime_ns,
+    ):
         return target
     with atomic_path(target) as temporary:
         shutil.copy2(source, temporary)

@@ -179,7 +179,7 @@ def _face_models(path: Path) -> dict[int, FaceModel]:
     """Estimators by face."""
     from estimator.networks.face_model import load_model
 
-    models = [load_model(one) for one in face_model_paths(path.parent)]
+    models = [load_model(model_path) for model_path in face_model_paths(path.parent)]
     return {model.face: model for model in models}
 
 

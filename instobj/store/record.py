@@ -120,7 +120,7 @@ def _verify_file(path: Path, name: str, expected: dict[str, Any], by_hash: bool)
             raise DamagedResult(f"{name} has {status.st_size} bytes instead of {expected['bytes']}")
         if not by_hash:
             return
-        found = _key_once(path, status.st_size, status.st_mtime_ns, status.st_ino)
+        sha256 = _key_once(path, status.st_size, status.st_mtime_ns, status.st_ino)
     except DamagedResult:
         raise
     except (FileNotFoundError, NotADirectoryError):
@@ -129,7 +129,7 @@ def _verify_file(path: Path, name: str, expected: dict[str, Any], by_hash: bool)
         raise _unreadable(path) from None
     except OSError as error:
         raise DamagedResult(f"{name} cannot be read ({error.strerror})") from None
-    if found != expected["sha256"]:
+    if sha256 != expected["sha256"]:
         raise DamagedResult(f"{name} holds other bytes than were stored")
 
 

@@ -44,7 +44,7 @@ class SharedStore:
     def fetch(self, stage: str, key: str, folder: Path) -> dict[str, Any] | None:
         """Fill an empty folder with a result and return its verified record; None where there is none.
 
-        A damaged result loses its record there, so that it can be sent anew.
+        A damaged result loses its record there, so that it can be sent again.
 
         Raises
         ------
@@ -73,7 +73,7 @@ class SharedStore:
         if record["key"] != key:
             raise DamagedResult(f"{RECORD} is of another result")
         for name in record["files"]:
-            path = folder / _within(name)
+            path = folder / _path_within(name)
             path.parent.mkdir(parents=True, exist_ok=True)
             with self._answering():
                 try:
@@ -146,7 +146,7 @@ def shared_store() -> SharedStore | None:
     return SharedStore(url, files, root.rstrip("/"))
 
 
-def _within(name: str) -> PurePosixPath:
+def _path_within(name: str) -> PurePosixPath:
     """A file's name within its result; nothing that leads out of it."""
     path = PurePosixPath(name)
     if path.is_absolute() or ".." in path.parts or "\\" in name or ":" in name:

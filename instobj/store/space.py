@@ -15,7 +15,7 @@ from instobj.store.record import RECORD, DamagedResult, UnhashedResult, read_rec
 WHOLE, DAMAGED, ASIDE, UNFINISHED = "result", "damaged", "set aside", "unfinished"
 EARLIER = "earlier version"
 UNFINISHED_TRAINING = "unfinished"
-"""Folder beside the stages, of trainings that can go on."""
+"""Folder next to the stages, of trainings that can go on."""
 
 
 @dataclass(frozen=True)
@@ -46,8 +46,8 @@ def entries(root: Path, by_hash: bool = False) -> list[Entry]:
     ----------
     by_hash : whether all bytes are read and compared with the records, not names and sizes alone
     """
-    found = [_entry(folder, by_hash) for folder in root.glob("[!.]*/*") if folder.is_dir()]
-    return sorted(found, key=lambda entry: entry.last_used)
+    all_entries = [_entry(folder, by_hash) for folder in root.glob("[!.]*/*") if folder.is_dir()]
+    return sorted(all_entries, key=lambda entry: entry.last_used)
 
 
 def free(root: Path, may_go: Callable[[Entry], bool], least_bytes: int | None) -> list[Entry]:
@@ -70,7 +70,7 @@ def free(root: Path, may_go: Callable[[Entry], bool], least_bytes: int | None) -
     in_use_since, removed = oldest_start(root, now), []
     useless_first = sorted(entries(root), key=lambda entry: entry.state in (WHOLE, UNFINISHED))
     for entry in useless_first:
-        if least_bytes is not None and sum(one.size for one in removed) >= least_bytes:
+        if least_bytes is not None and sum(gone.size for gone in removed) >= least_bytes:
             break
         if entry.last_used < in_use_since and may_go(entry) and _removed(root, entry):
             removed.append(entry)
@@ -117,7 +117,7 @@ def _last_used(folder: Path) -> float:
 
 
 def _statuses(folder: Path) -> Iterator[os.stat_result]:
-    """Of all files; one that goes meanwhile is none."""
+    """Size of all files; one that goes meanwhile is none."""
     for path in folder.rglob("*"):
         try:
             status = path.stat()

@@ -37,7 +37,8 @@ class Call:
 
 @dataclass(frozen=True)
 class StageContext:
-    """What a stage works from: the specification, the folders of the stages it needs, and the call."""
+    """Context that a stage works from: the specification, the folders of the stages it needs, and the
+    call."""
 
     spec: ObjectSpec
     inputs: dict[str, Path]
@@ -61,7 +62,7 @@ class Stage:
     `depends_on` names parts of the specification (dotted where only one field matters), or
     "shell_bodies", what is cast into the silicone, which follows from several of them (or
     "shell_body_cylinder", cross-section and height of one such body); `version` is raised when the code
-    would give another result from the same inputs. `of_others` tells which results of other objects
+    would give another result from the same inputs. `of_others` says which results of other objects
     it needs besides, derived from its own: name → stage and specification.
     """
 

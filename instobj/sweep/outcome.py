@@ -60,19 +60,19 @@ def _numbers(spec: ObjectSpec, result: StoredResult) -> dict[str, Any]:
 
 
 def _estimators(metrics: dict[str, Any]) -> dict[str, Any]:
-    """Means over the faces, on held-out presses, beside the best of the simple regressions."""
-    found = {}
+    """Means over the faces, on held-out presses, compared with the best of the simple regressions."""
+    means = {}
     for unit, name in (("force %", "total_force_percent"), ("place mm", "place_mm")):
-        known = [row for row in metrics["baselines"] if row[name] is not None]
-        model = {row["face"]: row[name] for row in known if row["name"] == "model"}
+        rows = [row for row in metrics["baselines"] if row[name] is not None]
+        model = {row["face"]: row[name] for row in rows if row["name"] == "model"}
         simple = [
-            min(row[name] for row in known if row["face"] == face and row["name"] != "model")
+            min(row[name] for row in rows if row["face"] == face and row["name"] != "model")
             for face in model
         ]
-        found[f"read {unit}"] = float(np.mean([*model.values()]))
-        found[f"best simple {unit}"] = float(np.mean(simple))
+        means[f"read {unit}"] = float(np.mean([*model.values()]))
+        means[f"best simple {unit}"] = float(np.mean(simple))
     covered = [row["position_cover"] for row in metrics["intervals"]]
-    return found | {"places in 90 % region %": round(100 * float(np.mean(covered)), 1)}
+    return means | {"places in 90 % region %": round(100 * float(np.mean(covered)), 1)}
 
 
 def write_outcome(study: Study, rows: Sequence[dict[str, Any]], folder: Path) -> list[Path]:

@@ -23,7 +23,7 @@ from design.spec_io import load_spec
 MOST_VARIANTS = 10_000
 SweptStage = Literal["scores", "metrics", "frames", "pretraining"]
 End = Annotated[float, Field(ge=-1e8, le=1e8)]
-"""Of a range of any key."""
+"""End of a range of any key."""
 Value = int | float | str | bool | list[Any]
 _NAME = r"^[A-Za-z0-9][A-Za-z0-9_.-]*$"
 
@@ -106,7 +106,7 @@ class Study:
 
 
 def load_study(path: Path) -> Study:
-    """Read a study and every specification of it; those that do not fit together say why.
+    """Read a study and every specification of it; specifications that do not fit together say why.
 
     Raises
     ------
@@ -115,19 +115,19 @@ def load_study(path: Path) -> Study:
     """
     require_regular_file(path, f"no study at {path}. docs/sweeps.md shows one")
     try:
-        found = StudySpec.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
+        study_spec = StudySpec.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise SpecError(f"{path} is not TOML ({error}). Fix it") from None
     except ValidationError as error:
         said = "\n".join(f"- {complaint}" for complaint in complaints(error, StudySpec))
         raise SpecError(f"{path} is not a valid study:\n{said}") from None
     variants = tuple(
-        _variant(label, path.parent / file, found.set | changes, changes)
-        for label, file, changes in _changes(found)
+        _variant(label, path.parent / file, study_spec.set | changes, changes)
+        for label, file, changes in _changes(study_spec)
     )
     if all(variant.spec is None for variant in variants):
         raise SpecError(f"{path}: no specification can be made: {variants[0].refused}")
-    return Study(found.name, tuple(dict.fromkeys(found.stages)), variants)
+    return Study(study_spec.name, tuple(dict.fromkeys(study_spec.stages)), variants)
 
 
 def _changes(study: StudySpec) -> Iterator[tuple[str, str, dict[str, Value]]]:

@@ -47,19 +47,19 @@ def stepped(values: np.ndarray, kind: str, step: float | None = None) -> Stepped
 
 def pack(content: Mapping[str, Any], arrays: Mapping[str, Stepped | np.ndarray]) -> bytes:
     """One file of what is small and of the arrays; arrays without a step are kept as they are."""
-    table, pieces, at = {}, [], 0
+    table, pieces, offset = {}, [], 0
     for name, array in arrays.items():
-        one = array if isinstance(array, Stepped) else Stepped(array)
-        data = np.ascontiguousarray(one.counts)
+        stepped = array if isinstance(array, Stepped) else Stepped(array)
+        data = np.ascontiguousarray(stepped.counts)
         table[name] = {
             "kind": data.dtype.str[1:],
             "shape": list(data.shape),
-            "at": at,
-            "step": one.step,
-            "gaps": one.gaps,
+            "at": offset,
+            "step": stepped.step,
+            "gaps": stepped.gaps,
         }
         pieces.append(data.tobytes() + bytes(-data.nbytes % _ALIGNED))
-        at += len(pieces[-1])
+        offset += len(pieces[-1])
     head = json.dumps({**content, "arrays": table}, allow_nan=False).encode()
     head += b" " * (-len(head) % _ALIGNED)
     return gzip.compress(struct.pack("<I", len(head)) + head + b"".join(pieces), 9, mtime=0)

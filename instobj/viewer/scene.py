@@ -27,7 +27,7 @@ from instobj.viewer.surface import Shaded, shaded_part
 Arrays = dict[str, Stepped | np.ndarray]
 _POSITION_STEP_MM = 0.005
 _KNOTS = 129
-"""Of a curved face's section: straight between them, lengths are good to 0.01 mm."""
+"""Knots of a curved face's section: straight between them, lengths are good to 0.01 mm."""
 
 
 def object_scene(spec: ObjectSpec, build: Path) -> tuple[dict[str, Any], Arrays]:

@@ -62,7 +62,7 @@ def shaded(
 
 
 def shaded_part(mesh: trimesh.Trimesh) -> Shaded:
-    """A part for the page; surfaces of many triangles lose those that 0.03 mm allow."""
+    """A part for the page; surfaces of many triangles lose as many as 0.03 mm allow."""
     if len(mesh.faces) > _MANY:
         mesh = _simplified(mesh)
     merged = mesh.copy()

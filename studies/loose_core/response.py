@@ -20,7 +20,7 @@ from design.layout.body import body_of
 from design.spec.object import ObjectSpec
 from fem.linear.core_interface import (
     WALLS,
-    on_wall,
+    nodes_on_wall,
     prescribed_loads,
     touches_core,
     vertex_hats,
@@ -111,7 +111,7 @@ def _core_walls(space: DisplacementSpace, spec: ObjectSpec) -> tuple[CoreWalls, 
     row[vertices] = np.arange(len(vertices))
     vertex, normal, weights = [], [], []
     for axis, sign in WALLS:
-        here = on_wall(space.nodes_mm, axis, sign, spec)
+        here = nodes_on_wall(space.nodes_mm, axis, sign, spec)
         of_wall, corners = vertex_hats(space, here)
         vertex.append(row[corners])
         normal.append(np.tile(sign * np.eye(3)[axis], (len(corners), 1)))

@@ -21,7 +21,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.pose_fit import Calibration
 from estimator.field.models import MagnetsModel, magnets_model
-from estimator.signals.field_setup import Scene, at_rest, min_distance_mm
+from estimator.signals.field_setup import Scene, min_distance_mm, zero_motion
 from estimator.tolerances.assembly import counts_of, designed, face_axes
 from studies.recorded.convention_search import TURNS, share_as_high
 
@@ -163,12 +163,12 @@ class RestingObject:
         place = core.applied(self._design).scene
         further = place.magnets.centre_mm + depth_mm * self._outwards
         moved = replace(place, magnets=replace(place.magnets, centre_mm=further))
-        return counts_of(self._spec, moved, at_rest(moved), self._model)[0].ravel()
+        return counts_of(self._spec, moved, zero_motion(moved), self._model)[0].ravel()
 
 
 def near_model(spec: ObjectSpec, place: Scene) -> MagnetsModel:
     """A field that is right where bounds bring a chip and a magnet together, if ever."""
-    nearest = min_distance_mm(place, at_rest(place)) - BOUNDS[1] - np.linalg.norm(BOUNDS[2:5])
+    nearest = min_distance_mm(place, zero_motion(place)) - BOUNDS[1] - np.linalg.norm(BOUNDS[2:5])
     return magnets_model(spec.magnets, max(float(nearest), 1.0))
 
 

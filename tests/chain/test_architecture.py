@@ -29,9 +29,9 @@ LIGHT = (
     "estimator.signals.presses",
     "estimator.frames.dataset",
     "estimator.deploy.runtime",
-    "instobj.commands.hardware.predict",
+    "instobj.commands.predict",
     "estimator.recordings.boards.link",
-    "instobj.commands.hardware.collect",
+    "instobj.bench.collect.command",
     "fem.presses.results",
 )
 ARRAYS = "estimator.information.scores"

@@ -9,7 +9,7 @@ from design.fabrication.layout import failures, layout_findings
 from design.spec_io import load_spec
 from estimator.field.models import exact_model
 from estimator.layouts.fidelity import gains, worse_share
-from estimator.signals.field_setup import at_rest
+from estimator.signals.field_setup import zero_motion
 from estimator.signals.hall import full_scale_counts
 from estimator.tolerances.assembly import counts_of, designed, draw
 from estimator.tolerances.saturation import KEPT_BY
@@ -52,7 +52,7 @@ def test_its_chips_stay_in_their_range_at_rest_within_its_tolerances():
     """In at least 95 % of 200 drawn objects (measured 100 %), by exact fields."""
     spec = load_spec(BETTER, [])
     rng, design, model = np.random.default_rng(11), designed(spec), exact_model(spec.magnets)
-    rest = at_rest(design.scene)
+    rest = zero_motion(design.scene)
     drawn = (draw(spec, design, rng).scene for _ in range(200))
     largest = [abs(counts_of(spec, one, rest, model)).max() for one in drawn]
     assert np.mean(np.array(largest) <= full_scale_counts(spec.sensors)) >= KEPT_BY

@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 import tomllib
-from importlib.metadata import packages_distributions
+from importlib.metadata import packages_distributions, requires
 from pathlib import Path
 
 import pytest
@@ -15,14 +15,20 @@ from design.imports import EXTRAS
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("design", "fem", "estimator", "instobj", "studies")
-ON_BOARDS = ROOT / "instobj" / "firmware" / "pico"
+ON_BOARDS = ROOT / "instobj" / "bench" / "firmware" / "pico"
 """MicroPython, which has modules of its own."""
-IMPORTED_BY_OTHERS = {"networkx"}
-"""What trimesh imports for graphs of faces, which we ask for, and does not require by itself."""
-
-
-WITH_THEIR_PACKAGE = {"pydantic_core"}
-"""Cores of declared packages, which pin them to the patch."""
+IMPORTED_BY_OTHERS = {"networkx": "torch"}
+"""What trimesh imports for graphs of faces, which we ask for, and does not require → who does."""
+CORES = {"pydantic_core": "pydantic", "OCP": "cadquery", "vtkmodules": "pyvista"}
+"""Compiled core of a declared package, which bounds its versions on both sides → that package."""
+HOMES = {
+    "networkx": "networkx",
+    "pydantic_core": "pydantic-core",
+    "OCP": "cadquery-ocp",
+    "vtkmodules": "vtk",
+}
+"""Module → distribution."""
+MOST_MANDATORY = 23
 
 
 def _imports(source: str) -> set[str]:
@@ -49,7 +55,7 @@ def _key(name: str) -> str:
 
 def _undeclared(imported: set[str], declared: set[str]) -> set[str]:
     homes = packages_distributions()
-    foreign = imported - set(sys.stdlib_module_names) - set(PACKAGES) - WITH_THEIR_PACKAGE
+    foreign = imported - set(sys.stdlib_module_names) - set(PACKAGES) - set(CORES)
     # manifold3d, a bare extension module, stands in no list of its wheel
     return {name for name in foreign if not set(map(_key, homes.get(name, [name]))) & declared}
 
@@ -57,13 +63,30 @@ def _undeclared(imported: set[str], declared: set[str]) -> set[str]:
 def test_every_import_of_the_packages_is_declared():
     files = [path for name in PACKAGES for path in (ROOT / name).rglob("*.py")]
     texts = [path.read_text() for path in files if not path.is_relative_to(ON_BOARDS)]
-    imported = set().union(*map(_imports, texts)) | IMPORTED_BY_OTHERS
+    imported = set().union(*map(_imports, texts))
     assert not _undeclared(imported, set(_declared()))
 
 
+def test_what_no_line_declares_comes_bounded_with_a_declared_package():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    mandatory = {_key(Requirement(line).name) for line in project["dependencies"]}
+    for name, package in (CORES | IMPORTED_BY_OTHERS).items():
+        assert package in mandatory
+        brought = [Requirement(line) for line in requires(package) or ()]
+        needed = [one for one in brought if _key(one.name) == HOMES[name] and not one.marker]
+        bounds = "".join(str(one.specifier) for one in needed)
+        assert ">" in bounds or "==" in bounds, f"{package} does not bring {name}"
+        assert name in IMPORTED_BY_OTHERS or "<" in bounds or "==" in bounds
+
+
+def test_packages_that_everyone_installs_stay_few():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    assert len(project["dependencies"]) <= MOST_MANDATORY
+
+
 def test_an_import_that_is_not_declared_is_noticed():
-    source = "def f():\n    import vtkmodules.util\n    from numpy import array"
-    assert _undeclared(_imports(source), {"numpy"}) == {"vtkmodules"}
+    source = "def f():\n    import PIL.Image\n    from numpy import array"
+    assert _undeclared(_imports(source), {"numpy"}) == {"PIL"}
 
 
 def test_the_extras_that_messages_name_are_those_declared():
@@ -85,6 +108,7 @@ def test_the_extras_that_messages_name_are_those_declared():
     [
         ("onnxruntime", ["predict", "face.onnx", "a.csv"], "deploy"),
         ("serial", ["predict", "contacts.nc", "--port", "/dev/none"], "bench"),
+        ("aiohttp", ["bench", "live", "--demo"], "bench"),
         ("distributed", ["run", "cube.toml", "--to", "mesh", "--workers", "2"], "cluster"),
     ],
 )

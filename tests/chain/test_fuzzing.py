@@ -38,7 +38,7 @@ from estimator.recordings.boards.lines import (
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.table import LARGEST_FORCE_N
-from instobj.commands.hardware.readings import is_data_set
+from instobj.commands.readings import is_data_set
 from instobj.store.content import stored
 from tests.support.foreign_hdf5 import FOREIGN, sealed
 from tests.support.forked_reader import forking, said_in_fork

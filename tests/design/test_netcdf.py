@@ -32,6 +32,18 @@ VALUES = {
 DIGEST_BYTES = 48
 
 
+def test_a_foreign_file_of_packed_numbers_is_read_as_what_they_stand_for(tmp_path):
+    packed = {"dtype": "int16", "scale_factor": 0.01, "add_offset": 5.0, "_FillValue": -999}
+    force_n = xr.DataArray([4.5, np.nan, 12.34], dims="step", attrs={"units": "N"})
+    counts = xr.DataArray(np.array([3, -1, 7]), dims="step", attrs={"missing_value": -1})
+    data = xr.Dataset({"force_n": force_n, "counts": counts})
+    data.to_netcdf(tmp_path / "packed.nc", engine="h5netcdf", encoding={"force_n": packed})
+    content, _ = netcdf.read_arrays(tmp_path / "packed.nc")
+    np.testing.assert_allclose(content["force_n"].values, force_n, atol=1e-12)
+    np.testing.assert_array_equal(content["counts"].values, [3, np.nan, 7])
+    assert content["counts"].axes == ("step",)
+
+
 @pytest.fixture
 def path(tmp_path):
     write_netcdf(KIND, tmp_path / "trials.nc", VALUES, {"seed": 4, "object": "cube"})

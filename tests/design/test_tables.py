@@ -1,8 +1,12 @@
 """A table is the same as a file and as text."""
 
-import pytest
+import tomllib
 
-from design.tables import table_text, write_records, write_table
+import pytest
+from hypothesis import given
+from hypothesis import strategies as some
+
+from design.tables import table_text, toml_text, write_records, write_table
 
 HEADER = ("place", "force_n")
 ROWS = [("edge", 1.5), ("face, upper", 2)]
@@ -30,3 +34,17 @@ def test_a_text_that_a_spreadsheet_would_work_out_begins_with_an_apostrophe(text
 def test_numbers_stay_numbers_also_as_text():
     rows = [(-1.5, "-1.5", "+2e-3", "-inf", "a=b", "2 - 1")]
     assert table_text("abcdef", rows).splitlines()[1] == "-1.5,-1.5,+2e-3,-inf,a=b,2 - 1"
+
+
+_TEXTS = some.text(some.characters(exclude_categories=["Cs"]))
+_LEAVES = some.one_of(
+    some.booleans(), some.integers(-(2**63), 2**63 - 1), some.floats(allow_nan=False), _TEXTS
+)
+_VALUES = some.recursive(
+    _LEAVES, lambda inner: some.lists(inner) | some.dictionaries(_TEXTS, inner), max_leaves=20
+)
+
+
+@given(some.dictionaries(_TEXTS, _VALUES))
+def test_what_is_written_as_toml_is_read_back(tables):
+    assert tomllib.loads(toml_text(tables)) == tables

@@ -25,7 +25,7 @@ from design.fit.seam import seam_in_words
 from design.layout.boards import mounted_sensors
 from design.layout.body import body_of
 from design.layout.places.positions import magnet_layout
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from tests.random_designs import draw, draw_edits
@@ -89,7 +89,7 @@ def _outcome(tables: draw.Tables | None) -> tuple[str, str]:
         return "refused by check", str(error)
     what = f"{spec.body.kind} {spec.body.size_mm}: "
     try:
-        parts = {part.name: as_triangles(part.make()) for part in parts_of(spec)}
+        parts = {part.name: convert_to_triangles(part.make()) for part in parts_of(spec)}
     except InputError as error:
         return "refused by build", what + str(error)
     wrong = violations(spec, parts)

@@ -27,7 +27,7 @@ from design.layout.places.positions import board_places, cover_mm
 from design.layout.pockets import shell_pockets
 from design.mould.openings import mould_holes, seal_holes
 from design.mould.room import core_outside
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.spec.object import ObjectSpec
 
 Solids = dict[str, manifold3d.Manifold]
@@ -240,7 +240,12 @@ def left_over(spec: ObjectSpec, solids: Solids, pins: Solids) -> list[str]:
     mould = [solids[name] for name in _FIRST if name in solids]
     if not mould or "shell" not in solids or spec.shell.seal_layer_mm:
         return []
-    taken = [solids["shell"], *mould, *pins.values(), manifold_of(as_triangles(core_outside(spec)))]
+    taken = [
+        solids["shell"],
+        *mould,
+        *pins.values(),
+        manifold_of(convert_to_triangles(core_outside(spec))),
+    ]
     outer = manifold_of(body_of(spec).outer_surface())
     free = outer - manifold3d.Manifold.batch_boolean(taken, manifold3d.OpType.Add)
     return [

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from design.build.parts import parts_of
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from tests.random_designs import judge
@@ -29,7 +29,7 @@ PAD = {
 def pad():
     spec = ObjectSpec.model_validate(PAD)
     made = {part.name: part for part in parts_of(spec) if part.name in ("core", "shell")}
-    return spec, {name: as_triangles(part.make()) for name, part in made.items()}
+    return spec, {name: convert_to_triangles(part.make()) for name, part in made.items()}
 
 
 def test_a_sound_pad_is_sound(pad):
@@ -69,7 +69,7 @@ def test_a_block_that_fills_its_pocket_touches_the_shell_and_shares_nothing():
         }
     )
     shell = next(part for part in parts_of(spec) if part.name == "shell")
-    assert violations(spec, {"shell": as_triangles(shell.make())}) == []
+    assert violations(spec, {"shell": convert_to_triangles(shell.make())}) == []
 
 
 def test_shells_that_meet_the_core_and_open_parts_are_told(pad):
@@ -138,4 +138,4 @@ def test_what_is_wrong_is_told_by_a_check_or_by_nothing(
 def test_the_egg_without_a_bore_is_built_and_sound():
     """`check` passed it and `build` refused: its pouring hole leaves through the seam's corner."""
     spec = load_spec(ROOT / "examples" / "egg.toml", ["body.open_faces=[]"])
-    assert violations(spec, {p.name: as_triangles(p.make()) for p in parts_of(spec)}) == []
+    assert violations(spec, {p.name: convert_to_triangles(p.make()) for p in parts_of(spec)}) == []

@@ -12,7 +12,7 @@ from design.layout.body import body_of
 from design.layout.places.positions import board_places
 from design.mould.openings import mould_holes
 from design.solids import booleans
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.spec_io import parse_spec
 from tests.random_designs.openings import (
     _blocked_sides,
@@ -57,7 +57,7 @@ def made(content):
     wanted = {p.name: p for p in parts_of(spec) if p.name.startswith(("core", "shell", "mould"))}
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(booleans, "FINENESS", COARSE)
-        parts = {name: as_triangles(part.make()) for name, part in wanted.items()}
+        parts = {name: convert_to_triangles(part.make()) for name, part in wanted.items()}
     solids = {name: manifold_of(mesh) for name, mesh in parts.items()}
     return spec, solids, placed_pins(spec, parts)
 
@@ -209,7 +209,7 @@ def test_a_wire_hole_of_a_core_without_a_cavity_ends_at_its_axis():
         "test",
     )
     core = next(part for part in parts_of(spec) if part.name == "core")
-    solid = manifold_of(as_triangles(core.make()))
+    solid = manifold_of(convert_to_triangles(core.make()))
     assert blocked_ways(spec, {"core": solid}, {}) == []
     plugged = solid + ball_at([0.0, -3.0, 0.0])
     (told,) = blocked_ways(spec, {"core": plugged}, {})

@@ -127,7 +127,7 @@ def test_the_best_candidate_is_told_by_its_numbers_and_the_documented_one_by_its
 def test_the_field_is_right_as_near_as_the_bounds_may_bring_a_magnet(monkeypatch, apart, asked):
     """3 mm inwards, and 3 mm along each axis of a shifted core; 1 mm at least."""
     monkeypatch.setattr(resting_conventions, "min_distance_mm", lambda *given: apart)
-    monkeypatch.setattr(resting_conventions, "at_rest", lambda place: None)
+    monkeypatch.setattr(resting_conventions, "zero_motion", lambda place: None)
     monkeypatch.setattr(
         resting_conventions, "magnets_model", lambda magnets, nearest_mm: nearest_mm
     )

@@ -12,13 +12,13 @@ from pathlib import Path
 import numpy as np
 
 from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
-from instobj.rig.clock import Clock
-from instobj.rig.grbl import GrblLink
-from instobj.rig.journal import new_journal
-from instobj.rig.load_lines import NumberLines
-from instobj.rig.mounting import Mounting
-from instobj.rig.plan import PressSettings, press_plan
-from instobj.rig.run import carry_out, check_plan, make_ready, new_station
+from instobj.bench.rig.clock import Clock
+from instobj.bench.rig.grbl import GrblLink
+from instobj.bench.rig.journal import new_journal
+from instobj.bench.rig.load_lines import NumberLines
+from instobj.bench.rig.mounting import Mounting
+from instobj.bench.rig.plan import PressSettings, press_plan
+from instobj.bench.rig.run import carry_out, check_plan, make_ready, new_station
 from tests.support.grbl_simulator import GrblSimulator
 
 FRAME_S, STEP_S = 0.1, 0.01

@@ -24,7 +24,7 @@ Opening = Literal["open", "bore", "closed"]
 Inside = Literal["core", "silicone", "air"]
 
 OVERSHOOT_MM = 1.0
-"""How far the cavity's triangles reach beyond an open face."""
+"""Length by which the cavity's triangles reach beyond an open face."""
 
 ALL_FACES = (1, 2, 3, 4, 5, 6)
 
@@ -48,32 +48,32 @@ class BodyKind(ABC):
     mm_per_unit: float = 1.0
 
     name: ClassVar[str]
-    """Of the kind, in `body.kind`."""
+    """Name of the kind, in `body.kind`."""
     faces: ClassVar[tuple[int, ...]] = ALL_FACES
     """Faces that such a body can have."""
     openable: ClassVar[tuple[int, ...]] = (6,)
     """Faces that may be open."""
     opens_sides: ClassVar[bool] = False
-    """Whether a whole side opens, else a bore."""
+    """True where a whole side opens, else a bore."""
     on_base: ClassVar[bool] = False
-    """Whether the silicone stands on a rigid base, whose top the mould leaves open."""
+    """True where the silicone stands on a rigid base, whose top the mould leaves open."""
     cuboid: ClassVar[bool] = False
-    """Whether its sides are flat and meet at right angles: only then a sliding core and the reverse
+    """True where its sides are flat and meet at right angles: only then a sliding core and the reverse
     arrangement are known."""
     sampled: ClassVar[bool] = False
-    """Whether it is known by its triangles, its core an offset of them, and has no exact solid."""
+    """True where it is known by its triangles, its core an offset of them, and has no exact solid."""
     mirrored: ClassVar[bool] = False
-    """Whether the triangles of its surface are alike in all octants."""
+    """True where the triangles of its surface are alike in all octants."""
     insides: ClassVar[tuple[Inside, ...]] = ("core",)
-    """What may hold the silicone."""
+    """Supports that may hold the silicone."""
     from_file: ClassVar[bool] = False
-    """Whether its surface is read from `body.file`."""
+    """True where its surface is read from `body.file`."""
     size_rule: ClassVar[str] = ""
-    """What `size_mm` must be, where `takes_size` refuses some."""
+    """Rule that `size_mm` must follow, where `takes_size` refuses some."""
     round_below: ClassVar[bool] = False
-    """Whether it ends below in a flat disk, its own diameter wide."""
+    """True where it ends below in a flat disk, its own diameter wide."""
     takes_keys: ClassVar[bool] = True
-    """Whether the core can have keys: a plug or the core itself shapes the silicone around them."""
+    """True where the core can have keys: a plug or the core itself shapes the silicone around them."""
     comments: ClassVar[Mapping[str, str]] = {}
     """Comments in a new specification (`instobj new`), by key or table, where the template's do not fit."""
 
@@ -83,7 +83,7 @@ class BodyKind(ABC):
         return True
 
     @classmethod
-    def in_pieces(cls, closed: list[int]) -> bool:
+    def falls_apart(cls, closed: list[int]) -> bool:
         """Return whether silicone on those faces alone would not hang together."""
         return False
 

@@ -28,7 +28,7 @@ class Box(BodyKind):
     comments: ClassVar = {"body.size_mm": "edges along x, y, z, silicone and core together"}
 
     @classmethod
-    def in_pieces(cls, closed: list[int]) -> bool:
+    def falls_apart(cls, closed: list[int]) -> bool:
         return closed in _OPPOSITE
 
     def passage_mm(self, axes: np.ndarray) -> np.ndarray:

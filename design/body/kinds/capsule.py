@@ -34,7 +34,7 @@ class CapsuleSide:
     radius_mm: float
     straight_mm: float
 
-    def at(
+    def evaluate(
         self, xy_mm: Float[np.ndarray, "*n 2"]
     ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n 2"]]:
         """Height (mm) and its slopes along x and y; NaN where the patch does not reach."""
@@ -72,8 +72,8 @@ class Capsule(BodyKind):
         return FaceFrame(number, normal, x, y, radius * normal, extents, relief, round=True)
 
     def core_distance_mm(self, points_mm: np.ndarray) -> np.ndarray:
-        along = np.clip(points_mm[:, 2], -self.straight_mm, self.straight_mm)
-        from_axis = points_mm - along[:, None] * np.array([0.0, 0.0, 1.0])
+        axis_height_mm = np.clip(points_mm[:, 2], -self.straight_mm, self.straight_mm)
+        from_axis = points_mm - axis_height_mm[:, None] * np.array([0.0, 0.0, 1.0])
         return np.linalg.norm(from_axis, axis=1) - self.core_radius_mm
 
     def outer_surface(self) -> trimesh.Trimesh:

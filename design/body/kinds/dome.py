@@ -38,7 +38,7 @@ class Dome(BodyKind):
 
     @property
     def centre_mm(self) -> np.ndarray:
-        """Of the sphere."""
+        """Middle of the sphere."""
         return np.array([0.0, 0.0, self.base_top_mm])
 
     @property

@@ -15,4 +15,4 @@ from design.body.kinds.sphere import Sphere
 KINDS: dict[str, type[BodyKind]] = {
     kind.name: kind for kind in (Box, Pad, Cylinder, Capsule, Sphere, Ellipsoid, Dome, Imported)
 }
-"""In the order in which they are told to users."""
+"""Kinds in the order in which users see them."""

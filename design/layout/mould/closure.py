@@ -1,6 +1,6 @@
 """Places of the flange of a plug or a rod, as numbers.
 
-`design/mould/plug_flange.py` tells its shape, and builds it.
+`design/mould/plug_flange.py` describes its shape, and builds it.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ SEAT_MM = 2.0
 """Height above the rim at which the flange rests on the walls."""
 FLANGE_HEIGHT_MM = 10.0
 FLANGE_OVERLAP_MM = 2.0
-"""Of the flange over the shell's rim, but at most a quarter of the shell's thickness, so that thin
+"""Overlap of the flange over the shell's rim, but at most a quarter of the shell's thickness, so that thin
 shells keep room to pour. A rod's flange is as wide as the rod."""
 CLIP_MM = 2.5
 """Distance from the wall to the outer side of a clip, its play included."""

@@ -18,7 +18,7 @@ from jaxtyping import Float
 from design.body.meshes import undercut
 from design.body.surface_chart import FACE_AXES
 from design.layout.body import body_of
-from design.spec.worked_out import once
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     import trimesh
@@ -31,10 +31,10 @@ _DOWN = 6
 _STEP_DEG = 15.0
 """Step of the azimuths of parting planes that are tried for the least undercut."""
 _WEDGE, _WEDGE_SINE = np.cos(np.deg2rad(15.0)), np.sin(np.deg2rad(15.0))
-"""Cosine and sine of the sharpest wedge of plastic that a hole may leave beside the parting plane."""
+"""Cosine and sine of the sharpest wedge of plastic that a hole may leave next to the parting plane."""
 _EDGES = 40
 """Triangles along a body, at least, where its undercuts are looked for."""
-YIELD_SHARE = 0.02
+COMPLIANCE_FRACTION = 0.02
 """Share of its thickness by which silicone gives way on the spot, without room; an estimate."""
 _AS_GOOD = 1e-4
 """Share of the surface by which an undercut may grow for a plane through the origin."""
@@ -111,7 +111,7 @@ def flange_wall_mm(spec: ObjectSpec) -> float:
     return (spec.mould.flange_mm - widest) / 2
 
 
-@once
+@cached_geometry
 def mould_frame(spec: ObjectSpec) -> MouldFrame:
     """Axes and block of the object's mould. Of several open sides the lowest, else the first, is up.
 
@@ -120,15 +120,15 @@ def mould_frame(spec: ObjectSpec) -> MouldFrame:
     opening, out = opening_of(spec), _out(spec)
     # `out` is ±x, ±y or ±z: the other two axes are perpendicular to it (product 0, not ±1).
     x, y = (axis for axis in np.eye(3) if abs(axis @ out) < 0.5)
-    across, along = (y, x) if _open_ends(spec, x) > _open_ends(spec, y) else (x, y)
+    across, length_axis = (y, x) if _open_ends(spec, x) > _open_ends(spec, y) else (x, y)
     low, high = envelope_corners_mm(spec)
     wall = spec.mould.wall_mm
-    axes = np.column_stack([across, along, out])
+    axes = np.column_stack([across, length_axis, out])
     ends = np.sort(axes.T @ np.column_stack([low, high]), axis=1)
     # An open side has no wall: the plug closes it.
     above = 0.0 if opening == "open" else wall
     block = ends[:, 0] - wall, ends[:, 1] + [wall, wall, above]
-    return MouldFrame(opening, across, along, out, *block, body_of(spec).passage_mm(axes))
+    return MouldFrame(opening, across, length_axis, out, *block, body_of(spec).passage_mm(axes))
 
 
 def envelope_corners_mm(
@@ -157,7 +157,7 @@ def up(spec: ObjectSpec) -> Float[np.ndarray, "3"]:
     return corner / np.linalg.norm(corner)
 
 
-@once
+@cached_geometry
 def parting(spec: ObjectSpec) -> Parting:
     """The plane that parts the halves; it holds `out`.
 
@@ -168,7 +168,7 @@ def parting(spec: ObjectSpec) -> Parting:
     size = abs(frame.axes.T) @ np.asarray(spec.body.size_mm)
     azimuth = body_of(spec).parting_azimuth(size) if given is None else float(np.deg2rad(given))
     if azimuth is None:
-        return at_silhouette(body_of(spec).outside)
+        return silhouette_parting(body_of(spec).outside)
     normal = np.cos(azimuth) * frame.across + np.sin(azimuth) * frame.along
     if not body_of(spec).from_file:
         return Parting(normal, 0.0)
@@ -177,7 +177,7 @@ def parting(spec: ObjectSpec) -> Parting:
 
 
 def seam_ends_mm(spec: ObjectSpec, aside_mm: float = 0.0) -> tuple[float, float]:
-    """Return where a level line beside the parting plane enters and leaves the block, across the mould;
+    """Return where a level line next to the parting plane enters and leaves the block, across the mould;
     flanges begin there."""
     frame, plane = mould_frame(spec), parting(spec)
     # Slab method: where the line start + t · way meets the two sides of the block along each axis.
@@ -190,7 +190,7 @@ def seam_ends_mm(spec: ObjectSpec, aside_mm: float = 0.0) -> tuple[float, float]
     return float(np.min(ends, axis=0).max()), float(np.max(ends, axis=0).min())
 
 
-def hooked_depth_mm(spec: ObjectSpec) -> float:
+def undercut_depth_mm(spec: ObjectSpec) -> float:
     """Return by how much the outside must give way to the half that hooks it most (mm).
 
     An estimate from the body's surface, before a mould is built.
@@ -199,7 +199,7 @@ def hooked_depth_mm(spec: ObjectSpec) -> float:
     return _hooked_mm(body_of(spec).outside, tuple(plane.normal.tolist()), plane.offset_mm)
 
 
-def hooked_along_mm(body: BodyKind, normal: Float[np.ndarray, "3"]) -> float:
+def undercut_along_mm(body: BodyKind, normal: Float[np.ndarray, "3"]) -> float:
     """Return the same for halves drawn along any unit vector, parted across it where least is hooked."""
     outside = body.outside
     offset = least_undercut(_outside_in_small_triangles(outside), normal)[1]
@@ -271,7 +271,7 @@ def _open_ends(spec: ObjectSpec, axis: np.ndarray) -> int:
 
 
 @lru_cache(maxsize=8)
-def at_silhouette(body: BodyKind) -> Parting:
+def silhouette_parting(body: BodyKind) -> Parting:
     """Return the plane with the least undercut of those parallel to z.
 
     Tried are azimuths in steps of 15°, and for each the offset with the least undercut.
@@ -303,7 +303,7 @@ def _outside_in_small_triangles(body: BodyKind) -> trimesh.Trimesh:
     return trimesh.Trimesh(small[0], small[1], process=False)
 
 
-def hooked_share(spec: ObjectSpec) -> float:
+def undercut_fraction(spec: ObjectSpec) -> float:
     """Return the share of the outside that faces the wrong way on either side of the seam.
 
     Areas are those projected along the seam's normal.
@@ -317,7 +317,7 @@ def hooked_share(spec: ObjectSpec) -> float:
 
 
 def least_undercut(surface: trimesh.Trimesh, normal: Float[np.ndarray, "3"]) -> tuple[float, float]:
-    """Return the least area that faces the wrong way beside a plane with that normal, and its offset.
+    """Return the least area that faces the wrong way next to a plane with that normal, and its offset.
 
     Areas are those projected along the normal, mm². The plane goes through the origin where that
     is as good as any.

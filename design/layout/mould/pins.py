@@ -21,7 +21,7 @@ from design.layout.core_hold import Locator, locators
 from design.layout.mould.closure import flange_span_mm
 from design.layout.mould.frame import mould_frame, parting, thin_at_seam
 from design.layout.pockets import Body, Outline, Pocket, near_pairs, shell_pockets
-from design.spec.worked_out import once
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     from manifold3d import Manifold
@@ -36,7 +36,7 @@ _SIDES = 64
 _ALONG = 1 - 1e-9
 _STEEP = 1e-6
 _OUTSIDE = 0.01
-"""Of a head's height, down to which it is within the mould's block."""
+"""Share of a head's height, down to which it is within the mould's block."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class Pin:
 
     @property
     def radius_mm(self) -> float:
-        """Of a circle about its axis that holds all of it but the head's rim."""
+        """Radius of a circle about its axis that holds all of it but the head's rim."""
         centre = self.pocket.body.centre_mm[:2]
         return max(
             float(np.linalg.norm(p.body.centre_mm[:2] - centre)) + p.outline.radius_mm
@@ -108,7 +108,7 @@ class Pin:
         return Manifold.batch_boolean(prisms, OpType.Add)
 
     def _prism(self, pocket: Pocket, low_mm: float, high_mm: float, grow_mm: float) -> Manifold:
-        """Of a pocket's outline along its axis; planes parallel to the face end it."""
+        """Prism of a pocket's outline along its axis; planes parallel to the face end it."""
         from manifold3d import CrossSection
 
         frame, body, axis = self.frame, pocket.body, pocket.axis
@@ -129,7 +129,7 @@ class Pin:
         return self.frame.to_object(floor + rise * axis)
 
 
-@once
+@cached_geometry
 def loose_pins(spec: ObjectSpec) -> tuple[Pin, ...]:
     """Pins of pockets that do not point along the pull, face by face, then locating pins."""
     met = met_pockets(spec)
@@ -154,10 +154,10 @@ def pin_holes(spec: ObjectSpec) -> Iterator[tuple[Pin, Float[np.ndarray, "2 3"],
     play = spec.printer.clearance_mm
     for pin in loose_pins(spec):
         for axis, rim in ((pin.shank_axis_mm, 0.0), (pin.head_axis_mm, pin.rim_mm)):
-            along = axis[1] - axis[0]
-            inside = exit_mm(spec, axis[0], pin.way) / float(np.linalg.norm(along))
+            axis_vector = axis[1] - axis[0]
+            inside = exit_mm(spec, axis[0], pin.way) / float(np.linalg.norm(axis_vector))
             if inside > _OUTSIDE:
-                ends = axis[0] + np.outer([0.0, min(inside, 1.0)], along)
+                ends = axis[0] + np.outer([0.0, min(inside, 1.0)], axis_vector)
                 yield pin, ends, pin.radius_mm + rim + play
 
 
@@ -174,8 +174,14 @@ def pins_of_kinds(pins: Sequence[Pin]) -> list[tuple[str, list[int]]]:
     """
     kinds: dict[tuple[float, ...], list[int]] = {}
     for index, pin in enumerate(pins):
-        pocket, own = pin.pocket, float(index) if pin.locator else -1.0
-        shape = (*pocket.outline.half_mm, *pocket.axis_ends_mm[:, 2], *pocket.axis, pin.top_mm, own)
+        pocket, locator_number = pin.pocket, float(index) if pin.locator else -1.0
+        shape = (
+            *pocket.outline.half_mm,
+            *pocket.axis_ends_mm[:, 2],
+            *pocket.axis,
+            pin.top_mm,
+            locator_number,
+        )
         kinds.setdefault(tuple(np.round(shape, 6)), []).append(index)
     plain = [members for members in kinds.values() if pins[members[0]].locator is None]
     held = [members for members in kinds.values() if pins[members[0]].locator is not None]
@@ -215,7 +221,7 @@ def _places_of(pin: Pin) -> list[tuple[int, float, float]]:
         return [(face, round(x, 2) + 0.0, round(y, 2) + 0.0)]
     formed = pin.pockets if pin.locator is None else pin.locator.pockets
     places = [pocket.body.centre_mm for pocket in formed]
-    return [(pin.frame.number, _rounded(at[0]), _rounded(at[1])) for at in places]
+    return [(pin.frame.number, _rounded(centre[0]), _rounded(centre[1])) for centre in places]
 
 
 def _rounded(value_mm: float) -> float:
@@ -246,7 +252,7 @@ def along_pull(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket) -> bool:
 
 
 def pin_of(spec: ObjectSpec, frame: FaceFrame, pocket: Pocket, rise: float = 0.0) -> Pin:
-    """Its rim is left to `common_rim_mm`; by `rise` the surface rises beside it, per mm."""
+    """Its rim is left to `common_rim_mm`; by `rise` the surface rises next to it, per mm."""
     radius = pocket.outline.radius_mm + PIN_HEAD_RIM_MM
     seat = spec.mould.wall_mm + rise * radius
     rim = radius * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
@@ -285,7 +291,9 @@ def common_rim_mm(spec: ObjectSpec, pins: Sequence[Pin]) -> float:
     # heads further apart than this leave all of the rim
     enough = PIN_HEAD_RIM_MM + play + printer.wall_mm
     near = near_pairs([pin.head_axis_mm for pin in pins], [pin.radius_mm + enough for pin in pins])
-    gaps = [away - pins[one].radius_mm - pins[other].radius_mm for one, other, away in near]
+    gaps = [
+        away - pins[index_a].radius_mm - pins[index_b].radius_mm for index_a, index_b, away in near
+    ]
     gap = min(gaps, default=np.inf)
     walled, merged = (gap - 2 * play - printer.wall_mm) / 2, (gap - play) / 2
     room = walled if walled >= least_rim_mm(spec) else merged
@@ -322,5 +330,5 @@ def _leaving(seat: np.ndarray, top: np.ndarray, wall_mm: float) -> np.ndarray:
 
 
 def least_rim_mm(spec: ObjectSpec) -> float:
-    """Of a pin's head: half of the printer's smallest feature."""
+    """Least rim of a pin's head: half of the printer's smallest feature."""
     return spec.printer.feature_mm / 2

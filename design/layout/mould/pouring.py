@@ -41,7 +41,8 @@ _POUR_SHIFTS = (0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0, 1.25, -1.25
 _MOST_CORNERS = 200
 _WEDGE = np.cos(np.deg2rad(15.0))
 _RIM_POINTS, _WITHIN = 24, 0.999
-"""Of a hole's rim that are looked at, and how far out: a hole may end where the silicone does."""
+"""Number of points of a hole's rim that are looked at, and how far out: a hole may end where the silicone
+does."""
 _STEP_MM = 0.25
 """Along a hole, where it is looked for in a flange."""
 LEAST_POUR_MM = 3.0
@@ -90,8 +91,8 @@ def far_mm(spec: ObjectSpec) -> float:
 def pour_holes(
     spec: ObjectSpec, first: bool = True, pins: tuple[Pin, ...] | None = None
 ) -> tuple[Hole, ...]:
-    """Beside the rod through a bore, at both its sides; at the upper corner of a closed mould. They move
-    along the flange of the rod, which stays beside them, or go down from that corner, until no pin is
+    """Holes next to the rod through a bore, at both its sides; at the upper corner of a closed mould. They
+    move along the flange of the rod, which stays next to them, or go down from that corner, until no pin is
     in their way.
 
     Of the mould that the shell is cast in, or, unless `first`, of the seal layer's, and with that
@@ -132,23 +133,25 @@ def pour_places(spec: ObjectSpec, first: bool) -> Iterator[list[np.ndarray]]:
     frame, radius = mould_frame(spec), spec.mould.pour_mm / 2
     if frame.opening == "closed":
         way = up(spec)
-        seen = _seen(spec, first, _beside(way))
-        height = seen.vertices @ way
-        for top in seen.vertices[np.argsort(-height, kind="stable")[:_MOST_CORNERS]]:
-            if seen.lies_below_rim(seen.axes[:2] @ top, radius):
+        silhouette = _silhouette(spec, first, _axes_across(way))
+        height = silhouette.vertices @ way
+        for top in silhouette.vertices[np.argsort(-height, kind="stable")[:_MOST_CORNERS]]:
+            if silhouette.lies_below_rim(silhouette.axes[:2] @ top, radius):
                 yield [top]
         return
-    seen = _seen(spec, first, np.stack([frame.across, frame.along, frame.out]))
+    silhouette = _silhouette(spec, first, np.stack([frame.across, frame.along, frame.out]))
     aside = float(frame.plug_mm[1, 0]) + radius
     for shift in _POUR_SHIFTS:
         places = [sign * aside * np.array([1.0, shift]) for sign in (-1, 1)]
-        heights = [seen.highest_mm(place) for place in places]
-        if None not in heights and all(seen.lies_below_rim(place, radius) for place in places):
+        heights = [silhouette.highest_mm(place) for place in places]
+        if None not in heights and all(
+            silhouette.lies_below_rim(place, radius) for place in places
+        ):
             tops = zip(places, heights, strict=True)
-            yield [np.array([*place, height]) @ seen.axes for place, height in tops]
+            yield [np.array([*place, height]) @ silhouette.axes for place, height in tops]
 
 
-def _beside(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
+def _axes_across(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
     """Orthonormal rows of which the last is that way."""
     side = np.cross(way, np.eye(3)[int(abs(way).argmin())])
     side /= np.linalg.norm(side)
@@ -180,7 +183,7 @@ class _Seen:
         return _highest_mm(self.triangles[max(first - 1, 0) : last], place_mm)
 
 
-def _seen(spec: ObjectSpec, first: bool, axes: Float[np.ndarray, "3 3"]) -> _Seen:
+def _silhouette(spec: ObjectSpec, first: bool, axes: Float[np.ndarray, "3 3"]) -> _Seen:
     """The silicone's outside, or unless it is the `first` pour's the finished one's."""
     layer = spec.shell.seal_layer_mm if first else 0.0
     return _seen_of(body_of(spec), layer, spec.body.sensed, tuple(axes.ravel().tolist()))
@@ -205,17 +208,20 @@ def _highest_mm(
     triangles: Float[np.ndarray, "triangle 3 3"], place: Float[np.ndarray, "2"]
 ) -> float | None:
     """Largest third coordinate of a surface over a place in the first two; None where it has none."""
-    one, two, three = np.moveaxis(triangles[:, :, :2] - place, 1, 0)
-    shares = np.stack([_turned(two, three), _turned(three, one), _turned(one, two)], axis=1)
+    corner_a, corner_b, corner_c = np.moveaxis(triangles[:, :, :2] - place, 1, 0)
+    shares = np.stack(
+        [_turned(corner_b, corner_c), _turned(corner_c, corner_a), _turned(corner_a, corner_b)],
+        axis=1,
+    )
     whole = shares.sum(axis=1)
     over = (whole != 0) & np.all(shares * whole[:, None] >= 0, axis=1)
     heights = np.sum(shares[over] * triangles[over, :, 2], axis=1) / whole[over]
     return float(heights.max()) if over.any() else None
 
 
-def _turned(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+def _turned(points_a: np.ndarray, points_b: np.ndarray) -> np.ndarray:
     """Twice the area of triangles from the origin, negative where they turn the other way."""
-    return one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
+    return points_a[:, 0] * points_b[:, 1] - points_a[:, 1] * points_b[:, 0]
 
 
 def pins_of(spec: ObjectSpec, first: bool) -> tuple[Pin, ...]:
@@ -237,14 +243,17 @@ def is_clear(hole: Hole, pins: tuple[Pin, ...]) -> bool:
 def thin_beside_others(
     spec: ObjectSpec, hole: Hole, pins: tuple[Pin, ...], holes: Sequence[Hole] = ()
 ) -> bool:
-    """Whether a hole leaves too thin a wall to that of the rod, of a pin or of its head, or to other holes
-    for pouring or for air, or a wedge of less than 15° where they meet."""
-    ends, radius = within_mould(spec, hole), hole.diameter_mm / 2
-    beside = [(within_mould(spec, other), other.diameter_mm / 2) for other in holes]
-    for axis, other in (*_other_holes(spec, pins), *beside):
+    """Return whether a hole leaves too thin a wall to the hole of the rod, of a pin or of its head, or to
+    other holes for pouring or for air, or a wedge of less than 15° where they meet."""
+    ends, radius = hole_within_mould(spec, hole), hole.diameter_mm / 2
+    other_holes = [
+        (hole_within_mould(spec, other_radius), other_radius.diameter_mm / 2)
+        for other_radius in holes
+    ]
+    for axis, other_radius in (*_other_holes(spec, pins), *other_holes):
         away = distance_of_segments_mm(ends, axis)
-        meets = np.sqrt(radius**2 + other**2 + 2 * radius * other * _WEDGE)
-        if meets < away < radius + other + spec.printer.wall_mm:
+        meets = np.sqrt(radius**2 + other_radius**2 + 2 * radius * other_radius * _WEDGE)
+        if meets < away < radius + other_radius + spec.printer.wall_mm:
             return True
     return False
 
@@ -265,12 +274,12 @@ def hole_thins_the_seam(spec: ObjectSpec, hole: Hole) -> bool:
     """Return whether a hole leaves a wall to the parting plane that is too thin, or to a side of a flange."""
     if mould_style(spec) != "split":
         return False
-    ends, radius = within_mould(spec, hole), hole.diameter_mm / 2
+    ends, radius = hole_within_mould(spec, hole), hole.diameter_mm / 2
     return thin_at_seam(spec, ends, radius) or _thin_in_a_flange(spec, hole)
 
 
 def _thin_in_a_flange(spec: ObjectSpec, hole: Hole) -> bool:
-    """The same of a flange's sides, where the hole goes through it beside the block."""
+    """The same of a flange's sides, where the hole goes through it next to the block."""
     frame, plane, radius = mould_frame(spec), parting(spec), hole.diameter_mm / 2
     way = hole.end_mm - hole.top_mm
     steps = np.arange(0.0, float(np.linalg.norm(way)), _STEP_MM)
@@ -291,7 +300,7 @@ def _thin_in_a_flange(spec: ObjectSpec, hole: Hole) -> bool:
     )
 
 
-def within_mould(spec: ObjectSpec, hole: Hole) -> Float[np.ndarray, "2 3"]:
+def hole_within_mould(spec: ObjectSpec, hole: Hole) -> Float[np.ndarray, "2 3"]:
     """Return where a hole's axis leaves the silicone, and where the mould's block."""
     way = hole.end_mm - hole.top_mm
     way /= np.linalg.norm(way)

@@ -8,16 +8,16 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.layout.places.contact_places import grid_count
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
-from design.spec.worked_out import once
 
 
 @dataclass(frozen=True)
 class PlaceGrid:
     """A rectangular grid of contact locations on a face; place index = ix · len(y_mm) + iy.
 
-    x and y are lengths along the surface from the face's middle, in constant steps. Where a location
-    lies in the plane of a curved face's frame tells `FaceFrame.to_plane`; on flat faces it is the same.
+    x and y are lengths along the surface from the face's middle, in constant steps. `FaceFrame.to_plane`
+    gives a location's place in the plane of a curved face's frame; on flat faces it is the same.
     """
 
     x_mm: Float[np.ndarray, "nx"]
@@ -36,7 +36,7 @@ class PlaceGrid:
         return len(self.x_mm) * len(self.y_mm)
 
 
-@once
+@cached_geometry
 def contact_grid(spec: ObjectSpec) -> PlaceGrid:
     """The specification's places (the paper: 10 × 10, pitch 3 mm, ±13.5 about the face centre).
 
@@ -49,7 +49,7 @@ def contact_grid(spec: ObjectSpec) -> PlaceGrid:
     return PlaceGrid(x, y)
 
 
-@once
+@cached_geometry
 def press_lattice(spec: ObjectSpec) -> PlaceGrid:
     """The contact grid refined by two, with half a pitch of margin: (2n + 1) locations per axis.
 
@@ -61,7 +61,7 @@ def press_lattice(spec: ObjectSpec) -> PlaceGrid:
     return PlaceGrid(x, y)
 
 
-@once
+@cached_geometry
 def grid_places_in_lattice(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
     """Lattice place of each contact location, in the order of the contact grid."""
     nx, ny = grid_count(spec)

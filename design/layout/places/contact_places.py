@@ -1,7 +1,7 @@
 """Contact locations that each sensed face has, out of one lattice that all of them share.
 
 Faces differ in size and shape; tables of presses do not. So all faces take their locations from one
-centred lattice, as large as the largest face needs, and each has a mask of those that lie on it. Its
+centred lattice, as large as the largest face needs, and each has a mask of the locations that lie on it. Its
 steps are lengths along the surface (`design.body.section_lengths`), so that locations lie evenly on
 curved faces too.
 With `contact_grid.count = "fill"` these are all at which the tip and half a pitch round it stay
@@ -22,7 +22,7 @@ from jaxtyping import Bool, Float, Int
 from design.errors import SpecError
 from design.layout.body import face_frames
 from design.layout.tips import footprint_mm, path_mm, tip_heights_mm, tip_places_mm, tip_shape
-from design.spec.worked_out import once
+from design.spec.cached_geometry import cached_geometry
 
 if TYPE_CHECKING:
     from design.body.surface_chart import FaceFrame
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 LEAST_COUNT, MOST_COUNT = 2, 100
 """Contact locations along an axis of a face."""
 _ROUND_MARGIN_MM = 0.1
-"""By which a flat round face's mesh, of straight edges, may fall short of its circle."""
+"""Length by which a flat round face's mesh, of straight edges, may fall short of its circle."""
 _RING_POINTS = 24
 _FINER, _FINER_STEPS = 0.8, 16
 """Pitches that are tried where too few locations find room, each so much of the last."""
@@ -50,7 +50,7 @@ def grid_count(spec: ObjectSpec) -> tuple[int, int]:
     return _lattice(spec).count
 
 
-@once
+@cached_geometry
 def contact_places(spec: ObjectSpec) -> Bool[np.ndarray, "face place"]:
     """Return which places of the contact grid each sensed face has."""
     places = _lattice(spec).places
@@ -65,9 +65,9 @@ def shared_counts(spec: ObjectSpec) -> tuple[int, int]:
 
 def outermost_mm(spec: ObjectSpec) -> Float[np.ndarray, "2"]:
     """Largest x and y of the first face's contact locations."""
-    there = _lattice(spec).places[0]
-    last = [np.flatnonzero(there.any(axis=other))[-1] for other in (1, 0)]
-    return (np.array(last) - (np.array(there.shape) - 1) / 2) * spec.contact_grid.pitch_mm
+    has_place = _lattice(spec).places[0]
+    last = [np.flatnonzero(has_place.any(axis=across))[-1] for across in (1, 0)]
+    return (np.array(last) - (np.array(has_place.shape) - 1) / 2) * spec.contact_grid.pitch_mm
 
 
 def face_rows(spec: ObjectSpec, faces: Int[np.ndarray, "face"]) -> Int[np.ndarray, "face"]:
@@ -75,7 +75,7 @@ def face_rows(spec: ObjectSpec, faces: Int[np.ndarray, "face"]) -> Int[np.ndarra
     return np.array([spec.body.sensed.index(face) for face in faces.tolist()], int)
 
 
-@once
+@cached_geometry
 def pressed_nodes(spec: ObjectSpec) -> Bool[np.ndarray, "face node"]:
     """Return which places of the press lattice are pressed: each contact location and its eight neighbours.
 
@@ -92,17 +92,17 @@ def pressed_nodes(spec: ObjectSpec) -> Bool[np.ndarray, "face node"]:
 def place_problems(spec: ObjectSpec) -> Iterator[str]:
     """Yield what is wrong with faces on which no two by two contact locations find room."""
     too_few = [
-        (frame, along)
+        (frame, counts)
         for frame, places in zip(face_frames(spec), _lattice(spec).places, strict=True)
-        if min(along := (places.any(axis=1).sum(), places.any(axis=0).sum())) < LEAST_COUNT
+        if min(counts := (places.any(axis=1).sum(), places.any(axis=0).sum())) < LEAST_COUNT
     ]
     if too_few:
         pitch = nearest_pitch_mm(spec)
         smaller = f"contact_grid.pitch_mm of {pitch:g}, " if pitch else ""
-        for frame, along in too_few:
+        for frame, counts in too_few:
             half = frame.half_lengths_mm
             yield (
-                f'contact_grid.count = "fill" finds room for {along[0]} × {along[1]} locations on face '
+                f'contact_grid.count = "fill" finds room for {counts[0]} × {counts[1]} locations on face '
                 f"{frame.number} (±{half[0]:.4g}, ±{half[1]:.4g} mm), {spec.contact_grid.pitch_mm:g} mm "
                 f"apart; 2 × 2 are needed. Use {smaller}a smaller indenter or lesser press.depths_mm, or "
                 "leave the face out of body.sensed_faces"
@@ -117,8 +117,8 @@ def nearest_pitch_mm(spec: ObjectSpec) -> float | None:
             places = filled_places(spec, pitch).places
         except SpecError:
             return False
-        along = [places.any(axis=axis).sum(axis=1).min() for axis in (2, 1)]
-        return bool(min(along) >= LEAST_COUNT)
+        counts = [places.any(axis=axis).sum(axis=1).min() for axis in (2, 1)]
+        return bool(min(counts) >= LEAST_COUNT)
 
     given = spec.contact_grid.pitch_mm
     tried = (round(given * _FINER**k, 2) for k in range(1, _FINER_STEPS))
@@ -132,7 +132,7 @@ def nearest_pitch_mm(spec: ObjectSpec) -> float | None:
     return low
 
 
-@once
+@cached_geometry
 def _lattice(spec: ObjectSpec) -> _Lattice:
     given = spec.contact_grid.count
     if given == "fill":
@@ -223,8 +223,8 @@ def stays_on_patch(
     touching = frame.to_object(np.column_stack([places, np.zeros(len(places))]))
     # p place, r point of the ring, j own axis (columns of `axes`), i object coordinate
     points = touching[:, None] + np.einsum("pij,rj->pri", axes, ring)
-    along = np.repeat(axes[:, :, 2], len(ring), axis=0)
-    rim = frame.onto(points.reshape(-1, 3), along)
+    normals = np.repeat(axes[:, :, 2], len(ring), axis=0)
+    rim = frame.project_along(points.reshape(-1, 3), normals)
     on_patch = frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])
     stays[stays] = on_patch.reshape(len(places), -1).all(axis=1)
     return stays

@@ -24,28 +24,28 @@ def with_places_in_mm(content: dict[str, Any]) -> dict[str, Any]:
     Raises
     ------
     SpecError
-        Fractions beside places in mm, or no lists of pairs from −1 to 1.
+        Fractions next to places in mm, or no lists of pairs from −1 to 1.
     """
-    asked = [
+    given_tables = [
         name
         for name in ("magnets", "sensors")
         if isinstance(content.get(name), dict) and KEY in content[name]
     ]
-    if not asked:
+    if not given_tables:
         return content
     try:
         body = {name: content[name] for name in _OF_THE_BODY if name in content}
         spec = ObjectSpec.model_validate(body)
     except ValidationError:  # told with all other problems of the specification
-        return content | {name: _without(content[name]) for name in asked}
-    return content | {name: _in_mm(spec, name, content[name]) for name in asked}
+        return content | {name: _drop_fractions(content[name]) for name in given_tables}
+    return content | {name: _convert_to_mm(spec, name, content[name]) for name in given_tables}
 
 
-def _without(table: dict[str, Any]) -> dict[str, Any]:
+def _drop_fractions(table: dict[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in table.items() if key != KEY}
 
 
-def _in_mm(spec: ObjectSpec, name: str, table: dict[str, Any]) -> dict[str, Any]:
+def _convert_to_mm(spec: ObjectSpec, name: str, table: dict[str, Any]) -> dict[str, Any]:
     if "positions_mm" in table:
         raise SpecError(
             f"{name}.{KEY} and {name}.positions_mm say both where they are. Leave one of the two out"
@@ -54,17 +54,17 @@ def _in_mm(spec: ObjectSpec, name: str, table: dict[str, Any]) -> dict[str, Any]
     frames = face_frames(spec) if in_shell else core_frames(spec)
     lists = lists_by_face(name, table[KEY], len(frames))
     places = [
-        (np.array(one, float) * frame.half_extents_mm).round(4).tolist()
-        for one, frame in zip(lists, frames, strict=True)
+        (np.array(fractions, float) * frame.half_extents_mm).round(4).tolist()
+        for fractions, frame in zip(lists, frames, strict=True)
     ]
-    return _without(table) | {"positions_mm": places}
+    return _drop_fractions(table) | {"positions_mm": places}
 
 
 def lists_by_face(name: str, given: Any, faces: int) -> list[Any]:
     """One list of pairs for each face."""
     try:
         lists = given if isinstance(given[0][0], list | tuple) else [given] * faces
-        pairs = [np.array(one, float) for one in lists]
+        pairs = [np.array(fractions, float) for fractions in lists]
         fits = all(p.ndim == 2 and p.shape[1] == 2 and abs(p).max() <= 1 for p in pairs)
     except (IndexError, KeyError, TypeError, ValueError):
         fits, lists = False, []

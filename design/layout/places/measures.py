@@ -23,13 +23,13 @@ from design.layout.places.positions import (
     shell_body_layout,
 )
 from design.layout.pockets import shell_bodies
+from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
-from design.spec.worked_out import once
 
 Measure = Literal["border_mm", "magnet_mm", "path_mm", "curvature_per_mm"]
 MEASURES: tuple[Measure, ...] = ("border_mm", "magnet_mm", "path_mm", "curvature_per_mm")
 SENSOR_SHARE = 0.6
-"""Of a magnet's distance to its nearest sensor, in the signal path (docs/measured/studies.md)."""
+"""Share of a magnet's distance to its nearest sensor, in the signal path (docs/measured/studies.md)."""
 LONGEST_PATH_MM = 15.0
 """Signal path to which position bounds keep 1.5 mm at 8 N, in the median (docs/measured/studies.md)."""
 _BORDER_POINTS = 120
@@ -42,7 +42,7 @@ _SLOPE_STEP_MM = 0.05
 
 @dataclass(frozen=True)
 class PlaceMeasures:
-    """Where every contact location lies on the body; NaN at places that a face has not.
+    """Measures of where every contact location lies on the body; NaN at places that a face has not.
 
     Attributes
     ----------
@@ -61,26 +61,26 @@ class PlaceMeasures:
     curvature_per_mm: Float[np.ndarray, "face place"]
 
 
-@once
+@cached_geometry
 def place_measures(spec: ObjectSpec) -> PlaceMeasures:
     """Measures of every contact location of every sensed face; needs no mechanics."""
     xy, frames = contact_grid(spec).xy_mm, face_frames(spec)
     spots, moving = spots_over_bodies(spec), shell_body_layout(spec).centre_mm
     fixed = sensor_layout(spec) if spec.arrangement == "sensors-in-core" else magnet_layout(spec)
     centres = fixed.position_mm if isinstance(fixed, SensorLayout) else fixed.centre_mm
-    found = np.full((len(MEASURES), len(frames), len(xy)), np.nan)
-    for row, (frame, there) in enumerate(zip(frames, contact_places(spec), strict=True)):
-        own = frame.to_plane(xy[there])
-        touched = frame.to_object(np.column_stack([own, np.zeros(len(own))]))
+    measures = np.full((len(MEASURES), len(frames), len(xy)), np.nan)
+    for row, (frame, has_place) in enumerate(zip(frames, contact_places(spec), strict=True)):
+        plane_mm = frame.to_plane(xy[has_place])
+        touched = frame.to_object(np.column_stack([plane_mm, np.zeros(len(plane_mm))]))
         away = np.linalg.norm(touched[:, None] - spots, axis=-1)
         path = signal_paths_mm(away, moving, centres[fixed.face == frame.number])
-        found[:, row, there] = (
-            border_distance_mm(frame, own),
+        measures[:, row, has_place] = (
+            border_distance_mm(frame, plane_mm),
             away.min(axis=1),
             path,
-            curvature(frame, own),
+            curvature(frame, plane_mm),
         )
-    return PlaceMeasures(*found)
+    return PlaceMeasures(*measures)
 
 
 def spots_over_bodies(spec: ObjectSpec) -> Float[np.ndarray, "body 3"]:
@@ -120,7 +120,7 @@ def border_distance_mm(frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]) -> Flo
         )
     share = np.linspace(0, 1, _PATH_STEPS + 1)[:, None]
     way = xy_mm[:, None, None] + share * (ends - xy_mm[:, None])[:, :, None]
-    height, _ = frame.relief.at(way * (1 - 1e-9))
+    height, _ = frame.relief.evaluate(way * (1 - 1e-9))
     points = np.concatenate([way, height[..., None]], axis=-1)
     steps = np.linalg.norm(np.diff(points, axis=2), axis=-1)
     return np.asarray(steps.sum(axis=2).min(axis=1))
@@ -128,10 +128,10 @@ def border_distance_mm(frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]) -> Flo
 
 def curvature(frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
     """Mean curvature of the surface at places, 1/mm, positive where it bulges out."""
-    _, slope = frame.relief.at(xy_mm)
+    _, slope = frame.relief.evaluate(xy_mm)
     bend = np.stack(
         [
-            (frame.relief.at(xy_mm + step)[1] - frame.relief.at(xy_mm - step)[1])
+            (frame.relief.evaluate(xy_mm + step)[1] - frame.relief.evaluate(xy_mm - step)[1])
             / (2 * _SLOPE_STEP_MM)
             for step in _SLOPE_STEP_MM * np.eye(2)
         ],

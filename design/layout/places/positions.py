@@ -20,16 +20,16 @@ from design.layout.pockets import (
     Body,
     Outline,
     board_frame,
-    by_sensed_face,
+    lists_of_sensed_faces,
     magnet_bodies,
     sensor_boards,
     sensor_places,
     shell_bodies,
 )
 from design.spec.assembly import BuiltMagnet
+from design.spec.cached_geometry import cached_geometry
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec, SensorSpec
-from design.spec.worked_out import once
 
 
 @dataclass(frozen=True)
@@ -84,18 +84,18 @@ class ShellBodies:
         return np.array([body.volume_mm3 for body in self.bodies])
 
 
-@once
+@cached_geometry
 def shell_body_layout(spec: ObjectSpec) -> ShellBodies:
     """Return what moves with the silicone, face by face."""
     bodies = shell_bodies(spec)
-    every = tuple(body for face in bodies for body in face)
-    return ShellBodies(*_in_object(face_frames(spec), bodies), every)
+    all_bodies = tuple(body for face in bodies for body in face)
+    return ShellBodies(*_transform_to_object(face_frames(spec), bodies), all_bodies)
 
 
 def cover_mm(frame: FaceFrame, body: Body) -> float:
     """Silicone over a rigid body of a face, where it is thinnest; negative where the body stands out.
 
-    Measured from the rims of both its ends along the surface's normals; NaN beside the patch.
+    Measured from the rims of both its ends along the surface's normals; NaN off the patch.
     """
     return float(covers_mm(frame, (body,))[0])
 
@@ -108,7 +108,7 @@ def covers_mm(frame: FaceFrame, bodies: tuple[Body, ...]) -> Float[np.ndarray, "
     return np.array([-heights.max() for heights in np.split(above, ends[:-1])])
 
 
-@once
+@cached_geometry
 def shell_covers_mm(spec: ObjectSpec) -> tuple[Float[np.ndarray, "body"], ...]:
     """The same of all that moves with the silicone, face by face."""
     faces = zip(face_frames(spec), shell_bodies(spec), strict=True)
@@ -130,12 +130,12 @@ def _rims_mm(frame: FaceFrame, body: Body) -> Float[np.ndarray, "point 3"]:
     return frame.to_object(body.centre_mm) + np.concatenate(ends) @ axes.T
 
 
-@once
+@cached_geometry
 def magnet_layout(spec: ObjectSpec) -> MagnetLayout:
     """All magnets, face by face, as designed or as `as_built` found them; axes point north."""
     in_shell = spec.arrangement == "sensors-in-core"
     frames = face_frames(spec) if in_shell else core_frames(spec)
-    centre, frame, face = _in_object(frames, magnet_bodies(spec))
+    centre, frame, face = _transform_to_object(frames, magnet_bodies(spec))
     north = np.tile(spec.magnets.polarities, len(frames))[:, None] * frame[:, :, 2]
     strength, size = (
         np.tile(each, len(frames)) for each in (spec.magnets.strengths, spec.magnets.size_numbers)
@@ -151,7 +151,7 @@ _RIM = np.array(
 """Points round a rectangle, in shares of its half edges."""
 
 
-@once
+@cached_geometry
 def sensor_layout(spec: ObjectSpec) -> SensorLayout:
     """All sensors, face by face, as designed or as `as_built` found them; azimuths run
     counter-clockwise from x, seen from outside.
@@ -163,7 +163,7 @@ def sensor_layout(spec: ObjectSpec) -> SensorLayout:
         frames, bodies = core_frames(spec), _sensors_in_core(spec)
     else:
         frames, bodies = face_frames(spec), sensor_boards(spec)
-    centre, frame, face = _in_object(frames, bodies)
+    centre, frame, face = _transform_to_object(frames, bodies)
     if spec.sensors.rotations_deg is None:
         axes = (frame @ chip_on_board(spec.sensors)).transpose(0, 2, 1)
     else:
@@ -175,7 +175,7 @@ def _turned_chips(
     spec: ObjectSpec, frames: tuple[FaceFrame, ...], bodies: tuple[tuple[Body, ...], ...]
 ) -> Float[np.ndarray, "sensor 3 3"]:
     """Chip axes as rows by `sensors.rotations_deg`, from the axes of the face where each chip is."""
-    lists = by_sensed_face(spec, spec.sensors.rotations_deg or ())
+    lists = lists_of_sensed_faces(spec, spec.sensors.rotations_deg or ())
     return np.stack(
         [
             (frame.axes_at(body.centre_mm[:2]) @ rotation_matrix(vector)).T
@@ -206,9 +206,9 @@ def board_places(spec: ObjectSpec) -> list[tuple[FaceFrame, list[BoardPlace]]]:
     return [(frame, list(zip(places, sinks, strict=True))) for frame, places, sinks in faces]
 
 
-@once
+@cached_geometry
 def board_sinks_mm(spec: ObjectSpec) -> tuple[tuple[float, ...], ...]:
-    """By how much every board lies deeper than on a flat core, sensed face by face (mm).
+    """Depth by which every board lies deeper than on a flat core, sensed face by face (mm).
 
     Under a flat board a curved core falls away: the board, its chip and the recess's floor go down
     until no corner stands out of the core into the silicone. 0 on flat faces; NaN where a board
@@ -230,8 +230,8 @@ class MountedStack:
 
 
 def mounted_stack(spec: ObjectSpec, place: tuple[float, float, float]) -> MountedStack:
-    """As on a flat core: a chip that faces inward hangs under a board that is flush with the face,
-    one that faces outward stands on a board on the recess's floor."""
+    """Stack of board and chip as on a flat core: a chip that faces inward hangs under a board that is
+    flush with the face, one that faces outward stands on a board on the recess's floor."""
     core, sensors, (x, y, azimuth) = spec.core, spec.sensors, place
     middle = (core.recess_inner_radius_mm + core.recess_outer_radius_mm) / 2
     radial = np.array([np.cos(azimuth), np.sin(azimuth)])
@@ -245,7 +245,7 @@ def mounted_stack(spec: ObjectSpec, place: tuple[float, float, float]) -> Mounte
 def sinks_of_boards_mm(
     spec: ObjectSpec, frame: FaceFrame, places: Float[np.ndarray, "board 3"]
 ) -> Float[np.ndarray, "board"]:
-    """By how much boards at (x, y, azimuth) of a core's patch lie deeper than on a flat core (mm).
+    """Depth by which boards at (x, y, azimuth) of a core's patch lie deeper than on a flat core (mm).
 
     As deep as the point round board or chip that needs most, down along the normal at the place: a
     corner, or on a saddle the middle of an edge.
@@ -258,10 +258,12 @@ def sinks_of_boards_mm(
     touching = frame.to_object(np.column_stack([xy, np.zeros(len(xy))]))
     # b body, c corner, j own axis in the plane (x, y), i object coordinate
     points = touching[:, None] + np.einsum("bij,bcj->bci", axes[..., :2], corners)
-    along = np.repeat(axes[..., 2], corners.shape[1], axis=0)
+    normals = np.repeat(axes[..., 2], corners.shape[1], axis=0)
     points = points.reshape(-1, 3)
     fall = np.sum(
-        (frame.in_plane(points) - frame.onto(points, along)) * (along @ frame.axes), axis=1
+        (frame.plane_coordinates(points) - frame.project_along(points, normals))
+        * (normals @ frame.axes),
+        axis=1,
     )
     return np.maximum(0.0, (fall.reshape(len(xy), -1) + tops).max(axis=1))
 
@@ -295,7 +297,7 @@ def rotation_matrix(vector_deg: tuple[float, float, float]) -> Float[np.ndarray,
     return rotation + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * across @ across
 
 
-def _in_object(
+def _transform_to_object(
     frames: tuple[FaceFrame, ...], bodies: tuple[tuple[Body, ...], ...]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Centres, axes as columns and faces of bodies given face by face in the faces' own frames."""
@@ -331,27 +333,27 @@ def magnets_as_built(
     """Magnets where `as_built` found them; `frames` are those of the surfaces that they sit under."""
     layout = designed
     of_face = {frame.number: frame for frame in frames}
-    for found in spec.as_built.magnets:
-        row = _row(layout.face, found.face, found.magnet)
-        layout = _with_magnet(spec, layout, row, found, of_face[found.face])
+    for built in spec.as_built.magnets:
+        row = _row(layout.face, built.face, built.magnet)
+        layout = _with_magnet(spec, layout, row, built, of_face[built.face])
     return layout
 
 
 def _with_magnet(
-    spec: ObjectSpec, layout: MagnetLayout, row: int, found: BuiltMagnet, frame: FaceFrame
+    spec: ObjectSpec, layout: MagnetLayout, row: int, built: BuiltMagnet, frame: FaceFrame
 ) -> MagnetLayout:
     centre, axis, side, strength = (
         given.copy() for given in (layout.centre_mm, layout.axis, layout.side, layout.strength)
     )
-    if found.centre_mm is not None:
-        centre[row] = frame.to_object(np.array(found.centre_mm))
-    if found.axis is not None:
-        axis[row] = _unit(frame.axes @ np.array(found.axis))
+    if built.centre_mm is not None:
+        centre[row] = frame.to_object(np.array(built.centre_mm))
+    if built.axis is not None:
+        axis[row] = _unit(frame.axes @ np.array(built.axis))
         side[row] = _unit(side[row] - (side[row] @ axis[row]) * axis[row])
-    if found.flipped:
+    if built.flipped:
         axis[row] = -axis[row]
-    if found.remanence_t is not None:
-        strength[row] = found.remanence_t / spec.magnets.remanences_t[0]
+    if built.remanence_t is not None:
+        strength[row] = built.remanence_t / spec.magnets.remanences_t[0]
     return replace(layout, centre_mm=centre, axis=axis, side=side, strength=strength)
 
 
@@ -363,23 +365,24 @@ def sensors_as_built(
 
     of_face = {frame.number: frame for frame in frames}
     position, axes = designed.position_mm.copy(), designed.axes.copy()
-    for found in spec.as_built.sensors:
-        row, frame = _row(designed.face, found.face, found.sensor), of_face[found.face]
-        if found.position_mm is not None:
-            position[row] = frame.to_object(np.array(found.position_mm))
-        turn = Rotation.from_rotvec(frame.axes @ np.deg2rad(found.rotation_deg)).as_matrix()
+    for built in spec.as_built.sensors:
+        row, frame = _row(designed.face, built.face, built.sensor), of_face[built.face]
+        if built.position_mm is not None:
+            position[row] = frame.to_object(np.array(built.position_mm))
+        turn = Rotation.from_rotvec(frame.axes @ np.deg2rad(built.rotation_deg)).as_matrix()
         axes[row] = axes[row] @ turn.T
     return replace(designed, position_mm=position, axes=axes)
 
 
 def live_channels(spec: ObjectSpec) -> Bool[np.ndarray, "sensor 3"]:
-    """Return which channels work: the axes that the part measures, but those that `as_built` calls dead."""
+    """Return which channels work: the axes that the part measures, but the ones that `as_built` calls
+    dead."""
     count, faces = spec.sensors.count_per_face, spec.body.sensed
     live = np.zeros((len(faces) * count, 3), bool)
     live[:, [_AXIS_NAMES.index(axis) for axis in spec.sensors.axes]] = True
-    for found in spec.as_built.sensors:
-        row = faces.index(found.face) * count + found.sensor - 1
-        live[row, [_AXIS_NAMES.index(axis) for axis in found.dead]] = False
+    for built in spec.as_built.sensors:
+        row = faces.index(built.face) * count + built.sensor - 1
+        live[row, [_AXIS_NAMES.index(axis) for axis in built.dead]] = False
     return live
 
 

@@ -18,7 +18,7 @@ from design.errors import InputError
 from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from estimator.field.models import MagnetsModel, magnets_model
-from estimator.signals.field_setup import Scene, at_rest, min_distance_mm, scene, sensed_field
+from estimator.signals.field_setup import Scene, min_distance_mm, scene, sensed_field, zero_motion
 from fem.presses.results import MagnetMotions
 
 SYMMETRIES = tuple(
@@ -113,13 +113,13 @@ class TravelModel:
     ) -> Float[np.ndarray, "press sensor 3"]:
         """Change of the flux density (mT) along the chips' axes with the magnets moved."""
         placed = _placed(self.scene, twin)
-        still = sensed_field(placed, at_rest(placed), self.field)
+        still = sensed_field(placed, zero_motion(placed), self.field)
         return self._along_chips(sensed_field(placed, motion, self.field) - still)
 
     def resting(self, twin: Twin) -> Float[np.ndarray, "sensor 3"]:
         """Flux density (mT) along the chips' axes without a press."""
         placed = _placed(self.scene, twin)
-        return self._along_chips(sensed_field(placed, at_rest(placed), self.field))[0]
+        return self._along_chips(sensed_field(placed, zero_motion(placed), self.field))[0]
 
     def pressed(
         self, twin: Twin, tip_mm: Float[np.ndarray, "press 3"]

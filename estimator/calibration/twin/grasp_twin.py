@@ -155,8 +155,8 @@ def calibrate_on_cases(
     mechanics = GraspMechanics(unknowns, forces, motions, seen)
     counts = seen.counts.reshape(-1, len(seen.channels))
     nothing = np.zeros(len(unknowns))
-    of_design = left_share(seen, counts - mechanics.expected(nothing))
-    first = float(np.clip(np.sqrt(np.mean(of_design**2)) / 2, SIZES[0], SIZES[-1]))
+    design_motion = left_share(seen, counts - mechanics.expected(nothing))
+    first = float(np.clip(np.sqrt(np.mean(design_motion**2)) / 2, SIZES[0], SIZES[-1]))
     progress(f"fitting {len(seen)} cases")
     fitted, here, jacobian = most_probable(mechanics, left_over_of(seen, first), counts, nothing)
     right = counts - here + jacobian @ fitted
@@ -172,10 +172,12 @@ def calibrate_on_cases(
         np.clip(numbers, -FARTHEST, FARTHEST),
         np.sqrt(covariance[_MODULUS, _MODULUS]),
     )
-    if not np.mean(shares**2) < np.mean(of_design**2):
+    if not np.mean(shares**2) < np.mean(design_motion**2):
         numbers, modulus, left = nothing, 1.0, counts - mechanics.expected(nothing)
     error = spec.tolerances.modulus_relative * float(modulus)
-    return GraspTwin(unknowns, numbers, error, left.reshape(seen.counts.shape), shares, of_design)
+    return GraspTwin(
+        unknowns, numbers, error, left.reshape(seen.counts.shape), shares, design_motion
+    )
 
 
 def _solved(

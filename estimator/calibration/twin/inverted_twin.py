@@ -17,7 +17,8 @@ from estimator.frames.dataset import NO_FACE
 from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import Inversion, inversion
 from estimator.inversion.model.forward import NONE
-from estimator.inversion.model.noise import BLIND, MESH_ERROR, design_error
+from estimator.inversion.model.noise import MESH_ERROR, design_error
+from estimator.inversion.problems import BLIND
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -114,12 +115,11 @@ def beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) ->
     counts, left = np.full((2, cases * levels, model.channels), np.nan)
     counts[:, seen.channels] = seen.counts.reshape(cases * levels, -1)
     left[:, seen.channels] = twin.left.reshape(cases * levels, -1)
-    sigma = inversion.disturbances.observed(counts).sigma
-    slopes = model.singles(face, contact)[:, :, 1:].reshape(len(face), -1, model.channels)
-    slopes = slopes / sigma[:, None]
+    white = inversion.disturbances.observed(counts).white
+    slopes = white(model.singles(face, contact)[:, :, 1:].reshape(len(face), -1, model.channels))
     # Jᵀr of what is left over: r row (case and level), p parameter, c channel. Then pullᵀ (JᵀJ)⁻¹ pull is
     # the squared shift of the parameters in standard deviations.
-    pull = np.einsum("rpc,rc->rp", slopes, np.nan_to_num(left) / sigma)
+    pull = np.einsum("rpc,rc->rp", slopes, white(np.nan_to_num(left)[:, None])[:, 0])
     inverse = np.linalg.pinv(slopes @ slopes.transpose(0, 2, 1), rcond=1e-9, hermitian=True)
     square = np.einsum("rp,rpq,rq->r", pull, inverse, pull)
     return float(np.sqrt(np.mean(square / (3 * np.sum(face != NONE, axis=1)))))
@@ -133,9 +133,9 @@ def _with_face(whole: Signals, one: Signals, face: int) -> Signals:
 
 
 def _errors(
-    spec: ObjectSpec, of_design: float, left: Mapping[int, float]
+    spec: ObjectSpec, design_motion: float, left: Mapping[int, float]
 ) -> Float[np.ndarray, "sensor 1"]:
-    of_face = [left.get(face, of_design) for face in sensor_layout(spec).face.tolist()]
+    of_face = [left.get(face, design_motion) for face in sensor_layout(spec).face.tolist()]
     return np.array(of_face)[:, None]
 
 

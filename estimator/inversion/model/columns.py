@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, TypeVar
 
-import numpy as np
 from jaxtyping import Bool, Int
 
-from estimator.inversion.model.arrays import concatenated, rows_of
+from estimator.inversion.model.arrays import Array, concatenated, rows_of
 
 Kind = TypeVar("Kind", bound="Columns")
 
@@ -19,7 +18,7 @@ class Columns:
     def __len__(self) -> int:
         return len(self._columns()[0])
 
-    def select(self: Kind, rows: Int[np.ndarray, "n"] | Bool[np.ndarray, "all"]) -> Kind:
+    def select(self: Kind, rows: Int[Array, "n"] | Bool[Array, "all"]) -> Kind:
         """The given rows, in order."""
         return type(self)(*(rows_of(column, rows) for column in self._columns()))
 

@@ -111,22 +111,27 @@ class Dictionary:
     ) -> tuple[Float[Array, "problem press"], Float[Array, "problem press"]]:
         """By how much each press would lower the misfit, and its force over the dictionary's."""
         frame = like(seen.sigma, level.frame)
-        weight = 1 / seen.sigma[frame]
+        white = seen.white.select(frame)
         slots = int(level.number.max(initial=0))
         counts, squared = self._both
-        left = (seen.counts[frame] - level.extra) * weight
-        length = float32(weight * weight) @ squared
+        left = seen.counts[frame] - level.extra
+        length = float32(white.weight**2) @ squared
+        # Rows whose products with a press, squared, are what its length loses: to nuisances, contacts
+        rows = [white.taken()]
         if slots:
-            face, contact = (like(weight, part[:, :slots]) for part in (level.face, level.contact))
-            singles = model.singles(face, contact) * weight[:, None, None]
-            left = left - singles[:, :, 0].sum(axis=1)
+            face, contact = (like(left, part[:, :slots]) for part in (level.face, level.contact))
+            singles = model.singles(face, contact)
+            left = white((left - singles[:, :, 0].sum(axis=1))[:, None])
             jacobian = singles[:, :, 1:].reshape(len(level), 3 * slots, model.channels)
-            basis = _basis(jacobian)
-            left = left - ((basis @ left[..., None]).swapaxes(1, 2) @ basis)[:, 0]
-            shared = float32(basis * weight[:, None]) @ counts
-            taken = (shared * shared).sum(axis=1)
-            length = library(length).maximum(length - taken, 1e-3 * length)
-        along = float32(left * weight) @ counts
+            basis = _basis(white(jacobian))
+            left = left - (left @ basis.swapaxes(1, 2)) @ basis
+            rows.append(white.transposed(basis))
+        else:
+            left = white(left[:, None])
+        for part in rows:
+            shared = float32(part) @ counts
+            length = library(length).maximum(length - (shared * shared).sum(axis=1), 1e-3 * length)
+        along = float32(white.transposed(left)[:, 0]) @ counts
         scale = (along / length).clip(*_SCALES)
         return scale * along - 0.5 * scale * scale * length, scale
 
@@ -201,7 +206,7 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
 
 def _on_face(model: ContactModel, face: int, tips_mm: Float[np.ndarray, "tip 2"]) -> bool:
     contact = np.column_stack([tips_mm, np.zeros(len(tips_mm))])[None]
-    stays = model.on_faces(np.full((1, len(tips_mm)), face), contact)
+    stays = model.select_faces(np.full((1, len(tips_mm)), face), contact)
     return bool(np.allclose(stays, contact, atol=1e-6))
 
 

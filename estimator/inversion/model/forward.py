@@ -131,7 +131,7 @@ class ContactModel:
         nx, ny = press_lattice(self.spec).shape
         return rectangles * sum(map(len, self.cells)) / (faces * (nx - 1) * (ny - 1))
 
-    def on_faces(
+    def select_faces(
         self,
         face: Int[Array, "problem contact"],
         contact: Float[Array, "problem contact 3"],
@@ -288,7 +288,7 @@ def contact_model(
             "Simulate them (stage shear), or set it to 0"
         )
     place = designed(spec).scene
-    nearest = min_distance_mm(place, motions.every)
+    nearest = min_distance_mm(place, motions.all_motions)
     return ContactModel(
         spec,
         signal_table(signals),

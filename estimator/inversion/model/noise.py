@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from jaxtyping import Float, Int
 
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
-from estimator.inversion.problems import Observed
+from estimator.inversion.problems import BLIND, Observed
+from estimator.signals.nuisances import Nuisance, nuisances
 from estimator.signals.presses import Signals
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 from fem.presses.results import MagnetMotions, PressForces
 
 _ROUNDING = 12**-0.5
 """Standard deviation of rounding to whole counts."""
-BLIND = 1e9
-"""Standard deviation (counts) of a channel that says nothing."""
 SUM_ERROR, MESH_ERROR = 0.006, 0.02
 """Of the signals: what summing the motions of contacts costs, and what meshes of one design do."""
 _OBJECTS = 3
@@ -38,12 +38,20 @@ class Disturbances:
     model_error : (channel,) of the forward model, relative to the change that a chip shows. It turns
         chips and magnets as much as it scales them, so that all axes of a chip get their share.
     force_error : of the modulus, and so of all forces, relative; no signal shows it
+    nuisances : that add to all channels together
     """
 
     noise_counts: Float[np.ndarray, "channel"]
     offset_counts: Float[np.ndarray, "channel"]
     model_error: Float[np.ndarray, "channel"]
     force_error: float = 0.0
+    nuisances: tuple[Nuisance, ...] = ()
+
+    @cached_property
+    def columns(self) -> Float[np.ndarray, "channel k"]:
+        """Counts of the nuisances, a standard deviation of each."""
+        none = np.zeros((len(self.noise_counts), 0))
+        return np.hstack([none, *(one.columns for one in self.nuisances)])
 
     def observed(
         self,
@@ -64,13 +72,14 @@ class Disturbances:
         strict = np.minimum(self.model_error, MOST_ERROR)
         sigmas = own, np.hypot(own, self.model_error * change), np.hypot(own, strict * change)
         still, sigma, strict = (np.where(missing, BLIND, one) for one in sigmas)
-        return Observed(counts, sigma, still, strict)
+        return Observed(counts, sigma, still, strict, self.columns)
 
 
 def disturbances(
     spec: ObjectSpec, model_error: float | Float[np.ndarray, "sensor 1"], force_error: float
 ) -> Disturbances:
-    """As the specification has them: white noise, `zeroing_counts` and `inversion.drift_counts`.
+    """As the specification has them: white noise, `zeroing_counts`, `inversion.drift_counts`, and what
+    its use changes after the zero.
 
     The forward model is wrong by `model_error`, of all sensors or of each, and by what adding up
     contacts costs (`SUM_ERROR`). Axes that the part does not measure, and dead ones, say nothing.
@@ -79,7 +88,7 @@ def disturbances(
     noise = np.where(live, np.asarray(spec.sensors.noise_counts, float), BLIND).ravel()
     offset = np.full(live.size, np.hypot(spec.sensors.zeroing_counts, spec.inversion.drift_counts))
     error = np.hypot(np.broadcast_to(model_error, live.shape), SUM_ERROR)
-    return Disturbances(noise, offset, error.ravel(), force_error)
+    return Disturbances(noise, offset, error.ravel(), force_error, nuisances(spec))
 
 
 def design_error(

@@ -11,12 +11,12 @@ from scipy.interpolate import RectBivariateSpline
 from torch import Tensor
 
 from design.body.surface_chart import FaceFrame
-from design.fit.boards import beyond_core_mm
+from design.fit.boards import distance_beyond_core_mm
 from design.fit.curved import room_for_recesses
 from design.layout.body import body_of, face_frames
+from design.spec.cached_geometry import cached_geometry
 from design.spec.magnets import MagnetSize
 from design.spec.object import ObjectSpec
-from design.spec.worked_out import once
 from estimator.layouts.batch import Layouts
 from estimator.layouts.limits.gaps import (
     Prisms,
@@ -145,7 +145,7 @@ def unsealed_mm(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[T
         radius, half = outlines_mm(spec, depth.dtype)
         cover = depth - radius * tilted - up * half
     else:
-        covers, which = covers_of(spec)[surface.number], spec.magnets.by_size
+        covers, which = covers_of(spec)[surface.number], spec.magnets.numbers_by_size
         parts = [
             pointwise(size_cover.at, layouts.magnet_mm[:, magnets])[..., 0]
             for size_cover, magnets in zip(covers, which, strict=True)
@@ -177,7 +177,7 @@ class _Cover:
         return (shallow + share * (deep - shallow))[:, None]
 
 
-@once
+@cached_geometry
 def covers_of(spec: ObjectSpec) -> dict[int, tuple[_Cover, ...]]:
     """Return the covers of every curved face, for a magnet of each of the specification's sizes."""
     return {
@@ -280,7 +280,9 @@ def boards_past_edges(
     # Corners of the floor: axis 2 points outwards, so the floor is at −1. `beyond` is < 0 inside the core.
     signs = torch.tensor([[1.0, 1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, -1]]).to(half)
     floors = centre[..., None, :] + (signs * half[..., None, :]) @ axes
-    beyond = pointwise(lambda points: beyond_core_mm(spec, points)[:, None], floors)[..., 0]
+    beyond = pointwise(lambda points: distance_beyond_core_mm(spec, points)[:, None], floors)[
+        ..., 0
+    ]
     thin = torch.relu(beyond + spec.printer.wall_mm + SLACK_MM).amax(dim=-1)
     # How far from the face's middle a board has room, in the direction of this one.
     reach = pointwise(lambda xy: surface.reach_mm(xy)[:, None], place)[..., 0]

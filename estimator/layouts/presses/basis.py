@@ -226,7 +226,7 @@ def press_bases(
         adjoining,
         # p in another face's frame is turn · p + shift in this one's: axes are columns
         tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
-        tensor([here.in_plane(frame.centre_mm) for frame in others]).reshape(-1, 3),
+        tensor([here.plane_coordinates(frame.centre_mm) for frame in others]).reshape(-1, 3),
         tensor(motions.deepest_n[row][located]),
         np.full(len(located), np.nan),
         held,
@@ -273,7 +273,7 @@ def _tables(
 
     rows, basis = compressed([own], of_modes, scale, ranks[0])
     if here.flat:
-        rows = [with_turns(rows[0], lattices[face], motions.turns_with_plane)]
+        rows = [with_turns(rows[0], lattices[face], motions.jeffery_parameter)]
     adjoining = _nothing(of_modes, dtype)
     if moving:
         adjoining = table(adjacent, *compressed(moving, of_modes, scale, ranks[1]))

@@ -108,7 +108,7 @@ def _press_changes(
     scorer: LayoutScorer, layouts: Layouts, channels: ChannelChanges
 ) -> PressChanges:
     moving, motions = [], []
-    for presses, bodies, which in scorer.of_each_size(layouts):
+    for presses, bodies, which in scorer.size_variants(layouts):
         rows, tables = mixed_rows(presses, bodies), (presses.own, presses.other)
         count = bodies.magnet_mm.shape[1]
         motions.append((which, presses, rows[0].reshape(len(layouts), count, 6, -1)))
@@ -209,7 +209,7 @@ def field_at(
     reach: Reach,
 ) -> FieldChange:
     """Return `field_of_magnets` for the scorer's sizes of magnets."""
-    which = scorer.spec.magnets.by_size
+    which = scorer.spec.magnets.numbers_by_size
     return field_of_magnets(scorer.sizes, which, sensor_mm, magnets, polarity, reach)
 
 

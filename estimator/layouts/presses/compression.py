@@ -50,7 +50,7 @@ def compressed(
 
 
 def with_turns(
-    rows: Float[np.ndarray, "node column"], lattice: FaceCandidates, turns_with_plane: float
+    rows: Float[np.ndarray, "node column"], lattice: FaceCandidates, jeffery_parameter: float
 ) -> Float[np.ndarray, "node wider"]:
     """Rows of a flat face, and by what the rotations grow with each rad about x, and about y.
 
@@ -73,7 +73,7 @@ def with_turns(
         change = np.einsum("...cdr,de->...cer", slopes, cross)
         change -= np.einsum("bc,...cdr->...bdr", cross, slopes)
         turned = np.einsum("bc,...cr->...br", cross, _turn_of_plane(slopes))
-        grown.append(turns_with_plane * (_turn_of_plane(change) + turned))
+        grown.append(jeffery_parameter * (_turn_of_plane(change) + turned))
     parts = [nodes, *(one[..., :TURN_RANK] for one in grown)]
     return np.concatenate([one.reshape(len(rows), -1) for one in parts], axis=1)
 

@@ -57,7 +57,7 @@ def student_bound(
     """Error below which a frame of a new group falls with the given probability, if groups err normally
     about 0.
 
-    Frames of a group err alike, so each of K groups tells the variance with one degree of freedom:
+    Frames of a group err alike, so each of K groups shows the variance with one degree of freedom:
     the bound is Student's t of K degrees times the root mean square over the groups. It serves where
     groups are too few for `conformal_quantile`, whose largest error covers K / (K + 1) alone.
     """

@@ -1,10 +1,10 @@
-"""Novelty of signals: how far from those that training covers, and how much wider intervals get there.
+"""Novelty of signals: how far from signals that training covers, and how much wider intervals get there.
 
 Novelty of a frame is the distance of arcsinh(ΔS / 3σ) to the nearest of some training frames, over
 the distance below which 95 % of the frames of held-out presses lie: above 1 the frame is novel.
 Intervals grow by slope · growth there. A Gaussian process answers where a frame is novel
-(`newness`, from 0 to 1), and this is also the growth; without one it is √(novelty − 1). The slopes
-are those that cover the errors at places left out, of the process or, without one, of trees, fitted
+(`gp_weight`, from 0 to 1), and this is also the growth; without one it is √(novelty − 1). The slopes
+cover the errors at places left out, of the process or, without one, of trees, fitted
 to the other places: whole contact cases are left out in turn, so that errors of what was never
 pressed set the widths, not those of new presses of known places.
 """
@@ -44,7 +44,7 @@ presses stay below 1.5, and places left out lie between 1.7 and 3.6."""
 
 @dataclass(frozen=True)
 class Slopes:
-    """Growth of intervals with `newness` or √(novelty − 1): N and mm."""
+    """Growth of intervals with `gp_weight` or √(novelty − 1): N and mm."""
 
     force_n: float
     place_mm: float
@@ -68,9 +68,11 @@ class Coverage(nn.Module):
 
     def distance(self, counts: Float[Tensor, "frame channel"]) -> Float[Tensor, "frame"]:
         """Distance to the nearest reference; in double precision, as squares cancel."""
-        seen = torch.asinh(counts / self.sigma_counts / SIGMA_SPAN).double()
-        known = self.reference.double()
-        square = (seen**2).sum(1, keepdim=True) + (known**2).sum(1) - 2 * seen @ known.T
+        scaled = torch.asinh(counts / self.sigma_counts / SIGMA_SPAN).double()
+        references = self.reference.double()
+        square = (
+            (scaled**2).sum(1, keepdim=True) + (references**2).sum(1) - 2 * scaled @ references.T
+        )
         return square.amin(dim=1).clamp(min=0.0).sqrt().float()
 
     def forward(self, counts: Float[Tensor, "frame channel"]) -> Float[Tensor, "frame"]:
@@ -83,7 +85,7 @@ def growth(novelty: Float[Tensor, "frame"]) -> Float[Tensor, "frame"]:
     return torch.relu(novelty - 1.0).sqrt()
 
 
-def newness(novelty: Float[Tensor, "frame"]) -> Float[Tensor, "frame"]:
+def gp_weight(novelty: Float[Tensor, "frame"]) -> Float[Tensor, "frame"]:
     """Share of the process in the answer: 0 up to novelty 1, 1 from `WHOLLY_NEW_FROM` on, smooth."""
     share = ((novelty - 1.0) / (WHOLLY_NEW_FROM - 1.0)).clamp(0.0, 1.0)
     return share**2 * (3 - 2 * share)
@@ -141,8 +143,8 @@ def slopes_at_places_left_out(
     parts = []
     for some in np.array_split(cases, min(PLACE_GROUPS, len(cases))):
         left_out = np.isin(data.frames.place_id, some) & data.contact
-        known, novel = data.select(~left_out), data.select(left_out)
-        parts.append(_missed(known, novel, channels, sigma_counts, scale, seed, of_process))
+        learned, novel = data.select(~left_out), data.select(left_out)
+        parts.append(_missed(learned, novel, channels, sigma_counts, scale, seed, of_process))
     case, missed, away, said_mm = (np.concatenate(column) for column in zip(*parts, strict=True))
     force, place = (
         conformal_quantile(score, case, cover, pooled_folds=not of_process)
@@ -155,7 +157,7 @@ def slopes_at_places_left_out(
 
 
 def _missed(
-    known: FaceData,
+    learned: FaceData,
     novel: FaceData,
     channels: tuple[Channel, ...],
     sigma_counts: Float[np.ndarray, "channel"],
@@ -163,17 +165,17 @@ def _missed(
     seed: int,
     of_process: bool,
 ) -> tuple[np.ndarray, ...]:
-    """Of frames at cases that were not learned: the case, errors of force (N) and place (mm) over the
+    """For frames at cases that were not learned, return the case, errors of force (N) and place (mm) over the
     growth there, and the place that was answered."""
     counts = torch.as_tensor(channel_counts(novel.frames, channels).astype(np.float32))
     with torch.inference_mode():
         if of_process:
             grown = np.ones(len(novel))
-            answer = fit_process(known, channels, seed)(counts)
+            answer = fit_process(learned, channels, seed)(counts)
         else:
-            distance = reference_of(known, channels, sigma_counts, 0).distance(counts)
+            distance = reference_of(learned, channels, sigma_counts, 0).distance(counts)
             grown = growth(distance.double() / scale).clamp(min=_LEAST_GROWTH).numpy()
-            answer = fit_forest(known, channels, PLACE_TREES, seed=0)(counts)
+            answer = fit_forest(learned, channels, PLACE_TREES, seed=0)(counts)
     force_n, xy_mm = (column.double().numpy() for column in answer)
     missed_n = np.abs(force_n - novel.heatmap_n.sum(axis=(1, 2)))
     away_mm = np.linalg.norm(xy_mm - novel.centre_mm, axis=1)

@@ -18,9 +18,9 @@ from estimator.networks.face_model import read_counts
 from estimator.networks.forest import Forest
 from estimator.networks.intervals.conformal import conformal_quantile
 from estimator.networks.intervals.coverage import (
+    gp_weight,
     growth,
     known_distance,
-    newness,
     reference_of,
     slopes_at_places_left_out,
 )
@@ -49,7 +49,7 @@ _LEAST_SPREAD = 1e-9
 
 @dataclass(frozen=True)
 class Fold:
-    """A network, what stands beside it, what they were fitted to, and presses that they never saw."""
+    """A network, its trees and process, what they were fitted to, and presses that they never saw."""
 
     member: nn.Module
     forest: Forest | None
@@ -60,7 +60,7 @@ class Fold:
 
 @dataclass(frozen=True)
 class HeldOutFrames:
-    """Of held-out contact frames, forces in N and places in mm; NaN of trees and process where there
+    """Answers in held-out contact frames, forces in N and places in mm; NaN of trees and process where there
     are none."""
 
     press_id: np.ndarray
@@ -89,14 +89,14 @@ def assembled(
 ) -> tuple[ContactEstimator, int]:
     """The estimator of all folds, and how many presses calibrated it.
 
-    `everything` is all that was shown: the novelty of a frame is told from it, and `forest` and
+    `everything` is all that was shown: the novelty of a frame is judged from it, and `forest` and
     `process` were fitted to it.
     """
     sigma = sigma_counts(everything, channels)
-    found = [held_out_answers(fold, channels, sigma, seed) for fold in folds]
+    fold_answers = [held_out_answers(fold, channels, sigma, seed) for fold in folds]
     held_out = HeldOutFrames(
         **{
-            name: np.concatenate([getattr(one, name) for one in found])
+            name: np.concatenate([getattr(answers, name) for answers in fold_answers])
             for name in HeldOutFrames.__dataclass_fields__
         }
     )
@@ -110,7 +110,7 @@ def assembled(
     coverage.place_slope_mm.fill_(slopes.place_mm)
     network = ContactEstimator([fold.member for fold in folds], coverage, forest, process)
     novelty = torch.as_tensor(held_out.distance / scale)
-    new = np.zeros(len(novelty)) if process is None else newness(novelty).numpy()
+    new = np.zeros(len(novelty)) if process is None else gp_weight(novelty).numpy()
     grown = growth(novelty).numpy() if process is None else new
     errors = blended_errors(network, held_out, new)
     widths = slopes.force_n * grown, slopes.place_mm * grown
@@ -153,15 +153,17 @@ def held_out_answers(
     data = fold.held_out.select(fold.held_out.contact)
     counts = channel_counts(data.frames, channels)
     network = read_counts(fold.member, counts)
-    seen = torch.as_tensor(counts.astype(np.float32))
+    count_tensor = torch.as_tensor(counts.astype(np.float32))
     nothing = np.full(len(data), np.nan), np.full((len(data), 2), np.nan)
     (trees_n, trees_mm), (process_n, process_mm) = nothing, nothing
     with torch.inference_mode():
-        distance = reference_of(fold.fitted, channels, sigma, seed).distance(seen)
+        distance = reference_of(fold.fitted, channels, sigma, seed).distance(count_tensor)
         if fold.forest is not None:
-            trees_n, trees_mm = (column.double().numpy() for column in fold.forest(seen))
+            trees_n, trees_mm = (column.double().numpy() for column in fold.forest(count_tensor))
         if fold.process is not None:
-            process_n, process_mm = (column.double().numpy() for column in fold.process(seen))
+            process_n, process_mm = (
+                column.double().numpy() for column in fold.process(count_tensor)
+            )
     return HeldOutFrames(
         press_id=data.frames.press_id,
         true_n=data.heatmap_n.sum(axis=(1, 2)),
@@ -184,10 +186,10 @@ def pitch_mm(data: FaceData) -> float:
     return float(steps.min()) if len(steps) else 1.0
 
 
-def _centre_mm(found: Prediction, data: FaceData) -> Float[np.ndarray, "frame 2"]:
+def _centre_mm(prediction: Prediction, data: FaceData) -> Float[np.ndarray, "frame 2"]:
     grids = np.meshgrid(data.frames.grid_x_mm, data.frames.grid_y_mm, indexing="ij")
     grid_mm = torch.as_tensor(np.stack(grids, axis=-1).reshape(-1, 2))
-    return heatmap_centre_mm(torch.as_tensor(found.heatmap_n[:, -1]), grid_mm).numpy()
+    return heatmap_centre_mm(torch.as_tensor(prediction.heatmap_n[:, -1]), grid_mm).numpy()
 
 
 def blended_errors(

@@ -15,12 +15,12 @@ from estimator.frames.dataset import PER_FRAME_FIELDS
 from estimator.frames.face_data import Channel, FaceData, channel_counts
 
 NEGATIVES_PER_CONTACT = 0.3
-"""At most so many rest frames, and as many with other faces pressed, per contact frame."""
+"""Most rest frames, and most frames with other faces pressed, per contact frame."""
 
 
 @dataclass(frozen=True)
 class Augmentation:
-    """Disturbances added to each training frame, drawn anew in every epoch.
+    """Disturbances added to each training frame, drawn again in every epoch.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class Augmentation:
 
 
 AUGMENTATION = {"simulated": Augmentation(10.0), "recorded": Augmentation(25.0)}
-"""By source of the data: real silicone creeps back late, so its rest level is less certain."""
+"""Augmentation by source of the data: real silicone creeps back late, so its rest level is less certain."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ def batch_of(
 
 @dataclass(frozen=True)
 class Disturbances:
-    """What disturbances are made of: white noise of each channel (counts), whether it is zeroed
+    """Parts of disturbances: white noise of each channel (counts), whether it is zeroed
     before a press (1) or a change over time (0), and signals with only other faces pressed."""
 
     sigma_counts: Float[Tensor, "channel"]
@@ -146,17 +146,17 @@ def thinned(data: FaceData, seed: int) -> FaceData:
     return data.select(np.sort(np.concatenate(kept)))
 
 
-def joined(one: FaceData, other: FaceData) -> FaceData:
+def joined(first: FaceData, second: FaceData) -> FaceData:
     """The frames of both."""
-    parts = (one.frames, other.frames)
+    parts = (first.frames, second.frames)
     columns = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in PER_FRAME_FIELDS
     }
     return FaceData(
-        one.face,
-        replace(one.frames, **columns, true_force_n=None, zero_error=None),
-        np.concatenate([one.force_maps_n, other.force_maps_n]),
-        np.concatenate([one.rest, other.rest]),
+        first.face,
+        replace(first.frames, **columns, true_force_n=None, zero_error=None),
+        np.concatenate([first.force_maps_n, second.force_maps_n]),
+        np.concatenate([first.rest, second.rest]),
     )
 
 

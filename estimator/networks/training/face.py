@@ -58,7 +58,7 @@ from estimator.networks.training.data import (
 from estimator.networks.training.fitting import Progress, Schedule, fit
 
 FINE_TUNING_RATE = 0.3
-"""Learning rate of a network that goes on from `start`, over that of one that starts anew."""
+"""Learning rate of a network that goes on from `start`, over that of one that starts from nothing."""
 _WEIGHT_DECAY = 1e-3
 """Weight decay of AdamW (Loshchilov and Hutter, 2019)."""
 _OTHER_FACES = 0.5
@@ -69,7 +69,7 @@ _NEXT_SEED = 7919
 
 @dataclass(frozen=True)
 class FitSettings:
-    """What is fitted, and how.
+    """Settings of what is fitted, and how.
 
     Attributes
     ----------
@@ -81,7 +81,7 @@ class FitSettings:
     continuous : the output is the position of one contact, also where training has no presses; otherwise
         a heatmap of any number of contacts
     axes : of the heatmap: 1 for the normal force, 3 for Fx, Fy, Fz
-    patience_epochs : a member stops after so many epochs without a better validation loss
+    patience_epochs : a member stops after this number of epochs without a better validation loss
     checkpoint : folder that keeps an unfinished training; it is resumed from there
     """
 
@@ -98,7 +98,7 @@ class FitSettings:
 
     @property
     def architecture(self) -> Architecture:
-        """Of a fresh estimator."""
+        """Architecture of a fresh estimator."""
         members = self.training.ensemble or 1
         return Architecture(self.training.hidden_units, self.axes, self.continuous, members)
 
@@ -129,7 +129,7 @@ def fit_estimator(
         shown = train_frames, validation_frames
         settings = replace(settings, training=filled_for(settings.training, shown, settings.face))
     else:
-        settings = replace(settings, training=_as_started(settings.training, start))
+        settings = replace(settings, training=_started_settings(settings.training, start))
     training, seed = settings.training, settings.seed
     parts = [
         prepared(frames, name, settings)
@@ -138,14 +138,14 @@ def fit_estimator(
     if start is not None:
         require_same_kind(start, settings, train_frames)
     channels = start.channels if start else common_channels(parts, training)
-    folds, every = [], folds_of(parts, settings)
-    for number, (fitted, held_out) in enumerate(every):
-        counted = None if progress is None else partial(_counted, progress, number, len(every))
+    folds, all_folds = [], folds_of(parts, settings)
+    for number, (fitted, held_out) in enumerate(all_folds):
+        counted = None if progress is None else partial(_counted, progress, number, len(all_folds))
         if start is None:
             member = new_member(fitted, channels, settings.architecture, seed + _NEXT_SEED * number)
         else:
-            before = start.network.members[number % len(start.network.members)]
-            member = cast(HeadsNetwork, copy.deepcopy(before))
+            start_member = start.network.members[number % len(start.network.members)]
+            member = cast(HeadsNetwork, copy.deepcopy(start_member))
         _fit_member(
             member, number, fitted, held_out, channels, settings, start is not None, counted
         )
@@ -201,8 +201,8 @@ def _described(
     )
 
 
-def _as_started(training: TrainingSpec, start: FaceModel) -> TrainingSpec:
-    """Networks that go on from others have nothing beside them: trees and processes cannot go on."""
+def _started_settings(training: TrainingSpec, start: FaceModel) -> TrainingSpec:
+    """Networks that go on from others stand alone: trees and processes cannot go on."""
     for name in ("trees", "process"):
         if value := getattr(training, name):
             raise InputError(
@@ -245,11 +245,12 @@ def require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet)
     )
     if start.face != settings.face or start.architecture != wanted or not same_grid:
         mine, theirs = vars(start.architecture), vars(wanted)
-        other = [f"{name} {mine[name]} (wanted {theirs[name]})" for name in mine
+        differences = [f"{name} {mine[name]} (wanted {theirs[name]})" for name in mine
                  if mine[name] != theirs[name]]  # fmt: skip
         raise InputError(
             f"the model to start from reads face {start.face} on {len(start.grid_x_mm)} × "
-            f"{len(start.grid_y_mm)} pixels{''.join(f', {one}' for one in other)}; wanted are face "
+            f"{len(start.grid_y_mm)} "
+            f"pixels{''.join(f', {difference}' for difference in differences)}; wanted are face "
             f"{settings.face} and the data's {len(frames.grid_x_mm)} × {len(frames.grid_y_mm)} pixels. "
             "Start from a model trained with the same training.* settings"
         )
@@ -257,9 +258,9 @@ def require_same_kind(start: FaceModel, settings: FitSettings, frames: FrameSet)
 
 def common_channels(parts: list[FaceData], training: TrainingSpec) -> tuple[Channel, ...]:
     """Channels that are live in all parts."""
-    every = training.model == "whole-object"
-    alive = set(live_channels(parts[1], every))
-    channels = tuple(channel for channel in live_channels(parts[0], every) if channel in alive)
+    all_faces = training.model == "whole-object"
+    alive = set(live_channels(parts[1], all_faces))
+    channels = tuple(channel for channel in live_channels(parts[0], all_faces) if channel in alive)
     if not channels:
         raise InputError(
             f"no channel of face {parts[0].face} has readings in all frames. Leave that "

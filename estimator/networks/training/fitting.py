@@ -37,11 +37,11 @@ SAVE_EVERY_S = 5.0
 
 @dataclass(frozen=True)
 class Schedule:
-    """How a network is fitted.
+    """Settings by which a network is fitted.
 
     Attributes
     ----------
-    patience_epochs : it stops after so many epochs without a better validation loss
+    patience_epochs : it stops after this number of epochs without a better validation loss
     augmentation : None leaves frames as they are
     budget_s : it stops after so long, with the decay fitted to it; results then depend on the
         machine
@@ -59,7 +59,7 @@ class Schedule:
 
 @dataclass
 class _State:
-    """Where a fit stands after `epoch` epochs."""
+    """State of a fit after `epoch` epochs."""
 
     epoch: int = 0
     best_epoch: int = 0

@@ -14,7 +14,7 @@ digits. Bodies, comma-separated:
   temperature of every sensor in °C (in the header's order, empty where it is silent). Boards need not
   send it; readers that do not know it count it as damaged
 
-Everything else on the line is skipped and counted: after garbage the next `$` starts anew.
+Everything else on the line is skipped and counted: after garbage the next `$` starts again.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from estimator.recordings.table import LARGEST_COUNT, LARGEST_FORCE_N, LARGEST_P
 FORMAT_VERSION = 1
 _SEQUENCES = 65536
 _RESTART_GAP = 10_000
-"""A larger step of the sequence is a board that started anew, not lost frames."""
+"""A larger step of the sequence is a board that started again, not lost frames."""
 _LONGEST_LINE = 4096
 """Characters without an end of line after which they are dropped."""
 
@@ -53,7 +53,7 @@ class Frame:
 
 @dataclass(frozen=True)
 class Load:
-    """What a load cell holds, and where its tips press (`face` None where the line says nothing)."""
+    """Force that a load cell holds, and where its tips press (`face` None where the line says nothing)."""
 
     board_ms: int
     cell: int
@@ -64,7 +64,7 @@ class Load:
 
 @dataclass(frozen=True)
 class Status:
-    """How the board is: supply (None: not measured), counts since its start, why it started, and the
+    """State of the board: supply (None: not measured), counts since its start, why it started, and the
     temperature of every sensor (°C, NaN where it is silent)."""
 
     board_ms: int
@@ -84,7 +84,7 @@ _LARGEST_MV, _LARGEST_C = 60_000, 300.0
 
 @dataclass
 class LineStatistics:
-    """What came over a line: frames, damaged lines, frames lost (gaps of the sequence), restarts, and
+    """Statistics of a line: frames, damaged lines, frames lost (gaps of the sequence), restarts, and
     readings left out because the chip's counts had wrapped round beyond its range."""
 
     frames: int = 0
@@ -132,8 +132,8 @@ class LineDecoder:
         if len(self._rest) > _LONGEST_LINE:
             self._rest = b""
             self.statistics.damaged_lines += 1
-        found = [self._message(line) for line in lines]
-        return [message for message in found if message is not None]
+        messages = [self._message(line) for line in lines]
+        return [message for message in messages if message is not None]
 
     def _message(self, line: bytes) -> Message | None:
         if not line.strip():
@@ -171,19 +171,19 @@ class LineDecoder:
             self._last[k] = value
         if not any(self._turns):
             return frame
-        found = [
+        unwrapped = [
             float("nan") if turn else value
             for turn, value in zip(self._turns, frame.counts, strict=True)
         ]
         self.statistics.wrapped_readings += sum(1 for turn in self._turns if turn)
-        return replace(frame, counts=tuple(found))
+        return replace(frame, counts=tuple(unwrapped))
 
     def _count(self, sequence: int) -> None:
-        seen, self._sequence = self._sequence, sequence
+        last_sequence, self._sequence = self._sequence, sequence
         self.statistics.frames += 1
-        if seen is None:
+        if last_sequence is None:
             return
-        gap = (sequence - seen - 1) % _SEQUENCES
+        gap = (sequence - last_sequence - 1) % _SEQUENCES
         if gap > _RESTART_GAP:
             self.statistics.restarts += 1
             self._last = []

@@ -112,9 +112,9 @@ def board_messages(
     """
     heard_s, received = time.monotonic(), 0
     for chunk in chunks:
-        found = decoder.feed(chunk)
+        messages = decoder.feed(chunk)
         received += len(chunk)
-        if found:
+        if messages:
             heard_s = time.monotonic()
         elif time.monotonic() - heard_s > PATIENCE_S:
             raise InputError(
@@ -122,7 +122,7 @@ def board_messages(
                 f"{decoder.statistics.damaged_lines} damaged lines). Check the baud rate and the "
                 "line format (`instobj docs recordings`)"
             )
-        yield found
+        yield messages
 
 
 def serial_chunks(port: str, baud: int = BAUD, timeout_s: float = _SLICE_S) -> Generator[bytes]:
@@ -191,10 +191,10 @@ def replay_chunks(table: RawTable, speed: float) -> Generator[bytes]:
 
 
 def _loads(table: RawTable, row: int, board_ms: int) -> list[Load]:
-    found = []
+    loads = []
     for cell, force_n in enumerate(table.force_n[row]):
         tips = [(float(x), float(y)) for x, y in table.tip_xy_mm[row, cell] if np.isfinite(x)]
         stated = bool(tips) and not table.declared_rest[row]
         face = int(table.face[row, cell]) if stated else 0
-        found.append(Load(board_ms, cell + 1, float(force_n), face, tuple(tips) if stated else ()))
-    return found
+        loads.append(Load(board_ms, cell + 1, float(force_n), face, tuple(tips) if stated else ()))
+    return loads

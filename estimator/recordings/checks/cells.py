@@ -15,7 +15,8 @@ _STEEP = 2.0
 _LEAST_JUMP_N = 0.5
 """Jump that counts, at least."""
 _JUMP_SHARE = 0.05
-"""Of the usual range of a cell: readings of the public recordings leave their neighbours by 0.1 % at most."""
+"""Share of the usual range of a cell: readings of the public recordings leave their neighbours by 0.1 % at
+most."""
 _JUMP_SIGMAS = 10.0
 """Jump that counts, over the noise."""
 _ROUNDS = 4
@@ -84,12 +85,12 @@ def _usual_range(
 
 def _least_jump_n(kept_n: Float[np.ndarray, "frame"]) -> float:
     """Return the largest jump (N) beyond its neighbours' range that noise alone makes."""
-    known = kept_n[np.isfinite(kept_n)]
-    if len(known) < 2:
+    finite_n = kept_n[np.isfinite(kept_n)]
+    if len(finite_n) < 2:
         return np.inf
-    span_n = float(np.ptp(np.percentile(known, [2, 98])))
+    span_n = float(np.ptp(np.percentile(finite_n, [2, 98])))
     # 0.954: the median of |a - b| of two normal numbers to their standard deviation
-    noise_n = float(np.median(np.abs(np.diff(known)))) / 0.954
+    noise_n = float(np.median(np.abs(np.diff(finite_n)))) / 0.954
     return max(_LEAST_JUMP_N, _JUMP_SHARE * span_n, _JUMP_SIGMAS * noise_n)
 
 

@@ -25,7 +25,7 @@ _OPPOSITE_MM = 6.0
 
 @dataclass(frozen=True)
 class Fault:
-    """What was found, where, and what was done about it."""
+    """Fault that was found, where, and what was done about it."""
 
     kind: str
     where: str
@@ -48,27 +48,29 @@ def rest_noise_counts(
     """
     pairs = rest[1:] & rest[:-1]
     step = np.diff(counts, axis=0)[pairs]
-    known = np.isfinite(step)
+    is_finite = np.isfinite(step)
     if stale is not None:
-        known &= ~stale[1:][pairs][..., None]
-    number = known.sum(axis=0)
-    mean_square = np.where(known, step, 0.0) ** 2
+        is_finite &= ~stale[1:][pairs][..., None]
+    number = is_finite.sum(axis=0)
+    mean_square = np.where(is_finite, step, 0.0) ** 2
     return np.where(number > 0, np.sqrt(mean_square.sum(0) / np.maximum(number, 1) / 2), np.nan)
 
 
 def known_mean(counts: Float[np.ndarray, "frame *channel"]) -> Float[np.ndarray, "*channel"]:
     """Mean of the readings that are there; NaN where there is none."""
-    known = np.isfinite(counts)
-    number = known.sum(axis=0)
-    return np.where(number > 0, np.where(known, counts, 0.0).sum(0) / np.maximum(number, 1), np.nan)
+    is_finite = np.isfinite(counts)
+    number = is_finite.sum(axis=0)
+    return np.where(
+        number > 0, np.where(is_finite, counts, 0.0).sum(0) / np.maximum(number, 1), np.nan
+    )
 
 
 def dead_channels(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Bool[np.ndarray, "5 sensor 3"]:
     """Channels without any reading, or stuck at one value, on faces that have readings at all."""
-    known = np.isfinite(counts)
-    absent_face = np.all(~known, axis=(0, 2, 3))
-    low = np.min(counts, axis=0, where=known, initial=np.inf)
-    high = np.max(counts, axis=0, where=known, initial=-np.inf)
+    is_finite = np.isfinite(counts)
+    absent_face = np.all(~is_finite, axis=(0, 2, 3))
+    low = np.min(counts, axis=0, where=is_finite, initial=np.inf)
+    high = np.max(counts, axis=0, where=is_finite, initial=-np.inf)
     return (high <= low) & ~absent_face[:, None, None]
 
 
@@ -80,8 +82,8 @@ def noisy_channels(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Bool[np.nda
 
 def axis_noise_counts(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Float[np.ndarray, "3"]:
     """Median over the live channels of each axis, NaN for an axis that has none."""
-    known = [axis[np.isfinite(axis)] for axis in np.moveaxis(noise_counts, 2, 0)]
-    return np.array([np.median(axis) if len(axis) else np.nan for axis in known])
+    live_noise = [axis[np.isfinite(axis)] for axis in np.moveaxis(noise_counts, 2, 0)]
+    return np.array([np.median(axis) if len(axis) else np.nan for axis in live_noise])
 
 
 def dead_faults(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> list[Fault]:
@@ -124,8 +126,8 @@ def jump_faults(
     """
     jumping = np.zeros(rest_counts.shape[1:], dtype=bool)
     faults = []
-    for number, (before, after) in enumerate(pairwise(rest_counts), start=1):
-        step = np.where(np.isfinite(after - before), np.abs(after - before), np.nan)
+    for number, (earlier, later) in enumerate(pairwise(rest_counts), start=1):
+        step = np.where(np.isfinite(later - earlier), np.abs(later - earlier), np.nan)
         live = step[np.isfinite(step)]
         if live.size and np.median(live) > _MOVED_COUNTS:
             detail = f"rest moved by {np.median(live):.0f} counts (median of channels)"
@@ -136,7 +138,7 @@ def jump_faults(
             )
             continue
         for index in np.argwhere(step > JUMP_COUNTS).tolist():
-            detail = f"rest level {before[tuple(index)]:.0f} → {after[tuple(index)]:.0f} counts"
+            detail = f"rest level {earlier[tuple(index)]:.0f} → {later[tuple(index)]:.0f} counts"
             where = f"{channel_name(*index)}, before press {number}"
             faults.append(Fault("jumping channel", where, detail, "set to NaN"))
             jumping[tuple(index)] = True
@@ -169,7 +171,7 @@ def correct_face_labels(
     """Face labels of a gripper with both cells on different faces.
 
     Two jaws cannot press one face. The cell whose label departs from its own usual face gets
-    that face; where no usual face tells, the second cell gets the strongest responding other
+    that face; where no face is usual, the second cell gets the strongest responding other
     face.
     """
     face = table.face.copy()
@@ -204,12 +206,11 @@ def doubtful_presses(
     for number in range(press.max() + 1):
         frames = np.flatnonzero(press == number)
         named = np.isin(FACES, pressed[frames])
-        other = np.where(named | np.isnan(responses[number]), 0.0, responses[number])
+        unnamed_response = np.where(named | np.isnan(responses[number]), 0.0, responses[number])
         weakest = np.min(responses[number], where=named, initial=np.inf)
-        if other.max() > _DOUBT_FACTOR * weakest:
-            detail = (
-                f"face {FACES[int(other.argmax())]} responds {other.max():.0f} counts, a named "
-            )
+        if unnamed_response.max() > _DOUBT_FACTOR * weakest:
+            strongest = FACES[int(unnamed_response.argmax())]
+            detail = f"face {strongest} responds {unnamed_response.max():.0f} counts, a named "
             detail += f"face only {weakest:.0f}"
             faults.append(
                 Fault("doubtful face label", rows_text(frames), detail, "frames not used")

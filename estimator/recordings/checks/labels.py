@@ -110,12 +110,14 @@ def label_sigmas(
     change = np.zeros((len(counts), 5))
     parts = [np.flatnonzero(rest & (stretch == number)) for number in np.unique(stretch[rest])]
     for face in range(5):
-        own = counts[:, face].reshape(len(counts), -1)
+        face_counts = counts[:, face].reshape(len(counts), -1)
         sigma = noise_counts[face].ravel()
-        live = np.isfinite(own).all(axis=0) & (sigma > 0)
+        live = np.isfinite(face_counts).all(axis=0) & (sigma > 0)
         if live.any():
-            level = np.median([np.median(own[rows][:, live], axis=0) for rows in parts], axis=0)
-            change[:, face] = np.median(np.abs(own[:, live] - level) / sigma[live], axis=1)
+            level = np.median(
+                [np.median(face_counts[rows][:, live], axis=0) for rows in parts], axis=0
+            )
+            change[:, face] = np.median(np.abs(face_counts[:, live] - level) / sigma[live], axis=1)
     return change
 
 
@@ -131,8 +133,8 @@ def silent_presses(
     Expected is the median response per newton of all presses that name the face; a press is silent
     below a tenth of it, where it would stand out of the noise by 5 σ.
     """
-    known = noise_counts[np.isfinite(noise_counts)]
-    sigma = float(np.median(known)) if known.size else 0.0
+    finite_noise = noise_counts[np.isfinite(noise_counts)]
+    sigma = float(np.median(finite_noise)) if finite_noise.size else 0.0
     rows = loads_of_places(face, force_n, press, responses)
     usual = {f: np.median([row[3] / row[2] for row in rows if row[1] == f]) for _, f, *_ in rows}
     wrong = np.zeros(len(press), dtype=bool)
@@ -158,7 +160,7 @@ def loads_of_places(
     responses: Float[np.ndarray, "press 5"],
 ) -> list[tuple[int, int, float, float]]:
     """Press, face, force (75th percentile, N) and response (counts) of every load."""
-    found = []
+    loads = []
     for first, last in runs(press):
         number = int(press[first])
         for cell in range(face.shape[1]):
@@ -167,8 +169,8 @@ def loads_of_places(
                 continue
             response = responses[number, named - 1]
             if np.isfinite(response):
-                found.append((number, named, float(newton), float(response)))
-    return found
+                loads.append((number, named, float(newton), float(response)))
+    return loads
 
 
 def place_label_faults(
@@ -187,13 +189,13 @@ def place_label_faults(
     mean = np.array([pattern[index == number].mean(axis=0) for number in range(len(pressed))])
     likeness: dict[int, int] = {}
     for k in np.flatnonzero(count[index] > 1):
-        own = index[k]
-        others = (mean[own] * count[own] - pattern[k]) / (count[own] - 1)
+        own_place = index[k]
+        others = (mean[own_place] * count[own_place] - pattern[k]) / (count[own_place] - 1)
         near = float(_chords(pattern[k], others[None])[0])
         rivals = _chords(pattern[k], mean)
-        same = [_faces(places[other]) == _faces(places[place[k]]) for other in pressed]
+        same = [_faces(places[other_place]) == _faces(places[place[k]]) for other_place in pressed]
         rivals[~np.array(same)] = np.inf
-        rivals[own] = np.inf
+        rivals[own_place] = np.inf
         best = int(rivals.argmin())
         if near > max(_OWN_DISTANCE, _DISTANCE_RATIO * rivals[best]):
             likeness[int(k)] = int(pressed[best])
@@ -204,7 +206,9 @@ def place_label_faults(
         detail = (
             f"labelled {place_text(places[place[k]])} mm, responds like {place_text(places[best])}"
         )
-        swapped = [j for j, other in likeness.items() if place[j] == best and other == place[k]]
+        swapped = [
+            j for j, other_place in likeness.items() if place[j] == best and other_place == place[k]
+        ]
         if swapped:
             partner = np.flatnonzero(frames.press_id == press[swapped[0]])
             detail += f", as if swapped with {rows_text(partner)}"
@@ -217,7 +221,7 @@ def restless_presses(
     touching: Bool[np.ndarray, "frame"],
     press: Int[np.ndarray, "frame"],
 ) -> list[Fault]:
-    """One fault where most presses have no frame at rest beside them: then nobody knows their zero."""
+    """One fault where most presses have no frame at rest next to them: then nobody knows their zero."""
     pressed = np.unique(press[touching])
     without = np.setdiff1d(pressed, press[rest])
     if 2 * len(without) <= len(pressed):
@@ -237,27 +241,27 @@ def press_patterns(
     frames: FrameSet,
 ) -> tuple[Int[np.ndarray, "press"], Int[np.ndarray, "press"], Float[np.ndarray, "press channel"]]:
     """Press id, place id and unit pattern of every press with loaded, usable frames."""
-    found = [
+    patterns = [
         (press, place, mean / max(_size(mean), 1e-9))
         for press, place, mean, _ in _loaded_means(frames)
     ]
-    if not found:
+    if not patterns:
         empty = np.empty(0, dtype=int)
         return empty, empty, np.empty((0, frames.signal_counts[0].size))
-    press, place, pattern = zip(*found, strict=True)
+    press, place, pattern = zip(*patterns, strict=True)
     return np.array(press), np.array(place), np.array(pattern)
 
 
 def pattern_noises(frames: FrameSet) -> Float[np.ndarray, "press channel"]:
     """Standard deviation of `press_patterns` by the noise of the readings, that of the zero counted as
     large as the mean's."""
-    known = np.nan_to_num(frames.noise_counts)
-    noise = np.broadcast_to(known, frames.signal_counts.shape[1:]).ravel()
-    found = [
+    noise_by_channel = np.nan_to_num(frames.noise_counts)
+    noise = np.broadcast_to(noise_by_channel, frames.signal_counts.shape[1:]).ravel()
+    noises = [
         noise * np.sqrt(2 / rows) / max(_size(mean), 1e-9)
         for _, _, mean, rows in _loaded_means(frames)
     ]
-    return np.array(found).reshape(-1, len(noise))
+    return np.array(noises).reshape(-1, len(noise))
 
 
 def _loaded_means(

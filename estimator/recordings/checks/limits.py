@@ -21,7 +21,8 @@ _FAR_FACTOR = 3.0
 
 @dataclass(frozen=True)
 class Limits:
-    """What an object can show: largest count of its chips, farthest place (mm) on any of its faces."""
+    """Limits of what an object can show: largest count of its chips, farthest place (mm) on any of its
+    faces."""
 
     largest_count: float
     farthest_mm: float
@@ -33,7 +34,7 @@ def usual_limits(table: RawTable) -> Limits:
     return Limits(_CONVERTER_COUNTS, _FAR_FACTOR * float(reach_mm))
 
 
-def within_range(table: RawTable, limits: Limits) -> tuple[RawTable, list[Fault]]:
+def limit_to_range(table: RawTable, limits: Limits) -> tuple[RawTable, list[Fault]]:
     """The table without readings beyond the chip's range (NaN), and what was found.
 
     Raises
@@ -48,12 +49,12 @@ def within_range(table: RawTable, limits: Limits) -> tuple[RawTable, list[Fault]
         column = (slice(None), *index)
         rows = np.flatnonzero(beyond[column])
         largest = np.abs(table.counts[column][rows]).max()
-        known = int(np.isfinite(table.counts[column]).sum())
+        reading_count = int(np.isfinite(table.counts[column]).sum())
         name = channel_name(*index)
-        if len(rows) > max(1, _FEW_READINGS * known):
+        if len(rows) > max(1, _FEW_READINGS * reading_count):
             raise RecordingError(
                 f"{name} reaches {largest:.0f} counts, beyond ±{limits.largest_count:.0f}, in "
-                f"{len(rows)} of {known} readings. Give raw counts of a chip of at most 16 bits "
+                f"{len(rows)} of {reading_count} readings. Give raw counts of a chip of at most 16 bits "
                 "(signed), and with --spec the specification of the object that was recorded"
             )
         detail = f"{len(rows)} readings up to {largest:.0f}, beyond ±{limits.largest_count:.0f}"

@@ -28,7 +28,7 @@ LEAST_TURNS = 0.35
 _ROUNDS = 6
 """Rounds of the search, at most."""
 NO_ANSWER = (0.0, -1.0)
-"""What buses give for a chip that does not answer: lines held low, and held high."""
+"""Counts that buses give for a chip that does not answer: lines held low, and held high."""
 _LEAST_HITS = 8
 """Times that one value must stand out by, at least."""
 _NEIGHBOURS = 5
@@ -65,20 +65,20 @@ def too_long(repeated: Bool[np.ndarray, "reading"]) -> Bool[np.ndarray, "reading
     The chance of a repeat is the share of repeats outside such runs, found by rounds. A
     sensor slower than its logger repeats often, and so may repeat for longer.
     """
-    found = np.zeros(len(repeated), bool)
+    in_long_run = np.zeros(len(repeated), bool)
     stretches = [(a, b) for a, b in runs(repeated.astype(int)) if repeated[a]]
     for _ in range(_ROUNDS):
-        free = repeated[~found]
+        free = repeated[~in_long_run]
         share = float(np.mean(free)) if len(free) else 0.0
         least = longest_by_chance(np.array(max(share, 1 / len(repeated))), len(repeated))
         now = np.zeros(len(repeated), bool)
         for first, last in stretches:
             # the reading before the first repeat has the same value: it stood still, too
             now[max(0, first - 1) : last] |= last - first >= least
-        if np.array_equal(now, found):
+        if np.array_equal(now, in_long_run):
             break
-        found = now
-    return found
+        in_long_run = now
+    return in_long_run
 
 
 def longest_by_chance(share: Float[np.ndarray, "*channel"], readings: int) -> np.ndarray:
@@ -109,17 +109,17 @@ def blank_chips(counts: Counts) -> Found:
 def equal_frames(counts: Counts) -> Found:
     """Frames in which every channel reads one and the same number: the board sent no readings."""
     flat = counts.reshape(len(counts), -1)
-    known = np.isfinite(flat)
-    high = np.max(flat, axis=1, where=known, initial=-np.inf)
-    low = np.min(flat, axis=1, where=known, initial=np.inf)
-    rows = (high == low) & (known.sum(axis=1) > 3)
+    is_finite = np.isfinite(flat)
+    high = np.max(flat, axis=1, where=is_finite, initial=-np.inf)
+    low = np.min(flat, axis=1, where=is_finite, initial=np.inf)
+    rows = (high == low) & (is_finite.sum(axis=1) > 3)
     rows &= bool(np.any(high > low))
-    mask = known.reshape(counts.shape) & rows[:, None, None, None]
+    mask = is_finite.reshape(counts.shape) & rows[:, None, None, None]
     return mask, _faults("no answer", mask, counts, "read one number in every channel")
 
 
 def hit_values(counts: Counts) -> Found:
-    """Single numbers hit far more often than those beside them: clipping, and drop-outs."""
+    """Single numbers hit far more often than their neighbours: clipping, and drop-outs."""
     faults: list[Fault] = []
     clipped, dropped, garbled = (np.zeros(counts.shape, bool) for _ in range(3))
     for index in np.ndindex(*counts.shape[1:]):
@@ -145,9 +145,9 @@ def hit_values(counts: Counts) -> Found:
 
 def _hits(channel: Float[np.ndarray, "frame"]) -> list[tuple[float, bool]]:
     """Numbers that one channel hits too often, and whether they are its largest or smallest."""
-    known = channel[np.isfinite(channel)]
-    value, number = np.unique(known, return_counts=True)
-    step = np.abs(np.diff(known))
+    values = channel[np.isfinite(channel)]
+    value, number = np.unique(values, return_counts=True)
+    step = np.abs(np.diff(values))
     if len(value) < 4 * _NEIGHBOURS or np.median(step[step > 0]) < _SPREAD_COUNTS:
         return []
     padded = np.pad(number.astype(float), _NEIGHBOURS, constant_values=np.nan)
@@ -157,7 +157,7 @@ def _hits(channel: Float[np.ndarray, "frame"]) -> list[tuple[float, bool]]:
     most = usual + _HIT_SIGMAS * np.sqrt(usual) + _LEAST_HITS
     hits = []
     for k in np.flatnonzero(number > most).tolist():
-        parts = [b - a for a, b in runs((known == value[k]).astype(int)) if known[a] == value[k]]
+        parts = [b - a for a, b in runs((values == value[k]).astype(int)) if values[a] == value[k]]
         if number[k] - max(parts) > most[k]:  # else it stood still once: `standing` says so
             extreme = k in (0, len(value) - 1) and value[k] not in NO_ANSWER
             hits.append((float(value[k]), extreme))
@@ -183,9 +183,9 @@ def standing(counts: Counts) -> Found:
 
 def copied_rows(counts: Counts) -> Found:
     """Blocks of frames that were there before, number for number, under other stamps."""
-    known = np.isfinite(counts).reshape(len(counts), -1)
+    is_finite = np.isfinite(counts).reshape(len(counts), -1)
     flat = np.nan_to_num(counts.reshape(len(counts), -1), nan=np.inf)
-    rows = np.flatnonzero(2 * known.sum(axis=1) > known.any(axis=0).sum())
+    rows = np.flatnonzero(2 * is_finite.sum(axis=1) > is_finite.any(axis=0).sum())
     # a slower sensor repeats rows: of those on end, the first counts
     rows = (
         rows[np.r_[True, np.any(flat[rows[1:]] != flat[rows[:-1]], axis=1)]] if len(rows) else rows
@@ -211,14 +211,14 @@ def counts_of_another_unit(counts: Counts) -> Found:
     """Channels whose noise and steps no converter of whole counts has: divided by 1000, or in mT."""
     mask = np.zeros(counts.shape, bool)
     for index in np.ndindex(*counts.shape[1:]):
-        known = counts[(slice(None), *index)]
-        known = known[np.isfinite(known)]
-        step = np.abs(np.diff(known))
+        readings = counts[(slice(None), *index)]
+        readings = readings[np.isfinite(readings)]
+        step = np.abs(np.diff(readings))
         if np.any(step > 0):
             # 0.6745: the median of |x| of a normal x; two readings make a step
             noise = np.median(step[step > 0]) / 0.6745 / np.sqrt(2)
-            whole = np.all(known == np.round(known))
-            tens = np.all(known % 10 == 0)
+            whole = np.all(readings == np.round(readings))
+            tens = np.all(readings % 10 == 0)
             mask[(slice(None), *index)] = tens or (not whole and noise < _FINEST_COUNTS)
     mask &= np.isfinite(counts)
     text = (
@@ -230,10 +230,10 @@ def counts_of_another_unit(counts: Counts) -> Found:
 
 def constant(counts: Counts) -> Found:
     """Channels that show one number throughout, while others move."""
-    known = np.isfinite(counts)
-    first = np.nan_to_num(counts[known.argmax(axis=0), *np.indices(counts.shape[1:])])
-    dead = np.all((counts == first) | ~known, axis=0) & (known.sum(axis=0) > 1)
-    mask = known & dead
+    is_finite = np.isfinite(counts)
+    first = np.nan_to_num(counts[is_finite.argmax(axis=0), *np.indices(counts.shape[1:])])
+    dead = np.all((counts == first) | ~is_finite, axis=0) & (is_finite.sum(axis=0) > 1)
+    mask = is_finite & dead
     return mask, _faults("standing still", mask, counts, "show one number throughout")
 
 
@@ -259,8 +259,8 @@ def without_faults(
     if not has_noise(counts):
         return counts, faults
     for check in checks:
-        mask, found = check(counts)
-        counts, faults = np.where(mask, np.nan, counts), faults + found
+        mask, check_faults = check(counts)
+        counts, faults = np.where(mask, np.nan, counts), faults + check_faults
     return counts, faults
 
 

@@ -48,20 +48,22 @@ def repeated_readings(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Repeats:
 
     Sensors that convert together show it in whole rows, however quiet they are; others one by one.
     """
-    known = np.isfinite(counts)
-    alike = (counts[1:] == counts[:-1]) | ~(known[1:] | known[:-1])
-    told = np.asarray(known.any(axis=3))
-    repeated = np.zeros(told.shape, dtype=bool)
-    repeated[1:] = np.all(alike, axis=3) & told[1:]
-    moving = np.any((counts[1:] != counts[:-1]) & known[1:] & known[:-1], axis=(0, 3))
-    rows = np.all(repeated | ~moving | ~told, axis=(1, 2)) & np.any(repeated & moving, axis=(1, 2))
+    is_finite = np.isfinite(counts)
+    alike = (counts[1:] == counts[:-1]) | ~(is_finite[1:] | is_finite[:-1])
+    has_reading = np.asarray(is_finite.any(axis=3))
+    repeated = np.zeros(has_reading.shape, dtype=bool)
+    repeated[1:] = np.all(alike, axis=3) & has_reading[1:]
+    moving = np.any((counts[1:] != counts[:-1]) & is_finite[1:] & is_finite[:-1], axis=(0, 3))
+    rows = np.all(repeated | ~moving | ~has_reading, axis=(1, 2)) & np.any(
+        repeated & moving, axis=(1, 2)
+    )
     share = np.where(moving, 0.0, np.nan)
     if _clocked(rows):
         share[moving] = rows.mean()
         return Repeats(rows[:, None, None] & moving, share, rows)
     for face, sensor in np.argwhere(moving).tolist():
-        own = repeated[told[:, face, sensor], face, sensor]
-        share[face, sensor] = own.mean() if _clocked(own) else 0.0
+        sensor_repeats = repeated[has_reading[:, face, sensor], face, sensor]
+        share[face, sensor] = sensor_repeats.mean() if _clocked(sensor_repeats) else 0.0
     return Repeats(repeated & (share > 0), share, np.zeros(len(counts), dtype=bool))
 
 
@@ -83,12 +85,12 @@ def repeat_faults(repeats: Repeats, rate_hz: float) -> list[Fault]:
     share = repeats.share[repeats.share > 0]
     if not len(share):
         return []
-    told = int(np.sum(np.isfinite(repeats.share)))
+    sensor_count = int(np.sum(np.isfinite(repeats.share)))
     names = ", ".join(
         channel_name(face, sensor, 0).replace("-X", "-S")
         for face, sensor in np.argwhere(repeats.share > 0).tolist()
     )
-    where = f"all {told} sensors" if len(share) == told else names
+    where = f"all {sensor_count} sensors" if len(share) == sensor_count else names
     new = 1 - float(np.median(share))
     detail = (
         f"{100 * (1 - new):.0f} % of their readings repeat the one before exactly: they convert "

@@ -22,7 +22,7 @@ _LEAST_EQUAL_FRAMES = 20.0
 
 @dataclass
 class SoundReadings:
-    """Judge of a stream's readings: those that can be believed, from the frames so far.
+    """Judge of which readings of a stream can be believed, from the frames so far.
 
     A chip that stands still is found with its fourth equal reading (a single channel after some seven),
     and believed again with its next new one. Streams without noise show nothing.
@@ -48,11 +48,11 @@ class SoundReadings:
         self._last = np.where(live, counts, self._last)
         chips, channels, frames = self._runs
         whole = bool(np.all(repeated[live])) and bool(live.any())
-        stuck = frames.after(np.array([whole]))[0]
+        stuck = frames.take(np.array([whole]))[0]
         out = np.zeros(counts.shape, bool)
         if not whole:  # a frame that only repeats tells nothing of single chips
-            out |= chips.after(repeated.all(axis=2))[..., None]
-            out |= channels.after(repeated)
+            out |= chips.take(repeated.all(axis=2))[..., None]
+            out |= channels.take(repeated)
         else:
             out |= chips.standing[..., None] | channels.standing
         blank = np.any([np.all(counts == value, axis=2) for value in NO_ANSWER], axis=0)
@@ -99,7 +99,7 @@ class _Runs:
         self._on_end, self._earlier, self._limits = (np.zeros(shape) for _ in range(3))
         self._frames, self._least = 0, least
 
-    def after(self, repeated: np.ndarray) -> np.ndarray:
+    def take(self, repeated: np.ndarray) -> np.ndarray:
         """Take the next frame; which of them stand still."""
         self._frames += 1
         # what chance makes shows in runs that ended; of a standstill only its beginning counts

@@ -66,13 +66,13 @@ class Judged:
 
 
 def _restless(case: Judged) -> Rows:
-    found = restless_presses(case.rest, case.pressed, case.press)
-    return np.zeros(len(case.press), bool), found
+    faults = restless_presses(case.rest, case.pressed, case.press)
+    return np.zeros(len(case.press), bool), faults
 
 
 def _unequal(case: Judged) -> Rows:
-    found = unequal_jaws(case.force_n, case.table.kind)
-    return (case.pressed | ~case.rest) & bool(found), found
+    faults = unequal_jaws(case.force_n, case.table.kind)
+    return (case.pressed | ~case.rest) & bool(faults), faults
 
 
 def _doubtful(case: Judged) -> Rows:
@@ -112,8 +112,8 @@ def judged(case: Judged, checks: tuple[Callable[[Judged], Rows], ...]) -> Rows:
     """Frames that one of the checks names, and what was named."""
     named, faults = np.zeros(len(case.press), bool), []
     for check in checks:
-        rows, found = check(case)
-        named, faults = named | rows, faults + found
+        rows, check_faults = check(case)
+        named, faults = named | rows, faults + check_faults
     return named, faults
 
 
@@ -122,14 +122,14 @@ def spoilt_channels(
 ) -> tuple[Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
     """Channels of which more than a tenth of the readings is `lost` to faults: to leave them out costs
     less than their frames. Frames that lack half of the channels count for none."""
-    known = np.isfinite(counts) | lost
-    whole = 2 * lost.sum(axis=(1, 2, 3)) >= known.sum(axis=(1, 2, 3))
+    has_reading = np.isfinite(counts) | lost
+    whole = 2 * lost.sum(axis=(1, 2, 3)) >= has_reading.sum(axis=(1, 2, 3))
     part = (lost & ~whole[:, None, None, None]).sum(axis=0)
-    share = part / np.maximum((known & ~whole[:, None, None, None]).sum(axis=0), 1)
+    share = part / np.maximum((has_reading & ~whole[:, None, None, None]).sum(axis=0), 1)
     spoilt = share > _MOST_SPOILT
     channels = [tuple(index) for index in np.argwhere(spoilt).tolist()]
     if not channels:
         return spoilt, []
     detail = f"more than {100 * _MOST_SPOILT:.0f} % of their readings are named above"
-    where = channels_text(channels, np.any(known, axis=0))
+    where = channels_text(channels, np.any(has_reading, axis=0))
     return spoilt, [Fault("channels left out", where, detail, "set to NaN")]

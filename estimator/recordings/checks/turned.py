@@ -78,8 +78,9 @@ def _rests_above(
     at_level: Bool[np.ndarray, "frame"],
     force_n: Float[np.ndarray, "frame"],
 ) -> bool:
-    """Whether a cell that goes below its usual level alone rests there: the signals of all places are then
-    alike there, and differ where it is lowest; were the level a hold, it would be the other way round."""
+    """Return whether a cell that goes below its usual level alone rests there: the signals of all places
+    are then alike there, and differ where it is lowest; were the level a hold, it would be the other way
+    round."""
     middle = (np.median(force_n[at_level]) + force_n.min()) / 2
     lowest = force_n < middle
     means = []
@@ -114,13 +115,13 @@ def change_alike(
         rows = [first + np.flatnonzero(part[first:last]) for part in parts]
         if named == NO_FACE or min(map(len, rows)) < LEAST_FRAMES:
             continue
-        own = counts[:, named - 1].reshape(len(counts), -1)
-        level, above, below = (own[part].mean(axis=0) for part in rows)
+        face_counts = counts[:, named - 1].reshape(len(counts), -1)
+        level, above, below = (face_counts[part].mean(axis=0) for part in rows)
         up, down = above - level, below - level
-        known = np.isfinite(up) & np.isfinite(down)
-        size = np.linalg.norm(up[known]) * np.linalg.norm(down[known])
+        is_finite = np.isfinite(up) & np.isfinite(down)
+        size = np.linalg.norm(up[is_finite]) * np.linalg.norm(down[is_finite])
         if size > 0:
-            cosines.append(float(up[known] @ down[known] / size))
+            cosines.append(float(up[is_finite] @ down[is_finite] / size))
     return bool(cosines) and float(np.median(cosines)) > _ALIKE
 
 
@@ -135,21 +136,21 @@ def turned_channels(
     press, place, pattern = press_patterns(frames)
     noise = pattern_noises(frames)
     shape = frames.signal_counts.shape[1:]
-    found: dict[tuple[str, tuple[int, ...]], list[tuple[int, int]]] = {}
+    pairs_by_fault: dict[tuple[str, tuple[int, ...]], list[tuple[int, int]]] = {}
     for first, second in combinations(range(len(press)), 2):
         if place[first] == place[second]:
             larger = np.fmax(noise[first], noise[second])
             kind, channels = unlike_model(pattern[second], pattern[first], larger)
             if channels:
-                found.setdefault((kind, channels), []).append((first, second))
+                pairs_by_fault.setdefault((kind, channels), []).append((first, second))
     wrong, faults = np.zeros(shape, dtype=bool), []
-    for (kind, channels), pairs in found.items():
+    for (kind, channels), pairs in pairs_by_fault.items():
         indices = [tuple(int(i) for i in np.unravel_index(c, shape)) for c in channels]
         for index in indices:
             wrong[index] = True
-        before, after = min(pairs, key=lambda pair: pair[1] - pair[0])
-        last = np.flatnonzero(frames.press_id == press[before])[-1]
-        begin = np.flatnonzero(frames.press_id == press[after])[0]
+        earlier, later = min(pairs, key=lambda pair: pair[1] - pair[0])
+        last = np.flatnonzero(frames.press_id == press[earlier])[-1]
+        begin = np.flatnonzero(frames.press_id == press[later])[0]
         where = f"{' and '.join(channel_name(*index) for index in indices)}, rows {last}–{begin}"
         detail = f"presses of one place before and after answer unlike ({len(pairs)} pairs)"
         faults.append(Fault(kind, where, detail, "set to NaN"))
@@ -165,11 +166,15 @@ def unlike_model(
     noise, if any do."""
     step = np.nan_to_num(pattern - usual)
     largest = np.argsort(-np.abs(step))[:2].tolist()
-    one = largest[0]
+    channel = largest[0]
     beyond = _BEYOND_NOISE * np.broadcast_to(noise, step.shape)
-    strong = min(abs(pattern[one]), abs(usual[one])) > max(_ANSWERS, beyond[one])
-    if strong and pattern[one] * usual[one] < 0 and _length(np.delete(step, one)) < _REST_AGREES:
-        return "channel turned", (one,)
+    strong = min(abs(pattern[channel]), abs(usual[channel])) > max(_ANSWERS, beyond[channel])
+    if (
+        strong
+        and pattern[channel] * usual[channel] < 0
+        and _length(np.delete(step, channel)) < _REST_AGREES
+    ):
+        return "channel turned", (channel,)
     for a, b in combinations(sorted(largest), 2):
         exchanged = pattern.copy()
         exchanged[[a, b]] = pattern[[b, a]]

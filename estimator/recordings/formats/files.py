@@ -156,10 +156,10 @@ def _check_gripper_header(header: list[str]) -> int:
     missing = [name for name in (*_HEAD, *_CHANNELS) if name not in header]
     if missing:
         raise RecordingError(f"it lacks the columns {', '.join(missing[:6])}. {FORMATS}")
-    for number, (found, wanted) in enumerate(zip(header, expected, strict=False), start=1):
-        if found != wanted:
+    for number, (given, wanted) in enumerate(zip(header, expected, strict=False), start=1):
+        if given != wanted:
             raise RecordingError(
-                f"column {number} is {found!r} where {wanted!r} belongs. Put the "
+                f"column {number} is {given!r} where {wanted!r} belongs. Put the "
                 "columns into the recording's own order"
             )
     if len(header) != len(expected) or tips > 3:

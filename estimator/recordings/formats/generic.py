@@ -25,10 +25,10 @@ from estimator.frames.dataset import NO_FACE
 from estimator.frames.heatmap import label_grid_mm
 from estimator.recordings.formats.text import (
     FORMATS,
-    as_number,
     check_complete,
     is_number,
     numbers,
+    parse_number,
     whole,
 )
 from estimator.recordings.table import FACES, RawTable
@@ -46,7 +46,7 @@ _SHEAR = re.compile(r"cell[1-9]_shear_[xy]_n")
 
 
 def is_generic_header(header: list[str]) -> bool:
-    """Return whether a CSV's first line is that of the generic format, perhaps with errors in it."""
+    """Return whether a CSV's first line is of the generic format, perhaps with errors in it."""
     return any(_meant(name) == "time_s" or CHANNEL.fullmatch(_meant(name)) for name in header)
 
 
@@ -58,9 +58,9 @@ def _meant(name: str) -> str:
         return f"F{channel[1]}-{channel[2].upper()}{channel[3]}"
     spelt = ["time_s", "session", "rest", TRAVEL, *_cell_columns(1, 9), *_shear_columns(1)]
     cell = re.match(r"cell([1-9])", letters)
-    alike = {re.sub(r"[^a-z0-9]", "", one): one for one in spelt}
-    found = alike.get("cell1" + letters[5:] if cell else letters, name)
-    return found.replace("cell1", f"cell{cell[1]}", 1) if cell else found
+    alike = {re.sub(r"[^a-z0-9]", "", column): column for column in spelt}
+    meant = alike.get("cell1" + letters[5:] if cell else letters, name)
+    return meant.replace("cell1", f"cell{cell[1]}", 1) if cell else meant
 
 
 def generic_columns(
@@ -100,7 +100,7 @@ def missing_marker(rows: list[list[str]]) -> float | None:
             f"its first line is {remark[:40]!r}. Before the header only `# missing = NUMBER` may "
             f"stand, such as `# missing = -1`; {FORMATS}"
         )
-    return as_number(match[1])
+    return parse_number(match[1])
 
 
 def is_unlabelled(header: list[str]) -> bool:
@@ -185,7 +185,7 @@ def _columns(
 def without_marker(
     values: Float[np.ndarray, "frame column"], header: list[str], missing: float
 ) -> Float[np.ndarray, "frame column"]:
-    """NaN in place of the marker in channels and faces, and in the places beside such a face."""
+    """NaN in place of the marker in channels and faces, and in the places that belong to such a face."""
     values = values.copy()
     for k, name in enumerate(header):
         if CHANNEL.fullmatch(name):
@@ -193,7 +193,7 @@ def without_marker(
         elif match := _FACE.fullmatch(name):
             absent = values[:, k] == missing
             tips = re.compile(rf"cell{match[1]}_[xy]\d_mm")
-            places = [j for j, other in enumerate(header) if tips.fullmatch(other)]
+            places = [j for j, column in enumerate(header) if tips.fullmatch(column)]
             values[np.ix_(absent, [k, *places])] = np.nan
     return values
 
@@ -202,13 +202,13 @@ def content_digest(
     time_s: np.ndarray, force_n: np.ndarray, counts: np.ndarray, shear_n: np.ndarray | None
 ) -> str:
     """SHA-256 of the content, so that a CSV and its NetCDF are known to be the same recording."""
-    found = hashlib.sha256()
+    digest = hashlib.sha256()
     with np.errstate(over="ignore"):
         stored_counts = counts.astype(np.float32)
-    known = (time_s, force_n, stored_counts)
-    for values in known if shear_n is None else (*known, shear_n):
-        found.update(np.ascontiguousarray(np.where(np.isnan(values), 0.0, values)).tobytes())
-    return found.hexdigest()
+    arrays = (time_s, force_n, stored_counts)
+    for values in arrays if shear_n is None else (*arrays, shear_n):
+        digest.update(np.ascontiguousarray(np.where(np.isnan(values), 0.0, values)).tobytes())
+    return digest.hexdigest()
 
 
 def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
@@ -222,9 +222,9 @@ def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     needed = [
         name for cell in range(1, max(cells, labelled) + 1) for name in _cell_columns(cell, 1)
     ]
-    known = {"time_s", "session", "rest", TRAVEL, *needed, *shear}
-    known |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
-    unknown = [name for name in header if name not in known and not CHANNEL.fullmatch(name)]
+    known_columns = {"time_s", "session", "rest", TRAVEL, *needed, *shear}
+    known_columns |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
+    unknown = [name for name in header if name not in known_columns and not CHANNEL.fullmatch(name)]
     missing = [name for name in ("time_s", *needed, *shear) if name not in header]
     if not any(CHANNEL.fullmatch(name) for name in header):
         missing.append("F1-X1 …")
@@ -288,9 +288,9 @@ def tip_places(
     frames, cells, columns = face_and_tips.shape
     xy = face_and_tips[:, :, 1:].reshape(frames, cells, (columns - 1) // 2, 2)
     stated = np.nan_to_num(face_and_tips[:, :, 0], nan=NO_FACE) != NO_FACE
-    known = np.isfinite(xy)
-    half = np.any(known[..., 0] != known[..., 1], axis=2)
-    lone = stated != known.any(axis=(2, 3))
+    is_finite = np.isfinite(xy)
+    half = np.any(is_finite[..., 0] != is_finite[..., 1], axis=2)
+    lone = stated != is_finite.any(axis=(2, 3))
     for wrong, what in ((half, "an x without its y"), (lone, "a face without a place, or a place")):
         if wrong.any():
             row, cell = np.argwhere(wrong)[0]

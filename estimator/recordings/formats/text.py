@@ -72,9 +72,9 @@ def read_bytes(path: Path) -> bytes:
         missing = f"no recording at {path}. Give the path of a recording"
         content = require_regular_file(path, missing).read_bytes()
     except InputError as error:
-        told = str(error)
+        message = str(error)
         raise RecordingError(
-            told if told.startswith("no ") else f"cannot read it: {told}"
+            message if message.startswith("no ") else f"cannot read it: {message}"
         ) from None
     except OSError as error:
         raise RecordingError(
@@ -102,7 +102,7 @@ def numbers(
                 "cut off or damaged there: delete the line or copy the file anew"
             )
     try:
-        values = _as_numbers([cell for row in rows for cell in row]).reshape(-1, len(names))
+        values = _parse_numbers([cell for row in rows for cell in row]).reshape(-1, len(names))
     except ValueError:
         raise _first_bad_cell(rows, names, first_line) from None
     if np.isinf(values).any():
@@ -160,7 +160,7 @@ def check_complete(values: Float[np.ndarray, "row column"], names: list[str]) ->
         )
 
 
-def as_number(cell: str) -> float:
+def parse_number(cell: str) -> float:
     """A cell as a number, NaN where empty; what only Python takes for one (1_0, １０) is none.
 
     Raises
@@ -173,8 +173,8 @@ def as_number(cell: str) -> float:
     return float(cell or "nan")
 
 
-def _as_numbers(cells: list[str]) -> Float[np.ndarray, "cell"]:
-    """`as_number` of each: what no number may hold is looked for in all of them at once."""
+def _parse_numbers(cells: list[str]) -> Float[np.ndarray, "cell"]:
+    """`parse_number` of each: what no number may hold is looked for in all of them at once."""
     together = "".join(cells)
     if "_" in together or not together.isascii():
         raise ValueError("a cell is not a number")
@@ -186,7 +186,7 @@ def _as_numbers(cells: list[str]) -> Float[np.ndarray, "cell"]:
 def is_number(cell: str) -> bool:
     """Return whether a cell that is not empty is a number."""
     try:
-        as_number(cell or "empty")
+        parse_number(cell or "empty")
     except ValueError:
         return False
     return True

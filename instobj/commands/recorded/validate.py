@@ -149,7 +149,7 @@ def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreemen
     spec = run.spec
     forces, motions = run.read(PRESSES)
     design, rest = designed(spec), rest_motion(motions)
-    nearest = min_distance_mm(design.scene, motions.every)
+    nearest = min_distance_mm(design.scene, motions.all_motions)
     model = magnets_model(spec.magnets, nearest - LARGEST_SHIFT_MM)
     moving = predicted_motions(spec, forces, motions, presses)
     predictions = predict(spec, design, moving, rest, model)

@@ -28,8 +28,11 @@ def draw_compliance(
     maps = {WITH_MAGNETS: with_magnets}
     if without_magnets is not None:
         maps[WITHOUT_MAGNETS] = without_magnets
-    shown = {name: one.mm_per_n[:, grid_places_in_lattice(spec)] for name, one in maps.items()}
-    there = contact_places(spec)
+    shown = {
+        name: compliance.mm_per_n[:, grid_places_in_lattice(spec)]
+        for name, compliance in maps.items()
+    }
+    has_place = contact_places(spec)
     low, high = finite_limits(np.stack(list(shown.values())))
     for name, values in shown.items():
         rigid = spec.mechanics.magnets == "rigid"
@@ -37,7 +40,7 @@ def draw_compliance(
         title = f"Compliance {with_magnets.depth_mm:g} mm deep: indentation depth per newton"
         if name == WITHOUT_MAGNETS:
             what, title = "magnets left out (drawn where they would be)", f"{title}, no magnets"
-        softest, stiffest = values[there].max(), values[there].min()
+        softest, stiffest = values[has_place].max(), values[has_place].min()
         both = " One scale with and without magnets." if without_magnets is not None else ""
         draw_overview(
             values,

@@ -117,8 +117,8 @@ def draw_measure_maps(
     step: Callable[[str], None],
 ) -> None:
     """Overviews of the measures that vary over the object, its weakest tenth framed."""
-    bound, there = scores.position_bound_mm, scores.judged
-    weakest = there & (bound >= np.quantile(bound[there], 0.9, method="lower"))
+    bound, is_judged = scores.position_bound_mm, scores.judged
+    weakest = is_judged & (bound >= np.quantile(bound[is_judged], 0.9, method="lower"))
     for name, stem, title, unit, factor, colours in _MEASURE_MAPS:
         if name not in areas.rank_correlation:
             continue
@@ -144,7 +144,7 @@ def draw_measure_maps(
 
 def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None:
     """Overviews of the position and tangential-force bounds where both are unknown."""
-    asked = f"location, normal and tangential force all unknown, {spec.score.force_n:g} N"
+    unknowns_text = f"location, normal and tangential force all unknown, {spec.score.force_n:g} N"
     draw_overview(
         scores.position_bound_mm,
         scores.faces,
@@ -153,7 +153,7 @@ def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None
         "mm",
         *finite_limits(scores.position_bound_mm),
         folder / "position_bound_sheared_overview.png",
-        note=f"Cramér–Rao bound √(σx² + σy²), fresh baseline: {asked}.",
+        note=f"Cramér–Rao bound √(σx² + σy²), fresh baseline: {unknowns_text}.",
     )
     draw_overview(
         scores.tangential_force_bound_n,
@@ -163,7 +163,7 @@ def draw_shear_maps(spec: ObjectSpec, scores: ShearScores, folder: Path) -> None
         "N",
         *finite_limits(scores.tangential_force_bound_n),
         folder / "tangential_force_bound_overview.png",
-        note=f"Cramér–Rao bound √(σFx² + σFy²), fresh baseline: {asked}.",
+        note=f"Cramér–Rao bound √(σFx² + σFy²), fresh baseline: {unknowns_text}.",
     )
 
 
@@ -177,7 +177,7 @@ def draw_cross_face_map(spec: ObjectSpec, cross: CrossFace, folder: Path) -> Non
     faces = np.unique(cross.pressed)
     largest = np.stack([cross.size_sigma[cross.pressed == face].max(axis=0) for face in faces])
     medians = {relation: cross.summary(relation) for relation in RELATIONS}
-    told = ", ".join(
+    medians_text = ", ".join(
         f"{relation} face {values['median_sigma']:.1f} σ ({values['median_false_force_n']:.2f} N of "
         "false force)"
         for relation, values in medians.items()
@@ -193,6 +193,6 @@ def draw_cross_face_map(spec: ObjectSpec, cross: CrossFace, folder: Path) -> Non
         folder / "cross_face_overview.png",
         note=(
             "Length of the signal change in the other face's own channels. Median over all locations, "
-            f"{told}."
+            f"{medians_text}."
         ),
     )

@@ -50,7 +50,7 @@ _MAGNET, _SENSOR = "#1f77d0", "#0a8f5a"
 
 @dataclass(frozen=True)
 class Pose:
-    """Where a face's map lies in the drawing: turned, then moved (mm)."""
+    """Pose of a face's map in the drawing: turned, then moved (mm)."""
 
     turn_deg: float
     centre_mm: tuple[float, float]
@@ -96,8 +96,10 @@ class FaceMaps:
         for pixels in (ground.pixels, self._bars[scale]):
             ground.canvas.restore_region(pixels)
         covered = 100 * covered_shares(self._spec)[self._spec.body.sensed.index(face)]
-        told = f"face {face} ({OUTWARD[face]}), seen from outside; {covered:.0f} % covered"
-        ground.axes.set_title(f"{title}\n{told}", fontsize=11, y=1.0)  # given, y is not looked for
+        face_text = f"face {face} ({OUTWARD[face]}), seen from outside; {covered:.0f} % covered"
+        ground.axes.set_title(
+            f"{title}\n{face_text}", fontsize=11, y=1.0
+        )  # given, y is not looked for
         place = Pose(0.0, (0.0, 0.0)), ground.inches_per_mm
         added = draw_values(ground.axes, values, self._spec, face, scale, *place)
         for artist in (*added, ground.axes.title):
@@ -109,7 +111,7 @@ class FaceMaps:
 
 @dataclass(frozen=True)
 class _Ground:
-    """What pictures of a face share, and its `pixels`."""
+    """Ground that pictures of a face share, and its `pixels`."""
 
     canvas: FigureCanvasAgg
     axes: Any
@@ -125,8 +127,8 @@ def _ground(spec: ObjectSpec, face: int, some_blank: bool) -> _Ground:
     axes = figure.add_axes(picture_share(MAP_INCHES))
     draw_ground(axes, spec, face, Pose(0.0, (0.0, 0.0)))
     axes.set(xlim=(-half_x - 0.5, half_x + 0.5), ylim=(-half_y - 0.5, half_y + 0.5), aspect="equal")
-    along = "" if face_frame(spec, face).flat else " along the surface"
-    axes.set(xlabel=f"x of face {face}{along} (mm)", ylabel=f"y of face {face}{along} (mm)")
+    axis_note = "" if face_frame(spec, face).flat else " along the surface"
+    axes.set(xlabel=f"x of face {face}{axis_note} (mm)", ylabel=f"y of face {face}{axis_note} (mm)")
     _tidy(axes)
     handles = [*legend_handles(), *([_no_value_handle()] if some_blank else [])]
     figure.legend(handles=handles, loc="lower center", ncols=2, frameon=False, fontsize=9)
@@ -136,7 +138,7 @@ def _ground(spec: ObjectSpec, face: int, some_blank: bool) -> _Ground:
 
 
 def _bar(scale: MapScale) -> Any:
-    """Pixels of a scale beside its map."""
+    """Pixels of a scale next to its map."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
@@ -155,8 +157,8 @@ def _bar(scale: MapScale) -> Any:
 def picture_share(inches: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
     """A rectangle of the picture, as shares of its width and height."""
     width, height = PICTURE_INCHES
-    left, bottom, wide, high = inches
-    return left / width, bottom / height, wide / width, high / height
+    left_inches, bottom, wide, high = inches
+    return left_inches / width, bottom / height, wide / width, high / height
 
 
 def draw_ground(axes: Any, spec: ObjectSpec, face: int, pose: Pose) -> None:
@@ -168,8 +170,8 @@ def draw_ground(axes: Any, spec: ObjectSpec, face: int, pose: Pose) -> None:
     outline = Polygon(frame.border_mm(), fc=BLANK, ec=FRAME, lw=1.2)
     outline.set(hatch=_NOT_COVERED, hatchcolor=_HATCH, hatch_linewidth=0.6)
     axes.add_artist(_placed(outline, move))
-    there = contact_places(spec)[spec.body.sensed.index(face)]
-    for covered in _covered_rectangles(spec, there):
+    has_place = contact_places(spec)[spec.body.sensed.index(face)]
+    for covered in _covered_rectangles(spec, has_place):
         axes.add_artist(_placed(covered, move, zorder=1.5))
     axes.update_datalim(pose.apply(np.stack([-half, half])))
 
@@ -189,17 +191,19 @@ def draw_values(
     Numbers that would be smaller than `smallest_font` (points) in their cells are left out.
     """
     grid, move = contact_grid(spec), pose.transform(axes)
-    there = contact_places(spec)[spec.body.sensed.index(face)]
+    has_place = contact_places(spec)[spec.body.sensed.index(face)]
     shown = np.ma.masked_invalid(values.reshape(grid.shape) / 10.0**scale.exponent)
     edges = [_cell_edges(axis, spec.contact_grid.pitch_mm) for axis in (grid.x_mm, grid.y_mm)]
-    outlines = [PAPER if own else "none" for own in there.reshape(grid.shape).T.ravel()]
+    outlines = [
+        PAPER if is_place else "none" for is_place in has_place.reshape(grid.shape).T.ravel()
+    ]
     mesh = axes.pcolormesh(
         *edges, shown.T, norm=scale.norm, cmap=scale.colours, transform=move, zorder=2,
-        edgecolors=PAPER if there.all() else outlines, linewidth=0.6,
+        edgecolors=PAPER if has_place.all() else outlines, linewidth=0.6,
     )  # fmt: skip
     parts = _draw_parts(axes, spec, face, move)
     cell_inches = spec.contact_grid.pitch_mm * inches_per_mm
-    values_there, places = shown.ravel()[there], pose.apply(grid.xy_mm[there])
+    values_there, places = shown.ravel()[has_place], pose.apply(grid.xy_mm[has_place])
     numbers = _write_numbers(axes, places, values_there, scale, cell_inches, smallest_font)
     return [mesh, *parts, *numbers]
 
@@ -210,20 +214,20 @@ def half_mm(spec: ObjectSpec, face: int) -> tuple[float, float]:
     return along_x, along_y
 
 
-def _covered_rectangles(spec: ObjectSpec, there: Bool[np.ndarray, "place"]) -> list[Any]:
+def _covered_rectangles(spec: ObjectSpec, has_place: Bool[np.ndarray, "place"]) -> list[Any]:
     """Cells of a face's contact locations: runs along y, equal neighbours joined along x."""
     from matplotlib.patches import Rectangle
 
     grid, pitch = contact_grid(spec), spec.contact_grid.pitch_mm
-    rectangles, columns = [], there.reshape(grid.shape)
+    rectangles, columns = [], has_place.reshape(grid.shape)
     for x, column in zip(grid.x_mm, columns, strict=True):
         (used,) = np.nonzero(column)
         for run in np.split(used, np.flatnonzero(np.diff(used) > 1) + 1) if len(used) else ():
             corner = (float(x) - pitch / 2, float(grid.y_mm[run[0]]) - pitch / 2)
             high = len(run) * pitch
-            before = rectangles[-1] if rectangles else None
-            if before and before.get_y() == corner[1] and before.get_height() == high:
-                before.set_width(before.get_width() + pitch)
+            previous = rectangles[-1] if rectangles else None
+            if previous and previous.get_y() == corner[1] and previous.get_height() == high:
+                previous.set_width(previous.get_width() + pitch)
             else:
                 rectangles.append(Rectangle(corner, pitch, high, fc=BLANK, ec="none"))
     return rectangles
@@ -266,8 +270,8 @@ def _cell_edges(centres_mm: Float[np.ndarray, "n"], pitch_mm: float) -> Float[np
 
 def _sensors_under(spec: ObjectSpec, face: int) -> Float[np.ndarray, "sensor 2"]:
     layout, frame = sensor_layout(spec), face_frame(spec, face)
-    own = layout.position_mm[layout.face == face]
-    return frame.from_plane(frame.in_plane(own)[:, :2])
+    positions_mm = layout.position_mm[layout.face == face]
+    return frame.from_plane(frame.plane_coordinates(positions_mm)[:, :2])
 
 
 def _write_numbers(

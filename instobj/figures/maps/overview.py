@@ -1,7 +1,7 @@
 """Overview of a map: all faces in one picture, the object unfolded about face 1.
 
 Neighbouring edges of two maps are one edge of the object. Scale, legend and caption have a column
-beside the net, as wide and as high as they need: nothing lies on a map, whatever the body.
+next to the net, as wide and as high as they need: nothing lies on a map, whatever the body.
 """
 
 from __future__ import annotations
@@ -129,11 +129,13 @@ def draw_overview(
 def net_pose(spec: ObjectSpec, face: int, gap_mm: float = GAP_MM) -> Pose:
     """Return where a face lies in the net about face 1; face 6 joins face 4."""
     turn, right, up = _NET[face]
-    top, own = half_mm(spec, spec.body.sensed[0]), half_mm(spec, face)
+    top, face_half = half_mm(spec, spec.body.sensed[0]), half_mm(spec, face)
     if face == 6:
         side = half_mm(spec, 4)[0]
-        return Pose(turn, (0.0, top[1] + 2 * side + own[1] + 2 * gap_mm))
-    return Pose(turn, (right * (top[0] + own[0] + gap_mm), up * (top[1] + own[0] + gap_mm)))
+        return Pose(turn, (0.0, top[1] + 2 * side + face_half[1] + 2 * gap_mm))
+    return Pose(
+        turn, (right * (top[0] + face_half[0] + gap_mm), up * (top[1] + face_half[0] + gap_mm))
+    )
 
 
 def _page(
@@ -181,8 +183,8 @@ def _net_ends(
     for number in faces.tolist():
         half = np.array(half_mm(spec, number))
         corners.append(net_pose(spec, number, gap_mm).apply(np.stack([-half, half])))
-    every = np.concatenate(corners)
-    return every.min(axis=0), every.max(axis=0)
+    all_corners = np.concatenate(corners)
+    return all_corners.min(axis=0), all_corners.max(axis=0)
 
 
 def _fill_column(page: _Page, mesh: Any, scale: MapScale, caption: list[str]) -> None:
@@ -194,14 +196,14 @@ def _fill_column(page: _Page, mesh: Any, scale: MapScale, caption: list[str]) ->
     bar = page.figure.colorbar(mesh, cax=slot, orientation="horizontal")
     set_plain_ticks(bar, scale)
     slot.set_title(scale.label, fontsize=12, color=INK)
-    left, legend_top, *_ = page.place(page.column_left, page.column_top - 1.1, 0, 0)
+    legend_left, legend_top, *_ = page.place(page.column_left, page.column_top - 1.1, 0, 0)
     page.figure.legend(
-        handles=legend_handles(), loc="upper left", bbox_to_anchor=(left, legend_top),
+        handles=legend_handles(), loc="upper left", bbox_to_anchor=(legend_left, legend_top),
         frameon=False, fontsize=12, borderaxespad=0,
     )  # fmt: skip
     _, caption_top, *_ = page.place(0, page.column_top - _ABOVE_CAPTION_INCHES, 0, 0)
     page.figure.text(
-        left, caption_top, "\n".join(caption), fontsize=_CAPTION_POINTS, color=INK, va="top",
+        legend_left, caption_top, "\n".join(caption), fontsize=_CAPTION_POINTS, color=INK, va="top",
         linespacing=1.5,
     )  # fmt: skip
 
@@ -260,5 +262,7 @@ def _draw_axes_arrows(page: _Page, spec: ObjectSpec, face: int, pose: Pose) -> N
         tail, tip = pose.apply(start), pose.apply(start + direction)
         arrow = {"arrowstyle": "-|>", "color": FRAME, "lw": 1.2, "shrinkA": 0, "shrinkB": 0}
         page.axes.annotate("", tip, tail, arrowprops=arrow, zorder=5)
-        at = pose.apply(start + 1.28 * np.array(direction))
-        page.axes.text(*at, name, ha="center", va="center", fontsize=9, color=FRAME, style="italic")
+        label_mm = pose.apply(start + 1.28 * np.array(direction))
+        page.axes.text(
+            *label_mm, name, ha="center", va="center", fontsize=9, color=FRAME, style="italic"
+        )

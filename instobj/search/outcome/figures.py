@@ -39,22 +39,22 @@ LABELS = {
 
 
 def draw_convergence(history: History, path: Path) -> None:
-    """Best feasible first objective against layouts scored, beside plain engines (PNG)."""
+    """Best feasible first objective against layouts scored, compared with plain engines (PNG)."""
     from instobj.search.outcome.history import best_so_far
 
     figure, axes = _figure((8.2, 4.6))
     name, values = history.names[0], history.values[:, 0]
-    at = history.scorings
-    axes.plot(at[history.feasible], values[history.feasible], ".", color=_GREY, ms=4,
+    scorings = history.scorings
+    axes.plot(scorings[history.feasible], values[history.feasible], ".", color=_GREY, ms=4,
               label="trials within all limits")  # fmt: skip
-    axes.step(at, best_so_far(name, values, history.feasible), where="post", color=_BEST, lw=2.2,
+    axes.step(scorings, best_so_far(name, values, history.feasible), where="post", color=_BEST, lw=2.2,
               label="search, best so far")  # fmt: skip
     for peer, colour in zip(history.peers, _PEERS, strict=False):
         best = best_so_far(name, peer.values, np.ones(len(peer.values), bool))
-        told = "best so far" if len(best) else "none within all limits"
-        at, to_the_end = np.append(peer.scorings, peer.scored), np.append(best, best[-1:])
-        axes.step(at[: len(to_the_end)], to_the_end, where="post", color=colour, lw=1.8,
-                  label=f"{peer.name}, {told}")  # fmt: skip
+        label = "best so far" if len(best) else "none within all limits"
+        scorings, to_the_end = np.append(peer.scorings, peer.scored), np.append(best, best[-1:])
+        axes.step(scorings[: len(to_the_end)], to_the_end, where="post", color=colour, lw=1.8,
+                  label=f"{peer.name}, {label}")  # fmt: skip
     axes.axhline(history.start[0], color=_START, ls="--", lw=1.4, label="start")
     axes.set(xscale="log", yscale="log", xlabel="layouts scored at the lowest fidelity level")
     axes.set(ylabel=LABELS[name], title="Convergence at the lowest fidelity level")
@@ -64,7 +64,8 @@ def draw_convergence(history: History, path: Path) -> None:
 
 
 def draw_front(history: History, path: Path) -> None:
-    """Two objectives of all feasible trials, with those that none is better than in both (PNG)."""
+    """Two objectives of all feasible trials, with the front: trials that none is better than in both
+    (PNG)."""
     from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 
     figure, axes = _figure((6.8, 5.2))
@@ -87,18 +88,24 @@ def draw_levels(promotion: Promotion, name: str, path: Path) -> None:
     """One score of every layout at a level against the next (PNG)."""
     figure, rows = _figure((9.6, 4.6), 2)
     for axes, (lower, upper) in zip(rows, (("1", "2"), ("2", "3")), strict=True):
-        layouts = [one for one in (promotion.start, *promotion.leaders) if upper in one.levels]
+        layouts = [
+            layout for layout in (promotion.start, *promotion.leaders) if upper in layout.levels
+        ]
         pairs = np.array(
-            [[getattr(one.levels[r], name) for r in (lower, upper)] for one in layouts]
+            [[getattr(layout.levels[r], name) for r in (lower, upper)] for layout in layouts]
         )
         colours = [_START] + [_BEST] * (len(pairs) - 1)
         axes.scatter(*pairs.T, c=colours, s=46, zorder=3)
-        for one, (x, y) in zip(layouts, pairs, strict=True):
-            axes.annotate(one.label, (x, y), xytext=(6, 5), textcoords="offset points", fontsize=8)
+        for layout, (x, y) in zip(layouts, pairs, strict=True):
+            axes.annotate(
+                layout.label, (x, y), xytext=(6, 5), textcoords="offset points", fontsize=8
+            )
         ends = [0.0, 1.12 * pairs.max()]
         axes.plot(ends, ends, color=_GREY, lw=1, ls=":", label="equal")
-        found = promotion.correlations[lower][name]
-        stated = f"rank correlation {found:.2f}" if np.isfinite(found) else "too few to rank"
+        correlation = promotion.correlations[lower][name]
+        stated = (
+            f"rank correlation {correlation:.2f}" if np.isfinite(correlation) else "too few to rank"
+        )
         axes.set(
             xlim=ends,
             ylim=ends,
@@ -112,17 +119,17 @@ def draw_levels(promotion: Promotion, name: str, path: Path) -> None:
     save_figure(figure, path)
 
 
-def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> Figure:
+def draw_moves(start: ObjectSpec, changed: ObjectSpec, path: Path) -> Figure:
     """Every layout seen from outside on its first face, before (grey) and after; arrows join the
     nearest (PNG)."""
-    groups = layout_groups(found)
+    groups = layout_groups(changed)
     columns = min(len(groups), _MOST_SIDE_BY_SIDE)
     rows = -(-len(groups) // columns)
     side = 7.6 if len(groups) == 1 else 5.0
     figure, panels = _figure((columns * side, rows * side + 0.6), columns, rows)
     panels = np.atleast_1d(panels).ravel()
     for axes, faces in zip(panels, groups, strict=False):
-        _draw_moves_of(axes, start, found, faces)
+        _draw_moves_of(axes, start, changed, faces)
     for axes in panels[len(groups) :]:
         axes.set_axis_off()
     figure.suptitle("Layout before and after")
@@ -132,30 +139,35 @@ def draw_moves(start: ObjectSpec, found: ObjectSpec, path: Path) -> Figure:
     return figure
 
 
-def _draw_moves_of(axes: Any, start: ObjectSpec, found: ObjectSpec, faces: tuple[int, ...]) -> None:
+def _draw_moves_of(
+    axes: Any, start: ObjectSpec, changed: ObjectSpec, faces: tuple[int, ...]
+) -> None:
     from matplotlib.patches import Ellipse, Rectangle
     from matplotlib.patheffects import withStroke
 
-    row = found.body.sensed.index(faces[0])
-    frame = face_frames(found)[row]
-    before, after = magnet_bodies(start)[row], magnet_bodies(found)[row]
-    sensors = [np.array(sensor_places(one)[row])[:, :2] for one in (start, found)]
+    row = changed.body.sensed.index(faces[0])
+    frame = face_frames(changed)[row]
+    start_magnets, changed_magnets = magnet_bodies(start)[row], magnet_bodies(changed)[row]
+    sensors = [np.array(sensor_places(spec)[row])[:, :2] for spec in (start, changed)]
     edges = frame.half_extents_mm
     if frame.round:
         axes.add_patch(Ellipse((0, 0), 2 * edges[0], 2 * edges[1], fc="#efece4"))
     else:
         axes.add_patch(Rectangle((-edges[0], -edges[1]), 2 * edges[0], 2 * edges[1], fc="#efece4"))
-    for body in before:
+    for body in start_magnets:
         _draw_magnet(axes, body, _GREY, "--")
-    several = len(found.magnets.by_kind) > 1
-    kinds = [f", {kind}" if several else "" for kind in found.magnets.kinds]
-    for body, pole, kind in zip(after, found.magnets.polarities, kinds, strict=True):
+    several = len(changed.magnets.numbers_by_kind) > 1
+    kinds = [f", {kind}" if several else "" for kind in changed.magnets.kinds]
+    for body, pole, kind in zip(changed_magnets, changed.magnets.polarities, kinds, strict=True):
         _draw_magnet(axes, body, _BEST, "-")
         mark = f"{'N out' if pole > 0 else 'N in'}, {-body.centre_mm[2]:.1f} mm{kind}"
         below = body.centre_mm[:2] - [0, body.outline.radius_mm + 0.9]
         label = axes.annotate(mark, below, ha="center", va="center", fontsize=8.5, color=_INK)
         label.set_path_effects([withStroke(linewidth=3, foreground="#efece4")])
-    places = [np.array([body.centre_mm[:2] for body in bodies]) for bodies in (before, after)]
+    places = [
+        np.array([body.centre_mm[:2] for body in bodies])
+        for bodies in (start_magnets, changed_magnets)
+    ]
     _draw_arrows(axes, places[0], places[1], _BEST)
     for points, colour, style in ((sensors[0], _GREY, "--"), (sensors[1], _SENSOR, "-")):
         for x, y in points:
@@ -187,12 +199,12 @@ def _move_legend() -> list[Any]:
 
 
 def paired(
-    before: Float[np.ndarray, "n 2"], after: Float[np.ndarray, "m 2"]
+    old_places: Float[np.ndarray, "n 2"], new_places: Float[np.ndarray, "m 2"]
 ) -> list[tuple[int, int]]:
     """Return which of the old places became which of the new, by the least total distance."""
     from scipy.optimize import linear_sum_assignment
 
-    away = np.linalg.norm(before[:, None] - after, axis=-1)
+    away = np.linalg.norm(old_places[:, None] - new_places, axis=-1)
     rows, columns = linear_sum_assignment(away)
     return list(zip(rows.tolist(), columns.tolist(), strict=True))
 
@@ -207,11 +219,11 @@ def _draw_magnet(axes: Any, body: Body, colour: str, style: str) -> None:
         axes.plot([x, x + lean[0]], [y, y + lean[1]], color=colour, lw=3, solid_capstyle="round")
 
 
-def _draw_arrows(axes: Any, before: np.ndarray, after: np.ndarray, colour: str) -> None:
-    for i, j in paired(before, after):
-        if np.hypot(*(after[j] - before[i])) > 0.5:
+def _draw_arrows(axes: Any, old_places: np.ndarray, new_places: np.ndarray, colour: str) -> None:
+    for i, j in paired(old_places, new_places):
+        if np.hypot(*(new_places[j] - old_places[i])) > 0.5:
             arrow = {"arrowstyle": "-|>", "color": colour, "lw": 1.3, "alpha": 0.7}
-            axes.annotate("", after[j], before[i], arrowprops=arrow)
+            axes.annotate("", new_places[j], old_places[i], arrowprops=arrow)
 
 
 def pareto_front(values: Float[np.ndarray, "n 2"]) -> np.ndarray:
@@ -226,9 +238,9 @@ def _figure(size: tuple[float, float], columns: int = 1, rows: int = 1) -> tuple
 
     figure = Figure(figsize=size, facecolor=_PAPER, layout="constrained")
     axes = figure.subplots(rows, columns)
-    for one in np.atleast_1d(axes).ravel():
-        one.spines[["top", "right"]].set_visible(False)
-        one.set_facecolor(_PAPER)
+    for panel in np.atleast_1d(axes).ravel():
+        panel.spines[["top", "right"]].set_visible(False)
+        panel.set_facecolor(_PAPER)
     return figure, axes
 
 

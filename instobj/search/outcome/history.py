@@ -29,8 +29,8 @@ _SPREAD = 0.3
 
 @dataclass(frozen=True)
 class Peer:
-    """What a plain engine found: the first objective (in its own unit) of the layouts within all limits,
-    each after so many `scorings`; `scored` in all."""
+    """Result of a plain engine: the first objective (in its own unit) of the layouts within all limits,
+    each after a number of `scorings`; `scored` in all."""
 
     name: str
     values: Float[np.ndarray, "found"]
@@ -48,7 +48,7 @@ class History:
     values : their scores, in their own units; of feasible and other trials
     feasible : whether a trial keeps every limit
     start : the same scores of the specification as it was
-    peers : plain engines beside it
+    peers : plain engines to compare with
     scorings : layouts scored until a trial was kept, its own included
     """
 
@@ -89,8 +89,8 @@ def best_so_far(
     """Best value among those counted up to each; NaN before the first."""
     worst = -np.inf if name in OBJECTIVES_TO_MAXIMIZE else np.inf
     run = np.maximum if name in OBJECTIVES_TO_MAXIMIZE else np.minimum
-    found = run.accumulate(np.where(counted, values, worst))
-    return np.where(np.isfinite(found), found, np.nan)
+    best = run.accumulate(np.where(counted, values, worst))
+    return np.where(np.isfinite(best), best, np.nan)
 
 
 class _Scorings:
@@ -107,7 +107,7 @@ class _Scorings:
         self._at.append(self.count + 1.0 + np.flatnonzero(kept))
         self.count += len(kept)
 
-    def of(self, name: str) -> Peer:
+    def peer(self, name: str) -> Peer:
         return Peer(name, np.concatenate(self._values), np.concatenate(self._at), self.count)
 
 
@@ -117,7 +117,7 @@ def random_search(space: SearchSpace, start: StartScores, count: int, seconds: f
     rng, names = np.random.default_rng(space.spec.seed), space.spec.search.objectives
     flags = np.array([not v.choices for v in space.variables])
     by_structure: dict[Any, LowestFidelity] = {}
-    found = _Scorings(names[0])
+    scorings = _Scorings(names[0])
     for first in range(0, count, _CHUNK):
         if first and time.monotonic() > ends:
             break
@@ -129,10 +129,10 @@ def random_search(space: SearchSpace, start: StartScores, count: int, seconds: f
             by_structure[structure] = structure_fidelity(space, params[0], start)
         fixed = dict(structure)
         poles = [
-            polarities(by_structure[structure].space.structured, one | fixed) for one in params
+            polarities(by_structure[structure].space.structured, point | fixed) for point in params
         ]
-        found.add(_judged(by_structure[structure], units[:, flags], torch.tensor(poles), names))
-    return found.of("random search")
+        scorings.add(_judged(by_structure[structure], units[:, flags], torch.tensor(poles), names))
+    return scorings.peer("random search")
 
 
 def cma_es_peer(space: SearchSpace, start: StartScores, count: int, seconds: float) -> Peer:
@@ -142,20 +142,20 @@ def cma_es_peer(space: SearchSpace, start: StartScores, count: int, seconds: flo
     middle = params_at(space, np.full(len(space.variables), 0.5))
     lowest = structure_fidelity(space, middle, start)
     poles = torch.tensor(polarities(lowest.space.structured, middle))
-    found, free = _Scorings(names[0]), sum(not v.choices for v in space.variables)
+    scorings, free = _Scorings(names[0]), sum(not v.choices for v in space.variables)
 
     def worth(units: np.ndarray) -> np.ndarray:
         judged = _judged(lowest, units, poles.expand(len(units), -1), names)
-        found.add(judged)
+        scorings.add(judged)
         return judged.penalized[:, 0].double().numpy()
 
     plain_cma_es(
         worth,
         free,
         space.spec.seed,
-        lambda: found.count >= count or (found.count > 0 and time.monotonic() > ends),
+        lambda: scorings.count >= count or (scorings.count > 0 and time.monotonic() > ends),
     )
-    return found.of("plain CMA-ES")
+    return scorings.peer("plain CMA-ES")
 
 
 def plain_cma_es(
@@ -165,8 +165,8 @@ def plain_cma_es(
     enough: Callable[[], bool],
     times: int = 1,
 ) -> None:
-    """Minimise `worth` (above 0) in the unit cube of `free` numbers by CMA-ES with so many times its default
-    population, anew where it has converged, until there is enough."""
+    """Minimise `worth` (above 0) in the unit cube of `free` numbers by CMA-ES with a multiple of its default
+    population, again where it has converged, until there is enough."""
     rng = np.random.default_rng(seed)
     borders = np.repeat([[0.0, 1.0]], free, axis=0)
     population = times * (4 + int(3 * np.log(free)))

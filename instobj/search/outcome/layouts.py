@@ -39,21 +39,21 @@ class ShownLayout:
 
 
 def shown_layouts(
-    space: SearchSpace, kept: KeptTrials, found: Promotion, history: History
+    space: SearchSpace, kept: KeptTrials, promotion: Promotion, history: History
 ) -> list[ShownLayout]:
     """The start, the leaders with the best of them first, then the rest of the front."""
     finished = kept.finished
     row_of = {trial.number: row for row, trial in enumerate(finished)}
-    layouts = [ShownLayout(found.start.label, found.start.spec, tuple(history.start))]
-    every = {one.label: one for one in (*found.finalists, *found.leaders)}
-    promoted = {one.trial for one in every.values()}
-    for one in every.values():
-        if one.corrected:
-            values = tuple(score_at(name, one, FIRST) for name in history.names)
-            layouts.append(ShownLayout(one.label, one.spec, values))
-        elif one.trial is not None:
-            values = tuple(history.values[row_of[one.trial]])
-            layouts.append(ShownLayout(one.label, one.spec, values))
+    layouts = [ShownLayout(promotion.start.label, promotion.start.spec, tuple(history.start))]
+    named_layouts = {layout.label: layout for layout in (*promotion.finalists, *promotion.leaders)}
+    promoted = {layout.trial for layout in named_layouts.values()}
+    for layout in named_layouts.values():
+        if layout.corrected:
+            values = tuple(score_at(name, layout, FIRST) for name in history.names)
+            layouts.append(ShownLayout(layout.label, layout.spec, values))
+        elif layout.trial is not None:
+            values = tuple(history.values[row_of[layout.trial]])
+            layouts.append(ShownLayout(layout.label, layout.spec, values))
     for row in _front_rows(history):
         trial = finished[row]
         if trial.number not in promoted and trial.feasible:
@@ -77,7 +77,7 @@ def _front_rows(history: History) -> list[int]:
 def layouts_scene(layouts: Sequence[ShownLayout], history: History) -> bytes:
     """The archive that the page reads; each layout's parts are paired with the start's."""
     start = layouts[0].spec
-    size_mm = np.max([one.spec.body.size_mm for one in layouts], axis=0)
+    size_mm = np.max([layout.spec.body.size_mm for layout in layouts], axis=0)
     trials = history.values[history.feasible, :2] if len(history.names) > 1 else np.zeros((0, 2))
     content = {
         "size_mm": size_mm.tolist(),
@@ -91,7 +91,7 @@ def layouts_scene(layouts: Sequence[ShownLayout], history: History) -> bytes:
             }
             for frame in face_frames(start)
         ],
-        "layouts": [_layout(one, start) for one in layouts],
+        "layouts": [_layout(layout, start) for layout in layouts],
     }
     return pack(content, _surfaces(start))
 
@@ -108,17 +108,17 @@ def _surfaces(spec: ObjectSpec) -> Arrays:
     return arrays
 
 
-def _layout(one: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
+def _layout(shown: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
     """Parts as centre (mm), axes as columns row by row, half edges (mm).
 
     Body and core of boxes, which a search may make larger; others have surfaces of their own.
     """
-    spec = one.spec
+    spec = shown.spec
     size = np.asarray(spec.body.size_mm) / 2
     half = (size, body_of(spec).core_half_mm) if body_of(spec).cuboid else (np.ones(3),) * 2
     return {
-        "label": one.label,
-        "scores": [score if np.isfinite(score) else None for score in one.scores],
+        "label": shown.label,
+        "scores": [score if np.isfinite(score) else None for score in shown.scores],
         "body": _part(np.zeros(3), np.eye(3), half[0]),
         "core": _part(np.zeros(3), np.eye(3), half[1]),
         "magnets": _magnets(spec),
@@ -132,8 +132,8 @@ def _layout(one: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
 def _magnets(spec: ObjectSpec) -> list[dict[str, Any]]:
     layout, bodies = magnet_layout(spec), (body for face in magnet_bodies(spec) for body in face)
     return [
-        _part(at, turn, np.array([*[body.outline.radius_mm] * 2, body.height_mm / 2]))
-        for at, turn, body in zip(layout.centre_mm, layout.frames, bodies, strict=True)
+        _part(centre, turn, np.array([*[body.outline.radius_mm] * 2, body.height_mm / 2]))
+        for centre, turn, body in zip(layout.centre_mm, layout.frames, bodies, strict=True)
     ]
 
 
@@ -141,8 +141,8 @@ def _blocks(blocks: list[Block]) -> list[dict[str, Any]]:
     return [_part(block.centre_mm, block.axes, block.half_mm) for block in blocks]
 
 
-def _part(at: np.ndarray, axes: np.ndarray, half: np.ndarray) -> dict[str, Any]:
-    return {"at": _rounded(at), "axes": _rounded(axes.ravel()), "half": _rounded(half)}
+def _part(centre_mm: np.ndarray, axes: np.ndarray, half: np.ndarray) -> dict[str, Any]:
+    return {"at": _rounded(centre_mm), "axes": _rounded(axes.ravel()), "half": _rounded(half)}
 
 
 def _rounded(values: np.ndarray) -> list[Any]:
@@ -160,11 +160,11 @@ def _sensor_places(spec: ObjectSpec) -> _PlacesOfFaces:
     return [np.array(face)[:, :2] for face in sensor_places(spec)]
 
 
-def _origins(before: _PlacesOfFaces, after: _PlacesOfFaces) -> list[int]:
+def _origins(places_before: _PlacesOfFaces, places_after: _PlacesOfFaces) -> list[int]:
     """Return which part of the start each part was, face by face; −1 for a new one."""
-    found, first = [], 0
-    for old, new in zip(before, after, strict=True):
+    origins, first = [], 0
+    for old, new in zip(places_before, places_after, strict=True):
         pairs = {now: was for was, now in paired(old, new)}
-        found += [first + pairs[k] if k in pairs else -1 for k in range(len(new))]
+        origins += [first + pairs[k] if k in pairs else -1 for k in range(len(new))]
         first += len(old)
-    return found
+    return origins

@@ -13,43 +13,47 @@ from design.spec.object import ObjectSpec
 from instobj.search.outcome.figures import draw_moves, paired
 
 
-def moved_parts(start: ObjectSpec, found: ObjectSpec, folder: Path) -> dict[str, Any]:
+def moved_parts(start: ObjectSpec, changed: ObjectSpec, folder: Path) -> dict[str, Any]:
     """Picture, rows of moved magnets and sensors, and other changes, as the page shows them."""
-    draw_moves(start, found, folder / "moves.png")
+    draw_moves(start, changed, folder / "moves.png")
     rows = []
-    for group, label in zip(layout_groups(found), _faces_in_words(found), strict=True):
-        face = found.body.sensed.index(group[0])
-        rows += _moved_magnets(start, found, face, label)
-        rows += _moved_sensors(start, found, face, label)
+    for group, label in zip(layout_groups(changed), _faces_in_words(changed), strict=True):
+        face = changed.body.sensed.index(group[0])
+        rows += _moved_magnets(start, changed, face, label)
+        rows += _moved_sensors(start, changed, face, label)
     others = [
         f"{label} {old_value} → {new_value}"
-        for label, old_value, new_value in _other_changes(start, found)
+        for label, old_value, new_value in _other_changes(start, changed)
         if old_value != new_value
     ]
     return {
         "moves_picture": folder / "moves.png",
         "moves": rows,
-        "kinds": _kinds_differ(found),
+        "kinds": _kinds_differ(changed),
         "other_changes": others,
     }
 
 
-def _kinds_differ(found: ObjectSpec) -> bool:
-    vary = found.search.vary
+def _kinds_differ(changed: ObjectSpec) -> bool:
+    vary = changed.search.vary
     return vary.magnet_grade is not None or vary.magnet_sizes is not None
 
 
 def _faces_in_words(spec: ObjectSpec) -> list[str]:
-    """Of each group of faces that share a layout; nothing where one serves all."""
+    """Name each group of faces that share a layout; nothing where one serves all."""
     groups = layout_groups(spec)
     if len(groups) == 1:
         return [""]
     return [f", face{'s' * (len(g) > 1)} {', '.join(map(str, g))}" for g in groups]
 
 
-def _moved_magnets(start: ObjectSpec, found: ObjectSpec, face: int, label: str) -> list[list[str]]:
-    old, new = (np.array([b.centre_mm for b in magnet_bodies(one)[face]]) for one in (start, found))
-    tilts = found.magnets.tilt_deg or ((0.0, 0.0),) * len(new)
+def _moved_magnets(
+    start: ObjectSpec, changed: ObjectSpec, face: int, label: str
+) -> list[list[str]]:
+    old, new = (
+        np.array([b.centre_mm for b in magnet_bodies(spec)[face]]) for spec in (start, changed)
+    )
+    tilts = changed.magnets.tilt_deg or ((0.0, 0.0),) * len(new)
     return [
         [
             f"magnet {j + 1}{label}",
@@ -57,19 +61,21 @@ def _moved_magnets(start: ObjectSpec, found: ObjectSpec, face: int, label: str) 
             _point(new[j]),
             f"{np.linalg.norm(new[j] - old[i]):.1f}",
             f"{tilts[j][0]:g}, {tilts[j][1]:g}",
-            f"{'outward' if found.magnets.polarities[j] > 0 else 'inward'}{_kind(found, j)}",
+            f"{'outward' if changed.magnets.polarities[j] > 0 else 'inward'}{_kind(changed, j)}",
         ]
         for i, j in paired(old[:, :2], new[:, :2])
     ]
 
 
-def _kind(found: ObjectSpec, magnet: int) -> str:
-    return f", {found.magnets.kinds[magnet]}" if _kinds_differ(found) else ""
+def _kind(changed: ObjectSpec, magnet: int) -> str:
+    return f", {changed.magnets.kinds[magnet]}" if _kinds_differ(changed) else ""
 
 
-def _moved_sensors(start: ObjectSpec, found: ObjectSpec, face: int, label: str) -> list[list[str]]:
-    old, new = (np.array(sensor_places(one)[face])[:, :2] for one in (start, found))
-    label = label or f", face {found.body.sensed[face]}"
+def _moved_sensors(
+    start: ObjectSpec, changed: ObjectSpec, face: int, label: str
+) -> list[list[str]]:
+    old, new = (np.array(sensor_places(spec)[face])[:, :2] for spec in (start, changed))
+    label = label or f", face {changed.body.sensed[face]}"
     return [
         [
             f"sensor {j + 1}{label}",
@@ -83,7 +89,7 @@ def _moved_sensors(start: ObjectSpec, found: ObjectSpec, face: int, label: str) 
     ]
 
 
-def _other_changes(start: ObjectSpec, found: ObjectSpec) -> list[tuple[str, str, str]]:
+def _other_changes(start: ObjectSpec, changed: ObjectSpec) -> list[tuple[str, str, str]]:
     def stated(spec: ObjectSpec) -> list[str]:
         size = " × ".join(f"{edge:g}" for edge in spec.body.size_mm)
         magnets, sensors = spec.magnets, spec.sensors
@@ -100,7 +106,7 @@ def _other_changes(start: ObjectSpec, found: ObjectSpec) -> list[tuple[str, str,
 
     labels = ("magnets per face", "magnet", "sensors per face", "chips", "range", "shell", "silicone",
               "body")  # fmt: skip
-    return list(zip(labels, stated(start), stated(found), strict=True))
+    return list(zip(labels, stated(start), stated(changed), strict=True))
 
 
 def _point(values: np.ndarray) -> str:

@@ -56,7 +56,7 @@ class ChainResults:
 
 def write_search_page(
     start: ObjectSpec,
-    found: Promotion,
+    promotion: Promotion,
     history: History,
     layouts: Sequence[ShownLayout],
     results: ChainResults,
@@ -69,25 +69,25 @@ def write_search_page(
     page = render(
         "search.html.j2",
         name=start.name,
-        found=found,
-        covered=covered_share(found.best.spec),
+        found=promotion,
+        covered=covered_share(promotion.best.spec),
         history=history,
         objectives=len(history.names),
         scene=base64.b64encode(layouts_scene(layouts, history)).decode(),
-        level=_LEVELS[found.level],
-        highest=_highest(found) + _cross_face(results),
-        maps=_maps(found, results, figures),
+        level=_LEVELS[promotion.level],
+        highest=_highest(promotion) + _cross_face(results),
+        maps=_maps(promotion, results, figures),
         ratios=[
             [_label(name), f"{ratio.design:.2f}", f"{ratio.low:.2f} to {ratio.high:.2f}"]
-            for name, ratio in found.ratios.items()
+            for name, ratio in promotion.ratios.items()
         ],
         parts=_parts(results.parts),
         parts_picture=PARTS_PICTURE.path(results.parts),
-        **moved_parts(start, found.best.spec, figures),
-        **_estimators(found),
-        **_levels(found, history.names, figures),
+        **moved_parts(start, promotion.best.spec, figures),
+        **_estimators(promotion),
+        **_levels(promotion, history.names, figures),
         **_search(history, figures),
-        **_forces(found, figures),
+        **_forces(promotion, figures),
     )
     path = folder / "search.html"
     with atomic_path(path) as temporary:
@@ -95,14 +95,22 @@ def write_search_page(
     return path
 
 
-def _highest(found: Promotion) -> list[list[str]]:
+def _highest(promotion: Promotion) -> list[list[str]]:
     return [
-        [_label(name), f"{before:.4g}", f"{after:.4g}", _change(name, before, after)]
-        for name in SCORE_NAMES
-        for before, after in [
-            [getattr(one.levels[found.level], name) for one in (found.start, found.best)]
+        [
+            _label(name),
+            f"{start_score:.4g}",
+            f"{best_score:.4g}",
+            _change(name, start_score, best_score),
         ]
-        if not isnan(before)  # what this object has none of
+        for name in SCORE_NAMES
+        for start_score, best_score in [
+            [
+                getattr(layout.levels[promotion.level], name)
+                for layout in (promotion.start, promotion.best)
+            ]
+        ]
+        if not isnan(start_score)  # what this object has none of
     ]
 
 
@@ -110,31 +118,40 @@ def _cross_face(results: ChainResults) -> list[list[str]]:
     """The largest false force by an adjacent face: the scores above are percentiles."""
     if results.scores is None:
         return []
-    before, after = (
+    start_force, best_force = (
         CROSS_FACE.read(folder)["adjacent"].get(_LARGEST, 0.0) for folder in results.scores
     )
-    if not before:
+    if not start_force:
         return []
     label = "false force by the next face (N), largest"
-    return [[label, f"{before:.4g}", f"{after:.4g}", _change(_LARGEST, before, after)]]
+    return [
+        [
+            label,
+            f"{start_force:.4g}",
+            f"{best_force:.4g}",
+            _change(_LARGEST, start_force, best_force),
+        ]
+    ]
 
 
-def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
+def _forces(promotion: Promotion, folder: Path) -> dict[str, Any]:
     """Bounds force by force, and where a location is worse than it was."""
     from instobj.figures.maps.overview import draw_overview
     from instobj.figures.maps.scale import finite_limits
 
-    spec, faces = found.best.spec, found.best.spec.body.sensed
-    forces = spec.judged_forces_n
-    before, after = (
-        bounds_by_press(spec, one.levels[found.level]) for one in (found.start, found.best)
+    spec, faces = promotion.best.spec, promotion.best.spec.body.sensed
+    forces = spec.scoring_forces_n
+    start_bounds, best_bounds = (
+        bounds_by_press(spec, layout.levels[promotion.level])
+        for layout in (promotion.start, promotion.best)
     )
-    ratio = {key: after[key] / bound for key, bound in before.items()}
+    ratio = {key: best_bounds[key] / bound for key, bound in start_bounds.items()}
     rows = []
     for force in forces:
-        row, own = [f"{force:g}"], [(force, face) for face in faces]
+        row, face_keys = [f"{force:g}"], [(force, face) for face in faces]
         old, new, over = (
-            np.concatenate([by_press[key] for key in own]) for by_press in (before, after, ratio)
+            np.concatenate([by_press[key] for key in face_keys])
+            for by_press in (start_bounds, best_bounds, ratio)
         )
         for percent in (100, 99, 50):
             pair = [float(np.nanpercentile(bounds, percent)) for bounds in (old, new)]
@@ -147,12 +164,12 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
     )
     every_ratio = np.concatenate(list(ratio.values()))
     worse = np.mean(every_ratio[~np.isnan(every_ratio)] > 1)
-    every = ", ".join(f"{force:g}" for force in forces)
+    force_list = ", ".join(f"{force:g}" for force in forces)
     draw_overview(
         largest,
         np.array(faces),
         spec,
-        f"Position bound after the search over before, largest of {every} N",
+        f"Position bound after the search over before, largest of {force_list} N",
         "times",
         *finite_limits(largest.ravel()),
         path,
@@ -163,41 +180,42 @@ def _forces(found: Promotion, folder: Path) -> dict[str, Any]:
     return {"force_header": header, "forces": rows, "over_start": path}
 
 
-def _change(name: str, before: float, after: float) -> str:
+def _change(name: str, old_value: float, new_value: float) -> str:
     if name in MARGINS:
-        return f"{after - before:+.3f}"
-    return f"× {after / before:.2f}"
+        return f"{new_value - old_value:+.3f}"
+    return f"× {new_value / old_value:.2f}"
 
 
 def _label(name: str) -> str:
     return LABELS.get(name, "share of the sensors' range left free")
 
 
-def _maps(found: Promotion, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:
+def _maps(promotion: Promotion, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:
     """Pictures of the position bound of every place, both on one scale."""
     from instobj.figures.maps.overview import draw_overview
     from instobj.figures.maps.scale import finite_limits
 
     if results.scores is None:
         return []
-    pair = {"before": found.start.spec, "after": found.best.spec}
-    scores = {when: SCORES.read(one) for when, one in zip(pair, results.scores, strict=True)}
-    baseline = found.start.spec.search.baseline
+    pair = {"before": promotion.start.spec, "after": promotion.best.spec}
+    scores = {when: SCORES.read(score) for when, score in zip(pair, results.scores, strict=True)}
+    baseline = promotion.start.spec.search.baseline
     bounds = {
-        when: getattr(one, f"position_bound{SUFFIXES[baseline]}_mm") for when, one in scores.items()
+        when: getattr(score, f"position_bound{SUFFIXES[baseline]}_mm")
+        for when, score in scores.items()
     }
-    every = np.concatenate([values.ravel() for values in bounds.values()])
+    all_bounds = np.concatenate([values.ravel() for values in bounds.values()])
     pictures = []
-    for when, one in scores.items():
+    for when, score in scores.items():
         values, path = bounds[when], folder / f"position_bound_{when}.png"
         worst, middle = np.nanmax(values), np.nanmedian(values)
         draw_overview(
             values,
-            one.faces,
+            score.faces,
             pair[when],
             f"Position bound {when} the search, {pair[when].score.force_n:g} N",
             "mm",
-            *finite_limits(every),
+            *finite_limits(all_bounds),
             path,
             note=f"Worst location {worst:.2f} mm, median {middle:.2f} mm, {baseline} baseline.",
         )
@@ -205,24 +223,27 @@ def _maps(found: Promotion, results: ChainResults, folder: Path) -> list[tuple[s
     return pictures
 
 
-def _estimators(found: Promotion) -> dict[str, Any]:
-    columns = tuple(found.estimators)
+def _estimators(promotion: Promotion) -> dict[str, Any]:
+    columns = tuple(promotion.estimators)
     rows = [
-        [label, *(shown(found.estimators[column].get(name)) for column in columns)]
+        [label, *(shown(promotion.estimators[column].get(name)) for column in columns)]
         for name, label in METRIC_LABELS.items()
         if columns
     ]
     return {"estimator_header": ["mean of faces", *columns], "estimators": rows}
 
 
-def _levels(found: Promotion, objectives: tuple[str, ...], folder: Path) -> dict[str, Any]:
-    named = [name for name in objectives if name in found.correlations["1"]]
-    everyone = (found.start, *found.leaders)
-    counts = {level: sum(level in one.levels for one in everyone) for level in _LEVELS}
+def _levels(promotion: Promotion, objectives: tuple[str, ...], folder: Path) -> dict[str, Any]:
+    named = [name for name in objectives if name in promotion.correlations["1"]]
+    everyone = (promotion.start, *promotion.leaders)
+    counts = {level: sum(level in layout.levels for layout in everyone) for level in _LEVELS}
     scores = []
     for name in named or ["worst_position_bound_mm"]:  # those of parts are the same at all
-        draw_levels(found, name, folder / f"rungs_{name}.png")
-        rows = [[one.label, *(_on(one, level, name) for level in _LEVELS)] for one in everyone]
+        draw_levels(promotion, name, folder / f"rungs_{name}.png")
+        rows = [
+            [layout.label, *(_score_on_level(layout, level, name) for level in _LEVELS)]
+            for layout in everyone
+        ]
         header = [LABELS[name], *_LEVELS.values()]
         scores.append({"picture": folder / f"rungs_{name}.png", "header": header, "rows": rows})
     return {
@@ -233,14 +254,14 @@ def _levels(found: Promotion, objectives: tuple[str, ...], folder: Path) -> dict
             f"second to highest, {counts['3']} layouts",
         ],
         "ranks": [
-            [_label(score), *(_rank(found.correlations[level][score]) for level in ("1", "2"))]
-            for score in found.correlations["1"]
+            [_label(score), *(_rank(promotion.correlations[level][score]) for level in ("1", "2"))]
+            for score in promotion.correlations["1"]
         ],
     }
 
 
-def _on(one: Promoted, level: str, name: str) -> str:
-    return shown(getattr(one.levels[level], name) if level in one.levels else None)
+def _score_on_level(layout: Promoted, level: str, name: str) -> str:
+    return shown(getattr(layout.levels[level], name) if level in layout.levels else None)
 
 
 def _rank(value: float) -> str:

@@ -8,13 +8,12 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import tomli_w
-
 from design.files import atomic_path
 from design.layout.places.coverage import covered_share
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
+from design.tables import toml_text
 from estimator.layouts.fidelity import SCORE_NAMES
 from instobj.search.outcome.history import search_history
 from instobj.search.outcome.layouts import shown_layouts
@@ -30,36 +29,42 @@ BEST = "best.toml"
 def write_outcome(
     space: SearchSpace,
     kept: KeptTrials,
-    found: Promotion,
+    promotion: Promotion,
     folder: Path,
-    beside: Path,
+    spec_folder: Path,
     step: Callable[[str], None],
     plain_engines_s: float = float("inf"),
 ) -> list[Path]:
     """Write finalists, the best of them where it is better than the start, `search.json`, the page.
 
-    `beside` is the folder of the specification, from which it names other files; `plain_engines_s` is the
-    time of the plain engines that the page shows.
+    `spec_folder` is the folder of the specification, from which it names other files; `plain_engines_s` is
+    the time of the plain engines that the page shows.
     """
     written = []
-    for place, one in enumerate(found.finalists, start=1):
+    for place, layout in enumerate(promotion.finalists, start=1):
         written.append(folder / f"finalist_{place}.toml")
-        write_specification(one.spec, f"{space.spec.name}_finalist_{place}", written[-1], beside)
-    if found.better:
+        write_specification(
+            layout.spec, f"{space.spec.name}_finalist_{place}", written[-1], spec_folder
+        )
+    if promotion.better:
         written.append(folder / BEST)
-        write_specification(found.best.spec, f"{space.spec.name}_best", written[-1], beside)
+        write_specification(
+            promotion.best.spec, f"{space.spec.name}_best", written[-1], spec_folder
+        )
     else:
         (folder / BEST).unlink(missing_ok=True)  # of an earlier call
     written.append(folder / "search.json")
-    write_json(_results(found), written[-1])
+    write_json(_results(promotion), written[-1])
     history = search_history(space, kept, plain_engines_s)
-    start, best = (Run(one.spec) for one in (found.start, found.best))
+    start, best = (Run(layout.spec) for layout in (promotion.start, promotion.best))
     scores = None
-    if found.finalists:
+    if promotion.finalists:
         scores = start.require("scores").folder, best.require("scores").folder
     results = ChainResults(best.require("build").folder, scores)
-    layouts = shown_layouts(space, kept, found, history)
-    written.append(write_search_page(space.spec, found, history, layouts, results, folder, step))
+    layouts = shown_layouts(space, kept, promotion, history)
+    written.append(
+        write_search_page(space.spec, promotion, history, layouts, results, folder, step)
+    )
     return written
 
 
@@ -73,30 +78,30 @@ def write_specification(spec: ObjectSpec, name: str, path: Path, beside: Path) -
         if key in content[table]:
             content[table][key] = str((beside / content[table][key]).absolute())
     with atomic_path(path) as temporary:
-        temporary.write_bytes(tomli_w.dumps(content).encode())
+        temporary.write_bytes(toml_text(content).encode())
 
 
-def _results(found: Promotion) -> dict[str, Any]:
-    def promoted(one: Promoted) -> dict[str, Any]:
+def _results(promotion: Promotion) -> dict[str, Any]:
+    def promoted(layout: Promoted) -> dict[str, Any]:
         levels = {
             level: {name: getattr(score, name) for name in SCORE_NAMES}
-            for level, score in one.levels.items()
+            for level, score in layout.levels.items()
         }
-        return {"layout": one.label, "trial": one.trial, "rungs": levels}
+        return {"layout": layout.label, "trial": layout.trial, "rungs": levels}
 
     return json.loads(
         json.dumps(
             {
-                "better": found.better,
-                "objections": found.objections,
-                "shortened": found.shortened,
-                "covered_share": covered_share(found.best.spec),
-                "start": promoted(found.start),
-                "leaders": [promoted(one) for one in found.leaders],
-                "finalists": [one.label for one in found.finalists],
-                "rank_correlations": found.correlations,
-                "estimators": found.estimators,
-                "ratios": {name: asdict(ratio) for name, ratio in found.ratios.items()},
+                "better": promotion.better,
+                "objections": promotion.objections,
+                "shortened": promotion.shortened,
+                "covered_share": covered_share(promotion.best.spec),
+                "start": promoted(promotion.start),
+                "leaders": [promoted(layout) for layout in promotion.leaders],
+                "finalists": [layout.label for layout in promotion.finalists],
+                "rank_correlations": promotion.correlations,
+                "estimators": promotion.estimators,
+                "ratios": {name: asdict(ratio) for name, ratio in promotion.ratios.items()},
             }
         )
     )

@@ -12,7 +12,7 @@ import numpy as np
 
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
-from design.layout.pockets import by_sensed_face
+from design.layout.pockets import lists_of_sensed_faces
 from design.placement.patterns import sensor_patterns
 from design.spec.object import ObjectSpec
 from design.spec_io import check
@@ -26,7 +26,7 @@ from instobj.store.stage import StageContext, write_json
 
 Change = Callable[[ObjectSpec], ObjectSpec]
 _OUT_FROM_THE_MIDDLE = 0.4
-"""Of a face's half extents: where a second sensor goes beside one in the middle, and it too."""
+"""Share of a face's half extents: where a second sensor goes next to one in the middle, and it too."""
 _WIDER = (0.0, 0.5, 0.6, 0.7)
 """The same at least, where more sensors find no room further in."""
 
@@ -64,7 +64,7 @@ def alternatives(
     A softer silicone scales every force by its modulus; more sensors and stronger magnets move no
     silicone. What the specification's own checks refuse is left out.
     """
-    known = {_source(spec): (signals, least_objects_margin(spec, signals, presses))}
+    read_by_source = {_source(spec): (signals, least_objects_margin(spec, signals, presses))}
     rows = list[Alternative]()
     for size in range(len(CHANGES) + 1):
         if size > 2 and any(map(partial(_keeps_limits, spec), rows)):
@@ -74,13 +74,15 @@ def alternatives(
                 continue
             step(", ".join(changes) or "as specified")
             try:
-                other = check(changed_spec(spec, changes))
-                source = _source(other)
-                if source not in known:
-                    read = press_signals(other, *load_presses(presses))
-                    known[source] = read, least_objects_margin(other, read, presses)
-                read, margin = known[source]
-                rows.append(alternative_of(changes, other, with_forces(spec, other, read), margin))
+                changed = check(changed_spec(spec, changes))
+                source = _source(changed)
+                if source not in read_by_source:
+                    read = press_signals(changed, *load_presses(presses))
+                    read_by_source[source] = read, least_objects_margin(changed, read, presses)
+                read, margin = read_by_source[source]
+                rows.append(
+                    alternative_of(changes, changed, with_forces(spec, changed, read), margin)
+                )
             except ValueError:
                 if not changes:
                     raise
@@ -122,7 +124,7 @@ def _more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
     in_core = spec.arrangement == "sensors-in-core"
     frames = core_frames(spec) if in_core else face_frames(spec)
     halves = [np.array(frame.half_extents_mm) for frame in frames]
-    faces = zip(by_sensed_face(spec, sensors.positions_mm), halves, strict=True)
+    faces = zip(lists_of_sensed_faces(spec, sensors.positions_mm), halves, strict=True)
     out = [float(np.hypot(*(np.array(places) / half).T).mean()) for places, half in faces]
     even, lopsided = sensor_patterns(count)
     for wider, pattern in product(_WIDER, [*even, *lopsided]):
@@ -150,7 +152,7 @@ def _stronger(spec: ObjectSpec) -> ObjectSpec:
 
 
 def _times(factor: float, given: float | tuple[float, ...]) -> float | tuple[float, ...]:
-    return tuple(factor * one for one in given) if isinstance(given, tuple) else factor * given
+    return tuple(factor * value for value in given) if isinstance(given, tuple) else factor * given
 
 
 def _softer(spec: ObjectSpec) -> ObjectSpec:
@@ -174,17 +176,17 @@ CHANGES: dict[str, Change] = {
 }
 """Told as users read them."""
 _MORE_SENSORS = {"one more sensor on every face", "two more sensors on every face"}
-"""Of which a set holds one at most."""
+"""Changes of which a set holds one at most."""
 
 
-def with_forces(spec: ObjectSpec, other: ObjectSpec, signals: Signals) -> Signals:
-    """Signals of `other`, whose mechanics differ from `spec`'s by the modulus at most."""
-    ratio = other.silicone.youngs_modulus_mpa / spec.silicone.youngs_modulus_mpa
+def with_forces(spec: ObjectSpec, changed: ObjectSpec, signals: Signals) -> Signals:
+    """Signals of `changed`, whose mechanics differ from `spec`'s by the modulus at most."""
+    ratio = changed.silicone.youngs_modulus_mpa / spec.silicone.youngs_modulus_mpa
     return replace(signals, force_n=signals.force_n * ratio)
 
 
 def least_objects_margin(spec: ObjectSpec, signals: Signals, presses: Path) -> float:
-    """Of the deepest press, over all virtual objects but the few that may leave the range."""
+    """Margin of the deepest press, over all virtual objects but the few that may leave the range."""
     _, motions = load_presses(presses)
     return saturation(spec, signals, motions, deepest_alone=True).margin[-1]
 
@@ -193,13 +195,13 @@ def alternative_of(
     changes: tuple[str, ...], spec: ObjectSpec, signals: Signals, objects_margin: float
 ) -> Alternative:
     scores = score_places(spec, signals)
-    bound, there = scores.position_bound_mm, scores.judged
+    bound, is_judged = scores.position_bound_mm, scores.judged
     faces = len(spec.body.sensed)
     return Alternative(
         changes,
-        float(bound[there].max()),
-        float(np.median(bound[there])),
-        float(scores.detectable_force_n[there].max()),
+        float(bound[is_judged].max()),
+        float(np.median(bound[is_judged])),
+        float(scores.detectable_force_n[is_judged].max()),
         saturation_margin(signals, spec),
         objects_margin,
         faces * spec.magnets.count,

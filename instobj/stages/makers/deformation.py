@@ -48,10 +48,15 @@ def make_shapes(context: StageContext, folder: Path) -> None:
         name = f"face_{frame.number}_{x:g}_{y:g}"
         save_deformed_shape(shape, folder / "shapes" / f"{name}.vtu")
         title = f"Face {frame.number}, ({x:g}, {y:g}) mm, {depth:g} mm deep, small strain"
-        at = frame.to_plane(np.array([x, y]))
+        plane_mm = frame.to_plane(np.array([x, y]))
         panels.append(
             SectionPanel(
-                title, shape, frame.tangent(at), (at[0], at[1]), depth, tip_radius_mm(spec)
+                title,
+                shape,
+                frame.tangent(plane_mm),
+                (plane_mm[0], plane_mm[1]),
+                depth,
+                tip_radius_mm(spec),
             )
         )
     draw_sections(panels, SECTION.path(folder))
@@ -97,7 +102,7 @@ def correction_places_mm(spec: ObjectSpec) -> list[tuple[float, float]]:
     wanted = (0 * reach, reach * [1, 0], reach, magnet, magnet / 2, reach * [0.4, 0])
     places: list[np.ndarray] = []
     for place in wanted:
-        if all(np.hypot(*(place - other)) >= _APART_MM for other in places):
+        if all(np.hypot(*(place - earlier)) >= _APART_MM for earlier in places):
             places.append(place)
     return [(round(float(x), 4), round(float(y), 4)) for x, y in places]
 

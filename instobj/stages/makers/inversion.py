@@ -89,13 +89,13 @@ def _presses_anywhere(
     shear, parts = stored_shear(context), []
     for contacts in (1, 2, 3):
         context.step(f"presses of {contacts} tips at once")
-        asked = spec.collection.changed(
+        collection = spec.collection.changed(
             kind="continuous", presses=_PRESSES, contacts=contacts, faces=spec.body.sensed,
             tangential_share=spec.inversion.tangential_share if contacts == 1 else 0.0,
         )  # fmt: skip
         protocol = spec.protocol.changed(frames_per_press=_FRAMES_A_PRESS, rest_frames_per_press=2)
         wanted = spec.changed(
-            collection=asked,
+            collection=collection,
             protocol=protocol,
             seed=(spec.seed + _OBJECT_SEED + contacts) % LARGEST_SEED,
         )
@@ -111,8 +111,8 @@ def write_contact_metrics(
     step: Step,
     baselines: Baselines = MappingProxyType({}),
 ) -> None:
-    """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, beside the
-    Cramér–Rao bound of the places and beside what `baselines` read in the same frames, by name."""
+    """`CONTACT_METRICS` and its picture: contacts found in at most 400 of the frames, compared with
+    the Cramér–Rao bound of the places and with what `baselines` read in the same frames, by name."""
     from estimator.frames.windows import chosen_rows, window_means
     from estimator.metrics.contacts import contact_rows, matched_contacts, possible_distance_mm
     from instobj.figures.contacts import draw_contacts

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Fitting:
-    """How estimators are fitted.
+    """Settings by which estimators are fitted.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ def evaluate_networks(
 
     `HELD_OUT_PICTURE` and `OVER_TIME_PICTURE` show what each network reads there. The constant mean
     map, ridge regression to heatmaps, and the regressions of `estimator.evaluation.baselines` are
-    evaluated beside it on the same presses.
+    evaluated with it on the same presses.
     """
     from dataclasses import asdict
 

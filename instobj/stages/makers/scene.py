@@ -61,7 +61,7 @@ def make_scene(context: StageContext, folder: Path) -> None:
 def shown_steps(depth_mm: Float[np.ndarray, "step"]) -> list[int]:
     """Steps nearest to a quarter, five eighths and all of the deepest press."""
     wanted = depth_mm[-1] * np.array(_SHARES_OF_DEEPEST)
-    return sorted({int(abs(depth_mm - one).argmin()) for one in wanted})
+    return sorted({int(abs(depth_mm - depth).argmin()) for depth in wanted})
 
 
 def _places_mm(spec: ObjectSpec) -> Float[np.ndarray, "place 2"]:
@@ -97,12 +97,12 @@ def _add_silicone(
     arrays["link_mm"] = stepped(links.vector, "i1")
     shapes, xy = [], _places_mm(spec)
     of_faces = sum(len(face.xy_mm) for face in response.surfaces)
-    for index, (face, there) in enumerate(
+    for index, (face, has_place) in enumerate(
         zip(response.surfaces, contact_places(spec), strict=True)
     ):
         context.step(f"shapes of presses on face {face.number}")
         motion = np.full((len(xy), len(depths_mm), of_faces), np.nan)
-        motion[there] = inward_motion_mm(spec, response, index, xy[there], depths_mm)
+        motion[has_place] = inward_motion_mm(spec, response, index, xy[has_place], depths_mm)
         shapes.append(np.moveaxis(motion / depths_mm[:, None], 0, 2))
     arrays["shape"] = stepped(np.stack(shapes), "i1")
     return [len(face.xy_mm) for face in response.surfaces]
@@ -121,9 +121,11 @@ def _add_presses(
     grid = grid_places_in_lattice(spec)
     arrays["place_xy_mm"] = xy.astype("<f4")
     frames = [(frame, frame.to_plane(xy)) for frame in face_frames(spec)]
-    touched = [f.to_object(np.column_stack([at, np.zeros(len(at))])) for f, at in frames]
+    touched = [
+        f.to_object(np.column_stack([plane_mm, np.zeros(len(plane_mm))])) for f, plane_mm in frames
+    ]
     arrays["place_mm"] = np.stack(touched).astype("<f4")
-    arrays["place_axes"] = stepped(np.stack([f.axes_at(at) for f, at in frames]), "i2")
+    arrays["place_axes"] = stepped(np.stack([f.axes_at(plane_mm) for f, plane_mm in frames]), "i2")
     arrays["force_n"] = signals.force_n[:, grid].astype("<f4")
     arrays["counts"] = stepped(signals.delta_counts[:, grid], "i2")
     arrays["live"] = live_channels(spec).astype("<u1")

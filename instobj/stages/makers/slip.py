@@ -54,8 +54,10 @@ def make_slip(context: StageContext, folder: Path) -> None:
     if not spec.mechanics.slip.slipped:
         return
     inputs, slip = context.inputs, spec.mechanics.slip.model_dump(mode="json")
-    before, after = (SIGNALS.read(inputs[f"{name} signals"]) for name in ("calibrated", "slipped"))
-    cost = slip_cost(spec, before, after)
+    calibrated, slipped = (
+        SIGNALS.read(inputs[f"{name} signals"]) for name in ("calibrated", "slipped")
+    )
+    cost = slip_cost(spec, calibrated, slipped)
     content = {"slip": slip, "figures": summary(cost), "sensors": sensor_rows(spec, cost)}
     write_json(content, SLIP.path(folder))
     draw_slip(spec, cost, SLIP_PICTURE.path(folder), slip_title(slip))
@@ -63,19 +65,19 @@ def make_slip(context: StageContext, folder: Path) -> None:
 
 def summary(cost: SlipCost) -> dict[str, float]:
     """Medians and worst values over sensors, or over the contact locations of all faces."""
-    counts, there = np.linalg.norm(cost.baseline_counts, axis=1), cost.places
+    counts, places = np.linalg.norm(cost.baseline_counts, axis=1), cost.places
     return {
         "baseline_median_counts": float(np.median(counts)),
         "baseline_largest_counts": float(counts.max()),
         "baseline_median_sigma": float(np.median(cost.baseline_sigma)),
         "baseline_largest_sigma": float(cost.baseline_sigma.max()),
-        "cosine_median": float(np.median(cost.cosine[there])),
-        "cosine_worst": float(cost.cosine[there].min()),
-        "size_ratio_smallest": float(cost.size_ratio[there].min()),
-        "size_ratio_largest": float(cost.size_ratio[there].max()),
-        "force_smallest_n": float(cost.force_n[there].min()),
+        "cosine_median": float(np.median(cost.cosine[places])),
+        "cosine_worst": float(cost.cosine[places].min()),
+        "size_ratio_smallest": float(cost.size_ratio[places].min()),
+        "size_ratio_largest": float(cost.size_ratio[places].max()),
+        "force_smallest_n": float(cost.force_n[places].min()),
     } | {
-        f"{name}_{how}": float(function(getattr(cost, name)[there]))
+        f"{name}_{how}": float(function(getattr(cost, name)[places]))
         for name in (
             "false_place_mm",
             "false_force_n",

@@ -18,14 +18,14 @@ def surroundings_row(spec: ObjectSpec) -> dict[str, Any]:
     from estimator.signals.presses import rest_counts
     from estimator.signals.surroundings import surroundings
 
-    found = surroundings(spec, _GAPS_MM)
+    changes = surroundings(spec, _GAPS_MM)
     row: dict[str, Any] = {
-        "earth_field_ut": found.earth_field_ut,
-        "turning_largest_counts": round(found.turning_largest_counts, 1),
-        "turning_rms_counts": round(found.turning_rms_counts, 1),
+        "earth_field_ut": changes.earth_field_ut,
+        "turning_largest_counts": round(changes.turning_largest_counts, 1),
+        "turning_rms_counts": round(changes.turning_rms_counts, 1),
         "jaw_gap_mm": list(_GAPS_MM),
-        "jaw_own_face_counts": _rounded(found.jaw_counts.max(axis=0)),
-        "jaw_other_faces_counts": _rounded(found.jaw_elsewhere_counts.max(axis=0)),
+        "jaw_own_face_counts": _rounded(changes.jaw_counts.max(axis=0)),
+        "jaw_other_faces_counts": _rounded(changes.jaw_elsewhere_counts.max(axis=0)),
         "fastest_frame_rate_hz": round(fastest_frame_rate_hz(spec.sensors), 1),
     }
     baseline = float(abs(rest_counts(spec)).max())

@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from fem.presses.results import MagnetMotions, PressForces
 
 TRUSTED_PERCENT = 10.0
-"""Of the signals, left by a prediction that is used."""
+"""Share of the signals, left by a prediction that is used."""
 _EXACT_PERCENT = 4.0
 """Twice what meshes of one design differ by in the mean."""
 _NO_GAIN = 0.8
-"""Of what the design leaves: a twin that leaves more has nothing to calibrate but noise."""
+"""Share of what the design leaves: a twin that leaves more has nothing to calibrate but noise."""
 _SHARE = 0.8
 _LESS = "train without --twin, or press more locations"
 _UNEXPLAINED = "frames will be called not explained; train networks, or measure what was built"
@@ -63,11 +63,11 @@ class TwinOfData:
         """
         from estimator.calibration.twin.pretraining import with_calibrated_presses
 
-        found = self.calibrated(parts[0], face, step)
-        if found is None:
+        calibrated = self.calibrated(parts[0], face, step)
+        if calibrated is None:
             return parts
         train = with_calibrated_presses(
-            found[0], parts, self.draws, lambda text: step(f"face {face}: {text}")
+            calibrated[0], parts, self.draws, lambda text: step(f"face {face}: {text}")
         )
         return train, parts[1]
 
@@ -78,27 +78,33 @@ class TwinOfData:
         from estimator.calibration.twin.pressed_places import recorded_noise_counts
         from estimator.frames.heatmap import faces_pressed
 
-        found = {face: self.calibrated(frames, face, step) for face in faces_pressed(frames)}
-        known = {face: one for face, one in found.items() if one is not None}
-        if not known:
+        calibrated_by_face = {
+            face: self.calibrated(frames, face, step) for face in faces_pressed(frames)
+        }
+        usable = {
+            face: calibrated
+            for face, calibrated in calibrated_by_face.items()
+            if calibrated is not None
+        }
+        if not usable:
             self.rows.clear()
             return self._inverted_grasps(frames, step)
-        twins = {face: twin for face, (twin, _) in known.items()}
-        left = {face: share for face, (_, share) in known.items()}
+        twins = {face: twin for face, (twin, _) in usable.items()}
+        left_shares = {face: share for face, (_, share) in usable.items()}
         step("tables of presses")
         noise = recorded_noise_counts(self.spec, frames)
-        return inverted_twin(self.spec, *self.presses, twins, left, self.shear, noise)
+        return inverted_twin(self.spec, *self.presses, twins, left_shares, self.shear, noise)
 
     def _inverted_grasps(self, frames: FrameSet, step: Step) -> Inversion:
         from estimator.calibration.twin.grasp_twin import calibrate_on_cases
         from estimator.calibration.twin.inverted_twin import inverted_grasps
         from estimator.calibration.twin.pressed_cases import pressed_cases
 
-        seen = pressed_cases(self.spec, frames, self.presses[0])
-        twin = calibrate_on_cases(self.spec, *self.presses, seen, step)
-        self.rows.append(_row_of_cases(twin, seen))
+        cases = pressed_cases(self.spec, frames, self.presses[0])
+        twin = calibrate_on_cases(self.spec, *self.presses, cases, step)
+        self.rows.append(_row_of_cases(twin, cases))
         step("tables of presses")
-        return inverted_grasps(self.spec, self.presses, twin, seen, self.shear)
+        return inverted_grasps(self.spec, self.presses, twin, cases, self.shear)
 
     def calibrated(
         self, frames: FrameSet, face: int, step: Step
@@ -109,17 +115,17 @@ class TwinOfData:
         from estimator.calibration.twin.pressed_places import pressed_places, within_reach
 
         try:
-            seen = pressed_places(self.spec, within_reach(frames, self.presses[0], face), face)
+            places = pressed_places(self.spec, within_reach(frames, self.presses[0], face), face)
         except InputError as error:
             self.rows.append({"face": face, "places": 0, "helps": f"not used: {error}"})
             return None
-        step(f"face {face}: calibrating the twin on {len(seen)} locations")
-        twin = calibrate(self.spec, *self.presses, seen)
-        left = places_left_out(
-            self.spec, *self.presses, seen, lambda text: step(f"face {face}: {text}")
+        step(f"face {face}: calibrating the twin on {len(places)} locations")
+        twin = calibrate(self.spec, *self.presses, places)
+        held_out_shares = places_left_out(
+            self.spec, *self.presses, places, lambda text: step(f"face {face}: {text}")
         )
-        self.rows.append(_row(twin, seen, *left))
-        return twin, float(max(np.sqrt(np.mean(left[0] ** 2)), _EXACT_PERCENT / 200))
+        self.rows.append(_row(twin, places, *held_out_shares))
+        return twin, float(max(np.sqrt(np.mean(held_out_shares[0] ** 2)), _EXACT_PERCENT / 200))
 
     def write(self, folder: Path) -> None:
         """`calibration.json` and a picture of the residuals at held-out locations."""
@@ -141,14 +147,14 @@ def require_settings(training: TrainingSpec) -> None:
     from estimator.networks.defaults import PLAIN
 
     wanted = {"model": "compact"} | PLAIN._asdict()
-    asked = {
+    refused = {
         name: getattr(training, name)
         for name, value in wanted.items()
         if getattr(training, name) not in (value, None)
         and (name != "model" or training.model == "whole-object")
     }
-    if asked:
-        texts = ", ".join(f"training.{name} = {value!r}" for name, value in asked.items())
+    if refused:
+        texts = ", ".join(f"training.{name} = {value!r}" for name, value in refused.items())
         raise InputError(
             f"--twin serves estimators that read single frames of the face's own sensors, "
             f"one network each with nothing beside it; got {texts}. Leave these settings or --twin out"
@@ -233,42 +239,48 @@ def verdict(left_percent: float, design_percent: float, strained: int, instead: 
     return "yes"
 
 
-def _row_of_cases(twin: GraspTwin, seen: PressedCases) -> dict[str, Any]:
-    """As `_row`, of presses of several contacts."""
-    left, design = (100 * share for share in (twin.left_share, twin.design_share))
-    most, most_by_design = (float(np.quantile(one, _SHARE)) for one in (left, design))
+def _row_of_cases(twin: GraspTwin, cases: PressedCases) -> dict[str, Any]:
+    """Row like `_row`'s, of presses of several contacts."""
+    left_percent, design = (100 * share for share in (twin.left_share, twin.design_share))
+    most, most_by_design = (
+        float(np.quantile(percents, _SHARE)) for percents in (left_percent, design)
+    )
     return {
-        "faces together": ", ".join(map(str, seen.faces)),
-        "cases": len(seen),
-        "contacts a case": int(np.sum(seen.face > 0, axis=1).max()),
-        "signals left %, cases left out": round(float(np.median(left)), 2),
+        "faces together": ", ".join(map(str, cases.faces)),
+        "cases": len(cases),
+        "contacts a case": int(np.sum(cases.face > 0, axis=1).max()),
+        "signals left %, cases left out": round(float(np.median(left_percent)), 2),
         "signals left %, design": round(float(np.median(design)), 2),
         "helps": verdict(most, most_by_design, twin.strained, _UNEXPLAINED),
         "modulus over design": round(twin.unknowns.assembly(twin.numbers).modulus_ratio, 4),
         "numbers at their limits": twin.strained,
-        "left % of each case": np.round(left, 1).tolist(),
+        "left % of each case": np.round(left_percent, 1).tolist(),
         "left % of each case by design": np.round(design, 1).tolist(),
     }
 
 
 def _row(
-    twin: CalibratedTwin, seen: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
+    twin: CalibratedTwin, places: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """Return what was found, and residual signals at held-out locations."""
     from estimator.calibration.twin.unknowns import at_limits
 
-    found = twin.unknowns
-    correction = found.correction(twin.numbers)
-    left, by_design = (round(100 * float(np.median(one)), 2) for one in (calibrated, planned))
-    most, most_by_design = (100 * float(np.quantile(one, _SHARE)) for one in (calibrated, planned))
+    unknowns = twin.unknowns
+    correction = unknowns.correction(twin.numbers)
+    left_percent, by_design = (
+        round(100 * float(np.median(shares)), 2) for shares in (calibrated, planned)
+    )
+    most, most_by_design = (
+        100 * float(np.quantile(shares, _SHARE)) for shares in (calibrated, planned)
+    )
     strained = at_limits(twin.numbers)
     return {
-        "face": seen.face,
-        "places": len(seen),
-        "signals left %, places left out": left,
+        "face": places.face,
+        "places": len(places),
+        "signals left %, places left out": left_percent,
         "signals left %, design": by_design,
         "helps": verdict(most, most_by_design, strained),
-        "modulus over design": round(found.assembly(twin.numbers).modulus_ratio, 4),
+        "modulus over design": round(unknowns.assembly(twin.numbers).modulus_ratio, 4),
         "large deformation": [
             round(value, 4)
             for value in (*correction.force, *correction.shift, *correction.rotation)
@@ -278,7 +290,7 @@ def _row(
             twin.discrepancy.prior.size,
             twin.discrepancy.prior.length_mm,
         ],
-        "places mm": np.round(seen.xy_mm, 4).tolist(),
+        "places mm": np.round(places.xy_mm, 4).tolist(),
         "left %": np.round(100 * calibrated, 2).tolist(),
         "left by design %": np.round(100 * planned, 2).tolist(),
     }

@@ -1,4 +1,4 @@
-// Messages of the live server, as instobj/live/protocol.py describes them.
+// Messages of the live server, as instobj/bench/live/protocol.py describes them.
 const HEAD = 40;
 const CONTACT = 15;
 const LABEL = 10;

@@ -12,13 +12,13 @@ from design.body.meshes import (
     distance_mm,
     height_mm,
     high_points,
+    is_surface_triangle,
     largest_ceiling,
     least_draft_deg,
     least_width_mm,
     one_closed_surface,
     peaks_and_saddles,
     sharpest_edge,
-    tells_how_it_faces,
     thinnest_wall,
     undercut,
 )
@@ -128,7 +128,7 @@ def test_slivers_that_face_as_none_of_their_neighbours_do_have_no_walls():
     a recess were told of an ellipsoid (random request 213) whose core has 1.85 mm or more."""
     assert_allclose(thinnest_wall(plate_with_a_film(depth=0.008)).thickness_mm, 2.0, atol=0.01)
     strips = trimesh.creation.box((0.009, 4.0, 4.0))
-    assert tells_how_it_faces(strips).all(), "two that make one side"
+    assert is_surface_triangle(strips).all(), "two that make one side"
 
 
 def test_walls_of_fine_surfaces_are_measured_in_seconds():

@@ -10,7 +10,7 @@ from tests.support.physics_pages import assert_page
 FRAMED = [name for name in OBJECTS if "closed" not in name and name != "sleeve"]
 
 
-def of_sizes(name):
+def size_models(name):
     spec = worked(name)
     body, axes = body_of(spec), mould_frame(spec).axes
     less = body.less(0.7)
@@ -30,7 +30,7 @@ def of_faces(name):
     turn = np.linspace(0.2, 6.0, 5)
     xy = 0.6 * np.column_stack([np.cos(turn), np.sin(turn)]) * frame.half_extents_mm
     lengths = frame.from_plane(xy)
-    onto = frame.onto(
+    onto = frame.project_along(
         frame.to_object(np.column_stack([xy, np.full(5, 2.0)])), frame.normal + 0.2 * frame.x
     )
     stretch = np.column_stack([frame.area_stretch(lengths), onto[:, 2]])
@@ -41,6 +41,6 @@ def of_faces(name):
 
 
 def test_the_page_of_bodies():
-    sizes = [line for name in OBJECTS for line in of_sizes(name)]
+    sizes = [line for name in OBJECTS for line in size_models(name)]
     faces = [line for name in FRAMED[1::2] for line in of_faces(name)]
     assert_page("design/body", [*sizes, *faces])

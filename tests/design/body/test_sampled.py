@@ -31,7 +31,7 @@ def patch(monkeypatch, number, distance, inward_mm=4.0):
     """Of a body of 62 × 56 × 50 mm with a surface where `distance` of points is 0."""
 
     class Given(DistanceField):
-        def at(self, points_mm):
+        def evaluate(self, points_mm):
             return distance(points_mm)
 
     given = Given(np.zeros(3), 1.0, np.zeros((1, 1, 1)))

@@ -51,18 +51,18 @@ def test_steps_along_a_section_that_is_not_symmetric_are_even():
     """The planted fault: the plane's own steps are a tenth too long at one end."""
 
     class Leaning(Cap):
-        def at(self, xy_mm):
-            height, slope = super().at(xy_mm)
+        def evaluate(self, xy_mm):
+            height, slope = super().evaluate(xy_mm)
             x = xy_mm[..., 0]
             steeper = np.stack([-0.1 * x**2 / 15, 0 * x], axis=-1) / 3
             return height - 0.1 * x**3 / 135, slope + steeper
 
     relief = Leaning((25.0, 25.0, 25.0))
-    section = section_lengths(lambda t: relief.at(t[..., None] * [1.0, 0.0])[1][..., 0], 15.0)
+    section = section_lengths(lambda t: relief.evaluate(t[..., None] * [1.0, 0.0])[1][..., 0], 15.0)
     assert section is not None
     assert section_lengths(np.zeros_like, 15.0) is None
     fine = np.linspace(-15, 15, 30001)
-    points = np.column_stack([fine, relief.at(np.column_stack([fine, 0 * fine]))[0]])
+    points = np.column_stack([fine, relief.evaluate(np.column_stack([fine, 0 * fine]))[0]])
     walked = np.append(0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
     walked -= walked[15000]
     assert abs(walked[0]) < walked[-1] - 0.3

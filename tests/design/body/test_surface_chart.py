@@ -61,9 +61,9 @@ def test_a_tangent_frame_touches_at_its_place_and_lies_outside_a_convex_body(nam
     )
     ring = place + 2.5 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])
     points = tangent.to_object(np.column_stack([ring, np.zeros(4)]))
-    on_face = frame.onto(points, tangent.normal)
-    assert_allclose(frame.relief.at(on_face[:, :2])[0], on_face[:, 2], rtol=0, atol=1e-8)
-    dropped = (on_face - frame.in_plane(points)) @ (tangent.normal @ frame.axes)
+    on_face = frame.project_along(points, tangent.normal)
+    assert_allclose(frame.relief.evaluate(on_face[:, :2])[0], on_face[:, 2], rtol=0, atol=1e-8)
+    dropped = (on_face - frame.plane_coordinates(points)) @ (tangent.normal @ frame.axes)
     assert (dropped <= 1e-12).all()
     assert dropped.min() < -0.05
 
@@ -71,7 +71,10 @@ def test_a_tangent_frame_touches_at_its_place_and_lies_outside_a_convex_body(nam
 def test_lines_that_miss_a_patch_are_told():
     frame = face_frame(body_spec("sphere"), 1)
     beside = np.array([[40.0, 0.0, 22.0], [0.0, 3.0, 22.0]])
-    assert np.isfinite(frame.onto(beside, frame.normal)).all(axis=1).tolist() == [False, True]
+    assert np.isfinite(frame.project_along(beside, frame.normal)).all(axis=1).tolist() == [
+        False,
+        True,
+    ]
 
 
 @pytest.mark.parametrize("name", ["sphere", "dome_on_core", "cylinder", "capsule"])
@@ -109,7 +112,7 @@ def test_a_capsule_s_side_is_a_cylinder_s_up_to_its_ends_and_a_ball_s_beyond():
     body = body_of(body_spec("capsule"))
     side, along = body.frame(3), np.array([[11.0, 4.0], [12.0, -4.0], [19.0, 6.0], [-25.0, 3.0]])
     beyond = np.array([[0.0, 4.0], [0.0, -4.0], [7.0, 6.0], [-13.0, 3.0]])
-    height, slope = side.relief.at(along)
+    height, slope = side.relief.evaluate(along)
     assert_allclose(height, np.sqrt(20**2 - (beyond**2).sum(axis=1)) - 20, rtol=0, atol=1e-12)
     assert_allclose(slope, -beyond / (20 + height)[:, None], rtol=0, atol=1e-12)
     points = side.to_object(np.column_stack([along, np.zeros(4)]))
@@ -118,7 +121,7 @@ def test_a_capsule_s_side_is_a_cylinder_s_up_to_its_ends_and_a_ball_s_beyond():
     assert_allclose(side.half_extents_mm, [12 + 20 * 3**0.5 / 2, 20 * 3**0.5 / 2], rtol=1e-12)
     turn = np.linspace(0, 2 * np.pi, 50)
     rim = side.half_extents_mm * np.column_stack([np.cos(turn), np.sin(turn)])
-    assert np.linalg.norm(side.relief.at(rim)[1], axis=1).max() == pytest.approx(steepest)
+    assert np.linalg.norm(side.relief.evaluate(rim)[1], axis=1).max() == pytest.approx(steepest)
 
 
 @pytest.mark.parametrize("name", ["box", "sphere"])

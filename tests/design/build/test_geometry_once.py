@@ -11,7 +11,7 @@ from design.build.parts import parts_of
 from design.layout.body import core_frames, face_frames
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import shell_pockets
-from design.spec import worked_out
+from design.spec import cached_geometry
 from design.spec.object import ObjectSpec
 from tests.support.objects.body_cases import body_spec
 
@@ -75,7 +75,7 @@ def test_nothing_is_kept_for_a_specification_that_is_gone():
     spec = ObjectSpec(name="cube")
     face_frames(spec)
     key = id(spec)
-    assert key in worked_out.KEPT_RESULTS
+    assert key in cached_geometry.KEPT_RESULTS
     del spec
     gc.collect()
-    assert key not in worked_out.KEPT_RESULTS
+    assert key not in cached_geometry.KEPT_RESULTS

@@ -170,7 +170,7 @@ def test_hall_sensors_have_the_ranges_of_their_data_sheets():
 def test_noise_of_the_sheet_is_of_one_conversion_in_microtesla():
     noise = hall_part("TMAG5273B1").noise
     assert (noise.counts, noise.counts_per_mt, noise.averaging) == ((125.0, 125.0, 68.0), 1e3, 1)
-    assert_allclose(noise.at(820.0, 32), (18.12, 18.12, 9.857), rtol=1e-3)
+    assert_allclose(noise.scaled(820.0, 32), (18.12, 18.12, 9.857), rtol=1e-3)
     assert hall_part("MLX90393").noise is None
 
 

@@ -19,7 +19,7 @@ from design.fabrication.assembly import (
 )
 from design.fabrication.casting import check_casting, check_closing, draws
 from design.fabrication.check import check_fabrication, check_solid, mesh_of
-from design.fabrication.finding import at_least
+from design.fabrication.finding import status_above
 from design.fabrication.printing import (
     check_bed,
     check_edges,
@@ -32,7 +32,7 @@ from design.layout.mould.pins import loose_pins
 from design.mould.halves import make_mould_half
 from design.mould.one_piece import make_mould_box
 from design.mould.plug import make_mould_plug
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.solids.core import make_core
 from design.solids.primitives import box_between
 from design.solids.sampled import sampled_core_part
@@ -70,8 +70,8 @@ def test_slivers_beside_the_core_are_found():
     assert loose.status == "fail"
     assert_allclose(loose.value, 0.54, rtol=1e-9)
     assert_allclose(loose.place_mm, (20.45, 0.5, 3.3), rtol=0, atol=1e-3)
-    as_triangles, _ = check_solid("core", mesh_of(broken, PAPER), PAPER)
-    assert_allclose(found(as_triangles, "no slivers").value, 0.54, rtol=1e-6)
+    convert_to_triangles, _ = check_solid("core", mesh_of(broken, PAPER), PAPER)
+    assert_allclose(found(convert_to_triangles, "no slivers").value, 0.54, rtol=1e-6)
     whole, _ = check_solid("core", make_core(PAPER), PAPER)
     assert {finding.status for finding in whole} == {"pass"}
     assert mesh is not None
@@ -339,9 +339,9 @@ def test_knife_edges_are_warned_of():
 
 
 def test_limits_are_met_by_equality():
-    assert at_least(1.0, 1.0) == at_least(1 - 1e-9, 1.0) == "pass"
-    assert at_least(0.99, 1.0) == at_least(float("nan"), 1.0) == "fail"
-    assert at_least(1.1, 1.0, 1.25) == "warn"
+    assert status_above(1.0, 1.0) == status_above(1 - 1e-9, 1.0) == "pass"
+    assert status_above(0.99, 1.0) == status_above(float("nan"), 1.0) == "fail"
+    assert status_above(1.1, 1.0, 1.25) == "warn"
 
 
 def test_pieces_are_handed_on():
@@ -385,7 +385,7 @@ def test_heads_of_pins_leave_the_plug_its_room():
     text = {"mould": {"style": "split"}, "magnets": {"positions_mm": [[14, 0], [-14, 0]]}}
     spec = parse_spec({"name": "cube", **text}, "test")
     plug = make_mould_plug(spec)
-    (closes,) = check_closing(spec, {"mould_plug": as_triangles(plug)})
+    (closes,) = check_closing(spec, {"mould_plug": convert_to_triangles(plug)})
     assert (closes.status, closes.value) == ("pass", 0)
 
 

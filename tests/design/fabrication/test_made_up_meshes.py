@@ -26,13 +26,13 @@ from design.fabrication.casting import (
     way_out,
 )
 from design.fabrication.check import check_solid
-from design.fabrication.finding import at_least, worst
+from design.fabrication.finding import status_above, worst
 from design.fabrication.printing import check_bed, check_edges, check_walls
 from design.fabrication.tools import check_tools
 from design.layout.boards import Mounted
 from design.layout.body import body_of, face_frames
 from design.layout.mould.pouring import Hole
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.solids.core import make_core
 from design.solids.jig import make_jig
 from design.solids.magnet_template import template_faces
@@ -243,13 +243,13 @@ def test_wires_go_through_the_narrowest_hole():
 
 
 def test_the_worst_of_findings_and_their_limits():
-    assert [at_least(v, 1.0, 1.25) for v in (0.9999, 1.0, 1.2499, 1.25)] == [
+    assert [status_above(v, 1.0, 1.25) for v in (0.9999, 1.0, 1.2499, 1.25)] == [
         "fail",
         "warn",
         "warn",
         "pass",
     ]
-    assert at_least(float("nan"), 1.0) == "fail"
+    assert status_above(float("nan"), 1.0) == "fail"
     assert worst([]) == "pass"
 
 
@@ -324,9 +324,9 @@ def test_a_flange_is_judged_by_the_walls_beside_its_bolts():
 def on_a_jig(spec, shift_mm=(0.0, 0.0, 0.0)):
     """Findings on the jig of an object whose core is moved, as the wrong seat would move it."""
     make = sampled_core_part if body_of(spec).sampled else make_core
-    core = as_triangles(make(spec)).copy()
+    core = convert_to_triangles(make(spec)).copy()
     core.apply_translation(shift_mm)
-    jig = as_triangles(make_jig(spec))
+    jig = convert_to_triangles(make_jig(spec))
     found = check_tools(spec, {"core": core, "jig": jig})
     return {finding.check: finding for finding in found}["object on its jig"]
 
@@ -391,7 +391,10 @@ def test_a_probe_is_judged_beside_the_jig_where_it_presses_lowest():
     """By hand, of the paper's cube: at z = −13.5 a plate of 20 × 20 × 4 mm begins 15 − 4 mm outside the
     face and ends at −23.5; the jig's, up to 16 mm outside, lies below −21."""
     spec = ObjectSpec(name="cube").changed(press={"depths_mm": (1.0, 4.0)})
-    meshes = {"jig": as_triangles(make_jig(spec)), "probe_1": as_triangles(make_probe(spec, 1))}
+    meshes = {
+        "jig": convert_to_triangles(make_jig(spec)),
+        "probe_1": convert_to_triangles(make_probe(spec, 1)),
+    }
 
     def beside(**grid):
         changed = spec.changed(contact_grid=grid)

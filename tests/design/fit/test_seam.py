@@ -11,7 +11,7 @@ from design.build.parts import Part
 from design.fabrication.printing import check_walls
 from design.fit import seam
 from design.fit.seam import seam_in_words
-from design.layout.mould.frame import hooked_depth_mm, mould_frame, up
+from design.layout.mould.frame import mould_frame, undercut_depth_mm, up
 from design.layout.mould.pouring import pour_holes
 from design.spec.object import ObjectSpec
 
@@ -97,7 +97,7 @@ def test_a_seam_that_is_not_along_a_pad_s_sides_hooks():
     """Random design 7009: of each end wall the part beyond the seam stands in the way of its half."""
     spec, lean = pad(173.47), np.tan(np.deg2rad(180 - 173.47))
     hooked = (30.7 / 2 - 44.3 / 2 * lean) * lean
-    assert hooked_depth_mm(spec) == pytest.approx(hooked, rel=0.02)
+    assert undercut_depth_mm(spec) == pytest.approx(hooked, rel=0.02)
     (told,) = seam_in_words(spec)
     assert f"hook the body by about {hooked:.2g} mm, and the silicone gives way by 0.16 mm" in told
     assert told.endswith("mould.parting_azimuth_deg = 0 does without")
@@ -162,7 +162,7 @@ def tilted_block(folder, tilt_deg):
 def test_a_file_s_body_that_every_seam_hooks_is_told_by_check(tmp_path):
     """`check` called the foam brick valid; `check --fabrication` failed, and named a seam that it has not."""
     spec = tilted_block(tmp_path, 20.0)
-    assert hooked_depth_mm(spec) > 1
+    assert undercut_depth_mm(spec) > 1
     (text,) = [one for one in seam_in_words(spec) if "hook the body" in one]
     assert "check --fabrication fails on it" in text
     assert "turn the body in its file" in text

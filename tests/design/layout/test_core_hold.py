@@ -28,7 +28,7 @@ class Slope:
 
     per_mm: float
 
-    def at(self, xy_mm):
+    def evaluate(self, xy_mm):
         xy = np.asarray(xy_mm, float)
         return self.per_mm * xy[..., 0], np.stack(
             [np.full(xy.shape[:-1], self.per_mm), np.zeros(xy.shape[:-1])], axis=-1

@@ -17,10 +17,10 @@ from design.layout.core_sockets import (
     Ways,
     core_depth_mm,
     flat_frame,
-    from_segment_mm,
     off_pour,
     places_on,
     room_mm,
+    segment_distance_mm,
     ways_to_wires,
     wire_targets,
 )
@@ -234,13 +234,13 @@ def test_a_pin_over_a_recess_or_a_wire_hole_has_no_room():
 def test_points_of_ways_are_so_far_from_a_straight_piece():
     points = np.array([[[0.0, 0, 0], [5, 3, 0]], [[-4, 3, 0], [14, 0, 3]]])
     ends = np.array([[0.0, 0, 0], [10, 0, 0]])
-    np.testing.assert_allclose(from_segment_mm(points, ends), [0, 5])
-    np.testing.assert_allclose(from_segment_mm(points[:, 1:], ends), [3, 5])
+    np.testing.assert_allclose(segment_distance_mm(points, ends), [0, 5])
+    np.testing.assert_allclose(segment_distance_mm(points[:, 1:], ends), [3, 5])
     ways = way_down(1.0, 2.0)
     np.testing.assert_allclose(
-        ways.at(np.array([[-3.0, 0.5]])), [[[1, 2, 18], [1, 2, 21.5]]], atol=1e-12
+        ways.points_at(np.array([[-3.0, 0.5]])), [[[1, 2, 18], [1, 2, 21.5]]], atol=1e-12
     )
-    assert ways.of(np.array([False])).start_mm.shape == (0, 3)
+    assert ways.select(np.array([False])).start_mm.shape == (0, 3)
 
 
 def test_pins_keep_off_the_corner_that_silicone_is_poured_in_by():

@@ -36,7 +36,7 @@ def test_every_face_has_the_magnets_of_its_own_list():
     assert spec.magnets.count == 2
     for frame, places in zip(face_frames(spec), LISTS, strict=True):
         here = layout.centre_mm[layout.face == frame.number]
-        np.testing.assert_allclose(frame.in_plane(here)[:, :2], places, atol=1e-9)
+        np.testing.assert_allclose(frame.plane_coordinates(here)[:, :2], places, atol=1e-9)
     assert all(len(faces) == 1 for faces in template_faces(spec).values())
 
 

@@ -12,8 +12,8 @@ from design.layout.pockets import (
     Pocket,
     axis_in_object_mm,
     board_frame,
-    by_sensed_face,
     distance_of_segments_mm,
+    lists_of_sensed_faces,
     neighbours,
     tilted_frame,
 )
@@ -140,12 +140,12 @@ def test_neighbours_meet_at_an_edge():
 def test_lists_of_places_begin_with_face_1_and_go_round_or_are_one_for_each_sensed_face():
     one, two, three = ((1.0, 0.0),), ((2.0, 0.0),), ((3.0, 0.0),)
     some = worked("closed box").changed(body=worked("closed box").body.changed(sensed_faces=(3, 5)))
-    assert by_sensed_face(worked("closed box"), (one, two, three, one)) == (
+    assert lists_of_sensed_faces(worked("closed box"), (one, two, three, one)) == (
         *(one, two, three, one),
         *(one, two),
     )
-    assert by_sensed_face(some, (one, two, three)) == (three, two)
-    assert by_sensed_face(some, (one, two)) == (one, two)
+    assert lists_of_sensed_faces(some, (one, two, three)) == (three, two)
+    assert lists_of_sensed_faces(some, (one, two)) == (one, two)
 
 
 def test_pockets_whose_axes_nearly_meet_overlap_by_what_is_left_of_both_radii():

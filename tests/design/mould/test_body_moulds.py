@@ -25,7 +25,7 @@ from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder
 from design.mould.room import cast_room
 from design.mould.whole import inside_of_mould, mould_around
-from design.solids.booleans import as_triangles, common, cut, volume_mm3
+from design.solids.booleans import common, convert_to_triangles, cut, volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_shell
 from design.solids.shell import make_shell
@@ -231,7 +231,7 @@ def test_a_core_that_nothing_can_hold_is_told():
 
 
 def meshes_of(spec):
-    return {part.name: as_triangles(part.make()) for part in parts_of(spec)}
+    return {part.name: convert_to_triangles(part.make()) for part in parts_of(spec)}
 
 
 def found(findings, check, part=None):
@@ -323,11 +323,14 @@ def test_vents_under_the_holder_lead_through_it(tmp_path):
     aside = [np.hypot(*vent.top_mm[:2]) - spec.body.bore_mm / 2 for vent in vents]
     assert min(abs(away) for away in aside) < vents[0].diameter_mm / 2, "one stands half in the rod"
     inside = {part.name: part for part in parts_of(spec)}
-    meshes = {name: as_triangles(inside[name].make()) for name in ("shell", "core", "mould_holder")}
+    meshes = {
+        name: convert_to_triangles(inside[name].make())
+        for name in ("shell", "core", "mould_holder")
+    }
     findings = check_casting(spec, meshes)
     assert found(findings, "holes are open").status == "pass"
     assert found(findings, "mould closes").status == "pass"
-    whole = as_triangles(holder_without_vents(spec))
+    whole = convert_to_triangles(holder_without_vents(spec))
     removed = cut(whole, meshes["mould_holder"])
     assert volume_mm3(removed) > 3.5
     assert volume_mm3(common(removed, cast_room(spec))) < 0.01, "silicone sees the same rod"

@@ -34,7 +34,7 @@ from design.mould.halves import (
 from design.mould.one_piece import make_mould_box
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_plug
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.solids.shell import make_shell
 from design.spec_io import load_spec, parse_spec
 from tests.support.objects.shell_volume import cast_cavity
@@ -211,7 +211,7 @@ def test_the_pouring_hole_of_a_closed_egg_leaves_dowels_on_their_flange():
             gap = distance_of_segments_mm(axis, np.stack([place, place + 1e-3 * plane.normal]))
             assert gap > pour.diameter_mm / 2 + DOWEL_DIAMETER_MM / 2
     assert pierced == 1
-    assert len(as_triangles(make_mould_half(spec, 1)).split(only_watertight=False)) == 1
+    assert len(convert_to_triangles(make_mould_half(spec, 1)).split(only_watertight=False)) == 1
 
 
 def test_dowels_stand_on_flange_that_hangs_on_the_block():

@@ -15,7 +15,7 @@ from design.mould.plug_flange import (
     flange_solids,
     grip_half_mm,
     grip_solid,
-    over_slope,
+    prism_over_slope,
     tabs,
 )
 from design.solids.primitives import OVERSHOOT_MM, box_between
@@ -52,7 +52,7 @@ def test_a_grip_stays_between_its_blocks_where_they_do_not_meet():
 def test_what_is_over_a_slope_is_a_prism_with_both_chamfers_and_ends_on_the_slope():
     frame, inner = mould_frame(box(8.0)), 12.0
     foot, ridge = (frame.axes @ np.array(p) for p in ((-6.0, 0.0, 30.0), (0.0, 0.0, 34.0)))
-    solid = over_slope(frame, foot, ridge, inner)
+    solid = prism_over_slope(frame, foot, ridge, inner)
     high, rise = 4 * FLANGE_HEIGHT_MM, np.linalg.norm(ridge - foot)
     section = 2 * inner * (high - CHAMFER_MM) + (2 * inner - CHAMFER_MM) * CHAMFER_MM
     assert solid.Volume() == pytest.approx(section * (rise + 2 * high), rel=1e-6)

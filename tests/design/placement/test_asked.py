@@ -13,7 +13,7 @@ from design.placement.asked import (
     smallest_working,
     thickened_request,
 )
-from design.placement.objects import Request, Trim, bare_tables, pitches_mm, rounded_places
+from design.placement.objects import Request, ShellVariant, bare_tables, pitches_mm, rounded_places
 from design.placement.paths import long_path_mm
 from design.placement.room import (
     low_rim,
@@ -26,7 +26,7 @@ from design.placement.room import (
 from tests.support.objects.worked_objects import OBJECTS, worked
 from tests.support.physics_pages import assert_page
 
-TRIM = Trim(7.0, 5.0, 3.0)
+TRIM = ShellVariant(7.0, 5.0, 3.0)
 IN_CORE = [name for name in OBJECTS if name not in ("reverse box", "ellipsoid")]
 
 

@@ -5,8 +5,8 @@ import pytest
 
 from design.layout.body import body_of
 from design.placement import hooking
-from design.placement.hooking import trims_of, way_that_hooks_least, with_thinnest
-from design.placement.objects import TRIMS, Request, Trim, spec_of
+from design.placement.hooking import shell_variants_of, way_that_hooks_least, with_thinnest
+from design.placement.objects import SHELL_VARIANTS, Request, ShellVariant, spec_of
 
 
 def lump(longest_mm, scale=1.0):
@@ -17,16 +17,21 @@ def lump(longest_mm, scale=1.0):
 @pytest.mark.parametrize(
     ("hooked_mm", "longest_mm", "first", "thinnest"),
     [
-        (0.09, 60.0, TRIMS, TRIMS[-1]),
-        (0.12, 60.0, [(8, 6), (8, 5), (8, 4), (7, 5), (7, 4), (6, 4), (5, 4)], Trim(7.0, 4.0, 3.0)),
+        (0.09, 60.0, SHELL_VARIANTS, SHELL_VARIANTS[-1]),
+        (
+            0.12,
+            60.0,
+            [(8, 6), (8, 5), (8, 4), (7, 5), (7, 4), (6, 4), (5, 4)],
+            ShellVariant(7.0, 4.0, 3.0),
+        ),
         (
             0.06,
             120.0,
             [(8, 6), (8, 5), (8, 4), (7, 5), (7, 4), (6, 4), (5, 4)],
-            Trim(7.0, 4.0, 3.0),
+            ShellVariant(7.0, 4.0, 3.0),
         ),
-        (0.2, 60.0, [(11, 6), (11, 5), (11, 4), (8, 6)], Trim(11.0, 4.0, 6.0)),
-        (0.3, 60.0, TRIMS, TRIMS[-1]),  # which takes 16.5 mm
+        (0.2, 60.0, [(11, 6), (11, 5), (11, 4), (8, 6)], ShellVariant(11.0, 4.0, 6.0)),
+        (0.3, 60.0, SHELL_VARIANTS, SHELL_VARIANTS[-1]),  # which takes 16.5 mm
     ],
 )
 def test_a_body_that_hooks_gets_a_shell_that_gives_way(
@@ -35,13 +40,13 @@ def test_a_body_that_hooks_gets_a_shell_that_gives_way(
     """By 2 % of its thickness, and a tenth to spare; hooks grow with the body, measured at 60 mm."""
     seen = []
     monkeypatch.setattr(hooking, "least_hooked_mm", lambda body: seen.append(body) or hooked_mm)
-    tried = trims_of(lump(longest_mm))
-    if first is TRIMS:
-        assert tried is TRIMS
+    tried = shell_variants_of(lump(longest_mm))
+    if first is SHELL_VARIANTS:
+        assert tried is SHELL_VARIANTS
     else:
         pairs = [(trim.thickness_mm, trim.pocket_diameter_mm) for trim in tried]
         assert pairs[: len(first)] == first
-        assert set(TRIMS) <= set(tried)
+        assert set(SHELL_VARIANTS) <= set(tried)
     assert with_thinnest(lump(longest_mm)).thinnest == thinnest
     assert {body.size_mm for body in seen} == {(60.0, 48.0, 30.0)}
     assert {dict(body.file)["scale"] for body in seen} == {60.0 / longest_mm}
@@ -49,7 +54,7 @@ def test_a_body_that_hooks_gets_a_shell_that_gives_way(
 
 def test_kinds_know_where_their_halves_hook_nothing(monkeypatch):
     monkeypatch.setattr(hooking, "least_hooked_mm", lambda body: 1 / 0)
-    assert trims_of(Request("sphere", (60.0, 60.0, 60.0))) is TRIMS
+    assert shell_variants_of(Request("sphere", (60.0, 60.0, 60.0))) is SHELL_VARIANTS
 
 
 @pytest.mark.parametrize("wanted", [(0.27, 0.08, 0.96), (-0.5, 0.7, 0.1), (0.0, 0.0, 1.0)])
@@ -57,7 +62,7 @@ def test_the_way_that_hooks_least_is_found_within_some_degrees(monkeypatch, want
     wanted = np.array(wanted) / np.linalg.norm(wanted)
     monkeypatch.setattr(
         hooking,
-        "hooked_along_mm",
+        "undercut_along_mm",
         lambda body, way: float(np.sqrt(1 - min(1, (way @ wanted) ** 2))),
     )
     deep, way = way_that_hooks_least(

@@ -24,8 +24,8 @@ from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import magnet_layout
 from design.layout.pockets import sensor_places
 from design.placement import asked, objects
-from design.placement.asked import on_base, placed
-from design.placement.objects import Request, Trim, first_fit, relaid, spec_of
+from design.placement.asked import base_advice, place_parts
+from design.placement.objects import Request, ShellVariant, first_fit, relaid, spec_of
 from design.placement.room import (
     low_rim,
     narrow_heads,
@@ -48,7 +48,7 @@ QUICK = {
 
 @pytest.fixture(scope="module")
 def made_tables():
-    return {name: placed(request) for name, request in QUICK.items()}
+    return {name: place_parts(request) for name, request in QUICK.items()}
 
 
 @pytest.fixture(scope="module")
@@ -139,7 +139,7 @@ def test_a_core_that_slopes_away_beside_a_recess_leaves_no_thin_wall_there():
 def test_the_pear_takes_two_sensors_on_every_face():
     read = body_of_file(PEAR)
     request = Request("imported", tuple(read["size_mm"]), 2, 1, (("file", read["file"]),))
-    tables = first_fit(request, trims=(Trim(8.0, 6.0, 3.0),), shares=(0.46,))
+    tables = first_fit(request, shells=(ShellVariant(8.0, 6.0, 3.0),), shares=(0.46,))
     assert tables is not None
     spec = spec_of(tables)
     assert [len(face) for face in sensor_places(spec)] == [2] * 5
@@ -148,7 +148,7 @@ def test_the_pear_takes_two_sensors_on_every_face():
 def test_faces_that_are_too_small_are_not_sensed():
     """A brick was refused as a whole, as its short sides take no four sensors; nine of ten odd bodies too."""
     request = Request("box", (80.0, 60.0, 26.0), 4, 5)
-    tables = placed(request)
+    tables = place_parts(request)
     spec = spec_of(tables)
     assert problems_of(spec) == []
     assert spec.body.sensed == (1, 2, 4)
@@ -158,18 +158,18 @@ def test_faces_that_are_too_small_are_not_sensed():
 
 def test_a_pad_that_is_too_small_is_refused_with_a_size_that_works():
     with pytest.raises(SpecError, match="too small for 4 sensors") as told:
-        placed(Request("pad", (20.0, 14.0, 8.0), 4))
+        place_parts(Request("pad", (20.0, 14.0, 8.0), 4))
     named = re.findall(r"works is about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value))
     size = tuple(float(edge) for edge in named[0])
-    assert problems_of(spec_of(placed(Request("pad", size, 4)))) == []
+    assert problems_of(spec_of(place_parts(Request("pad", size, 4)))) == []
     smaller = tuple(0.8 * edge for edge in size)
     with pytest.raises(SpecError, match="too small"):
-        placed(Request("pad", smaller, 4))
+        place_parts(Request("pad", smaller, 4))
 
 
 def test_magnets_of_a_narrow_pad_keep_silicone_at_its_sides():
     """0.81 mm were left beside them (limit 1 mm): check --fabrication failed."""
-    spec = spec_of(placed(Request("pad", (22.4, 49.0, 12.6), 2, 6)))
+    spec = spec_of(place_parts(Request("pad", (22.4, 49.0, 12.6), 2, 6)))
     x, y = np.abs(spec.magnets.positions_mm).max(axis=0)
     radius = spec.shell.pocket_diameter_mm / 2
     assert min(11.2 - x, 24.5 - y) - radius >= 1.25 * spec.silicone.thinnest_wall_mm
@@ -186,22 +186,22 @@ def test_magnets_of_a_narrow_pad_keep_silicone_at_its_sides():
 )
 def test_what_would_fit_instead_is_named_and_fits(request_, works):
     with pytest.raises(SpecError, match=works) as told:
-        placed(request_)
+        place_parts(request_)
     for size in re.findall(r"about ([\d.]+) × ([\d.]+) × ([\d.]+) mm", str(told.value)):
-        works = placed(replace(request_, size_mm=tuple(map(float, size))))
+        works = place_parts(replace(request_, size_mm=tuple(map(float, size))))
         assert problems_of(spec_of(works)) == [], "or check refuses the size that is named"
     for what in ("sensor", "magnet"):
         for count in re.findall(rf"(\d+) {what}s? per face would", str(told.value)):
-            placed(replace(request_, **{f"{what}s": int(count)}))
+            place_parts(replace(request_, **{f"{what}s": int(count)}))
 
 
 def test_a_plate_too_thin_for_its_core_s_walls_is_offered_as_a_pad():
     plate = Request("box", (40.0, 30.0, 12.0), 1, 1)
-    (told,) = on_base(plate)
+    (told,) = base_advice(plate)
     assert "--kind pad" in told
-    assert problems_of(spec_of(placed(replace(plate, kind="pad")))) == []
-    assert not [*on_base(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
-    assert not [*on_base(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
+    assert problems_of(spec_of(place_parts(replace(plate, kind="pad")))) == []
+    assert not [*base_advice(replace(plate, size_mm=(40.0, 30.0, 16.0)))], "no plate"
+    assert not [*base_advice(replace(plate, size_mm=(40.0, 30.0, 4.0)))], "nor room in a pad"
 
 
 def test_a_core_of_no_size_has_faces_of_no_size():
@@ -213,7 +213,7 @@ def test_a_core_of_no_size_has_faces_of_no_size():
 def test_a_body_thinner_than_its_silicone_is_too_small_and_no_crash():
     """An ellipsoid's core is an offset of its triangles: here of less than nothing."""
     request = Request("ellipsoid", (10.0, 10.0, 10.0))
-    assert first_fit(request, trims=(Trim(8.0, 6.0, 3.0),)) is None
+    assert first_fit(request, shells=(ShellVariant(8.0, 6.0, 3.0),)) is None
 
 
 def test_a_core_that_is_tight_when_flat_is_tight_when_sunk(made):
@@ -224,29 +224,29 @@ def test_a_core_that_is_tight_when_flat_is_tight_when_sunk(made):
 
 def test_a_size_that_the_kind_does_not_take_is_refused_with_its_rule():
     with pytest.raises(SpecError, match="three times its diameter"):
-        placed(Request("sphere", (50.0, 50.0, 40.0)))
+        place_parts(Request("sphere", (50.0, 50.0, 40.0)))
 
 
 def test_a_long_box_senses_all_its_faces_by_a_coarser_grid():
     """At 3 mm its lattice would have more than a hundred locations along an edge: two faces were left."""
-    tables = placed(Request("box", (320.0, 100.0, 100.0), sensors=2, magnets=1))
+    tables = place_parts(Request("box", (320.0, 100.0, 100.0), sensors=2, magnets=1))
     assert "sensed_faces" not in tables["body"]
     assert tables["contact_grid"]["pitch_mm"] == 4.0
 
 
 def test_a_body_that_nothing_helps_is_not_grown_beyond_what_a_body_may_measure(monkeypatch):
-    monkeypatch.setattr(objects, "every_fit", lambda *_: iter(()))
+    monkeypatch.setattr(objects, "fitting_tables", lambda *_: iter(()))
     for module in (objects, asked):
         monkeypatch.setattr(module, "roomy_faces", lambda _: ())
     with pytest.raises(
         SpecError, match="too small for 3 sensors and a magnet per face, and no size up to"
     ):
-        placed(Request("dome", (500.0, 500.0, 260.0)))
+        place_parts(Request("dome", (500.0, 500.0, 260.0)))
 
 
 def test_a_small_eggs_bore_leaves_a_wall_to_the_recesses_beside_it():
     """A rod of 9 mm left 0.66 mm of core behind the recesses of faces 2 and 4."""
-    spec = spec_of(placed(Request("ellipsoid", (36.0, 34.0, 40.0), sensors=1, magnets=3)))
+    spec = spec_of(place_parts(Request("ellipsoid", (36.0, 34.0, 40.0), sensors=1, magnets=3)))
     assert spec.body.bore_mm == 8.0
     floors = np.array([r.corners_mm for r in sensor_recesses(spec) if r.face in (2, 4)])
     wall = float(abs(floors[..., 1]).min()) - spec.body.bore_mm / 2
@@ -342,7 +342,7 @@ def test_a_face_without_a_patch_is_left_out_of_the_largest(tmp_path):
     trimesh.Trimesh(corners).convex_hull.export(path)
     read = body_of_file(path)
     request = Request("imported", tuple(read["size_mm"]), 3, None, (("file", read["file"]),))
-    assert first_fit(request, (Trim(5.0, 4.0, 3.0),)) is None
+    assert first_fit(request, (ShellVariant(5.0, 4.0, 3.0),)) is None
 
 
 @pytest.mark.parametrize(
@@ -415,7 +415,7 @@ def test_patterns_that_cannot_be_made_come_last(monkeypatch):
 
     def places(*hard):
         monkeypatch.setattr(objects, "HARD_TO_MAKE", hard)
-        tables = first_fit(request, objects.TRIMS[2:3], shares=(0.5, 0.4))
+        tables = first_fit(request, objects.SHELL_VARIANTS[2:3], shares=(0.5, 0.4))
         return tables["magnets"]["positions_mm"]
 
     first = places()

@@ -57,10 +57,16 @@ def of_space(name):
     structured = with_structure(space.spec, params)
     values = np.array([params[key] for key in space.continuous_names], float)
     magnets = magnet_maps(structured, space.continuous_names)
-    yield f"{name}: magnets (mm, °)", np.concatenate([np.ravel(one.at(values)) for one in magnets])
+    yield (
+        f"{name}: magnets (mm, °)",
+        np.concatenate([np.ravel(one.places_at(values)) for one in magnets]),
+    )
     if space.spec.search.vary.sensor_reach_mm:
         sensors = sensor_maps(structured, space.continuous_names)
-        yield f"{name}: sensors (mm)", np.concatenate([np.ravel(one.at(values)) for one in sensors])
+        yield (
+            f"{name}: sensors (mm)",
+            np.concatenate([np.ravel(one.places_at(values)) for one in sensors]),
+        )
     yield f"{name}: poles", polarities(structured, params)
 
 

@@ -14,7 +14,7 @@ from design.search.space import (
     unit_of,
     with_layout,
 )
-from design.search.structure import of_each_searched_size, of_each_size, with_structure
+from design.search.structure import searched_size_variants, size_variants, with_structure
 from design.spec_io import parse_spec
 
 PARTS = ["D6x1", "D4x2", "D5x1.5"]
@@ -54,12 +54,12 @@ def test_a_layout_keeps_clearance_and_the_silicone_over_its_tallest_magnet():
 def test_mechanics_of_all_trials_are_those_of_the_named_sizes():
     """One shell and outline each, whatever else a trial chooses."""
     spec = specification({"magnet_count": [4, 6], "magnet_reach_mm": 12.0})
-    space, known = search_space(spec), of_each_searched_size(spec)
+    space, known = search_space(spec), searched_size_variants(spec)
     shells = {one.magnets.sizes[0]: one.shell.pocket_diameter_mm for one in known}
     assert [one.diameter_mm for one in shells] == [6.0, 4.0, 5.0]
     for unit in np.random.default_rng(2).random((20, len(space.variables))):
         structured = with_structure(spec, params_at(space, unit))
-        for one in of_each_size(structured):
+        for one in size_variants(structured):
             assert len(one.magnets.distinct_sizes) == 1
             assert shells[one.magnets.sizes[0]] == one.shell.pocket_diameter_mm
 

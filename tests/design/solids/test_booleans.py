@@ -10,12 +10,12 @@ from design.build.parts import Part
 from design.errors import NotOneSolid
 from design.solids.booleans import (
     FINENESS,
-    as_triangles,
-    as_written,
+    convert_to_triangles,
     cut,
     one_body,
     one_solid,
     pieces_that_meet,
+    stl_surface,
     volume_mm3,
     without_offcuts,
 )
@@ -35,9 +35,9 @@ def beside(edge_mm):
     ("make", "form"),
     [
         (one_body, lambda shape: shape),
-        (one_body, as_triangles),
+        (one_body, convert_to_triangles),
         (single_solid, lambda shape: shape),
-        (one_closed_surface, as_triangles),
+        (one_closed_surface, convert_to_triangles),
     ],
 )
 def test_crumbs_are_left_out_and_pieces_refused(make, form):
@@ -47,7 +47,9 @@ def test_crumbs_are_left_out_and_pieces_refused(make, form):
         make(form(beside(1.1)), "part")
 
 
-@pytest.mark.parametrize("form", [lambda shape: shape, as_triangles], ids=["exact", "triangles"])
+@pytest.mark.parametrize(
+    "form", [lambda shape: shape, convert_to_triangles], ids=["exact", "triangles"]
+)
 def test_parts_of_a_mould_have_no_voids(form):
     hollow = form(cut(BLOCK, VOID))
     assert_allclose(volume_mm3(hollow), 8000 - 2.4, rtol=1e-9)
@@ -57,14 +59,16 @@ def test_parts_of_a_mould_have_no_voids(form):
 
 
 def test_silicone_keeps_its_voids_where_crumbs_are_left_out():
-    crumb = as_triangles(box_between((30.0, 0.0, 0.0), (30.5, 0.5, 0.5)))
-    hollow = trimesh.util.concatenate([as_triangles(cut(BLOCK, VOID)), crumb])
+    crumb = convert_to_triangles(box_between((30.0, 0.0, 0.0), (30.5, 0.5, 0.5)))
+    hollow = trimesh.util.concatenate([convert_to_triangles(cut(BLOCK, VOID)), crumb])
     shell = one_closed_surface(hollow, "shell")
     assert_allclose(shell.volume, 8000 - 2.4, rtol=1e-9)
     assert len(shell.split(only_watertight=False)) == 2
 
 
-@pytest.mark.parametrize("form", [lambda shape: shape, as_triangles], ids=["exact", "triangles"])
+@pytest.mark.parametrize(
+    "form", [lambda shape: shape, convert_to_triangles], ids=["exact", "triangles"]
+)
 def test_pieces_that_meet_nothing_are_taken_away(form):
     two = form(beside(3.0))
     assert_allclose(volume_mm3(pieces_that_meet(two, form(VOID))), 8000, rtol=1e-9)
@@ -80,7 +84,9 @@ def test_folded_triangles_without_volume_are_dropped():
     assert len(kept.faces) == len(box.faces)
 
 
-@pytest.mark.parametrize("form", [lambda shape: shape, as_triangles], ids=["exact", "triangles"])
+@pytest.mark.parametrize(
+    "form", [lambda shape: shape, convert_to_triangles], ids=["exact", "triangles"]
+)
 def test_offcuts_are_small_pieces_beside_a_large_one(form):
     """A sliver of 1.6 mm³ between the holes of a half of 75 000 mm³ made it two pieces."""
     assert_allclose(volume_mm3(without_offcuts(form(beside(1.5)), 1e-3)), 8000, rtol=1e-9)
@@ -97,7 +103,7 @@ def test_a_hole_beside_a_ball_s_pole_leaves_no_folded_triangles(away_mm):
         hole = cq.Solid.makeCylinder(4.05, 9.0, cq.Vector(away_mm, -0.21, 41.2) - way * 6.0, way)
         return one_solid(cut(ball, hole), "ball")
 
-    made = as_triangles(Part("ball", drilled).make(), FINENESS, False)
+    made = convert_to_triangles(Part("ball", drilled).make(), FINENESS, False)
     assert made.is_watertight
     assert thinnest_wall(made).thickness_mm > 30
     assert made.volume == pytest.approx(drilled().Volume(), rel=3e-3)
@@ -115,5 +121,5 @@ def test_a_surface_is_judged_as_its_file_holds_it():
     box = trimesh.creation.box((20.0, 20.0, 20.0))
     split = box.subdivide()
     split.vertices[8:] += 1e-7
-    assert_allclose(as_written(split).volume, 8000, rtol=1e-6)
-    assert as_written(trimesh.Trimesh(box.vertices, box.faces[1:], process=False)) is None
+    assert_allclose(stl_surface(split).volume, 8000, rtol=1e-6)
+    assert stl_surface(trimesh.Trimesh(box.vertices, box.faces[1:], process=False)) is None

@@ -12,7 +12,7 @@ from design.layout.body import body_of, core_frames
 from design.layout.surface import sealed_body_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.mould.room import core_outside
-from design.solids.booleans import as_triangles, volume_mm3
+from design.solids.booleans import convert_to_triangles, volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_core_part, sampled_shell
 from design.solids.shell import make_shell
@@ -74,7 +74,7 @@ def test_core_shell_and_mould_agree(name):
     spec = keyed(name)
     sampled = body_of(spec).sampled
     shell = sampled_shell(spec) if sampled else make_shell(spec)
-    core = as_triangles(sampled_core_part(spec) if sampled else make_core(spec))
+    core = convert_to_triangles(sampled_core_part(spec) if sampled else make_core(spec))
     assert_allclose(volume_mm3(shell), shell_volume_mm3(spec), rtol=2e-3)
     assert_allclose(volume_mm3(cast_cavity(spec)), volume_mm3(shell), rtol=1e-4)
     solid = manifold_of(core)
@@ -82,7 +82,7 @@ def test_core_shell_and_mould_agree(name):
         whole = manifold_of(block_surface(key))
         assert (whole - solid).volume() < 0.02 * whole.volume()
         assert (
-            manifold_of(as_triangles(core_outside(spec))) ^ whole
+            manifold_of(convert_to_triangles(core_outside(spec))) ^ whole
         ).volume() > 0.98 * whole.volume()
 
 

@@ -10,7 +10,7 @@ from design.layout.blocks import relief_slits, slits_volume_mm3
 from design.layout.surface import sealed_body_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.mould.one_piece import make_seal_mould
-from design.solids.booleans import as_triangles, volume_mm3
+from design.solids.booleans import convert_to_triangles, volume_mm3
 from design.solids.shell import make_shell
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.shell_volume import cast_cavity, shell_volume_mm3
@@ -75,6 +75,8 @@ def test_slits_that_do_not_fit_are_refused(name, slits, told):
 
 def test_a_seal_box_with_fins_is_left_by_walls_that_fold_inwards():
     spec = body_spec("cylinder", shell={"slits": SLITS, "seal_layer_mm": 0.5})
-    (told,) = check_seal_mould(spec, {"mould_seal_box": as_triangles(make_seal_mould(spec))})
+    (told,) = check_seal_mould(
+        spec, {"mould_seal_box": convert_to_triangles(make_seal_mould(spec))}
+    )
     assert (told.check, told.status) == ("undercut", "pass")
     assert told.value > 0.5, "the fins hook until the plug is out"

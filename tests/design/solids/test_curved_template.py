@@ -48,9 +48,9 @@ def test_it_opens_along_the_axis_of_every_pocket(ball):
     template, (frame, _) = make_curved_template(ball, 2), face_frames(ball)
     for xy in PLACES:
         along = frame.to_object(np.array([[*xy, 0.3], [*xy, PLATE_MM - 0.3]]))
-        assert not template.contains(frame.in_plane(along)).any()
+        assert not template.contains(frame.plane_coordinates(along)).any()
     beside = frame.to_object(np.array([[-12.0, -4.0, 1.5], [4.0, -5.0, 1.5]]))
-    assert template.contains(frame.in_plane(beside)).all()
+    assert template.contains(frame.plane_coordinates(beside)).all()
 
 
 def test_minus_lacks_the_second_bar_of_plus(ball):

@@ -9,7 +9,7 @@ from design.body.meshes import manifold_of
 from design.layout.body import body_of
 from design.layout.core_hold import core_outlet
 from design.solids.body import core_solid
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.solids.core import make_core
 from design.solids.jig import (
     CLEAR_MM,
@@ -35,7 +35,9 @@ BORED = {"open_faces": [6], "bore_mm": 9.0}
 
 def manifolds(spec):
     make = sampled_core_part if body_of(spec).sampled else make_core
-    return manifold_of(as_triangles(make_jig(spec))), manifold_of(as_triangles(make(spec)))
+    return manifold_of(convert_to_triangles(make_jig(spec))), manifold_of(
+        convert_to_triangles(make(spec))
+    )
 
 
 @pytest.mark.parametrize("name", ["sphere", "capsule", "ellipsoid"])
@@ -72,7 +74,7 @@ def test_a_post_carries_a_core_that_is_lowest_beside_the_flats_middle(tmp_path):
 @pytest.mark.parametrize("name", ["sphere", "ellipsoid"])
 def test_a_closed_round_body_lies_in_a_cup_and_drops_in_from_above(name):
     spec = body_spec(name, body={"open_faces": []})
-    jig = manifold_of(as_triangles(make_jig(spec)))
+    jig = manifold_of(convert_to_triangles(make_jig(spec)))
     body = manifold_of(body_of(spec).outer_surface())
     for height in (0.0, 2.0, 8.0):
         assert (jig ^ body.translate((0, 0, height))).volume() < 0.05
@@ -82,8 +84,8 @@ def test_a_closed_round_body_lies_in_a_cup_and_drops_in_from_above(name):
 
 def test_a_dome_s_base_lies_in_a_round_recess():
     spec = body_spec("dome_on_core")
-    jig = manifold_of(as_triangles(make_jig(spec)))
-    base = manifold_of(as_triangles(core_solid(spec)))
+    jig = manifold_of(convert_to_triangles(make_jig(spec)))
+    base = manifold_of(convert_to_triangles(core_solid(spec)))
     assert (jig ^ base).volume() < 1e-3
     assert (jig ^ base.translate((0.5, 0, 0))).volume() > 5
 

@@ -14,7 +14,7 @@ from design.layout.body import body_of, face_frames
 from design.layout.pockets import Body, Outline, Pocket, shell_pockets, tilted_frame
 from design.solids import primitives
 from design.solids.body import cylinder_room, sphere_room
-from design.solids.booleans import as_triangles
+from design.solids.booleans import convert_to_triangles
 from design.solids.primitives import (
     OVERSHOOT_MM,
     block_solid,
@@ -161,7 +161,7 @@ def test_merging_that_moves_an_edge_is_not_taken():
     mesh.merge_vertices(digits_vertex=7)
     solid = manifold_of(mesh)
     for way in ways:
-        assert (solid ^ manifold_of(as_triangles(rod(1.15, *way)))).volume() < 1e-3
+        assert (solid ^ manifold_of(convert_to_triangles(rod(1.15, *way)))).volume() < 1e-3
 
 
 def test_a_lying_cylinder_s_middle_is_pressed_and_a_core_without_room_is_solid():

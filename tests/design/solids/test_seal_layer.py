@@ -13,7 +13,7 @@ from design.layout.surface import cast_surface
 from design.layout.volumes import sealed_volume_mm3
 from design.mould.one_piece import make_seal_mould
 from design.mould.plug import make_mould_plug
-from design.solids.booleans import as_triangles, volume_mm3
+from design.solids.booleans import convert_to_triangles, volume_mm3
 from design.solids.sampled import sampled_shell
 from design.solids.shell import cavity, envelope, make_shell
 from tests.random_designs.judge import violations
@@ -84,7 +84,9 @@ def test_a_layer_thicker_than_the_cover_over_a_rim_is_refused():
 @pytest.mark.parametrize("name", CAST_IN)
 def test_the_mould_of_the_second_pour_closes_round_the_shell_and_opens(name):
     spec = layered(name)
-    built = {p.name: as_triangles(p.make()) for p in parts_of(spec) if "probe" not in p.name}
+    built = {
+        p.name: convert_to_triangles(p.make()) for p in parts_of(spec) if "probe" not in p.name
+    }
     assert not [told for told in violations(spec, built) if "board" not in told]
     seal = [f for f in check_casting(spec, built) if f.part.startswith("mould_seal")]
     assert {f.check for f in seal} >= {"undercut", "mould closes", "air traps"}

@@ -14,7 +14,7 @@ from design.spec_io import load_spec
 from design.wiring.bus_plan import all_plans, choose_plan
 from design.wiring.dealing import MIXED
 from design.wiring.wires import wire_length_m, wires_of
-from instobj.firmware.drawing import wiring_svg
+from instobj.bench.firmware.drawing import wiring_svg
 from tests.support.pages import ROOT
 
 SPEC = ObjectSpec.model_validate({"name": "wired"})

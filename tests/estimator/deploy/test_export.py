@@ -271,7 +271,7 @@ def test_prediction_loads_no_torch(path):
     code = (
         "import sys, pathlib, numpy as np\n"
         "from estimator.deploy.runtime import load_deployed, LiveReader\n"
-        "import estimator.inversion.tracking, instobj.commands.hardware.predict\n"
+        "import estimator.inversion.tracking, instobj.commands.predict\n"
         f"reader = LiveReader(load_deployed(pathlib.Path({str(path)!r})), 'first', 1)\n"
         "reader.feed(np.zeros((5, 3, 3))); found = reader.feed(np.ones((5, 3, 3)))\n"
         "assert found is not None and found.force_n.shape == (1,)\n"

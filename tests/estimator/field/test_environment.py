@@ -14,7 +14,7 @@ from design.spec_io import parse_spec
 from estimator.field.environment import Plate, environment, with_images
 from estimator.field.models import FieldModel
 from estimator.field.sources import BlockMagnet, DiskMagnet, magnet_source
-from estimator.signals.field_setup import at_rest, scene, sensed_field
+from estimator.signals.field_setup import scene, sensed_field, zero_motion
 from estimator.signals.presses import press_signals, rest_counts
 from estimator.signals.surroundings import jaw_change, surroundings
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
@@ -73,7 +73,9 @@ def plate_spec(gap_mm, permeability=1e12):
 
 def dipole_field_at_sensors(spec):
     place = scene(spec)
-    return sensed_field(place, at_rest(place), FieldModel(magnet_source(spec.magnets), "dipole"))[0]
+    return sensed_field(
+        place, zero_motion(place), FieldModel(magnet_source(spec.magnets), "dipole")
+    )[0]
 
 
 def panels_change(gap_mm, edge_mm, count=36):

@@ -5,7 +5,7 @@ import torch
 
 from design.spec.object import ObjectSpec
 from estimator.field.batched import batched_field
-from estimator.field.demagnetisation import of_block, of_cylinders
+from estimator.field.demagnetisation import block_factor, cylinders_factor
 from estimator.field.environment import environment, with_images
 from estimator.field.gradient import field_change
 from estimator.field.models import FieldModel, field_model, model_error, total_field
@@ -54,8 +54,8 @@ def of_models():
     yield "demagnetising factors", [magnet.demagnetising_factor for magnet in magnets]
     yield "fourth moments", [magnet.mean_solid_harmonics(5)[4] for magnet in magnets]
     yield "errors at 9 mm (mT)", [1e3 * model_error(model, 9.0) for model in MODELS.values()]
-    two = of_cylinders([(4.0, 1.0), (2.0, -1.0)], 2.0)
-    yield "factors by hand", [of_block(3.0, 5.0, 2.0), of_cylinders([(4.0, 1.0)], 1.5), two]
+    two = cylinders_factor([(4.0, 1.0), (2.0, -1.0)], 2.0)
+    yield "factors by hand", [block_factor(3.0, 5.0, 2.0), cylinders_factor([(4.0, 1.0)], 1.5), two]
     for name, magnet in (("disk", DISK), ("ring", RING), ("block", BLOCK)):
         chosen = [field_model(magnet, away) for away in (4.6, 5.5, 7.0, 11.0, 20.0)]
         told = (f"{model.name} {model.order or model.charges}" for model in chosen)

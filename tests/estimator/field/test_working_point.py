@@ -12,7 +12,7 @@ from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from estimator.field.models import FieldModel
-from estimator.field.sources import BlockMagnet, DiskMagnet, at_working_point, magnet_source
+from estimator.field.sources import BlockMagnet, DiskMagnet, magnet_source, self_demagnetised
 
 SOLVED = [
     (DiskMagnet(6.0, 1.0, 1.0), 0.96554, [[8.6154, 6.4616, 9.7517], [0, 0, -12.9698]]),
@@ -90,7 +90,7 @@ def test_the_mean_field_inside_a_uniform_body_is_the_demagnetising_factor(body):
 
 @pytest.mark.parametrize(("body", "mean", "field_mt"), SOLVED, ids=SHAPES)
 def test_polarization_and_field_are_those_of_a_magnet_in_many_cells(body, mean, field_mt):
-    working = at_working_point(body, 1.0, 1.05)
+    working = self_demagnetised(body, 1.0, 1.05)
     assert_allclose(working.polarization_t, mean, rtol=3e-4)
     points = 2 * body.circumscribed_radius_mm * DIRECTIONS
     up, side = np.tile([0.0, 0.0, 1.0], (2, 1)), np.tile([1.0, 0.0, 0.0], (2, 1))

@@ -95,8 +95,8 @@ def test_faces_that_never_spoke_are_left_out(frames):
     quiet.signal_counts[:, [0, 1, 3, 4]] = np.nan
     pressed = set(np.unique(frames.contact_face).tolist()) - {0}
     alone = replace(quiet, contact_face=np.where(frames.contact_face > 0, 3, 0))
-    only = alone.on_faces((3,))
+    only = alone.select_faces((3,))
     assert (only.faces.tolist(), only.signal_counts.shape[1]) == ([3], 1)
     assert_array_equal(only.signal_counts[:, 0], alone.signal_counts[:, 2])
-    assert frames.on_faces((3,)) is frames, "others speak"
-    assert pressed == {3} or quiet.on_faces((3,)) is quiet, "others are pressed"
+    assert frames.select_faces((3,)) is frames, "others speak"
+    assert pressed == {3} or quiet.select_faces((3,)) is quiet, "others are pressed"

@@ -181,7 +181,7 @@ def test_scaled_sensitivity_counts_three_sigma_on_either_side_of_a_channels_rang
     grid = contact_grid(SPEC)
     force = scores.force_at_score_n[face - 1]
     where = (np.full(len(grid), face), grid.xy_mm[:, 0], grid.xy_mm[:, 1])
-    own = press_traces(signals, *where).of_channels(np.arange(18, 27))
+    own = press_traces(signals, *where).select_channels(np.arange(18, 27))
     press = periodic_press(own, force, 64)
     noise = channel_noise(SPEC.sensors, 45)[18:27]
     highest = press.max(axis=(0, 1)) + 3 * noise

@@ -32,7 +32,7 @@ def place_traces():
     signals = press_signals(SPEC, *synthetic_presses(SPEC))
     grid = contact_grid(SPEC)
     traces = press_traces(signals, np.full(len(grid), 3), *grid.xy_mm.T)
-    return traces.of_channels(own_channels(signals, SPEC.sensors, 3))
+    return traces.select_channels(own_channels(signals, SPEC.sensors, 3))
 
 
 def hull_volumes(samples):

@@ -11,10 +11,9 @@ from numpy.testing import assert_allclose
 from estimator.information.fisher import disturbance_counts
 from estimator.information.identifiability import identifiability
 from estimator.inversion.blind_start import blind_starts, known_number, save_identifiability
-from estimator.inversion.model.noise import BLIND
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import Observed
+from estimator.inversion.problems import BLIND, Observed
 from estimator.inversion.search import Search
 from tests.support.mechanics.inverted import expected_counts, inverted
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses

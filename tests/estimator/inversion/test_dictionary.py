@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose
 
 from estimator.inversion.model.dictionary import Dictionary, probe_shapes, probe_tips_mm
 from estimator.inversion.model.forward import NONE
+from estimator.inversion.model.whitening import whitening
 from estimator.inversion.priors import Priors
 
 CHANNELS = 12
@@ -39,6 +40,8 @@ class Level:
 class Seen:
     counts = np.random.default_rng(7).normal(size=(2, CHANNELS))
     sigma = np.random.default_rng(8).uniform(0.5, 2.0, (2, CHANNELS))
+    columns = np.random.default_rng(10).normal(0, 2.0, (CHANNELS, 3))
+    white = whitening(sigma, columns)
 
 
 class Model:
@@ -69,13 +72,15 @@ def test_a_press_gains_what_it_lowers_the_misfit_by_once_own_contacts_may_shift(
         if own:
             singles = Model.found[row]
         left = Seen.counts[frame] - level.extra[row] - (singles[:, 0].sum(axis=0) if own else 0)
-        white = left / Seen.sigma[frame]
+        covariance = np.diag(Seen.sigma[frame] ** 2) + Seen.columns @ Seen.columns.T
+        unit = np.linalg.inv(np.linalg.cholesky(covariance))
+        white = unit @ left
         columns = np.zeros((CHANNELS, 0))
         if own:
-            columns = (singles[:, 1:].reshape(6, CHANNELS) / Seen.sigma[frame]).T
+            columns = unit @ singles[:, 1:].reshape(6, CHANNELS).T
         before = least(white, columns)
         for press, counts in enumerate(made.counts):
-            shown = counts / Seen.sigma[frame]
+            shown = unit @ counts
             costs = [least(white - size * shown, columns) for size in np.linspace(0.3, 2.5, 441)]
             assert_allclose(gain[row, press], before - min(costs), atol=2e-3)
             assert_allclose(

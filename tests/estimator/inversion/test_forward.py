@@ -109,7 +109,7 @@ def test_contacts_may_be_on_the_cells_whose_corners_are_all_pressed():
     assert [len(middles) for middles in model.cells] == cells.sum(axis=(1, 2)).tolist()
     assert_allclose(model.area_mm2, cells.sum() * 2.5**2)
     far = np.array([[[50.0, 0.0, 1.0]], [[0.0, -50.0, 1.0]], [[0.3, -0.2, 2.0]]])
-    moved = model.on_faces(np.array([[0], [1], [0]]), far)
+    moved = model.select_faces(np.array([[0], [1], [0]]), far)
     assert_allclose(moved[2], far[2])
     for k, axis, sign in ((0, 0, 1), (1, 1, -1)):
         assert_allclose(moved[k, 0, axis], sign * (abs(model.cells[k][:, axis]).max() + 1.25))

@@ -48,7 +48,7 @@ def of_tracking():
         face[row, 0], contact[row, 0] = 2, [-4 + 0.3 * row, 3.0, min(5.0, 1.5 * row)]
         if row > 5:
             face[row, 1], contact[row, 1] = 4, [5.0, -2.0, 6.0]
-    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(5))
+    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(5), turned=False)
     tracker = Tracker(inverted())
     followed = [tracker.feed(frame) for frame in counts]
     yield "contacts followed", [float(np.sum(one.face >= 0)) for one in followed]

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.inversion.readings import COVERAGE, UNEXPLAINED, ContactSets
+from estimator.inversion.explained import UNEXPLAINED
+from estimator.inversion.readings import COVERAGE, ContactSets
 
 
 def sets(covariance, face=(3, 0)):
@@ -14,7 +15,7 @@ def sets(covariance, face=(3, 0)):
     xy, force = np.zeros((1, 2, 2)), np.full((1, 2), 4.0)
     one = np.ones(1)
     both = np.stack([covariance, np.full((3, 3), np.nan)])[None]
-    return ContactSets(face, xy, force, both, xy, xy, one, one)
+    return ContactSets(face, xy, force, both, xy, xy, one, one, np.full(len(one), -1))
 
 
 @pytest.mark.parametrize(

@@ -94,7 +94,9 @@ def test_what_no_contact_explains_is_told(free):
     broken[:, 7] += 2000  # a channel gone wrong
     near_magnet = counts + rng.normal(0, 800, (12, 15)).repeat(3, axis=1)
     assert np.all(fine.p_value > 1e-4)
-    assert np.mean(free.read(broken)[0].p_value < 1e-3) >= 0.9
+    left_out, _ = free.read(broken)
+    assert np.mean(left_out.chip_out == 2) >= 0.9
+    assert np.all(left_out.explained[left_out.chip_out == 2])
     assert np.all(free.read(near_magnet)[0].p_value < 1e-3)
 
 
@@ -160,7 +162,9 @@ def test_the_radius_holds_nine_of_ten_places(ratio):
     covariance = np.zeros((1, 1, 3, 3))
     covariance[0, 0, 0, 0], covariance[0, 0, 1, 1] = 4.0, (2.0 * ratio) ** 2
     one, zero = np.ones((1, 1)), np.zeros((1, 1, 2))
-    found = ContactSets(one.astype(int), zero, one, covariance, zero, zero, one[0], one[0])
+    found = ContactSets(
+        one.astype(int), zero, one, covariance, zero, zero, one[0], one[0], np.full(1, -1)
+    )
     assert_allclose(
         np.mean(np.linalg.norm(draws, axis=1) <= found.position_radius_mm[0, 0]), 0.9, atol=0.012
     )

@@ -13,6 +13,7 @@ from estimator.inversion.evidence import bounded_curvature
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.priors import Priors, fitting_sets, standing_probes
 from estimator.inversion.problems import Observed, Problems, empty
+from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, Search
 from estimator.inversion.tracking import Tracker
 
@@ -158,7 +159,7 @@ def test_slots_are_cut_and_widened_with_ones_on_the_diagonal():
 def test_contacts_are_held_within_table_and_prior():
     model = SimpleNamespace(
         bounds=(np.array([-5.0, -6.0, 0.0]), np.array([5.0, 6.0, 8.0])),
-        on_faces=lambda face, contact: contact,
+        select_faces=lambda face, contact: contact,
     )
     contact = np.array([[[-9.0, 9.0, 0.1], [9.0, -9.0, 9.0]]])
     assert_array_equal(_held(model, PRIORS, contact), [[[-5, 6, 0.5], [5, -6, 8.0]]])
@@ -262,6 +263,12 @@ def test_a_summary_of_blind_starts_tells_ranks_and_their_range():
     assert found.blind_share_high == pytest.approx(0.95, abs=0.011)
 
 
+EXPLAINED = ContactSets(
+    np.zeros((1, 1), int), np.zeros((1, 1, 2)), np.zeros((1, 1)), np.zeros((1, 1, 3, 3)),
+    *[np.zeros((1, 1, 2))] * 2, *[np.ones(1)] * 2, np.full(1, NONE),
+)  # fmt: skip
+
+
 class Watched(Tracker):
     """A tracker whose frames have the p values given, and that notes where it looked anew."""
 
@@ -270,9 +277,15 @@ class Watched(Tracker):
         self.window = 0
         disturbances = SimpleNamespace(observed=lambda counts, averaged: SEEN)
         inversion = SimpleNamespace(
-            window_frames=1, disturbances=disturbances, reading=lambda seen, found, odds: odds
+            window_frames=1,
+            disturbances=disturbances,
+            error_share=lambda: self,
+            reading=lambda seen, found, odds, error: EXPLAINED,
         )
         Tracker.__init__.__wrapped__(self, inversion)
+
+    def learn(self, seen, found):
+        """Nothing of the model's error."""
 
     def _same(self, seen):
         self.window += 1

@@ -14,7 +14,14 @@ from estimator.inversion.inversion import inversion
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.readings import tangential_forces
 from estimator.inversion.storage import load_inversion, save_inversion
-from tests.support.mechanics.inverted import SPEC, contacts, inverted, noisy_counts, presses
+from tests.support.mechanics.inverted import (
+    SPEC,
+    contacts,
+    frame_covariance,
+    inverted,
+    noisy_counts,
+    presses,
+)
 
 SHARE, FRAMES = 0.5, 150
 PULLING = SPEC.changed(inversion=SPEC.inversion.changed(tangential_share=SHARE))
@@ -80,13 +87,15 @@ def test_misfit_and_spread_are_those_of_the_widened_covariance(pulling, pulled):
     seen, rows = pulling.disturbances.observed(counts), np.arange(FRAMES)
     model = pulling.model
     found = most_probable(model, pulling.priors, seen, rows, face, contact, steps=1)
-    left = (model.singles(found.face, found.contact)[:, :, 0].sum(axis=1) - counts) / seen.sigma
-    pulls = model.pulls(found.face, found.contact)[:, 0] / seen.sigma[:, None]
+    left = model.singles(found.face, found.contact)[:, :, 0].sum(axis=1) - counts
+    pulls = model.pulls(found.face, found.contact)[:, 0]
     for row in range(0, FRAMES, 19):
-        covariance = np.eye(left.shape[1]) + pulls[row].T @ pulls[row]
+        noise = frame_covariance(seen, row)
+        covariance = noise + pulls[row].T @ pulls[row]
         misfit = 0.5 * left[row] @ np.linalg.solve(covariance, left[row])
         assert_allclose(found.misfit[row], misfit, rtol=1e-6)
-        assert_allclose(found.log_spread[row], 0.5 * np.linalg.slogdet(covariance)[1], rtol=1e-9)
+        spread = 0.5 * (np.linalg.slogdet(covariance)[1] - np.linalg.slogdet(noise)[1])
+        assert_allclose(found.log_spread[row], spread, rtol=1e-9)
 
 
 def test_torch_fits_pulled_contacts_alike(pulling, pulled):
@@ -110,13 +119,14 @@ def test_mean_and_deviation_are_those_of_the_joint_posterior(pulling, pulled):
     model, priors = pulling.model, pulling.priors
     found = most_probable(model, priors, seen, rows, face, contact)
     force, sigma = tangential_forces(model, priors, seen, found)
-    singles = model.singles(found.face, found.contact)[:, 0] / seen.sigma[:, None]
-    pulls = model.pulls(found.face, found.contact)[:, 0] / seen.sigma[:, None]
+    singles = model.singles(found.face, found.contact)[:, 0]
+    pulls = model.pulls(found.face, found.contact)[:, 0]
     for row in range(0, FRAMES, 19):
-        design = np.vstack([singles[row, 1:], pulls[row]])
+        white = np.linalg.inv(np.linalg.cholesky(frame_covariance(seen, row)))
+        design = np.vstack([singles[row, 1:], pulls[row]]) @ white.T
         wide = np.diag([1e-6, 1e-6, 1e-6, 1.0, 1.0])  # contacts: next to no prior
         posterior = np.linalg.inv(design @ design.T + wide)
-        left = counts[row] / seen.sigma[row] - singles[row, 0]
+        left = white @ (counts[row] - singles[row, 0])
         mean = posterior @ design @ left
         scale = 0.5 * SHARE * found.contact[row, 0, 2]
         assert_allclose(sigma[row, 0], scale * np.sqrt(np.diag(posterior)[3:]), rtol=0.02)

@@ -9,7 +9,8 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
 from estimator.deploy.live_contacts import LiveContacts, contacts_of_one
-from estimator.inversion.model.noise import BLIND, MESH_ERROR, SUM_ERROR, design_error, disturbances
+from estimator.inversion.model.noise import MESH_ERROR, SUM_ERROR, design_error, disturbances
+from estimator.inversion.problems import BLIND
 from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
 from estimator.recordings.checks.stream import SoundReadings
@@ -34,7 +35,7 @@ def press_over_time():
 @pytest.fixture(scope="module")
 def followed():
     face, contact = press_over_time()
-    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(1))
+    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(1), turned=False)
     tracker = Tracker(inverted())
     return face, contact, counts, [tracker.feed(frame) for frame in counts], tracker
 
@@ -85,7 +86,7 @@ def test_jaws_get_their_tips_together_and_a_third_contact_needs_more_than_noise(
     face[:, :2], contact[:, :2] = [1, 3], [[-6.0, 2.0, 6.0], [5.0, -6.0, 6.0]]
     face[1, 2:4], contact[1, 2:4] = [1, 3], [[7.0, -3.0, 6.0], [-6.0, 6.0, 6.0]]
     face[2, 2], contact[2, 2] = 2, [0.0, 0.0, 2.7]
-    counts = noisy_counts(free, face, contact, np.random.default_rng(11))
+    counts = noisy_counts(free, face, contact, np.random.default_rng(11), turned=False)
     tracker = Tracker(jaws)
     assert [int(tracker.feed(frame).number[0]) for frame in counts[:2]] == [2, 4]
     assert [int(one.read(counts[2:])[0].number[0]) for one in (free, jaws)] == [3, 2]
@@ -151,7 +152,7 @@ def test_a_still_level_and_its_opposite_are_read_each_by_itself():
     """The zero asks for both in turn: what one reads must not depend on the other."""
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
     face[0, :2], contact[0, :2] = [2, 4], [[2.0, 3.0, 6.0], [-3.0, 1.0, 6.0]]
-    (counts,) = noisy_counts(inverted(), face, contact, np.random.default_rng(4))
+    (counts,) = noisy_counts(inverted(), face, contact, np.random.default_rng(4), turned=False)
     reader = LiveContacts(inverted(), "none")
     read = [reader.read_still(sign * counts) for sign in (1, -1) * 6]
     assert read[0::2] == [read[0]] * 6
@@ -163,7 +164,7 @@ def test_at_rest_a_contact_is_unlikely():
     """The share that the zero follows: near 0 at rest, near 1 under a press, between them always."""
     face, contact = np.full((8, 6), -1), np.zeros((8, 6, 3))
     face[4:, 0], contact[4:, 0] = 1, [2.0, -4.0, 5.0]
-    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(2))
+    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(2), turned=False)
     reader = LiveContacts(inverted(), "none")
     share, force = np.transpose([reader.read_still(frame) for frame in counts])
     assert (share[:4] < 0.5).all()
@@ -188,7 +189,7 @@ def standing_chip(seed):
     face, contact = np.full((frames, 6), -1), np.zeros((frames, 6, 3))
     face[30:, 0], contact[30:, 0] = 1, [2.0, -4.0, 5.0]
     rng = np.random.default_rng(seed)
-    counts = noisy_counts(inverted(), face, contact, rng).reshape(frames, 5, 3, 3)
+    counts = noisy_counts(inverted(), face, contact, rng, turned=False).reshape(frames, 5, 3, 3)
     raw = np.round(counts + rng.uniform(-900, 900, (5, 3, 3)))
     raw[:, 1, 1] = raw[0, 1, 1] + [400.0, -300.0, 250.0]
     return raw
@@ -207,7 +208,7 @@ def test_a_chip_that_stands_still_makes_no_contacts():
         read = [one.number[0] for one in found if one is not None]
         true = np.tile(np.repeat([0, 1], [10, 30]), 3)[: len(read)]
         numbers[checked] = np.mean(np.array(read) == true)
-    assert numbers[True] >= 0.95 > numbers[False]
+    assert numbers[True] >= 0.98 > numbers[False]
 
 
 def test_a_channel_that_stood_still_while_zeroed_waits_for_the_next_zero():

@@ -14,9 +14,8 @@ from estimator.inversion import inversion as module
 from estimator.inversion import readings
 from estimator.inversion.inversion import Inversion, contact_priors, probe_spacing_mm
 from estimator.inversion.model.forward import ContactModel
-from estimator.inversion.model.noise import BLIND
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import Observed, Problems
+from estimator.inversion.problems import BLIND, Observed, Problems
 from estimator.inversion.readings import ContactSets
 
 CUBE = ObjectSpec(name="cube")
@@ -107,14 +106,21 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
         given.append(seen)
         return Found(seen[0])
 
-    monkeypatch.setattr(Inversion, "read_part", Inversion.read_part.__wrapped__)
+    monkeypatch.setattr(Inversion, "read_part", Inversion.read_once.__wrapped__)
     monkeypatch.setattr(Inversion, "search_for", lambda self, frames: self.search)
     monkeypatch.setattr(module, "among_sets", lambda found, best, priors: (found, best))
     monkeypatch.setattr(
         Inversion,
         "reading",
-        lambda self, seen, problems, odds, spread=None: (seen[0][:, 0], problems, odds, spread),
+        lambda self, seen, problems, odds, error, spread=None: (
+            seen[0][:, 0],
+            problems,
+            odds,
+            spread,
+        ),
     )
+    learnt = SimpleNamespace(learn=lambda seen, problems: None)
+    monkeypatch.setattr(Inversion, "error_share", lambda self: learnt)
     monkeypatch.setattr(module.ContactSets, "joined", staticmethod(lambda parts: list(parts)))
     estimator = made(np.ones(18), SimpleNamespace(contacts=contacts))
     counts = np.arange(250.0)[:, None] * np.ones(18)
@@ -141,7 +147,7 @@ def test_regions_widen_by_an_error_common_to_all_forces():
     pulls = np.full((1, 2, 2), np.nan)
     sets = ContactSets(
         np.array([[3, 4]]), np.zeros((1, 2, 2)), np.array([[2.0, 5.0]]), covariance, pulls, pulls,
-        np.ones(1), np.array([1e-3]),
+        np.ones(1), np.array([1e-3]), np.full(1, -1),
     )  # fmt: skip
     found = sets.with_force_error(0.1)
     assert_allclose(found.covariance[0, :, 2, 2], [0.16 + 0.04, 0.16 + 0.25])

@@ -288,9 +288,9 @@ def test_bounds_are_those_of_a_drifted_baseline_where_the_search_asks_for_them()
     before = score_signals(fresh, signals, *presses)
     assert found.median_position_bound_mm > 1.5 * before.median_position_bound_mm
     assert found.sensitivity_ratio == before.sensitivity_ratio, "δ is of white noise"
-    twins = twin_bounds(drifted.as_judged, *presses, 1)["position_mm"][0]
+    twins = twin_bounds(drifted.for_scoring, *presses, 1)["position_mm"][0]
     assert_allclose(twins, known.position_bound_drifted_mm.ravel(), rtol=0.06)
-    assert fresh.as_judged is fresh
+    assert fresh.for_scoring is fresh
 
 
 def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():

@@ -84,7 +84,7 @@ def scene_of(spec, motions, pressed, reads):
     centres = np.array([board.centre_mm for board in sensor_boards(spec)[index]])
     along = face_frames(spec)[index].from_plane(centres[:, :2])
     row = motions.faces.tolist().index(pressed)
-    motion = motions.at(reads, along, -centres[:, 2])[row]
+    motion = motions.motions_at(reads, along, -centres[:, 2])[row]
     return Scene(magnets, sensors, chips, environment(spec), sensors_move=True), motion
 
 

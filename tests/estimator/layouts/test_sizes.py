@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from design.layout.body import face_frames
 from design.layout.pockets import shell_pockets
-from design.search.structure import of_each_size
+from design.search.structure import size_variants
 from design.spec.object import ContactGridSpec, ObjectSpec
 from estimator.layouts.batch import layouts_by_face, layouts_of
 from estimator.layouts.batch_scores import DEARER, batch_scores
@@ -55,14 +55,14 @@ def spec():
 @pytest.fixture(scope="module")
 def motions(spec):
     found = []
-    for one in of_each_size(spec):
+    for one in size_variants(spec):
         made, share = made_up_motions(one), STIFFER[one.magnets.sizes[0].diameter_mm]
         found.append(replace(made, by_candidate=share * made.by_candidate))
     return found
 
 
 def scorer_of(spec, motions, face=FACE, force_n=None):
-    each = zip(of_each_size(spec), motions, strict=True)
+    each = zip(size_variants(spec), motions, strict=True)
     return layout_scorer(spec, [press_basis(one, its, face, force_n) for one, its in each])
 
 

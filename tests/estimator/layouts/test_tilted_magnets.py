@@ -53,7 +53,7 @@ def motions_in_even_strain(spec, share):
     own[first : first + len(local), FACE - 1] = 0
     own[first : first + len(local), FACE - 1, 0] = moved
     presses[FACE - 1, :, :, 0] = size
-    strained = replace(table, by_candidate=own, presses=presses, turns_with_plane=share)
+    strained = replace(table, by_candidate=own, presses=presses, jeffery_parameter=share)
     return strained, at_contacts(spec, size)
 
 

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from torch import nn
 
 from estimator.networks.intervals import coverage as coverage_module
-from estimator.networks.intervals.coverage import WHOLLY_NEW_FROM, Coverage, newness
+from estimator.networks.intervals.coverage import WHOLLY_NEW_FROM, Coverage, gp_weight
 from estimator.networks.network import ContactEstimator, HeadsNetwork, Reading
 from estimator.networks.training.data import Batch
 from estimator.networks.training.losses import heads_loss
@@ -155,7 +155,7 @@ def test_trees_take_their_share_less_where_contact_is_in_doubt():
 
 def test_newness_rises_smoothly_up_to_its_end(monkeypatch):
     monkeypatch.setattr(coverage_module, "WHOLLY_NEW_FROM", 3.0)
-    found = newness(torch.tensor([0.5, 1.0, 1.5, 2.0, 3.0, 4.0]))
+    found = gp_weight(torch.tensor([0.5, 1.0, 1.5, 2.0, 3.0, 4.0]))
     assert_allclose(found, [0, 0, 0.25**2 * 2.5, 0.5, 1, 1])
 
 
@@ -165,7 +165,7 @@ def test_a_process_answers_as_far_as_a_frame_is_new(novelty):
     found = estimator(novelty, process=process)(torch.zeros(1, 2))
     share = min(max(novelty - 1.0, 0.0), 1.0)
     new = share**2 * (3 - 2 * share)
-    assert newness(torch.tensor([novelty])).item() == pytest.approx(new)
+    assert gp_weight(torch.tensor([novelty])).item() == pytest.approx(new)
     assert found.force_n.item() == pytest.approx(5 + new * (1 - 5))
     assert_allclose(found.xy_mm[0], np.array([0.3, 1.5]) + new * np.array([-0.8, -2.5]), atol=1e-6)
     assert found.force_halfwidth_n.item() == pytest.approx((1 - new) * 0.8 + 0.5 * new)

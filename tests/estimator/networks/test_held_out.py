@@ -11,7 +11,7 @@ from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.frames.face_data import face_data
 from estimator.networks.intervals import coverage, held_out
-from estimator.networks.intervals.coverage import Slopes, growth, newness
+from estimator.networks.intervals.coverage import Slopes, gp_weight, growth
 from estimator.networks.network import HeadsNetwork
 from estimator.networks.training import face as training
 from estimator.networks.training.face import FitSettings
@@ -91,7 +91,7 @@ def test_widths_cover_the_wanted_share_of_held_out_presses(monkeypatch, data, pr
     assert_allclose(float(known.scale), scale, rtol=1e-6)
     assert_allclose([float(known.force_slope_n), float(known.place_slope_mm)], [0.3, 0.7])
     novelty = torch.as_tensor(columns["distance"] / scale)
-    grown = (newness if processed else growth)(novelty).numpy()
+    grown = (gp_weight if processed else growth)(novelty).numpy()
     left = 1 - grown if processed else 1.0
     share = COVER if folds > 1 else COVER * 10 / 9
     errors = {

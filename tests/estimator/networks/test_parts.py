@@ -15,7 +15,7 @@ from estimator.networks import process
 from estimator.networks.ensemble import sigma_counts
 from estimator.networks.forest import LEAST_FRAMES_OF_LEAF
 from estimator.networks.intervals import coverage, held_out
-from estimator.networks.intervals.coverage import Coverage, growth, newness
+from estimator.networks.intervals.coverage import Coverage, gp_weight, growth
 from estimator.networks.network import (
     ContactEstimator,
     HeadsNetwork,
@@ -110,7 +110,7 @@ def test_a_place_may_be_as_far_as_the_furthest_corner_of_the_grid():
 )
 def test_newness_and_growth_by_hand(novelty, share, wider):
     at = torch.tensor([novelty])
-    assert float(newness(at)) == pytest.approx(share, abs=1e-6)
+    assert float(gp_weight(at)) == pytest.approx(share, abs=1e-6)
     assert float(growth(at)) == pytest.approx(wider, abs=1e-6)
 
 

@@ -15,7 +15,7 @@ from estimator.frames.face_data import channel_counts, face_data, live_channels
 from estimator.frames.splits import split_presses
 from estimator.networks import process as module
 from estimator.networks.face_model import load_model, predict, save_model
-from estimator.networks.intervals.coverage import newness
+from estimator.networks.intervals.coverage import gp_weight
 from estimator.networks.intervals.held_out import HeldOutFrames, blended_errors
 from estimator.networks.process import fit_process
 from estimator.networks.training.face import FitSettings, fit_estimator
@@ -190,7 +190,7 @@ def test_errors_of_held_out_presses_are_those_of_the_answer_that_the_process_has
 
 def test_the_answer_goes_over_smoothly():
     novelty = torch.linspace(0, 3, 301)
-    share = newness(novelty)
+    share = gp_weight(novelty)
     assert share[novelty <= 1].max() == 0
     assert share[novelty >= 2].min() == 1
     assert share[150] == pytest.approx(0.5)

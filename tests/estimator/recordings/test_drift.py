@@ -133,7 +133,7 @@ def test_zeros_from_behind_their_press_are_told():
     loaded[: REST - 2] = True  # the first press has no rest before it
     press = np.repeat(np.arange(4), REST + LOADED)
     zeros = rest_levels(np.zeros((len(time_s), 5, 1, 3)), press, loaded, ~loaded)
-    assert zeros.before.tolist() == [False, True, True, True]
+    assert zeros.is_before.tolist() == [False, True, True, True]
 
 
 def test_three_loaded_frames_are_a_contact_and_two_beside_it_are_no_rest():

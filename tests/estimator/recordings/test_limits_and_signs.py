@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from design.errors import InputError, RecordingError
-from estimator.recordings.checks.limits import Limits, within_range
-from estimator.recordings.formats.text import as_number
+from estimator.recordings.checks.limits import Limits, limit_to_range
+from estimator.recordings.formats.text import parse_number
 from estimator.recordings.reading import read_recording
 from estimator.recordings.table import RawTable
 from tests.support.recordings.made_recordings import (
@@ -136,9 +136,9 @@ def test_a_press_off_the_body_is_not_used(tmp_path):
 @pytest.mark.parametrize("cell", ["1_0", "１２", "٣", "0x1", "ten"])
 def test_what_only_python_takes_for_a_number_is_none(cell):
     with pytest.raises(ValueError, match=r"number|convert"):
-        as_number(cell)
-    assert as_number("-1.5e3") == -1500.0
-    assert np.isnan(as_number(""))
+        parse_number(cell)
+    assert parse_number("-1.5e3") == -1500.0
+    assert np.isnan(parse_number(""))
 
 
 def table_of(counts):
@@ -169,10 +169,10 @@ def test_one_reading_in_twenty_may_be_beyond_the_chip_s_range(frames, beyond, so
     counts[:beyond], counts[-1] = -101.0, 100.0
     limits = Limits(100.0, 50.0)
     if sound:
-        clean, faults = within_range(table_of(counts), limits)
+        clean, faults = limit_to_range(table_of(counts), limits)
         assert np.isnan(clean.counts[:beyond]).all()
         assert np.isfinite(clean.counts[beyond:]).all()
         assert len(faults) == 45
     else:
         with pytest.raises(RecordingError, match=f"in {beyond} of {frames} readings"):
-            within_range(table_of(counts), limits)
+            limit_to_range(table_of(counts), limits)

@@ -133,7 +133,7 @@ def test_shifted_forces_stay_in_their_stretch():
 
 def test_rest_is_within_the_rest_force_of_every_cell():
     force = np.array([[0.1, -0.19], [0.2, 0.0], [0.0, -0.3]])
-    assert presses.at_rest(force, 0.2).tolist() == [True, False, False]
+    assert presses.is_at_rest(force, 0.2).tolist() == [True, False, False]
 
 
 def test_short_presses_join_the_next_until_they_are_long_enough_for_a_lag():

@@ -12,7 +12,7 @@ def zeroed(loaded, press, rest=None):
     numbers = np.arange(len(loaded), dtype=float)[:, None, None, None] * np.ones((1, 5, 1, 3))
     found = rest_levels(numbers, press, loaded, ~loaded if rest is None else rest)
     assert (np.ptp(found.counts, axis=(1, 2, 3)) == 0).all()
-    return found.counts[:, 0, 0, 0].tolist(), found.before.tolist()
+    return found.counts[:, 0, 0, 0].tolist(), found.is_before.tolist()
 
 
 def loads(frames, *ranges):

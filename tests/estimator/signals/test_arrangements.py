@@ -13,7 +13,7 @@ from design.spec.object import ObjectSpec
 from estimator.field.environment import Environment, Plate
 from estimator.field.models import FieldModel, field_model
 from estimator.field.sources import magnet_source
-from estimator.signals.field_setup import at_rest, counts, scene, sensed_field
+from estimator.signals.field_setup import counts, scene, sensed_field, zero_motion
 from estimator.signals.hall import chip_errors
 from estimator.signals.presses import press_signals, rest_counts
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
@@ -80,7 +80,7 @@ def test_only_relative_motion_counts():
     )
     moved_magnets = replace(place, magnets=back)
     assert_allclose(
-        moved_sensor, sensed_field(moved_magnets, at_rest(place), model)[0, sensor], rtol=1e-10
+        moved_sensor, sensed_field(moved_magnets, zero_motion(place), model)[0, sensor], rtol=1e-10
     )
 
 
@@ -199,10 +199,14 @@ def test_block_magnets_that_turn_take_their_sides_along(gap_mm):
     motion[0, :, 3:] = np.pi / 2 * place.magnets.axis
     model = FieldModel(magnet_source(spec.magnets), "exact" if gap_mm < 2 else "charges", charges=6)
     assert_allclose(
-        sensed_field(place, motion, model), sensed_field(turned, at_rest(place), model), atol=1e-15
+        sensed_field(place, motion, model),
+        sensed_field(turned, zero_motion(place), model),
+        atol=1e-15,
     )
     assert (
-        abs(sensed_field(place, motion, model) - sensed_field(place, at_rest(place), model)).max()
+        abs(
+            sensed_field(place, motion, model) - sensed_field(place, zero_motion(place), model)
+        ).max()
         > 1e-5
     )
 

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
-from estimator.signals.field_setup import KnownField, at_rest, counts, scene, sensed_field
+from estimator.signals.field_setup import KnownField, counts, scene, sensed_field, zero_motion
 
 SPEC = ObjectSpec.model_validate(
     {"name": "cube", "magnets": {"positions_mm": [[2.0, -1.0], [-8.0, 5.0]]}}
@@ -26,7 +26,7 @@ def field(place, motion):
 def test_a_uniform_field_is_added_in_its_own_direction():
     uniform = np.array([10e-6, -20e-6, 35e-6])
     around = replace(PLACE.environment, uniform_t=uniform)
-    rest = at_rest(PLACE)
+    rest = zero_motion(PLACE)
     more = field(replace(PLACE, environment=around), rest) - field(PLACE, rest)
     assert_allclose(more, np.broadcast_to(uniform, more.shape), atol=1e-12)
 
@@ -43,7 +43,7 @@ def test_magnets_that_move_are_those_of_another_layout(turn):
     centre[3] += [0.2, -0.1, 0.3]
     axis[3] = moved.apply(axis[3])
     other = replace(PLACE, magnets=replace(magnets, centre_mm=centre, axis=axis))
-    assert_allclose(field(PLACE, motion), field(other, at_rest(PLACE)), rtol=1e-9, atol=1e-15)
+    assert_allclose(field(PLACE, motion), field(other, zero_motion(PLACE)), rtol=1e-9, atol=1e-15)
 
 
 def test_counts_are_along_the_chips_own_axes_with_their_errors():
@@ -92,12 +92,12 @@ def test_scenes_that_differ_in_few_magnets_cost_those_alone(monkeypatch):
     monkeypatch.setattr("estimator.signals.field_setup.sensed_field", counted)
     for count, case in cases.items():
         asked.clear()
-        found = known.of(*case, MODEL)
+        found = known.field_of(*case, MODEL)
         assert asked == [count] * 2 * (count > 0)
         assert_allclose(found, exact[count], rtol=0, atol=1e-15 * abs(exact[count]).max() * 50)
         assert (abs(exact[count] - known.field_t).max() > 0) == (count > 0)
         asked.clear()
-        np.testing.assert_array_equal(known.of(*case, MODEL), found)
+        np.testing.assert_array_equal(known.field_of(*case, MODEL), found)
         assert asked == [count] * (count > 0), "what they were is kept"
 
 
@@ -113,4 +113,4 @@ def test_what_changes_for_all_magnets_is_computed_anew():
         (PLACE, np.zeros((3, PLACE.bodies, 6))),
     ]
     for place, moved in others:
-        np.testing.assert_array_equal(known.of(place, moved, MODEL), field(place, moved))
+        np.testing.assert_array_equal(known.field_of(place, moved, MODEL), field(place, moved))

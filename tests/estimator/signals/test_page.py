@@ -69,7 +69,7 @@ def of_states():
     forces, motions = presses()
     places = np.column_stack([X_MM, Y_MM])
     states = press_states(forces, motions, FACE, places, np.linspace(1, 8, 6))
-    yield "motions of the design (mm, rad)", states.of_design
+    yield "motions of the design (mm, rad)", states.design_motion
     yield "motions of a softer object (mm, rad)", states.motion(0.8)
     yield "slopes of a stiffer object (1/mm)", states.slope_per_mm(states.motion(1.3))
     yield (

@@ -55,7 +55,7 @@ def test_in_a_stiffer_silicone_a_force_moves_what_a_smaller_one_does():
     stiff = states().motion(2.0)
     half = states(FORCE_N / 2).motion(1.0)
     assert_allclose(stiff, half)
-    assert_allclose(states().of_design, states().motion(1.0))
+    assert_allclose(states().design_motion, states().motion(1.0))
 
 
 def test_presses_whose_states_lie_beyond_the_deepest_are_told():

@@ -11,7 +11,7 @@ from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel
 from estimator.field.sources import magnet_source
 from estimator.information.scores import score_places
-from estimator.signals.field_setup import at_rest
+from estimator.signals.field_setup import zero_motion
 from estimator.signals.press_states import press_states
 from estimator.signals.presses import press_signals
 from estimator.tolerances import budget as tolerances
@@ -109,7 +109,7 @@ def test_a_core_that_shifts_and_yaws_is_a_shell_that_moves_the_other_way():
     design, model = designed(spec), FieldModel(magnet_source(spec.magnets), "exact")
 
     def rest(scene):
-        return counts_of(spec, scene, at_rest(scene), model)[0]
+        return counts_of(spec, scene, zero_motion(scene), model)[0]
 
     shift, turn = np.array([0.3, -0.8, 0.5]), 0.7
     moved = assembled(spec, design, {"core_shift": shift, "core_yaw": np.array([turn])}).scene
@@ -148,13 +148,15 @@ def test_a_magnet_aside_moves_as_in_a_press_aside_the_other_way():
     states = press_states(forces, motions, face, xy, force)
     lateral = np.tile([0.6, -0.4], 25)
     aside = assembled(spec, designed(spec), {"magnet_seat": lateral})
-    moved = tolerances.moved_aside(aside, states, states.of_design, 2)
-    there = press_states(forces, motions, face, xy - 0.1 * np.array([0.6, -0.4]), force).of_design
+    moved = tolerances.moved_aside(aside, states, states.design_motion, 2)
+    there = press_states(
+        forces, motions, face, xy - 0.1 * np.array([0.6, -0.4]), force
+    ).design_motion
     own = slice(5, 10)
-    size = abs(there[0, :, own] - states.of_design[0, :, own]).max()
+    size = abs(there[0, :, own] - states.design_motion[0, :, own]).max()
     assert_allclose(moved[0, :, own], there[0, :, own], atol=0.05 * size)
     assert_allclose(
-        np.delete(moved, np.arange(5, 10), 2), np.delete(states.of_design, np.arange(5, 10), 2)
+        np.delete(moved, np.arange(5, 10), 2), np.delete(states.design_motion, np.arange(5, 10), 2)
     )
 
 

@@ -127,7 +127,7 @@ def test_at_a_candidate_interpolation_gives_its_own_motion(table):
     index = np.array([0, 17, len(lattice) - 1])
     first = sum(len(one) for one in table.candidates[: FACE - 1])
     at = lattice.xyd_mm[index]
-    found = table.at(FACE, at[:, :2], at[:, 2])
+    found = table.motions_at(FACE, at[:, :2], at[:, 2])
     assert_allclose(found, motion_of(table)[:, :, :, first + index], rtol=0, atol=1e-6)
 
 
@@ -139,7 +139,7 @@ def test_the_stated_interpolation_error_is_that_of_direct_evaluation(cube, table
     points = frame.to_object(xyd * [1, 1, -1])
     direct = candidate_rows(cube.space, points, frame.axes, body) @ fields
     direct = np.moveaxis(direct.reshape(len(xyd), 6, -1), 2, 0)
-    miss = table.at(FACE, xyd[:, :2], xyd[:, 2])[FACE - 1, :, 1] - direct
+    miss = table.motions_at(FACE, xyd[:, :2], xyd[:, 2])[FACE - 1, :, 1] - direct
     for part, stated in (
         (slice(0, 3), table.error.displacement_rms),
         (slice(3, 6), table.error.rotation_rms),
@@ -178,7 +178,7 @@ def test_a_table_comes_back_from_its_folder_memory_mapped(table, folder):
 )
 def test_places_without_candidates_are_refused(table, face, xy, depth, what):
     with pytest.raises(InputError, match=what):
-        table.at(face, np.array([xy]), np.array([depth]))
+        table.motions_at(face, np.array([xy]), np.array([depth]))
 
 
 def test_a_shell_too_thin_for_the_margins_is_refused(spec):

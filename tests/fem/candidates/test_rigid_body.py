@@ -128,7 +128,7 @@ def test_a_disk_turns_with_its_plane_more_than_by_half_the_curl(cube, bodies):
     assert_allclose(turn(np.outer(unit[0], n)), [0, 0.26, 0], rtol=0, atol=0.03)
     assert_allclose(turn(np.outer(n, unit[0])), [0, -0.74, 0], rtol=0, atol=0.03)
     assert_allclose(turn(np.outer(unit[0], unit[1])), [0, 0, -0.5], rtol=0, atol=0.05)
-    share = bodies["disk"].turns_with_plane
+    share = bodies["disk"].jeffery_parameter
     assert_allclose(share, 0.48, rtol=0, atol=0.05)
     strain = np.array([[0.1, -0.2, 0.5], [-0.2, 0.3, -0.7], [0.5, -0.7, -0.4]])
     assert_allclose(turn(strain), -share * np.cross(n, strain @ n), rtol=0, atol=0.05)

@@ -74,8 +74,8 @@ def test_joined_patches_stay_in_order_with_the_factor_of_their_shape():
         for n, own in ((2, HAT_OWN), (3, SQUARE_OWN))
     ]
     found = joined(groups)
-    assert found.own == HAT_OWN
+    assert found.own_factor == HAT_OWN
     for name in ("area_mm2", "centre_mm", "variance_mm2"):
         assert_allclose(getattr(found, name)[2:], getattr(groups[1], name))
         assert_allclose(getattr(found, name)[:2], getattr(groups[0], name))
-    assert Patches(np.ones(1), np.ones((1, 2)), np.ones(1)).own == SQUARE_OWN
+    assert Patches(np.ones(1), np.ones((1, 2)), np.ones(1)).own_factor == SQUARE_OWN

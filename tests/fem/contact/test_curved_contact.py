@@ -41,7 +41,7 @@ def _half_space_face(relief: Relief) -> RefinedFace:
     around = Delaunay(xy)
     x, y, z = np.eye(3)
     frame = FaceFrame(1, z, x, y, np.zeros(3), (12.0, 12.0), relief)
-    surface = FaceSurface(1, xy, around.simplices, relief_mm=relief.at(xy)[0])
+    surface = FaceSurface(1, xy, around.simplices, relief_mm=relief.evaluate(xy)[0])
     none = np.zeros((len(xy), len(xy)))
     narrowing = hat_narrowing(surface)
     return RefinedFace(frame, surface, 0, hat_patches(surface), none, narrowing, around)

@@ -108,5 +108,5 @@ def test_a_correction_learns_from_depths_at_which_both_models_bear_a_force(monke
     assert found.linear_force_n.tolist() == [0.75, 0.5, 3]
     assert_allclose(found.motion, given.motion[kept])
     assert_allclose(found.linear_motion, given.linear_motion[kept])
-    assert found.own is own[0]
+    assert found.on_pressed_face is own[0]
     assert found.normal is own[1]

@@ -11,7 +11,7 @@ from design.spec.object import ObjectSpec
 from fem.linear.core_interface import (
     WALLS,
     held_components,
-    on_wall,
+    nodes_on_wall,
     prescribed_loads,
     rigid_interface_motions,
     wall_openings,
@@ -182,7 +182,7 @@ def test_walls_have_their_area_and_their_vertices_lie_on_them(small_mesh, slidin
     for axis, sign in WALLS:
         mine = core.normal[:, axis] * sign > 0.5
         assert_allclose(core.weights_mm2[mine].sum(), 26.0**2, rtol=1e-3)
-        assert on_wall(core.points_mm[mine], axis, sign, spec).all()
+        assert nodes_on_wall(core.points_mm[mine], axis, sign, spec).all()
 
 
 def test_a_sliding_shell_is_softer_and_its_core_would_let_go_somewhere(small_response, sliding):

@@ -269,7 +269,7 @@ def test_rest_is_the_finite_rigid_motion_and_what_deviates_from_the_small_one(mo
     system = SimpleNamespace(space=SimpleNamespace(nodes_mm=nodes))
     monkeypatch.setattr(module, "elastic_system", lambda mesh, spec: system)
     monkeypatch.setattr(module, "move_interface", lambda *given: solution)
-    monkeypatch.setattr(module, "at_faces", lambda system, spec, moved_mm: (moved_mm,))
+    monkeypatch.setattr(module, "deviation_at_faces", lambda system, spec, moved_mm: (moved_mm,))
     rest = resting_shell.__wrapped__(None, spec)
     finite = turn.apply(centre) + shift - centre
     assert_allclose(rest.deviation, deviation, atol=1e-12)

@@ -9,7 +9,7 @@ from design.layout.places.positions import magnet_layout, shell_body_layout
 from design.layout.surface import sealed_body_surface, support_rings
 from design.spec.object import BodySpec, MagnetSpec, MeshSpec, ObjectSpec, ShellSpec
 from fem.mesh.edge_lengths import edge_length_field
-from fem.mesh.surfaces import all_surfaces, body_surfaces, in_body
+from fem.mesh.surfaces import all_surfaces, body_surfaces, points_in_body
 
 PAPER = ObjectSpec(name="paper")
 SKEWED = ObjectSpec(
@@ -78,7 +78,7 @@ def test_boards_and_blocks_are_boxes_in_their_own_directions(spec):
         assert_allclose(abs(local[:8]), np.tile(half, (8, 1)), rtol=0, atol=1e-9)
         points = layout.centre_mm[index] + rng.uniform(-1.6, 1.6, (400, 3)) * half @ frame.T
         inside = (abs((points - layout.centre_mm[index]) @ frame) < half).all(axis=1)
-        np.testing.assert_array_equal(in_body(points, layout, index, spec), inside)
+        np.testing.assert_array_equal(points_in_body(points, layout, index, spec), inside)
 
 
 @BOTH
@@ -117,7 +117,7 @@ def test_the_share_of_points_in_a_magnet_is_its_volume(spec):
     rng = np.random.default_rng(3)
     edge = 2 * magnets.diameter_mm
     points = layout.centre_mm[index] + rng.uniform(-0.5, 0.5, (200_000, 3)) * edge
-    inside = in_body(points, shell_body_layout(spec), index, spec)
+    inside = points_in_body(points, shell_body_layout(spec), index, spec)
     disk = np.pi * magnets.diameter_mm**2 / 4 * magnets.height_mm
     assert_allclose(inside.mean() * edge**3, disk, rtol=0.05)
     prism = body_surfaces(spec)[index]

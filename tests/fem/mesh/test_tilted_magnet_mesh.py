@@ -12,7 +12,7 @@ from fem.linear.elements import assemble, saddle_point_matrix, taylor_hood
 from fem.linear.factorization import solve_symmetric
 from fem.linear.magnets import rigid_motion_basis
 from fem.linear.material import lame_constants
-from fem.mesh.surfaces import body_surfaces, in_body
+from fem.mesh.surfaces import body_surfaces, points_in_body
 from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA, box_mesh
 from tests.support.objects.small_object import small_spec
 
@@ -39,7 +39,7 @@ def test_pockets_are_full_of_silicone_in_the_mesh():
         points = layout.centre_mm + height * layout.axis + sideways * aside
         assert body.contains(points).all()
         for index in range(len(bodies.face)):
-            assert not in_body(points, bodies, index, SPEC).any()
+            assert not points_in_body(points, bodies, index, SPEC).any()
 
 
 def magnet_compliance(turn, tilted=True):

@@ -16,7 +16,7 @@ from fem.large_strain import press as large
 from fem.large_strain import single_press as single
 from fem.large_strain.newton import StepDivergedError
 from fem.large_strain.results import LargeStrainPress
-from fem.presses.joint import by_spreads
+from fem.presses.joint import sum_over_spreads
 
 PLAIN = ObjectSpec(name="lattice")
 SPEC = PLAIN.changed(press=PLAIN.press.changed(depths_mm=(0.5, 1.0, 2.0)))
@@ -76,7 +76,9 @@ def test_cells_act_through_the_columns_of_their_face_s_vertices():
     vertex = np.zeros(LOADS)
     vertex[[3, 5]] = spreads[0].matrix @ pressure[:2]
     vertex[[1]] += spreads[1].matrix @ pressure[2:]
-    assert_allclose(by_spreads.__wrapped__(given, per_load, spreads, pressure), per_load @ vertex)
+    assert_allclose(
+        sum_over_spreads.__wrapped__(given, per_load, spreads, pressure), per_load @ vertex
+    )
 
 
 def settle(monkeypatch, breaks, depths):

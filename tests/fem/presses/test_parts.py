@@ -104,18 +104,18 @@ def test_presses_to_forces_are_mixed_of_the_depths_on_both_sides(monkeypatch):
     )
     monkeypatch.setattr(candidates, "surface_weights_mm2", lambda surface: np.ones(2))
     press = SimpleNamespace(depths_mm=(1.0, 2.0, 3.0))
-    spec = SimpleNamespace(press=press, judged_forces_n=(4.0,))
+    spec = SimpleNamespace(press=press, scoring_forces_n=(4.0,))
     response = SimpleNamespace(surfaces=[None])
     found = candidates.presses_at_forces.__wrapped__(spec, response, 0, (0.5, 1.5))
     assert_allclose(found.force_n, [[2.0, 6.0]])
     assert_allclose(found.depth_mm, [[1 + 1 / 3, 2.4]])
     assert_allclose(found.pressure_mpa[0, 0], [0.5 + 0.5 / 3, 0.5 + 2.5 / 3])
     assert_allclose(found.pressure_mpa[0, 1], [1 + 0.4 * 3, 3 + 0.4 * 2])
-    far = SimpleNamespace(press=press, judged_forces_n=(4.0, 20.0))
+    far = SimpleNamespace(press=press, scoring_forces_n=(4.0, 20.0))
     both = candidates.presses_at_forces.__wrapped__(far, response, 0, (0.5, 1.5))
     assert_allclose(both.force_n, [[2.0, 6.0, 3.0, 9.0]])
     assert_allclose(both.depth_mm[0, 3], 3.0)
-    shallow = SimpleNamespace(press=press, judged_forces_n=(1.0,))
+    shallow = SimpleNamespace(press=press, scoring_forces_n=(1.0,))
     low = candidates.presses_at_forces.__wrapped__(shallow, response, 0, (0.5, 1.0))
     assert_allclose(low.depth_mm, [[0.5, 1.0]])
     assert_allclose(low.pressure_mpa[0], [[0.25, 0.25], [0.5, 0.5]])
@@ -126,10 +126,10 @@ def test_places_that_a_face_has_not_are_left_out_of_every_press():
     grid = PlaceGrid(np.arange(3.0), np.zeros(1))
     whole = MagnetMotions(np.array([1, 3]), grid, np.array([0.5, 1.0]), motion)
     assert whole.pressed.all()
-    assert_allclose(whole.every, motion.reshape(12, 2, 6))
+    assert_allclose(whole.all_motions, motion.reshape(12, 2, 6))
     motion[1, 0] = np.nan
     assert whole.pressed.tolist() == [[True] * 3, [False, True, True]]
-    assert_allclose(whole.every, np.concatenate([motion[0], motion[1, 1:]]).reshape(10, 2, 6))
+    assert_allclose(whole.all_motions, np.concatenate([motion[0], motion[1, 1:]]).reshape(10, 2, 6))
 
 
 def test_presses_take_one_thread_of_linear_algebra_and_give_the_others_back():

@@ -186,6 +186,17 @@ def test_at_most_sixteen_commands_stand_beside_the_bench():
     assert len(shown) <= 17
 
 
+def test_the_room_of_the_bench_is_loaded_when_its_commands_are_named():
+    code = (
+        "import sys; from instobj.cli.app import app; from typer.main import get_command\n"
+        "bench = get_command(app).commands['bench']; print('instobj.bench' in sys.modules)\n"
+        "print(*sorted(bench.commands)); print('instobj.bench' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    names = ["bringup collect firmware live rig selftest"]
+    assert done.stdout.splitlines() == ["False", *names, "True"]
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [("mesh", "run --to mesh"), ("selftest", "bench selftest"), ("evaluate", "train")],

@@ -13,7 +13,7 @@ from estimator.frames.dataset import save_frames
 from estimator.inversion.storage import load_inversion, save_inversion
 from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
-from instobj.commands.hardware.predict import export_models
+from instobj.commands.predict import export_models
 from instobj.commands.run import run_estimator
 from tests.support.mechanics.inverted import SPEC, inverted, labelled_frames, noisy_counts
 from tests.support.recordings.dummy_board import dummy_board
@@ -27,11 +27,11 @@ CHANNELS = tuple(
 def folder(tmp_path_factory):
     """The estimator, and frames of rest and of two contacts."""
     target = tmp_path_factory.mktemp("contacts")
-    estimator, rng = inverted(), np.random.default_rng(1)
+    estimator, rng = inverted(), np.random.default_rng(3)
     save_inversion(estimator, target / "contacts.nc")
     face, contact = np.full((16, 6), -1), np.zeros((16, 6, 3))
     face[10:, :2], contact[10:, :2] = [2, 4], [[4.0, 4.0, 6.0], [-5.0, 3.0, 7.0]]
-    counts = noisy_counts(estimator, face, contact, rng)
+    counts = noisy_counts(estimator, face, contact, rng, turned=False)
     there = (face >= 0)[..., None]
     number = np.where(face >= 0, estimator.model.signals.faces[face], 0)
     placed = np.where(there, contact, np.nan)
@@ -80,7 +80,9 @@ def test_a_chip_that_stands_still_makes_no_contacts_in_a_recording(folder, tmp_p
     """62 frames at rest; it was believed, and ghosts were told in most of them."""
     rng = np.random.default_rng(7)
     face, contact = np.full((62, 6), -1), np.zeros((62, 6, 3))
-    counts = np.round(300 + noisy_counts(inverted(), face, contact, rng)).reshape(62, 5, 3, 3)
+    counts = np.round(300 + noisy_counts(inverted(), face, contact, rng, turned=False)).reshape(
+        62, 5, 3, 3
+    )
     counts[30:, 2, 1] = [700, -200, 600]
     rows = [
         f"{k / 10}," + ",".join(f"{v:.0f}" for v in one.ravel()) for k, one in enumerate(counts)
@@ -116,7 +118,7 @@ def test_a_board_is_read_live(folder):
     rng = np.random.default_rng(2)
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
     face[0, 0], contact[0, 0] = 2, [3.0, -2.0, 7.0]
-    held = noisy_counts(inverted(), face, contact, rng)[0]
+    held = noisy_counts(inverted(), face, contact, rng, turned=False)[0]
 
     def lines(number):
         counts = (held if number % 60 >= 30 else 0 * held) + rng.normal(0, 5, 45)

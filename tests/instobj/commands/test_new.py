@@ -298,8 +298,8 @@ def test_the_seam_of_a_file_s_body_goes_where_it_hooks_least_deep(monkeypatch):
     def deep(spec):
         return depths.get(spec.mould.parting_azimuth_deg, 0.3)
 
-    monkeypatch.setattr(new, "hooked_depth_mm", deep)
-    monkeypatch.setattr("design.placement.hooking.hooked_depth_mm", deep)
+    monkeypatch.setattr(new, "undercut_depth_mm", deep)
+    monkeypatch.setattr("design.placement.hooking.undercut_depth_mm", deep)
     lump = {"body": {"kind": "imported", "file": str(PEAR), "size_mm": [60.0] * 3}}
     assert [azimuth(tables) for tables in new.seams_of(lump)] == [97.0, 96.0, 95.0]
     depths[None] = 0.15
@@ -314,7 +314,7 @@ def test_the_seam_of_a_file_s_body_goes_where_it_hooks_least_deep(monkeypatch):
 def test_seams_that_hook_least_are_tried_first(monkeypatch):
     """Of a vase of six flutes a turn by a whole one hooks nothing, one by 6° does."""
     monkeypatch.setattr(
-        new, "hooked_share", lambda spec: (spec.mould.parting_azimuth_deg - 45) % 60 / 1000
+        new, "undercut_fraction", lambda spec: (spec.mould.parting_azimuth_deg - 45) % 60 / 1000
     )
     first, second, third, *_ = new.seams_of(BALL)
     assert first == BALL

@@ -22,8 +22,8 @@ from estimator.networks.face_model import load_model, predict, save_model
 from estimator.networks.training.face import FitSettings, fit_estimator
 from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
-from instobj.commands.hardware.predict import export_models, predict_file, predict_port
-from instobj.commands.hardware.readings import (
+from instobj.commands.predict import export_models, predict_file, predict_port
+from instobj.commands.readings import (
     SILENT_FRAMES,
     Zeroing,
     lacks_readings,

@@ -8,7 +8,7 @@ import pytest
 
 from design.errors import InputError
 from instobj.search import apart
-from instobj.search.apart import GivenUp, answers
+from instobj.search.apart import WorkerTimeout, answers
 from instobj.stages.workers import Here, open_workers
 
 
@@ -33,10 +33,10 @@ def _given_up_and_asked_again(ask):
     assert ask([[0]], 60.0) == [["done"]]
     (slow,) = ask([[60]], 0.5)
     dead, failed, refused, done = ask([["die"], ["fail"], ["refuse"], [0]], 60.0)
-    assert isinstance(slow, GivenUp)
+    assert isinstance(slow, WorkerTimeout)
     assert "no result after 0.5 s" in str(slow)
-    assert isinstance(dead, GivenUp)
-    assert isinstance(failed, GivenUp)
+    assert isinstance(dead, WorkerTimeout)
+    assert isinstance(failed, WorkerTimeout)
     assert "ZeroDivisionError" in str(failed)
     assert isinstance(refused, InputError)
     assert "not that" in str(refused)

@@ -4,7 +4,7 @@ import pytest
 
 from design.search.space import search_space
 from design.spec.search import SearchSpec
-from instobj.search.joined import in_time, joined, joining
+from instobj.search.joined import describe_merge, fit_budget, merge_restarts
 from instobj.search.loop import layouts_at_once
 from tests.support.objects.search_cases import OBJECTIVES, made_up_spec
 
@@ -36,7 +36,7 @@ LENGTHS = {"magnet_reach_mm": 14.0}
 )
 def test_generations_are_spent_in_runs_of_up_to_600(trials, steps, became):
     asked = space_of(trials=trials, polish_steps=steps, vary=LENGTHS)
-    space = joined(asked, 1)
+    space = merge_restarts(asked, 1)
     assert runs(space) == became
     assert trials * steps * 0.5 < became[0] * became[1] <= trials * steps or not steps
     assert space.variables == asked.variables
@@ -55,7 +55,7 @@ def test_generations_are_spent_in_runs_of_up_to_600(trials, steps, became):
     ],
 )
 def test_choices_processes_and_fronts_keep_their_runs(search, at_once, became):
-    assert runs(joined(space_of(**search), at_once)) == became
+    assert runs(merge_restarts(space_of(**search), at_once)) == became
 
 
 @pytest.mark.parametrize(
@@ -72,13 +72,15 @@ def test_choices_processes_and_fronts_keep_their_runs(search, at_once, became):
 )
 def test_a_joined_run_is_shorter_where_time_is_short(generation_s, layouts, left_s, steps):
     asked = space_of(trials=4, vary=LENGTHS)
-    space = joined(asked, 1)
+    space = merge_restarts(asked, 1)
     assert runs(space) == (2, 600)
-    assert runs(in_time(asked, 600, generation_s, layouts, left_s)) == (4, steps)
+    assert runs(fit_budget(asked, 600, generation_s, layouts, left_s)) == (4, steps)
 
 
 def test_what_became_of_the_trials_is_said():
-    said = joining(SearchSpec(trials=24, polish_steps=300), SearchSpec(trials=12, polish_steps=600))
+    said = describe_merge(
+        SearchSpec(trials=24, polish_steps=300), SearchSpec(trials=12, polish_steps=600)
+    )
     assert "24 trials of 300 generations are merged into 12 longer ones of 600" in said
 
 

@@ -13,7 +13,7 @@ import pytest
 from design.errors import InputError
 from design.search.space import structure_of
 from design.spec_io import parse_spec
-from instobj.search.apart import GivenUp, answers
+from instobj.search.apart import WorkerTimeout, answers
 from instobj.search.loop import drawn_start, run_search
 from instobj.search.trials import open_trials
 from instobj.stages.workers import open_workers
@@ -181,7 +181,7 @@ def test_a_killed_search_loses_no_finished_trial(tmp_path):
 
 def _slow_on_thin_shells(trials, seconds):
     if trials[0]["shell_thickness_mm"] == 8.0:
-        raise GivenUp(f"no result after {seconds:g} s")
+        raise WorkerTimeout(f"no result after {seconds:g} s")
     return made_up_score(trials, seconds)
 
 
@@ -227,7 +227,7 @@ def test_why_trials_have_no_result_is_said(tmp_path):
 
 def test_a_search_without_any_result_is_given_up(tmp_path):
     def never(trials, seconds):
-        raise GivenUp("no result after 1 s")
+        raise WorkerTimeout("no result after 1 s")
 
     with pytest.raises(InputError, match=r"gave up.*no result after 1 s"):
         searched(tmp_path / "trials.jsonl", score=never, trials=1000)

@@ -103,7 +103,7 @@ def test_more_parts_than_the_start_has_need_no_places_for_their_mechanics(monkey
     )
     monkeypatch.setattr(lowest_fidelity, "load_candidates", lambda folder: made)
     found = lowest_fidelity.scorers(structured, {1: (1,), 3: (3,)})
-    assert len(found) == 2 * len(structured.judged_forces_n)
+    assert len(found) == 2 * len(structured.scoring_forces_n)
 
 
 @pytest.mark.parametrize(("baseline", "offset"), [("fresh", 4.0), ("drifted", 60.0)])

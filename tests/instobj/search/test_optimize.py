@@ -259,7 +259,7 @@ def test_a_search_climbs_the_ladder_and_goes_on(tmp_path):
     finalist = folder / "finalist_1.toml"
     assert "search" not in tomllib.loads(finalist.read_text())
     assert run("check", finalist, cwd=tmp_path).returncode == 0
-    assert (folder / "search.html").read_text().count("data:image/png") >= 6
+    assert (folder / "search.html").read_text().count("data:image/webp") >= 6
     _assert_resumed(tmp_path, folder)
 
 

@@ -344,13 +344,13 @@ class TwoWorkers:
     count = 2
 
     def __init__(self):
-        self.asked = []
+        self.requested = []
 
     def make(self, tasks, root, say, enough=lambda: False):
         for task in tasks.values():
             if enough():
                 break
-            self.asked.append((task.stage, task.spec))
+            self.requested.append((task.stage, task.spec))
         return {}
 
 
@@ -364,7 +364,8 @@ def test_what_several_layouts_need_is_made_side_by_side(promoted):
         workers=workers,
     )
     of = {
-        stage: [spec for one, spec in workers.asked if one == stage] for stage, _ in workers.asked
+        stage: [spec for one, spec in workers.requested if one == stage]
+        for stage, _ in workers.requested
     }
     everyone = [found.start, *found.leaders]
     assert len(everyone) == 9
@@ -374,5 +375,5 @@ def test_what_several_layouts_need_is_made_side_by_side(promoted):
     assert all(one.spec in of["fabrication"] for one in found.finalists)
     short = TwoWorkers()
     promoted(12, 10, 10, workers=short)
-    asked = [spec for stage, spec in short.asked if stage == "second_fidelity"]
+    asked = [spec for stage, spec in short.requested if stage == "second_fidelity"]
     assert len(asked) == 2, "no more than there is time for"

@@ -76,7 +76,7 @@ def test_a_sweep_writes_what_single_runs_find_and_goes_on_where_it_was(
     assert quiet == pytest.approx(float(alone), rel=1e-12)
     page = (tmp_path / "runs/s/sweep/sweep.html").read_text(encoding="utf-8")
     assert "2 of 4 objects taken to scores" in " ".join(page.split())
-    assert "data:image/png" in page
+    assert "data:image/webp" in page
     before = {file.stat().st_mtime_ns for file in (tmp_path / "store").rglob("*.npz")}
     again = sweep(path, tmp_path)
     assert again["rows"] == found["rows"]

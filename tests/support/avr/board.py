@@ -13,8 +13,8 @@ from serial import Serial
 from design.catalogue.bus_parts import MEGA2560
 from design.wiring.bus_plan import choose_plan
 from estimator.recordings.boards.lines import LineDecoder
-from instobj.firmware.mega2560_plan import port_of
-from instobj.firmware.project import project_files, write_project
+from instobj.bench.firmware.mega2560_plan import port_of
+from instobj.bench.firmware.project import project_files, write_project
 from tests.support.shared import only_one
 
 _SOURCE = Path(__file__).with_name("rig.c")

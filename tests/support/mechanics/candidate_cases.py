@@ -65,7 +65,7 @@ def made_up_motions(spec, pitch_mm=2.0):
     points = np.concatenate([in_object(f, one) for f, one in zip(frames, lattices, strict=True)])
     motion = []
     for frame in frames:
-        local, (x, y, normal) = frame.in_plane(points), frame.axes.T
+        local, (x, y, normal) = frame.plane_coordinates(points), frame.axes.T
         away = local[:, None, :2] - places.xy_mm
         near = LINEAR * np.exp(-np.sum(away**2, -1) / 90 + local[:, 2:] / 9)
         # shift and turn for each mm away along x and y, and for all of it
@@ -190,7 +190,7 @@ def layout_scene(spec, motions, face, magnet_mm, turn, polarity, sensor_mm):
         faces.append(np.full(len(magnet_mm), frame.number))
         index = motions.faces.tolist().index(face)
         along = frame.from_plane(magnet_mm[:, :2])
-        motion.append(motions.at(frame.number, along, magnet_mm[:, 2])[index])
+        motion.append(motions.motions_at(frame.number, along, magnet_mm[:, 2])[index])
     axis = np.concatenate(axis)
     strength = np.tile(polarity, len(faces))
     size = np.resize(spec.magnets.size_numbers, len(strength))

@@ -45,12 +45,19 @@ def expected_counts(model, face, contact):
     return model.singles(face, contact)[:, :, 0].sum(axis=1) + model.interaction(face, contact)
 
 
-def noisy_counts(estimator, face, contact, rng):
-    """As a frame shows them."""
+def noisy_counts(estimator, face, contact, rng, turned=True):
+    """As frames show them, each of an object that has turned and warmed up, or of one that stands still."""
     counts = expected_counts(estimator.model, face, contact)
     told = estimator.disturbances
     sigma = np.hypot(told.noise_counts, told.offset_counts)
-    return counts + sigma * rng.standard_normal(counts.shape)
+    noisy = counts + sigma * rng.standard_normal(counts.shape)
+    unknowns = turned * rng.standard_normal((len(counts), told.columns.shape[1]))
+    return noisy + unknowns @ told.columns.T
+
+
+def frame_covariance(seen, row):
+    """Of one frame's counts about what contacts give: independent noise, and nuisances."""
+    return np.diag(seen.sigma[row] ** 2) + seen.columns @ seen.columns.T
 
 
 def labelled_frames(face, xy, force):

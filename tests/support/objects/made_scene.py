@@ -82,7 +82,7 @@ def _add_dents(spec, faces, xy_mm, arrays) -> list[int]:
     points = np.asarray(box.vertices)
     surface = shaded(points, np.asarray(box.faces))
     add_surface(arrays, "silicone", surface)
-    local = [frame.in_plane(points) for frame in faces]
+    local = [frame.plane_coordinates(points) for frame in faces]
     on_face = [np.flatnonzero(abs(one[:, 2]) < 1e-6) for one in local]
     normals = np.concatenate(
         [np.tile(f.normal, (len(v), 1)) for f, v in zip(faces, on_face, strict=True)]

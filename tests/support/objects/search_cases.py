@@ -5,7 +5,7 @@ Processes of searches import it: nothing heavy in here.
 
 from design.search.space import search_space
 from design.spec_io import parse_spec
-from instobj.search.apart import GivenUp
+from instobj.search.apart import WorkerTimeout
 from instobj.search.loop import run_search
 from instobj.search.trials import Scored, open_trials
 
@@ -66,7 +66,7 @@ def answering(score):
         for trials in questions:
             try:
                 found.append(score(trials, seconds))
-            except GivenUp as error:
+            except WorkerTimeout as error:
                 found.append(error)
         return found
 

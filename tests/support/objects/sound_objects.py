@@ -15,7 +15,7 @@ from design.layout.body import body_of
 from design.layout.pockets import shell_pockets
 from design.mould.room import cast_room
 from design.mould.whole import has_mould, inside_of_mould, mould_around
-from design.solids.booleans import Shape, as_triangles, cut, volume_mm3
+from design.solids.booleans import Shape, convert_to_triangles, cut, volume_mm3
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from tests.support.objects.random_objects import with_file
@@ -77,7 +77,7 @@ def _missed_mm3(spec: ObjectSpec, shell: Shape, tools: list[Shape]) -> float:
     """
     room, slack = cast_room(spec), 0.0
     if spec.body.kind not in FLAT:
-        room, shell, *tools = (as_triangles(shape) for shape in (room, shell, *tools))
+        room, shell, *tools = (convert_to_triangles(shape) for shape in (room, shell, *tools))
         slack = _TRIANGLES_MM * float(2 * shell.area)
     cast = cut(room, *tools)
     apart = volume_mm3(cut(cast, shell)) + volume_mm3(cut(shell, cast))

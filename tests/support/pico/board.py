@@ -15,8 +15,8 @@ from design.catalogue.bus_parts import PICO
 from design.wiring.bus_plan import choose_plan
 from estimator.recordings.boards.lines import LineDecoder
 from estimator.recordings.boards.link import serial_chunks
-from instobj.firmware.pico_plan import gpio_of
-from instobj.firmware.project import project_files, write_project
+from instobj.bench.firmware.pico_plan import gpio_of
+from instobj.bench.firmware.project import project_files, write_project
 from tests.support.avr.board import celsius, family, field_mt
 
 _SIMULATED = Path(__file__).parent / "simulated"

@@ -73,7 +73,7 @@ def test_a_file_s_box_of_twelve_triangles_parts_along_its_sides_not_across_its_c
         ObjectSpec.model_validate({"name": "a", "body": {"size_mm": (60.0, 45.0, 30.0)}})
     )
     assert len(body.outer_surface().faces) == 12
-    plane = frames.at_silhouette(body)
+    plane = frames.silhouette_parting(body)
     assert_allclose(abs(plane.normal), [0, 1, 0], atol=1e-9)
     assert plane.offset_mm == 0
 
@@ -112,7 +112,7 @@ def test_a_seam_hooks_what_faces_the_other_half(azimuth_deg, share):
     x, y, z = 42.0, 44.0, 46.0
     strips = 2 * (y - x) / 2 * z * (np.sqrt(0.5) - np.sin(np.deg2rad(2.0)))
     share = strips / (2 * (x * y + y * z + z * x)) if share is None else share
-    assert frames.hooked_share(spec) == pytest.approx(share, rel=0.05)
+    assert frames.undercut_fraction(spec) == pytest.approx(share, rel=0.05)
 
 
 def tapered(tmp_path, **mould):
@@ -130,17 +130,17 @@ def test_the_seam_of_a_file_s_body_stands_across_a_given_azimuth_where_least_hoo
     across_y = tapered(tmp_path, parting_azimuth_deg=90.0)
     assert_allclose(abs(parting(across_y).normal), [0, 1, 0], atol=1e-12)
     assert -20.5 < parting(across_y).offset_mm * parting(across_y).normal[1] < -19
-    assert frames.hooked_depth_mm(across_y) == 0
+    assert frames.undercut_depth_mm(across_y) == 0
     across_x = tapered(tmp_path, parting_azimuth_deg=0.0)
     assert parting(across_x).offset_mm == 0
-    assert frames.hooked_depth_mm(across_x) == 0
+    assert frames.undercut_depth_mm(across_x) == 0
 
 
 def test_the_depth_that_hooks_is_that_of_a_taper_by_hand(tmp_path, monkeypatch):
     """A wall that leans by 2 in 40 mm, 20 mm of it on the wrong side."""
     spec = tapered(tmp_path, parting_azimuth_deg=90.0)
     monkeypatch.setattr(frames, "parting", lambda spec: frames.Parting(np.array([0.0, 1, 0]), 0.0))
-    assert_allclose(frames.hooked_depth_mm(spec), 20 * 2 / 40, rtol=0.1)
+    assert_allclose(frames.undercut_depth_mm(spec), 20 * 2 / 40, rtol=0.1)
 
 
 @pytest.mark.parametrize(("azimuth_deg", "offset_mm"), [(0.0, 3.0), (30.0, 7.0), (130.0, -11.0)])

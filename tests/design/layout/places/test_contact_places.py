@@ -64,7 +64,7 @@ def _old_rule(frame, place, reach):
     turn = np.linspace(0, 2 * np.pi, 24)
     tangent = frame.tangent(place)
     ring = np.column_stack([reach * np.cos(turn), reach * np.sin(turn), 0 * turn])
-    rim = frame.onto(tangent.to_object(ring + np.append(place, 0.0)), tangent.normal)
+    rim = frame.project_along(tangent.to_object(ring + np.append(place, 0.0)), tangent.normal)
     return bool(np.all(frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])))
 
 
@@ -116,7 +116,7 @@ def test_covered_shares_agree_with_points_strewn_over_the_surface(spec):
         half = np.array(frame.half_extents_mm)
         xy = rng.uniform(-half, half, (6000, 2))
         xy = xy[frame.covers(xy)]
-        _, slope = frame.relief.at(xy)
+        _, slope = frame.relief.evaluate(xy)
         weight = np.hypot(1, np.linalg.norm(slope, axis=1))
         cells = abs(frame.from_plane(xy)[:, None] - places[there]).max(axis=2) <= pitch / 2
         found.append(weight[cells.any(axis=1)].sum() / weight.sum())

@@ -17,7 +17,7 @@ class Saddle:
     along_mm: float
     across_mm: float
 
-    def at(self, xy_mm):
+    def evaluate(self, xy_mm):
         x, y = xy_mm[..., 0], xy_mm[..., 1]
         slopes = np.stack([x / self.along_mm, -y / self.across_mm], axis=-1)
         return (x**2 / self.along_mm - y**2 / self.across_mm) / 2, slopes
@@ -37,5 +37,5 @@ def test_a_board_sinks_until_no_point_of_its_rim_stands_out(along_mm, across_mm)
     middle = (core.recess_inner_radius_mm + core.recess_outer_radius_mm) / 2
     steps = np.linspace(-0.5, 0.5, 81)
     x, y = np.meshgrid(middle - spec.sensors.radius_mm + radial * steps, tangential * steps)
-    deepest = -saddle.at(np.stack([x, y], axis=-1))[0].min()
+    deepest = -saddle.evaluate(np.stack([x, y], axis=-1))[0].min()
     assert sink == pytest.approx(deepest, abs=0.02)

@@ -67,10 +67,10 @@ def test_other_faces_stay_those_of_the_design(estimator):
 
 
 def test_errors_are_the_twins_on_its_face_and_the_designs_on_others(estimator):
-    of_design = design_error(SPEC, *presses())
+    design_motion = design_error(SPEC, *presses())
     error = estimator.disturbances.model_error.reshape(5, -1)
     assert_allclose(error[ROW], np.hypot(0.03, SUM_ERROR))
-    assert_allclose(error[0], np.hypot(of_design, SUM_ERROR))
+    assert_allclose(error[0], np.hypot(design_motion, SUM_ERROR))
 
 
 def test_without_a_twin_of_every_face_forces_are_as_uncertain_as_the_modulus(estimator, built):

@@ -213,7 +213,7 @@ def test_the_corner_of_a_recess_s_floor_that_goes_farthest_beyond_the_core_count
     spec, rng = spec_of("box"), np.random.default_rng(3)
     axes, half = np.linalg.qr(rng.normal(size=(3, 3)))[0], rng.uniform(1, 4, 3)
     centre, out = rng.normal(size=3), np.array([*farthest, -0.5]) @ axes
-    monkeypatch.setattr(curved, "beyond_core_mm", lambda spec, points: points @ out)
+    monkeypatch.setattr(curved, "distance_beyond_core_mm", lambda spec, points: points @ out)
     flat = SimpleNamespace(flat=True)
     surface = SimpleNamespace(spec=spec, core=flat, reach_mm=lambda at: np.full(len(at), 99.0))
     recesses = tuple(torch.as_tensor(one[None, None]) for one in (centre, axes, half))

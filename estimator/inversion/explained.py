@@ -1,0 +1,76 @@
+"""Whether contacts explain a frame: p values, with as much error of the model as its frames show.
+
+A forward model is believed to be wrong by a share of the signals (`Disturbances.model_error`), the
+same in every direction. Contacts take up part of a real error, and some objects have less of it than
+their tolerances allow. By the error that is believed, p values would then crowd at 1 and nothing be
+left unexplained. So the error's share is taken at which half of the pressed frames have a p value
+above ½. It counts for p values alone: places and forces keep the whole error.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, field
+
+import numpy as np
+from jaxtyping import Float
+
+from estimator.inversion.model.forward import ContactModel
+from estimator.inversion.posterior import most_probable
+from estimator.inversion.priors import Priors
+from estimator.inversion.problems import BLIND, Observed, Problems
+
+UNEXPLAINED = 1e-3
+"""p value below which no contact that the model knows explains a frame."""
+_SHARES = np.array([0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0])
+"""Shares of the believed error that are tried."""
+_LEAST_FRAMES, MOST_FRAMES = 20, 100
+"""Pressed frames from which a share is learnt, and of which the latest count."""
+_STEPS = 2
+"""Steps from contacts that were fitted with the whole error."""
+
+
+@dataclass
+class ErrorShare:
+    """Share of the believed error that pressed frames show; the whole until there are enough of them.
+
+    `p_values` holds one row for each pressed frame: p by `_SHARES`.
+    """
+
+    model: ContactModel
+    priors: Priors
+    p_values: deque[np.ndarray] = field(default_factory=lambda: deque(maxlen=MOST_FRAMES))
+
+    def learn(self, seen: Observed, problems: Problems) -> None:
+        """Take pressed frames, one problem each; frames at rest have no error of the model."""
+        rows = np.flatnonzero(problems.number)[-MOST_FRAMES:]
+        if not len(rows):
+            return
+        pressed = problems.select(rows)
+        every = [self.p_of(seen, pressed, share) for share in _SHARES.tolist()]
+        self.p_values.extend(np.stack(every, axis=1))
+
+    @property
+    def share(self) -> float:
+        """Where the median p value is ½; 1 where it is less with the whole error, 0 where more without."""
+        if len(self.p_values) < _LEAST_FRAMES:
+            return 1.0
+        median = np.maximum.accumulate(np.median(self.p_values, axis=0))
+        return float(np.interp(0.5, median, _SHARES))
+
+    def p_of(
+        self, seen: Observed, problems: Problems, share: float
+    ) -> Float[np.ndarray, "problem"]:
+        """Return p values of contacts, refitted, with a share of the model's error."""
+        strict = seen.with_error_share(share)
+        given = problems.frame, problems.face, problems.contact
+        fit = most_probable(self.model, self.priors, strict, *given, problems.extra, 1, _STEPS)
+        return p_values(strict, fit.on_host())
+
+
+def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+    """Return the chance of a misfit as large if a problem's contacts were true."""
+    from scipy.special import chdtrc
+
+    told = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
+    return chdtrc(np.maximum(told - 3 * problems.number, 1), 2 * problems.misfit)

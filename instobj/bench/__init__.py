@@ -1,0 +1,1 @@
+"""Boards, machines and built objects: what serves them, behind the extra `instobj[bench]`."""

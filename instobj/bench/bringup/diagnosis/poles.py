@@ -1,0 +1,155 @@
+"""Pole and pocket of every magnet, from the step that it makes when it is put in.
+
+The change of all chips is compared with what a magnet of the specification would make in any of the
+pockets, either way round, beside a uniform field by which the hand turned the object.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from design.layout.places.positions import magnet_layout, sensor_layout
+from design.spec.object import ObjectSpec
+from estimator.field.models import field_of_each, magnets_model
+from estimator.field.vectors import components
+from instobj.bench.bringup.asking.asked import magnet_names
+from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
+
+TURNED_UT = 100.0
+"""Standard deviation beforehand of a uniform change of the field."""
+WEAK, STRONG, ABSENT = 0.6, 1.6, 0.2
+"""Strength of a magnet over the designed one below, above and below which a finding is made."""
+_MARGIN = 10.0
+"""ln of the odds by which another pocket must be likelier."""
+_ROBUST = 4.0
+"""Scale of Cauchy's misfit, in standard deviations: outliers do not rule."""
+
+
+@dataclass(frozen=True)
+class MagnetFound:
+    """One magnet: the pocket that it seems to be in, and its moment there over the designed one."""
+
+    asked: int
+    pocket: int
+    strength: float
+
+
+@dataclass(frozen=True)
+class PocketFields:
+    """Steps that each magnet of the specification makes, as the found chips read them.
+
+    Attributes
+    ----------
+    step : counts of every channel
+    error : standard deviation that tolerances leave
+    uniform : counts of a uniform field of 1 count along x, y, z
+    """
+
+    step: Float[np.ndarray, "pocket chip 3"]
+    error: Float[np.ndarray, "pocket chip"]
+    uniform: Float[np.ndarray, "chip 3 3"]
+
+
+def pocket_fields(spec: ObjectSpec, chips: Sequence[ChipFound]) -> PocketFields:
+    """For the object as designed, magnets without `as_built` flips."""
+    magnets, sensors = magnet_layout(spec), sensor_layout(spec)
+    model = magnets_model(spec.magnets, 5.0)
+    sites = [chip.site for chip in chips]
+    axes = np.stack([chip.turn for chip in chips]) @ sensors.axes[sites]
+    offset = sensors.position_mm[sites] - magnets.centre_mm[:, None]
+    axis, side = components(magnets.axis[:, None]), components(magnets.side[:, None])
+    field = field_of_each(components(offset), axis, model, side, magnets.size)
+    in_object = magnets.strength[:, None, None] * np.stack(field, axis=-1)
+    # p pocket, c chip, b object coordinate, a chip axis; 1e3: field in T, gain per mT
+    step = 1e3 * spec.sensors.counts_per_mt * np.einsum("cab,pcb->pca", axes, in_object)
+    error = np.linalg.norm(step, axis=2) * _relative(spec, np.linalg.norm(offset, axis=2))
+    return PocketFields(step, error, axes)
+
+
+def _relative(
+    spec: ObjectSpec, distance_mm: Float[np.ndarray, "pocket chip"]
+) -> Float[np.ndarray, "pocket chip"]:
+    given = spec.tolerances
+    seats = (
+        given.magnet_seat_mm,
+        given.magnet_seat_depth_mm,
+        given.sensor_seat_mm,
+        given.core_shift_mm,
+    )
+    turns = np.deg2rad([given.magnet_tilt_deg, given.sensor_rotation_deg, given.core_yaw_deg])
+    fixed = np.sum(turns**2) + given.remanence_relative**2 + given.sensor_gain_relative**2
+    return np.sqrt(fixed + (3 * np.linalg.norm(seats) / distance_mm) ** 2)
+
+
+def find_magnet(
+    spec: ObjectSpec, fields: PocketFields, asked: int, change: Float[np.ndarray, "chip 3"]
+) -> MagnetFound:
+    """Pocket and moment that explain a step (counts, NaN where unknown) best; ties stay as asked."""
+    signs = np.array([1.0, -1.0])
+    cost = np.array(
+        [[cost_of(spec, fields, p, s, change) for s in signs] for p in range(len(fields.step))]
+    )
+    cost[np.arange(len(cost)) != asked] += _MARGIN
+    pocket = int(np.unravel_index(np.argmin(cost), cost.shape)[0])
+    return MagnetFound(asked, pocket, strength_of(spec, fields, pocket, change))
+
+
+def cost_of(
+    spec: ObjectSpec,
+    fields: PocketFields,
+    pocket: int,
+    sign: float,
+    change: Float[np.ndarray, "chip 3"],
+) -> float:
+    """−ln likelihood, up to a constant, at the best uniform field."""
+    left = change - sign * fields.step[pocket]
+    sigma = np.broadcast_to(pocket_sigma(spec, fields, pocket), left.shape)
+    known = np.isfinite(left)
+    rows = fields.uniform[known] / sigma[known, None]
+    values = left[known] / sigma[known]
+    prior = np.eye(3) / (1e-3 * TURNED_UT * spec.sensors.counts_per_mt)
+    uniform = np.linalg.lstsq(np.vstack([rows, prior]), np.append(values, np.zeros(3)), rcond=None)[
+        0
+    ]
+    off = (values - rows @ uniform) / _ROBUST
+    return float(np.sum(0.5 * _ROBUST**2 * np.log1p(off**2) + np.log(sigma[known])))
+
+
+def pocket_sigma(
+    spec: ObjectSpec, fields: PocketFields, pocket: int
+) -> Float[np.ndarray, "chip 1"]:
+    floor = np.hypot(spec.sensors.zeroing_counts, max(spec.sensors.noise_counts) / 2)
+    return np.hypot(fields.error[pocket], floor)[:, None]
+
+
+def strength_of(
+    spec: ObjectSpec, fields: PocketFields, pocket: int, change: Float[np.ndarray, "chip 3"]
+) -> float:
+    """Moment over the designed one, together with a uniform field, by weighted least squares."""
+    weight = np.broadcast_to(1 / pocket_sigma(spec, fields, pocket), change.shape)
+    known = np.isfinite(change)
+    rows = (
+        np.column_stack([fields.step[pocket][known], fields.uniform[known]]) * weight[known, None]
+    )
+    return float(np.linalg.lstsq(rows, change[known] * weight[known], rcond=None)[0][0])
+
+
+def magnet_findings(spec: ObjectSpec, found: MagnetFound) -> list[Finding]:
+    """Return what is wrong with one magnet; nothing where all is well."""
+    names = magnet_names(spec)
+    name, size = names[found.asked], abs(found.strength)
+    share = f"{found.strength:+.2f} of the designed moment"
+    if size < ABSENT:
+        return [Finding("weak magnet", name, f"no step was seen ({share})")]
+    wrong = []
+    if found.pocket != found.asked:
+        wrong.append(Finding("misplaced magnet", name, f"it seems to be in {names[found.pocket]}"))
+    if found.strength < 0:
+        wrong.append(Finding("flipped magnet", name, share))
+    elif not WEAK < size < STRONG:
+        wrong.append(Finding("weak magnet", name, share))
+    return wrong

@@ -1,0 +1,158 @@
+"""Dialogue of a bring-up: one question after the other, each answered by a recording, kept at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+import numpy as np
+
+from design.spec.object import ObjectSpec
+from estimator.signals.hall import full_scale_counts
+from instobj.bench.bringup.asking.asked import (
+    MOST_FURTHER,
+    STEPS,
+    STILL_AGAIN,
+    Asked,
+    Recording,
+    asked_of,
+    further_holds,
+)
+from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
+from instobj.bench.bringup.diagnosis.poles import (
+    PocketFields,
+    find_magnet,
+    magnet_findings,
+    pocket_fields,
+)
+from instobj.bench.bringup.journal import Journal
+from instobj.bench.bringup.sources import KEEP, QUIT, SKIP, Source
+from instobj.bench.bringup.verdict import as_drawn, magnet_before, which_is_which
+from instobj.store.progress import ProgressLine
+
+_LEAST_RESPONSE_COUNTS = 300.0
+"""Change of counts from which a magnet is held near enough."""
+
+
+@dataclass
+class _Checks:
+    """What can be said of a recording as soon as it is there."""
+
+    design: ObjectSpec
+    journal: Journal
+
+    @cached_property
+    def chips(self) -> tuple[ChipFound, ...]:
+        """As found, once the first magnet is in."""
+        return which_is_which(self.design, self.journal.recordings) or as_drawn(self.design)
+
+    @cached_property
+    def fields(self) -> PocketFields:
+        """Steps that magnets make, as these chips read them."""
+        return pocket_fields(self.design, self.chips)
+
+    def doubts(self, asked: Asked, recording: Recording) -> list[str]:
+        """Return why the recording should be repeated; nothing where it is as it should be."""
+        if asked.step == "held":
+            return self._of_hold(recording)
+        if asked.step == "magnet":
+            return [f"{found}. {found.remedy}" for found in self._of_magnet(asked, recording)]
+        return []
+
+    def _of_hold(self, recording: Recording) -> list[str]:
+        limit = full_scale_counts(self.design.sensors)
+        if np.nanmax(abs(recording.counts), initial=0.0) >= limit:
+            return [f"a chip is at full scale ({limit:.0f} counts): hold the magnet higher"]
+        still = self.journal.recordings.get("still")
+        if still is None:
+            return []
+        change = np.nanmax(abs(recording.mean - still.mean), initial=0.0)
+        if change >= _LEAST_RESPONSE_COUNTS:
+            return []
+        return [f"the largest change is {change:.0f} counts: hold the magnet nearer"]
+
+    def _of_magnet(self, asked: Asked, recording: Recording) -> list[Finding]:
+        before = self.journal.recordings.get(magnet_before(self.design, asked))
+        if before is None:
+            return []
+        dead = np.array([chip.dead for chip in self.chips])
+        change = recording.unsaturated(self.design) - before.unsaturated(self.design)
+        found = find_magnet(self.design, self.fields, asked.part, np.where(dead, np.nan, change))
+        return magnet_findings(self.design, found)
+
+
+def left_of(asked: tuple[Asked, ...], journal: Journal) -> list[Asked]:
+    """Questions without an answer, in their order."""
+    done = journal.recordings.keys() | journal.skipped
+    return [question for question in asked if question.name not in done]
+
+
+def through(design: ObjectSpec, source: Source, journal: Journal, again: set[str]) -> None:
+    """Ask what is open or to be repeated, until all is answered or the user stops.
+
+    Further holds come between the planned ones and the second still recording, which closes them.
+    """
+    asked, progress = asked_of(design), ProgressLine()
+    open_ones = {question.name for question in left_of(asked, journal)} | again
+    checks = _Checks(design, journal)
+    repeated = [hold for hold in further_holds(design) if hold.name in again]
+    for number, question in enumerate(asked, start=1):
+        if question.name == STILL_AGAIN:
+            further = _further(design, source, journal, question.name in open_ones)
+            for count, hold in enumerate(chain(repeated, further), start=1):
+                title = f"further hold {count}, {MOST_FURTHER} at most, to tell gains"
+                if not _answered(hold, title, source, journal, checks, progress):
+                    return
+        if question.name not in open_ones:
+            continue
+        title = f"{number} of {len(asked)}, {STEPS[question.step]}"
+        if not _answered(question, title, source, journal, checks, progress):
+            return
+
+
+def recorded_further(design: ObjectSpec, journal: Journal) -> list[Asked]:
+    """Further holds that were asked for, in the order of their places."""
+    done = journal.recordings.keys() | journal.skipped
+    return [hold for hold in further_holds(design) if hold.name in done]
+
+
+def _further(
+    design: ObjectSpec, source: Source, journal: Journal, still_open: bool
+) -> Iterator[Asked]:
+    """Chosen one by one from all that was recorded before."""
+    while still_open and (hold := source.further(design, journal)) is not None:
+        yield hold
+
+
+def _answered(
+    asked: Asked,
+    title: str,
+    source: Source,
+    journal: Journal,
+    checks: _Checks,
+    progress: ProgressLine,
+) -> bool:
+    """Return whether to go on: False where the user stops."""
+    text = f"[{title}] {asked.question}, then press Enter (s skips, q stops)"
+    allowed = SKIP + QUIT
+    while True:
+        answer = source.answer(text, allowed)
+        if answer == QUIT:
+            return False
+        if answer == KEEP:
+            return True
+        if answer == SKIP:
+            journal.skip(asked.name)
+            return True
+        recording = source.record(asked)
+        if recording is None:
+            return True
+        doubts = checks.doubts(asked, recording)
+        journal.append(recording)
+        if not doubts:
+            return True
+        progress.say(f"{asked.name}: {'; '.join(doubts)}")
+        text = f"[{title}] Put it right and press Enter to record it again (k keeps it, s skips, q stops)"
+        allowed = KEEP + SKIP + QUIT

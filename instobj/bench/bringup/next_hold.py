@@ -1,0 +1,95 @@
+"""Choice of the next hold of the magnet: the one that tells most about the least known gains."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+import numpy as np
+from jaxtyping import Float
+
+from design.spec.object import ObjectSpec
+from instobj.bench.bringup.asking.asked import MOST_FURTHER, Asked, Recordings, further_holds
+from instobj.bench.bringup.asking.held_magnet import held_magnet, stated_pose
+from instobj.bench.bringup.asking.hold_places import hold_places
+from instobj.bench.bringup.diagnosis.chip_findings import widest_gain_sd
+from instobj.bench.bringup.diagnosis.chip_fit import Fitted, JointFit, fitted, gain_intervals
+from instobj.bench.bringup.diagnosis.findings import HALF_95
+from instobj.bench.bringup.verdict import held_so_far
+
+_LOOKED_AT = 40
+"""Candidates nearest to the chip whose gain is known least."""
+
+
+def next_hold(
+    spec: ObjectSpec, recordings: Recordings, left_out: Collection[str] = ()
+) -> Asked | None:
+    """The next further hold; None where a gain of 1.1 would be told of every chip, or at their limit.
+
+    Intervals are those that the fit will state once drift is followed, as a second still recording does.
+    A candidate's readings are predicted for the magnet exactly where it is asked for; its pose counts
+    as unknown. `left_out` are names of holds that shall not be asked for; they count as asked.
+    """
+    every = further_holds(spec)
+    over = {hold.name for hold in every if hold.name in recordings or hold.name in left_out}
+    if len(over) >= MOST_FURTHER:
+        return None
+    so_far = held_so_far(spec, recordings, drift_followed=True)
+    if so_far is None:
+        return None
+    fit = fitted(*so_far)
+    problem, gains = fit.problem, fit.problem.gains
+    matrices, covariance = problem.matrices(fit.unknown), fit.covariance[gains, gains]
+    wide = gain_intervals(matrices, covariance, problem.known) / HALF_95
+    limits = widest_gain_sd(spec, problem.known.sum(axis=1))
+    if not np.any((wide > limits) & (limits > 0)):
+        return None
+    own = slice(problem.poses, None)
+    known = np.linalg.inv(fit.covariance[own, own])
+    near = _nearest(spec, [h for h in every if h.name not in over], fit, int(np.nanargmax(wide)))
+    if not near:
+        return None
+    left = [_left_wide(fit, known + told) for told in information_of(spec, problem, near)]
+    return near[int(np.argmin(left))]
+
+
+def _nearest(spec: ObjectSpec, holds: list[Asked], fit: Fitted, chip: int) -> list[Asked]:
+    places = hold_places(spec)
+    at = places[int(fit.problem.found.site[chip])].foot_mm
+    return sorted(holds, key=lambda h: float(np.linalg.norm(places[h.part].foot_mm - at)))[
+        :_LOOKED_AT
+    ]
+
+
+def _left_wide(fit: Fitted, information: Float[np.ndarray, "own own"]) -> float:
+    """Sum over chips of the fourth powers of their gains' intervals: wide ones count.
+
+    `information` is that about the chips' matrices and seats.
+    """
+    problem, after = fit.problem, np.linalg.inv(information)
+    entries = slice(9 * problem.chips)
+    intervals = gain_intervals(
+        problem.matrices(fit.unknown), after[entries, entries], problem.known
+    )
+    return float(np.nansum(intervals**4))
+
+
+def information_of(
+    spec: ObjectSpec, problem: JointFit, holds: Sequence[Asked]
+) -> Float[np.ndarray, "hold own own"]:
+    """Of each hold by itself about the chips' matrices and seats, its own pose left unknown."""
+    given, count = problem.readings, len(holds)
+    counts = np.tile(np.where(problem.known, 0.0, np.nan), (count, 1, 1))
+    noise = np.tile(given.noise_counts.min(axis=0), (count, 1, 1))
+    model = held_magnet(spec, [hold.part for hold in holds])
+    found = replace(problem.found, model=model, pose=stated_pose(count))
+    every = JointFit.of(replace(given, counts=counts, noise_counts=noise), found)
+    slope, poses = every.slopes(every.start), every.poses
+    k = np.arange(count)
+    readings = slope[: counts.size].reshape(count, -1, slope.shape[1])
+    of_pose = readings[:, :, :poses].reshape(count, readings.shape[1], count, -1)[k, :, k]
+    of_chips = readings[:, :, poses:]
+    prior = slope[counts.size :][:poses, :poses].reshape(count, -1, count, poses // count)
+    normal = of_pose.mT @ of_pose + (prior**2)[k, :, k]
+    across = of_chips.mT @ of_pose
+    return of_chips.mT @ of_chips - across @ np.linalg.solve(normal, across.mT)

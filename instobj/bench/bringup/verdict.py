@@ -1,0 +1,196 @@
+"""Verdict of a bring-up: everything that its recordings tell, as far as they go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.layout.places.positions import magnet_layout, sensor_layout
+from design.spec.object import ObjectSpec
+from estimator.tolerances.selftest import FaultKind, Hypothesis
+from instobj.bench.bringup.asking.asked import (
+    STILL,
+    STILL_AGAIN,
+    Asked,
+    Recording,
+    Recordings,
+    asked_of,
+    further_holds,
+    magnet_names,
+)
+from instobj.bench.bringup.diagnosis.channels import (
+    Arrangement,
+    HeldReadings,
+    find_chips,
+    held_readings,
+)
+from instobj.bench.bringup.diagnosis.chip_findings import chip_findings, earth_findings
+from instobj.bench.bringup.diagnosis.chip_fit import chips_found
+from instobj.bench.bringup.diagnosis.earth import EarthFound, from_earth
+from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
+from instobj.bench.bringup.diagnosis.health import health_findings
+from instobj.bench.bringup.diagnosis.levels import in_designed_axes, judge_levels, level_findings
+from instobj.bench.bringup.diagnosis.poles import (
+    MagnetFound,
+    find_magnet,
+    magnet_findings,
+    pocket_fields,
+)
+
+_JUDGED_WITH_CHIPS: tuple[FaultKind, ...] = (
+    "swapped sensors",
+    "swapped channels",
+    "dead sensor",
+    "dead channel",
+)
+LEAST_HOLDS = 3
+"""Fewer say too little about which channel is which."""
+_BEYOND_LINEAR = 0.3
+"""Of the scatter of a zero, what is left where drift was followed."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What was found; None where the recordings for it are missing."""
+
+    findings: tuple[Finding, ...]
+    chips: tuple[ChipFound, ...] | None
+    earth: EarthFound | None
+    magnets: tuple[MagnetFound, ...]
+    levels: Hypothesis | None
+
+
+def judge(spec: ObjectSpec, recordings: Recordings) -> Verdict:
+    """Judge all recordings that are there; chips count as drawn where no magnet was held."""
+    findings = list(health_findings(spec, recordings[STILL])) if STILL in recordings else []
+    chips = which_is_which(spec, recordings)
+    known = chips or as_drawn(spec)
+    earth = _earth(spec, recordings, known)
+    if chips is not None:
+        already = {finding.where for finding in findings}
+        findings += [f for f in chip_findings(spec, chips, earth) if f.where not in already]
+    if earth is not None:
+        findings += earth_findings(spec, earth)
+    magnets = tuple(magnets_found(spec, recordings, known))
+    findings += [wrong for magnet in magnets for wrong in magnet_findings(spec, magnet)]
+    levels = _levels(spec, recordings, known, chips is not None, magnets)
+    findings += [] if levels is None else level_findings(levels)
+    return Verdict(tuple(findings), chips, earth, magnets, levels)
+
+
+def as_drawn(spec: ObjectSpec) -> tuple[ChipFound, ...]:
+    """Chips as the specification says."""
+    return tuple(ChipFound(site, np.eye(3)) for site in range(len(sensor_layout(spec).face)))
+
+
+def which_is_which(spec: ObjectSpec, recordings: Recordings) -> tuple[ChipFound, ...] | None:
+    """Every chip's place, turn and gains; None without the still recording and three holds."""
+    so_far = held_so_far(spec, recordings)
+    return None if so_far is None else tuple(chips_found(*so_far))
+
+
+def held_so_far(
+    spec: ObjectSpec, recordings: Recordings, drift_followed: bool = False
+) -> tuple[HeldReadings, Arrangement] | None:
+    """All holds and the arrangement of the chips; None without the still recording and three holds.
+
+    `drift_followed` states errors as if the second still recording were there already.
+    """
+    every = (*asked_of(spec), *further_holds(spec))
+    held = [asked for asked in every if asked.step == "held" and asked.name in recordings]
+    if STILL not in recordings or len(held) < LEAST_HOLDS:
+        return None
+    given = [recordings[asked.name] for asked in held]
+    still, drift_counts, share = levels_without_magnet(spec, recordings, given)
+    if drift_followed:
+        drift_counts = _BEYOND_LINEAR * spec.sensors.zeroing_counts
+    known = np.where(silent_findings(recordings), np.nan, 1.0)
+    counts = known * np.stack([recording.unsaturated(spec) for recording in given]) - still
+    readings = held_readings(spec, counts, share, drift_counts)
+    return readings, find_chips(spec, readings, [asked.part for asked in held])
+
+
+def levels_without_magnet(
+    spec: ObjectSpec, recordings: Recordings, given: list[Recording]
+) -> tuple[Float[np.ndarray, "hold chip 3"], float, Float[np.ndarray, "hold"]]:
+    """Levels without a magnet at the times of the holds, and their error by drift (counts).
+
+    Last the variance of each hold's change over that of one frame's noise. Between the still
+    recordings before and after the holds levels are taken as linear in time.
+    """
+    first, last = recordings[STILL], recordings.get(STILL_AGAIN)
+    begin, *times, end = (float(np.mean(one.board_ms)) for one in (first, *given, last or first))
+    own = 1 / np.array([len(one.counts) for one in given])
+    if last is None or not begin < min(times) or not max(times) < end:
+        levels = np.repeat(first.mean[None], len(given), axis=0)
+        return levels, spec.sensors.zeroing_counts, own + 1 / len(first.counts)
+    late = (np.array(times) - begin) / (end - begin)
+    levels = first.mean + late[:, None, None] * (last.mean - first.mean)
+    noise = own + (1 - late) ** 2 / len(first.counts) + late**2 / len(last.counts)
+    return levels, _BEYOND_LINEAR * spec.sensors.zeroing_counts, noise
+
+
+def silent_findings(recordings: Recordings) -> Bool[np.ndarray, "chip 3"]:
+    """Channels that never answer or stick at one value."""
+    counts = recordings[STILL].counts
+    return np.isnan(recordings[STILL].mean) | (np.ptp(counts, axis=0) == 0)
+
+
+def _earth(
+    spec: ObjectSpec, recordings: Recordings, chips: tuple[ChipFound, ...]
+) -> EarthFound | None:
+    poses = [asked for asked in asked_of(spec) if asked.step == "earth"]
+    if any(asked.name not in recordings for asked in poses):
+        return None
+    dead = np.array([chip.dead for chip in chips])
+    given = [recordings[asked.name] for asked in poses]
+    means = np.where(dead, np.nan, np.stack([recording.mean for recording in given]))
+    times_s = np.array([float(np.mean(recording.board_ms)) / 1000 for recording in given])
+    return from_earth(spec, chips, means, times_s, poses[0].frames)
+
+
+def magnets_found(
+    spec: ObjectSpec, recordings: Recordings, chips: tuple[ChipFound, ...]
+) -> Iterator[MagnetFound]:
+    """Pole and pocket of every magnet whose step was recorded."""
+    fields, dead = pocket_fields(spec, chips), np.array([chip.dead for chip in chips])
+    for asked in asked_of(spec):
+        before = magnet_before(spec, asked) if asked.step == "magnet" else ""
+        if before in recordings and asked.name in recordings:
+            change = recordings[asked.name].unsaturated(spec) - recordings[before].unsaturated(spec)
+            yield find_magnet(spec, fields, asked.part, np.where(dead, np.nan, change))
+
+
+def magnet_before(spec: ObjectSpec, asked: Asked) -> str:
+    """Name of the recording against which a magnet's step is seen."""
+    return f"magnet {magnet_names(spec)[asked.part - 1]}" if asked.part else "closed"
+
+
+def _levels(
+    spec: ObjectSpec,
+    recordings: Recordings,
+    chips: tuple[ChipFound, ...],
+    chips_seen: bool,
+    magnets: tuple[MagnetFound, ...],
+) -> Hypothesis | None:
+    if "rest" not in recordings:
+        return None
+    seen: list[FaultKind] = []
+    if chips_seen:
+        seen.extend(_JUDGED_WITH_CHIPS)
+    if len(magnets) == len(magnet_layout(spec).face):
+        seen.append("flipped magnet")
+    flipped = [magnet.asked for magnet in magnets if magnet.strength < 0]
+    counts = _at_rest(spec, recordings, chips)
+    return judge_levels(spec, flipped, counts, seen)
+
+
+def _at_rest(
+    spec: ObjectSpec, recordings: Recordings, chips: tuple[ChipFound, ...]
+) -> Float[np.ndarray, "site 3"]:
+    dead = np.array([chip.dead for chip in chips])
+    counts = np.where(dead, np.nan, recordings["rest"].unsaturated(spec))
+    return in_designed_axes(chips, counts)

@@ -1,0 +1,1 @@
+"""Boards read into recordings that grow, with their labels."""

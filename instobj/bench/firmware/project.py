@@ -1,0 +1,143 @@
+"""A firmware project as files: sources of the board, settings of the object, and what to do with them."""
+
+from __future__ import annotations
+
+from dataclasses import astuple
+from pathlib import Path
+
+from design.build.order_list import ORDER_COLUMNS, order_list, order_row
+from design.catalogue.bus_parts import MEGA2560, MLX90393, TLE493D, TMAG5273
+from design.files import atomic_path
+from design.spec.object import ObjectSpec
+from design.tables import table_text
+from design.wiring.bus_plan import BusPlan
+from design.wiring.dealing import ChipOnBus
+from design.wiring.wires import wires_of
+from instobj.bench.firmware.drawing import wiring_svg
+from instobj.bench.firmware.mega2560_plan import plan_header
+from instobj.bench.firmware.pico_plan import plan_module
+from instobj.bench.firmware.settings import family_of
+from instobj.store.readers import ORDERS
+
+_SOURCES = Path(__file__).parent
+_DRIVERS = {chip.driver for chip in (TMAG5273, MLX90393, TLE493D)}
+
+
+def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
+    """Texts of the files by their names.
+
+    Raises
+    ------
+    InputError
+        Settings that the chip cannot take.
+    """
+    driver = family_of(plan).driver
+    files = {
+        path.name: path.read_text(encoding="utf-8")
+        for path in sorted((_SOURCES / plan.board.name).iterdir())
+        if path.is_file() and (path.stem == driver or path.stem not in _DRIVERS)
+    }
+    if plan.board is MEGA2560:
+        files["plan.h"] = plan_header(spec, plan)
+    else:
+        files["chip.py"] = files.pop(f"{driver}.py")
+        files["plan.py"] = plan_module(spec, plan)
+    return {**files, "README.md": _readme(spec, plan), **_bench_files(spec, plan)}
+
+
+def _bench_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
+    """Return what lies beside the soldering iron: drawing, wires in order, parts to buy."""
+    title = f"Wiring of {spec.name} on the {plan.board.title}, seen from the pads"
+    wires = [astuple(wire) for wire in wires_of(plan)]
+    return {
+        "wiring.svg": wiring_svg(plan, title),
+        "wiring.csv": table_text(("wire", "from", "to", "signal", "colour", "length_mm"), wires),
+        ORDERS.name: table_text(ORDER_COLUMNS, map(order_row, order_list(spec, plan))),
+    }
+
+
+def _readme(spec: ObjectSpec, plan: BusPlan) -> str:
+    mega = plan.board is MEGA2560
+    return _README.format(
+        name=spec.name,
+        board=plan.board.title,
+        way=plan.way,
+        count=len(plan.chips),
+        rate=spec.sensors.frame_rate_hz,
+        baud=plan.baud,
+        pullup=plan.pullup_kohm,
+        install=_INSTALL_MEGA if mega else _INSTALL_PICO,
+        plan="plan.h" if mega else "plan.py",
+        rows="\n".join(_row(chip) for chip in plan.chips),
+        load=_load_text(spec, plan),
+    )
+
+
+def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
+    """Return what the README says of the load cell."""
+    cell, load = spec.load_cell, plan.load
+    if load is None:
+        return ""
+    if load.kind == "hx711":
+        scale = (
+            f"for a cell of {cell.capacity_n:g} N and {cell.output_mv_per_v:g} mV/V at gain 128. Set the "
+            f"board's RATE to {cell.rate_sps} readings per second."
+        )
+    else:
+        scale = f"{cell.newtons_per_v:g} N/V, {cell.zero_v:g} V without load."
+    lines = "Its forces go out as lines `L`; check the scale with a weight."
+    return f"\n- Load cell: {load.title}; {scale} {lines}"
+
+
+def _row(chip: ChipOnBus) -> str:
+    channel = "" if chip.channel is None else f"0x{chip.multiplexer:02X} channel {chip.channel}"
+    cells = (chip.label, chip.part, channel, f"0x{chip.address:02X}", chip.supply or "3.3 V")
+    return f"| {' | '.join(cells)} |"
+
+
+_INSTALL_MEGA = """\
+    sudo apt install gcc-avr avr-libc binutils-avr make avrdude
+    make
+    make flash PORT=/dev/ttyACM0"""
+_INSTALL_PICO = """\
+    # MicroPython 1.22 or newer on the board: micropython.org/download/RPI_PICO
+    pip install mpremote
+    mpremote cp *.py : + reset"""
+_README = """\
+# Firmware of {name} for the {board}
+{count} sensors by {way}, {rate:g} frames per second, {baud} baud; pull-ups {pullup:g} kΩ on every bus line.
+Written by `instobj bench firmware`; `{plan}` holds all that belongs to this object.
+
+{install}
+    instobj bench collect FIRST --port /dev/ttyACM0@{baud}
+
+`wiring.svg` is the drawing; `wiring.csv` has every wire with colour and length in the order of soldering,
+`orders.csv` every part to buy.
+
+| sensor | part | multiplexer | address | supply |
+|---|---|---|---|---|
+{rows}
+
+- A sensor that does not answer twice leaves its cells empty; it is started anew every second.
+- A bus that hangs for 2.5 ms is clocked free and multiplexers are reset; if the data line stays low,
+  sensors on supply pins lose their power and are started anew.
+- The watchdog restarts the board after 2 s. Once a second a line `S` tells supply, errors, why the board
+  started, and the temperature of every sensor (`instobj docs recordings`).{load}
+"""
+
+
+def write_project(files: dict[str, str], folder: Path) -> list[Path]:
+    """Write a project; drivers of an earlier one that it does not have are removed.
+
+    Raises
+    ------
+    StoreError
+        The folder cannot be written.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in {f"{driver}.c" for driver in _DRIVERS} - files.keys():
+        (folder / name).unlink(missing_ok=True)
+    for name, text in files.items():
+        with atomic_path(folder / name) as path:
+            path.write_text(text, encoding="utf-8")
+    return [folder / name for name in files]

@@ -1,0 +1,229 @@
+"""`instobj bench live`: a board, a recording or a simulated object on a page, recorded as `collect` does."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections import deque
+from contextlib import closing
+from dataclasses import dataclass, field
+from typing import Any
+
+from design.errors import InputError, InstobjError
+from estimator.recordings.boards.growing import finish_recording
+from estimator.recordings.boards.lines import Frame, Header, Load, Message
+from estimator.recordings.boards.link import board_messages
+from instobj.bench.collect.labelled_frames import STALE_S, Collection, load_lines, take_load
+from instobj.bench.collect.options import stop_on_signals
+from instobj.bench.live.process import PageProcess, PageSettings, page_process
+from instobj.bench.live.recorder import Recorder
+from instobj.bench.live.source import LiveOptions, LiveSource, live_source
+from instobj.bench.live.watch import HEADER, LABELS, NEWS, channel_names, row_message
+from instobj.store.progress import NEWS_EVERY_S, ProgressLine
+from instobj.store.publish import file_rows
+
+_NEWS_S = 0.25
+"""Time between two messages of news, about."""
+_TICK_S = 0.2
+"""Pause between two looks at the session."""
+_LAST_WORD_S = 0.5
+"""Time that the page stays after a failure, to show it."""
+
+
+@dataclass
+class _Session:
+    """What the reader has between two chunks."""
+
+    source: LiveSource
+    state: Collection
+    recorder: Recorder
+    page: PageProcess
+    arrivals_s: deque[float] = field(default_factory=lambda: deque(maxlen=400))
+    labels: list[list[float]] = field(default_factory=list)
+    told: str = ""
+    news_at_s: float = 0.0
+
+
+def live(options: LiveOptions) -> dict[str, Any]:
+    """Serve the page until told to stop; the document says what came, was lost and was written.
+
+    Raises
+    ------
+    InputError
+        Bad options, model or source, an address that cannot be served, or a line that broke off;
+        what was recorded is kept and finished.
+    """
+    token, progress = options.token, ProgressLine()
+    return run_live(live_source(options, progress), options, token, progress)
+
+
+def run_live(
+    source: LiveSource, options: LiveOptions, token: str, progress: ProgressLine
+) -> dict[str, Any]:
+    """Serve and record a source; as `live`."""
+    settings = PageSettings(
+        source.spec.model_dump_json(), source.scene, source.models, *source.zeroing.of_raw,
+        options.address, options.page_port, token,
+    )  # fmt: skip
+    state = Collection(source.readings, source.readings.first_places)
+    with (
+        closing(source.chunks),
+        page_process(settings) as page,
+        stop_on_signals(state.stop),
+        progress.stage(f"live, {source.name}"),
+    ):
+        session = _Session(source, state, Recorder(state), page)
+        progress.say(f"open {page.url} in a browser; Ctrl-C ends")
+        failure = _follow(session, options, progress)
+    return _ended(session, failure)
+
+
+def _follow(session: _Session, options: LiveOptions, progress: ProgressLine) -> InstobjError | None:
+    """Read until the end, then keep the page until it is stopped; the error that ended the line."""
+    until_s = time.monotonic() + (options.seconds if options.seconds is not None else float("inf"))
+    failure = None
+    try:
+        _read(session, options, until_s, progress)
+        session.told = "the readings have ended" if not session.state.stopped else ""
+    except InstobjError as error:
+        failure, session.told = error, str(error)
+    session.recorder.switch(False)
+    _tell(session)
+    while failure is None and not session.state.stopped and time.monotonic() < until_s:
+        time.sleep(_TICK_S)
+    time.sleep(_LAST_WORD_S if failure else 0.0)
+    return failure
+
+
+def _read(session: _Session, options: LiveOptions, until_s: float, progress: ProgressLine) -> None:
+    stream = board_messages(session.source.chunks, session.state.decoder, session.source.name)
+    loads, alive, told_at_s = load_lines(session.state.options), True, time.monotonic()
+    with closing(loads), session.recorder.open:
+        for messages in stream:
+            for load in next(loads):
+                take_load(load, session.state, session.state.load_clock)
+            _take(session, messages, options)
+            _obey(session)
+            if time.monotonic() >= session.news_at_s:
+                _tell(session)
+            if time.monotonic() - told_at_s > NEWS_EVERY_S:
+                told_at_s = time.monotonic()
+                progress.step(_counts_text(session, time.time()))
+            if alive and not session.page.alive:
+                alive = False
+                progress.say("the page's server ended; reading and recording go on until Ctrl-C")
+            if session.state.stopped or time.monotonic() >= until_s:
+                return
+
+
+def _take(session: _Session, messages: list[Message], options: LiveOptions) -> None:
+    state = session.state
+    for message in messages:
+        if isinstance(message, Header):
+            _take_header(session, message, options)
+        elif isinstance(message, Load):
+            take_load(message, state, state.clock)
+        elif isinstance(message, Frame):
+            now_s = time.time()
+            time_s = state.clock.time_s(message.board_ms, now_s)
+            session.recorder.take(message, time_s)
+            session.page.send(row_message(now_s, time_s, message.counts))
+            session.arrivals_s.append(now_s)
+            _tell_labels(session, time_s)
+
+
+def _take_header(session: _Session, header: Header, options: LiveOptions) -> None:
+    state, known = session.state, channel_names(session.source.spec)
+    if state.channels and header.channels != state.channels:
+        raise InputError("the board names other channels than before. Was it exchanged?")
+    foreign = [name for name in header.channels if name not in known]
+    if foreign:
+        raise InputError(
+            f"{session.source.name} names channels that {session.source.spec.name} has not: "
+            f"{', '.join(foreign[:5])}. Give the specification of the object that is read"
+        )
+    first = not state.channels
+    state.channels = header.channels
+    session.page.send(HEADER + json.dumps(header.channels).encode())
+    if first and options.record:
+        session.recorder.switch(True)
+
+
+def _tell_labels(session: _Session, now_s: float) -> None:
+    """The load cells' places and forces, where they have changed."""
+    labels = [
+        [float(load.face), x, y, load.force_n / len(load.tips_mm)]
+        for heard_s, load in session.state.loads.values()
+        if load.face and now_s - heard_s <= STALE_S
+        for x, y in load.tips_mm
+    ]
+    if labels != session.labels:
+        session.labels = labels
+        session.page.send(LABELS + json.dumps(labels).encode())
+
+
+def _obey(session: _Session) -> None:
+    for command in session.page.commands():
+        if command == "zero":
+            session.state.zero_left = max(1, session.state.options.zero_frames)
+        else:
+            session.recorder.switch(command == "record on")
+
+
+def _tell(session: _Session) -> None:
+    session.news_at_s = time.monotonic() + _NEWS_S
+    found = session.state.decoder.statistics
+    news = {
+        "source": session.source.name,
+        "rate_hz": round(_rate_hz(session.arrivals_s, time.time()), 2),
+        "counted": {
+            "frames": found.frames,
+            "lost": found.lost_frames,
+            "damaged": found.damaged_lines,
+            "restarts": found.restarts,
+        },
+        "recording": session.recorder.news(),
+        "told": "; ".join(filter(None, (session.told, session.recorder.told))),
+        "unsent": session.page.lost,
+    }
+    session.page.send(NEWS + json.dumps(news).encode())
+
+
+def _rate_hz(arrivals_s: deque[float], now_s: float) -> float:
+    """Frames per second over two seconds until then; 0 once none comes."""
+    recent = sum(now_s - arrived_s <= 2.0 for arrived_s in arrivals_s)
+    lasted_s = min(2.0, now_s - arrivals_s[0]) if arrivals_s else 0.0
+    return recent / lasted_s if lasted_s > 0 else 0.0
+
+
+def _counts_text(session: _Session, until_s: float) -> str:
+    found, recording = session.state.decoder.statistics, session.recorder.news()
+    return (
+        f"{found.frames} frames at {_rate_hz(session.arrivals_s, until_s):.0f}/s, {found.lost_frames} lost, "
+        f"{found.damaged_lines} damaged lines, {recording['rows']} rows recorded"
+    )
+
+
+def _ended(session: _Session, failure: InstobjError | None) -> dict[str, Any]:
+    options, rows = session.state.options, session.recorder.rows
+    files = []
+    if rows:
+        finish_recording(options.csv_path, options.target)
+        files = [options.csv_path, options.target]
+    if failure is not None:
+        raise InputError(f"{failure} ({rows} rows kept in {options.csv_path})") from None
+    found = session.state.decoder.statistics
+    return {
+        "command": "live",
+        "frames": found.frames,
+        "lost_frames": found.lost_frames,
+        "damaged_lines": found.damaged_lines,
+        "frames_added": rows,
+        "frames_without_force": session.state.unlabelled,
+        # As long as frames came: the page stays for a while after the last one.
+        "texts": [
+            _counts_text(session, max(session.arrivals_s, default=0.0)),
+            *filter(None, [found.wrapped_text]),
+        ],
+        "files": file_rows(files),
+    }

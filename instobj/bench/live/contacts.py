@@ -1,0 +1,210 @@
+"""Contacts for the page: what an estimator reads in a frame, placed on the body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.errors import InputError
+from design.layout.body import face_frame, face_frames
+from design.spec.object import ObjectSpec
+from estimator.deploy.live_contacts import LiveContacts
+from estimator.deploy.runtime import LiveReader
+from estimator.deploy.zeroing import ZeroMode
+from estimator.frames.face_data import Channel
+from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
+
+LeftOut = Bool[np.ndarray, "5 sensor 3"]
+"""Readings that are not believed."""
+_PRESENT = 0.5
+"""Probability from which a face's estimator sees a contact."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """Contacts in a frame, in `protocol.CONTACT`'s columns, and whether they explain it."""
+
+    contacts: Float[np.ndarray, "contact 15"]
+    explained: bool
+
+
+class Estimator(Protocol):
+    """Reads raw counts (5 faces, sensor, axis) frame by frame; None while there is no zero.
+
+    Attributes
+    ----------
+    every_frame : whether it must see all frames in their order, or may skip some
+    channels : those that it reads
+    """
+
+    every_frame: bool
+    channels: tuple[Channel, ...]
+
+    def feed(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> Found | None:
+        """Return what it reads in the next frame."""
+        ...
+
+    def pass_by(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> None:
+        """Take a frame that is left out, of which the zero may learn."""
+        ...
+
+    def rezero(self) -> None:
+        """Take the zero anew from the frames that follow."""
+        ...
+
+
+class InvertedContacts:
+    """Contacts of the whole object, by inversion of its forward model."""
+
+    every_frame = False
+
+    def __init__(self, spec: ObjectSpec, reader: LiveContacts) -> None:
+        self._spec, self._reader = spec, reader
+        self.channels = reader.inversion.channels
+
+    def feed(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> Found | None:
+        """Return what it reads in the next frame."""
+        found = self._reader.feed(raw_counts, time_s, left_out)
+        if found is None:
+            return None
+        radius, halfwidth = found.position_radius_mm[0], found.force_halfwidth_n[0]
+        rows = [
+            placed_contact(
+                self._spec,
+                (int(found.face[0, slot]), *found.xy_mm[0, slot].tolist()),
+                (radius[slot], found.force_n[0, slot], halfwidth[slot]),
+                np.nan_to_num(found.tangential_n[0, slot]),
+            )
+            for slot in np.flatnonzero(found.face[0]).tolist()
+        ]
+        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(found.explained[0]))
+
+    def pass_by(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> None:
+        """Take a frame that is left out: the zero follows it."""
+        self._reader.pass_by(raw_counts, time_s, left_out)
+
+    def rezero(self) -> None:
+        """Take the zero anew from the frames that follow."""
+        self._reader.rezero()
+
+
+class FaceContacts:
+    """One contact per face at most, by exported estimators of single faces."""
+
+    every_frame = True
+
+    def __init__(self, spec: ObjectSpec, readers: list[LiveReader]) -> None:
+        self._spec, self._readers = spec, readers
+        self.channels = tuple(
+            dict.fromkeys(channel for one in readers for channel in one.model.channels)
+        )
+
+    def feed(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> Found | None:
+        """Return what they read in the next frame."""
+        rows, explained = [], True
+        for reader in self._readers:
+            found = reader.feed(raw_counts, time_s, left_out)
+            if found is None:
+                return None
+            explained &= not found.novel[0]
+            if found.contact[0] > _PRESENT:
+                force = (
+                    found.position_radius_mm[0],
+                    found.force_n[0],
+                    found.force_halfwidth_n[0],
+                )
+                place = (reader.model.face, *found.xy_mm[0].tolist())
+                rows.append(placed_contact(self._spec, place, force, np.zeros(2)))
+        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(explained))
+
+    def pass_by(
+        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+    ) -> None:
+        """Leave a frame out, where too many wait."""
+
+    def rezero(self) -> None:
+        """Take the zero anew from the frames that follow."""
+        for reader in self._readers:
+            reader.rezero()
+
+
+def open_estimator(
+    spec: ObjectSpec, models: tuple[Path, ...], zero: ZeroMode, zero_frames: int
+) -> Estimator | None:
+    """Of `contacts.nc`, or of one or more ONNX files of different faces; None without a file.
+
+    Raises
+    ------
+    InputError
+        A bad file, `contacts.nc` beside others, or two models of a face or of a face that the object
+        has not.
+    """
+    from estimator.deploy.runtime import load_deployed
+    from estimator.inversion.storage import is_inversion, load_inversion
+
+    if not models:
+        return None
+    first, *others = models
+    if any(map(is_inversion, models)):
+        if others:
+            raise InputError(
+                f"contacts of the whole object come from one file; got {len(models)} with --model. "
+                "Give contacts.nc alone, or the face_<n>.onnx"
+            )
+        return InvertedContacts(spec, LiveContacts(load_inversion(first), zero, zero_frames))
+    deployed = [load_deployed(path) for path in models]
+    faces, known = [one.face for one in deployed], [frame.number for frame in face_frames(spec)]
+    if len(set(faces)) < len(faces) or not set(faces) <= set(known):
+        raise InputError(
+            f"the models read faces {sorted(faces)}; the object senses {known}. Give one model per "
+            "sensed face, of this object"
+        )
+    return FaceContacts(spec, [LiveReader(one, zero, zero_frames) for one in deployed])
+
+
+def placed_contact(
+    spec: ObjectSpec,
+    place: tuple[int, float, float],
+    force: tuple[float, float, float],
+    pull_n: Float[np.ndarray, "2"],
+) -> list[float]:
+    """A row of `protocol.CONTACT`; `place` is face, x, y (mm), `force` radius (mm), force and
+    halfwidth (N), `pull_n` the tangential force along the face's x and y."""
+    point, axes = _on_body(spec, place)
+    pushed = axes @ np.append(pull_n, -force[1])
+    return [*place, *force, *point, *axes[:, 2], *pushed]
+
+
+def placed_label(spec: ObjectSpec, face: int, x: float, y: float, force_n: float) -> list[float]:
+    """A row of `protocol.LABEL`."""
+    point, axes = _on_body(spec, (face, x, y))
+    return [face, x, y, force_n, *point, *axes[:, 2]]
+
+
+def placed_labels(spec: ObjectSpec, labels: list[list[float]]) -> Float[np.ndarray, "label 10"]:
+    """Rows of face, x, y, force on the body; faces that the object does not sense are left out."""
+    known = {frame.number for frame in face_frames(spec)}
+    rows = [placed_label(spec, int(one[0]), *one[1:]) for one in labels if int(one[0]) in known]
+    return np.reshape(rows, (-1, LABEL_WIDTH))
+
+
+def _on_body(
+    spec: ObjectSpec, place: tuple[int, float, float]
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
+    frame = face_frame(spec, place[0])
+    xy = frame.to_plane(np.array(place[1:], float))
+    return frame.to_object(np.append(xy, 0.0)), frame.axes_at(xy)

@@ -1,0 +1,252 @@
+"""Watch over a board for the page: last rows, contacts read from them, health; two threads share it."""
+
+from __future__ import annotations
+
+import json
+import math
+import struct
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from itertools import islice
+from typing import Any
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from design.errors import InputError
+from design.layout.places.positions import sensor_layout
+from design.spec.object import ObjectSpec
+from estimator.recordings.boards.link import counts_of
+from estimator.recordings.checks.stream import SoundReadings
+from estimator.recordings.table import channel_name
+from instobj.bench.live.contacts import Estimator, Found, placed_labels
+from instobj.bench.live.health import WINDOW, channel_health, health_limits
+from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
+
+HEADER, ROW, LABELS, NEWS = b"H", b"F", b"L", b"S"
+"""First bytes of the reader's messages: channels, a row, labels (JSON), and whatever else (JSON)."""
+_STAMPS = struct.Struct("<dd")
+_KEPT = 4000
+_MOST_BEHIND = 40
+"""Rows that an estimator of every frame may be behind before it leaves some out."""
+_AT_REST_S = 1.0
+_UNSEEN_S = 0.5
+"""Between two readings something may have pressed for so long without being seen."""
+AGAIN_S = 0.5
+"""Pause after a frame that the estimator refused."""
+
+
+def row_message(arrived_s: float, time_s: float, counts: tuple[float, ...]) -> bytes:
+    """A frame for the page's process; `Watch.take` reads it."""
+    return ROW + _STAMPS.pack(arrived_s, time_s) + np.asarray(counts, "<f8").tobytes()
+
+
+def channel_names(spec: ObjectSpec) -> list[str]:
+    """Channels in the order sensor · 3 + axis, named as boards do."""
+    seen: dict[int, int] = {}
+    names = []
+    for face in sensor_layout(spec).face.tolist():
+        sensor = seen[face] = seen.get(face, -1) + 1
+        names += [channel_name(face - 1, sensor, axis) for axis in range(3)]
+    return names
+
+
+@dataclass(frozen=True)
+class Row:
+    """One frame: its number, when it arrived, the board's time, raw counts and change, and which readings
+    are not believed."""
+
+    number: int
+    arrived_s: float
+    time_s: float
+    raw: Float[np.ndarray, "channel"]
+    change: Float[np.ndarray, "channel"]
+    left_out: Bool[np.ndarray, "5 sensor 3"]
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What the estimator found last, and when the row that it read had arrived (0: in none)."""
+
+    found: Found
+    arrived_s: float
+
+
+NOTHING = Reading(Found(np.zeros((0, CONTACT_WIDTH)), True), 0.0)
+
+
+@dataclass
+class Watch:
+    """Rows come in by `take`, `read_next` reads contacts from them, viewers ask for what is new.
+
+    Attributes
+    ----------
+    zero_frames : frames of which the zero is the mean; 0 takes counts for changes
+    on_reading : called by the reading thread once it has seen new rows
+    """
+
+    spec: ObjectSpec
+    estimator: Estimator | None
+    zero_frames: int
+    reading: Reading = NOTHING
+    labels: Float[np.ndarray, "label 10"] = field(
+        default_factory=lambda: np.zeros((0, LABEL_WIDTH))
+    )
+    news: dict[str, Any] = field(default_factory=dict)
+    on_reading: Callable[[], None] = lambda: None
+    _trouble: str = ""
+    _read_frames: int = 0
+
+    def __post_init__(self) -> None:
+        self.names = channel_names(self.spec)
+        self.live: Bool[np.ndarray, "channel"] = np.zeros(len(self.names), bool)
+        self._limits = health_limits(self.spec)
+        self._rows: deque[Row] = deque(maxlen=_KEPT)
+        self._fresh = threading.Condition()
+        self._channels: tuple[str, ...] = ()
+        self._places = np.zeros(0, int)
+        self._next, self._read_to = 0, 0
+        self._rezero_asked = False
+        self._sound = SoundReadings()
+        self._start_zero()
+
+    def take(self, message: bytes) -> None:
+        """A message of the reader's process."""
+        kind, content = message[:1], message[1:]
+        if kind == ROW:
+            self._take_row(content)
+        elif kind == HEADER:
+            self._channels = tuple(json.loads(content))
+            index = {name: place for place, name in enumerate(self.names)}
+            self._places = np.array([index[name] for name in self._channels])
+            self.live[self._places] = True
+        elif kind == LABELS:
+            self.labels = placed_labels(self.spec, json.loads(content))
+        elif kind == NEWS:
+            self.news = json.loads(content)
+
+    @property
+    def every_frame(self) -> bool:
+        """Return whether no row may be left out in reading."""
+        return self.estimator is not None and self.estimator.every_frame
+
+    def rezero(self) -> None:
+        """Take the zero anew from the frames that follow, of channels and estimator alike."""
+        self._start_zero()
+        self._rezero_asked = True
+
+    def read_next(self) -> None:
+        """Wait for rows and read contacts in them: in the newest, or in all where none may miss."""
+        with self._fresh:
+            self._fresh.wait_for(lambda: self._next > self._read_to, timeout=0.2)
+            waiting = list(islice(reversed(self._rows), min(self._next - self._read_to, _KEPT)))
+            self._read_to = self._next
+        if self.estimator is not None and waiting:
+            self._read_rows(self.estimator, waiting)
+        if waiting:
+            self.on_reading()
+
+    def after(self, number: int, most: int) -> tuple[list[Row], int]:
+        """Rows from that number on, `most` at most, and how many more there had been."""
+        with self._fresh:
+            wanted = self._next - number
+            rows = list(islice(reversed(self._rows), min(wanted, most)))
+        return rows[::-1], max(0, wanted - len(rows))
+
+    def state(self) -> dict[str, Any]:
+        """Health, zero, and what the reader's process last told."""
+        with self._fresh:
+            rows = list(islice(reversed(self._rows), WINDOW))[::-1]
+        raw = np.stack([row.raw for row in rows]) if rows else np.zeros((0, len(self.names)))
+        drift = self._resting_drift(rows)
+        health = channel_health(raw, self.live, drift, self._limits) if rows else []
+        return self.news | {
+            "health": health,
+            "zeroed": self._zero is not None,
+            "explained": self.reading.found.explained,
+            "trouble": self._trouble or self._sound.text,
+            "read": self._read_frames,
+            "now_s": time.time(),
+        }
+
+    def _take_row(self, content: bytes) -> None:
+        arrived_s, time_s = _STAMPS.unpack_from(content)
+        raw = np.full(len(self.names), np.nan)
+        raw[self._places] = np.frombuffer(content, "<f8", offset=_STAMPS.size)
+        if self._zero is None:
+            self._gather_zero(raw)
+        change = raw * np.nan if self._zero is None else raw - self._zero
+        counts = counts_of(self._channels, tuple(raw[self._places].tolist()))
+        left_out = np.isnan(self._sound.known(counts)) & ~np.isnan(counts)
+        with self._fresh:
+            self._rows.append(Row(self._next, arrived_s, time_s, raw, change, left_out))
+            self._next += 1
+            self._fresh.notify()
+
+    def _start_zero(self) -> None:
+        self._gathered: list[np.ndarray] = []
+        self._first_rest: np.ndarray | None = None
+        self._drift, self._pressed_s = np.full(len(self.names), np.nan), math.inf
+        self._zero = None if self.zero_frames else np.zeros(len(self.names))
+
+    def _gather_zero(self, raw: Float[np.ndarray, "channel"]) -> None:
+        self._gathered.append(raw)
+        if len(self._gathered) >= self.zero_frames:
+            gathered = np.stack(self._gathered)
+            there = np.isfinite(gathered)
+            total = np.where(there, gathered, 0.0).sum(axis=0)
+            self._zero = np.where(
+                there.any(axis=0), total / np.maximum(there.sum(axis=0), 1), np.nan
+            )
+
+    def _read_rows(self, estimator: Estimator, waiting: list[Row]) -> None:
+        """Rows that nothing was read from yet, newest first."""
+        if self._rezero_asked:
+            self._rezero_asked = False
+            estimator.rezero()
+        most = _MOST_BEHIND if estimator.every_frame else 1
+        for row in reversed(waiting[most:][:_MOST_BEHIND]):
+            self._pass_by(estimator, row)
+        for row in reversed(waiting[:most]):
+            self._read(estimator, row)
+
+    def _counts(self, row: Row) -> Float[np.ndarray, "5 sensor 3"]:
+        return counts_of(self._channels, tuple(row.raw[self._places].tolist()))
+
+    def _pass_by(self, estimator: Estimator, row: Row) -> None:
+        with suppress(InputError):  # told once it is read
+            estimator.pass_by(self._counts(row), row.time_s, row.left_out)
+
+    def _read(self, estimator: Estimator, row: Row) -> None:
+        try:
+            found = estimator.feed(self._counts(row), row.time_s, row.left_out)
+        except InputError as error:
+            self._trouble, self.reading = str(error), NOTHING
+            time.sleep(AGAIN_S)
+            return
+        self._trouble = ""
+        if found is not None:
+            self._read_frames += 1
+            unseen_s = row.arrived_s - self.reading.arrived_s
+            if len(found.contacts) or unseen_s > _UNSEEN_S or math.isinf(self._pressed_s):
+                self._pressed_s = row.arrived_s
+            self.reading = Reading(found, row.arrived_s)
+
+    def _resting_drift(self, rows: list[Row]) -> Float[np.ndarray, "channel"] | None:
+        """Change of the resting level since the first rest after the zero was asked for.
+
+        Rest is a second without contacts; its level becomes the zero of the strips.
+        """
+        if self.estimator is None or not self.zero_frames:
+            return None
+        read_s = self.reading.arrived_s
+        still = [row.raw for row in rows if -_AT_REST_S / 2 <= row.arrived_s - read_s <= 0]
+        if still and read_s - self._pressed_s > _AT_REST_S:
+            level = np.mean(still, axis=0)
+            self._first_rest = level if self._first_rest is None else self._first_rest
+            self._drift, self._zero = level - self._first_rest, level
+        return self._drift

@@ -1,0 +1,263 @@
+"""Cycle of a machine on a press rig: start, moves, presses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from design.errors import InputError
+from instobj.bench.rig.clock import Listening
+from instobj.bench.rig.grbl import MachineFault, until
+from instobj.bench.rig.grbl_lines import ALARMS
+from instobj.bench.rig.mounting import safe_height_mm
+from instobj.bench.rig.phases import Phase
+from instobj.bench.rig.plan import PressSettings
+from instobj.bench.rig.press_code import press_code
+from instobj.bench.rig.station import Spot, Station
+from instobj.bench.rig.stop import ARRIVED_MM, halt
+
+_PATIENCE_S = 5.0
+_HOMING_S = 180.0
+_MOVE_S = 600.0
+_SILENT_S = 1.0
+_WITHOUT_BOARD = 5
+"""Times the patience where the board's clock stands still too."""
+_AVERAGED = 3
+_FIRST_READINGS, _FIRST_FRAMES = 30, 10
+"""At rest before anything moves: enough for the noise of cell and chips within a fifth."""
+_LARGEST_DRIFT_N = 1.0
+"""Change of the load cell's level at rest beyond which the run stops."""
+_LEAST_MM = 0.1
+"""Depth below which a press has not happened."""
+
+
+def greet(station: Station) -> None:
+    """Bring a machine of any state to a stop with empty buffers, and read its settings.
+
+    Raises
+    ------
+    MachineFault
+        It does not speak Grbl 1.1.
+    """
+    link = station.machine
+    halt(link)
+    link.send("$$")
+    until(
+        link,
+        station.tick,
+        lambda: bool(link.settings) and not link.unanswered,
+        "its settings ($$)",
+        _PATIENCE_S,
+    )
+
+
+def home(station: Station) -> None:
+    """Find the limit switches, the uppermost first: from here on coordinates mean something."""
+    link = station.machine
+    station.enter(Phase.HOMING)
+    try:
+        link.send("$H")
+        until(
+            link,
+            station.tick,
+            lambda: link.alarm is not None or not link.unanswered,
+            "the end of homing",
+            _HOMING_S,
+        )
+        if link.alarm is not None:
+            why = ALARMS.get(link.alarm, "unknown")
+            raise MachineFault(f"{link.where}: homing ended in ALARM:{link.alarm} ({why})")
+    except BaseException:
+        station.enter(Phase.LOST)
+        raise
+    station.safe_mm = safe_height_mm(link.settings, math.inf)
+    station.enter(Phase.ABOVE, station.safe_mm)
+    link.trusted, link.lost = True, False
+    station.expect()
+    settle(station)
+
+
+def raise_and_listen(station: Station) -> float:
+    """Stop, lift the tip, and wait for readings of the time after it; the height (mm) at which it was
+    stopped."""
+    stopped_mm = station.raise_tip()
+    station.listen_again(stopped_mm)
+    last, cell = station.frames + 1, station.cell
+    first = cell.readings
+    until(
+        station.machine,
+        station.tick,
+        lambda: station.frames >= last and cell.readings > first,
+        "board and load cell",
+        _PATIENCE_S,
+    )
+    return stopped_mm
+
+
+def settle(
+    station: Station, dwell_s: float = 0.0, enough: Callable[[], bool] = lambda: False
+) -> bool:
+    """Wait until every line is answered and the machine stands still; False if `enough` came first.
+
+    Raises
+    ------
+    MachineFault
+        It stands still and answers nothing more, by our clock and the board's: characters were lost.
+    """
+    link, silent_s, seen = station.machine, _SILENT_S + dwell_s, -1
+    listening = Listening(silent_s, link.clock)
+    changed_s = listening.now_s, station.frame_ms / 1000
+
+    def tick() -> None:
+        nonlocal changed_s, seen
+        station.tick()
+        now_s = listening.look(), station.frame_ms / 1000
+        idle = link.state is not None and link.state.name == "Idle"
+        if not idle or link.unanswered != seen:
+            changed_s, seen = now_s, link.unanswered
+        elif (
+            min(now_s[0] - changed_s[0], now_s[1] - changed_s[1]) > silent_s
+            or now_s[0] - changed_s[0] > _WITHOUT_BOARD * silent_s
+        ):
+            raise MachineFault(f"{link.where}: {seen} lines without answer. Characters were lost")
+
+    def over() -> bool:
+        return enough() or not link.unanswered
+
+    until(link, tick, over, "the answer to every line", _MOVE_S)
+    if link.unanswered:
+        return False
+    first = link.states + 2
+
+    def still() -> bool:
+        return link.states >= first and link.state is not None and link.state.name == "Idle"
+
+    until(link, station.tick, lambda: enough() or still(), "a standstill", _MOVE_S)
+    return still()
+
+
+def travel(station: Station, spot: Spot) -> None:
+    """To above a place, at the safe height; frames carry its label from there on."""
+    x, y = spot.machine_mm
+    station.machine.send(f"G53G0X{x:.3f}Y{y:.3f}")
+    settle(station)
+    require_at(station, (x, y, station.safe_mm))
+    station.spot = spot
+
+
+def require_at(station: Station, wanted_mm: tuple[float, float, float]) -> None:
+    """The tip is reported where it was sent."""
+    state = station.machine.state
+    there = (np.nan,) * 3 if state is None else state.position_mm
+    if not np.allclose(there, wanted_mm, atol=ARRIVED_MM, rtol=0):
+        raise MachineFault(
+            f"{station.machine.where}: the tip is at {there}, not at {wanted_mm}. Characters of a line "
+            "may have been lost"
+        )
+
+
+def learn_rest(station: Station) -> None:
+    """Noise and levels of load cell and chips, before anything is pressed.
+
+    Raises
+    ------
+    InputError
+        One of them says nothing that changes as readings do.
+    """
+    readings = _rest(station, _FIRST_FRAMES, _FIRST_READINGS)
+    station.cell.learn(readings, station.limit_n)
+
+
+def take_tare(station: Station, frames: int) -> None:
+    """Let frames pass with nothing touched; the load cell's mean level becomes its zero, the chips' theirs.
+
+    Raises
+    ------
+    InputError
+        The cell left its last level by more than 1 N: something touches, or the cell is loose.
+    """
+    cell = station.cell
+    level_n = cell.mean_n(_rest(station, frames, _AVERAGED))
+    if abs(level_n - cell.tare_n) > _LARGEST_DRIFT_N:
+        raise InputError(
+            f"in the air the load cell says {level_n - cell.tare_n:+.2f} N. Something touches the tip, "
+            "or the cell is loose"
+        )
+    cell.tare_n = level_n
+
+
+def _rest(station: Station, frames: int, readings: int) -> int:
+    """Let frames and readings pass; how many readings there were."""
+    cell, last = station.cell, station.frames + frames
+    first = cell.readings
+    station.witnesses.chips.rest()
+
+    def rested() -> bool:
+        return station.frames >= last and cell.readings >= first + readings
+
+    until(station.machine, station.tick, rested, "rest", _MOVE_S)
+    station.witnesses.chips.rested(station.channels, station.heard_s)
+    return cell.readings - first
+
+
+def press(
+    station: Station, spot: Spot, surface_mm: float, settings: PressSettings, rest_frames: int
+) -> float:
+    """Rest above a place, press it in strokes to every stop, come back up; returns the largest force
+    (N). A stroke ends early at the full force, and those after it go less deep."""
+    travel(station, spot)
+    station.surface_mm = surface_mm
+    station.recording = station.resting = True
+    take_tare(station, rest_frames)
+    station.resting, largest_n, left = False, 0.0, settings
+    while left is not None:
+        force_n, left = _strokes(station, surface_mm, left)
+        largest_n = max(largest_n, force_n)
+    require_at(station, (*spot.machine_mm, station.safe_mm))
+    return largest_n
+
+
+def end_rows(station: Station) -> None:
+    """Record no more, and wait for travel and force of the frames that came last, a second at most."""
+    station.recording, listening = False, Listening(_SILENT_S, station.machine.clock)
+    last_s = listening.now_s + _SILENT_S
+
+    def over() -> bool:
+        return not station.rows.waiting or listening.look() > last_s
+
+    until(station.machine, station.tick, over, "the last frames' travel", _PATIENCE_S)
+
+
+def _strokes(
+    station: Station, surface_mm: float, settings: PressSettings
+) -> tuple[float, PressSettings | None]:
+    """Strokes until the full force; the largest force (N), and what is left to do, if anything."""
+    largest_n = 0.0
+
+    def full() -> bool:
+        nonlocal largest_n
+        largest_n = max(largest_n, station.cell.force_n)
+        return largest_n >= settings.full_n
+
+    parts = press_code(settings, surface_mm, station.safe_mm)
+    # Heights are sent with two digits: the floor is as much lower.
+    station.enter(Phase.PRESSING, surface_mm - settings.depths_mm[-1] - 0.006)
+    for part in parts:
+        station.machine.send_whole(part)
+    if settle(station, max(settings.dwell_s, settings.pause_s), full):
+        station.enter(Phase.ABOVE, station.safe_mm)
+        return largest_n, None
+    ends = np.cumsum([len(part) for part in parts])
+    answered = int(ends[-1]) - station.machine.unanswered
+    begun = int(np.searchsorted(ends, answered, side="right")) + 1
+    stopped_mm = raise_and_listen(station)
+    reached_mm = surface_mm - stopped_mm
+    if reached_mm < _LEAST_MM:
+        raise InputError(
+            f"{settings.full_n:g} N were met {reached_mm:.2f} mm below the height of touch. Does something "
+            "lie on the object, or has it moved?"
+        )
+    left = settings.strokes - begun
+    return largest_n, settings.after_full(reached_mm, left) if left > 0 else None

@@ -1,0 +1,53 @@
+"""G-code of presses, in parts that the machine holds as a whole.
+
+Each part ends with the tip clear of the object, so that it rises even if nobody speaks to the
+machine any more.
+"""
+
+from __future__ import annotations
+
+from design.errors import InputError
+from instobj.bench.rig.grbl_lines import RECEIVE_BYTES
+from instobj.bench.rig.plan import PressSettings
+
+
+def press_code(settings: PressSettings, surface_mm: float, safe_mm: float) -> list[list[str]]:
+    """Lines of a press, in parts to be sent as a whole: one part per stroke. The last one ends at the
+    safe height (mm), the others `lift_mm` above the surface.
+
+    Raises
+    ------
+    InputError
+        A part does not fit into the machine's buffer.
+    """
+    one, near = settings, f"G53G0Z{_mm(surface_mm + settings.approach_mm)}"
+    away = f"G53G0Z{_mm(safe_mm)}"
+    first = [near, *_stops(one, surface_mm, one.speed_mm_s)]
+    if one.strokes == 1:
+        parts = [[*first, f"G53Z{_mm(surface_mm)}", away]]
+    else:
+        again = _stops(one, surface_mm, one.stroke_speed_mm_s)
+        clear = [f"G53G0Z{_mm(surface_mm + one.lift_mm)}", f"G4P{one.pause_s:g}"]
+        parts = [[*first, *clear], *[[*again, *clear]] * (one.strokes - 2), [*again, away]]
+    used = max(sum(len(line) + 1 for line in part) for part in parts)
+    if used > RECEIVE_BYTES:
+        raise InputError(
+            f"a press with {len(one.depths_mm)} stops takes {used} characters, and the machine "
+            f"holds {RECEIVE_BYTES}: the tip would stay down if the cable came out. Give fewer --depth"
+        )
+    return parts
+
+
+def _stops(settings: PressSettings, surface_mm: float, speed_mm_s: float) -> list[str]:
+    """Motion mode and feed hold for the lines that follow."""
+    lines, mode, feed = [], "G1", f"F{60 * speed_mm_s:g}"
+    for depth_mm in settings.depths_mm:
+        lines.append(f"G53{mode}Z{_mm(surface_mm - depth_mm)}{feed}")
+        mode = feed = ""
+        if settings.dwell_s > 0:
+            lines.append(f"G4P{settings.dwell_s:g}")
+    return lines
+
+
+def _mm(value: float) -> str:
+    return f"{value:.2f}".rstrip("0").rstrip(".")

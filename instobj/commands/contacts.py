@@ -1,0 +1,216 @@
+"""Contacts of the whole object in a file or on a board's port, by inversion of the forward model."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.errors import InputError
+from design.tables import write_table
+from estimator.deploy.live_contacts import LiveContacts
+from estimator.frames.dataset import FrameSet
+from estimator.inversion.inversion import Inversion
+from estimator.inversion.model.forward import NONE
+from estimator.inversion.readings import ContactSets
+from estimator.inversion.storage import load_inversion
+from instobj.commands.readings import (
+    Stream,
+    Zeroing,
+    is_data_set,
+    live_frames,
+    prediction_path,
+    recorded_frames,
+    recorded_stream,
+    zeroed_data_set,
+)
+from instobj.store.progress import ProgressLine
+from instobj.store.publish import file_rows
+
+COLUMNS: tuple[str, ...] = (
+    *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
+    *("left_out", "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
+    *("force_halfwidth_n", "tangential_x_n", "tangential_y_n", "tangential_sigma_n"),
+)
+
+
+def contacts_in_file(
+    model_path: Path, path: Path, out: Path | None, zeroing: Zeroing
+) -> dict[str, Any]:
+    """Read every frame of a file; writes `<stem>.contacts.csv` beside it, one row per contact.
+
+    With a folder `out` it is `out/runs/<name>/contacts.csv`, named as `run_name` says.
+
+    Frames of a data set are read one by one, with the next best answer; those of a recording are
+    zeroed and tracked like a board's. A data set with labels is judged too.
+
+    Raises
+    ------
+    InputError
+        A bad model or file, readings of another object, or no zero in the whole file.
+    """
+    inversion = load_inversion(model_path)
+    target = prediction_path("contacts.csv", path, out)
+    judged: list[dict[str, Any]] = []
+    texts: list[str] = []
+    if is_data_set(path):
+        number, time_s, best, second, judged = _in_data_set(inversion, path, zeroing)
+        unread = 0
+    else:
+        stream = recorded_stream(path)
+        number, time_s, best, unread = _in_recording(inversion, stream, zeroing)
+        second, texts = None, stream.texts
+    rows = _rows(inversion, number, time_s, best, second)
+    write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
+    summary = {
+        "frames": len(best),
+        "frames that lack a reading": unread,
+        "frames with contact": int((best.number > 0).sum()),
+        "most contacts": int(best.number.max(initial=0)),
+        "largest total force N": round(float(np.nansum(best.force_n, axis=1).max(initial=0)), 3),
+        "frames that no contact explains": int((~best.explained).sum()),
+        "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
+    }
+    tables = {f"{path.name}, {model_path.name}": [summary]}
+    if judged:
+        tables["against the labels, means over frames"] = judged
+    return {"command": "predict", "texts": texts, "tables": tables, "files": file_rows([target])}
+
+
+def contacts_on_port(
+    model_path: Path, port: str, zeroing: Zeroing, count: int | None, baud: int = 115_200
+) -> Iterator[str]:
+    """One JSON document per frame from a board, `count` of them or without end.
+
+    Raises
+    ------
+    InputError
+        A bad model or port, or readings of another object.
+    """
+    inversion = load_inversion(model_path)
+    reader = LiveContacts(inversion, *zeroing.of_raw)
+    frames = islice(live_frames(reader, inversion.channels, port, baud), count)
+    return (
+        json.dumps(_document(inversion, frame.number, frame.time_s, frame.found) | frame.line)
+        for frame in frames
+    )
+
+
+def _in_data_set(
+    inversion: Inversion, path: Path, zeroing: Zeroing
+) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]]]:
+    from estimator.frames.windows import window_means
+    from estimator.metrics.contacts import rows_beside_bound
+
+    frames = zeroed_data_set(path, zeroing)
+    _require_same_object(inversion, frames, path)
+    progress = ProgressLine()
+    means, averaged = window_means(frames, inversion.window_frames)
+    with progress.stage(f"contacts in {path}"):
+        best, second = inversion.read(
+            means,
+            averaged,
+            progress=lambda done: progress.step(f"frame {done} of {len(frames)}"),
+        )
+    judged, valid = [], np.flatnonzero(frames.valid)
+    if np.any(frames.contact_face[valid] > 0):
+        judged = rows_beside_bound(
+            inversion, frames.select(valid), best.select(valid), averaged[valid]
+        )
+    return np.arange(len(frames)), frames.time_s, best, second, judged
+
+
+def _require_same_object(inversion: Inversion, frames: FrameSet, path: Path) -> None:
+    faces = inversion.model.signals.faces.tolist()
+    sensors = inversion.model.channels // (3 * len(faces))
+    got = frames.faces.tolist(), frames.signal_counts.shape[2]
+    if got != (faces, sensors):
+        raise InputError(
+            f"{path} has {got[1]} sensors on faces {got[0]}; the estimator reads {sensors} on faces "
+            f"{faces}. Give the data set of the object that it was made for"
+        )
+
+
+def _in_recording(
+    inversion: Inversion, stream: Stream, zeroing: Zeroing
+) -> tuple[np.ndarray, np.ndarray, ContactSets, int]:
+    reader, progress = LiveContacts(inversion, *zeroing.of_raw), ProgressLine()
+    read, unread = [], 0
+    with progress.stage(f"contacts in {stream.path}"):
+        for one in recorded_frames(reader, inversion.channels, stream, zeroing):
+            if one[2] is None:
+                unread += 1
+                continue
+            read.append(one)
+            if len(read) % 500 == 0:
+                progress.step(f"{len(read)} frames")
+    numbers, time_s, found = zip(*read, strict=True)
+    return np.array(numbers), np.array(time_s), ContactSets.joined(found), unread
+
+
+def _chip_name(inversion: Inversion, chip: int) -> str:
+    """As the channels of a recording are named, without the axis; empty where none is meant."""
+    if chip == NONE:
+        return ""
+    faces = inversion.model.signals.faces
+    face, sensor = divmod(chip, inversion.model.channels // (3 * len(faces)))
+    return f"F{faces[face]}-{sensor + 1}"
+
+
+def _rows(
+    inversion: Inversion,
+    number: np.ndarray,
+    time_s: np.ndarray,
+    best: ContactSets,
+    second: ContactSets | None,
+) -> Iterator[dict[str, Any]]:
+    """One row per contact; a frame without contact has one row with empty cells."""
+    radius, halfwidth = best.position_radius_mm, best.force_halfwidth_n
+    for row in range(len(best)):
+        shared = {
+            "frame": int(number[row]),
+            "time_s": round(float(time_s[row]), 6),
+            "contacts": int(best.number[row]),
+            "odds": round(float(best.odds[row]), 4),
+            "next_contacts": "" if second is None else int(second.number[row]),
+            "next_odds": "" if second is None else round(float(second.odds[row]), 4),
+            "p_value": float(f"{best.p_value[row]:.3g}"),
+            "explained": int(best.explained[row]),
+            "left_out": _chip_name(inversion, int(best.chip_out[row])),
+        }
+        if not best.number[row]:
+            yield shared | dict.fromkeys(COLUMNS[9:], "")
+        for slot in np.flatnonzero(best.face[row]).tolist():
+            values = {
+                "x_mm": best.xy_mm[row, slot, 0],
+                "y_mm": best.xy_mm[row, slot, 1],
+                "position_radius_mm": radius[row, slot],
+                "force_n": best.force_n[row, slot],
+                "force_halfwidth_n": halfwidth[row, slot],
+                "tangential_x_n": best.tangential_n[row, slot, 0],
+                "tangential_y_n": best.tangential_n[row, slot, 1],
+                "tangential_sigma_n": best.tangential_sigma_n[row, slot].max(),
+            }
+            own = {
+                name: "" if np.isnan(value) else round(float(value), 3)
+                for name, value in values.items()
+            }
+            yield shared | {"contact": slot + 1, "face": int(best.face[row, slot])} | own
+
+
+def _document(
+    inversion: Inversion, number: int, time_s: float, found: ContactSets
+) -> dict[str, Any]:
+    rows = list(_rows(inversion, np.array([number]), np.array([time_s]), found, None))
+    told = ("frame", "time_s", "odds", "p_value", "left_out")
+    contacts = [
+        {name: row[name] for name in COLUMNS[10:] if row[name] != ""}
+        for row in rows
+        if row["contacts"]
+    ]
+    explained = {"explained": bool(rows[0]["explained"])}
+    return {name: rows[0][name] for name in told} | explained | {"contacts": contacts}

@@ -1,1 +1,0 @@
-"""Commands that meet boards and built objects: collect, predict, live, firmware, rig."""

@@ -1,0 +1,229 @@
+"""Exported estimators at work: on a file of readings, or frame by frame on a board's port."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from itertools import chain, islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.errors import InputError
+from design.tables import write_table
+from estimator.deploy.runtime import LiveReader, load_deployed, predict_with_gaps
+from estimator.frames.same_object import require_same_object
+from estimator.networks.prediction import NOVEL_FROM, Prediction
+from instobj.commands.readings import (
+    FOLLOW_REST,
+    LiveFrame,
+    Zeroing,
+    is_data_set,
+    live_frames,
+    prediction_path,
+    recorded_frames,
+    recorded_stream,
+    zeroed_data_set,
+)
+from instobj.store.publish import (
+    OWN_FOLDERS,
+    file_rows,
+    own_folder_of,
+    require_writable_folder,
+)
+from instobj.store.readers import INVERSION, face_model_paths
+
+COLUMNS: tuple[str, ...] = (
+    "frame",
+    "time_s",
+    "contact",
+    "force_n",
+    "force_low_n",
+    "force_high_n",
+    "x_mm",
+    "y_mm",
+    "position_radius_mm",
+    "novelty",
+)
+"""`frame` counts the readings of the file (or port) from 0, those without a prediction included."""
+_DIGITS = {"frame": 0, "time_s": 6, "contact": 4}
+
+
+def predict_file(
+    model_path: Path, path: Path, out: Path | None = None, zeroing: Zeroing = FOLLOW_REST
+) -> dict[str, Any]:
+    """Read every frame of a file; writes `<stem>.prediction_face_<n>.csv` beside it.
+
+    With a folder `out` it is `out/runs/<name>/prediction_face_<n>.csv`, named as `run_name` says. Models
+    in a folder of their own (`own_folder`) name it too: `prediction_twin_face_<n>.csv`.
+    Every row tells the number of its frame in the file and its time stamp, as the file has it to 1 µs.
+
+    Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
+    like a board's readings, by default by following rest; frames before the first zero are left out, and
+    so are, counted, frames that lack a reading of a channel which gives readings elsewhere, or have one that
+    checks do not believe.
+
+    Raises
+    ------
+    InputError
+        A bad model or file, a model of another object, channels that the model uses without
+        readings, no zero in the whole file, or a data set to be zeroed again.
+    StoreError
+        A folder that cannot be written to.
+    """
+    model = load_deployed(model_path)
+    kind = f"{own}_" if (own := own_folder_of(model_path)) else ""
+    target = prediction_path(f"prediction_{kind}face_{model.face}.csv", path, out)
+    texts: list[str] = []
+    if is_data_set(path):
+        frames = zeroed_data_set(path, zeroing)
+        grid_mm = model.grid_x_mm, model.grid_y_mm
+        require_same_object(model.channels, grid_mm, frames, str(path))
+        told, found = predict_with_gaps(model, frames)
+        rows = _rows(np.flatnonzero(told), frames.time_s[told], found)
+        unread, before = int(np.sum(~told)), 0
+    else:
+        reader = LiveReader(model, *zeroing.of_raw)
+        stream = recorded_stream(path)
+        read, texts = list(recorded_frames(reader, model.channels, stream, zeroing)), stream.texts
+        rows = [_row(number, time_s, found) for number, time_s, found in read if found is not None]
+        unread = len(read) - len(rows)
+        before = read[0][0] if read else 0
+    write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
+    forces = [row["force_n"] for row in rows]
+    summary = {
+        "face": model.face,
+        "frames": len(rows),
+        "frames that lack a reading": unread,
+        "frames before a zero": before,
+        "frames with contact": sum(row["contact"] > 0.5 for row in rows),
+        "novel frames": sum(row["novelty"] > NOVEL_FROM for row in rows),
+        "largest force N": max(forces, default=0.0),
+        "interval cover": model.interval_cover,
+    }
+    return {
+        "command": "predict",
+        "texts": texts,
+        "tables": {f"{path.name}, {model_path.name}": [summary]},
+        "files": file_rows([target]),
+    }
+
+
+def predict_port(
+    model_path: Path, port: str, zeroing: Zeroing, count: int | None, baud: int = 115_200
+) -> Iterator[str]:
+    """One JSON document per frame from a board, `count` of them or without end.
+
+    Each also tells how many lines came damaged, how many frames were lost and how many lacked a reading
+    since the start.
+
+    Raises
+    ------
+    InputError
+        A bad model or port, a model of another object, or a channel that the model uses without
+        readings.
+    """
+    model = load_deployed(model_path)
+    reader = LiveReader(model, *zeroing.of_raw)
+    frames = islice(live_frames(reader, model.channels, port, baud), count)
+    return (_document(frame) for frame in frames)
+
+
+def _document(frame: LiveFrame) -> str:
+    novel = {"novel": bool(frame.found.novel[0])}
+    return json.dumps(_row(frame.number, frame.time_s, frame.found) | novel | frame.line)
+
+
+def _row(number: int, time_s: float, found: Prediction) -> dict[str, float]:
+    return _rows(np.array([number]), np.array([time_s]), found)[0]
+
+
+def _rows(number: np.ndarray, time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:
+    columns = {
+        "frame": number,
+        "time_s": time_s,
+        "contact": found.contact,
+        "force_n": found.force_n,
+        "force_low_n": np.maximum(found.force_n - found.force_halfwidth_n, 0.0),
+        "force_high_n": found.force_n + found.force_halfwidth_n,
+        "x_mm": found.xy_mm[:, 0],
+        "y_mm": found.xy_mm[:, 1],
+        "position_radius_mm": found.position_radius_mm,
+        "novelty": found.novelty,
+    }
+    rounded = [np.round(columns[name], _DIGITS.get(name, 3)).tolist() for name in COLUMNS]
+    return [dict(zip(COLUMNS, values, strict=True)) for values in zip(*rounded, strict=True)]
+
+
+def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]:
+    """Write an ONNX file for each trained estimator, beside it or in `out`; a folder is its estimators,
+    with those of the folders of their own in it (`own_folder`), which are kept apart in `out` too.
+
+    One that inverts the forward model is what the robot reads already: it is read once, and copied to
+    `out`.
+
+    Raises
+    ------
+    InputError
+        A file that is no estimator, a folder without any, or two that would be one file.
+    """
+    targets = _targets(list(chain.from_iterable(map(_models_at, models))), out)
+    for folder in {target.parent for target in targets.values()}:
+        require_writable_folder(folder)  # before estimators are loaded, which takes seconds
+    for path, target in targets.items():
+        _export(path, target)
+    return {"command": "export", "files": file_rows(list(targets.values()))}
+
+
+def _targets(models: list[Path], out: Path | None) -> dict[Path, Path]:
+    """Return where each model goes, before any is written."""
+    targets: dict[Path, Path] = {}
+    for path in models:
+        name = path.name if _inverts(path) else f"{path.stem}.onnx"
+        target = path.parent / name if out is None else out / own_folder_of(path) / name
+        taken = {there.resolve(): model for model, there in targets.items()}.get(target.resolve())
+        if taken is not None and taken.resolve() != path.resolve():
+            raise InputError(
+                f"{taken} and {path} would both become {target}. Leave --out out, or export one at a time "
+                "into folders of their own"
+            )
+        if taken is None:
+            targets[path] = target
+    return targets
+
+
+def _export(path: Path, target: Path) -> None:
+    from estimator.deploy.export import export_onnx
+    from estimator.inversion.storage import load_inversion, save_inversion
+    from estimator.networks.face_model import load_model
+
+    if not _inverts(path):
+        export_onnx(load_model(path), target)
+        return
+    model = load_inversion(path)
+    if target.resolve() != path.resolve():
+        save_inversion(model, target)
+
+
+def _inverts(path: Path) -> bool:
+    from estimator.inversion.storage import is_inversion
+
+    return is_inversion(path)
+
+
+def _models_at(path: Path) -> list[Path]:
+    if not path.is_dir():
+        return [path]
+    folders = (path, *(path / name for name in OWN_FOLDERS))
+    found = [
+        model
+        for folder in folders
+        for model in (*face_model_paths(folder), *folder.glob(INVERSION.name))
+    ]
+    if not found:
+        raise InputError(
+            f"{path} holds no trained estimator (face_<n>.safetensors or {INVERSION.name}). Give the "
+            "folder that `instobj train` wrote to, or its files"
+        )
+    return found

@@ -1,0 +1,99 @@
+"""An object that is zeroed, turned in Earth's field and pressed, by a second forward model."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from estimator.inversion.tracking import Tracker
+from tests.support.mechanics.inverted import SPEC, contacts, inverted
+from tests.support.mechanics.synthetic_presses import face_motion
+from tests.support.turned_frames import earth_fields_t, expected_counts, zeroed_counts
+
+FRAMES = 60
+
+
+def motion_of(face, contact):
+    """Motions of the magnets under all contacts of each frame, by the object's own law."""
+    moved = np.zeros((len(face), 25, 6))
+    for row, slot in np.argwhere(face >= 0):
+        x, y, force = contact[row, slot]
+        moved[row] += face_motion(SPEC, face[row, slot] + 1, np.array([x, y]), np.array(force))
+    return moved
+
+
+@pytest.fixture(scope="module")
+def pressed():
+    """For each number of contacts: faces, contacts and motions."""
+    found = {}
+    for number in (0, 1, 2):
+        rng = np.random.default_rng(number)
+        face, contact = contacts(rng, FRAMES, number) if number else nothing(FRAMES)
+        found[number] = face, contact, motion_of(face, contact)
+    return found
+
+
+def nothing(frames):
+    return np.full((frames, 6), -1), np.zeros((frames, 6, 3))
+
+
+def still_reader():
+    """That takes every change for contacts, as one of an object on a bench."""
+    told = replace(inverted().disturbances, nuisances=())
+    return replace(inverted(), disturbances=told)
+
+
+def right(found, face):
+    """Frames with as many contacts on every face."""
+    faces = np.sort(np.where(face >= 0, face + 1, 0), axis=1)
+    return np.all(np.sort(found.face, axis=1) == faces, axis=1)
+
+
+def test_turning_at_rest_is_no_contact(pressed):
+    counts = zeroed_counts(SPEC, pressed[0][2], np.random.default_rng(5))
+    assert np.mean(still_reader().read(counts)[0].number > 0) > 0.5, "else turning is no trouble"
+    found, _ = inverted().read(counts)
+    assert np.mean(found.number > 0) <= 0.02
+    assert found.explained.all()
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_contacts_of_a_turned_object_are_read_as_those_of_one_that_stands_still(number, pressed):
+    """The number as often within a few frames, as near, in regions as true."""
+    face, contact, motion = pressed[number]
+    share, away = [], []
+    for reader, turned in ((still_reader(), False), (inverted(), True)):
+        found, _ = reader.read(zeroed_counts(SPEC, motion, np.random.default_rng(6), turned))
+        fine = right(found, face)
+        share.append(fine.mean())
+        one = fine & (number == 1)
+        distance = np.linalg.norm(found.xy_mm[one, 0] - contact[one, 0, :2], axis=1)
+        away.append(distance)
+        assert np.mean(found.explained) > 0.95
+        if number == 1:
+            assert np.mean(distance <= found.position_radius_mm[one, 0]) > 0.75
+    assert share[0] > 0.75
+    # the difference of two shares of 60 frames scatters by 0.05
+    assert share[1] > share[0] - 0.1
+    if number == 1:
+        assert np.median(away[1]) < 1.3 * np.median(away[0])
+
+
+def test_a_tracked_object_that_is_turned_slowly_holds_nothing():
+    """Half a turn in 30 frames, about a zero that was taken before."""
+    rng = np.random.default_rng(7)
+    angle = np.linspace(0, np.pi, 30)
+    north = 50e-6 * np.stack([np.sin(angle), 0 * angle, np.cos(angle)], axis=1)
+    change = expected_counts(SPEC, np.repeat((north - north[0])[:, None], 15, axis=1))
+    noise = np.resize(SPEC.sensors.noise_counts, 45) * rng.standard_normal(change.shape)
+    tracker = Tracker(inverted())
+    assert sum(int(tracker.feed(one).number[0]) for one in np.round(change + noise)) == 0
+    seen_still = Tracker(still_reader())
+    assert sum(int(seen_still.feed(one).number[0]) for one in np.round(change + noise)) > 10
+
+
+def test_both_orientations_are_anywhere():
+    before, now = earth_fields_t(np.random.default_rng(8), 4000)
+    assert_allclose(np.linalg.norm(before, axis=1), 50e-6)
+    assert_allclose((now - before).std(axis=0), 50e-6 * np.sqrt(2 / 3), rtol=0.05)

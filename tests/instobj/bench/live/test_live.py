@@ -1,0 +1,213 @@
+"""`instobj bench live`: sources, recording, and what outlives the page."""
+
+import os
+import re
+import signal
+import threading
+import time
+import urllib.request
+from contextlib import closing, contextmanager
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from design.errors import InputError
+from design.spec.object import ObjectSpec
+from estimator.recordings.boards import link
+from estimator.recordings.boards.lines import (
+    Frame,
+    Header,
+    LineDecoder,
+    Load,
+    encode_frame,
+    encode_header,
+    encode_load,
+)
+from estimator.recordings.boards.link import replay_chunks, serial_chunks
+from estimator.recordings.formats.files import read_table
+from instobj.bench.collect.options import CollectOptions
+from instobj.bench.live import command
+from instobj.bench.live.command import live, run_live
+from instobj.bench.live.contacts import open_estimator
+from instobj.bench.live.process import page_process
+from instobj.bench.live.source import LiveOptions, LiveSource, data_set_table
+from instobj.commands.readings import Zeroing
+from instobj.store.progress import ProgressLine
+from tests.support.mechanics.inverted import labelled_frames
+from tests.support.recordings.dummy_board import dummy_board
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
+SPEC = ObjectSpec(name="cube")
+
+
+def source_of(port, out):
+    readings = CollectOptions(out, port, cells=1, tips=1, zero_frames=5)
+    zeroing = Zeroing("first", 5)
+    return LiveSource(SPEC, b"scene", port, serial_chunks(port), readings, (), zeroing)
+
+
+def numbered(k):
+    """Lines of a frame that tells its number."""
+    load = encode_load(Load(10 * k, 1, k / 1000, None, ()))
+    return load + encode_frame(k, 10 * k, [float(k), 0.0, 0.0, 0.0, 0.0, -float(k)])
+
+
+def test_the_recording_outlives_the_page_and_holds_every_frame(tmp_path, monkeypatch):
+    """The page's process is killed on the way: rows go on as a board sent them."""
+    csv, found = tmp_path / "cube.csv", []
+
+    def rows_in(least):
+        """Wait for so many rows; how many there are."""
+        until = time.monotonic() + 30
+        while (rows := csv.read_bytes().count(b"\n") - 1 if csv.exists() else 0) < least:
+            assert time.monotonic() < until, rows
+            time.sleep(0.02)
+        return rows
+
+    def kill_later(page):
+        try:
+            rows = rows_in(30)
+            found.append(urllib.request.urlopen(page.url + "scene", timeout=30).read())  # noqa: S310
+            os.kill(page.process.pid, signal.SIGKILL)
+            page.process.join(5)
+            found.append(rows_in(rows + 30))
+        finally:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    @contextmanager
+    def killed_on_the_way(settings):
+        with page_process(settings) as page:
+            killing = threading.Thread(target=kill_later, args=(page,))
+            killing.start()
+            yield page
+            killing.join()
+
+    monkeypatch.setattr(command, "page_process", killed_on_the_way)
+    with dummy_board(numbered) as port:
+        source = source_of(port, tmp_path / "cube")
+        options = LiveOptions(None, source.readings, record=True, page_port=0)
+        told = run_live(source, options, "", ProgressLine())
+    assert found[0] == b"scene"
+    table = read_table(tmp_path / "cube.nc")
+    assert told["frames_added"] == len(table.counts) >= found[1]
+    numbers = table.counts[:, 0, 0, 0]
+    np.testing.assert_array_equal(table.counts[:, 2, 0, 2], -numbers)
+    np.testing.assert_allclose(table.force_n[:, 0], numbers / 1000)
+    assert np.all(np.diff(numbers) > 0)
+    assert numbers[-1] - numbers[0] + 1 == len(numbers) + told["lost_frames"]
+
+
+def messages_of(chunks, count):
+    """The first messages of a source."""
+    decoder, found = LineDecoder(), []
+    with closing(chunks):
+        for chunk in chunks:
+            found += decoder.feed(chunk)
+            if len(found) >= count:
+                return found[:count], decoder.statistics
+    return found, decoder.statistics
+
+
+def test_pauses_of_a_recording_are_shortened_in_a_replay(monkeypatch):
+    """A rig is moved for minutes between presses; times in the lines stay what they were."""
+    monkeypatch.setattr(link, "LONGEST_PAUSE_S", 0.2)
+    frames = labelled_frames(
+        np.zeros((4, 1), int), np.full((4, 1, 2), np.nan), np.full((4, 1), np.nan)
+    )
+    table = replace(data_set_table(frames), time_s=np.array([0.0, 0.1, 90.0, 90.1]))
+    began_s = time.monotonic()
+    found, _ = messages_of(replay_chunks(table, 1.0), 100)
+    assert 0.35 < time.monotonic() - began_s < 20.0
+    assert [one.board_ms for one in found if isinstance(one, Frame)] == [0, 100, 90_000, 90_100]
+
+
+def test_a_data_set_is_replayed_with_its_labels():
+    face, xy = np.array([[0, 0], [2, 0], [2, 4]]), np.full((3, 2, 2), np.nan)
+    xy[1, 0], xy[2] = [1.0, -2.0], [[1.0, -2.0], [3.0, 4.0]]
+    force = np.where(face > 0, [[0, 0], [5.0, 0], [6.0, 7.0]], np.nan)
+    counts = np.random.default_rng(1).normal(0, 300, (3, 5, 3, 3)).round(2)
+    frames = replace(labelled_frames(face, xy, force), signal_counts=counts)
+    found, statistics = messages_of(replay_chunks(data_set_table(frames), 0.0), 10)
+    assert statistics.damaged_lines == 0
+    assert [len(one.channels) for one in found if isinstance(one, Header)] == [45]
+    read = [one.counts for one in found if isinstance(one, Frame)]
+    np.testing.assert_allclose(read, counts.reshape(3, 45))
+    loads = [(one.face, one.force_n, one.tips_mm) for one in found if isinstance(one, Load)]
+    assert [force for _, force, _ in loads] == [0.0, 0.0, 5.0, 0.0, 6.0, 7.0]
+    assert loads[4:] == [(2, 6.0, ((1.0, -2.0),)), (4, 7.0, ((3.0, 4.0),))]
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({}, "give one of --port, --replay and --demo.* got 0"),
+        ({"port": "/dev/nothing", "demo": True}, "got 2"),
+        ({"port": "/dev/nothing"}, "give the specification"),
+        ({"demo": True, "address": "10.0.0.1"}, "can be reached from other machines.* --remote"),
+    ],
+)
+def test_what_cannot_be_shown(tmp_path, given, words):
+    of_readings = {"port": given.pop("port", None)}
+    with pytest.raises(InputError, match=words):
+        live(LiveOptions(None, CollectOptions(tmp_path / "x", **of_readings), **given))
+
+
+def test_a_model_that_is_not_there_is_told_before_anything_is_opened_or_built(tmp_path):
+    (tmp_path / "cube.toml").write_text('name = "cube"\n', encoding="utf-8")
+    readings = CollectOptions(tmp_path / "x", port="/dev/nothing")
+    missing = (tmp_path / "nope.onnx",)
+    with pytest.raises(InputError, match=r"no model at .*nope\.onnx"):
+        live(LiveOptions(tmp_path / "cube.toml", readings, models=missing))
+
+
+def test_only_other_addresses_have_a_token(tmp_path):
+    readings = CollectOptions(tmp_path / "x")
+    assert LiveOptions(None, readings).token == ""
+    far = LiveOptions(None, readings, address="192.168.0.5", remote=True)
+    assert len(far.token) >= 20
+    assert far.token != far.token
+
+
+def test_models_that_do_not_fit_are_told(tmp_path):
+    for models, words in (
+        ((tmp_path / "no.onnx",), "no model at"),
+        ((tmp_path / "a.nc", tmp_path / "b.onnx"), "no model at"),
+    ):
+        with pytest.raises(InputError, match=words):
+            open_estimator(SPEC, models, "rest", 8)
+    assert open_estimator(SPEC, (), "rest", 8) is None
+
+
+@contextmanager
+def no_page(_):
+    """A page's process that takes everything and asks for nothing."""
+    yield SimpleNamespace(send=lambda _: None, commands=list, alive=True, lost=0, url="http://x/")
+
+
+def test_another_objects_board_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(command, "page_process", no_page)
+    with dummy_board(channels=("F1-X9", "F1-Y1", "F1-Z1", "F3-X1", "F3-Y1", "F3-Z1")) as port:
+        source = source_of(port, tmp_path / "x")
+        with pytest.raises(InputError, match="names channels that cube has not: F1-X9"):
+            run_live(source, LiveOptions(None, source.readings, page_port=0), "", ProgressLine())
+
+
+def test_the_last_line_tells_the_rate_at_which_frames_came(tmp_path):
+    """They end a second before the page does."""
+
+    def chunks():
+        began_s = time.monotonic()
+        yield encode_header(["F1-X1", "F1-Y1", "F1-Z1", "F3-X1", "F3-Y1", "F3-Z1"])
+        for k in range(300):
+            while time.monotonic() - began_s < k / 200:
+                time.sleep(0.001)
+            yield numbered(k)
+
+    source = replace(source_of("board", tmp_path / "cube"), chunks=chunks())
+    options = LiveOptions(None, source.readings, page_port=0, seconds=3.0)
+    told = run_live(source, options, "", ProgressLine())
+    assert told["frames"] == 300
+    rate = int(re.search(r"frames at (\d+)/s", told["texts"][0])[1])
+    assert 180 <= rate <= 210

@@ -1,0 +1,60 @@
+"""Frames of an object that is zeroed, turned in Earth's field and pressed: a second forward model.
+
+Its magnets are magpylib's, moved by motions that are given; its chips count by hand. It shares the
+layout and the magnets' working point with the product, and no field law, spline or sum of signals.
+"""
+
+import magpylib
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from design.layout.places.positions import magnet_layout, sensor_layout
+from estimator.field.sources import magnet_source
+
+
+def magnets_field_t(spec, motion):
+    """Flux density (state, sensor, 3) of disk magnets that have moved (state, body, 6) from rest."""
+    magnets, disk = magnet_layout(spec), magnet_source(spec.magnets)
+    sensors_m = sensor_layout(spec).position_mm / 1e3
+    field = np.zeros((len(motion), len(sensors_m), 3))
+    for number, (centre, axis) in enumerate(zip(magnets.centre_mm, magnets.axis, strict=True)):
+        own = motion[:, number]
+        upright = Rotation.align_vectors(axis[None], [[0.0, 0.0, 1.0]])[0]
+        moved = magpylib.magnet.Cylinder(
+            polarization=(0, 0, disk.polarization_t * magnets.strength[number]),
+            dimension=(disk.diameter_mm / 1e3, disk.height_mm / 1e3),
+            position=(centre + own[:, :3]) / 1e3,
+            orientation=Rotation.from_rotvec(own[:, 3:]) * upright,
+        )
+        field += moved.getB(sensors_m).reshape(field.shape)
+    return field
+
+
+def expected_counts(spec, field_t):
+    """Counts (state, channel) of a field (T) at every sensor along its own axes."""
+    seen_mt = 1e3 * np.einsum("sac,nsc->nsa", sensor_layout(spec).axes, field_t)
+    return spec.sensors.counts_per_mt * seen_mt.reshape(len(field_t), -1)
+
+
+def read_out(spec, field_t, rng):
+    """One reading of each state: white noise, whole counts."""
+    expected = expected_counts(spec, field_t)
+    noise = np.resize(spec.sensors.noise_counts, expected.shape[1])
+    return np.round(expected + noise * rng.standard_normal(expected.shape))
+
+
+def earth_fields_t(rng, frames, earth_ut=50.0):
+    """Earth's field in the object's frame at the zero and in each frame, of random directions."""
+    direction = rng.standard_normal((2, frames, 3))
+    return 1e-6 * earth_ut * direction / np.linalg.norm(direction, axis=2, keepdims=True)
+
+
+def zeroed_counts(spec, motion, rng, turned=True, earth_ut=50.0):
+    """Changes of counts (frame, channel) against a zero of each frame's own, taken in another orientation
+    with the error that the specification has."""
+    before, now = earth_fields_t(rng, len(motion), earth_ut)
+    now = now if turned else before
+    still = magnets_field_t(spec, np.zeros((1, *motion.shape[1:])))
+    zero = expected_counts(spec, still + before[:, None])
+    zero += spec.sensors.zeroing_counts * rng.standard_normal(zero.shape)
+    return read_out(spec, magnets_field_t(spec, motion) + now[:, None], rng) - zero
