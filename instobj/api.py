@@ -174,6 +174,8 @@ def fit_estimator(
     >>> quick = {"epochs": 3, "hidden_units": [16, 16]}
     >>> frames = instobj.load_frames("frames.nc")
     >>> model = instobj.fit_estimator(frames, face=1, training=quick)
+    >>> model
+    FaceModel compact of face 1: reads 9 channels; heatmap 3 × 3 pixels, N; 90 % intervals from 9 presses
     >>> reading = instobj.predict(model, frames)
     >>> reading.force_n.shape == (len(frames),)
     True

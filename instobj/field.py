@@ -209,7 +209,7 @@ def polarization(
     >>> round(instobj.field.polarization(1.2, (5, 5, 5), 1.06), 6) == round(1.2 / 1.02, 6)
     True
     """
-    from estimator.field.sources import BlockMagnet, DiskMagnet, at_working_point
+    from estimator.field.sources import BlockMagnet, DiskMagnet, self_demagnetised
 
     if len(size_mm) not in (2, 3):
         raise InputError(
@@ -225,7 +225,7 @@ def polarization(
     outline: Any = DiskMagnet(edges[0], height, 1.0)
     if len(edges) == 2:
         outline = BlockMagnet((edges[0], edges[1]), height, 1.0)
-    at_work = at_working_point(outline, float(remanence_t), float(recoil_permeability))
+    at_work = self_demagnetised(outline, float(remanence_t), float(recoil_permeability))
     return float(at_work.polarization_t)
 
 

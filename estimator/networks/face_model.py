@@ -84,7 +84,7 @@ class FaceModel:
         return (
             f"FaceModel {self.name} of face {self.face}: reads {len(self.channels)} channels{history}; "
             f"heatmap {len(self.grid_x_mm)} × {len(self.grid_y_mm)} pixels, N; "
-            f"{self.interval_cover:.0%} intervals from {self.interval_presses} presses"
+            f"{100 * self.interval_cover:g} % intervals from {self.interval_presses} presses"
         )
 
 

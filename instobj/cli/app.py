@@ -197,7 +197,7 @@ def store(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """List stored results, verify them, free space; what a running process uses stays."""
+    """List stored results, verify them, free space; results in use are kept."""
     from instobj.commands.stored import look_after_store
     from instobj.store.content import store_root
 

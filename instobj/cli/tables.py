@@ -47,7 +47,7 @@ def print_result(result: dict[str, Any]) -> None:
         )
         console.print(f"  {row['far']}")
         console.print(
-            f"  modulus {row['modulus']}; force at a given depth: {row['force_at_a_travel']}"
+            f"  modulus {row['modulus']}. Force at a given depth: {row['force_at_a_travel']}"
         )
         for line in surroundings_lines(row["surroundings"]):
             console.print(f"  {line}")

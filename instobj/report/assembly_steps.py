@@ -112,7 +112,7 @@ def _opened(spec: ObjectSpec) -> str:
     if mould_style(spec) == "one-piece":
         if not frame.plugged:
             return "peel the silicone out of the mould, from its edge inwards."
-        return "draw the plug straight out first, then fold the walls inwards off the bosses."
+        return "pull the plug straight out. Then fold the silicone walls inwards, off the mould's pegs."
     if frame.opening == "open":
         last = ", then peel the shell off the plug" if frame.plugged else ""
         return f"draw all pins outwards, part the halves{last}."
@@ -173,7 +173,7 @@ def _sealed(spec: ObjectSpec) -> list[str]:
     first = "Brush silicone into the pockets until no air is left over the magnets."
     if frame.opening == "open" and frame.plugged:
         out = (
-            " When it has cured draw the plug, then fold the walls inwards off the fins of the slits."
+            " When it has cured pull the plug out. Then fold the walls inwards, off the fins of the slits."
             if spec.shell.slits.depth_mm
             else ""
         )

@@ -16,13 +16,13 @@ def surroundings_lines(row: dict[str, Any]) -> list[str]:
     lines = [
         f"Earth's field of {row['earth_field_ut']:g} µT: turning the object changes a channel by up to "
         f"{_told(row['turning_largest_counts'])} counts ({_told(row['turning_rms_counts'])} rms)",
-        f"steel jaw against a face: up to {_told(touching)} counts on its own channels and "
-        f"{_told(touching_others)} on others; {row['jaw_gap_mm'][1]:g} mm away {_told(near)} and "
-        f"{_told(near_others)} (thick wide plate, an upper bound)",
+        f"a steel jaw that touches a face shifts its zero by up to {_told(touching)} counts, other faces' "
+        f"by {_told(touching_others)}; {row['jaw_gap_mm'][1]:g} mm away by {_told(near)} and "
+        f"{_told(near_others)} (a thick wide plate: less is usual)",
     ]
     lines.append(
-        f"magnets 1 K warmer: {100 * NDFEB_REMANENCE_PER_KELVIN:.2f} % of every signal, up to "
-        f"{_told(row['baseline_counts_per_kelvin'])} counts of a baseline"
+        f"warming by 1 K: signals {-100 * NDFEB_REMANENCE_PER_KELVIN:.2f} % smaller, zero shifted by up to "
+        f"{_told(abs(row['baseline_counts_per_kelvin']))} counts"
     )
     lines.append(
         f"sensors can be read at up to {_told(row['fastest_frame_rate_hz'])} Hz over the bus"

@@ -52,8 +52,9 @@ def fit_budget(
 def describe_merge(requested: SearchSpec, merged: SearchSpec) -> str:
     """Return what becomes of the trials that are asked for, in words."""
     return (
-        f"{requested.trials} trials of {requested.polish_steps} generations are joined to "
-        f"{merged.trials} of {merged.polish_steps}, or as many as time allows: long runs find better layouts"
+        f"{requested.trials} trials of {requested.polish_steps} generations are merged into "
+        f"{merged.trials} longer ones of {merged.polish_steps}, or as many as time allows, which usually "
+        "finds more"
     )
 
 

@@ -64,10 +64,8 @@ class TimeLimit:
     def plan(self) -> str:
         """Return how the time is shared out, in words."""
         return (
-            f"search.seconds = {self.seconds:g}: mechanics and trials until "
-            f"{round(TRIALS_SHARE * self.searching_s)} s, then leaders; from what is left until "
-            f"{round(self.searching_s)} s a finalist has as long as the chain takes for the start; then the "
-            "page"
+            f"search.seconds = {self.seconds:g}: search until {round(TRIALS_SHARE * self.searching_s)} s; "
+            f"check the best until {round(self.searching_s)} s; then write the page"
         )
 
     def mechanics_plan(self, lowest_s: float, chain_s: float) -> str:

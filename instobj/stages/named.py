@@ -65,6 +65,8 @@ def _of_content(attributes: dict[str, Any]) -> dict[str, Any]:
 
 def _range(variable: xr.DataArray) -> str:
     """Return the least and the largest finite value, as "0.38 to 1.5"; "" without numbers."""
+    if variable.dtype == bool:
+        return f"{int(variable.sum())} of {variable.size} true"
     if not np.issubdtype(variable.dtype, np.number):
         return ""
     finite = variable.values[np.isfinite(variable.values)]

@@ -363,7 +363,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=19,
+        version=20,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

@@ -81,7 +81,7 @@ def test_what_became_of_the_trials_is_said():
     said = describe_merge(
         SearchSpec(trials=24, polish_steps=300), SearchSpec(trials=12, polish_steps=600)
     )
-    assert "24 trials of 300 generations are joined to 12 of 600" in said
+    assert "24 trials of 300 generations are merged into 12 longer ones of 600" in said
 
 
 def test_a_batch_has_a_layout_for_each_process_and_more_where_they_go_on_side_by_side(monkeypatch):

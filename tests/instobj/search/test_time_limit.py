@@ -107,8 +107,7 @@ def test_shares_of_the_time(clock):
     assert limit.left_of(0.4) == pytest.approx(-1)
     assert limit.left_s == pytest.approx(563)
     assert limit.left == "563 of 940 s left until the page"
-    assert "trials until 376 s, then leaders" in limit.plan
-    assert "until 940 s" in limit.plan
+    assert "search until 376 s; check the best until 940 s;" in limit.plan
     assert limit.plain_engines_s == pytest.approx(40)
     clock.now_s += 564
     assert limit.left_s < 0
