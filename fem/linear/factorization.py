@@ -16,6 +16,7 @@ import hashlib
 import importlib.metadata
 import importlib.util
 import os
+import platform
 from dataclasses import dataclass
 from typing import Any
 
@@ -214,6 +215,14 @@ def solver_of(matrix: sp.csr_matrix) -> Any:
 def pardiso_available() -> bool:
     """Return whether MKL's PARDISO can be called on this machine; `INSTOBJ_MKL=0` says no."""
     return os.environ.get("INSTOBJ_MKL") != "0" and mkl_library() is not None
+
+
+def quicker_by() -> str:
+    """Return how to get PARDISO where it could be had and is not there, else nothing."""
+    had = pardiso_available() or os.environ.get("INSTOBJ_MKL") == "0"
+    if had or platform.machine() not in ("x86_64", "AMD64"):
+        return ""
+    return " (a third of the time with MKL: pip install 'instobj[fast]')"
 
 
 def mkl_library() -> Any | None:

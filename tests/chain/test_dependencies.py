@@ -28,7 +28,7 @@ HOMES = {
     "vtkmodules": "vtk",
 }
 """Module → distribution."""
-MOST_MANDATORY = 23
+MOST_MANDATORY = 22
 
 
 def _imports(source: str) -> set[str]:

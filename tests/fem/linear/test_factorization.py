@@ -242,8 +242,13 @@ def test_a_matrix_of_other_signs_is_solved_but_not_condensed(monkeypatch):
 
 
 def test_a_machine_without_pypardiso_has_no_pardiso(monkeypatch):
+    monkeypatch.delenv("INSTOBJ_MKL", raising=False)
     monkeypatch.setitem(sys.modules, "pypardiso", None)
     assert not factorization.pardiso_available()
+    monkeypatch.setattr("platform.machine", lambda: "x86_64")
+    assert "pip install 'instobj[fast]'" in factorization.quicker_by()
+    monkeypatch.setattr("platform.machine", lambda: "arm64")
+    assert not factorization.quicker_by(), "there is no MKL for it"
 
 
 def test_a_switch_leaves_mkl_alone(monkeypatch):
