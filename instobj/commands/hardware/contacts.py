@@ -33,7 +33,7 @@ from instobj.store.publish import file_rows
 
 COLUMNS: tuple[str, ...] = (
     *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
-    *("left_out", "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
+    *("chip_out", "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
     *("force_halfwidth_n", "tangential_x_n", "tangential_y_n", "tangential_sigma_n"),
 )
 
@@ -180,7 +180,7 @@ def _rows(
             "next_odds": "" if second is None else round(float(second.odds[row]), 4),
             "p_value": float(f"{best.p_value[row]:.3g}"),
             "explained": int(best.explained[row]),
-            "left_out": _chip_name(inversion, int(best.chip_out[row])),
+            "chip_out": _chip_name(inversion, int(best.chip_out[row])),
         }
         if not best.number[row]:
             yield shared | dict.fromkeys(COLUMNS[9:], "")
@@ -206,7 +206,7 @@ def _document(
     inversion: Inversion, number: int, time_s: float, found: ContactSets
 ) -> dict[str, Any]:
     rows = list(_rows(inversion, np.array([number]), np.array([time_s]), found, None))
-    told = ("frame", "time_s", "odds", "p_value", "left_out")
+    told = ("frame", "time_s", "odds", "p_value", "chip_out")
     contacts = [
         {name: row[name] for name in COLUMNS[10:] if row[name] != ""}
         for row in rows
