@@ -11,6 +11,7 @@ mechanics come from the store, or are made first. Writes `turned_object.json`.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -104,7 +105,8 @@ def _apart(
 
 def _row(reader: Inversion, counts: np.ndarray, pressed: Pressed, name: str) -> Result:
     face, xy, force, _ = pressed
-    frames = labelled_frames(face, xy, force)
+    shown = counts.reshape(len(counts), len(reader.model.signals.faces), -1, 3)
+    frames = replace(labelled_frames(face, xy, force), signal_counts=shown)
     found, _ = reader.read(counts)
     matched = matched_contacts(frames, found)
     right = matched.right

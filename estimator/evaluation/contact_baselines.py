@@ -103,4 +103,5 @@ def contact_sets_of(every: list[Found]) -> ContactSets:
     pulls, ones = np.full((*face.shape, 2), np.nan), np.ones(len(every))
     out = np.full(len(every), NONE)
     places = face, values[..., 1:3], values[..., 3]
-    return ContactSets(*places, unknown, pulls, pulls, ones, ones, out)
+    none = np.zeros((len(every), 0))
+    return ContactSets(*places, unknown, pulls, pulls, ones, ones, out, none, none)

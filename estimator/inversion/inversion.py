@@ -175,6 +175,9 @@ class Inversion:
         """Contacts with all that is uncertain of them; `covariance` as in `contact_sets`."""
         p_value = error.p_of(seen, problems, error.share)
         sets = contact_sets(self.model, self.priors, seen, problems, odds, p_value, covariance)
+        units = self.disturbances.deviations
+        changed = units * sets.since_zero, units * sets.since_zero_sigma
+        sets = replace(sets, since_zero=changed[0], since_zero_sigma=changed[1])
         return sets.with_force_error(self.disturbances.force_error)
 
 

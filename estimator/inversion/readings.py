@@ -38,6 +38,8 @@ class ContactSets(Columns):
         explained by no contact that the model knows
     chip_out : (frame,) chip that was not believed, as the row of its sensor among all of the object;
         `NONE` where all were
+    since_zero, since_zero_sigma : (frame, unknown) what changed since the zero and is no contact, in
+        the order and units of `Disturbances.nuisances`, and its standard deviations
     """
 
     face: Int[np.ndarray, "frame contact"]
@@ -49,6 +51,8 @@ class ContactSets(Columns):
     odds: Float[np.ndarray, "frame"]
     p_value: Float[np.ndarray, "frame"]
     chip_out: Int[np.ndarray, "frame"]
+    since_zero: Float[np.ndarray, "frame unknown"]
+    since_zero_sigma: Float[np.ndarray, "frame unknown"]
 
     def replaced(self, rows: Int[np.ndarray, "some"], others: ContactSets) -> ContactSets:
         """The same with the sets of some frames replaced."""
@@ -109,7 +113,7 @@ def contact_sets(
     covariance: Float[np.ndarray, "frame contact 3 3"] | None = None,
 ) -> ContactSets:
     """Contacts of one problem per frame, in the order of the problems; `covariance` is `covariances`, if
-    left out."""
+    left out. Changes since the zero are in standard deviations of their priors."""
     there = problems.face != NONE
     own = covariances(problems, priors) if covariance is None else covariance
     pulls = np.full((2, *there.shape, 2), np.nan)
@@ -126,6 +130,7 @@ def contact_sets(
         odds,
         p_value,
         np.full(len(there), NONE),
+        *changes_since_zero(model, priors, seen, problems),
     )
 
 
@@ -150,6 +155,26 @@ def among_sets(
     np.add.at(total, sets.frame, weight * square)
     np.add.at(norm, sets.frame, weight)
     return np.where(norm > 0, total / np.where(norm > 0, norm, 1.0), np.eye(3))
+
+
+def changes_since_zero(
+    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
+) -> tuple[Float[np.ndarray, "problem k"], Float[np.ndarray, "problem k"]]:
+    """Nuisances of each frame in standard deviations of their priors: posterior mean at the contacts
+    found, and its standard deviation with what is uncertain of the contacts."""
+    face, contact, white = problems.face, problems.contact, seen.white.select(problems.frame)
+    columns = np.zeros((model.channels, 0)) if seen.columns is None else seen.columns
+    singles = model.singles(face, contact)
+    left = seen.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
+    jacobian = singles[:, :, 1:].reshape(len(face), 3 * face.shape[1], model.channels)
+    # With r = A t + noise and t ~ N(0, 1) the mean is AᵀΣ⁻¹r, the covariance 1 − AᵀΣ⁻¹A; Σ⁻¹ = WᵀW.
+    each = white(np.broadcast_to(columns.T, (len(face), *columns.T.shape)))
+    mean = (each @ white(left[:, None]).transpose(0, 2, 1))[..., 0]
+    carried = each @ white(jacobian).transpose(0, 2, 1)
+    contacts = np.linalg.inv(bounded_curvature(problems, priors))
+    own = np.eye(columns.shape[1]) - each @ each.transpose(0, 2, 1)
+    variance = np.diagonal(own + carried @ contacts @ carried.transpose(0, 2, 1), axis1=1, axis2=2)
+    return mean, np.sqrt(np.maximum(variance, 0.0))
 
 
 def tangential_forces(

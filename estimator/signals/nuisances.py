@@ -18,6 +18,9 @@ from design.spec.object import ObjectSpec
 from estimator.signals.field_setup import scene
 from estimator.signals.presses import rest_counts
 
+AMBIENT_FIELD = "ambient field"
+"""Name of the nuisance whose unknowns are x, y and z of a uniform field."""
+
 
 @dataclass(frozen=True)
 class Nuisance:
@@ -63,7 +66,7 @@ def ambient_field(spec: ObjectSpec) -> Nuisance:
     deviation_ut = float(np.sqrt(2 / 3)) * spec.tolerances.earth_field_ut
     # s sensor, a chip axis, c coordinate of the object: counts per µT along each coordinate
     per_ut = 1e-3 * spec.sensors.counts_per_mt * (place.chips.matrix @ place.sensors.axes)
-    return Nuisance("ambient field", "µT", deviation_ut, deviation_ut * per_ut.reshape(-1, 3))
+    return Nuisance(AMBIENT_FIELD, "µT", deviation_ut, deviation_ut * per_ut.reshape(-1, 3))
 
 
 def warmth(spec: ObjectSpec) -> Nuisance:

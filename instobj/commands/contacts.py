@@ -18,6 +18,7 @@ from estimator.inversion.inversion import Inversion
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.storage import load_inversion
+from estimator.signals.nuisances import AMBIENT_FIELD
 from instobj.commands.readings import (
     Stream,
     Zeroing,
@@ -31,9 +32,11 @@ from instobj.commands.readings import (
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 
+FIELD = ("field_x_ut", "field_y_ut", "field_z_ut", "field_sigma_ut")
+"""Change of a uniform field since the zero, in the object's frame, and its standard deviation."""
 COLUMNS: tuple[str, ...] = (
     *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
-    *("left_out", "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
+    *("chip_out", *FIELD, "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
     *("force_halfwidth_n", "tangential_x_n", "tangential_y_n", "tangential_sigma_n"),
 )
 
@@ -161,6 +164,19 @@ def _chip_name(inversion: Inversion, chip: int) -> str:
     return f"F{faces[face]}-{sensor + 1}"
 
 
+def _field_change(inversion: Inversion, best: ContactSets, row: int) -> dict[str, float | str]:
+    """The columns of `FIELD`; empty cells of an object that is not turned."""
+    first = 0
+    for one in inversion.disturbances.nuisances:
+        if one.name == AMBIENT_FIELD:
+            own = slice(first, first + 3)
+            sigma = float(best.since_zero_sigma[row, own].max())
+            values = (*best.since_zero[row, own].tolist(), sigma)
+            return dict(zip(FIELD, (round(value, 2) for value in values), strict=True))
+        first += one.columns.shape[1]
+    return dict.fromkeys(FIELD, "")
+
+
 def _rows(
     inversion: Inversion,
     number: np.ndarray,
@@ -180,10 +196,11 @@ def _rows(
             "next_odds": "" if second is None else round(float(second.odds[row]), 4),
             "p_value": float(f"{best.p_value[row]:.3g}"),
             "explained": int(best.explained[row]),
-            "left_out": _chip_name(inversion, int(best.chip_out[row])),
+            "chip_out": _chip_name(inversion, int(best.chip_out[row])),
+            **_field_change(inversion, best, row),
         }
         if not best.number[row]:
-            yield shared | dict.fromkeys(COLUMNS[9:], "")
+            yield shared | dict.fromkeys(COLUMNS[9 + len(FIELD) :], "")
         for slot in np.flatnonzero(best.face[row]).tolist():
             values = {
                 "x_mm": best.xy_mm[row, slot, 0],
@@ -206,11 +223,12 @@ def _document(
     inversion: Inversion, number: int, time_s: float, found: ContactSets
 ) -> dict[str, Any]:
     rows = list(_rows(inversion, np.array([number]), np.array([time_s]), found, None))
-    told = ("frame", "time_s", "odds", "p_value", "left_out")
+    told = ("frame", "time_s", "odds", "p_value", "chip_out", *FIELD)
     contacts = [
-        {name: row[name] for name in COLUMNS[10:] if row[name] != ""}
+        {name: row[name] for name in COLUMNS[10 + len(FIELD) :] if row[name] != ""}
         for row in rows
         if row["contacts"]
     ]
     explained = {"explained": bool(rows[0]["explained"])}
-    return {name: rows[0][name] for name in told} | explained | {"contacts": contacts}
+    frame = {name: rows[0][name] for name in told if rows[0][name] != ""}
+    return frame | explained | {"contacts": contacts}

@@ -65,8 +65,8 @@ def float64(array: Array) -> Array:
     return array.astype(np.float64) if isinstance(array, np.ndarray) else array.double()
 
 
-def rows_of(array: Array, rows: np.ndarray) -> Array:
-    """Rows that are told by an array of the host."""
+def rows_of(array: Array, rows: Array) -> Array:
+    """Rows that are told by an array of the host, or of the array's own device."""
     return array[rows if isinstance(array, np.ndarray) else like(array, rows)]
 
 

@@ -53,6 +53,12 @@ class Disturbances:
         none = np.zeros((len(self.noise_counts), 0))
         return np.hstack([none, *(one.columns for one in self.nuisances)])
 
+    @cached_property
+    def deviations(self) -> Float[np.ndarray, "k"]:
+        """Standard deviation of each unknown of the nuisances, in its unit."""
+        every = [np.full(one.columns.shape[1], one.deviation) for one in self.nuisances]
+        return np.concatenate([np.zeros(0), *every])
+
     def observed(
         self,
         counts: Float[np.ndarray, "frame channel"],

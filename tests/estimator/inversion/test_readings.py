@@ -15,7 +15,18 @@ def sets(covariance, face=(3, 0)):
     xy, force = np.zeros((1, 2, 2)), np.full((1, 2), 4.0)
     one = np.ones(1)
     both = np.stack([covariance, np.full((3, 3), np.nan)])[None]
-    return ContactSets(face, xy, force, both, xy, xy, one, one, np.full(len(one), -1))
+    return ContactSets(
+        face,
+        xy,
+        force,
+        both,
+        xy,
+        xy,
+        one,
+        one,
+        np.full(len(one), -1),
+        *[np.zeros((len(one), 0))] * 2,
+    )
 
 
 @pytest.mark.parametrize(

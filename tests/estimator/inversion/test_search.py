@@ -163,7 +163,16 @@ def test_the_radius_holds_nine_of_ten_places(ratio):
     covariance[0, 0, 0, 0], covariance[0, 0, 1, 1] = 4.0, (2.0 * ratio) ** 2
     one, zero = np.ones((1, 1)), np.zeros((1, 1, 2))
     found = ContactSets(
-        one.astype(int), zero, one, covariance, zero, zero, one[0], one[0], np.full(1, -1)
+        one.astype(int),
+        zero,
+        one,
+        covariance,
+        zero,
+        zero,
+        one[0],
+        one[0],
+        np.full(1, -1),
+        *[np.zeros((1, 0))] * 2,
     )
     assert_allclose(
         np.mean(np.linalg.norm(draws, axis=1) <= found.position_radius_mm[0, 0]), 0.9, atol=0.012

@@ -93,6 +93,24 @@ def test_a_tracked_object_that_is_turned_slowly_holds_nothing():
     assert sum(int(seen_still.feed(one).number[0]) for one in np.round(change + noise)) > 10
 
 
+@pytest.mark.parametrize("number", [0, 1])
+def test_the_change_of_the_field_is_told_with_its_deviation(number, pressed):
+    """In µT along the object's axes, beside the true one; temperature stays what it was."""
+    face, _, motion = pressed[number]
+    rng = np.random.default_rng(9)
+    before, now = earth_fields_t(np.random.default_rng(9), FRAMES)
+    found, _ = inverted().read(zeroed_counts(SPEC, motion, rng))
+    fine = right(found, face)
+    error_ut = (found.since_zero[:, :3] - 1e6 * (now - before))[fine]
+    sigma_ut = found.since_zero_sigma[fine, :3]
+    assert sigma_ut.max() < 20.0, "a quarter of the largest change, or the test tells nothing"
+    assert 0.8 < np.sqrt(np.mean((error_ut / sigma_ut) ** 2)) < 1.2
+    assert np.corrcoef(found.since_zero[fine, 0], (now - before)[fine, 0])[0, 1] > 0.95
+    kelvin = found.since_zero[fine, 3] / found.since_zero_sigma[fine, 3]
+    assert np.sqrt(np.mean(kelvin**2)) < 1.2
+    assert still_reader().read(np.zeros((1, 45)))[0].since_zero.shape == (1, 0)
+
+
 def test_both_orientations_are_anywhere():
     before, now = earth_fields_t(np.random.default_rng(8), 4000)
     assert_allclose(np.linalg.norm(before, axis=1), 50e-6)

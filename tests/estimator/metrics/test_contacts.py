@@ -18,7 +18,16 @@ def sets_of(face, xy, force):
     covariance = np.broadcast_to(np.diag([0.04, 0.04, 0.25]), (*shape, 3, 3)).copy()
     pulls, ones = np.full((*shape, 2), np.nan), np.ones(len(face))
     return ContactSets(
-        face, xy, force, covariance, pulls, pulls, ones, ones, np.full(len(ones), -1)
+        face,
+        xy,
+        force,
+        covariance,
+        pulls,
+        pulls,
+        ones,
+        ones,
+        np.full(len(ones), -1),
+        *[np.zeros((len(ones), 0))] * 2,
     )
 
 

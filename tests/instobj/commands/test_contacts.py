@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from design.errors import InputError
-from estimator.frames.dataset import save_frames
+from estimator.frames.dataset import load_frames, save_frames
 from estimator.inversion.storage import load_inversion, save_inversion
 from estimator.recordings.boards.lines import encode_frame
 from instobj.cli.app import app
@@ -64,6 +64,23 @@ def test_a_labelled_data_set_is_read_and_judged(folder):
     pressed = [row for row in rows if int(row["frame"]) >= 10]
     assert sum(row["contacts"] == "2" for row in pressed) >= 10
     assert all(float(row["force_n"]) > 0 and row["explained"] == "1" for row in pressed)
+    assert {row["chip_out"] for row in rows} == {""}
+    assert all(abs(float(row[f"field_{axis}_ut"])) < 40 for row in rows for axis in "xyz")
+    assert all(3 < float(row["field_sigma_ut"]) < 20 for row in rows)
+
+
+def test_a_chip_that_lies_is_named_in_every_frame(folder, tmp_path):
+    frames = load_frames(folder / "grasp.nc")
+    counts = frames.signal_counts.copy()
+    counts[:, 2, 0, 1] += 20_000.0
+    save_frames(replace(frames, signal_counts=counts), tmp_path / "lying.nc")
+    document = told(["predict", folder / "contacts.nc", tmp_path / "lying.nc"])
+    (summary,) = next(iter(document["tables"].values()))
+    assert summary["frames without a chip that was not believed"] == 16
+    assert summary["frames that no contact explains"] == 0
+    with (tmp_path / "lying.contacts.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert {row["chip_out"] for row in rows} == {"F3-1"}
 
 
 def test_a_recording_is_zeroed_and_tracked(folder, tmp_path):

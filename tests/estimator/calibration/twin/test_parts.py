@@ -17,6 +17,7 @@ from estimator.calibration.twin import (
 )
 from estimator.calibration.twin.digital_twin import left_share, rows_of_face
 from estimator.calibration.twin.pressed_places import PressedPlaces
+from estimator.inversion.model.whitening import whitening
 from fem.presses.results import MagnetMotions, PressForces
 
 
@@ -102,18 +103,21 @@ def test_cases_left_out_move_labelled_contacts_by_the_weighted_least_squares_ste
     )
     left = rng.normal(size=(1, 2, 4))
     sigma = np.array([1.0, 2.0, 0.5, 1e9, 3.0])
+    columns = rng.normal(size=(5, 1))
 
     def observed(counts):
         assert np.isnan(counts[:, 3]).all()
         assert_allclose(counts[:, [0, 1, 2, 4]], seen.counts[0])
-        return SimpleNamespace(sigma=np.tile(sigma, (2, 1)))
+        return SimpleNamespace(white=whitening(np.tile(sigma, (2, 1)), columns))
 
     inversion = SimpleNamespace(model=model, disturbances=SimpleNamespace(observed=observed))
     found = inverted_twin.beyond_regions.__wrapped__(inversion, SimpleNamespace(left=left), seen)
-    squares = []
+    squares, told = [], [0, 1, 2, 4]
+    covariance = np.diag(sigma[told] ** 2) + columns[told] @ columns[told].T
+    unit = np.linalg.inv(np.linalg.cholesky(covariance))
     for level, force in enumerate((1.0, 3.0)):
-        jacobian = (model.slopes * (1 + force) / sigma)[:, [0, 1, 2, 4]].T
-        wrong = left[0, level] / sigma[[0, 1, 2, 4]]
+        jacobian = unit @ (model.slopes * (1 + force))[:, told].T
+        wrong = unit @ left[0, level]
         step, *_ = np.linalg.lstsq(jacobian, wrong, rcond=None)
         squares.append(step @ jacobian.T @ jacobian @ step / 3)
     assert_allclose(found, np.sqrt(np.mean(squares)), rtol=1e-6)
