@@ -368,7 +368,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=19,
+        version=20,
     ),
 }
 """In the order in which a command works through those that it needs."""

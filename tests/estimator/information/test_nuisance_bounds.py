@@ -12,6 +12,7 @@ from estimator.information.fisher import (
     whitened,
 )
 from estimator.information.identifiability import jacobians_of
+from estimator.information.nuisance_cost import EVERY, nuisance_costs
 from estimator.information.scores import score_places
 from estimator.signals.interpolation import Traces
 from estimator.signals.live import live_jacobian
@@ -93,3 +94,25 @@ def test_scores_and_contact_sets_of_a_turned_and_warmed_object(signals, channels
     assert (scores.position_bound_mm >= steady.position_bound_mm).all()
     assert (scores.detectable_force_n >= steady.detectable_force_n).all()
     assert (scores.position_bound_mm > 1.01 * steady.position_bound_mm).any()
+
+
+@pytest.mark.parametrize("channels", ["all", "own"])
+def test_costs_are_ratios_of_median_bounds(signals, channels):
+    """Of scores with one nuisance left in, with all and without any."""
+    spec = SPEC.changed(score=SPEC.score.changed(channels=channels))
+    sizes = {
+        "ambient field": {"temperature_k": 0.0},
+        "temperature": {"earth_field_ut": 0.0},
+        EVERY: {},
+    }
+    costs = nuisance_costs(spec, signals, score_places(spec, signals))
+    assert [one.name for one in costs] == list(sizes)
+    bench = spec.changed(limits=spec.limits.changed(use="bench"))
+    steady = score_places(bench, signals)
+    for cost, size in zip(costs, sizes.values(), strict=True):
+        moved = score_places(spec.changed(tolerances=spec.tolerances.changed(**size)), signals)
+        for ratio, name in ((cost.position, "position_bound_mm"), (cost.force, "force_bound_n")):
+            wanted = np.median(getattr(moved, name)) / np.median(getattr(steady, name))
+            assert ratio == pytest.approx(wanted)
+            assert ratio >= 1
+    assert nuisance_costs(bench, signals, steady) == ()
