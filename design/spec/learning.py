@@ -75,11 +75,12 @@ class CollectionSpec(SpecPart):
 class ScoreSpec(SpecPart):
     """At which force places are judged, and from whose channels.
 
-    `channels` says whose sensors the bounds read: the pressed face's own, or those of all faces.
+    `channels` says whose sensors the bounds read: those of all faces, as a good estimator does, or the
+    pressed face's own, as the paper's.
     """
 
     force_n: Force = 8.0
-    channels: Literal["own", "all"] = "own"
+    channels: Literal["own", "all"] = "all"
 
 
 class ProtocolSpec(SpecPart):

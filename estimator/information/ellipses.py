@@ -11,6 +11,7 @@ from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import PlaceScores
 from estimator.information.sensitivity import own_channels
 from estimator.signals.live import live_jacobian
+from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals
 
 
@@ -24,7 +25,7 @@ def position_covariances_mm2(
     """
     grid = contact_grid(spec)
     count = signals.baseline_counts.size
-    sigma = disturbance_counts(spec.sensors, "fresh", count)
+    sigma, nuisances = disturbance_counts(spec.sensors, "fresh", count), nuisance_columns(spec)
     found = np.full((len(scores.faces), len(grid), 2, 2), np.nan)
     for row, face in enumerate(scores.faces.tolist()):
         own = own_channels(signals, spec.sensors, face)
@@ -34,5 +35,6 @@ def position_covariances_mm2(
         force_n = scores.force_at_score_n[row, told]
         faces = np.full(len(x_mm), face)
         jacobian = live_jacobian(spec, signals, faces, x_mm, y_mm, force_n)
-        found[row, told] = cramer_rao_bounds(jacobian[:, used], sigma[used]).position_mm2
+        bounds = cramer_rao_bounds(jacobian[:, used], sigma[used], nuisances[used])
+        found[row, told] = bounds.position_mm2
     return found

@@ -5,6 +5,10 @@ covariance Σ carry the Fisher information I = Jᵀ Σ⁻¹ J, J the derivatives
 unbiased estimator has a covariance below I⁻¹
 (Kay, Fundamentals of Statistical Signal Processing, 1993, section 3). Force is a nuisance of the
 position bound, and position of the force bound.
+
+Σ = diag(σ²) + A Aᵀ: independent disturbances, and nuisances with unit normal priors that add the
+columns of A to all channels (`estimator.signals.nuisances`). A channel whose row of J is 0 stands
+still and drops out: it tells nothing of the nuisances either.
 """
 
 from __future__ import annotations
@@ -83,13 +87,14 @@ def disturbance_counts(
 def cramer_rao_bounds(
     jacobian: Float[np.ndarray, "press channel parameter"],
     sigma_counts: Float[np.ndarray, "channel"],
+    nuisances: Float[np.ndarray, "channel k"] | None = None,
 ) -> Bounds:
-    """Bounds from ∂S/∂(x, y, F) or ∂S/∂(x, y, F, Fx, Fy) (counts per mm and N) and independent
-    disturbances."""
-    whitened = _at_least_square(jacobian / sigma_counts[:, None])
-    size = np.linalg.norm(whitened, axis=1)
+    """Bounds from ∂S/∂(x, y, F) or ∂S/∂(x, y, F, Fx, Fy) (counts per mm and N), independent
+    disturbances and nuisances (counts per standard deviation)."""
+    white = _at_least_square(whitened_slopes(jacobian, sigma_counts, nuisances))
+    size = np.linalg.norm(white, axis=1)
     scale = np.where(size > 0, size, 1.0)
-    _, singular, right = np.linalg.svd(whitened / scale[:, None], full_matrices=False)
+    _, singular, right = np.linalg.svd(white / scale[:, None], full_matrices=False)
     seen = np.greater(singular, _RANK_TOLERANCE)
     inverse = np.where(seen, singular, np.inf) ** -2.0
     # Σ_k v_k v_kᵀ/σ_k² = (JᵀJ)⁻¹: p press, k singular value, i and j parameters. Values that count as 0
@@ -111,18 +116,52 @@ def cramer_rao_bounds(
     )
 
 
+def whitened_slopes(
+    jacobian: Float[np.ndarray, "press channel parameter"],
+    sigma_counts: Float[np.ndarray, "channel"],
+    nuisances: Float[np.ndarray, "channel k"] | None = None,
+) -> Float[np.ndarray, "press channel parameter"]:
+    """Return W J with WᵀW = Σ⁻¹ of the channels that do not stand still in a press."""
+    if nuisances is None or not nuisances.shape[1]:
+        return jacobian / sigma_counts[:, None]
+    white = np.empty_like(jacobian)
+    patterns, which = np.unique(jacobian.any(axis=2), axis=0, return_inverse=True)
+    for number, seen in enumerate(patterns):
+        some = which.ravel() == number
+        rows = jacobian[some].swapaxes(1, 2)
+        white[some] = whitened(rows, sigma_counts, nuisances * seen[:, None]).swapaxes(1, 2)
+    return white
+
+
+def whitened(
+    counts: Float[np.ndarray, "*any channel"],
+    sigma_counts: Float[np.ndarray, "channel"],
+    nuisances: Float[np.ndarray, "channel k"] | None = None,
+) -> Float[np.ndarray, "*any channel"]:
+    """Return rows of counts times W, with WᵀW = Σ⁻¹.
+
+    With A/σ = U s Vᵀ, Σ = D (1 + U s² Uᵀ) D for D = diag(σ), so W = (1 − U (1 − 1/√(1 + s²)) Uᵀ) D⁻¹.
+    """
+    white = counts / sigma_counts
+    if nuisances is None or not nuisances.shape[1]:
+        return white
+    left, size, _ = np.linalg.svd(nuisances / sigma_counts[:, None], full_matrices=False)
+    return white - ((white @ left) * (1 - 1 / np.hypot(1, size))) @ left.T
+
+
 def position_and_force_bounds(
     jacobian: Float[np.ndarray, "press channel 3"],
     sigma_counts: Float[np.ndarray, "channel"],
+    nuisances: Float[np.ndarray, "channel k"] | None = None,
 ) -> tuple[Float[np.ndarray, "press"], Float[np.ndarray, "press"]]:
     """`position_mm` and `force_n` of `cramer_rao_bounds`, to rounding, in a fifth of the time.
 
     By Gram and Schmidt's method on all presses at once, without squares of the matrix; presses that are
     nearly blind go the long way.
     """
-    whitened = jacobian / sigma_counts[:, None]
-    size = np.linalg.norm(whitened, axis=1)
-    columns = np.moveaxis(whitened / np.where(size > 0, size, 1.0)[:, None], 2, 0)
+    white = whitened_slopes(jacobian, sigma_counts, nuisances)
+    size = np.linalg.norm(white, axis=1)
+    columns = np.moveaxis(white / np.where(size > 0, size, 1.0)[:, None], 2, 0)
     x, y, force = columns.copy()
     on_x = _dot(x, x)
     xy = _dot(x, y) / np.where(on_x > 0, on_x, 1.0)
@@ -142,7 +181,7 @@ def position_and_force_bounds(
     position = np.sqrt(of_x / size[:, 0] ** 2 + of_y / size[:, 1] ** 2)
     newton = np.sqrt(of_force) / size[:, 2]
     if not clear.all():
-        rest = cramer_rao_bounds(jacobian[~clear], sigma_counts)
+        rest = cramer_rao_bounds(jacobian[~clear], sigma_counts, nuisances)
         position[~clear], newton[~clear] = rest.position_mm, rest.force_n
     return position, newton
 
@@ -203,10 +242,12 @@ def detectable_force_n(
     sigma_counts: Float[np.ndarray, "channel"],
     distance: float = DETECTION_DISTANCE,
     read: Callable[[Float[np.ndarray, "press frame channel"]], np.ndarray] = lambda change: change,
+    nuisances: Float[np.ndarray, "channel k"] | None = None,
 ) -> Float[np.ndarray, "press"]:
     """Smallest force (N) at which √(ΔSᵀ Σ⁻¹ ΔS), the Mahalanobis distance from rest, is reached.
 
     `read` makes of expected changes what chips tell of them (`estimator.signals.live.read_change`).
+    `nuisances` as of `cramer_rao_bounds`; channels that never change drop out.
 
     Found between forces 3 % apart by linear interpolation; infinite where the deepest press does
     not reach the distance.
@@ -216,7 +257,9 @@ def detectable_force_n(
     force = largest * np.geomspace(_SMALLEST_FORCE_N / largest.max(), 1.0, steps)
     force = np.concatenate([np.zeros_like(largest), force], axis=1)
     counts = read(counts_at_force(traces, force, beyond="clamp").counts)
-    reached = np.linalg.norm(counts / sigma_counts, axis=2)
+    if nuisances is not None:
+        nuisances = nuisances * counts.any(axis=(0, 1))[:, None]
+    reached = np.linalg.norm(whitened(counts, sigma_counts, nuisances), axis=2)
     after = np.argmax(reached >= distance, axis=1)
     row, before = np.arange(len(force)), np.maximum(after - 1, 0)
     rise = reached[row, after] - reached[row, before]

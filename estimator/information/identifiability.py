@@ -20,10 +20,11 @@ from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec.sensors import fastest_frame_rate_hz
 from estimator.information.contact_sets import contact_sets, spread_places
-from estimator.information.fisher import disturbance_counts
+from estimator.information.fisher import disturbance_counts, whitened
 from estimator.information.sensitivity import own_channels
 from estimator.signals.interpolation import press_traces
 from estimator.signals.live import live_jacobian
+from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -127,12 +128,15 @@ def comparable_sensor_counts(spec: ObjectSpec) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class FaceJacobians:
-    """∂S/∂(x, y, F) of single presses in sigmas, 0 of channels that are not live; `own` are the rows of
-    the face's own channels."""
+    """∂S/∂(x, y, F) of single presses, whitened (`estimator.information.fisher.whitened`), 0 of channels
+    that are not live: of all channels, and of the face's own where they alone are read.
+
+    Channels that clip in some presses only still tell of nuisances: contacts share one whitening.
+    """
 
     face: int
     whitened: Float[np.ndarray, "place channel 3"]
-    own: Int[np.ndarray, "own"]
+    own: Float[np.ndarray, "place own 3"]
 
 
 def whitened_jacobians(
@@ -162,13 +166,17 @@ def jacobians_of(
 ) -> tuple[FaceJacobians, ...]:
     """Derivatives of an object's own signals at some contact locations, face by face."""
     sigma = disturbance_counts(spec.sensors, "fresh", signals.baseline_counts.size)
+    nuisances = nuisance_columns(spec)
     x, y = contact_grid(spec).xy_mm[places].T
     found = []
     for face in signals.faces.tolist():
         force = score_forces_n(spec, signals, face, places)
-        jacobian = live_jacobian(spec, signals, np.full(len(x), face), x, y, force)
-        own = own_channels(signals, spec.sensors, face)
-        found.append(FaceJacobians(face, jacobian / sigma[:, None], own))
+        slopes = live_jacobian(spec, signals, np.full(len(x), face), x, y, force).swapaxes(1, 2)
+        # channels that stand still in every press tell nothing of nuisances
+        shared = nuisances * slopes.any(axis=(0, 1))[:, None]
+        read = (np.arange(len(sigma)), own_channels(signals, spec.sensors, face))
+        white = (whitened(slopes[..., one], sigma[one], shared[one]) for one in read)
+        found.append(FaceJacobians(face, *(one.swapaxes(1, 2) for one in white)))
     return tuple(found)
 
 
@@ -260,7 +268,7 @@ def _stacked(
 ) -> Iterator[Float[np.ndarray, "set channel parameter"]]:
     """Jacobians of the sets on each face, face by face, contacts side by side."""
     for face in jacobians:
-        used = face.whitened[:, face.own] if channels == "own" else face.whitened
+        used = face.own if channels == "own" else face.whitened
         yield np.concatenate([used[sets[:, k]] for k in range(sets.shape[1])], axis=2)
 
 

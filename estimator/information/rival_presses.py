@@ -10,6 +10,7 @@ from jaxtyping import Bool, Float, Int
 
 from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
+from estimator.information.fisher import whitened
 from estimator.signals.continuation import continued
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import Traces, press_traces, unresolved_presses
@@ -84,9 +85,14 @@ class RivalPresses:
     signals: Float[np.ndarray, "place force channel"]
     slopes: Float[np.ndarray, "place force channel 3"]
 
-    def whitened(self, sigma_counts: Float[np.ndarray, "channel"]) -> RivalPresses:
-        """The same in standard deviations of each channel's noise."""
-        signals, slopes = self.signals / sigma_counts, self.slopes / sigma_counts[:, None]
+    def whitened(
+        self,
+        sigma_counts: Float[np.ndarray, "channel"],
+        nuisances: Float[np.ndarray, "channel k"] | None = None,
+    ) -> RivalPresses:
+        """The same with independent disturbances of unit size (`estimator.information.fisher`)."""
+        signals = whitened(self.signals, sigma_counts, nuisances)
+        slopes = whitened(self.slopes.swapaxes(-1, -2), sigma_counts, nuisances).swapaxes(-1, -2)
         return RivalPresses(self.xy_mm, self.step_mm, self.force_n, self.there, signals, slopes)
 
     @cached_property

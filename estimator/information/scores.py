@@ -23,6 +23,8 @@ from estimator.information.fisher import (
     cramer_rao_bounds,
     detectable_force_n,
     disturbance_counts,
+    whitened,
+    whitened_slopes,
 )
 from estimator.information.position_error import position_errors_mm
 from estimator.information.rival_presses import rival_presses
@@ -39,6 +41,7 @@ from estimator.signals.interpolation import (
     press_traces,
 )
 from estimator.signals.live import live_jacobian, read_change
+from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals, require_finite
 
 Area = Literal["corner", "edge", "mid_edge", "centre"]
@@ -170,6 +173,9 @@ def score_places(
 ) -> PlaceScores:
     """Score every contact location; bounds and detectable forces from `score.channels`.
 
+    Nuisances of `limits.use` are integrated out. Beside them the position error takes chips that clip
+    in a press for ones that still tell of the nuisances.
+
     Raises
     ------
     InputError
@@ -178,11 +184,11 @@ def score_places(
     """
     require_finite(spec, signals)
     grid, rows = contact_grid(spec), []
-    places = contact_places(spec)[face_rows(spec, signals.faces)]
+    places, nuisances = contact_places(spec)[face_rows(spec, signals.faces)], nuisance_columns(spec)
     for face, there in zip(signals.faces.tolist(), places, strict=True):
         if progress:
             progress(f"face {face}: {there.sum()} places")
-        rows.append(_score_face(spec, signals, grid.xy_mm[there], face))
+        rows.append(_score_face(spec, signals, grid.xy_mm[there], face, nuisances))
     columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
     require_reached(spec, columns["force_at_score_n"], columns["reaches_score_force"])
     for name in columns:
@@ -216,7 +222,11 @@ def on_places(
 
 
 def _score_face(
-    spec: ObjectSpec, signals: Signals, xy_mm: Float[np.ndarray, "place 2"], face: int
+    spec: ObjectSpec,
+    signals: Signals,
+    xy_mm: Float[np.ndarray, "place 2"],
+    face: int,
+    nuisances: Float[np.ndarray, "channel k"],
 ) -> dict[str, Any]:
     live = live_channels(spec).ravel()
     own = own_channels(signals, spec.sensors, face)
@@ -238,21 +248,29 @@ def _score_face(
     rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
     press = periodic_press(every.select_channels(own), force, COVARIANCE_SAMPLES)
     press = read_change(rest[own], press, most)
+    # a chip clipped at rest tells nothing of the nuisances
+    shared = nuisances[used] * (abs(rest[used]) <= most)[:, None]
     row: dict[str, Any] = sensitivities(press, force, noise)
     for state, suffix in SUFFIXES.items():
         sigma = disturbance_counts(spec.sensors, state, live.size)[used]
-        bounds = cramer_rao_bounds(jacobian, sigma)
+        bounds = cramer_rao_bounds(jacobian, sigma, shared)
         row[f"position_bound{suffix}_mm"] = bounds.position_mm
         row[f"force_bound{suffix}_n"] = bounds.force_n
         read = partial(read_change, rest[used], range_counts=most)
-        row[f"detectable_force{suffix}_n"] = detectable_force_n(traces, sigma, read=read)
+        row[f"detectable_force{suffix}_n"] = detectable_force_n(
+            traces, sigma, read=read, nuisances=shared
+        )
         if state == "fresh":
             x, y = bounds.weakest_direction.T
             row["weakest_direction_deg"] = np.rad2deg(np.arctan2(y, x)) % 180
-            rivals = rival_presses(spec, signals, face, used).whitened(sigma)
+            rivals = rival_presses(spec, signals, face, used).whitened(sigma, shared)
             counts = read(counts_at_force(traces, force[:, None]).counts[:, 0])
             known = np.isfinite(bounds.position_mm)
-            error = position_errors_mm(rivals, xy_mm, counts / sigma, jacobian / sigma[:, None])
+            signal, slopes = (
+                whitened(counts, sigma, shared),
+                whitened_slopes(jacobian, sigma, shared),
+            )
+            error = position_errors_mm(rivals, xy_mm, signal, slopes)
             row["position_error_mm"] = np.where(known, error, np.inf)
     return row | {
         "force_at_score_n": force,

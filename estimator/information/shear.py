@@ -19,13 +19,19 @@ from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from estimator.field.models import magnets_model
-from estimator.information.fisher import SUFFIXES, cramer_rao_bounds, disturbance_counts
+from estimator.information.fisher import (
+    SUFFIXES,
+    cramer_rao_bounds,
+    disturbance_counts,
+    whitened_slopes,
+)
 from estimator.information.scores import on_places
 from estimator.information.sensitivity import own_channels
 from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field
 from estimator.signals.interpolation import press_traces, signal_gradient
 from estimator.signals.live import live_in_press
 from estimator.signals.monotone import monotone_cubic
+from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions
 from fem.presses.shear import ShearMotions
@@ -130,7 +136,7 @@ def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
 
 def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> ShearScores:
     """Bounds of all five parameters at every contact location, from `score.channels`."""
-    rows, live = [], live_channels(spec).ravel()
+    rows, live, nuisances = [], live_channels(spec).ravel(), nuisance_columns(spec)
     reaches = [_reaches(spec, signals, face) for face in signals.faces.tolist()]
     for face in signals.faces.tolist():
         jacobian = contact_jacobian(spec, signals, shear, face)
@@ -141,12 +147,13 @@ def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Shea
         row = {}
         for state, suffix in SUFFIXES.items():
             sigma = disturbance_counts(spec.sensors, state, live.size)[used]
-            bounds = cramer_rao_bounds(jacobian, sigma)
+            bounds = cramer_rao_bounds(jacobian, sigma, nuisances[used])
             row[f"position_bound{suffix}_mm"] = bounds.position_mm
             row[f"normal_force_bound{suffix}_n"] = bounds.force_n
             row[f"tangential_force_bound{suffix}_n"] = bounds.tangential_force_n
             if state == "fresh":
-                row["condition"] = np.linalg.cond(jacobian / sigma[:, None])
+                slopes = whitened_slopes(jacobian, sigma, nuisances[used])
+                row["condition"] = np.linalg.cond(slopes)
         rows.append(row)
     places = contact_places(spec)[face_rows(spec, signals.faces)]
     columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}

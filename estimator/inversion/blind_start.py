@@ -36,6 +36,7 @@ from estimator.inversion.model.forward import ContactModel, contact_model
 from estimator.inversion.priors import Priors
 from estimator.inversion.problems import BLIND, Observed
 from estimator.inversion.search import Search
+from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -164,9 +165,11 @@ def _of_face(
     sigma = disturbance_counts(built.spec.sensors, "fresh", model.channels)
     counts = model.singles(face, true)[:, :, 0].sum(axis=1) + model.interaction(face, true)
     counts = counts + sigma * rng.standard_normal(counts.shape)
+    nuisances = nuisance_columns(built.spec)
+    counts = counts + rng.standard_normal((frames, nuisances.shape[1])) @ nuisances.T
     read = _read_channels(built, index, channels)
     told = np.broadcast_to(np.where(read, sigma, BLIND), counts.shape)
-    seen = Observed(counts, told, told, told)
+    seen = Observed(counts, told, told, told, nuisances)
     found = Search(model, known_number(built.spec, model, contacts)).of_number(seen, contacts)
     distance = np.full(frames, np.inf)
     distance[found.frame] = worst_mm(found.contact[..., :2], true[found.frame, :, :2])

@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
@@ -26,6 +26,7 @@ from estimator.signals.field_setup import KnownField, counts, min_distance_mm, s
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import press_traces
 from estimator.signals.live import is_live, read_change
+from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.press_states import PressStates, motions_as_signals, press_states
 from estimator.signals.presses import press_signals
 from estimator.tolerances.assembly import (
@@ -96,6 +97,19 @@ class Setting:
     def read_by(self, face: int) -> int | None:
         """The face whose own channels alone are read in presses on it; None for all."""
         return face if self.spec.score.channels == "own" else None
+
+    @cached_property
+    def nuisances(self) -> Float[np.ndarray, "channel k"]:
+        """Return what the design's nuisances add, which stand for those of every assembly."""
+        return nuisance_columns(self.spec)
+
+    def rows_read(self, face: int) -> Int[np.ndarray, "some"]:
+        """Numbers among all channels of those that are read in presses on a face."""
+        live, own = self.live[self.faces.index(face)], self.read_by(face)
+        if own is None:
+            return np.flatnonzero(live)
+        first = int(np.argmax(self.design.scene.sensors.face == own))
+        return 3 * first + np.flatnonzero(live)
 
     @cached_property
     def design_motion(self) -> tuple[KnownField, ...]:
@@ -220,7 +234,11 @@ def outcome_of(setting: Setting, assembly: Assembly) -> Outcome:
         change = values[0] - rest
         deltas.append(read_change(rest, change, most))
         jacobians.append(states.differentiate(values) * is_live(rest, change, most)[..., None])
-        bounds.append(position_and_force_bounds(jacobians[-1], _sigma(spec, live)))
+        bounds.append(
+            position_and_force_bounds(
+                jacobians[-1], _sigma(spec, live), setting.nuisances[setting.rows_read(face)]
+            )
+        )
     return Outcome(
         baseline,
         tuple(deltas),

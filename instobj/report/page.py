@@ -106,6 +106,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         **_areas(scores),
         **weak_areas_section(inputs["weak_areas"]),
         **_cross_face(inputs),
+        nuisances=_nuisances(inputs),
         **_robustness(inputs),
         **_discretisation(spec, inputs),
         **_provenance(spec, inputs),
@@ -185,6 +186,18 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
     ]
     header = ["area", "locations per face", *columns.values(), "bound / centre's"]
     return {"area_header": header, "areas": rows, "deltas": deltas}
+
+
+def _nuisances(inputs: Inputs) -> list[list[str]]:
+    """Rows of what changes after the zero: its size, and times that it makes the median bounds."""
+    return [
+        [
+            one["name"],
+            f"{one['deviation']:.3g} {one['unit']}" if one["unit"] else "",
+            *(f"{one[bound]:.2f} times" for bound in ("position", "force")),
+        ]
+        for one in readers.NUISANCE_COSTS.read(inputs["scores"])
+    ]
 
 
 def _cross_face(inputs: Inputs) -> dict[str, Any]:

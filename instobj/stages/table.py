@@ -69,6 +69,8 @@ _ELASTIC = (
     "mechanics.interface",
     "mechanics.slip.rim",
 )
+_NUISANCES = ("limits.use", "tolerances.earth_field_ut", "tolerances.temperature_k")
+"""What `estimator.signals.nuisances` reads beside the signals' own keys."""
 _PRESSED = ("contact_grid", "indenter", "press", "dents")
 _ELASTIC_WITHOUT_MAGNETS = tuple(name for name in _ELASTIC if name != "mechanics.magnets")
 
@@ -164,11 +166,11 @@ STAGES: dict[str, Stage] = {
         ("plain_mesh", "plain_response"),
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "silicone"),
-            *(*_PRESSED, "mechanics", "score", "tolerances", "seed"),
+            *(*_PRESSED, "mechanics", "score", "limits.use", "tolerances", "seed"),
             *("search.forces_n", "search.baseline"),
         ),
         make_second_fidelity,
-        version=6,
+        version=7,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
@@ -192,7 +194,11 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=8
+        "sensitivity: bounds and maps",
+        ("signals",),
+        ("score", *_NUISANCES, "seed"),
+        make_scores,
+        version=9,
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
@@ -211,26 +217,26 @@ STAGES: dict[str, Stage] = {
     "shear_scores": Stage(
         "sensitivity: with tangential forces",
         ("presses", "signals", "shear"),
-        ("score",),
+        ("score", *_NUISANCES),
         make_shear_scores,
-        version=2,
+        version=3,
     ),
     "identify": Stage(
         "sensitivity: several simultaneous contacts",
         ("presses", "signals"),
-        ("score", "limits.position_bound_mm", "seed"),
+        ("score", "limits.position_bound_mm", *_NUISANCES, "seed"),
         make_identify,
-        version=3,
+        version=4,
     ),
     "robustness": Stage(
         "robustness: tolerances",
         ("presses",),
         (
             *("magnets", "sensors", "arrangement", "environment", "as_built"),
-            *("score.force_n", "score.channels", "tolerances", "seed"),
+            *("score.force_n", "score.channels", "limits.use", "tolerances", "seed"),
         ),
         make_robustness,
-        version=4,
+        version=5,
     ),
     "frames": Stage(
         "estimator: simulated presses",
@@ -322,7 +328,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=5,
+        version=6,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",

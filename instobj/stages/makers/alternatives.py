@@ -105,12 +105,6 @@ def _source(spec: ObjectSpec) -> str:
     return f"{spec.magnets.model_dump_json()} {spec.sensors.positions_mm} {spec.sensors.count_per_face}"
 
 
-def _all_channels(spec: ObjectSpec) -> ObjectSpec:
-    if spec.score.channels == "all" or len(spec.body.sensed) == 1:
-        raise InputError("all channels are read already")
-    return spec.changed(score=spec.score.changed(channels="all"))
-
-
 def _quieter(spec: ObjectSpec) -> ObjectSpec:
     x, y, z = (noise / 2 for noise in spec.sensors.noise_counts)
     return _with_sensors(spec, noise_counts=(x, y, z))
@@ -167,7 +161,6 @@ def _with_sensors(spec: ObjectSpec, **update: object) -> ObjectSpec:
 
 
 CHANGES: dict[str, Change] = {
-    "estimator reads all channels, not its own face's": _all_channels,
     "four times the averaging (half the white noise)": _quieter,
     "one more sensor on every face": partial(_more_sensors, 1),
     "two more sensors on every face": partial(_more_sensors, 2),

@@ -14,6 +14,7 @@ from instobj.store.readers import (
     IDENTIFIABILITY,
     IDENTIFIABILITY_PICTURE,
     MODELS,
+    NUISANCE_COSTS,
     PRESSES,
     PRETRAINED,
     PROTOCOL,
@@ -44,6 +45,7 @@ def make_signals(context: StageContext, folder: Path) -> None:
 def make_scores(context: StageContext, folder: Path) -> None:
     """Sensitivity, bounds, maps and cross-face disturbance."""
     from estimator.information.cross_face import RELATIONS, cross_face_disturbance
+    from estimator.information.nuisance_cost import nuisance_costs
     from estimator.information.scores import save_scores_csv, score_places
     from instobj.figures.maps.files import draw_cross_face_map, draw_score_maps
 
@@ -52,6 +54,9 @@ def make_scores(context: StageContext, folder: Path) -> None:
     scores = score_places(context.spec, signals, context.step)
     save_scores_csv(scores, SCORES.path(folder))
     draw_score_maps(context.spec, scores, folder / "maps", context.step)
+    context.step("cost of what changes after the zero")
+    costs = nuisance_costs(context.spec, signals, scores)
+    write_json([asdict(one) for one in costs], NUISANCE_COSTS.path(folder))
     context.step("presses on other faces")
     cross = cross_face_disturbance(context.spec, signals)
     summaries = {relation: cross.summary(relation) for relation in RELATIONS}

@@ -21,6 +21,7 @@ from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_pre
 SPEC = coarse_spec(
     contact_grid={"count": (5, 4), "pitch_mm": 6.0},
     score={"force_n": 6.0},
+    limits={"use": "bench"},
     indenter={"radius_mm": 4.5},
 )
 COUNTS, FRAMES = (2, 3), 30

@@ -248,7 +248,7 @@ MECHANICS = {"mesh", "response", "presses", "plain_mesh", "plain_response", "can
     [
         "sensors.radius_mm=8.0",
         "sensors.noise_counts=[9.0,9.0,9.0]",
-        "score.channels=all",
+        "score.channels=own",
         "protocol.presses_per_place=4",
         "training.epochs=5",
         "limits.position_bound_mm=2",
