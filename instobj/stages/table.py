@@ -198,7 +198,7 @@ STAGES: dict[str, Stage] = {
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=3,
+        version=4,
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -321,7 +321,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=5,
+        version=6,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",
@@ -362,7 +362,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=19,
+        version=20,
     ),
 }
 """In the order in which a command works through those that it needs."""

@@ -161,7 +161,7 @@ def test_the_report_opens_with_the_verdict_and_stands_alone(folder, first):
     page = (folder / "runs/small/report.html").read_text()
     body = page[page.index("<body>") :]
     assert re.search(r'<h1>small\s<span class="(no-)?go">(NO-)?GO</span></h1>', body[:200])
-    for title in ("Limiting figure", "What to try next", "Edges against the centre", "Provenance"):
+    for title in ("Limiting figure", "What to change", "Edges: ", "Provenance"):
         assert title in page
     assert not re.findall(r"""src=["'](?!data:)|<link|<script src|@import""", page)
     for link in re.findall(r"""href=["']([^"'#]+)""", page):

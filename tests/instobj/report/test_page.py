@@ -20,6 +20,7 @@ TABLES = (
     *(
         "checks",
         "alternatives",
+        "settings",
         "maps",
         "areas",
         "cross_face",
@@ -41,7 +42,7 @@ TEXTS = (
         "made_with",
     ),
     *("specification", "cross_face_force_n", "draws", "locations", "covered_by_face", "decision"),
-    "weak_text",
+    *("weak_text", "edge_text"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
 PICTURES += ("weak_picture",)
@@ -104,7 +105,7 @@ def test_files_beside_the_page_are_linked(tmp_path):
 def test_the_page_says_what_to_change_first_and_of_delta_near_its_end(tmp_path):
     content = {"decision": "Take magnets of N52", "deltas": [["corner", "4.1", "0.3"]]}
     told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, **content))
-    assert "Take magnets of N52" in told.split("The object")[0]
+    assert "Take magnets of N52" in told.split("Press it")[0]
     before, after = told.split("Convex-hull sensitivity δ", 1)
     assert "δ" not in before
     assert "corner 4.1 0.3" in after
@@ -114,7 +115,7 @@ def test_the_page_says_what_to_change_first_and_of_delta_near_its_end(tmp_path):
 def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, covered, warned):
     verdict = Verdict((Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1"),), "bound", covered)
     told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, verdict=verdict))
-    first = told.split("Limiting figure")[0]
+    first = told.split("Press it")[0]
     assert f"{100 * covered:.0f} % of the sensed surface" in first
     assert ("Nothing is said about the rest" in first) == warned
 
