@@ -13,8 +13,9 @@ from typing import Any
 
 from design.spec.object import ObjectSpec
 from instobj.report.verdict import beside_limit, judge, worst_ratio
+from instobj.report.weak_areas import edge_text
 from instobj.store.content import StoredResult
-from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES
+from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES, WEAK_AREAS
 
 PRICES_EUR, MINUTES = (0.2, 3.0), (2.0, 15.0)
 """Of a magnet and of a sensor on its board. A magnet's pole is found and it is pressed in; a sensor gets
@@ -93,6 +94,7 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         "GO" if verdict.go else "NO-GO": f"for the use {spec.limits.use!r}",
         "judged on": f"{verdict.covered:.0%} of the sensed surface",
         "limited by": verdict.limited_by,
+        "edges": edge_text(WEAK_AREAS.read(results["weak_areas"].folder)),
         "what to change": decision(remedies(spec, rows), verdict.go),
     }
 

@@ -108,8 +108,8 @@ def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
     x, y = scores.grid.xy_mm[place]
     limit = spec.limits.detectable_force_n
     return Check(
-        "How light: smallest force detectable at every contact location (five sigma from the baseline)",
-        _shown(float(force.max()), limit, "N", "none up to the deepest press"),
+        "How light: lightest touch that is felt at every contact location (five sigma of the baseline)",
+        _shown(float(force.max()), limit, "N", "none; even the deepest press is not felt"),
         f"≤ {limit:g} N",
         float(force.max() / limit),
         f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median location "

@@ -48,17 +48,17 @@ def edge_text(content: dict[str, Any]) -> str:
     """Return whether edges are weak, by the one figure that pages and terminal give, and why."""
     ratio = content["edge_ratio"]
     if ratio is None or isnan(ratio):
-        return "Edges: the same as the middle; all locations lie equally far from the border"
+        return "the same as the middle; all locations lie equally far from the border"
     # The verdict follows from the rounded figure, so that they cannot contradict each other.
     times = round(ratio, 1)
     if isinf(ratio):
-        text = "Edges: the middle is located, the edges are not"
+        text = "the middle is located, the edges are not"
     elif times > 1:
-        text = f"Edges: {times:g} times as uncertain as the middle"
+        text = f"{times:g} times as uncertain as the middle"
     elif times < 1:
-        text = f"Edges: less uncertain than the middle ({times:g} times)"
+        text = f"less uncertain than the middle ({times:g} times)"
     else:
-        return "Edges: as good as the middle"
+        return "as good as the middle"
     outer, inner = content["edge_paths_mm"]
     if times > 1 and outer >= _FARTHER * inner:
         text += f", because magnets and sensors are farther away ({outer:.0f} mm instead of {inner:.0f} mm)"

@@ -191,7 +191,7 @@ STAGES: dict[str, Stage] = {
         version=4,
     ),
     "scores": Stage(
-        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=8
+        "sensitivity: bounds and maps", ("signals",), ("score", "seed"), make_scores, version=9
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",

@@ -12,7 +12,7 @@ from instobj.report.deformation_section import envelope_text
 from instobj.report.page import files_beside, is_papers_cube
 from instobj.report.pages import render
 from instobj.report.verdict import Check, Verdict
-from tests.support.markup import read
+from tests.support.markup import assert_short, read, read_unfolded
 from tests.support.pictures import save_dot
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -131,3 +131,34 @@ def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, 
 def test_contact_locations_are_counted_per_face_where_there_are_several(tables, told):
     found = page.locations_line(parse_spec({"name": "a", **tables}, "a"))
     assert found == told or (told == " to " and re.fullmatch(r"\d+ to \d+ .* per face", found))
+
+
+@pytest.mark.parametrize("size_mm", [[42.0, 42.0, 42.0], [60.0, 50.0, 42.0]])
+def test_a_page_is_short_before_anything_is_unfolded(tmp_path, size_mm):
+    """Every table full; the first screen keeps the verdict, one change to copy, and the edges."""
+    rows = [["mid-edge", *(f"{number / 7:.2f}" for number in range(8))]] * 8
+    tables = (
+        "checks",
+        "alternatives",
+        "areas",
+        "cross_face",
+        "bounds",
+        "mechanics",
+        "discretisation",
+    )
+    content = dict.fromkeys((*tables, "weak_areas", "deltas", "parts"), rows)
+    content |= {
+        "settings": ["sensors.count_per_face = 4"],
+        "decision": "Helps most: one more sensor (+15 € for parts, +75 min by hand)",
+        "edge_text": "1.5 times as uncertain as the middle",
+        "cross_face_force_n": 10.0,
+        "surroundings": " ".join(f"{number} counts" for number in range(100)),
+        "weak_text": "Weak locations are those where 12 of 30 lie",
+    }
+    spec = parse_spec({"name": "a", "body": {"size_mm": size_mm}}, "a")
+    made = page_of(spec, tmp_path, **content)
+    assert_short(made)
+    first = read_unfolded(made).split("Press it")[0]
+    for told in ("NO-GO", "sensors.count_per_face = 4", "+15 €", "Edges : 1.5 times"):
+        assert told in first
+    assert "12 of 30" in read(made), "what is folded is there"
