@@ -82,6 +82,17 @@ class WeakAreas:
         bounds = [third.bound_mm for third in self.thirds if third.measure == "border_mm"]
         return bounds[0] / bounds[-1] if bounds else float("nan")
 
+    @property
+    def edge_paths_mm(self) -> tuple[float, float]:
+        """Median signal path (mm) of the outer and of the inner third; NaN as `edge_ratio`."""
+        thirds = [third for third in self.thirds if third.measure == "border_mm"]
+        if not thirds:
+            return float("nan"), float("nan")
+        border, path = self.measures.border_mm, self.measures.path_mm
+        # A location lies in a third where its distance does, within the rounding of equal values.
+        least, most = thirds[0].high + 10.0**-_DIGITS, thirds[-1].low - 10.0**-_DIGITS
+        return float(np.nanmedian(path[border <= least])), float(np.nanmedian(path[border >= most]))
+
 
 def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
     """Return which measures the position bounds of an object (fresh baseline) go with."""

@@ -172,7 +172,6 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
             area.area.replace("_", "-"),
             str(area.places),
             *(shown(area.medians[name]) for name in columns),
-            shown(area.ratio_to_centre["position_bound_mm"]),
         ]
         for area in areas
     ]
@@ -184,7 +183,7 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
         ]
         for area in areas
     ]
-    header = ["area", "locations per face", *columns.values(), "bound / centre's"]
+    header = ["area", "locations per face", *columns.values()]
     return {"area_header": header, "areas": rows, "deltas": deltas}
 
 

@@ -13,21 +13,22 @@ from typing import Any
 
 from design.spec.object import ObjectSpec
 from instobj.report.verdict import beside_limit, judge, worst_ratio
+from instobj.report.weak_areas import edge_text
 from instobj.store.content import StoredResult
-from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES
+from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES, WEAK_AREAS
 
 PRICES_EUR, MINUTES = (0.2, 3.0), (2.0, 15.0)
 """Of a magnet and of a sensor on its board. A magnet's pole is found and it is pressed in; a sensor gets
 five wires and is tested and glued. Estimates, to compare changes by."""
-_SHOWN, _BEST = 3, 7
-"""Remedies told in words, and in the table."""
+_BEST = 7
+"""Remedies in the table."""
 
 
 @dataclass(frozen=True)
 class Remedy:
     """Changes, the largest figure over its limit after them (1 and below is a go), and what they add.
 
-    `bound_mm` is the weakest position bound after them.
+    `bound_mm` is the weakest position bound after them; `settings` are their lines `key = value`.
     """
 
     changes: tuple[str, ...]
@@ -35,6 +36,7 @@ class Remedy:
     bound_mm: float
     price: float
     minutes: float
+    settings: tuple[str, ...] = ()
 
     @property
     def turns(self) -> bool:
@@ -43,7 +45,7 @@ class Remedy:
     @property
     def told(self) -> str:
         """Changes with their price and build time."""
-        more = f"+{self.price:.0f} for parts, +{self.minutes:.0f} min by hand"
+        more = f"+{self.price:.0f} € for parts, +{self.minutes:.0f} min by hand"
         return f"{_joined(self.changes)} ({'no more parts' if not self.price else more})"
 
 
@@ -65,7 +67,7 @@ def _order(one: Remedy) -> tuple[float, ...]:
 
 
 def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dict[str, Any]:
-    """Return what turns the verdict, and a table of the best changes and pairs, as the page shows them."""
+    """Return the change that helps most, its lines to copy and a table of the best, for the page."""
     rows = content["alternatives"]
     found = remedies(spec, rows)
     figures = {tuple(row["changes"]): _figures(spec, row) for row in rows}
@@ -74,7 +76,12 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
     for one in found[:_BEST]:
         more = [f"+{one.price:.0f}", f"+{one.minutes:.0f}", "pass" if one.turns else "FAIL"]
         table.append([_joined(one.changes), *figures[one.changes], *more])
-    return {"decision": decision(found, go), "alternatives": table}
+    first = None if go else first_change(found)
+    return {
+        "decision": decision(found, go),
+        "settings": first.settings if first else (),
+        "alternatives": table,
+    }
 
 
 def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[str, str]:
@@ -87,6 +94,7 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         "GO" if verdict.go else "NO-GO": f"for the use {spec.limits.use!r}",
         "judged on": f"{verdict.covered:.0%} of the sensed surface",
         "limited by": verdict.limited_by,
+        "edges": edge_text(WEAK_AREAS.read(results["weak_areas"].folder)),
         "what to change": decision(remedies(spec, rows), verdict.go),
     }
 
@@ -98,33 +106,34 @@ def _above(ratio: float) -> str:
     return f"{100 * (ratio - 1):.2g} % above"
 
 
+def first_change(found: list[Remedy]) -> Remedy | None:
+    """Return the cheapest remedy that is enough, else the single change that helps most."""
+    singles = [one for one in found if one.turns or len(one.changes) == 1]
+    return min(singles, key=_order, default=None)
+
+
 def decision(found: list[Remedy], go: bool) -> str:
-    """Return what to do, in one or two sentences."""
+    """Return what to do, in one to three sentences."""
     if go:
         return "Every limit is kept; nothing has to change"
-    turning = [one for one in found if one.turns][:_SHOWN]
-    if turning:
-        others = "".join(f"; or {one.told}" for one in turning[1:])
-        return f"Turns it into a go, cheapest first: {turning[0].told}{others}"
-    if not found:
+    first = first_change(found)
+    if first is None:
         return "None of the changes tried here fits"
-    nearest = min(found, key=_order)
-    left = f"Nearest: {nearest.told}, with a figure still {_above(nearest.ratio)} its limit"
-    if not isfinite(nearest.ratio):
-        left = "After each of them some locations stay blind up to the deepest press"
-        if isfinite(nearest.bound_mm):
-            left = (
-                f"Nearest: {nearest.told}, with a weakest position bound of {nearest.bound_mm:.2g} mm; "
-                "after each of them some locations feel nothing up to the deepest press"
-            )
-    none = (
-        "No change and no pair"
-        if max(len(one.changes) for one in found) < 3
-        else "No set of changes"
-    )
+    if first.turns:
+        return f"Turns it into a go: {first.told}"
+    helps = f"Helps most: {first.told}"
+    if isfinite(first.ratio):
+        helps += f", with a figure still {_above(first.ratio)} its limit"
+    elif isfinite(first.bound_mm):
+        helps += (
+            f", with a weakest position bound of {first.bound_mm:.2g} mm; "
+            "some locations feel nothing up to the deepest press"
+        )
+    else:
+        helps = "After each of them some locations stay blind up to the deepest press"
     return (
-        f"{none} tried here is enough. {left}. A thinner shell, larger magnets or other "
-        "places change more: instobj sweep, instobj optimize"
+        f"No change tried here is enough, alone or with others. {helps}. A thinner shell, larger "
+        "magnets or other places change more: instobj optimize"
     )
 
 
@@ -149,7 +158,8 @@ def _remedy(spec: ObjectSpec, start: dict[str, Any], row: dict[str, Any]) -> Rem
     )
     added = (row[part] - start[part] for part in ("magnets", "sensors"))
     bound = row["weakest_bound_mm"]
-    return Remedy(tuple(row["changes"]), ratio, bound, *price_and_minutes(*added))
+    settings = tuple(row["settings"])
+    return Remedy(tuple(row["changes"]), ratio, bound, *price_and_minutes(*added), settings)
 
 
 def _figures(spec: ObjectSpec, row: dict[str, Any]) -> list[str]:

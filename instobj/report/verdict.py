@@ -9,7 +9,7 @@ import numpy as np
 from design.layout.places.coverage import covered_share
 from design.spec.learning import LimitsSpec
 from design.spec.object import ObjectSpec
-from estimator.information.scores import PlaceScores, summarize_areas, weakest_place
+from estimator.information.scores import PlaceScores, weakest_place
 from estimator.tolerances.saturation import KEPT_BY, Saturation
 
 ENOUGH_COVERED = 0.8
@@ -83,8 +83,6 @@ def judge(
     )
     tightest = max(checks, key=lambda check: check.ratio)
     reason = f"{tightest.what}: {tightest.value} ({tightest.where}), limit {tightest.limit}"
-    if tightest is checks[0]:
-        reason += f". {edge_weakness(scores)}"
     return Verdict(checks, reason, covered_share(spec))
 
 
@@ -110,8 +108,8 @@ def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
     x, y = scores.grid.xy_mm[place]
     limit = spec.limits.detectable_force_n
     return Check(
-        "How light: smallest force detectable at every contact location (five sigma from the baseline)",
-        _shown(float(force.max()), limit, "N", "none up to the deepest press"),
+        "How light: lightest touch that is felt at every contact location (five sigma of the baseline)",
+        _shown(float(force.max()), limit, "N", "none; even the deepest press is not felt"),
         f"≤ {limit:g} N",
         float(force.max() / limit),
         f"face {scores.faces[face]} at ({x:g}, {y:g}) mm; median location "
@@ -152,20 +150,3 @@ def objects_text(objects: Saturation) -> str:
         if depth == int(depth)
     )
     return f"of {objects.objects} virtual objects out of range: {', '.join([at_rest, *pressed])}"
-
-
-def edge_weakness(scores: PlaceScores) -> str:
-    times = {
-        area.area: f"{area.ratio_to_centre['position_bound_mm']:.1f} times"
-        for area in summarize_areas(scores)
-    }
-    if "corner" not in times and "edge" not in times:
-        return "No location at the border reaches this force"
-    if "corner" not in times:
-        return f"The position bound is {times['edge']} the centre's at the outermost locations"
-    if "mid_edge" not in times:
-        return f"The position bound is {times['corner']} the centre's in corners"
-    return (
-        f"The position bound is {times['mid_edge']} the centre's at mid-edge locations, in corners "
-        f"{times['corner']}"
-    )

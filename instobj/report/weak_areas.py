@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isinf, isnan
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +40,10 @@ def far_text(spec: ObjectSpec) -> str:
     ).replace("%", " %", 1)
 
 
+_FARTHER = 1.1
+"""Ratio of median signal paths, edges over middle, from which distance is named as the cause."""
+
+
 def weak_rows(result: StoredResult) -> list[dict[str, Any]]:
     """Rows of the command line's table."""
     return _rows(WEAK_AREAS.read(result.folder))
@@ -49,12 +54,34 @@ def weak_areas_section(folder: Path) -> dict[str, Any]:
     content = WEAK_AREAS.read(folder)
     rows = _rows(content)
     return {
+        "edge_text": edge_text(content),
         "weak_text": weak_text(content),
         "weak_header": list(rows[0]) if rows else [],
         "weak_areas": [[_cell(value) for value in row.values()] for row in rows],
         "weak_picture": WEAK_AREAS_PICTURE.path(folder),
         "weak_maps": sorted((folder / "maps").glob(Path(WEAK_MAPS.name).name)),
     }
+
+
+def edge_text(content: dict[str, Any]) -> str:
+    """Return whether edges are weak, by the one figure that pages and terminal give, and why."""
+    ratio = content["edge_ratio"]
+    if ratio is None or isnan(ratio):
+        return "the same as the middle; all locations lie equally far from the border"
+    # The verdict follows from the rounded figure, so that they cannot contradict each other.
+    times = round(ratio, 1)
+    if isinf(ratio):
+        text = "the middle is located, the edges are not"
+    elif times > 1:
+        text = f"{times:g} times as uncertain as the middle"
+    elif times < 1:
+        text = f"less uncertain than the middle ({times:g} times)"
+    else:
+        return "as good as the middle"
+    outer, inner = content["edge_paths_mm"]
+    if times > 1 and outer >= _FARTHER * inner:
+        text += f", because magnets and sensors are farther away ({outer:.0f} mm instead of {inner:.0f} mm)"
+    return text
 
 
 def weak_text(content: dict[str, Any]) -> str:
@@ -75,14 +102,9 @@ def weak_text(content: dict[str, Any]) -> str:
         f"the median bound is {weak['bound_mm']:.2g} mm at {_range(weak)} and "
         f"{strong['bound_mm']:.2g} mm at {_range(strong)}"
     )
-    if told_by != "border_mm" and "border_mm" in order:
-        parts.append(
-            f"the third of the locations nearest the border has {content['edge_ratio']:.2g} times "
-            "the bound of the innermost"
-        )
     parts.append(
-        f"{100 * content['beyond_rule']:.0f} % of the locations have a signal path above "
-        f"{LONGEST_PATH_MM:g} mm, where bounds of 1.5 mm at 8 N are rare"
+        f"{100 * content['beyond_rule']:.0f} % of the locations are far from a magnet and a sensor "
+        f"(signal path over {LONGEST_PATH_MM:g} mm); few such places are located within 1.5 mm at 8 N"
     )
     return "; ".join(parts)
 

@@ -198,14 +198,14 @@ STAGES: dict[str, Stage] = {
         ("signals",),
         ("score", *_NUISANCES, "seed"),
         make_scores,
-        version=9,
+        version=10,
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=3,
+        version=4,
     ),
     "shear": Stage(
         "mechanics: tangential forces",

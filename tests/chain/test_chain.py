@@ -21,6 +21,7 @@ from estimator.signals.presses import load_signals
 from instobj.stages.table import STAGES
 from tests.support.browser import Browser, chromium
 from tests.support.cli import assert_one_clear_error, run
+from tests.support.markup import assert_short
 
 ROOT = Path(__file__).parents[2]
 SMALL = """
@@ -161,8 +162,9 @@ def test_the_report_opens_with_the_verdict_and_stands_alone(folder, first):
     page = (folder / "runs/small/report.html").read_text()
     body = page[page.index("<body>") :]
     assert re.search(r'<h1>small\s<span class="(no-)?go">(NO-)?GO</span></h1>', body[:200])
-    for title in ("Limiting figure", "What to try next", "Edges against the centre", "Provenance"):
+    for title in ("Limiting figure", "What to change", "<b>Edges</b>: ", "Provenance"):
         assert title in page
+    assert_short(page)
     assert not re.findall(r"""src=["'](?!data:)|<link|<script src|@import""", page)
     for link in re.findall(r"""href=["']([^"'#]+)""", page):
         assert (folder / "runs/small" / link).exists(), link

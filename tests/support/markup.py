@@ -1,5 +1,6 @@
 """Pages of HTML as text; tags that are not closed are told."""
 
+import re
 from html.parser import HTMLParser
 
 VOID = {"meta", "img", "link", "br", "input"}
@@ -10,7 +11,7 @@ class Balanced(HTMLParser):
 
     def __init__(self):
         super().__init__()
-        self.open, self.words = [], []
+        self.open, self.words, self.unfolded = [], [], []
 
     def handle_starttag(self, tag, attrs):
         if tag not in VOID:
@@ -22,6 +23,8 @@ class Balanced(HTMLParser):
     def handle_data(self, data):
         if self.open[-1:] not in (["style"], ["script"]):
             self.words += data.split()
+            folds = self.open.count("details") - ("summary" in self.open)
+            self.unfolded += data.split() if folds <= 0 else []
 
 
 def read(page):
@@ -30,3 +33,17 @@ def read(page):
     parser.feed(page)
     assert parser.open == []
     return " ".join(parser.words)
+
+
+def read_unfolded(page):
+    """The words that a reader sees before opening anything: those outside closed folds, and their titles."""
+    parser = Balanced()
+    parser.feed(page)
+    return " ".join(parser.unfolded)
+
+
+def assert_short(page):
+    """At most 1 200 words and 200 numbers before anything is unfolded."""
+    told = read_unfolded(page)
+    assert len(told.split()) <= 1200
+    assert len(re.findall(r"\d+(?:[.,]\d+)*", told)) <= 200

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import partial
@@ -35,7 +36,7 @@ _WIDER = (0.0, 0.5, 0.6, 0.7)
 class Alternative:
     """Figures after no change, one or more: position bounds (mm), worst detectable force (N), share of the
     sensors' range that stays free, in the design and in 95 % of its virtual objects; magnets and sensors of
-    the whole object."""
+    the whole object. `settings` are the lines `key = value` that make the changes."""
 
     changes: tuple[str, ...]
     weakest_bound_mm: float
@@ -45,6 +46,7 @@ class Alternative:
     objects_margin: float
     magnets: int
     sensors: int
+    settings: tuple[str, ...] = ()
 
 
 def make_alternatives(context: StageContext, folder: Path) -> None:
@@ -80,9 +82,8 @@ def alternatives(
                     read = press_signals(changed, *load_presses(presses))
                     read_by_source[source] = read, least_objects_margin(changed, read, presses)
                 read, margin = read_by_source[source]
-                rows.append(
-                    alternative_of(changes, changed, with_forces(spec, changed, read), margin)
-                )
+                row = alternative_of(changes, changed, with_forces(spec, changed, read), margin)
+                rows.append(replace(row, settings=settings_of(spec, changed)))
             except ValueError:
                 if not changes:
                     raise
@@ -98,6 +99,27 @@ def changed_spec(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
     for change in changes:
         spec = CHANGES[change](spec)
     return spec
+
+
+def settings_of(spec: ObjectSpec, other: ObjectSpec) -> tuple[str, ...]:
+    """Return lines `table.key = value` (TOML) that turn `spec` into `other`; keys to leave out say so."""
+    lines = list[str]()
+    before, after = (one.model_dump(mode="json") for one in (spec, other))
+    for table, keys in after.items():
+        if not isinstance(keys, dict):
+            continue
+        for key, value in keys.items():
+            if value != before[table][key]:
+                name = f"{table}.{key}"
+                lines.append(f"# no {name}" if value is None else f"{name} = {_toml(value)}")
+    return tuple(lines)
+
+
+def _toml(value: object) -> str:
+    """Return a value as TOML writes it; lengths and counts to a thousandth."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(_toml, value))}]"
+    return repr(round(value, 3)) if isinstance(value, float) else json.dumps(value)
 
 
 def _source(spec: ObjectSpec) -> str:

@@ -76,6 +76,7 @@ def make_weak_areas(context: StageContext, folder: Path) -> None:
     content = {
         "told_by": areas.told_by,
         "edge_ratio": areas.edge_ratio,
+        "edge_paths_mm": areas.edge_paths_mm,
         "beyond_rule": areas.beyond_rule,
         "rank_correlation": areas.rank_correlation,
         "weakest_tenth": areas.weakest_tenth,

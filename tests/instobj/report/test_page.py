@@ -12,7 +12,7 @@ from instobj.report.deformation_section import envelope_text
 from instobj.report.page import files_beside, is_papers_cube
 from instobj.report.pages import render
 from instobj.report.verdict import Check, Verdict
-from tests.support.markup import read
+from tests.support.markup import assert_short, read, read_unfolded
 from tests.support.pictures import save_dot
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -20,6 +20,7 @@ TABLES = (
     *(
         "checks",
         "alternatives",
+        "settings",
         "maps",
         "areas",
         "cross_face",
@@ -41,7 +42,7 @@ TEXTS = (
         "made_with",
     ),
     *("specification", "cross_face_force_n", "draws", "locations", "covered_by_face", "decision"),
-    "weak_text",
+    *("weak_text", "edge_text"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
 PICTURES += ("weak_picture",)
@@ -104,7 +105,7 @@ def test_files_beside_the_page_are_linked(tmp_path):
 def test_the_page_says_what_to_change_first_and_of_delta_near_its_end(tmp_path):
     content = {"decision": "Take magnets of N52", "deltas": [["corner", "4.1", "0.3"]]}
     told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, **content))
-    assert "Take magnets of N52" in told.split("The object")[0]
+    assert "Take magnets of N52" in told.split("Press it")[0]
     before, after = told.split("Convex-hull sensitivity δ", 1)
     assert "δ" not in before
     assert "corner 4.1 0.3" in after
@@ -114,7 +115,7 @@ def test_the_page_says_what_to_change_first_and_of_delta_near_its_end(tmp_path):
 def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, covered, warned):
     verdict = Verdict((Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1"),), "bound", covered)
     told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, verdict=verdict))
-    first = told.split("Limiting figure")[0]
+    first = told.split("Press it")[0]
     assert f"{100 * covered:.0f} % of the sensed surface" in first
     assert ("Nothing is said about the rest" in first) == warned
 
@@ -130,3 +131,34 @@ def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, 
 def test_contact_locations_are_counted_per_face_where_there_are_several(tables, told):
     found = page.locations_line(parse_spec({"name": "a", **tables}, "a"))
     assert found == told or (told == " to " and re.fullmatch(r"\d+ to \d+ .* per face", found))
+
+
+@pytest.mark.parametrize("size_mm", [[42.0, 42.0, 42.0], [60.0, 50.0, 42.0]])
+def test_a_page_is_short_before_anything_is_unfolded(tmp_path, size_mm):
+    """Every table full; the first screen keeps the verdict, one change to copy, and the edges."""
+    rows = [["mid-edge", *(f"{number / 7:.2f}" for number in range(8))]] * 8
+    tables = (
+        "checks",
+        "alternatives",
+        "areas",
+        "cross_face",
+        "bounds",
+        "mechanics",
+        "discretisation",
+    )
+    content = dict.fromkeys((*tables, "weak_areas", "deltas", "parts"), rows)
+    content |= {
+        "settings": ["sensors.count_per_face = 4"],
+        "decision": "Helps most: one more sensor (+15 € for parts, +75 min by hand)",
+        "edge_text": "1.5 times as uncertain as the middle",
+        "cross_face_force_n": 10.0,
+        "surroundings": " ".join(f"{number} counts" for number in range(100)),
+        "weak_text": "Weak locations are those where 12 of 30 lie",
+    }
+    spec = parse_spec({"name": "a", "body": {"size_mm": size_mm}}, "a")
+    made = page_of(spec, tmp_path, **content)
+    assert_short(made)
+    first = read_unfolded(made).split("Press it")[0]
+    for told in ("NO-GO", "sensors.count_per_face = 4", "+15 €", "Edges : 1.5 times"):
+        assert told in first
+    assert "12 of 30" in read(made), "what is folded is there"

@@ -14,7 +14,16 @@ SPEC = parse_spec(
 )
 
 
-def row(changes, bound_mm=1.0, force_n=1.0, margin=0.5, of_objects=0.5, magnets=10, sensors=10):
+def row(
+    changes,
+    bound_mm=1.0,
+    force_n=1.0,
+    margin=0.5,
+    of_objects=0.5,
+    magnets=10,
+    sensors=10,
+    settings=(),
+):
     return {
         "changes": list(changes),
         "weakest_bound_mm": bound_mm,
@@ -24,6 +33,7 @@ def row(changes, bound_mm=1.0, force_n=1.0, margin=0.5, of_objects=0.5, magnets=
         "objects_margin": of_objects,
         "magnets": magnets,
         "sensors": sensors,
+        "settings": list(settings),
     }
 
 
@@ -46,8 +56,8 @@ def test_the_cheapest_change_that_is_enough_comes_first_with_its_price_and_time(
     ]
     assert [(one.price, one.minutes) for one in found[:3]] == [(0, 0), (2, 20), (15, 75)]
     told = decision(found, go=False)
-    assert told.startswith("Turns it into a go, cheapest first: free and soft (no more parts)")
-    assert "magnets (+2 for parts, +20 min by hand)" in told
+    assert told == "Turns it into a go: free and soft (no more parts)"
+    assert found[1].told == "magnets (+2 € for parts, +20 min by hand)"
 
 
 def test_a_pair_says_nothing_new_where_half_of_it_is_enough():
@@ -73,12 +83,14 @@ def test_every_limit_counts(figures, ratio):
 def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     rows = [START, row(("a",), bound_mm=4.0), row(("b",), bound_mm=3.0, sensors=11)]
     told = decision(remedies(SPEC, rows), go=False)
-    assert told.startswith("No change and no pair tried here is enough. Nearest: b (+3 for parts")
+    assert told.startswith(
+        "No change tried here is enough, alone or with others. Helps most: b (+3 €"
+    )
     assert "1.5 times its limit" in told
     blind = [START, row(("a",), bound_mm=float("inf"))]
     told = decision(remedies(SPEC, blind), go=False)
     assert "some locations stay blind" in told
-    assert "Nearest" not in told
+    assert "Helps most" not in told
     deaf = [
         row((), bound_mm=9.0, force_n=float("inf")),
         row(("cheap",), bound_mm=8.0, force_n=float("inf")),
@@ -87,11 +99,8 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     found = remedies(SPEC, deaf)
     assert [one.changes[0] for one in found] == ["sensors", "cheap"]
     told = decision(found, go=False)
-    assert (
-        "Nearest: sensors (+15 for parts, +75 min by hand), with a weakest position bound of"
-        in told
-    )
-    assert "3 mm; after each of them some locations feel nothing" in told
+    helps = "Helps most: sensors (+15 € for parts, +75 min by hand), with a weakest position bound of 3 mm"
+    assert f"{helps}; some locations feel nothing" in told
     assert decision(remedies(SPEC, rows), go=True) == "Every limit is kept; nothing has to change"
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")
 
@@ -124,3 +133,13 @@ def test_a_change_is_not_enough_where_chips_of_virtual_objects_leave_their_range
     (found,) = remedies(SPEC, [START, row(("strong",), of_objects=-0.2)])
     assert found.ratio == pytest.approx(1.2)
     assert not found.turns
+
+
+def test_the_change_that_helps_most_comes_with_its_lines_to_copy():
+    """The cheapest set that is enough, else the best single change; none where nothing has to change."""
+    lines = ("sensors.count_per_face = 4",)
+    enough = [START, row(("a",), bound_mm=3.0), row(("b",), sensors=15, settings=lines)]
+    best = [START, row(("a",), 4.0), row(("b",), 3.0, settings=lines), row(("a", "b"), 2.5)]
+    for rows in (enough, best):
+        assert remedies_section(SPEC, {"alternatives": rows}, go=False)["settings"] == lines
+    assert remedies_section(SPEC, {"alternatives": enough}, go=True)["settings"] == ()

@@ -1,32 +1,13 @@
-"""What the first page says of the locations at the border of a face."""
+"""The verdict: figures against their limits, and what limits the object."""
 
 import numpy as np
 import pytest
 
-from estimator.information.scores import AREAS, AreaSummary, score_places
+from estimator.information.scores import score_places
 from estimator.signals.presses import press_signals
 from estimator.tolerances.saturation import Saturation
 from instobj.report import verdict
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
-
-
-def test_the_verdict_names_areas_that_the_face_has(monkeypatch):
-    found = {"corner": 3.04, "edge": 2.5, "mid_edge": 2.0, "centre": 1.0}
-
-    def told(*areas):
-        summaries = [
-            AreaSummary(area, (1,), {}, {"position_bound_mm": found[area]}) for area in areas
-        ]
-        monkeypatch.setattr(verdict, "summarize_areas", lambda scores: summaries)
-        return verdict.edge_weakness(None)
-
-    assert told(*AREAS) == (
-        "The position bound is 2.0 times the centre's at mid-edge locations, in corners 3.0 times"
-    )
-    assert told("edge", "mid_edge") == (
-        "The position bound is 2.5 times the centre's at the outermost locations"
-    )
-    assert told("corner", "centre") == "The position bound is 3.0 times the centre's in corners"
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,14 @@ from estimator.information.weak_areas import weak_areas
 from instobj.cli.tables import print_result
 from instobj.figures.maps.files import draw_measure_maps
 from instobj.figures.weak_areas import draw_weak_areas
-from instobj.report.weak_areas import WEAK_TITLE, far_text, weak_areas_section, weak_rows, weak_text
+from instobj.report.weak_areas import (
+    WEAK_TITLE,
+    edge_text,
+    far_text,
+    weak_areas_section,
+    weak_rows,
+    weak_text,
+)
 from instobj.store.content import StoredResult
 from tests.support.objects.made_scores import scores_of
 from tests.support.pages import ROOT
@@ -26,6 +33,7 @@ THIRDS = {
 CONTENT = {
     "told_by": "magnet_mm",
     "edge_ratio": 1.75,
+    "edge_paths_mm": [18.0, 9.0],
     "beyond_rule": 0.25,
     "rank_correlation": {"border_mm": -0.31, "magnet_mm": 0.82, "curvature_per_mm": 0.05},
     "weakest_tenth": {"border_mm": 7.0, "magnet_mm": 12.0, "curvature_per_mm": 0.01},
@@ -42,9 +50,9 @@ def test_the_sentence_says_what_weak_locations_go_with_and_how_much():
     told = weak_text(CONTENT)
     assert "where the distance to the nearest magnet is large (rank correlation" in told
     assert "+0.82" in told
-    assert "25 % of the locations have a signal path above 15 mm" in told
+    assert "25 % of the locations are far from a magnet and a sensor" in told
     assert "2.5 mm at 8 to 12 mm and 0.5 mm at 0 to 4 mm" in told
-    assert "nearest the border has 1.8 times" in told
+    assert "edge" not in told, "edges have one figure, that of `edge_text`"
     flat = CONTENT | {"told_by": None, "rank_correlation": {}, "thirds": []}
     assert "none of the measures tells" in weak_text(flat)
     vague = {"border_mm": -0.31, "magnet_mm": 0.42}
@@ -63,6 +71,23 @@ def test_places_far_from_magnets_and_sensors_are_counted_before_any_mechanics():
     assert far_text(box).startswith(f"{share:.0%}".replace("%", " %"))
     pad = load_spec(ROOT / "examples" / "hall_skin.toml")
     assert far_text(pad) == "every contact location is near a magnet and a sensor"
+
+
+@pytest.mark.parametrize(
+    ("ratio", "paths", "text"),
+    [
+        (1.54, (18.0, 9.0), "1.5 times as uncertain as the middle, because magnets and sensors"),
+        (1.54, (9.0, 9.0), "1.5 times as uncertain as the middle"),
+        (1.04, (18.0, 9.0), "as good as the middle"),
+        (0.8, (9.0, 18.0), "less uncertain than the middle (0.8 times)"),
+        (float("inf"), (9.0, 9.0), "the middle is located, the edges are not"),
+        (float("nan"), (float("nan"),) * 2, "the same as the middle"),
+    ],
+)
+def test_edges_have_one_figure_and_a_verdict_that_follows_from_it_rounded(ratio, paths, text):
+    told = edge_text(CONTENT | {"edge_ratio": ratio, "edge_paths_mm": paths})
+    assert told.startswith(text)
+    assert ("because" in told) == ("because" in text)
 
 
 def test_rows_fit_a_terminal_and_curvature_is_told_per_metre(tmp_path, capsys, monkeypatch):

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from design.spec_io import parse_spec
+from design.spec_io import load_spec, parse_spec
 from instobj.stages.makers import alternatives
-from instobj.stages.makers.alternatives import CHANGES, Alternative
+from instobj.stages.makers.alternatives import CHANGES, Alternative, settings_of
 
 
 @pytest.mark.parametrize("change", CHANGES)
@@ -66,3 +66,16 @@ def test_larger_sets_are_tried_until_one_keeps_the_limits(needed, largest, monke
     more = {name for name in CHANGES if "more sensor" in name}
     assert len(more) == 2
     assert not any(more <= {*row.changes} for row in rows)
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_the_lines_to_copy_make_the_change(change, tmp_path):
+    """To a thousandth. Lines about keys to leave out are comments, and stand where a key goes."""
+    path = tmp_path / "cube.toml"
+    path.write_text('name = "cube"\nmagnets.remanence_t = 1.3\n')
+    spec = load_spec(path, [])
+    lines = settings_of(spec, CHANGES[change](spec))
+    keys = [line for line in lines if not line.startswith("#")]
+    assert keys
+    assert [*settings_of(spec, load_spec(path, keys))] == keys
+    assert {*lines} - {*keys} <= {"# no silicone.youngs_modulus_range_mpa"}
