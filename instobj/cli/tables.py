@@ -135,7 +135,7 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
         elif all(isinstance(value, str) for value in values.values()):
             console.print(f"[bold]{title}[/bold]")
             for name, value in values.items():
-                console.print(f"  {name}: {_number(value)}")
+                console.print(f"  {name}: {_number(value)}", soft_wrap=True)
         else:
             line = ", ".join(f"{name} {_number(value)}" for name, value in values.items())
             console.print(f"[bold]{title}[/bold]: {line}")

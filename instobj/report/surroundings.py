@@ -16,16 +16,16 @@ def surroundings_lines(row: dict[str, Any]) -> list[str]:
     lines = [
         f"Earth's field of {row['earth_field_ut']:g} µT: turning the object changes a channel by up to "
         f"{_told(row['turning_largest_counts'])} counts ({_told(row['turning_rms_counts'])} rms)",
-        f"a steel jaw that touches a face shifts its zero by up to {_told(touching)} counts, other faces' "
-        f"by {_told(touching_others)}; {row['jaw_gap_mm'][1]:g} mm away by {_told(near)} and "
-        f"{_told(near_others)} (a thick wide plate: less is usual)",
+        f"A steel gripper that touches shifts the zero of its face by up to {_told(touching)} counts and "
+        f"of others by {_told(touching_others)}; {row['jaw_gap_mm'][1]:g} mm away by {_told(near)} and "
+        f"{_told(near_others)} (thick wide plate, an upper bound)",
     ]
     lines.append(
-        f"warming by 1 K: signals {-100 * NDFEB_REMANENCE_PER_KELVIN:.2f} % smaller, zero shifted by up to "
-        f"{_told(abs(row['baseline_counts_per_kelvin']))} counts"
+        f"Warming by 1 K: signals {100 * abs(NDFEB_REMANENCE_PER_KELVIN):.2f} % smaller, zero shifted by "
+        f"up to {_told(abs(row['baseline_counts_per_kelvin']))} counts"
     )
     lines.append(
-        f"sensors can be read at up to {_told(row['fastest_frame_rate_hz'])} Hz over the bus"
+        f"Sensors can be read at up to {_told(row['fastest_frame_rate_hz'])} Hz over the bus"
     )
     return lines
 

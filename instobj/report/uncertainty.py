@@ -80,7 +80,7 @@ def force_spread_text(spec: ObjectSpec) -> str:
     spread = spec.silicone.relative_spread
     if spread is None:
         return "scales with the modulus, whose uncertainty is not known"
-    return f"{spread[0]:.2f} to {spread[1]:.2f} times what is shown"
+    return f"{spread[0]:.2f} to {spread[1]:.2f} times what is shown, as the silicone is softer or stiffer"
 
 
 def travel_text(curves: dict[str, Any]) -> str:

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 Content = TypeVar("Content")
 _LIBRARIES = ("instobj",)
-_WORTH_A_LINE_S = 0.5
+WORTH_A_LINE_S = 5.0
 """Time of a stage above which it gets a line of its own in a log, s."""
 _UNITS_BY_ENDING = {"n_per_mm": "N/mm", "mm": "mm", "n": "N", "deg": "deg"}
 _UNITS_BY_NAME = {
@@ -168,7 +168,7 @@ class Run:
         self.results[name] = self.known_results[key] = result
         if result.reused:
             self.progress.step(f"{stage.title}: reused")
-        elif result.seconds >= _WORTH_A_LINE_S:
+        elif result.seconds >= WORTH_A_LINE_S:
             self.progress.say(f"{stage.title}: made in {result.seconds:.1f} s")
         return result
 

@@ -16,7 +16,7 @@ NEWS_EVERY_S = 4.0
 """For code that has news all the time."""
 MOST_SILENT_S = 5.0
 """Longest time without a change of the live line, s."""
-LOG_EVERY_S = 60.0
+LOG_EVERY_S = 300.0
 """Least time between two steps that a log shows, s: a log is read afterwards, not watched."""
 _shown = Event()
 
@@ -31,7 +31,7 @@ class ProgressLine:
     """Line that shows what the stage at work is doing now; `step` is handed to the stages.
 
     On a terminal a stage that says nothing for 5 s shows its last step again with the time it has
-    taken. In a log a step is written once a minute at most.
+    taken. In a log a step is written once in 5 min at most.
     """
 
     console: Console = field(

@@ -18,6 +18,7 @@ from design.spec.search import SearchLimitsSpec, VarySpec
 from design.spec_io import load_spec, parse_spec, spec_hash
 from estimator.information.scores import score_places
 from estimator.signals.presses import load_signals
+from instobj.stages.run import WORTH_A_LINE_S
 from instobj.stages.table import STAGES
 from tests.support.browser import Browser, chromium
 from tests.support.cli import assert_one_clear_error, run
@@ -95,8 +96,21 @@ def test_run_works_through_every_stage_and_says_so(first):
     worked = [name for name in STAGES if name not in ON_REQUEST]
     assert sorted(row["stage"] for row in _document(first)["stages"]) == sorted(worked)
     for row in _document(first)["stages"]:
-        if row["seconds"] >= 1.0:  # a log has lines for those that take their time
+        if row["seconds"] >= WORTH_A_LINE_S:  # a log has lines for those that take their time
             assert STAGES[row["stage"]].title in first.stderr
+
+
+def test_a_run_ends_with_five_findings_and_the_page_in_few_lines(folder, first):
+    """Results are stored by now; where all are made, one line a stage of 5 s and more is added."""
+    done = run("run", "small.toml", cwd=folder)
+    lines = [*done.stdout.splitlines(), *done.stderr.splitlines()]
+    made = sum(row["seconds"] >= WORTH_A_LINE_S for row in _document(first)["stages"])
+    assert len(lines) + made <= 30
+    names = [line.split(":")[0].strip() for line in done.stdout.splitlines()]
+    at = names.index("judged on")
+    assert names[at - 1] in ("GO", "NO-GO")
+    assert names[at + 1 : at + 4] == ["limited by", "edges", "what to change"]
+    assert done.stdout.splitlines()[-1] == "open  runs/small/report.html"
 
 
 def test_run_writes_the_files_of_the_contract(folder, first):

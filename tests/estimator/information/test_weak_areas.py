@@ -12,6 +12,7 @@ from estimator.information.weak_areas import (
     Third,
     WeakAreas,
     save_weak_areas_csv,
+    thirds_of,
     weak_areas,
 )
 from tests.support.objects.made_scores import scores_of
@@ -48,6 +49,16 @@ def test_curvature_tells_no_location_of_a_ball_from_another(ball):
     assert set(found.rank_correlation) == {"border_mm", "magnet_mm", "path_mm"}
     assert found.told_by == "border_mm"
     assert found.edge_ratio > 1
+
+
+def test_the_edges_signal_path_is_that_of_the_third_whose_bound_is_the_edges(pear):
+    measures = place_measures(pear)
+    scores = scores_of(pear, measures.path_mm)
+    border, path = (measure[scores.judged] for measure in (measures.border_mm, measures.path_mm))
+    outer, *_, inner = thirds_of(border)
+    found = weak_areas(pear, scores)
+    assert_allclose(found.edge_paths_mm, [np.median(path[outer]), np.median(path[inner])])
+    assert_allclose(found.edge_ratio, found.edge_paths_mm[0] / found.edge_paths_mm[1])
 
 
 def test_blind_locations_are_weak_and_the_table_keeps_them(pear, tmp_path):

@@ -53,7 +53,7 @@ def test_the_note_says_what_was_compared():
 
 def test_the_spread_in_words():
     assert modulus_text(SPEC).startswith("0.414 MPa (0.15 to 0.54; Gent's relation")
-    assert force_spread_text(SPEC) == "0.36 to 1.30 times what is shown"
+    assert force_spread_text(SPEC).startswith("0.36 to 1.30 times what is shown")
     assert modulus_text(UNKNOWN) == "2 MPa (uncertainty not known; given)"
     assert "not known" in force_spread_text(UNKNOWN)
 
