@@ -23,6 +23,7 @@ TABLES = (
         "maps",
         "areas",
         "cross_face",
+        "nuisances",
         "bounds",
         "mechanics",
         "discretisation",
