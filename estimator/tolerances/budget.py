@@ -20,7 +20,7 @@ from design.layout.places.contact_places import contact_places, face_rows
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.field.models import MagnetsModel, magnets_model
-from estimator.information.fisher import disturbance_counts, position_and_force_bounds
+from estimator.information.fisher import disturbance_counts, position_and_force_bounds, whitened
 from estimator.information.scores import require_reached
 from estimator.signals.field_setup import KnownField, counts, min_distance_mm, sensed_field
 from estimator.signals.hall import full_scale_counts
@@ -317,8 +317,10 @@ def _summary(
 ) -> Spread:
     """Sums of squares over independent deviations, as figures of a `Spread`."""
     estimators = [
-        calibrated_estimator(setting.spec, jacobian, live)
-        for jacobian, live in zip(nominal.jacobian, setting.live, strict=True)
+        calibrated_estimator(jacobian, _sigma(setting.spec, live), setting.nuisances[rows])
+        for jacobian, live, rows in zip(
+            nominal.jacobian, setting.live, map(setting.rows_read, setting.faces), strict=True
+        )
     ]
     places = len(nominal.position_mm)
     total: list[Any] = [0 * nominal.baseline, *np.zeros((2, places)), np.zeros((places, 3))]
@@ -344,13 +346,16 @@ def _summary(
 
 
 def calibrated_estimator(
-    spec: ObjectSpec,
     jacobian: Float[np.ndarray, "press channel 3"],
-    live: Bool[np.ndarray, "every"],
+    sigma_counts: Float[np.ndarray, "channel"],
+    nuisances: Float[np.ndarray, "channel k"],
 ) -> Float[np.ndarray, "press 3 channel"]:
-    """Weighted least squares about the design's own signal: counts to (x, y, F) errors."""
-    sigma = _sigma(spec, live)
-    return np.linalg.pinv(jacobian / sigma[:, None]) / sigma
+    """Weighted least squares about the design's own signal, nuisances integrated out: counts to errors
+    of (x, y, F). Channels that stand still in every press drop out."""
+    shared = nuisances * jacobian.any(axis=(0, 2))[:, None]
+    weights = whitened(np.diag(np.ones_like(sigma_counts)), sigma_counts, shared)
+    # rows of `weights` are Wᵀ: the least squares of W r by W J is (W J)⁺ W r
+    return np.linalg.pinv(weights.T @ jacobian) @ weights.T
 
 
 def summed_spread(rows: list[Spread]) -> Spread:

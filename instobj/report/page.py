@@ -195,7 +195,7 @@ def _nuisances(inputs: Inputs) -> list[list[str]]:
             f"{one['deviation']:.3g} {one['unit']}" if one["unit"] else "",
             *(f"{one[bound]:.2f} times" for bound in ("position", "force")),
         ]
-        for one in readers.NUISANCE_COSTS.read(inputs["scores"])
+        for one in readers.NUISANCE_COSTS.read(inputs["scores"])["costs"]
     ]
 
 

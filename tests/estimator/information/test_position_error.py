@@ -178,7 +178,9 @@ def test_many_presses_are_read_as_each_alone_is():
 
 @pytest.fixture(scope="module")
 def spec():
-    return coarse_spec(contact_grid={"count": (8, 8), "pitch_mm": 3.0}, score={"force_n": 4.0})
+    score = {"force_n": 4.0, "channels": "own"}
+    grid = {"count": (8, 8), "pitch_mm": 3.0}
+    return coarse_spec(contact_grid=grid, score=score, limits={"use": "bench"})
 
 
 @pytest.fixture(scope="module")

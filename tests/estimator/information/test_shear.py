@@ -22,7 +22,7 @@ from fem.presses.results import MagnetMotions, PressForces
 from fem.presses.shear import ShearMotions
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
-SPEC = coarse_spec(score={"force_n": 6.0})
+SPEC = coarse_spec(score={"force_n": 6.0, "channels": "own"}, limits={"use": "bench"})
 
 
 def synthetic_shear(spec):

@@ -24,6 +24,7 @@ TABLES = (
         "maps",
         "areas",
         "cross_face",
+        "nuisances",
         "bounds",
         "mechanics",
         "discretisation",
