@@ -1,4 +1,4 @@
-"""Whether contacts explain a frame: p values, with as much error of the model as its frames show.
+"""p values of contacts, with as much error of the model as its frames show.
 
 A forward model is believed to be wrong by a share of the signals (`Disturbances.model_error`), the
 same in every direction. Contacts take up part of a real error, and some objects have less of it than

@@ -1,4 +1,4 @@
-"""What makes the disturbances of frames independent and of unit size, nuisances integrated out."""
+"""Whitening of frames: disturbances made independent and of unit size, nuisances integrated out."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from estimator.inversion.model.columns import Columns
 
 @dataclass(frozen=True)
 class Whitening(Columns):
-    """A linear map W of each frame's counts, with WᵀW the inverse of their covariance Σ.
+    """Linear map W of each frame's counts, with WᵀW the inverse of their covariance Σ.
 
     Σ = D (1 + Σᵢ sᵢ² uᵢuᵢᵀ) D, with D of the independent deviations and sᵢ, uᵢ the singular values
     and left vectors of D⁻¹A. A holds the nuisances' columns. Then W = (1 − Σᵢ gᵢ uᵢuᵢᵀ) D⁻¹ with
