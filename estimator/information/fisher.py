@@ -258,7 +258,7 @@ def detectable_force_n(
     force = np.concatenate([np.zeros_like(largest), force], axis=1)
     counts = read(counts_at_force(traces, force, beyond="clamp").counts)
     if nuisances is not None:
-        nuisances = nuisances * counts.any(axis=(0, 1))[:, None]
+        nuisances = nuisances * np.asarray(counts.any(axis=(0, 1)))[:, None]
     reached = np.linalg.norm(whitened(counts, sigma_counts, nuisances), axis=2)
     after = np.argmax(reached >= distance, axis=1)
     row, before = np.arange(len(force)), np.maximum(after - 1, 0)

@@ -173,7 +173,7 @@ def jacobians_of(
         force = score_forces_n(spec, signals, face, places)
         slopes = live_jacobian(spec, signals, np.full(len(x), face), x, y, force).swapaxes(1, 2)
         # channels that stand still in every press tell nothing of nuisances
-        shared = nuisances * slopes.any(axis=(0, 1))[:, None]
+        shared = nuisances * np.asarray(slopes.any(axis=(0, 1)))[:, None]
         read = (np.arange(len(sigma)), own_channels(signals, spec.sensors, face))
         white = (whitened(slopes[..., one], sigma[one], shared[one]) for one in read)
         found.append(FaceJacobians(face, *(one.swapaxes(1, 2) for one in white)))

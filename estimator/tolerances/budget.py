@@ -352,7 +352,7 @@ def calibrated_estimator(
 ) -> Float[np.ndarray, "press 3 channel"]:
     """Weighted least squares about the design's own signal, nuisances integrated out: counts to errors
     of (x, y, F). Channels that stand still in every press drop out."""
-    shared = nuisances * jacobian.any(axis=(0, 2))[:, None]
+    shared = nuisances * np.asarray(jacobian.any(axis=(0, 2)))[:, None]
     weights = whitened(np.diag(np.ones_like(sigma_counts)), sigma_counts, shared)
     # rows of `weights` are Wᵀ: the least squares of W r by W J is (W J)⁺ W r
     return np.linalg.pinv(weights.T @ jacobian) @ weights.T
