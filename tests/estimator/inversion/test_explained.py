@@ -51,7 +51,7 @@ def test_few_frames_keep_the_whole_error():
 
 def test_an_error_beyond_the_believed_one_explains_nothing():
     """Signals are wrong by twice their size; it is not learnt away: no share exceeds the whole."""
-    found, _ = doubting().read(frames_of(1, 2.0, 8, 60))
+    found, _ = doubting().read(frames_of(1, 2.0, 8, 24))
     assert np.median(found.p_value) < 1e-3
 
 

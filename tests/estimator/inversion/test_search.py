@@ -94,10 +94,10 @@ def test_what_no_contact_explains_is_told(free):
     broken[:, 7] += 2000  # a channel gone wrong
     near_magnet = counts + rng.normal(0, 800, (12, 15)).repeat(3, axis=1)
     assert np.all(fine.p_value > 1e-4)
-    left_out, _ = free.read(broken)
+    left_out, _ = free.read(broken[:6])
     assert np.mean(left_out.chip_out == 2) >= 0.9
     assert np.all(left_out.explained[left_out.chip_out == 2])
-    assert np.all(free.read(near_magnet)[0].p_value < 1e-3)
+    assert np.all(free.read(near_magnet[:4])[0].p_value < 1e-3)
 
 
 def with_model_error(free, error):
