@@ -75,7 +75,7 @@ def table(outcomes: dict[tuple[str, str], str]) -> str:
     lines = "\n".join(f"| {' | '.join(row)} |" for row in rows)
     return (
         f"{datetime.now(UTC):%Y-%m-%d}, instobj {version('instobj')}, {os.cpu_count()} cores of "
-        f"{processor()}, torch {version('torch')}; — was not run.\n\n{lines}\n"
+        f"{processor()}, torch {version('torch')}, the last run of a part; — was not run.\n\n{lines}\n"
     )
 
 
@@ -84,6 +84,19 @@ def processor() -> str:
     known = Path("/proc/cpuinfo")
     told = re.search(r"model name\s*: (.+)", known.read_text()) if known.is_file() else None
     return told[1] if told else platform.machine()
+
+
+def written() -> dict[tuple[str, str], str]:
+    """Return the outcomes on the page: a part that is run again replaces its own alone."""
+    _, _, rest = PAGE.read_text(encoding="utf-8").partition(BEGIN)
+    lines = [line.strip("| ").split(" | ") for line in rest.partition(END)[0].splitlines()]
+    return {
+        (room, setting): cell
+        for setting, *cells in lines
+        if setting in SETTINGS
+        for room, cell in zip(ROOMS, cells, strict=True)
+        if cell != "—"
+    }
 
 
 def write(text: str) -> None:
@@ -99,7 +112,7 @@ def main() -> None:
     parser.add_argument("--setting", action="append", choices=SETTINGS)
     parser.add_argument("--seconds", type=float, default=3600.0, help="for a room, at most")
     asked = parser.parse_args()
-    outcomes = {}
+    outcomes = written()
     for room in asked.room or ROOMS:
         for setting in asked.setting or SETTINGS:
             outcomes[room, setting] = outcome(room, setting, asked.seconds)
