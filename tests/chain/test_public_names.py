@@ -6,7 +6,15 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("design", "fem", "estimator", "instobj", "studies")
-OF_OTHERS = {"_replace", "_exit", "_lru_cache_wrapper", "_geomAdaptor", "_css", "_esm"}
+OF_OTHERS = {
+    "_replace",
+    "_exit",
+    "_lru_cache_wrapper",
+    "_geomAdaptor",
+    "_css",
+    "_esm",
+    "_FillValue",
+}
 """Names with an underscore that Python, the CAD kernel and anywidget give to users."""
 _NAMED = re.compile(rf"_[A-Z]\w*|({'|'.join(PACKAGES)})(\.\w+)+")
 

@@ -423,8 +423,8 @@ def test_a_probe_is_judged_beside_the_jig_where_it_comes_down_furthest():
 
 
 def tools_of(spec, *tips):
-    probes = {f"probe_{count}": as_triangles(make_probe(spec, count)) for count in tips}
-    return {"jig": as_triangles(make_jig(spec)), **probes}
+    probes = {f"probe_{count}": convert_to_triangles(make_probe(spec, count)) for count in tips}
+    return {"jig": convert_to_triangles(make_jig(spec)), **probes}
 
 
 @pytest.mark.parametrize("name", ["paper_cube", "handle", "ball", "egg", "pear"])

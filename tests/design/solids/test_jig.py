@@ -67,7 +67,7 @@ def test_a_post_in_the_core_carries_a_body_with_an_open_side_on_its_pedestal(nam
     for way in ((1, 0, 0), (0, -1, 0), (0.7, 0.7, 0)):
         assert (jig ^ core.translate(np.multiply(0.8 * play, way))).volume() < 0.02
         assert (jig ^ core.translate(np.multiply(2 * play, way))).volume() > 1
-    shell = manifold_of(as_triangles(make_shell(spec)))
+    shell = manifold_of(convert_to_triangles(make_shell(spec)))
     assert (jig ^ shell).volume() < 0.02
     assert (jig ^ shell.translate((0, 0, -0.3))).volume() > 1, "the rim rests on the pedestal"
     assert (jig ^ core.translate((0, 0, 40))).volume() < 1e-6, "it lifts off"
