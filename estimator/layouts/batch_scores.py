@@ -128,7 +128,10 @@ def scores_at_one_force(
         "worst_force_bound_n": force.amax(dim=1),
         "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
     }
-    if {*DEARER} & {*named}:
+    if not any(scorer.presses.neighbours for scorer in scorers):
+        # one sensed face: no press on another disturbs it, at no level of the search
+        found |= {name: torch.full_like(position[:, 0], torch.nan) for name in DEARER if name in named}
+    elif {*DEARER} & {*named}:
         pairs = zip(scorers, layouts, strict=True)
         by_face = [false_forces_n(*pair).flatten(1) for pair in pairs]
         false_n = all_faces(scorers, by_face).clamp(min=LEAST_FALSE_FORCE_N).sort(dim=1).values

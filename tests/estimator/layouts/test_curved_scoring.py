@@ -123,3 +123,7 @@ def test_gradients_are_those_of_finite_differences():
 def test_surfaces_are_worked_out_once():
     spec = body_spec("capsule")
     assert surfaces(spec)[2] is surfaces(spec)[2]
+    scores = batch_scores([scorer], [layouts], DEARER)
+    assert {*DEARER} < {*scores}
+    for name, values in scores.items():
+        assert values.isnan().all() == (name in DEARER), f"{name}: no other face can be pressed"
