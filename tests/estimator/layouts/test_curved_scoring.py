@@ -97,6 +97,10 @@ def test_one_face_alone_is_scored():
     for row in range(COUNT):
         bounds, _, _ = ordinary_chain(spec, motions, 1, layouts, row)
         assert_allclose(found.position_bound_mm[row], bounds.position_mm, rtol=BOUND_TOLERANCE)
+    scores = batch_scores([scorer], [layouts], DEARER)
+    assert {*DEARER} < {*scores}
+    for name, values in scores.items():
+        assert values.isnan().all() == (name in DEARER), f"{name}: no other face can be pressed"
 
 
 def test_gradients_are_those_of_finite_differences():
@@ -123,7 +127,3 @@ def test_gradients_are_those_of_finite_differences():
 def test_surfaces_are_worked_out_once():
     spec = body_spec("capsule")
     assert surfaces(spec)[2] is surfaces(spec)[2]
-    scores = batch_scores([scorer], [layouts], DEARER)
-    assert {*DEARER} < {*scores}
-    for name, values in scores.items():
-        assert values.isnan().all() == (name in DEARER), f"{name}: no other face can be pressed"
