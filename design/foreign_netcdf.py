@@ -48,22 +48,24 @@ def read_foreign(path: str, target: str) -> None:
         content, attributes = arrays_of(file)
     described = json.dumps(
         {
-            "arrays": [[name, one.axes, _plain(one.attributes)] for name, one in content.items()],
+            "arrays": [
+                [name, array.axes, _plain(array.attributes)] for name, array in content.items()
+            ],
             "attributes": _plain(attributes),
         }
     )
-    values = {f"values {k}": _unpacked(one) for k, one in enumerate(content.values())}
+    values = {f"values {k}": _unpacked(array) for k, array in enumerate(content.values())}
     np.savez(target, allow_pickle=False, **{DESCRIPTION: np.array(described)}, **values)
 
 
 def _unpacked(array: NamedArray) -> np.ndarray:
     """Return values as they were before they were packed: scaled, with NaN for what is missing (CF, 8.1)."""
-    told, values = array.attributes, array.values
+    attributes, values = array.attributes, array.values
     if values.dtype.kind not in "iuf":
         return values
-    missing = np.isin(values, [told[name] for name in _MISSING if name in told])
-    if "scale_factor" in told or "add_offset" in told:
-        values = values * told.get("scale_factor", 1.0) + told.get("add_offset", 0.0)
+    missing = np.isin(values, [attributes[name] for name in _MISSING if name in attributes])
+    if "scale_factor" in attributes or "add_offset" in attributes:
+        values = values * attributes.get("scale_factor", 1.0) + attributes.get("add_offset", 0.0)
     return np.where(missing, np.nan, values) if missing.any() else values
 
 

@@ -120,9 +120,9 @@ def write_netcdf(
         for name, value in {**(attributes or {}), kind.schema[0]: kind.schema[1]}.items():
             file.attrs[name] = np.atleast_1d(value) if isinstance(value, int | float) else value
         for name, (_, array, unit) in arrays.items():
-            told = {kind.unit_name: unit} if unit else {}
+            unit_attribute = {kind.unit_name: unit} if unit else {}
             variable = _write_array(file, name, array, name in kind.packed)
-            variable.attrs.update(told | _labels(kind, name))
+            variable.attrs.update(unit_attribute | _labels(kind, name))
         _write_axes(file, sizes, {name: dims for name, (dims, _, _) in arrays.items()})
     with atomic_path(path) as temporary, temporary.open("wb") as stream:
         stream.write(image.getbuffer())

@@ -1,4 +1,4 @@
-"""The functions of `import instobj`, apart from those that lower rooms offer as they are."""
+"""The functions of `import instobj`, apart from what lower rooms offer as they are."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def build_parts(spec: ObjectSpec, out: Path | str = "cad_out") -> BuildManifest:
 
 
 def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
-    """Scores of several objects beside each other.
+    """Scores of several objects side by side.
 
     Each object is simulated as by `Run`, or read from the store.
 
@@ -111,15 +111,15 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
     columns = {
         name: (
             ("object", "statistic"),
-            [_median_and_largest(one[name]) for one in scores],
+            [_median_and_largest(score[name]) for score in scores],
             {"units": scores[0][name].attrs["units"]},
         )
         for name in ("position_bound_mm", "force_bound_n", "detectable_force_n")
     }
     limits = [spec.limits.position_bound_mm for spec in specs]
     within = [
-        float(np.mean(one.position_bound_mm.values[one.reaches_score_force.values] <= limit))
-        for one, limit in zip(scores, limits, strict=True)
+        float(np.mean(score.position_bound_mm.values[score.reaches_score_force.values] <= limit))
+        for score, limit in zip(scores, limits, strict=True)
     ]
     return Results(
         columns | {"share_within_limit": ("object", within, {"units": "1"})},
@@ -129,8 +129,8 @@ def compare(specs: Sequence[ObjectSpec]) -> xr.Dataset:
 
 def _median_and_largest(score: xr.DataArray) -> list[float]:
     """Over the contact locations that are judged."""
-    there = score.values[score.on_face.values]
-    return [float(np.nanmedian(there)), float(np.nanmax(there))]
+    on_face = score.values[score.on_face.values]
+    return [float(np.nanmedian(on_face)), float(np.nanmax(on_face))]
 
 
 def fit_estimator(

@@ -163,12 +163,14 @@ def indent_half_space(
         squares, squares, float(youngs_modulus_mpa), float(poisson_ratio)
     )
     moments = height[tuple(below.T)] * area
-    found = contact_pressures(compliance, moments, squares.area_mm2, np.array([float(depth_mm)]))[0]
+    pressures = contact_pressures(
+        compliance, moments, squares.area_mm2, np.array([float(depth_mm)])
+    )[0]
     pressure = np.zeros_like(height)
-    pressure[tuple(below.T)] = found
+    pressure[tuple(below.T)] = pressures
     return Results(
         {
             "pressure_mpa": (("x", "y"), pressure, {"units": "MPa"}),
-            "force_n": ((), float(found.sum() * area), {"units": "N"}),
+            "force_n": ((), float(pressures.sum() * area), {"units": "N"}),
         }
     )

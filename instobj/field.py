@@ -41,7 +41,7 @@ def magnet_field(spec: ObjectSpec, points_mm: ArrayLike) -> xr.DataArray:
 
     Examples
     --------
-    Above the middle of the top face, whose magnets point inwards and outwards by turns:
+    Above the middle of the top face, whose magnets point alternately inwards and outwards:
 
     >>> import instobj
     >>> cube = instobj.ObjectSpec(name="cube")

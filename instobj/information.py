@@ -33,7 +33,7 @@ def contact_bounds(jacobian: ArrayLike, sigma_counts: ArrayLike) -> xr.Dataset:
     -------
     Dataset (press)
         `position_bound_mm` = √(σx² + σy²) (mm), `force_bound_n` (N), `rank`: number of parameters
-        that can be told.
+        that the signals tell.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def detectable_force(
 
     Examples
     --------
-    A channel of 50 counts/N beside 10 counts of noise:
+    A channel of 50 counts/N against 10 counts of noise:
 
     >>> import instobj
     >>> felt = instobj.information.detectable_force([[1.0, 2.0]], [[[50.0], [100.0]]], [10.0])
@@ -134,8 +134,8 @@ def detectable_force(
     _require_sigma(sigma, counts.shape[2])
     steps = np.arange(force.shape[1], dtype=float)
     traces = Traces(steps, force, counts, np.zeros(force.shape, bool))
-    found = detectable_force_n(traces, sigma, distance)
-    return xr.DataArray(found, dims="press", attrs={"units": "N"}, name="detectable_force_n")
+    force_n = detectable_force_n(traces, sigma, distance)
+    return xr.DataArray(force_n, dims="press", attrs={"units": "N"}, name="detectable_force_n")
 
 
 def hull_sensitivity(
@@ -197,9 +197,9 @@ def hull_sensitivity(
     _require_sigma(noise, counts.shape[2])
     if frames <= counts.shape[2] + 1:
         raise InputError(f"frames must be more than {counts.shape[2] + 1}; got {frames}")
-    found = covariance_sensitivity(counts, span, noise, frames)
+    sensitivity = covariance_sensitivity(counts, span, noise, frames)
     unit = f"count^{counts.shape[2]}/N"
-    return xr.DataArray(found.delta, dims="place", attrs={"units": unit}, name="delta")
+    return xr.DataArray(sensitivity.delta, dims="place", attrs={"units": unit}, name="delta")
 
 
 def _require_sigma(sigma: np.ndarray, channels: int) -> None:

@@ -39,9 +39,9 @@ WIRE_CHANNEL_MM = (8.0, 3.0)
 MARK_MM = (1.0, 0.8)
 RECESS_MM = 3.0
 CLEAR_MM = 1.0
-"""Of the silicone round a bore above the plate: the core alone carries the object."""
+"""Clearance of the silicone round a bore above the plate: the core alone carries the object."""
 PEDESTAL_WALL_MM = 4.0
-"""Of a pedestal round a bore's post: as stiff as the core's own walls."""
+"""Wall of a pedestal round a bore's post: as stiff as the core's own walls."""
 CUP_SHARE = 0.2
 """Share of the body's height that lies in a cup."""
 _UP = np.array([0.0, 0.0, 1.0])

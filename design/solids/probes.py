@@ -18,7 +18,7 @@ from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 
 TIP_COUNTS = (1, 2, 3)
-"""Of the probes that are made."""
+"""Numbers of tips of the probes that are made."""
 SHAFT_LENGTH_MM = 10.0
 """Length of the shaft between a tip and the plate."""
 PLATE_MM = 4.0
@@ -66,8 +66,8 @@ def lowest_presses(
     depths, indenter = spec.press.depths_mm, _with_tips(spec.indenter, tips)
     path = np.append(path_mm(indenter, depths)[-1], -depths[-1])
     probed = spec if indenter is spec.indenter else spec.changed(indenter=indenter)
-    for frame, there in zip(face_frames(spec), contact_places(spec), strict=True):
-        places = grid[there]
+    for frame, has_place in zip(face_frames(spec), contact_places(spec), strict=True):
+        places = grid[has_place]
         if probed is not spec:
             places = places[tip_stays(probed, frame, places)]
         if len(places):

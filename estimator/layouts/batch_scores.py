@@ -130,7 +130,9 @@ def scores_at_one_force(
     }
     if not any(scorer.presses.neighbours for scorer in scorers):
         # one sensed face: no press on another disturbs it, at no level of the search
-        found |= {name: torch.full_like(position[:, 0], torch.nan) for name in DEARER if name in named}
+        found |= {
+            name: torch.full_like(position[:, 0], torch.nan) for name in DEARER if name in named
+        }
     elif {*DEARER} & {*named}:
         pairs = zip(scorers, layouts, strict=True)
         by_face = [false_forces_n(*pair).flatten(1) for pair in pairs]

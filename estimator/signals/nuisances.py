@@ -46,13 +46,13 @@ def nuisances(spec: ObjectSpec) -> tuple[Nuisance, ...]:
     """
     if spec.limits.use == "bench":
         return ()
-    return tuple(one for one in (ambient_field(spec), warmth(spec)) if one.deviation)
+    return tuple(nuisance for nuisance in (ambient_field(spec), warmth(spec)) if nuisance.deviation)
 
 
 def nuisance_columns(spec: ObjectSpec) -> Float[np.ndarray, "channel k"]:
     """Return the columns of all nuisances side by side, counts per standard deviation."""
     channels = 3 * len(scene(spec).sensors.face)
-    return np.hstack([np.zeros((channels, 0)), *(one.columns for one in nuisances(spec))])
+    return np.hstack([np.zeros((channels, 0)), *(nuisance.columns for nuisance in nuisances(spec))])
 
 
 def ambient_field(spec: ObjectSpec) -> Nuisance:

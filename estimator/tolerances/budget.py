@@ -104,11 +104,11 @@ class Setting:
         return nuisance_columns(self.spec)
 
     def rows_read(self, face: int) -> Int[np.ndarray, "some"]:
-        """Numbers among all channels of those that are read in presses on a face."""
-        live, own = self.live[self.faces.index(face)], self.read_by(face)
-        if own is None:
+        """Return the rows, among all channels, that are read in presses on a face."""
+        live, own_face = self.live[self.faces.index(face)], self.read_by(face)
+        if own_face is None:
             return np.flatnonzero(live)
-        first = int(np.argmax(self.design.scene.sensors.face == own))
+        first = int(np.argmax(self.design.scene.sensors.face == own_face))
         return 3 * first + np.flatnonzero(live)
 
     @cached_property

@@ -60,7 +60,7 @@ def add_renamed(app: typer.Typer, score: Callable[..., None]) -> None:
         app.command(name, hidden=True)(_said(_chain(target), name, f"run --to {target}"))
     for name in NAMES:
         command = app.command(name, hidden=True, add_help_option=False, context_settings=ANYTHING)
-        command(_on_bench(name))
+        command(_bench_command(name))
     app.command("evaluate", hidden=True)(_said(train, "evaluate", "train"))
     app.command("compare", hidden=True)(_said(score, "compare", "score"))
     for name, instead in GONE.items():
@@ -95,7 +95,7 @@ def _chain(target: str) -> Callable[..., None]:
     return command
 
 
-def _on_bench(name: str) -> Callable[..., None]:
+def _bench_command(name: str) -> Callable[..., None]:
     def command(context: typer.Context) -> None:
         _say(name, f"bench {name}")
         run_on_bench(context, name)

@@ -25,11 +25,11 @@ class Results(xr.Dataset):
         rows = [
             (
                 str(name),
-                f"({', '.join(map(str, one.dims))})",
-                one.attrs.get("units", ""),
-                _range(one),
+                f"({', '.join(map(str, variable.dims))})",
+                variable.attrs.get("units", ""),
+                _range(variable),
             )
-            for name, one in self.data_vars.items()
+            for name, variable in self.data_vars.items()
         ]
         widths = [max((len(row[k]) for row in rows), default=0) for k in range(3)]
         lines = ["  ".join([*map(str.ljust, row[:3], widths), row[3]]).rstrip() for row in rows]
@@ -53,13 +53,13 @@ def results_in(path: Path) -> Results:
     for array in arrays.values():
         labels.update(array.attributes.get("coordinates", "").split())
     taken = {
-        name: (array.axes, array.values, _of_content(array.attributes))
+        name: (array.axes, array.values, _content_attributes(array.attributes))
         for name, array in arrays.items()
     }
     return Results(taken, attrs=attributes).set_coords(labels)
 
 
-def _of_content(attributes: dict[str, Any]) -> dict[str, Any]:
+def _content_attributes(attributes: dict[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in attributes.items() if name not in _OF_THE_FILE}
 
 

@@ -70,7 +70,7 @@ _ELASTIC = (
     "mechanics.slip.rim",
 )
 _NUISANCES = ("limits.use", "tolerances.earth_field_ut", "tolerances.temperature_k")
-"""What `estimator.signals.nuisances` reads beside the signals' own keys."""
+"""Keys that `estimator.signals.nuisances` reads next to the signals' own keys."""
 _PRESSED = ("contact_grid", "indenter", "press", "dents")
 _ELASTIC_WITHOUT_MAGNETS = tuple(name for name in _ELASTIC if name != "mechanics.magnets")
 

@@ -101,15 +101,15 @@ def changed_spec(spec: ObjectSpec, changes: tuple[str, ...]) -> ObjectSpec:
     return spec
 
 
-def settings_of(spec: ObjectSpec, other: ObjectSpec) -> tuple[str, ...]:
-    """Return lines `table.key = value` (TOML) that turn `spec` into `other`; keys to leave out say so."""
+def settings_of(spec: ObjectSpec, changed: ObjectSpec) -> tuple[str, ...]:
+    """Return lines `table.key = value` (TOML) that turn `spec` into `changed`; keys to leave out say so."""
     lines = list[str]()
-    before, after = (one.model_dump(mode="json") for one in (spec, other))
+    keys_now, after = (either.model_dump(mode="json") for either in (spec, changed))
     for table, keys in after.items():
         if not isinstance(keys, dict):
             continue
         for key, value in keys.items():
-            if value != before[table][key]:
+            if value != keys_now[table][key]:
                 name = f"{table}.{key}"
                 lines.append(f"# no {name}" if value is None else f"{name} = {_toml(value)}")
     return tuple(lines)

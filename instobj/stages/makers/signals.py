@@ -56,7 +56,7 @@ def make_scores(context: StageContext, folder: Path) -> None:
     draw_score_maps(context.spec, scores, folder / "maps", context.step)
     context.step("cost of what changes after the zero")
     costs = nuisance_costs(context.spec, signals, scores)
-    write_json({"costs": [asdict(one) for one in costs]}, NUISANCE_COSTS.path(folder))
+    write_json({"costs": [asdict(cost) for cost in costs]}, NUISANCE_COSTS.path(folder))
     context.step("presses on other faces")
     cross = cross_face_disturbance(context.spec, signals)
     summaries = {relation: cross.summary(relation) for relation in RELATIONS}

@@ -62,7 +62,7 @@ def test_a_pull_changes_the_signals_by_its_share_of_the_force_that_is_felt():
         for slope in ([1.0, 0, 0], [0, 2.0, 0])
     )
     pull = SimpleNamespace(slopes=slopes, share=np.array([[0.5, -0.25]]))
-    pull.of = lambda part: pull
+    pull.select = lambda part: pull
     recipe = SimpleNamespace(
         traces=made, turns=np.array([[0.25, 0.5]]), peak_mm=np.array([2.0]), pull=pull
     )
