@@ -205,7 +205,7 @@ STAGES: dict[str, Stage] = {
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=4,
+        version=5,
     ),
     "shear": Stage(
         "mechanics: tangential forces",

@@ -58,7 +58,18 @@ def test_the_edges_signal_path_is_that_of_the_third_whose_bound_is_the_edges(pea
     outer, *_, inner = thirds_of(border)
     found = weak_areas(pear, scores)
     assert_allclose(found.edge_paths_mm, [np.median(path[outer]), np.median(path[inner])])
-    assert_allclose(found.edge_ratio, found.edge_paths_mm[0] / found.edge_paths_mm[1])
+    weak = [np.quantile(path[third], 0.95, method="lower") for third in (outer, inner)]
+    assert_allclose(found.edge_ratio, weak[0] / weak[1])
+
+
+def test_edges_of_which_only_a_part_is_weak_are_weak(pear):
+    """A tenth of the outer third four times as uncertain as all the rest: medians do not feel it."""
+    border = place_measures(pear).border_mm
+    nearest = border <= np.nanquantile(border, 0.04)
+    found = weak_areas(pear, scores_of(pear, np.where(nearest, 4.0, 1.0)))
+    outer, *_, inner = (third for third in found.thirds if third.measure == "border_mm")
+    assert outer.bound_mm == inner.bound_mm
+    assert_allclose(found.edge_ratio, 4.0)
 
 
 def test_blind_locations_are_weak_and_the_table_keeps_them(pear, tmp_path):
@@ -89,7 +100,7 @@ def test_locations_that_lie_alike_have_no_weak_areas():
 
 def test_the_edge_s_ratio_is_of_the_third_nearest_the_border_over_the_innermost():
     thirds = [
-        Third(name, 0.0, 1.0, 9, bound, 1.0)
+        Third(name, 0.0, 1.0, 9, 1.0, 1.0, bound)
         for name, bounds in (("path_mm", (9.0, 8.0)), ("border_mm", (0.75, 0.5, 0.3)))
         for bound in bounds
     ]
