@@ -29,6 +29,7 @@ _DEEP_KEY = re.compile(r"(?:\.[\w-]{1,80}){100}")
 _LARGEST_BYTES = 250_000
 _LARGEST_NUMBER = 10**30
 """Beyond 10^308 no float holds a whole number; no key takes more than 10^10."""
+_NO_TOML = "is no specification. Give the TOML file of an object"
 
 
 def load_spec(path: Path | str, overrides: Iterable[str] = (), table: bool = True) -> ObjectSpec:
@@ -109,8 +110,11 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
             f"cannot read {path}: {error.strerror}. Give a readable TOML file"
         ) from None
     except UnicodeDecodeError:
-        raise SpecError(f"{path} is not text in UTF-8. Save it as UTF-8") from None
+        cause = _NO_TOML if path.suffix != ".toml" else "is not text in UTF-8. Save it as UTF-8"
+        raise SpecError(f"{path} {cause}") from None
     except tomllib.TOMLDecodeError as error:
+        if path.suffix != ".toml":  # a recording, or another file: no line of it is to fix
+            raise SpecError(f"{path} {_NO_TOML}") from None
         twice = re.match(r"Cannot declare \((.*?),?\) twice (.*)", str(error))
         if twice:
             table = ".".join(re.findall(r"'(.*?)'", twice[1]))

@@ -324,7 +324,7 @@ def size_of(text: str, kind: str | None) -> tuple[float, float, float]:
     Raises
     ------
     InputError
-        Another number of edges, or something that is no number.
+        Another number of edges, or something that is no length above 0.
     """
     words = re.split(r"[x×,; ]+", text.strip())
     example = "write --size 70 50 35"
@@ -339,6 +339,8 @@ def size_of(text: str, kind: str | None) -> tuple[float, float, float]:
             f"--size is three lengths in mm, along x, y and z; got {len(edges)}: {text}. "
             f"For instance, {example}"
         )
+    if not all(0 < edge < inf for edge in edges):
+        raise InputError(f"--size is three lengths above 0 in mm; got {text}: {example}")
     return edges[0], edges[1], edges[2]
 
 

@@ -246,6 +246,12 @@ def models_of_object(frames: FrameSet, spec: ObjectSpec) -> tuple[FrameSet, list
         "of it; taken as without readings"
         for number in range(sensors + 1, count + 1)
     ]
+    read = frames.faces[np.isfinite(signals).any(axis=(0, 2, 3))].tolist()
+    silent = [face for face in spec.body.sensed if face not in read]
+    if silent:
+        said.append(
+            f"dead faces: faces {silent}: {spec.name} senses them, the recording has no reading of them"
+        )
     return replace(frames, signal_counts=signals), said
 
 

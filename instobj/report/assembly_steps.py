@@ -37,7 +37,8 @@ def _casting_steps(spec: ObjectSpec) -> list[str]:
         f"{_primed(spec)}. {_closed(spec)}",
         f"Weigh {amount.mixing} of {silicone.name} "
         f"({amount.mixed_g:.1f} g, with {SILICONE_WASTE:.0%} more than the object holds); "
-        f"keep a part of it for sealing. Mix; pot life {pot}. Take the air out under vacuum.",
+        f"keep a part of it unmixed, for sealing. Mix the rest; pot life {pot}. "
+        "Take the air out under vacuum.",
         _poured(spec),
         f"Let it cure: {cure} at room temperature, longer when cold. Then {_opened(spec)}",
     ]

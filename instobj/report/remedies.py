@@ -121,7 +121,7 @@ def decision(found: list[Remedy], go: bool) -> str:
         return "None of the changes tried here fits"
     if first.turns:
         return f"Turns it into a go: {first.told}"
-    helps = f"Helps most: {first.told}"
+    helps = f"Helps most alone: {first.told}"
     if isfinite(first.ratio):
         helps += f", with a figure still {_above(first.ratio)} its limit"
     elif isfinite(first.bound_mm):

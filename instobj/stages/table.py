@@ -328,7 +328,7 @@ STAGES: dict[str, Stage] = {
             *("environment", "as_built", "limits", "tolerances"),
         ),
         make_alternatives,
-        version=6,
+        version=7,
     ),
     "slip": Stage(
         "sensitivity: cost of the core's slip",

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from design.catalogue.magnets import GRADES
 from design.errors import InputError
 from design.layout.body import core_frames, face_frames
 from design.layout.pockets import lists_of_sensed_faces
@@ -30,6 +31,9 @@ _OUT_FROM_THE_MIDDLE = 0.4
 """Share of a face's half extents: where a second sensor goes next to one in the middle, and it too."""
 _WIDER = (0.0, 0.5, 0.6, 0.7)
 """The same at least, where more sensors find no room further in."""
+_STRONGEST = max(GRADES.values(), key=lambda grade: grade.remanence_t)
+_LEAST_GAIN = 1.05
+"""Remanence after a change of grade over that before: makers' ranges within a grade span 5 %."""
 
 
 @dataclass(frozen=True)
@@ -111,7 +115,7 @@ def settings_of(spec: ObjectSpec, changed: ObjectSpec) -> tuple[str, ...]:
         for key, value in keys.items():
             if value != keys_now[table][key]:
                 name = f"{table}.{key}"
-                lines.append(f"# no {name}" if value is None else f"{name} = {_toml(value)}")
+                lines.append(f"# leave out {name}" if value is None else f"{name} = {_toml(value)}")
     return tuple(lines)
 
 
@@ -159,16 +163,15 @@ def _more_sensors(added: int, spec: ObjectSpec) -> ObjectSpec:
 
 
 def _stronger(spec: ObjectSpec) -> ObjectSpec:
-    stronger = {
-        "grade": None,
-        "remanence_t": _times(1.2, spec.magnets.remanence_t),
-    }
-    magnets = spec.magnets.changed(**stronger)
-    return spec.changed(magnets=magnets)
-
-
-def _times(factor: float, given: float | tuple[float, ...]) -> float | tuple[float, ...]:
-    return tuple(factor * value for value in given) if isinstance(given, tuple) else factor * given
+    """Every weaker magnet in the strongest grade on sale; an error where none gains `_LEAST_GAIN`."""
+    given = spec.magnets.remanences_t
+    strongest = tuple(max(value, _STRONGEST.remanence_t) for value in given)
+    # Beyond the strongest grade no magnet can be bought: such a change would be none.
+    if max(np.divide(strongest, given)) < _LEAST_GAIN:
+        raise InputError(f"no grade is {_LEAST_GAIN - 1:.0%} stronger than these magnets")
+    alike = not isinstance(spec.magnets.remanence_t, tuple)
+    stronger = {"grade": None, "remanence_t": strongest[0] if alike else strongest}
+    return spec.changed(magnets=spec.magnets.changed(**stronger))
 
 
 def _softer(spec: ObjectSpec) -> ObjectSpec:
@@ -186,7 +189,7 @@ CHANGES: dict[str, Change] = {
     "four times the averaging (half the white noise)": _quieter,
     "one more sensor on every face": partial(_more_sensors, 1),
     "two more sensors on every face": partial(_more_sensors, 2),
-    "magnets 20 % stronger (grade)": _stronger,
+    f"magnets of grade {_STRONGEST.name}, the strongest": _stronger,
     "silicone 30 % softer (deeper presses)": _softer,
 }
 """Told as users read them."""

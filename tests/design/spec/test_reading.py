@@ -212,6 +212,15 @@ def test_a_file_in_latin_1_is_told_to_be_saved_as_utf_8(tmp_path):
         load_spec(path)
 
 
+@pytest.mark.parametrize("content", [b"time_s,F1-X1\n0.0,1002\n", b"\x89HDF\r\n\xff"])
+def test_another_file_is_no_specification_rather_than_one_to_mend(tmp_path, content):
+    """A recording was called TOML with a bad line, a data set a text to save as UTF-8."""
+    path = tmp_path / "frames.csv"
+    path.write_bytes(content)
+    with pytest.raises(SpecError, match=r"frames\.csv is no specification\. Give the TOML file"):
+        load_spec(path)
+
+
 def test_a_name_without_its_ending_is_proposed_with_it(tmp_path):
     (tmp_path / "mybox.toml").write_text('name = "mybox"')
     with pytest.raises(InputError, match=r"Did you mean .*mybox\.toml\?$"):

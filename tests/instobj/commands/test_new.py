@@ -414,6 +414,13 @@ def test_a_size_that_is_none_says_how_many_lengths_it_takes(text, kind):
         size_of(text, kind)
 
 
+@pytest.mark.parametrize("text", ["-60 45 40", "0 45 40", "nan 45 40", "60 inf 40"])
+def test_a_length_that_is_none_is_told_by_the_option_that_was_typed(text):
+    """The error named `body.size_mm.0`, a key that whoever types --size has not seen."""
+    with pytest.raises(InputError, match=rf"--size is three lengths above 0 in mm; got {text}"):
+        size_of(text, "box")
+
+
 @pytest.mark.parametrize(
     ("word", "kind"),
     [("cube", "box"), ("ball", "sphere"), ("spher", "sphere"), ("can", "cylinder")],

@@ -24,17 +24,26 @@ def specified(sensors, faces=(1, 2, 3, 4, 5)):
 
 def test_sensors_without_a_column_are_dead_ones_and_named():
     """Twins and validation called such a recording one of another object."""
-    frames, said = models_of_object(FRAMES, specified(3))
+    every_face = replace(FRAMES, signal_counts=np.nan_to_num(FRAMES.signal_counts))
+    frames, said = models_of_object(every_face, specified(3))
     assert frames.signal_counts.shape == (*FRAMES.signal_counts.shape[:2], 3, 3)
-    np.testing.assert_array_equal(frames.signal_counts[:, :, :1], FRAMES.signal_counts)
+    np.testing.assert_array_equal(frames.signal_counts[:, :, :1], every_face.signal_counts)
     assert np.isnan(frames.signal_counts[:, :, 1:]).all()
     assert [text.split(":")[1] for text in said] == [
         " sensor 2 of every face",
         " sensor 3 of every face",
     ]
-    same, said = models_of_object(FRAMES, specified(1))
-    np.testing.assert_array_equal(same.signal_counts, FRAMES.signal_counts)
+    same, said = models_of_object(every_face, specified(1))
+    np.testing.assert_array_equal(same.signal_counts, every_face.signal_counts)
     assert said == []
+
+
+def test_sensed_faces_without_a_reading_are_named():
+    """Only sensors that no face has were named: a recording of one face looked complete."""
+    counts = np.nan_to_num(FRAMES.signal_counts)
+    counts[:, [1, 4]] = np.nan
+    _, said = models_of_object(replace(FRAMES, signal_counts=counts), specified(1))
+    assert [text.split(":")[1] for text in said] == [" faces [2, 5]"]
 
 
 def test_readings_of_sensors_that_an_object_does_not_have_are_refused():

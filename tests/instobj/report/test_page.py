@@ -150,7 +150,7 @@ def test_a_page_is_short_before_anything_is_unfolded(tmp_path, size_mm):
     content = dict.fromkeys((*tables, "weak_areas", "deltas", "parts"), rows)
     content |= {
         "settings": ["sensors.count_per_face = 4"],
-        "decision": "Helps most: one more sensor (+15 € for parts, +75 min by hand)",
+        "decision": "Helps most alone: one more sensor (+15 € for parts, +75 min by hand)",
         "edge_text": "1.5 times as uncertain as the middle",
         "cross_face_force_n": 10.0,
         "surroundings": " ".join(f"{number} counts" for number in range(100)),

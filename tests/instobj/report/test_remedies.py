@@ -84,13 +84,13 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     rows = [START, row(("a",), bound_mm=4.0), row(("b",), bound_mm=3.0, sensors=11)]
     told = decision(remedies(SPEC, rows), go=False)
     assert told.startswith(
-        "No change tried here is enough, alone or with others. Helps most: b (+3 €"
+        "No change tried here is enough, alone or with others. Helps most alone: b (+3 €"
     )
     assert "1.5 times its limit" in told
     blind = [START, row(("a",), bound_mm=float("inf"))]
     told = decision(remedies(SPEC, blind), go=False)
     assert "some locations stay blind" in told
-    assert "Helps most" not in told
+    assert "Helps most alone" not in told
     deaf = [
         row((), bound_mm=9.0, force_n=float("inf")),
         row(("cheap",), bound_mm=8.0, force_n=float("inf")),
@@ -99,7 +99,7 @@ def test_where_nothing_is_enough_the_nearest_is_told_with_what_is_left():
     found = remedies(SPEC, deaf)
     assert [one.changes[0] for one in found] == ["sensors", "cheap"]
     told = decision(found, go=False)
-    helps = "Helps most: sensors (+15 € for parts, +75 min by hand), with a weakest position bound of 3 mm"
+    helps = "most alone: sensors (+15 € for parts, +75 min by hand), with a weakest position bound of 3 mm"
     assert f"{helps}; some locations feel nothing" in told
     assert decision(remedies(SPEC, rows), go=True) == "Every limit is kept; nothing has to change"
     assert decision(remedies(SPEC, [START]), go=False).startswith("None of the changes")

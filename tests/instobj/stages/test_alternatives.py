@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from design.errors import InputError
 from design.spec_io import load_spec, parse_spec
 from instobj.stages.makers import alternatives
 from instobj.stages.makers.alternatives import CHANGES, Alternative, settings_of
@@ -14,22 +15,32 @@ def test_changes_of_a_graded_magnet_are_valid_specifications(change):
     other = parse_spec(CHANGES[change](spec).model_dump(mode="json"), change)
     assert other != spec
     if "magnets" in change:
-        assert other.magnets.remanence_t == pytest.approx(1.2 * 1.31)
+        assert other.magnets.remanence_t == 1.45
 
 
-def test_magnets_of_several_grades_all_become_stronger():
+def test_magnets_of_several_grades_get_the_strongest():
     (change,) = (name for name in CHANGES if "magnets" in name)
     magnets = {"positions_mm": [[0, 0], [9, 8]], "grade": ["N35", "N52"]}
     spec = parse_spec({"name": "cube", "magnets": magnets}, "test")
     stronger = parse_spec(CHANGES[change](spec).model_dump(mode="json"), change).magnets
-    assert stronger.remanences_t == pytest.approx((1.2 * 1.20, 1.2 * 1.45))
-    assert stronger.strengths == pytest.approx(spec.magnets.strengths)
+    assert stronger.remanences_t == (1.45, 1.45)
+    assert stronger.strengths == (1.0, 1.0)
+
+
+@pytest.mark.parametrize("remanence", [1.40, 1.43, 1.45, 1.5])
+def test_no_magnet_is_proposed_that_nobody_sells(remanence):
+    """For N50 a remanence of 1.72 T was the change that turned a no-go into a go."""
+    (change,) = (name for name in CHANGES if "magnets" in name)
+    spec = parse_spec({"name": "cube", "magnets": {"remanence_t": remanence}}, "test")
+    with pytest.raises(InputError, match="no grade is 5% stronger"):
+        CHANGES[change](spec)
 
 
 def test_reading_all_channels_is_no_change_as_every_object_is_judged_so():
     spec = parse_spec({"name": "cube"}, "test")
     assert spec.score.channels == "all"
-    assert all(change(spec).score == spec.score for change in CHANGES.values())
+    weaker = parse_spec({"name": "cube", "magnets": {"grade": "N42"}}, "test")
+    assert all(change(weaker).score == spec.score for change in CHANGES.values())
 
 
 @pytest.mark.parametrize("count", [1, 3])
@@ -78,4 +89,4 @@ def test_the_lines_to_copy_make_the_change(change, tmp_path):
     keys = [line for line in lines if not line.startswith("#")]
     assert keys
     assert [*settings_of(spec, load_spec(path, keys))] == keys
-    assert {*lines} - {*keys} <= {"# no silicone.youngs_modulus_range_mpa"}
+    assert {*lines} - {*keys} <= {"# leave out silicone.youngs_modulus_range_mpa"}
