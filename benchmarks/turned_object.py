@@ -35,7 +35,7 @@ from tests.support.turned_frames import zeroed_counts
 EXAMPLES = Path(__file__).parents[1] / "examples"
 _FORCE_N, _APART_MM = (1.0, 12.0), 10.5
 FRAMES = 400
-"""Of each number of contacts."""
+"""Frames of each number of contacts."""
 _STEPS = 12
 """Depths of a press, of which one is read."""
 
@@ -80,11 +80,11 @@ def _pressed(spec: ObjectSpec, response: ResponseOperator, number: int, frames: 
         depths = np.linspace(0.1, 1, _STEPS)[:, None] * shares * deepest
         path = press_path(spec, response, tips, depths, faces)
         low, high = _FORCE_N
-        fit = [one for one in path if low <= one.force_n.min() and one.force_n.max() <= high]
-        if fit:  # forces are even over the range
+        within = [step for step in path if low <= step.force_n.min() and step.force_n.max() <= high]
+        if within:  # forces are even over the range
             wanted_n = rng.uniform(low, high)
-            one = min(fit, key=lambda press: abs(press.force_n.mean() - wanted_n))
-            found.append((face, xy, one.force_n, one.motion))
+            nearest = min(within, key=lambda press: abs(press.force_n.mean() - wanted_n))
+            found.append((face, xy, nearest.force_n, nearest.motion))
     face, xy, force, motion = (np.array(part) for part in zip(*found[:frames], strict=True))
     return face, xy, force, motion
 

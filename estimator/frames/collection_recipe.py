@@ -127,7 +127,7 @@ def pull_of(
     if shear is None:
         raise InputError(
             "collection.tangential_share needs the signals of tangential forces. Run `instobj "
-            "frames`, which simulates them, or set it to 0"
+            "run SPEC --to frames`, which simulates them, or set it to 0"
         )
     angle, size = rng.uniform(0, [2 * np.pi, spec.collection.tangential_share], (len(cases), 2)).T
     share = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)

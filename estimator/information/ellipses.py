@@ -9,7 +9,7 @@ from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import PlaceScores
-from estimator.information.sensitivity import own_channels
+from estimator.information.sensitivity import read_channels
 from estimator.signals.live import live_jacobian
 from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals
@@ -26,15 +26,14 @@ def position_covariances_mm2(
     grid = contact_grid(spec)
     count = signals.baseline_counts.size
     sigma, nuisances = disturbance_counts(spec.sensors, "fresh", count), nuisance_columns(spec)
-    found = np.full((len(scores.faces), len(grid), 2, 2), np.nan)
+    covariance = np.full((len(scores.faces), len(grid), 2, 2), np.nan)
     for row, face in enumerate(scores.faces.tolist()):
-        own = own_channels(signals, spec.sensors, face)
-        used = own if spec.score.channels == "own" else np.arange(count)
-        told = np.isfinite(scores.position_bound_mm[row])
-        x_mm, y_mm = grid.xy_mm[told].T
-        force_n = scores.force_at_score_n[row, told]
+        used = read_channels(spec, signals, face)
+        bounded = np.isfinite(scores.position_bound_mm[row])
+        x_mm, y_mm = grid.xy_mm[bounded].T
+        force_n = scores.force_at_score_n[row, bounded]
         faces = np.full(len(x_mm), face)
         jacobian = live_jacobian(spec, signals, faces, x_mm, y_mm, force_n)
         bounds = cramer_rao_bounds(jacobian[:, used], sigma[used], nuisances[used])
-        found[row, told] = bounds.position_mm2
-    return found
+        covariance[row, bounded] = bounds.position_mm2
+    return covariance

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts, position_and_force_bounds
 from estimator.information.scores import PlaceScores
-from estimator.information.sensitivity import own_channels
+from estimator.information.sensitivity import read_channels
 from estimator.signals.live import live_jacobian
 from estimator.signals.nuisances import nuisances
 from estimator.signals.presses import Signals
 
 EVERY = "all together"
+"""Name of the cost of all nuisances at once."""
 
 
 @dataclass(frozen=True)
@@ -64,13 +64,11 @@ def _slopes(
 ) -> Float[np.ndarray, "place channel 3"]:
     """Derivatives at the judged locations of a face, 0 of channels that are not read."""
     row = scores.faces.tolist().index(face)
-    there = scores.judged[row]
-    x_mm, y_mm = scores.grid.xy_mm[there].T
-    force_n = scores.force_at_score_n[row, there]
+    judged = scores.judged[row]
+    x_mm, y_mm = scores.grid.xy_mm[judged].T
+    force_n = scores.force_at_score_n[row, judged]
     jacobian = live_jacobian(spec, signals, np.full(len(x_mm), face), x_mm, y_mm, force_n)
-    read = live_channels(spec).ravel()
-    if spec.score.channels == "own":
-        read = read & np.isin(np.arange(len(read)), own_channels(signals, spec.sensors, face))
+    read = np.isin(np.arange(jacobian.shape[1]), read_channels(spec, signals, face))
     return jacobian * read[:, None]
 
 

@@ -33,6 +33,7 @@ from estimator.information.sensitivity import (
     covariance_sensitivity,
     own_channels,
     periodic_press,
+    read_channels,
 )
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import (
@@ -230,8 +231,7 @@ def _score_face(
 ) -> dict[str, Any]:
     live = live_channels(spec).ravel()
     own = own_channels(signals, spec.sensors, face)
-    used = own if spec.score.channels == "own" else np.arange(live.size)
-    own, used = own[live[own]], used[live[used]]
+    own, used = own[live[own]], read_channels(spec, signals, face)
     if not len(own):
         raise InputError(
             f"face {face} has no live channel: as_built calls all of them dead. Fix a sensor, or "

@@ -19,7 +19,8 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from design.errors import InputError
-from design.spec.object import SensorSpec
+from design.layout.places.positions import live_channels
+from design.spec.object import ObjectSpec, SensorSpec
 from estimator.signals.interpolation import Traces, counts_at_force
 from estimator.signals.presses import Signals
 
@@ -49,6 +50,15 @@ def own_channels(signals: Signals, sensors: SensorSpec, face: int) -> Int[np.nda
     """Flat channel indices (sensor · 3 + axis) of a face's own sensors, which run as the faces do."""
     count = 3 * sensors.count_per_face
     return int(np.flatnonzero(signals.faces == face)[0]) * count + np.arange(count)
+
+
+def read_channels(spec: ObjectSpec, signals: Signals, face: int) -> Int[np.ndarray, "channel"]:
+    """Return the flat channels that bounds read in presses on a face: live ones, by `score.channels`."""
+    live = live_channels(spec).ravel()
+    channels = np.arange(live.size)
+    if spec.score.channels == "own":
+        channels = own_channels(signals, spec.sensors, face)
+    return channels[live[channels]]
 
 
 def channel_noise(sensors: SensorSpec, channels: int) -> Float[np.ndarray, "channel"]:

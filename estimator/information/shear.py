@@ -15,7 +15,6 @@ from jaxtyping import Bool, Float, Int
 
 from design.layout.places.contact_grid import PlaceGrid, contact_grid, grid_places_in_lattice
 from design.layout.places.contact_places import contact_places, face_rows
-from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from estimator.field.models import magnets_model
@@ -26,7 +25,7 @@ from estimator.information.fisher import (
     whitened_slopes,
 )
 from estimator.information.scores import on_places
-from estimator.information.sensitivity import own_channels
+from estimator.information.sensitivity import read_channels
 from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field
 from estimator.signals.interpolation import press_traces, signal_gradient
 from estimator.signals.live import live_in_press
@@ -136,17 +135,15 @@ def carry_over_missing(per_n: Float[np.ndarray, "place node value"]) -> None:
 
 def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> ShearScores:
     """Bounds of all five parameters at every contact location, from `score.channels`."""
-    rows, live, nuisances = [], live_channels(spec).ravel(), nuisance_columns(spec)
+    rows, nuisances = [], nuisance_columns(spec)
     reaches = [_reaches(spec, signals, face) for face in signals.faces.tolist()]
     for face in signals.faces.tolist():
         jacobian = contact_jacobian(spec, signals, shear, face)
-        own = own_channels(signals, spec.sensors, face)
-        used = own if spec.score.channels == "own" else np.arange(live.size)
-        used = used[live[used]]
+        used = read_channels(spec, signals, face)
         jacobian = jacobian[:, used]
         row = {}
         for state, suffix in SUFFIXES.items():
-            sigma = disturbance_counts(spec.sensors, state, live.size)[used]
+            sigma = disturbance_counts(spec.sensors, state, len(nuisances))[used]
             bounds = cramer_rao_bounds(jacobian, sigma, nuisances[used])
             row[f"position_bound{suffix}_mm"] = bounds.position_mm
             row[f"normal_force_bound{suffix}_n"] = bounds.force_n

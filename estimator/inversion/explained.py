@@ -52,7 +52,10 @@ class ErrorShare:
 
     @property
     def share(self) -> float:
-        """Where the median p value is ½; 1 where it is less with the whole error, 0 where more without."""
+        """Return the share at which the median p value is ½.
+
+        1 where the median is less with the whole error, 0 where it is more without any.
+        """
         if len(self.p_values) < _LEAST_FRAMES:
             return 1.0
         median = np.maximum.accumulate(np.median(self.p_values, axis=0))
@@ -74,5 +77,5 @@ def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]
     """Return the chance of a misfit as large if a problem's contacts were true."""
     from scipy.special import chdtrc
 
-    told = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
-    return chdtrc(np.maximum(told - 3 * problems.number, 1), 2 * problems.misfit)
+    readings = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
+    return chdtrc(np.maximum(readings - 3 * problems.number, 1), 2 * problems.misfit)

@@ -90,7 +90,7 @@ class Inversion:
         return {}
 
     def error_share(self) -> ErrorShare:
-        """How much of the model's error frames show; nothing is known of it yet."""
+        """Return the share of the model's error that frames show, before any frame was read."""
         return ErrorShare(self.model, self.priors)
 
     def read(

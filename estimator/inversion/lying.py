@@ -45,6 +45,6 @@ def _p_without(
 ) -> Float[np.ndarray, "frame chip"]:
     """p values of the best contacts of frames, each read without each chip."""
     tried = seen.select(np.repeat(frames, len(chips))).without(np.tile(chips, len(frames)))
-    found = search.contacts(tried)
-    best = found.problems.select(found.best()).on_host()
+    hypotheses = search.contacts(tried)
+    best = hypotheses.problems.select(hypotheses.best()).on_host()
     return error.p_of(tried, best, error.share).reshape(len(frames), len(chips))

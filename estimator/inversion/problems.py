@@ -99,7 +99,7 @@ class Observed:
 
     @cached_property
     def white(self) -> Whitening:
-        """What makes the disturbances around contacts independent and of unit size."""
+        """Return the whitening of the disturbances around contacts."""
         return whitening(self.sigma, self._shared)
 
     @cached_property

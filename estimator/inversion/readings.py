@@ -172,8 +172,10 @@ def changes_since_zero(
     mean = (each @ white(left[:, None]).transpose(0, 2, 1))[..., 0]
     carried = each @ white(jacobian).transpose(0, 2, 1)
     contacts = np.linalg.inv(bounded_curvature(problems, priors))
-    own = np.eye(columns.shape[1]) - each @ each.transpose(0, 2, 1)
-    variance = np.diagonal(own + carried @ contacts @ carried.transpose(0, 2, 1), axis1=1, axis2=2)
+    unseen = np.eye(columns.shape[1]) - each @ each.transpose(0, 2, 1)
+    variance = np.diagonal(
+        unseen + carried @ contacts @ carried.transpose(0, 2, 1), axis1=1, axis2=2
+    )
     return mean, np.sqrt(np.maximum(variance, 0.0))
 
 

@@ -199,7 +199,7 @@ def _believed(
     if not np.isfinite(raw).any():
         raise RecordingError(
             f"no channel has a reading in any of its {len(raw)} frames. Check the sensors' wiring (`instobj "
-            "bringup`) and record anew"
+            "bench bringup`) and record anew"
         )
     counts, faults = without_faults(raw)
     if not np.isfinite(counts).any():

@@ -156,7 +156,7 @@ def _in_recording(
 
 
 def _chip_name(inversion: Inversion, chip: int) -> str:
-    """As the channels of a recording are named, without the axis; empty where none is meant."""
+    """Return a chip's name as in a recording's channels, without the axis; empty for none."""
     if chip == NONE:
         return ""
     faces = inversion.model.signals.faces
@@ -165,15 +165,15 @@ def _chip_name(inversion: Inversion, chip: int) -> str:
 
 
 def _field_change(inversion: Inversion, best: ContactSets, row: int) -> dict[str, float | str]:
-    """The columns of `FIELD`; empty cells of an object that is not turned."""
+    """Return the columns of `FIELD`; empty cells of an object that is not turned."""
     first = 0
-    for one in inversion.disturbances.nuisances:
-        if one.name == AMBIENT_FIELD:
-            own = slice(first, first + 3)
-            sigma = float(best.since_zero_sigma[row, own].max())
-            values = (*best.since_zero[row, own].tolist(), sigma)
+    for nuisance in inversion.disturbances.nuisances:
+        if nuisance.name == AMBIENT_FIELD:
+            along_axes = slice(first, first + 3)
+            sigma = float(best.since_zero_sigma[row, along_axes].max())
+            values = (*best.since_zero[row, along_axes].tolist(), sigma)
             return dict(zip(FIELD, (round(value, 2) for value in values), strict=True))
-        first += one.columns.shape[1]
+        first += nuisance.columns.shape[1]
     return dict.fromkeys(FIELD, "")
 
 
@@ -223,12 +223,12 @@ def _document(
     inversion: Inversion, number: int, time_s: float, found: ContactSets
 ) -> dict[str, Any]:
     rows = list(_rows(inversion, np.array([number]), np.array([time_s]), found, None))
-    told = ("frame", "time_s", "odds", "p_value", "chip_out", *FIELD)
+    of_frame = ("frame", "time_s", "odds", "p_value", "chip_out", *FIELD)
     contacts = [
         {name: row[name] for name in COLUMNS[10 + len(FIELD) :] if row[name] != ""}
         for row in rows
         if row["contacts"]
     ]
     explained = {"explained": bool(rows[0]["explained"])}
-    frame = {name: rows[0][name] for name in told if rows[0][name] != ""}
+    frame = {name: rows[0][name] for name in of_frame if rows[0][name] != ""}
     return frame | explained | {"contacts": contacts}

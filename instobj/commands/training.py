@@ -273,7 +273,7 @@ def _keys_of_models(folder: Path) -> dict[str, str]:
     if not paths:
         raise InputError(
             f"{folder} holds no face_<n>.safetensors to start from. Give the folder that `instobj "
-            "pretrain` or `instobj train` wrote"
+            "run SPEC --to pretraining` or `instobj train` wrote"
         )
     return {path.name: file_key(path) for path in paths}
 

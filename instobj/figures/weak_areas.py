@@ -37,6 +37,11 @@ def draw_weak_areas(
     from matplotlib.figure import Figure
 
     shown: list[Measure] = [name for name in MEASURES if name in areas.rank_correlation]
+    if not shown:  # one location, or some that lie alike: there is nothing to draw against
+        figure = Figure(figsize=(5.0, 1.0))
+        figure.text(0.5, 0.5, "All contact locations lie alike", ha="center", va="center")
+        save_figure(figure, path)
+        return
     rows, columns = -(-len(shown) // 2), min(2, len(shown))
     figure = Figure(figsize=(5.0 * columns, 3.6 * rows + 0.4), layout="constrained")
     panels = figure.subplots(rows, columns, sharey=True, squeeze=False).ravel()

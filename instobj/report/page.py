@@ -84,7 +84,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         scene=readers.SCENE.path(inputs["scene"]),
         verdict=verdict,
         locations=locations_line(spec),
-        covered_by_face=_covered_by_face(spec),
+        unreached=scores.unreached,
+        covered_by_face="" if scores.unreached else _covered_by_face(spec),
         checks=[
             [check.what, check.value, check.limit, "pass" if check.passed else "FAIL", check.where]
             for check in verdict.checks

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from design.layout.places.coverage import covered_share
+from design.layout.places.coverage import cell_areas_mm2, covered_share
 from design.spec.learning import LimitsSpec
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, weakest_place
@@ -35,7 +35,7 @@ class Check:
 class Verdict:
     """All checks; `go` where every one passes; `limited_by` says what comes first.
 
-    `covered` is the share of the sensed surface that the contact locations stand for.
+    `covered` is the share of the sensed surface that the judged contact locations stand for.
     """
 
     checks: tuple[Check, ...]
@@ -83,7 +83,9 @@ def judge(
     )
     tightest = max(checks, key=lambda check: check.ratio)
     reason = f"{tightest.what}: {tightest.value} ({tightest.where}), limit {tightest.limit}"
-    return Verdict(checks, reason, covered_share(spec))
+    area = cell_areas_mm2(spec)  # of every location, face by face
+    judged = float(area[scores.judged[scores.places]].sum() / area.sum())
+    return Verdict(checks, reason, judged * covered_share(spec))
 
 
 def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:

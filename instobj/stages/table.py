@@ -369,7 +369,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=20,
+        version=21,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

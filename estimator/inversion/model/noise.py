@@ -84,8 +84,8 @@ class Disturbances:
 def disturbances(
     spec: ObjectSpec, model_error: float | Float[np.ndarray, "sensor 1"], force_error: float
 ) -> Disturbances:
-    """As the specification has them: white noise, `zeroing_counts`, `inversion.drift_counts`, and what
-    its use changes after the zero.
+    """Return the specification's disturbances: white noise, `zeroing_counts`, `inversion.drift_counts`,
+    and what its use changes after the zero.
 
     The forward model is wrong by `model_error`, of all sensors or of each, and by what adding up
     contacts costs (`SUM_ERROR`). Axes that the part does not measure, and dead ones, say nothing.

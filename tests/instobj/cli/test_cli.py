@@ -1,5 +1,6 @@
 """The command line as a user meets it: help, errors, interruption."""
 
+import ast
 import json
 import os
 import re
@@ -7,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 import tomli_w
@@ -17,6 +19,8 @@ from instobj.cli.app import app
 from tests.support.cli import CUBE, assert_one_clear_error, run, run_apart
 from tests.support.objects.body_cases import BODIES, CORE, GRID, ONE
 
+ROOT = Path(__file__).parents[3]
+PACKAGES = ("design", "fem", "estimator", "instobj")
 BAD_DATA = {
     "empty.csv": "",
     "foreign.csv": "date,temperature\n2024-01-01,20.5\n2024-01-02,21.0\n",
@@ -263,3 +267,22 @@ def test_an_interrupt_that_a_destructor_meets_is_not_forgotten():
     assert "went on" not in done.stdout
     assert "Traceback" not in done.stderr
     assert "interrupted" in done.stderr
+
+
+def named_commands():
+    """Yield every `instobj COMMAND` that a text of the program names, and the file that holds it."""
+    for path in (path for room in PACKAGES for path in (ROOT / room).rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+            text = "".join(str(getattr(part, "value", "")) for part in parts)
+            if isinstance(node, ast.Constant | ast.JoinedStr):
+                yield from ((name, path) for name in re.findall(r"`instobj\s+([a-z]+)", text))
+
+
+def test_messages_name_commands_that_exist():
+    """Of today's release: old names are handed on, and no message sends anybody to them."""
+    listed = get_command(app).commands.items()
+    commands = {name for name, command in listed if not command.hidden}
+    named = list(named_commands())
+    assert {"new", "run"} <= {name for name, _ in named}
+    assert not [(name, path) for name, path in named if name not in commands]

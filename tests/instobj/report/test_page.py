@@ -42,7 +42,15 @@ TEXTS = (
         "hash",
         "made_with",
     ),
-    *("specification", "cross_face_force_n", "draws", "locations", "covered_by_face", "decision"),
+    *(
+        "specification",
+        "cross_face_force_n",
+        "draws",
+        "locations",
+        "covered_by_face",
+        "unreached",
+        "decision",
+    ),
     *("weak_text", "edge_text"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")

@@ -46,3 +46,21 @@ def test_the_verdict_on_the_place_says_where_readers_do_worse_than_the_bound():
     assert scores.beyond_bound
     assert f". {scores.beyond_bound}" in place.where
     assert not any("maximum likelihood" in check.where for check in others)
+
+
+def test_locations_that_are_not_judged_cover_nothing():
+    """All flat cells are alike: as many of the surface's cells as locations reach the force."""
+    spec = coarse_spec(contact_grid={"count": (4, 4), "pitch_mm": 6.0}, score={"force_n": 4.0})
+    signals = press_signals(spec, *synthetic_presses(spec))
+    objects = Saturation(200, (0.0, 4.0), (0.0, 0.0), (0.5, 0.3))
+
+    def judged(force_n):
+        scores = score_places(spec.changed(score={"force_n": force_n}), signals)
+        return scores, verdict.judge(spec, scores, 0.4, objects).covered
+
+    low, whole = judged(4.0)
+    assert low.judged.sum() == low.places.sum()
+    reach_n = signals.force_n[..., -1][signals.pressed]
+    hard, covered = judged(float(np.median(reach_n)))
+    assert 0 < hard.judged.sum() < hard.places.sum()
+    np.testing.assert_allclose(covered / whole, hard.judged.sum() / hard.places.sum())

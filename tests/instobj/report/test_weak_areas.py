@@ -117,3 +117,18 @@ def test_figure_and_maps_are_drawn_for_flat_and_curved_bodies(tmp_path, example,
         with Image.open(path) as image:
             assert min(image.size) > 150
     assert len(section["weak_areas"][0]) == len(section["weak_header"])
+
+
+def test_locations_that_lie_alike_have_a_figure_that_says_so(tmp_path):
+    """As of one location, that a high force leaves: no measure varies."""
+    spec = load_spec(
+        ROOT / "examples/hall_skin.toml",
+        ["contact_grid.count=[2, 2]", "magnets.positions_mm=[[0.0, 0.0]]"],
+    )
+    spec = spec.changed(body=spec.body.changed(size_mm=(40.0, 40.0, spec.body.size_mm[2])))
+    scores = scores_of(spec, np.ones(4))
+    areas = weak_areas(spec, scores)
+    assert areas.told_by is None
+    draw_weak_areas(scores, areas, 1.5, tmp_path / "weak_areas.png")
+    with Image.open(tmp_path / "weak_areas.png") as image:
+        assert min(image.size) > 50
