@@ -257,9 +257,12 @@ def run_command(command: typer.Typer, arguments: list[str] | None = None) -> Non
 
 
 def _instead_of(error: typer.TyperException) -> str:
-    """Return what to write in place of an option that went with 0.2.0; nothing for other errors."""
-    instead = OPTIONS.get(getattr(error, "option_name", ""))
-    return f" It went with 0.2.0: {instead}" if instead else ""
+    """Return what to write in place of an option that is none: gone with 0.2.0, or a key."""
+    name = getattr(error, "option_name", "")
+    if instead := OPTIONS.get(name):
+        return f" It went with 0.2.0: {instead}"
+    # only keys of a specification have a dot in their names
+    return f". Keys are set by --set: --set {name.lstrip('-')}=VALUE" if "." in name else ""
 
 
 def with_joined_sizes(words: list[str]) -> list[str]:

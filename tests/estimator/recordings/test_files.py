@@ -50,8 +50,9 @@ def test_a_pipe_and_a_name_that_is_none(tmp_path):
     assert "not a file name" in message(tmp_path / "a\0b.csv")
 
 
-def test_missing_and_folder(tmp_path):
+def test_missing_folder_and_specification(tmp_path):
     assert "no recording at" in message(tmp_path / "none.csv")
+    assert "is a specification" in message(tmp_path / "cube.toml")
     assert "cannot read" in message(tmp_path)
 
 

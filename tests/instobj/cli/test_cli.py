@@ -242,6 +242,7 @@ def test_a_cost_of_a_slip_wants_a_slip(tmp_path):
         ("predict model.onnx a.csv --zero rest:2", "rest:20"),
         ("predict model.onnx a.csv --zero always", "rest, first or none"),
         ("optimize a.toml --storage b", "--out FOLDER"),
+        ("check a.toml --shell.thickness_mm=9", "--set shell.thickness_mm=VALUE"),
     ],
 )
 def test_options_of_one_text_and_those_that_went_say_what_to_write(words, told, tmp_path):
