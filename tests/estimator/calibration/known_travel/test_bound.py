@@ -11,8 +11,6 @@ from estimator.calibration.known_travel.bound import (
     places_bound_mm,
     recorded_slopes,
 )
-from estimator.calibration.known_travel.fit import moved_twin
-from estimator.calibration.known_travel.model import Pose, Twin
 
 LATTICE = np.array([(1.5 * i, 1.5 * j) for i in range(-6, 7) for j in range(-6, 7)])
 
@@ -72,17 +70,3 @@ def test_few_repeats_blur_a_right_bound_and_many_show_it():
     )
     assert 0.5 < few < 0.95
     assert many > 0.97
-
-
-def test_numbers_of_a_fit_move_pose_seats_tilts_and_strength():
-    pose = Pose(np.array([1.0, 2.0]), 0.1, 5.0, 3)
-    start = Twin(pose, np.ones((2, 3)), np.zeros((2, 2)), 1.1)
-    moved = moved_twin(start, np.array([0.5, -0.5, 0.01, 0.2]))
-    assert_allclose(moved.pose.shift_mm, [1.5, 1.5])
-    assert (moved.pose.turn_rad, moved.pose.contact_mm) == pytest.approx((0.11, 5.2))
-    assert (moved.pose.symmetry, moved.strength) == (3, 1.1)
-    numbers = np.concatenate([np.zeros(4), np.arange(6), 10 + np.arange(4), [np.log(2)]])
-    moved = moved_twin(start, numbers)
-    assert_allclose(moved.magnet_mm, 1 + np.arange(6).reshape(2, 3))
-    assert_allclose(moved.tilt_rad, 10 + np.arange(4).reshape(2, 2))
-    assert moved.strength == pytest.approx(2.2)
