@@ -19,6 +19,8 @@ from estimator.calibration.most_probable import Unknown, Values, most_probable
 from estimator.recordings.formats.travel import TravelRecording
 
 Changes = Float[np.ndarray, "press sensor 3"]
+REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
+"""Of the places; all others are judged."""
 MODEL_ERROR_MT = 0.05
 """Of a change, rms: what registered presses leave on the eFlesh recordings."""
 RESTING_ERROR_MT = 0.1
@@ -56,6 +58,22 @@ def drawn_places(recording: TravelRecording, share: float, seed: int) -> Bool[np
     count = max(4, round(share * recording.places))
     chosen = np.random.default_rng(seed).permutation(recording.places)[:count]
     return np.isin(recording.place_id, chosen)
+
+
+def fits_and_judged(
+    model: TravelModel, recording: TravelRecording, seed: int
+) -> dict[str, tuple[Fitted, TravelRecording, TravelRecording]]:
+    """Registered on few of the places and calibrated on some more; each with the presses that it was
+    made on and all others, by which it is judged."""
+    found = {}
+    for name, share in (("registered", REGISTERED_SHARE), ("calibrated", CALIBRATED_SHARE)):
+        shown = drawn_places(recording, share, seed)
+        part, judged = recording.select(shown), recording.select(~shown)
+        fitted = register(model, part)
+        if name == "calibrated":
+            fitted = calibrate(model, part, fitted.twin)
+        found[name] = fitted, part, judged
+    return found
 
 
 def register(model: TravelModel, recording: TravelRecording) -> Fitted:

@@ -1,11 +1,10 @@
-"""Poses of objects under a machine, by the machine's own steps; errors of places by hand."""
+"""Poses of objects under a machine, by the machine's own steps."""
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from estimator.calibration.known_travel.model import SYMMETRIES, Pose, Twin
-from estimator.calibration.known_travel.places import PlaceErrors, place_errors
 
 
 @pytest.mark.parametrize("symmetry", range(8))
@@ -29,15 +28,6 @@ def test_symmetries_are_four_turns_and_four_mirrors():
     for one in SYMMETRIES:
         assert_allclose(one @ one.T, np.eye(2))
     assert_allclose(SYMMETRIES[0], np.eye(2))
-
-
-def test_errors_of_places_are_distances_in_the_plane_and_of_the_travel():
-    true = np.zeros((3, 3))
-    read = np.array([[3.0, 4.0, 0.2], [0.0, 1.0, -0.4], [0.6, 0.8, 0.9]])
-    rms = np.sqrt((25 + 1 + 1) / 3), np.sqrt((0.04 + 0.16 + 0.81) / 3)
-    wanted = PlaceErrors(1.0, rms[0], 0.4, rms[1])
-    for name, value in vars(wanted).items():
-        assert getattr(place_errors(read, true), name) == pytest.approx(value), name
 
 
 def test_values_of_a_fit_move_pose_seats_tilts_and_strength():
