@@ -5,14 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from estimator.recordings.checks.labels import (
-    hidden_contacts,
-    press_patterns,
-    silent_presses,
-)
+from estimator.recordings.checks.place_labels import press_patterns
+from estimator.recordings.checks.press_labels import hidden_contacts, silent_presses
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
+from tests.support.recordings.judged_cases import judged
 from tests.support.recordings.made_recordings import (
     PRESS,
     REST,
@@ -194,8 +192,9 @@ def test_a_hidden_contact_leaves_its_level_by_six_sigmas_in_five_frames(
     noise[3] = 2.0
     counts = np.full((50, 5, 3, 3), 100.0)
     counts[5 : 5 + frames, 3, :2] += 2.0 * sigmas
-    rest, none = np.arange(50) < at_rest, np.zeros(50, int)
-    hidden, faults = hidden_contacts(counts, rest, none, none, noise)
+    rest, none = np.arange(50) < at_rest, np.zeros((50, 1))
+    case = judged(none[:, 0].astype(int), none, counts=counts, rest=rest, noise_counts=noise)
+    hidden, faults = hidden_contacts(case)
     assert np.flatnonzero(hidden).tolist() == (list(range(5, 5 + frames)) if told else [])
     assert [fault.detail[:6] for fault in faults] == (["face 4"] if told else [])
 
@@ -223,6 +222,8 @@ def test_a_press_is_silent_below_a_tenth_of_what_is_usual_where_that_stands_out(
     responses[:, 2] = [100.0, 100.0, 100.0, counts, 100.0]
     noise = np.full((5, 3, 3), sigma)
     noise[1, 1, 1] = np.nan
-    wrong, faults = silent_presses(np.full((60, 1), 3), force_n, press, responses, noise)
+    face = np.full((60, 1), 3)
+    case = judged(press, force_n, face=face, responses=responses, noise_counts=noise)
+    wrong, faults = silent_presses(case)
     assert np.flatnonzero(wrong).tolist() == (list(range(36, 48)) if told else [])
     assert len(faults) == told

@@ -7,7 +7,7 @@ from design.errors import InputError, RecordingError
 from estimator.recordings.checks.limits import Limits, limit_to_range
 from estimator.recordings.formats.text import parse_number
 from estimator.recordings.reading import read_recording
-from estimator.recordings.table import RawTable
+from tests.support.recordings.judged_cases import raw_table
 from tests.support.recordings.made_recordings import (
     PRESS,
     REST,
@@ -143,21 +143,7 @@ def test_what_only_python_takes_for_a_number_is_none(cell):
 
 def table_of(counts):
     counts = np.tile(np.asarray(counts, float)[:, None, None, None], (1, 5, 3, 3))
-    frames = len(counts)
-    return RawTable(
-        kind="gripper",
-        time_s=np.arange(frames) / 10,
-        force_n=np.zeros((frames, 2)),
-        counts=counts,
-        face=np.zeros((frames, 2), int),
-        tip_xy_mm=np.full((frames, 2, 1, 2), np.nan),
-        case=np.zeros(frames, int),
-        declared_rest=np.zeros(frames, bool),
-        grid_x_mm=np.arange(3.0),
-        grid_y_mm=np.arange(3.0),
-        duplicate_columns=(),
-        digest="x",
-    )
+    return raw_table(len(counts), counts=counts)
 
 
 @pytest.mark.parametrize(
