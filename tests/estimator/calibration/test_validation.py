@@ -25,14 +25,12 @@ from estimator.calibration.recorded_presses import (
     own_channels,
     predicted_motions,
     pressed_faces,
-    presses_in_frames,
     recorded_presses,
     require_presses_of,
     sensors_not_recorded,
     with_all_sensors,
 )
 from estimator.calibration.validation import (
-    Figure,
     agreement,
     case_permutations,
     channel_rows,
@@ -48,7 +46,6 @@ from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_pre
 from tests.support.physics_pages import assert_page, chosen
 from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 from tests.support.recordings.public_recordings import FOLDER, NAMES
-from tests.support.recordings.synthetic_frames import synthetic_frames
 
 SPEC = coarse_spec(silicone={"youngs_modulus_mpa": 0.4, "youngs_modulus_range_mpa": (0.2, 0.6)})
 CASES = (
@@ -98,18 +95,6 @@ def test_the_true_object_agrees_beyond_its_null(problem):
     assert_allclose(result.size_ratio, 1, atol=0.03)
     assert result.size_spread.value < 1.06 < result.size_spread.null
     assert "pattern supported" in verdict(SPEC, result)
-
-
-@pytest.mark.parametrize(
-    ("p", "exchanges", "said"),
-    [
-        (0.5, 2, "cannot be told (2 exchanges of places allow no p below 0.5)"),
-        (0.3, 120, "not supported"),
-        (1 / 120, 120, "supported"),
-    ],
-)
-def test_too_few_exchanges_decide_nothing(p, exchanges, said):
-    assert Figure(0.99, 0.5, p, exchanges).judgement == said
 
 
 def test_two_places_tell_nothing_of_pattern_size_and_scatter(problem):
@@ -218,15 +203,6 @@ def motions_of(case, force_n):
     return predicted_motions(SPEC, forces, motions, presses).at(np.zeros(20, int), 1.0)[0]
 
 
-def test_cases_are_exchanged_only_where_every_press_is_predicted_in_every_channel():
-    predicted, case = np.ones((3, 3, 4)), np.arange(3)
-    assert len(case_permutations(predicted, case, 1)) == 6
-    predicted[0, 1, 2] = np.nan
-    found = case_permutations(predicted, case, 1)
-    assert len(found) == 4
-    assert (found[:, 0] != 1).all()
-
-
 def test_motions_superpose_over_tips_and_faces():
     """Each of two tips takes half of its face's force; the faces add."""
     tips = ((3, 1.0, 2.0), (3, -3.0, 2.5))
@@ -239,19 +215,6 @@ def test_motions_superpose_over_tips_and_faces():
 
 def test_a_case_on_other_faces_is_no_prediction():
     assert np.isnan(motions_of(((3, 1.0, 2.0),), [6.0, 5.0])).all()
-
-
-def test_a_press_counts_from_five_frames_of_half_its_force_on():
-    made = synthetic_frames(faces=(3,), presses=1, loaded=12, places=(0, 1, 2))
-    force = made.force_n[:, 0, 2].copy()
-    loaded = [np.flatnonzero((made.press_id == press) & (force > 0)) for press in range(3)]
-    for rows, hard in zip(loaded, (4, 5, 6), strict=True):
-        force[rows] = np.where(np.arange(len(rows)) < hard, 10.0, 4.9)
-        force[rows[0]] = 5.0
-    found = presses_in_frames(
-        replace(made, force_n=np.stack([0 * force, 0 * force, force], 1)[:, None])
-    )
-    assert [frames for *_, frames in found] == [5, 6]
 
 
 def test_a_softer_silicone_moves_as_under_more_force():

@@ -150,15 +150,6 @@ def test_no_press_and_no_rest(tmp_path):
     assert "at rest" in message(write_gripper(tmp_path / "b.csv", pressed))
 
 
-def test_training_file_errors(tmp_path):
-    path = write_training(tmp_path / "t.csv", {34: (34,)}, presses=1)
-    lines = path.read_text().splitlines()
-    path.write_text("\n".join([*lines, "2,34,1.0,5"]))
-    assert f"line {len(lines) + 1}: 4 cells where 12 belong" in message(path)
-    path.write_text("\n".join(["9" + line[1:] for line in lines]))
-    assert "face labels must be 1…5; got [9]" in message(path)
-
-
 @settings(
     max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )

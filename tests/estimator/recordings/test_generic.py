@@ -262,27 +262,6 @@ def test_other_units_are_noticed(tmp_path, good, names, factor, words):
         read_recording(scaled(tmp_path, good, names, factor))
 
 
-def test_half_a_label_is_an_error(tmp_path, good):
-    rows = list(csv.reader(good.splitlines()))
-    for name, words in (("cell1_x1_mm", "an x without its y"), ("cell1_face", "a face without")):
-        damaged = [list(row) for row in rows]
-        damaged[5][rows[0].index(name)] = ""
-        with (tmp_path / "a.csv").open("w", newline="") as file:
-            csv.writer(file).writerows(damaged)
-        with pytest.raises(InputError, match=words):
-            read_recording(tmp_path / "a.csv")
-
-
-def test_one_time_stamp_in_ms_is_noticed(tmp_path, good):
-    rows = list(csv.reader(good.splitlines()))
-    rows[1][rows[0].index("time_s")] = "0"
-    rows[-1][rows[0].index("time_s")] = "1.8e12"
-    with (tmp_path / "a.csv").open("w", newline="") as file:
-        csv.writer(file).writerows(rows)
-    with pytest.raises(InputError, match="not ms"):
-        read_recording(tmp_path / "a.csv")
-
-
 @pytest.mark.parametrize(
     ("header", "unlabelled"),
     [

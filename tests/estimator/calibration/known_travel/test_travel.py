@@ -5,14 +5,13 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, RecordingError
-from estimator.calibration.known_travel.agreement import figures, travel_agreement
+from estimator.calibration.known_travel.agreement import travel_agreement
 from estimator.calibration.known_travel.fit import (
     calibrate,
     drawn_places,
     left_over,
     register,
 )
-from estimator.calibration.known_travel.model import SYMMETRIES, Pose
 from estimator.recordings.formats.travel import is_travel_recording, read_travel
 from tests.support.recordings.travel_cases import (
     POSE,
@@ -43,23 +42,6 @@ def test_a_recording_gives_back_what_was_written(recording, model):
     assert_allclose(recording.time_s, 1.7421e9 + 4.25 * np.arange(len(tip)), rtol=0, atol=1e-3)
     assert_allclose(recording.tip_mm, tip, atol=1e-6)
     assert_allclose(recording.field_mt, recorded(model, tip), atol=1e-9)
-
-
-def test_symmetries_are_the_eight_of_a_square():
-    corner = np.array([2.0, 1.0])
-    assert len({tuple(matrix @ corner) for matrix in SYMMETRIES}) == 8
-    assert_allclose([abs(np.linalg.det(matrix)) for matrix in SYMMETRIES], 1)
-
-
-SWAPPED = next(k for k, matrix in enumerate(SYMMETRIES) if np.array_equal(matrix, [[0, 1], [1, 0]]))
-
-
-def test_a_pose_takes_the_machine_s_places_to_the_object_s():
-    """Against the machine's axes drawn by hand: x along the object's y, y along its x."""
-    pose = Pose(np.array([10.0, 20.0]), 0.0, 30.0, SWAPPED)
-    xy, travel = pose.in_object(np.array([[11.0, 20.0, 28.5], [10.0, 23.0, 30.0]]))
-    assert_allclose(xy, [[0, 1], [3, 0]], atol=1e-12)
-    assert_allclose(travel, [1.5, 0.0])
 
 
 def test_a_tenth_of_the_places_tells_pose_and_resting_level(model, recording):
@@ -97,17 +79,6 @@ def test_calibration_takes_up_magnets_off_their_seats(model):
         np.sqrt(np.mean(left_over(model, one, rows.select(~shown)) ** 2)) for one in (plain, better)
     ]
     assert left[1] < 0.7 * left[0]
-
-
-def test_figures_of_changes_worked_out_by_hand():
-    recorded_mt = np.array([[[1.0, 0.0, 0.0]], [[0.0, 2.0, 0.0]]])
-    predicted = np.array([[[2.0, 0.0, 0.0]], [[0.0, -1.0, 0.0]]])
-    found = figures(predicted, recorded_mt)
-    assert found.cosine == 0.0
-    assert_allclose(found.explained, 1 - (1 + 9) / 5)
-    assert_allclose(found.between, 1 - (1 + 9) / 2.5)
-    assert found.signs == 0.5
-    assert_allclose(found.size, (2 - 2) / 5)
 
 
 DAMAGE = {
