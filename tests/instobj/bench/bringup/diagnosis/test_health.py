@@ -69,7 +69,7 @@ def test_what_is_wrong_with_a_line_or_a_chip_is_named():
 def test_poles_and_pockets_are_told_from_the_step(change, expected):
     fields = pocket_fields(SMALL, CHIPS)
     turned = np.einsum("cab,b->ca", fields.uniform, [30.0, -20.0, 10.0])
-    found = find_magnet(SMALL, fields, 4, change(fields.step) + turned)
+    found = find_magnet(fields, 4, change(fields.step) + turned)
     assert [finding.kind for finding in magnet_findings(SMALL, found)] == expected
 
 
