@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from design.errors import InputError
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.reading import read_recording
-from tests.support.recordings.made_recordings import gripper_arrays, write_gripper, write_training
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
 
 @pytest.fixture(scope="module")
