@@ -57,6 +57,7 @@ def test_rest_levels_that_jump_are_named_with_their_press():
     levels[2:, 3, 1, 0] = 501.0
     levels[1:, 0, 0, 0] = 500.0
     levels[3:] += 151.0
+    levels[3:, 0, 1, 1] = 2000.0
     levels[3:, 4, 1, 2] = np.nan
     jumping, found = faults.jump_faults(levels)
     assert np.argwhere(jumping).tolist() == [[3, 1, 0]]

@@ -77,19 +77,6 @@ def test_a_wrong_place_is_found_by_the_other_presses_of_both_places(read, arrays
     assert [used(recording, press) for press in range(12)] == [press != 1 for press in range(12)]
 
 
-def test_two_swapped_places_name_each_other(read, arrays):
-    planted = copies(arrays)
-    planted[3][rows(2)], planted[3][rows(5)] = 1, 0
-    first, second = found(read(planted), "wrong place label")
-    assert f"swapped with rows {5 * PRESS}–{6 * PRESS - 1}" in first.detail
-    assert f"swapped with rows {2 * PRESS}–{3 * PRESS - 1}" in second.detail
-
-
-def test_a_place_pressed_once_cannot_be_judged(read):
-    lone = gripper_arrays(CASES, presses=1, lag=0)
-    assert not found(read(lone), "wrong place label")
-
-
 @pytest.mark.parametrize("cell", [0, 1])
 def test_a_force_without_signal(read, arrays, cell):
     planted = copies(arrays)
@@ -150,16 +137,6 @@ def test_a_channel_that_jumps_between_two_presses(read, arrays):
     assert fault.where == "F4-Y2, before press 5"
     assert np.isnan(recording.frames.signal_counts[:, 3, 1, 1]).all()
     assert np.isfinite(np.delete(recording.frames.signal_counts.reshape(-1, 45), 31, axis=1)).all()
-
-
-def test_a_shell_that_moved_is_no_jumping_channel(read, arrays):
-    planted = copies(arrays)
-    shift = np.random.default_rng(3).choice([-1, 1], (5, 9)) * 700
-    planted[2][8 * PRESS - 2 :] += shift
-    recording = read(planted)
-    assert not found(recording, "jumping channel")
-    assert [fault.where for fault in found(recording, "shell moved")] == ["before press 8"]
-    assert np.isfinite(recording.frames.signal_counts).all()
 
 
 def test_patterns_are_unit_means_of_five_frames_of_half_the_press_and_more(read, arrays):
