@@ -45,6 +45,8 @@ _LEAST_COPY = 5
 """Rows of a copy, at least."""
 _FINEST_COUNTS = 0.29
 """Noise (counts) of rounding to whole counts: 1/√12."""
+_MOST_SPOILT = 0.1
+"""Share of a channel's readings that may be spoilt."""
 _NOTHING = "readings not used"
 
 
@@ -262,6 +264,24 @@ def without_faults(
         mask, check_faults = check(counts)
         counts, faults = np.where(mask, np.nan, counts), faults + check_faults
     return counts, faults
+
+
+def spoilt_channels(
+    counts: Float[np.ndarray, "frame 5 sensor 3"], lost: Bool[np.ndarray, "frame 5 sensor 3"]
+) -> tuple[Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+    """Channels of which more than a tenth of the readings is `lost` to faults: to leave them out costs
+    less than their frames. Frames that lack half of the channels count for none."""
+    has_reading = np.isfinite(counts) | lost
+    whole = 2 * lost.sum(axis=(1, 2, 3)) >= has_reading.sum(axis=(1, 2, 3))
+    part = (lost & ~whole[:, None, None, None]).sum(axis=0)
+    share = part / np.maximum((has_reading & ~whole[:, None, None, None]).sum(axis=0), 1)
+    spoilt = share > _MOST_SPOILT
+    channels = [tuple(index) for index in np.argwhere(spoilt).tolist()]
+    if not channels:
+        return spoilt, []
+    detail = f"more than {100 * _MOST_SPOILT:.0f} % of their readings are named above"
+    where = channels_text(channels, np.any(has_reading, axis=0))
+    return spoilt, [Fault("channels left out", where, detail, "set to NaN")]
 
 
 def _faults(
