@@ -146,6 +146,7 @@ STAGES: dict[str, Stage] = {
         ("presses", "plain_presses"),
         ("magnets", "sensors", "arrangement"),
         make_compliance,
+        version=2,
     ),
     "candidates": Stage(
         "mechanics: motions of candidate magnets",
@@ -198,14 +199,14 @@ STAGES: dict[str, Stage] = {
         ("signals",),
         ("score", *_NUISANCES, "seed"),
         make_scores,
-        version=10,
+        version=11,
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=5,
+        version=6,
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -219,7 +220,7 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals", "shear"),
         ("score", *_NUISANCES),
         make_shear_scores,
-        version=3,
+        version=4,
     ),
     "identify": Stage(
         "sensitivity: several simultaneous contacts",
@@ -319,6 +320,7 @@ STAGES: dict[str, Stage] = {
         ("presses",),
         ("magnets", "sensors", "arrangement"),
         make_tied_compliance,
+        version=2,
     ),
     "alternatives": Stage(
         "sensitivity: what to try next",
@@ -369,7 +371,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=21,
+        version=22,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

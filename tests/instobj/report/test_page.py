@@ -30,7 +30,7 @@ TABLES = (
         "discretisation",
     ),
     *("weak_header", "weak_areas", "weak_maps"),
-    *("parts", "stages", "area_header", "discretisation_header", "deltas", "delta_maps"),
+    *("parts", "stages", "area_header", "discretisation_header", "deltas"),
 )
 TEXTS = (
     *(
@@ -54,7 +54,7 @@ TEXTS = (
     *("weak_text", "edge_text"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
-PICTURES += ("weak_picture",)
+PICTURES += ("weak_picture", "delta_map")
 
 
 def page_of(spec, tmp_path, **content):
