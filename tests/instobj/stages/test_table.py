@@ -277,25 +277,3 @@ def test_every_key_of_mechanics_matters_to_some_stage():
     named = {part for stage in STAGES.values() for part in stage.depends_on}
     keys = {f"mechanics.{key}" for key in MechanicsSpec.model_fields}
     assert keys <= named
-
-
-def test_presses_of_curved_faces_have_other_keys_than_on_the_grids_of_their_planes():
-    """Boxes and pads keep the results that were stored before places lay along the surface."""
-
-    def grid(kind, size_mm):
-        spec = ObjectSpec.model_validate({"name": "a", "body": {"kind": kind, "size_mm": size_mm}})
-        return stage_inputs(STAGES["presses"], spec, {}, {})["spec"]["contact_grid"]
-
-    assert set(grid("box", [42.0, 42.0, 42.0])) == {"count", "pitch_mm"}
-    assert "steps" not in grid("pad", [60.0, 40.0, 12.0])
-    for curved in (("sphere", [50.0] * 3), ("cylinder", [40.0, 40.0, 60.0])):
-        assert grid(*curved)["steps"] == "along the surface"
-
-
-def test_results_of_a_specification_without_dents_stay():
-    """The key came later: what it changes names it only where there are dents."""
-    spec = ObjectSpec(name="cube")
-    inputs = [stage_inputs(stage, spec, {}, {})["spec"] for stage in STAGES.values()]
-    assert not any("dents" in one or "dent_mm" in one.get("shell", {}) for one in inputs)
-    sunk = spec.changed(shell=spec.shell.changed(dent_mm=0.5))
-    assert stage_inputs(STAGES["presses"], sunk, {}, {})["spec"]["dents"] == [[0.5] * 5] * 5
