@@ -97,10 +97,7 @@ def _check_pocket_width(spec: ObjectSpec) -> Iterator[str]:
 def _check_dents(spec: ObjectSpec) -> Iterator[str]:
     measured = [magnet for magnet in spec.as_built.magnets if magnet.dent_mm is not None]
     if measured and spec.arrangement == "sensors-in-shell":
-        yield (
-            "as_built gives dent_mm of a magnet, but the magnets lie in the core. Leave it out; "
-            "shell.dent_mm is for the seals over the sensor boards"
-        )
+        yield ("as_built gives dent_mm of a magnet, but the magnets lie in the core. Leave it out")
         return
     depth = dents_mm(spec)
     not_with = {
@@ -111,7 +108,7 @@ def _check_dents(spec: ObjectSpec) -> Iterator[str]:
     for key, (given, needed) in not_with.items():
         if depth.any() and given != needed:
             yield (
-                f"dents of the seals (shell.dent_mm, as_built) are not known with {key}; got "
+                f"dents of the seals (as_built) are not known with {key}; got "
                 f"{given!r}. Leave one of the two out"
             )
     for frame, pockets, dents in zip(face_frames(spec), shell_pockets(spec), depth, strict=True):
@@ -122,8 +119,8 @@ def _check_dents(spec: ObjectSpec) -> Iterator[str]:
             if dent >= cover:
                 yield (
                     f"a dent of {dent:g} mm on face {frame.number} reaches {pocket.body.label}, over "
-                    f"which there are {cover:.3g} mm of silicone. Make shell.dent_mm (as_built: "
-                    f"dent_mm) smaller than {floor(1e3 * cover) / 1e3:g}"
+                    f"which there are {cover:.3g} mm of silicone. Make dent_mm (as_built) "
+                    f"smaller than {floor(1e3 * cover) / 1e3:g}"
                 )
 
 

@@ -204,14 +204,12 @@ class ShellSpec(SpecPart):
     Round bodies lie in pockets of `pocket_diameter_mm`; blocks and sensor boards in pockets of
     their own outline. With a `seal_layer_mm` the shell is cast thinner by that much on every sensed
     face and gets its size in a second pour, which covers the pockets with a layer in one piece.
-    `dent_mm` is how far the seals have sunk over the pockets' middles (docs/robustness.md).
     """
 
     thickness_mm: Wall = 8.0
     pocket_diameter_mm: Length = 6.0
     pocket_depth_mm: Length = 3.0
     seal_layer_mm: Offset = 0.0
-    dent_mm: Offset = 0.0
     slits: SlitsSpec = SlitsSpec()
 
 

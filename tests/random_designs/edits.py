@@ -68,7 +68,6 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("shell.pocket_diameter_mm", _plus(-0.5, 3.0), KINDS),
     ("shell.pocket_depth_mm", _times(0.6, 1.8), KINDS),
     ("shell.seal_layer_mm", _from(0.2, 1.5), KINDS),
-    ("shell.dent_mm", _from(0.05, 0.4), KINDS),
     ("core.wall_mm", _times(0.7, 1.9), KINDS),
     ("core.recess_width_mm", _times(0.9, 1.5), KINDS),
     ("core.recess_inner_radius_mm", _plus(-2.5, 1.0), KINDS),

@@ -66,8 +66,7 @@ box: shell.slits.depth_mm=11.1
 box: shell.slits.end_mm=3.1
 box: shell.slits.end_mm=24.5
 box: shell.seal_layer_mm=1.9
-box: shell.dent_mm=1.8
-box: shell.dent_mm=1.0 mechanics.correction=large-strain indenter.friction=sticking
+box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.0}] mechanics.correction=large-strain indenter.friction=sticking
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.9}]
 box: core.wire_channel_depth_mm=4.6
 box: core.bay_mm=[25,29,38]
@@ -133,7 +132,7 @@ hollow dome: contact_grid.count=[16,14]
 """
 TIGHT = """
 box: shell.seal_layer_mm=1.74
-box: shell.dent_mm=1.74 shell.seal_layer_mm=0
+box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.74}] shell.seal_layer_mm=0
 box: core.bay_mm=[24.7,28.7,37.3]
 box: shell.slits.end_mm=3.4
 box: magnets.depth_mm=[0.61,2.6,0.9] shell.seal_layer_mm=0

@@ -308,7 +308,12 @@ def test_a_mesh_that_the_body_has_no_room_for_is_refused(change, words):
 def test_what_was_removed_says_what_holds_in_its_place(removed, tmp_path):
     path, (key, _, value) = tmp_path / "x.toml", removed.partition(" = ")
     path.write_text('name = "x"')
+    table, _, name = key.rpartition(".")
+    of_entries = table == "environment.magnets"  # a list of tables
+    change = (
+        f"{table}=[{{{name}=1, position_mm=[99, 0, 0]}}]" if of_entries else f"{key}={value or 1}"
+    )
     with pytest.raises(InputError) as told:
-        load_spec(path, [f"{key}={value or 1}"])
+        load_spec(path, [change])
     assert f"was removed: {REMOVED[removed]}" in str(told.value)
     assert key in str(told.value)

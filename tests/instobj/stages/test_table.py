@@ -132,7 +132,6 @@ DOWNSTREAM = {
     "mould.style=split": {"build"},
     "printer.name=resin": {"build"},
     "shell.seal_layer_mm=0.5": {"build"},
-    "shell.dent_mm=0.5": {"build", "presses", "shapes", "shear", "discretisation"},
     "as_built.magnets=[{face=2, magnet=1, dent_mm=0.5}]": {
         *("signals", "robustness", "presses", "shapes", "shear", "discretisation"),
     },
