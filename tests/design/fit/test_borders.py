@@ -54,7 +54,7 @@ cube: shell.pocket_diameter_mm | 6.0 | 5.99 | narrower than the magnets
 cube: shell.pocket_diameter_mm | 6.0 | 5.99 | pocket 6 mm wide or more
 cube: magnets.height_mm | 2.99 | 3.0 | pocket deeper than 3 mm
 cube: shell.seal_layer_mm | 2.0 | 2.01 | sticking out of the first pour
-cube: as_built.magnets | [{face=1,magnet=2,dent_mm=1.99}] | [{face=1,magnet=2,dent_mm=2.0}] | reaches magnets.positions_mm
+cube: as_built.magnets | [{face=1,magnet=2,dent_mm=1.99}] | [{face=1,magnet=2,dent_mm=2.0}] | reaches
 cube: magnets.height_mm | 2.99 | 3.0 | must fit below the seal
 one magnet: magnets.depth_mm | 0.51 | 0.5 | does not seal the magnet
 one magnet: magnets.depth_mm | 7.49 | 7.5 | does not seal the magnet

@@ -66,7 +66,7 @@ box: shell.slits.depth_mm=11.1
 box: shell.slits.end_mm=3.1
 box: shell.slits.end_mm=24.5
 box: shell.seal_layer_mm=1.9
-box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.0}] mechanics.correction=large-strain indenter.friction=sticking
+box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.0}] mechanics.correction=large-strain
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.9}]
 box: core.wire_channel_depth_mm=4.6
 box: core.bay_mm=[25,29,38]
