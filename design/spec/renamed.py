@@ -71,6 +71,7 @@ REMOVED = {
     "search.vary.sensor_range_mt": "search once for each sensors.range_mt",
     "search.vary.sensor_turn_deg": "a chip turned about its Z measures as well",
     "sensors.i2c_khz": "the bus runs at 400 kHz",
+    "sensors.mount_rotation_deg": "sensors.rotations_deg turns each chip of a face",
     "sensors.offset_tolerance_mt": "offsets are drawn within tolerances.sensor_offset_ut",
     "shell.dent_mm": "as_built.magnets names each magnet whose seal has sunk, with its dent_mm",
     "silicone.cure_h": "the time to demould is that of the preset silicone.name",

@@ -90,7 +90,6 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("sensors.package_mm", _edges((3, 3, 0.8), (9, 8, 2)), KINDS),
     ("sensors.chip_mm", _edges((1.5, 1.5, 0.6), (4, 4, 1.6)), KINDS),
     ("sensors.chip", _one_of("outward", "inward"), KINDS),
-    ("sensors.mount_rotation_deg", _one_of([0, 0, 45], [0, 0, 90], [180, 0, 0]), KINDS),
     ("sensors.part", _one_of("TMAG5273A2", "TMAG5273A1"), KINDS),
     ("body.sensed_faces", _some_faces, ("box", "cylinder", *_BORED)),
     ("body.open_faces", _one_of([], [1], [4], [3, 6], [1, 2], [2, 3, 6], [1, 6]), ("box",)),

@@ -79,7 +79,7 @@ OBJECTS = {
             "size_mm": [4.0, 3.0],
             "depth_below_core_face_mm": 0.3,
         },
-        sensors={"mount_rotation_deg": [5.0, -3.0, 20.0]},
+        sensors={"chip": "outward"},
     ),
     "pad": _object({"kind": "pad", "size_mm": [40.0, 34.0, 13.0]}),
     "cylinder": _object(
