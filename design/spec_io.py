@@ -21,7 +21,6 @@ from design.spec.base import complaints
 from design.spec.body import BodySpec, ShellSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
-from design.spec.renamed import RENAMED, name_now, rename_older_keys
 from design.spec.uses import USES, require_used
 
 _DEEP_KEY = re.compile(r"(?:\.[\w-]{1,80}){100}")
@@ -129,15 +128,11 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
 def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
     """Apply `key=value` overrides (dotted keys, TOML values) to parsed TOML, in place.
 
-    Keys under an older name are renamed first, so that an override meets them under either.
-
     Raises
     ------
     SpecError
         An override is not of that form, or names a value as if it were a table.
     """
-    for table in RENAMED:
-        _rename(content, table)
     overrides = list(overrides)
     changed = {
         key.strip(): value
@@ -319,16 +314,6 @@ _IMPORTED = {"kind": "imported"}
 _FOREIGN = ("file", "unit", "scale")
 
 
-def _rename(content: dict[str, Any], table: str) -> None:
-    """Keys of a table, where there is one, under their names now, in place."""
-    *above, name = table.split(".")
-    holder: Any = content
-    for part in above:
-        holder = holder.get(part) if isinstance(holder, dict) else None
-    if isinstance(holder, dict) and name in holder:
-        holder[name] = rename_older_keys(table, holder[name])
-
-
 def _apply_override(content: dict[str, Any], override: str) -> None:
     key, equals, value = override.partition("=")
     if not equals or not key.strip():
@@ -339,7 +324,7 @@ def _apply_override(content: dict[str, Any], override: str) -> None:
         table = table.setdefault(part, {})
         if not isinstance(table, dict):
             raise SpecError(f"{override}: {part!r} is a value, not a table of the specification")
-    table[name_now(".".join(tables), name)] = _toml_value(value.strip())
+    table[name] = _toml_value(value.strip())
 
 
 def _toml_value(text: str) -> Any:

@@ -19,7 +19,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from design.errors import SpecError
-from design.spec.renamed import REMOVED
+from design.spec.removed import REMOVED
 
 # Bounds of what is plausible: beyond them lies a slip of the keyboard or another unit.
 Length = Annotated[float, Field(gt=0, le=1000)]

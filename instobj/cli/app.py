@@ -285,7 +285,7 @@ def _warning_line(
     line: str | None = None,
 ) -> str:
     """Return what users are warned of in one line; other warnings with the line of code."""
-    if category in (UserWarning, FutureWarning):
+    if category is UserWarning:
         return f"warning: {message}\n"
     return f"{filename}:{lineno}: {category.__name__}: {message}\n"
 

@@ -1,23 +1,12 @@
-"""Keys that a specification once had: renamed ones still read, with a warning; removed ones are errors."""
+"""Keys that a specification once had and has no more: each is an error that says what holds in its place."""
 
 from __future__ import annotations
 
-import warnings
-from typing import Any
-
-from design.errors import SpecError
-
-_OBJECTIVES = {"cross_face_sigma": "median_false_force_n"}
-RENAMED = {
-    "training": {"members": "ensemble", "interval_cover": "coverage"},
-    "search.objectives": _OBJECTIVES,
-    "search.limits.times_start": _OBJECTIVES,
-}
-"""Table (or list) → older key → its name now; tables after the tables that hold them."""
 _OBJECTIVES_GONE = {
     "build_minutes": "search.vary counts the parts",
     "compliance_deviation": "layouts are not judged by softness",
     "cost": "search.vary counts the parts",
+    "cross_face_sigma": "take median_false_force_n",
     "edge_position_bound_mm": "take percentile_99_position_bound_mm",
     "grasp_position_bound_mm": "take worst_position_bound_mm",
     "pair_all_position_bound_mm": "take worst_position_bound_mm",
@@ -79,8 +68,11 @@ REMOVED = {
     "silicone.peel_share": "peeling may take a third of silicone.elongation_percent",
     "silicone.pot_life_min": "the pot life is that of the preset silicone.name",
     "training.batch_size": "512 frames a batch, fewer of small data sets",
+    "training.coverage": "intervals hold the true value in 90 % of frames",
     "training.heatmap_axes": "estimators read the normal force (studies: FitSettings.axes)",
+    "training.interval_cover": "intervals hold the true value in 90 % of frames",
     "training.learning_rate": "it begins at 0.003",
+    "training.members": "training.ensemble takes its place",
     "training.model = linear": "ridge regression is a baseline of `instobj train`",
     "training.model = paper": "the paper's network is studies/paper/network.py",
     "training.output": "estimators draw heatmaps (studies: FitSettings.continuous)",
@@ -91,40 +83,3 @@ REMOVED = {
     for key in ("search.objectives", f"search.limits.times_start.{name}.[key]")
 }
 """Key, table or `key = value` that there is no more → what holds in its place."""
-
-
-def name_now(table: str, key: str) -> str:
-    """The key's name now; warns where `key` is an older one."""
-    now = RENAMED.get(table, {}).get(key)
-    if now is None:
-        return key
-    warnings.warn(
-        f"{table}.{key} is now called {table}.{now}. Rename it",
-        FutureWarning,
-        stacklevel=2,
-    )
-    return now
-
-
-def rename_older_keys(table: str, given: Any) -> Any:
-    """The table (or list) `given` with every key under its name now; anything else comes back as it is.
-
-    Raises
-    ------
-    SpecError
-        A key is given under both names.
-    """
-    if isinstance(given, list | tuple):
-        return [
-            name_now(table, key_name) if isinstance(key_name, str) else key_name
-            for key_name in given
-        ]
-    if not isinstance(given, dict):
-        return given
-    for older, now in RENAMED[table].items():
-        if older in given and now in given:
-            raise SpecError(
-                f"{table}.{older} is the older name of {table}.{now}; got both, "
-                f"{given[older]!r} and {given[now]!r}. Keep {table}.{now}"
-            )
-    return {name_now(table, key): value for key, value in given.items()}
