@@ -242,7 +242,6 @@ class CoreSpec(SpecPart):
     recess_inner_radius_mm: Length = 4.5
     recess_outer_radius_mm: Length = 11.0
     recess_depth_mm: Length = 3.0
-    hub_radius_mm: Length = 2.0
     wire_hole_top_diameter_mm: Length = 2.0
     wire_hole_side_diameter_mm: Length = 4.0
     wire_channel_width_mm: Offset = 0.0

@@ -19,6 +19,7 @@ _OBJECTIVES_GONE = {
 REMOVED = {
     "collection.hysteresis": "silicone.prony makes the felt force lag",
     "core.hub_depth_mm": "the hub's recess is 0.5 mm deep",
+    "core.hub_radius_mm": "the hub's recess is as wide as the wider wire hole",
     "core.wire_diameter_mm": "wires measure 0.4 mm with their insulation",
     "environment.magnets.recoil_permeability": "magnets nearby are taken for NdFeB, 1.05",
     "export": "triangles leave the solids by 0.05 mm at most and turn by 0.2 rad",

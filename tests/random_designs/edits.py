@@ -73,7 +73,6 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("core.recess_inner_radius_mm", _plus(-2.5, 1.0), KINDS),
     ("core.recess_outer_radius_mm", _plus(-1.0, 4.0), KINDS),
     ("core.recess_depth_mm", _plus(-0.7, 1.6), KINDS),
-    ("core.hub_radius_mm", _times(0.5, 2.2), KINDS),
     ("core.wire_hole_top_diameter_mm", _times(0.6, 2.2), KINDS),
     ("core.wire_hole_side_diameter_mm", _times(0.4, 2.0), KINDS),
     ("core.wire_channel_width_mm", _from(0.6, 2.5), KINDS),

@@ -44,8 +44,7 @@ cube: core.wall_mm | 12.99 | 13.0 | larger than two core walls
 cube: core.recess_depth_mm | 4.49 | 4.5 | recess_depth_mm must be below
 cube: core.recess_outer_radius_mm | 12.99 | 13.0 | recess_outer_radius_mm < half
 cube: core.recess_inner_radius_mm | 10.99 | 11.0 | recess_outer_radius_mm < half
-cube: core.hub_radius_mm | 12.99 | 13.0 | below half the core
-cube: core.hub_radius_mm | 4.48 | 4.495 | they would touch in a line
+cube: core.wire_hole_side_diameter_mm | 8.96 | 8.99 | they would touch in a line
 cube: core.wire_hole_side_diameter_mm | 16.99 | 17.0 | below the core's cavity
 cube: core.wire_hole_top_diameter_mm | 16.99 | 17.0 | below the core's cavity
 cube: shell.pocket_depth_mm | 7.99 | 8.0 | pocket_depth_mm must be below
@@ -92,7 +91,7 @@ cube: core.bay_mm | [9.0, 19.99, 9.0] | [9.0, 20.0, 9.0] | 20 mm in y
 cube: core.bay_mm | [9.0, 9.0, 22.99] | [9.0, 9.0, 23.0] | 23 mm in z
 sensors in the shell: shell.pocket_depth_mm | 1.61 | 1.6 | a sensor board of
 sensors in the shell: magnets.height_mm | 4.49 | 4.5 | deep in a core wall of
-sensors in the shell: magnets.positions_mm | [[5.01, 0.0]] | [[5.0, 0.0]] | meets the hub
+sensors in the shell: magnets.positions_mm | [[5.01, 0.0]] | [[5.0, 0.0]] | meets the wire hole
 ball: shell.pocket_depth_mm | 7.99 | 8.0 | does not lie within the 8 mm
 ball: press.depths_mm | [1.0, 4.8] | [1.0, 4.81] | 60% of the silicone
 ball: body.bore_mm | 33.99 | 34.0 | below the core's width, 34 mm

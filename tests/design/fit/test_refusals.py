@@ -21,7 +21,6 @@ box: core.recess_outer_radius_mm=15.2
 box: core.recess_inner_radius_mm=6.7
 box: core.wire_hole_side_diameter_mm=21.5
 box: core.wire_hole_top_diameter_mm=22.5
-closed box: core.hub_radius_mm=15.5
 box: shell.pocket_depth_mm=8.25
 box: shell.pocket_depth_mm=1.1
 box: shell.pocket_diameter_mm=3.9
@@ -38,7 +37,6 @@ box: core.recess_inner_radius_mm=3.3
 box: core.recess_width_mm=3.7
 box: core.recess_depth_mm=2.05
 box: sensors.radius_mm=5.75
-box: core.hub_radius_mm=2.162
 box: press.depths_mm=[1,4.9]
 box: indenter.radius_mm=1.4
 box: indenter.kind=cuboid indenter.size_mm=[47,51]

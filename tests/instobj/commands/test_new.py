@@ -43,7 +43,7 @@ def placed_tables(kind):
         "contact_grid": {"count": [5, 5], "pitch_mm": 1.5},
         "indenter": {"radius_mm": 3.0},
         "press": {"depths_mm": [0.25, 0.5]},
-        "core": {"wall_mm": 5.0, "hub_radius_mm": 1.5, "recess_inner_radius_mm": 0.25},
+        "core": {"wall_mm": 5.0, "recess_inner_radius_mm": 0.25},
         "sensors": {"radius_mm": 3.5, "positions_mm": [[0.0, 0.0]], "count_per_face": 1},
     }
     if kind == "imported":

@@ -12,7 +12,6 @@ _CORE = {
     "recess_depth_mm": 2.6,
     "wire_hole_top_diameter_mm": 2.2,
     "wire_hole_side_diameter_mm": 3.0,
-    "hub_radius_mm": 1.4,
 }
 _SENSORS = {
     "positions_mm": [[4.2, 1.5], [-2.0, 5.0]],

@@ -31,7 +31,6 @@ LOW_MAGNETS = {
         "recess_outer_radius_mm": 6.75,
         "wire_hole_top_diameter_mm": 2.0,
         "wire_hole_side_diameter_mm": 1.8,
-        "hub_radius_mm": 1.5,
         "wall_mm": 4.32,
     },
     "sensors": {"count_per_face": 1, "radius_mm": 3.5, "positions_mm": [[0.0, 0.0]]},
