@@ -190,12 +190,11 @@ class SlitsSpec(SpecPart):
     """Relief slits along the edges between sensed faces, against pressure on the neighbours.
 
     Each runs from the edge `depth_mm` inwards along the bisector of the two faces, `width_mm` wide,
-    and ends `end_mm` before the corners of the body; a depth of 0 leaves them out.
+    and ends a shell's thickness before the corners of the body; a depth of 0 leaves them out.
     """
 
     width_mm: Length = 1.0
     depth_mm: Offset = 0.0
-    end_mm: Offset = 8.0
 
 
 class ShellSpec(SpecPart):

@@ -64,6 +64,7 @@ REMOVED = {
     "sensors.mount_rotation_deg": "sensors.rotations_deg turns each chip of a face",
     "sensors.offset_tolerance_mt": "offsets are drawn within tolerances.sensor_offset_ut",
     "shell.dent_mm": "as_built.magnets names each magnet whose seal has sunk, with its dent_mm",
+    "shell.slits.end_mm": "slits end shell.thickness_mm before the corners, or where they do not meet there",
     "silicone.cure_h": "the time to demould is that of the preset silicone.name",
     "silicone.mix_ratio": "the mixing ratio is that of the preset silicone.name",
     "silicone.peel_share": "peeling may take a third of silicone.elongation_percent",

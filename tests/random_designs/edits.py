@@ -237,8 +237,8 @@ def _sensors_moved(rng: np.random.Generator, tables: dict[str, Any]) -> None:
 
 
 def _slits(rng: np.random.Generator, tables: dict[str, Any]) -> None:
-    width, depth, end = rng.uniform([0.6, 1.0, 2.0], [2.5, 7.0, 12.0]).round(2).tolist()
-    put(tables, "shell.slits", {"width_mm": width, "depth_mm": depth, "end_mm": end})
+    width, depth = rng.uniform([0.6, 1.0], [2.5, 7.0]).round(2).tolist()
+    put(tables, "shell.slits", {"width_mm": width, "depth_mm": depth})
 
 
 def _keys(rng: np.random.Generator, tables: dict[str, Any]) -> None:

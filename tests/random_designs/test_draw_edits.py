@@ -65,7 +65,7 @@ def test_one_edit_leaves_what_the_schema_takes(kind):
 def test_values_are_those_given_or_the_defaults():
     tables = {"shell": {"thickness_mm": 5.0}}
     assert value_of(tables, "shell.thickness_mm") == 5.0
-    assert value_of(tables, "shell.slits.end_mm") == ObjectSpec(name="x").shell.slits.end_mm
+    assert value_of(tables, "shell.slits.width_mm") == ObjectSpec(name="x").shell.slits.width_mm
     assert value_of(tables, "magnets.depth_mm") is None
 
 

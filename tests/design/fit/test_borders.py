@@ -18,7 +18,7 @@ BASES = {
     "ring of 8.5 mm": ["sensors.radius_mm=8.5"],
     "keys": [*KEY, "core.keys.positions_mm=[[0.0, 12.0]]"],
     "key below a magnet": [*KEY, "core.keys.positions_mm=[[10.0, 10.0]]"],
-    "slits": ["shell.slits.depth_mm=4.0", "shell.slits.end_mm=20.0"],
+    "slits": ["shell.slits.depth_mm=4.0"],
     "channels": ["core.wire_channel_width_mm=2.0"],
     "cuboid tip": ["indenter.kind=cuboid"],
     "two tips": ["indenter.tip_count=2"],
@@ -83,8 +83,7 @@ keys: core.keys.positions_mm | [[0, 12], [2.01, 12]] | [[0, 12], [1.99, 12]] | a
 keys: core.keys.height_mm | 7.99 | 8.0 | height_mm must be below shell
 key below a magnet: core.keys.height_mm | 4.99 | 5.0 | into the pocket
 slits: shell.slits.depth_mm | 10.81 | 10.82 | reaches the core
-slits: shell.slits.end_mm | 3.83 | 3.82 | so that slits do not meet
-slits: shell.slits.end_mm | 20.99 | 21.0 | below half the shortest edge
+slits: shell.slits.width_mm | 18.17 | 18.18 | leaves no slit
 channels: core.wire_channel_depth_mm | 4.49 | 4.5 | must be below core.wall_mm
 cube: core.bay_mm | [19.99, 9.0, 9.0] | [20.0, 9.0, 9.0] | 20 mm in x
 cube: core.bay_mm | [9.0, 19.99, 9.0] | [9.0, 20.0, 9.0] | 20 mm in y

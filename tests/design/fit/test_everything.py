@@ -14,7 +14,7 @@ FAULTS = {
     "core": {"recess_depth_mm": 4.5, "wire_hole_top_diameter_mm": 30.0},
     "press": {"depths_mm": [1.0, 4.9]},
     "contact_grid": {"count": [20, 10]},
-    "shell": {"slits": {"depth_mm": 12.0, "end_mm": 12.0}},
+    "shell": {"slits": {"depth_mm": 12.0}},
 }
 NAMED = {
     "magnets": r"magnets\.positions_mm\[1\]",

@@ -61,8 +61,6 @@ box: core.keys.height_mm=8.3
 box: mechanics.interface=frictionless
 box: core.keys.size_mm=[9,14]
 box: shell.slits.depth_mm=11.1
-box: shell.slits.end_mm=3.1
-box: shell.slits.end_mm=24.5
 box: shell.seal_layer_mm=1.9
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.0}] mechanics.correction=large-strain
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.9}]
@@ -132,7 +130,6 @@ TIGHT = """
 box: shell.seal_layer_mm=1.74
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.74}] shell.seal_layer_mm=0
 box: core.bay_mm=[24.7,28.7,37.3]
-box: shell.slits.end_mm=3.4
 box: magnets.depth_mm=[0.61,2.6,0.9] shell.seal_layer_mm=0
 box: core.keys.positions_mm=[[13.9,-10],[10.5,14.2]]
 sleeve: press.depths_mm=[1,4.79]

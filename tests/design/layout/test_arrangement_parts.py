@@ -201,7 +201,7 @@ def test_the_bus_and_the_averaging_limit_the_frame_rate():
         ),
         (
             {"arrangement": "sensors-in-shell"},
-            r"positions_mm\[0\] = \(0, 0\) meets the hub or wire",
+            r"positions_mm\[0\] = \(0, 0\) meets the wire hole",
         ),
         (
             {"arrangement": "sensors-in-shell", "magnets": {**IN_CORE, "height_mm": 5}},

@@ -44,7 +44,7 @@ def _object(body, **tables):
 _OWN_LISTS = [[[1.0 + 0.3 * k, -4.0], [-6.0, 3.0 - 0.4 * k], [6.0, 4.5]] for k in range(4)]
 _OBLONG = {"size_mm": [46.0, 50.0, 56.0]}
 _ONE = {"positions_mm": [[0.0, 0.0]], "north": ["inward"]}
-_SLITS = {"slits": {"depth_mm": 3.5, "width_mm": 0.9, "end_mm": 9.0}}
+_SLITS = {"slits": {"depth_mm": 3.5, "width_mm": 0.9}}
 _ROUND = {"positions_mm": [[1.5, -4.0], [-4.5, 2.0]], "north": ["outward", "inward"]}
 _FEW = {"positions_mm": [[3.9, 1.0]]}
 OBJECTS = {
