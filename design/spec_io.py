@@ -307,11 +307,11 @@ def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]
         measured = BodySpec.model_validate(_IMPORTED | {k: body[k] for k in _FOREIGN if k in body})
     except ValidationError:
         return content  # told with all other problems of the specification
-    return content | {"body": body | body_of_file(folder / body["file"], measured.mm_per_unit)}
+    return content | {"body": body | body_of_file(folder / body["file"], measured.scale)}
 
 
 _IMPORTED = {"kind": "imported"}
-_FOREIGN = ("file", "unit", "scale")
+_FOREIGN = ("file", "scale")
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:

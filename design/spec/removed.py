@@ -17,6 +17,7 @@ _OBJECTIVES_GONE = {
     "tolerance_place_mm": "`instobj run --to robustness` tells what tolerances cost",
 }
 REMOVED = {
+    "body.unit": "body.scale is the length of a unit of the file in mm: 10 for cm, 1000 for m, 25.4 for in",
     "collection.hysteresis": "silicone.prony makes the felt force lag",
     "core.hub_depth_mm": "the hub's recess is 0.5 mm deep",
     "core.hub_radius_mm": "the hub's recess is as wide as the wider wire hole",

@@ -347,7 +347,7 @@ PEAR = YCB / "YcbPear_vhacd.obj"
 @pytest.mark.skipif(not PEAR.is_file(), reason=f"the scan {PEAR} is not on this machine")
 def test_a_real_pear_stands_on_its_jig():
     """Its post ran 1.98 mm³ into the core, so that every press was 1.5 mm off in z."""
-    body = {"kind": "imported", "unit": "m", "sensed_faces": [1]} | body_of_file(PEAR, 1000.0)
+    body = {"kind": "imported", "scale": 1000.0, "sensed_faces": [1]} | body_of_file(PEAR, 1000.0)
     spec = ObjectSpec.model_validate({"name": "pear", "body": body, "sensors": {"radius_mm": 7.5}})
     stands = on_a_jig(spec)
     assert (stands.status, stands.value) == ("pass", 0.0)

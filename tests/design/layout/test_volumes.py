@@ -32,7 +32,7 @@ def test_keys_of_a_ball_take_what_of_them_stands_out_of_the_core():
 
 @pytest.mark.parametrize(("open_faces", "edges"), [([6], 8), ([], 12)])
 def test_slits_run_along_the_edges_between_sensed_faces(open_faces, edges):
-    """Triangles of 4 mm less half of them, 1.5 mm wide, 8 mm off corners; those along z run out of an open face."""
+    """Triangles of 4 mm less half of them, 1.5 mm wide, from 8 mm off the corners or an open face."""
     box = {"size_mm": [42.0, 44.0, 46.0], "open_faces": open_faces}
     plain, slit = volume(box), volume(box, shell={"slits": SLITS})
     along = {"x": 42 - 16, "y": 44 - 16, "z": 46 - (16 if not open_faces else 8)}
