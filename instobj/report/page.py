@@ -15,7 +15,7 @@ from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
 from instobj.figures.maps.files import SCORE_MAPS
 from instobj.report.core_section import core_section
-from instobj.report.deformation_section import compliance_section, deformation_section
+from instobj.report.deformation_section import deformation_section
 from instobj.report.pages import render, shown
 from instobj.report.remedies import remedies_section
 from instobj.report.surroundings import surroundings_section
@@ -85,7 +85,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         surroundings=surroundings_section(readers.SURROUNDINGS.read(inputs["surroundings"])),
         press_curves=readers.PRESS_CURVES_PICTURE.path(inputs["press_curves"]),
         mechanics=_mechanics(spec, curves, inputs, protocol),
-        compliance=compliance_section(inputs["tied_compliance"]),
+        compliance=readers.TIED_COMPLIANCE_MAP.path(inputs["press_curves"]),
         deformation=deformation_section(spec, inputs, protocol),
         core=core_section(spec, inputs["presses"], inputs["slip"]),
         estimators=_estimators(inputs),

@@ -32,7 +32,6 @@ from instobj.stages.makers.report import (
     make_press_curves,
     make_report,
     make_surroundings,
-    make_tied_compliance,
 )
 from instobj.stages.makers.scene import make_scene
 from instobj.stages.makers.signals import (
@@ -139,7 +138,7 @@ STAGES: dict[str, Stage] = {
         ("plain_response",),
         ("contact_grid", "indenter", "press"),
         make_plain_presses,
-        version=3,
+        version=4,
     ),
     "compliance": Stage(
         "mechanics: compliance map",
@@ -310,16 +309,10 @@ STAGES: dict[str, Stage] = {
         version=3,
     ),
     "press_curves": Stage(
-        "signals: curves of presses",
-        ("signals",),
-        ("sensors", "silicone", "protocol.peak_force_n"),
+        "signals: curves of presses, compliance",
+        ("presses", "signals"),
+        ("magnets", "sensors", "arrangement", "silicone", "protocol.peak_force_n"),
         make_press_curves,
-    ),
-    "tied_compliance": Stage(
-        "mechanics: compliance map with magnets",
-        ("presses",),
-        ("magnets", "sensors", "arrangement"),
-        make_tied_compliance,
         version=2,
     ),
     "alternatives": Stage(
@@ -364,7 +357,6 @@ STAGES: dict[str, Stage] = {
             "metrics",
             "surroundings",
             "press_curves",
-            "tied_compliance",
             "alternatives",
             "slip",
             "scene",

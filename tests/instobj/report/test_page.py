@@ -35,7 +35,6 @@ TABLES = (
 TEXTS = (
     *(
         "surroundings",
-        "compliance",
         "deformation",
         "core",
         "discretisation_note",
@@ -54,7 +53,7 @@ TEXTS = (
     *("weak_text", "edge_text"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
-PICTURES += ("weak_picture", "delta_map")
+PICTURES += ("weak_picture", "delta_map", "compliance")
 
 
 def page_of(spec, tmp_path, **content):

@@ -183,8 +183,7 @@ DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
 _LAID_OUT = ("shell.", "magnets.", "core.", "sensors.", "environment.", "as_built.")
 SHOWN_BY_THE_REPORT_ALONE = {
     "surroundings": (*_LAID_OUT, "mechanics.slip."),
-    "press_curves": ("sensors.", "silicone."),
-    "tied_compliance": ("magnets.", "sensors."),
+    "press_curves": ("magnets.", "sensors.", "silicone."),
     "slip": ("mechanics.slip.", "score."),
     "alternatives": (
         *(*_LAID_OUT, "mechanics.", "silicone.", "score.", "seed", "contact_grid.", "press."),
