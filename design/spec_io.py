@@ -21,6 +21,7 @@ from design.spec.base import complaints
 from design.spec.body import BodySpec, ShellSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
+from design.spec.silicone import is_test_file
 from design.spec.uses import USES, require_used
 
 _DEEP_KEY = re.compile(r"(?:\.[\w-]{1,80}){100}")
@@ -254,19 +255,20 @@ def _with_as_built(content: dict[str, Any], path: Path) -> dict[str, Any]:
 
 
 def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Fit `silicone.tensile_data`, a file next to the specification, where it is to give the modulus.
+    """Fit the tensile test that `silicone.modulus_from` names, a file next to the specification.
 
     An explicit modulus goes before it; the key is then dropped.
     """
     silicone = content.get("silicone")
-    if not isinstance(silicone, dict) or not isinstance(silicone.get("tensile_data"), str):
+    source = silicone.get("modulus_from") if isinstance(silicone, dict) else None
+    if not isinstance(silicone, dict) or not isinstance(source, str) or not is_test_file(source):
         return content
     if "youngs_modulus_mpa" in silicone:
-        return content | {"silicone": silicone | {"tensile_data": None}}
+        return content | {"silicone": silicone | {"modulus_from": None}}
     from design.catalogue.tensile import fit_tensile
     from design.catalogue.tensile_files import read_tensile_test
 
-    file = folder / silicone["tensile_data"]
+    file = folder / source
     modulus = fit_tensile(read_tensile_test(file), file.name).modulus
     figures = {
         "youngs_modulus_mpa": modulus.youngs_modulus_mpa,

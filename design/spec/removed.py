@@ -70,6 +70,8 @@ REMOVED = {
     "silicone.mix_ratio": "the mixing ratio is that of the preset silicone.name",
     "silicone.peel_share": "peeling may take a third of silicone.elongation_percent",
     "silicone.pot_life_min": "the pot life is that of the preset silicone.name",
+    "silicone.shore": "silicone.modulus_from takes a hardness, as A10",
+    "silicone.tensile_data": "silicone.modulus_from takes a file (.csv)",
     "training.batch_size": "512 frames a batch, fewer of small data sets",
     "training.coverage": "intervals hold the true value in 90 % of frames",
     "training.heatmap_axes": "estimators read the normal force (studies: FitSettings.axes)",

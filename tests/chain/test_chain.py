@@ -346,7 +346,7 @@ def test_the_example_is_the_template_and_the_defaults():
         assert set(search[table]) == set(part.model_fields)
     assert parse_spec({"name": "all", "search": search}, "all lines").search.vary.magnet_count
     silicone = dict(switched_on["silicone"])
-    for key in ("shore", "tensile_data", "layers", "prony"):
+    for key in ("modulus_from", "layers", "prony"):
         del switched_on["silicone"][key]
     assert spec_hash(parse_spec(switched_on | {"name": "paper_cube"}, "all lines")) == spec_hash(
         ObjectSpec(name="paper_cube")

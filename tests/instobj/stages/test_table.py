@@ -42,7 +42,7 @@ DOWNSTREAM: dict[str, set[str]] = {
     "silicone.density_g_per_cm3=1.1": {"report"},
     "silicone.youngs_modulus_range_mpa=[0.3, 0.5]": {"report"},
     "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": RECORDED,
-    "silicone.shore=A12": ELASTIC | {"report"},
+    "silicone.modulus_from=A12": ELASTIC | {"report"},
     "mechanics.element=p2-p0": ELASTIC,
     "mechanics.magnets=points": {"response", "coarse_response"},
     "mechanics.interface=frictionless": ELASTIC,
@@ -86,7 +86,7 @@ DOWNSTREAM: dict[str, set[str]] = {
 
 PRESSED_ON_THEIR_OWN = (
     "silicone.youngs_modulus_mpa=0.3",
-    "silicone.shore=A12",
+    "silicone.modulus_from=A12",
     "mechanics.element=p2-p0",
     "mechanics.magnets=points",
     "mechanics.interface=frictionless",
