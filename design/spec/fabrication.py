@@ -31,15 +31,13 @@ class MouldSpec(SpecPart):
     out, it is chosen for the body's kind (`design.layout.mould.frame.parting`).
     `printer.clearance_mm` is left between parts that slide. A closed mould is poured through a
     hole of `pour_mm`; vents of `printer.hole_mm` stand where air would be caught. Walls that shape
-    silicone have the draft of the object's own; pins and rods are straight. `magnet_templates` are
-    printed of flat faces; with "all", sheets that hug curved ones too.
+    silicone have the draft of the object's own; pins and rods are straight.
     """
 
     style: Literal["one-piece", "split"] | None = None
     wall_mm: Thickness = 1.5
     parting_azimuth_deg: Angle | None = None
     pour_mm: Thickness = 6.0
-    magnet_templates: Literal["flat", "all"] = "flat"
 
 
 class PrinterSpec(SpecPart):

@@ -34,6 +34,7 @@ REMOVED = {
     "mould.dowel_draft_deg": "dowels have a draft of 10°",
     "mould.draft_deg": "pins and rods are straight, with printer.clearance_mm about them",
     "mould.flange_mm": "flanges are 8 mm wide, or as wide as walls beside their bolts need",
+    "mould.magnet_templates": "templates to set magnets are printed of all faces",
     "mould.play_mm": "sliding parts have printer.clearance_mm between them",
     "mould.silicone_waste": "15 % more silicone is mixed than the parts hold",
     "mould.vent_mm": "vents are as wide as printer.hole_mm",

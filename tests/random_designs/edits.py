@@ -101,7 +101,6 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("mould.wall_mm", _times(0.6, 3.5), KINDS),
     ("mould.parting_azimuth_deg", _from(-180.0, 180.0), KINDS),
     ("mould.pour_mm", _from(2.5, 12.0), KINDS),
-    ("mould.magnet_templates", _one_of("all", "flat"), KINDS),
     ("printer.name", _one_of("fdm-0.25", "resin", "sls"), KINDS),
     ("printer.wall_mm", _from(0.4, 1.6), KINDS),
     ("printer.hole_mm", _from(0.5, 2.0), KINDS),
