@@ -8,9 +8,9 @@ minutes, and a shell that came up before costs nothing. Ranges are continuous.
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from design.spec.base import (
     Coordinate,
@@ -21,7 +21,6 @@ from design.spec.base import (
     SpecPart,
     Wall,
 )
-from design.spec.renamed import rename_older_keys
 
 Objective = Literal[
     "worst_position_bound_mm",
@@ -100,11 +99,6 @@ class SearchLimitsSpec(SpecPart):
         default_factory=dict
     )
 
-    @field_validator("times_start", mode="before")
-    @classmethod
-    def _names_now(cls, given: Any) -> Any:
-        return rename_older_keys("search.limits.times_start", given)
-
 
 class SearchSpec(SpecPart):
     """A layout search: what may change, limits, objectives and budget.
@@ -142,11 +136,6 @@ class SearchSpec(SpecPart):
     def named(self) -> set[str]:
         """Scores that are objectives or limited."""
         return {*self.objectives, *self.limits.times_start}
-
-    @field_validator("objectives", mode="before")
-    @classmethod
-    def _names_now(cls, given: Any) -> Any:
-        return rename_older_keys("search.objectives", given)
 
     @model_validator(mode="after")
     def _agrees(self) -> SearchSpec:

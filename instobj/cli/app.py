@@ -86,11 +86,9 @@ def new(
         Path | None,
         typer.Option("--from", metavar="FILE", help="Closed surface of an imported body."),
     ] = None,
-    unit: Annotated[
-        str | None, typer.Option(help="Unit of the lengths in the file: mm (default), cm, m, in.")
-    ] = None,
     scale: Annotated[
-        float | None, typer.Option(help="Factor on the lengths in the file (default: 1).")
+        float | None,
+        typer.Option(help="Factor on the lengths in the file: 1 for mm (default), 10 for cm, …"),
     ] = None,
     out: Out = HERE,
 ) -> None:
@@ -98,7 +96,7 @@ def new(
     from instobj.commands.new import new_specification, placed_text, request_of, size_of
 
     size_mm = None if size is None else size_of(size, kind)
-    request = request_of(kind, size_mm, sensors, magnets, file, unit, scale)
+    request = request_of(kind, size_mm, sensors, magnets, file, scale)
     written = new_specification(name, out, request)
     typer.echo(f"wrote {written}\n{placed_text(written)}\nnext  instobj check {written}")
 
@@ -288,7 +286,7 @@ def _warning_line(
     line: str | None = None,
 ) -> str:
     """Return what users are warned of in one line; other warnings with the line of code."""
-    if category in (UserWarning, FutureWarning):
+    if category is UserWarning:
         return f"warning: {message}\n"
     return f"{filename}:{lineno}: {category.__name__}: {message}\n"
 

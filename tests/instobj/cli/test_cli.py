@@ -167,15 +167,6 @@ def test_ctrl_c_keeps_finished_stages_and_the_next_run_goes_on(tmp_path):
     assert json.loads(again.stdout)["objects"][0]["stages"][0]["reused"] is False
 
 
-def test_an_older_key_is_one_line_of_warning_beside_the_result(tmp_path):
-    (tmp_path / "x.toml").write_text('name = "x"\n[training]\nmembers = 2\n')
-    done = run_apart("check", "x.toml", "--json", cwd=tmp_path)
-    assert done.returncode == 0
-    assert json.loads(done.stdout)["command"] == "check"
-    (line,) = done.stderr.splitlines()
-    assert line.startswith("warning: training.members is now called training.ensemble")
-
-
 def test_without_a_command_the_first_session_is_shown(tmp_path):
     done = run(cwd=tmp_path)
     assert done.returncode == 0

@@ -30,12 +30,11 @@ TABLES = (
         "discretisation",
     ),
     *("weak_header", "weak_areas", "weak_maps"),
-    *("parts", "stages", "area_header", "discretisation_header", "deltas", "delta_maps"),
+    *("parts", "stages", "area_header", "discretisation_header", "deltas"),
 )
 TEXTS = (
     *(
         "surroundings",
-        "compliance",
         "deformation",
         "core",
         "discretisation_note",
@@ -54,7 +53,7 @@ TEXTS = (
     *("weak_text", "edge_text"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
-PICTURES += ("weak_picture",)
+PICTURES += ("weak_picture", "delta_map", "compliance")
 
 
 def page_of(spec, tmp_path, **content):
