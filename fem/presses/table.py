@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
@@ -160,30 +160,48 @@ def _press_each(
 ) -> FacePresses:
     face, tip = refined_face(response, face_index, spec), tip_cells(spec.indenter)
     sideways = path_mm(spec.indenter, depths_mm)
-    require_on_face(face, spec.indenter, xy_mm + sideways[-1])
-    require_on_face(face, spec.indenter, xy_mm)
-    near = cells_compliance(tip.patches, spec)
-    shape = (len(xy_mm), len(depths_mm))
+    require_landing(face, spec, np.concatenate([xy_mm + sideways[-1], xy_mm]))
+    whole, shape = cells_compliance(tip.patches, spec), (len(xy_mm), len(depths_mm))
     force, touched = np.zeros(shape), np.zeros(shape)
     vertex = np.zeros((*shape, len(face.surface.xy_mm)))
     together = [np.arange(len(depths_mm))] if not sideways.any() else np.arange(shape[1])[:, None]
     nearby: dict[int, Contact] = {}
     for place, centre in enumerate(face.frame.to_plane(xy_mm)):
         for steps in together:
-            spread = spread_cells(face, moved(tip.patches, centre + sideways[steps[0]]), centre)
-            require_on_patch(tip, spread, float(depths_mm[steps[-1]]))
-            solved = nearby[steps[0]] = contact(
+            cut = cells_over(face, spec.indenter, tip, centre + sideways[steps[0]])
+            near = whole if cut is tip else cells_compliance(cut.patches, spec)
+            spread = spread_cells(face, moved(cut.patches, centre + sideways[steps[0]]), centre)
+            require_on_patch(cut, spread, float(depths_mm[steps[-1]]))
+            solved = contact(
                 place_compliance(spread, near),
-                resting_gap_mm(tip, spread) * tip.patches.area_mm2,
-                tip.patches.area_mm2,
+                resting_gap_mm(cut, spread) * cut.patches.area_mm2,
+                cut.patches.area_mm2,
                 np.asarray(depths_mm)[steps],
-                nearby.get(steps[0]),
+                nearby.get(steps[0]) if cut is tip else None,
             )
+            if cut is tip:
+                nearby[steps[0]] = solved
             pressure = solved.pressure_mpa
-            force[place, steps] = pressure @ tip.patches.area_mm2
+            force[place, steps] = pressure @ cut.patches.area_mm2
             touched[place, steps] = (pressure > 0) @ spread.patches.area_mm2
             vertex[place, steps[:, None], spread.rows] = pressure @ spread.matrix.T
     return FacePresses(force, touched, vertex)
+
+
+def cells_over(
+    face: RefinedFace, indenter: IndenterSpec, whole: TipCells, xy_mm: Float[np.ndarray, "2"]
+) -> TipCells:
+    """Cells of an indenter at a place that lie over the face; `whole` where all of them do."""
+    border = face.border
+    if border is None:
+        return whole
+    outline = xy_mm + footprint_mm(indenter)
+    corners = np.stack(np.meshgrid(*outline.T), axis=-1)
+    if (border.beyond_mm(corners) <= _BORDER_MM).all():
+        return whole
+    return tip_cells(
+        indenter, replace(border, low_mm=border.low_mm - xy_mm, high_mm=border.high_mm - xy_mm)
+    )
 
 
 def resting_gap_mm(tip: TipCells, spread: Spread) -> Float[np.ndarray, "cell"]:
@@ -230,6 +248,26 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
         touch = np.min(profile - height) - np.min(profile)
         moments[place] = integral @ (profile - height - touch)
     return moments
+
+
+def require_landing(
+    face: RefinedFace, spec: ObjectSpec, xy_mm: Float[np.ndarray, "place 2"]
+) -> None:
+    """Raise InputError for a press whose lowest point lands beside a flat face.
+
+    Where slits cut the edges the whole indenter must stay on the face.
+    """
+    if spec.shell.slits.depth_mm > 0:
+        return require_on_face(face, spec.indenter, xy_mm)
+    beside = face.border is not None and face.border.beyond_mm(xy_mm) > _BORDER_MM
+    if np.any(beside):
+        x, y = xy_mm[beside][0]
+        half = face.frame.half_extents_mm
+        raise InputError(
+            f"a press at ({x:g}, {y:g}) mm lands beside face {face.frame.number} (±{half[0]:.4g}, "
+            f"±{half[1]:.4g} mm). Move it inwards"
+        )
+    return None
 
 
 def require_on_face(

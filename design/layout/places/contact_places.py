@@ -4,8 +4,9 @@ Faces differ in size and shape; tables of presses do not. So all faces take thei
 centred lattice, as large as the largest face needs, and each has a mask of the locations that lie on it. Its
 steps are lengths along the surface (`design.body.section_lengths`), so that locations lie evenly on
 curved faces too.
-With `contact_grid.count = "fill"` these are all at which the tip and half a pitch round it stay
-on the face, with a pair of counts all of the lattice on every face.
+With `contact_grid.count = "fill"` these are all at which the tip lands on the face, anywhere within
+half a pitch, with a pair of counts all of the lattice on every face. Over the border of a flat face
+the tip may hang; on a curved patch all that it touches stays.
 """
 
 from __future__ import annotations
@@ -186,17 +187,22 @@ def nodes_of_parity(free: Bool[np.ndarray, "face i j"], odd: tuple[bool, bool]) 
 def tip_stays(
     spec: ObjectSpec, frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"]
 ) -> Bool[np.ndarray, "node"]:
-    """Return whether the tip, pressed at places down to the deepest step, stays on the face."""
-    footprint = footprint_mm(spec.indenter)
+    """Return whether the tips, pressed at places down to the deepest step, land on the face.
+
+    On a flat face the lowest point of each must; what hangs over the border presses nothing. Where
+    slits cut the edges the whole outline must stay on the face, and on a curved patch what touches.
+    """
+    tips = (
+        footprint_mm(spec.indenter) if spec.shell.slits.depth_mm else tip_places_mm(spec.indenter)
+    )
     path = path_mm(spec.indenter, spec.press.depths_mm)[-1]
-    reach = np.maximum(abs(footprint + path), abs(footprint)).max(axis=0)
-    if frame.flat and not frame.round:
-        return np.all(abs(place_mm) + reach <= np.array(frame.half_extents_mm) + 1e-9, axis=1)
-    stays = stays_on_patch(frame, place_mm, touched_reach_mm(spec))
-    if frame.flat:
+    reach = np.maximum(abs(tips + path), abs(tips)).max(axis=0)
+    if not frame.flat:
+        return stays_on_patch(frame, place_mm, touched_reach_mm(spec))
+    if frame.round:
         radius = min(frame.half_extents_mm) - _ROUND_MARGIN_MM
-        stays &= np.linalg.norm(place_mm, axis=1) + np.linalg.norm(reach) / np.sqrt(2) <= radius
-    return stays
+        return np.linalg.norm(place_mm, axis=1) + np.linalg.norm(reach) <= radius
+    return np.all(abs(place_mm) + reach <= np.array(frame.half_extents_mm) + 1e-9, axis=1)
 
 
 def touched_reach_mm(spec: ObjectSpec) -> float:

@@ -53,7 +53,9 @@ def press_loads(
     if force_n is not None and patch is not None:
         raise InputError("give either --force or --patch: a patch has the force of its pressure")
     require_no_slip(spec)
-    checked = check_places(_with_patch(spec, patch), places, force_n is None and patch is None)
+    checked = check_places(
+        _with_patch(spec, patch), places, force_n is None and patch is None, whole=patch is not None
+    )
     require_writable(out)
     run = Run(spec)
     if patch is not None:
