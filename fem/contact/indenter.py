@@ -156,7 +156,7 @@ def _cells(shape: TipShape, border: Border | None = None) -> tuple[Patches, np.n
 
 def _cut(
     lower_mm: Float[np.ndarray, "cell 2"], size_mm: Float[np.ndarray, "cell 2"], border: Border
-) -> tuple[Float[np.ndarray, "cell 2"], Float[np.ndarray, "cell 2"]]:
+) -> tuple[Float[np.ndarray, "kept 2"], Float[np.ndarray, "kept 2"]]:
     """Cells without what lies beyond a rectangle, those left out that have no part in it."""
     ends = np.clip([lower_mm, lower_mm + size_mm], border.low_mm, border.high_mm)
     size = ends[1] - ends[0]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
@@ -19,7 +20,7 @@ from design.processes import one_blas_thread
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import Contact, contact
-from fem.contact.indenter import TipCells, hemisphere_profile_mm, moved, tip_cells
+from fem.contact.indenter import Border, TipCells, hemisphere_profile_mm, moved, tip_cells
 from fem.contact.refined import (
     RefinedFace,
     Spread,
@@ -37,6 +38,8 @@ _QUADRATURE_ORDER = 8
 """Degree that the quadrature over a triangle integrates exactly: a tip's profile is curved."""
 _BORDER_MM = 1e-3
 """Rounding by which a tip may lie beyond the face."""
+_ALIKE_DIGITS = 6
+"""Decimals (mm) to which distances from the border are the same."""
 _NEVER_MM = 1e3
 """Gap of vertices beyond the face, far more than any depth: they never touch."""
 Progress = Callable[[str], None]
@@ -151,6 +154,15 @@ def press_face(
         return _press_each(spec, response, face_index, xy_mm, depths_mm)
 
 
+@dataclass(frozen=True)
+class _Kept:
+    """Cells that many places share, their own compliance, and the last contact of each step."""
+
+    cells: TipCells
+    compliance: Float[np.ndarray, "cell cell"]
+    nearby: dict[int, Contact]
+
+
 def _press_each(
     spec: ObjectSpec,
     response: ResponseOperator,
@@ -161,26 +173,25 @@ def _press_each(
     face, tip = refined_face(response, face_index, spec), tip_cells(spec.indenter)
     sideways = path_mm(spec.indenter, depths_mm)
     require_landing(face, spec, np.concatenate([xy_mm + sideways[-1], xy_mm]))
-    whole, shape = cells_compliance(tip.patches, spec), (len(xy_mm), len(depths_mm))
+    shape, kept = (len(xy_mm), len(depths_mm)), dict[int, _Kept]()
     force, touched = np.zeros(shape), np.zeros(shape)
     vertex = np.zeros((*shape, len(face.surface.xy_mm)))
     together = [np.arange(len(depths_mm))] if not sideways.any() else np.arange(shape[1])[:, None]
-    nearby: dict[int, Contact] = {}
     for place, centre in enumerate(face.frame.to_plane(xy_mm)):
         for steps in together:
             cut = cells_over(face, spec.indenter, tip, centre + sideways[steps[0]])
-            near = whole if cut is tip else cells_compliance(cut.patches, spec)
+            if id(cut) not in kept:
+                kept[id(cut)] = _Kept(cut, cells_compliance(cut.patches, spec), {})
+            near, nearby = kept[id(cut)].compliance, kept[id(cut)].nearby
             spread = spread_cells(face, moved(cut.patches, centre + sideways[steps[0]]), centre)
             require_on_patch(cut, spread, float(depths_mm[steps[-1]]))
-            solved = contact(
+            solved = nearby[steps[0]] = contact(
                 place_compliance(spread, near),
                 resting_gap_mm(cut, spread) * cut.patches.area_mm2,
                 cut.patches.area_mm2,
                 np.asarray(depths_mm)[steps],
-                nearby.get(steps[0]) if cut is tip else None,
+                nearby.get(steps[0]),
             )
-            if cut is tip:
-                nearby[steps[0]] = solved
             pressure = solved.pressure_mpa
             force[place, steps] = pressure @ cut.patches.area_mm2
             touched[place, steps] = (pressure > 0) @ spread.patches.area_mm2
@@ -191,17 +202,29 @@ def _press_each(
 def cells_over(
     face: RefinedFace, indenter: IndenterSpec, whole: TipCells, xy_mm: Float[np.ndarray, "2"]
 ) -> TipCells:
-    """Cells of an indenter at a place that lie over the face; `whole` where all of them do."""
+    """Cells of an indenter at a place that lie over the face; `whole` where all of them do.
+
+    Places as far from the border share them.
+    """
     border = face.border
     if border is None:
         return whole
-    outline = xy_mm + footprint_mm(indenter)
-    corners = np.stack(np.meshgrid(*outline.T), axis=-1)
+    outline = footprint_mm(indenter)
+    corners = np.stack(np.meshgrid(*(xy_mm + outline).T), axis=-1)
     if (border.beyond_mm(corners) <= _BORDER_MM).all():
         return whole
-    return tip_cells(
-        indenter, replace(border, low_mm=border.low_mm - xy_mm, high_mm=border.high_mm - xy_mm)
-    )
+    ends = np.array([border.low_mm, border.high_mm]) - xy_mm
+    if not border.round:  # a side that the tip does not reach cuts nothing
+        ends = np.array([np.maximum(ends[0], outline[0]), np.minimum(ends[1], outline[1])])
+    low, high = map(tuple, ends.round(_ALIKE_DIGITS).tolist())
+    return _cut_cells(indenter, low, high, border.round)
+
+
+@functools.lru_cache(maxsize=256)
+def _cut_cells(
+    indenter: IndenterSpec, low_mm: tuple[float, ...], high_mm: tuple[float, ...], is_round: bool
+) -> TipCells:
+    return tip_cells(indenter, Border(np.array(low_mm), np.array(high_mm), is_round))
 
 
 def resting_gap_mm(tip: TipCells, spread: Spread) -> Float[np.ndarray, "cell"]:

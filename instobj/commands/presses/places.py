@@ -77,9 +77,15 @@ def jaw_given(text: str) -> list[Place]:
 
 
 def check_places(
-    spec: ObjectSpec, places: list[Place], to_depth: bool, whole: bool = False
+    spec: ObjectSpec,
+    places: list[Place],
+    to_depth: bool,
+    whole: bool = False,
+    over_edges: bool = False,
 ) -> CheckedPlaces:
-    """Tell places that can be pressed from those that cannot; `whole`: nothing may hang over.
+    """Tell places that can be pressed from those that cannot.
+
+    `whole`: nothing may hang over a border. `over_edges`: the tip may roll over it.
 
     Raises
     ------
@@ -89,7 +95,7 @@ def check_places(
     good, refused = [], []
     for place in places:
         try:
-            _require_place(spec, place, to_depth, whole)
+            _require_place(spec, place, to_depth, whole, over_edges)
         except InputError as error:
             refused.append({"press": str(place), "error": str(error)})
         else:
@@ -111,7 +117,9 @@ def _place_at(text: str, depth_mm: float) -> Place:
         raise InputError(f"{text!r} is no contact location FACE:X,Y in mm. {_EXAMPLE}") from None
 
 
-def _require_place(spec: ObjectSpec, place: Place, to_depth: bool, whole: bool) -> None:
+def _require_place(
+    spec: ObjectSpec, place: Place, to_depth: bool, whole: bool, over_edges: bool
+) -> None:
     from design.layout.body import face_frames
     from design.layout.tips import footprint_mm, path_mm, tip_places_mm, tip_shape
 
@@ -124,6 +132,8 @@ def _require_place(spec: ObjectSpec, place: Place, to_depth: bool, whole: bool) 
             f"a press to {place.depth_mm:g} mm on {place}: the depth must be above 0 and below the "
             f"indenter's height and the shell's thickness ({deepest:g} mm). Press less deep"
         )
+    if over_edges and over_edge(spec, place):
+        return
     frame = frames[place.face]
     whole = whole or spec.indenter.friction == "sticking" or spec.shell.slits.depth_mm > 0
     hangs = frame.flat and not whole
@@ -146,6 +156,19 @@ def _require_place(spec: ObjectSpec, place: Place, to_depth: bool, whole: bool) 
             )
     if not frame.flat:
         _require_on_lattice(spec, place)
+
+
+def over_edge(spec: ObjectSpec, place: Place) -> bool:
+    """Return whether a place lies over an edge.
+
+    Raises
+    ------
+    InputError
+        It lies further than the tip rolls, or this indenter cannot.
+    """
+    from fem.presses.over_edge import edge_place
+
+    return edge_place(spec, place.tip) is not None
 
 
 def _require_on_lattice(spec: ObjectSpec, place: Place) -> None:
