@@ -38,8 +38,6 @@ _STEEPEST = 0.05
 """Cosine of surface and way below which a facet is not pressed: it lies along the way."""
 _ORDER = 6
 """Degree that quadrature over a facet integrates exactly: a tip's profile is curved."""
-_NEVER_MM = 1e3
-"""Gap beside the tip, far more than any depth."""
 
 
 @dataclass(frozen=True)
@@ -137,6 +135,9 @@ def edge_presser(
     system = elastic_system(mesh, spec)
     facets = facets_under_tip(system.mesh, place, spec.indenter.radius_mm)
     moments, vertices = leaning_moments(system.space, facets, place.outward)
+    across = (system.mesh.p[:, vertices].T - place.point_mm) @ place.axes[:, :2]
+    under = np.linalg.norm(across, axis=1) < spec.indenter.radius_mm
+    moments, vertices = moments[:, under], vertices[under]
     condensed = condensed_compliance(
         system, spec, mesh, rows_of([-part * moments for part in place.outward])
     )
@@ -155,13 +156,12 @@ def edge_presser(
 
 
 def facets_under_tip(mesh: MeshTet, place: EdgePlace, radius_mm: float) -> Int[np.ndarray, "facet"]:
-    """Facets of the boundary that face the tip, within its outline and as deep as it is high."""
+    """Facets of the boundary that face the tip, with a corner in its outline, as deep as it is high."""
     boundary = mesh.boundary_facets()
     corners = np.moveaxis(mesh.p[:, np.asarray(mesh.facets)[:, boundary]], 0, -1)
     local = (corners - place.point_mm) @ place.axes
-    within = np.linalg.norm(local[..., :2], axis=-1) < radius_mm
-    near = (within & (local[..., 2] > -radius_mm)).all(axis=0)
-    facets = boundary[near]
+    within = (np.linalg.norm(local[..., :2], axis=-1) < radius_mm).any(axis=0)
+    facets = boundary[within & (local[..., 2] > -2 * radius_mm).all(axis=0)]
     lean = np.asarray(FacetBasis(mesh, ElementTetP1(), facets=facets).normals)[..., 0].T
     return facets[lean @ place.outward > _STEEPEST]
 
@@ -178,8 +178,9 @@ def _moments(
     points = np.moveaxis(np.asarray(basis.global_coordinates()), 0, -1)
     local = (points - place.point_mm) @ place.axes
     lean = np.einsum("dfq,d->fq", np.asarray(basis.normals), place.outward)
-    gap = np.minimum(tip_heights_mm(tip_shape(spec.indenter), local[..., :2]), _NEVER_MM)
-    gap = gap - local[..., 2]
+    shape = tip_shape(spec.indenter)
+    # beside its outline the tip is as high as it may be pressed: nothing touches there
+    gap = np.minimum(tip_heights_mm(shape, local[..., :2]), shape.height_mm) - local[..., 2]
     return tuple(
         np.asarray(_weighted.assemble(basis, weight=weight))[vertices]
         for weight in (lean, lean * gap)
