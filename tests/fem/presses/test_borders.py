@@ -61,9 +61,13 @@ def test_inside_nothing_of_the_tip_is_cut_and_the_border_is_not_felt(rigid_spec,
     assert cells_over(face, rigid_spec.indenter, tip, np.array([16.1, 0.0])) is not tip
     for x, felt in ((13.0, False), (16.0, True)):
         place = np.array([x, 2.0])
-        a, b = (wide_block(spread_cells(f, moved(tip.patches, place), place)) for f in (face, without))
+        a, b = (
+            wide_block(spread_cells(f, moved(tip.patches, place), place)) for f in (face, without)
+        )
         assert (a != b).any() == felt
-    force = press_face(rigid_spec, rigid_response, 0, np.array([[15.99, 1.0], [16.01, 1.0]]), DEPTHS)
+    force = press_face(
+        rigid_spec, rigid_response, 0, np.array([[15.99, 1.0], [16.01, 1.0]]), DEPTHS
+    )
     assert_allclose(force.force_n[0], force.force_n[1], rtol=0.003)
 
 
