@@ -37,7 +37,7 @@ from fem.contact.rigid_base import LEAST_WEIGHT, RigidBase, rigid_bases
 from fem.linear.response import FaceSurface, ResponseOperator
 
 _FAR_MM = 1e3
-"""Place of cells that miss the face."""
+"""Place of cells that miss the face, and of a border where the body goes on."""
 _BORDER_REACH_MM = 2.5
 """Cells this near to a border take a quarter-space's compliance."""
 
@@ -59,11 +59,14 @@ class RefinedFace:
 
     @cached_property
     def border(self) -> Border | None:
-        """Return the border of a flat face where the shell stands, in the face's x and y."""
-        if not self.frame.flat:
+        """Return where the body ends (`FaceFrame.ends`), as the shell stands, in the face's x and y."""
+        if not any(self.frame.ends):
             return None
-        ends = self.surface.xy_mm.min(axis=0), self.surface.xy_mm.max(axis=0)
-        return Border(*ends, self.frame.round)
+        low, high = self.surface.xy_mm.min(axis=0), self.surface.xy_mm.max(axis=0)
+        low, high = (
+            np.where(self.frame.ends, at, far) for at, far in ((low, -_FAR_MM), (high, _FAR_MM))
+        )
+        return Border(low, high, self.frame.round)
 
     @cached_property
     def narrowing_by_vertex(

@@ -189,8 +189,9 @@ def tip_stays(
 ) -> Bool[np.ndarray, "node"]:
     """Return whether the tips, pressed at places down to the deepest step, land on the face.
 
-    On a flat face the lowest point of each must; what hangs over the border presses nothing. Where
-    slits cut the edges the whole outline must stay on the face, and on a curved patch what touches.
+    On a flat face the lowest point of each must; what hangs over the border presses nothing, as over
+    the ends of a cylinder. Where slits cut the edges the whole outline must stay on the face, and
+    elsewhere on a curved patch what touches.
     """
     tips = (
         footprint_mm(spec.indenter) if spec.shell.slits.depth_mm else tip_places_mm(spec.indenter)
@@ -217,7 +218,7 @@ def touched_reach_mm(spec: ObjectSpec) -> float:
 def stays_on_patch(
     frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"], reach_mm: float
 ) -> Bool[np.ndarray, "node"]:
-    """Return whether disks that touch the surface at places stay on the patch all round."""
+    """Return whether disks that touch the surface at places stay on the patch, or reach beyond the body."""
     xy_mm = frame.to_plane(place_mm)
     stays = frame.covers(xy_mm)
     if not stays.any():
@@ -231,6 +232,9 @@ def stays_on_patch(
     points = touching[:, None] + np.einsum("pij,rj->pri", axes, ring)
     normals = np.repeat(axes[:, :, 2], len(ring), axis=0)
     rim = frame.project_along(points.reshape(-1, 3), normals)
-    on_patch = frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])
+    # where the body itself ends a disk may hang over
+    half = np.where(frame.ends, frame.half_extents_mm, np.inf)
+    rim = np.clip(rim[:, :2], -half, half)
+    on_patch = frame.covers(np.where(np.isfinite(rim), rim, np.inf))
     stays[stays] = on_patch.reshape(len(places), -1).all(axis=1)
     return stays

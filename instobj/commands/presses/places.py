@@ -136,8 +136,9 @@ def _require_place(
         return
     frame = frames[place.face]
     whole = whole or spec.indenter.friction == "sticking" or spec.shell.slits.depth_mm > 0
-    hangs = frame.flat and not whole
-    reach = tip_places_mm(spec.indenter) if hangs else footprint_mm(spec.indenter)
+    hangs = np.array(frame.ends) & (not whole)
+    tips = tip_places_mm(spec.indenter)
+    reach = np.where(hangs, [tips.min(axis=0), tips.max(axis=0)], footprint_mm(spec.indenter))
     half, size = frame.half_lengths_mm, np.ptp(reach, axis=0)
     if size[0] > 2 * half[0] or size[1] > 2 * half[1]:
         raise InputError(
@@ -148,9 +149,10 @@ def _require_place(
     for axis, (name, at) in enumerate((("x", place.x_mm), ("y", place.y_mm))):
         ends = [at + side + way for side in reach[:, axis] for way in (0, at_the_end[axis])]
         if max(map(abs, ends)) > half[axis] + 1e-9:
+            does = "lands at" if hangs[axis] else "reaches"
             raise InputError(
-                f"the {spec.indenter.kind} pressed on {place} {'lands at' if hangs else 'reaches'} {name} "
-                f"= {max(ends, key=abs):.4g} mm, beyond the border of face {place.face} "
+                f"the {spec.indenter.kind} pressed on {place} {does} {name} = "
+                f"{max(ends, key=abs):.4g} mm, beyond the border of face {place.face} "
                 f"(±{half[axis]:.4g} mm): it misses the body. Move the press inwards or use a "
                 "smaller indenter"
             )
