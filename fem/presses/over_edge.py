@@ -181,10 +181,8 @@ def _moments(
     shape = tip_shape(spec.indenter)
     # beside its outline the tip is as high as it may be pressed: nothing touches there
     gap = np.minimum(tip_heights_mm(shape, local[..., :2]), shape.height_mm) - local[..., 2]
-    return tuple(
-        np.asarray(_weighted.assemble(basis, weight=weight))[vertices]
-        for weight in (lean, lean * gap)
-    )
+    weights, gaps = (np.asarray(_weighted.assemble(basis, weight=w)) for w in (lean, lean * gap))
+    return weights[vertices], gaps[vertices]
 
 
 @LinearForm

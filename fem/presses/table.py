@@ -217,7 +217,7 @@ def cells_over(
     if not border.round:  # a side that the tip does not reach cuts nothing
         ends = np.array([np.maximum(ends[0], outline[0]), np.minimum(ends[1], outline[1])])
     low, high = map(tuple, ends.round(_ALIKE_DIGITS).tolist())
-    return _cut_cells(indenter, low, high, border.round)
+    return _cut_cells(indenter, low, high, border.round)  # pyright: ignore[reportArgumentType]
 
 
 @functools.lru_cache(maxsize=256)
