@@ -110,21 +110,21 @@ STAGES: dict[str, Stage] = {
             "mechanics.correction",
         ),
         make_large_strain,
-        version=2,
+        version=3,
     ),
     "shapes": Stage(
         "mechanics: shapes of presses",
         ("mesh", "response"),
         _PRESSED,
         make_shapes,
-        version=2,
+        version=3,
     ),
     "presses": Stage(
         "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
         (*_PRESSED, "mechanics.slip"),
         make_presses,
-        version=4,
+        version=5,
     ),
     "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=4),
     "plain_response": Stage(
@@ -159,7 +159,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_cylinder",
         ),
         make_candidates,
-        version=8,
+        version=9,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",
@@ -170,7 +170,7 @@ STAGES: dict[str, Stage] = {
             *("search.forces_n", "search.baseline"),
         ),
         make_second_fidelity,
-        version=7,
+        version=8,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
@@ -184,7 +184,7 @@ STAGES: dict[str, Stage] = {
         ("response", "coarse_response"),
         _PRESSED,
         make_discretisation,
-        version=3,
+        version=4,
     ),
     "signals": Stage(
         "signals: Hall sensors",

@@ -131,8 +131,8 @@ def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, 
 @pytest.mark.parametrize(
     ("tables", "told"),
     [
-        ({}, "10 × 10 contact locations per face"),
-        ({"body": {"sensed_faces": [3]}}, "10 × 10 contact locations"),
+        ({}, "14 × 14 contact locations per face"),
+        ({"body": {"sensed_faces": [3]}}, "14 × 14 contact locations"),
         ({"body": {"size_mm": [50.0, 42.0, 42.0]}}, " to "),
     ],
 )
