@@ -134,7 +134,7 @@ def test_a_limit_under_its_older_name_is_overridden_under_either(tmp_path):
     path.write_text(f'name = "x"\n{OLDER_LIMIT}')
     for name in ("cross_face_sigma", "median_false_force_n"):
         spec = load_spec(path, [f"search.limits.times_start.{name}=1.3"])
-        assert spec.search.limits.times_start == {"median_false_force_n": 1.3}
+        assert spec.search.limits.times_start["median_false_force_n"] == 1.3
     wrong = f'name = "x"\n{OLDER_SEARCH.replace("cross_face_sigma", "cross_face_sigmas")}'
     path.write_text(wrong)
     with pytest.raises(InputError, match=r"search\.objectives"):
