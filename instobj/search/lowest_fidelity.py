@@ -112,7 +112,7 @@ def lowest_fidelity(question: tuple[str, int, float, float]) -> Evaluate:
     )  # a context that costs each call a little
     with device_context:
         start = start_scores(space.spec)
-    own = start_params(space)
+    start_layout = start_params(space)
     by_structure: dict[Any, tuple[LowestFidelity, float, SearchSpace]] = {}
 
     def evaluate(trials: list[dict[str, Any]]) -> list[Scored]:
@@ -125,7 +125,7 @@ def lowest_fidelity(question: tuple[str, int, float, float]) -> Evaluate:
                 timed = fit_budget(space, generations, generation_s, len(trials), left_s)
             by_structure[structure] = lowest, generation_s, timed
         lowest, generation_s, timed = by_structure[structure]
-        if trials == [own]:
+        if trials == [start_layout]:
             timed = quick_space(timed, generation_s, first_s)
         return score_trials(timed, lowest, trials)
 

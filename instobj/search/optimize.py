@@ -203,14 +203,14 @@ def _search(
     def waiting(trials: int) -> None:
         say("1 trial at work" if trials == 1 else f"{trials} trials at work")
 
-    def over() -> bool:
+    def keep_and_stop() -> bool:
         keep_best()
         return left_s() <= 0
 
     first_s = FIRST_LOOK_S if space.spec.search.trials > 1 else left_s()
     question = (content, space.spec.search.polish_steps, left_s(), first_s)
     with answers(lowest_fidelity, question, workers, waiting) as score, progress.stage("search"):
-        run_search(space, kept, score, say, first, over, workers.count)
+        run_search(space, kept, score, say, first, keep_and_stop, workers.count)
 
 
 def _document(

@@ -150,14 +150,17 @@ def objections(
 def gains_in_words(start: Promoted, layout: Promoted, level: str) -> str:
     """Return a layout's bounds beside the start's, the shares within the limit, and what got worse."""
     limit = layout.spec.limits.position_bound_mm
-    before, after = start.levels[level], layout.levels[level]
+    start_score, layout_score = start.levels[level], layout.levels[level]
     bounds = (
         f"{words} {score_at(name, layout, level):.3g} instead of {score_at(name, start, level):.3g} mm"
         for name, words in _TOLD.items()
     )
-    within = (100 * np.nanmean(np.array(s.position_bounds_mm) <= limit) for s in (after, before))
-    worse = 100 * worse_share(before, after)
-    beyond = 100 * worse_share(before, after, limit)
+    within = (
+        100 * np.nanmean(np.array(s.position_bounds_mm) <= limit)
+        for s in (layout_score, start_score)
+    )
+    worse = 100 * worse_share(start_score, layout_score)
+    beyond = 100 * worse_share(start_score, layout_score, limit)
     return (
         f"{', '.join(bounds)}; within the limit of {limit:g} mm lie "
         f"{' instead of '.join(f'{share:.0f} %' for share in within)} of locations and forces; "

@@ -51,8 +51,10 @@ def write_outcome(
         write_specification(
             layout.spec, f"{space.spec.name}_finalist_{place}", written[-1], spec_folder
         )
-    known = "Better than the start" if promotion.better else "Not known to be better than the start"
-    about = f"{known}, by the {LEVEL_NAMES[promotion.level]}: {promotion.gains}"
+    verdict = (
+        "Better than the start" if promotion.better else "Not known to be better than the start"
+    )
+    about = f"{verdict}, by the {LEVEL_NAMES[promotion.level]}: {promotion.gains}"
     written.append(write_best(promotion.best.spec, about, space.spec.name, folder, spec_folder))
     written.append(folder / RESULTS)
     write_json(_results(promotion), written[-1])

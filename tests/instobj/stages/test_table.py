@@ -127,7 +127,7 @@ DOWNSTREAM = {
     "tolerances.magnet_tilt_deg=1": {"robustness", "alternatives"},
     "as_built.magnets=[{face=2, magnet=1, flipped=true}]": {"signals", "robustness"},
     "training.epochs=5": {"networks"},
-    "limits.position_bound_mm=2": {"report", "identify", "weak_areas"},
+    "limits.position_bound_mm=2": {"report", "identify", "weak_areas", "second_fidelity"},
     "core.wall_mm=4": {"build"},
     "mould.style=split": {"build"},
     "printer.name=resin": {"build"},
