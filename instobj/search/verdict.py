@@ -83,7 +83,7 @@ class Promotion:
 
     @property
     def gains(self) -> str:
-        """What the best one gains over the start and what it costs, in one sentence."""
+        """Return what the best one gains over the start and what it costs, in one sentence."""
         return gains_in_words(self.start, self.best, self.level)
 
 
