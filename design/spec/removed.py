@@ -12,6 +12,7 @@ _OBJECTIVES_GONE = {
     "pair_all_position_bound_mm": "take worst_position_bound_mm",
     "pair_own_position_bound_mm": "take worst_position_bound_mm",
     "percentile_95_position_bound_mm": "take percentile_99_position_bound_mm",
+    "position_bound_over_start": "take position_over_limit",
     "slip_place_mm": "`instobj run --to robustness` tells what slip costs",
     "task_loss": "take worst_position_bound_mm and worst_force_bound_n",
     "tolerance_place_mm": "`instobj run --to robustness` tells what tolerances cost",
@@ -52,6 +53,8 @@ REMOVED = {
     "search.limits.build_minutes": "parts are counted by search.vary.magnet_count and sensor_count",
     "search.limits.cost": "parts are counted by search.vary.magnet_count and sensor_count",
     "search.limits.parts_per_face": "parts are counted by search.vary.magnet_count and sensor_count",
+    "search.limits.places_worse": "a location may get worse within limits.position_bound_mm, and beyond it "
+    "where others gain as much",
     "search.limits.pocket_gap_mm": "silicone.thinnest_wall_mm stays between two pockets",
     "search.limits.wiring_mm": "boards lie within search.vary.sensor_reach_mm",
     "search.magnet_symmetry": "every magnet has its own place",

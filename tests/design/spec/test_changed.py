@@ -4,6 +4,7 @@ import pytest
 
 from design.errors import SpecError
 from design.spec.object import ObjectSpec
+from design.spec.search import OVER_LIMIT
 from design.spec_io import check, load_spec, parse_spec
 
 CUBE = ObjectSpec(name="cube")
@@ -66,8 +67,8 @@ def test_tables_of_parts_that_are_left_out_are_each_specification_s_own():
     """A frozen part keeps no one from writing into a table in it."""
     ball = ObjectSpec(name="ball")
     ball.search.limits.times_start["worst_position_bound_mm"] = 0.5
-    assert CUBE.search.limits.times_start == {}
-    assert ObjectSpec(name="egg").search.limits.times_start == {}
+    assert CUBE.search.limits.times_start == {OVER_LIMIT: 1.0}
+    assert ObjectSpec(name="egg").search.limits.times_start == {OVER_LIMIT: 1.0}
     assert CUBE.search != CUBE.search.changed(forces_n=(1.0,))
 
 

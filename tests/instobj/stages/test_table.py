@@ -78,7 +78,7 @@ DOWNSTREAM: dict[str, set[str]] = {
         *("signals", "robustness", "shapes", *PRESSED),
     },
     "training.epochs=5": {"networks"},
-    "limits.position_bound_mm=2": {"report", "identify", "weak_areas"},
+    "limits.position_bound_mm=2": {"report", "identify", "weak_areas", "second_fidelity"},
     "inversion.contacts=3": set(),
     "seed=2": {"signals", "robustness", "identify", "frames", "networks"},
 }
