@@ -6,7 +6,7 @@ from collections import deque
 from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, p_values
@@ -48,6 +48,10 @@ class Tracker:
     were looked for. A chip without which a frame is explained that is not with it is left out, and
     the field of a magnet near by is a nuisance where that is more probable than contacts: until
     several frames in a row are explained as they are.
+
+    Attributes
+    ----------
+    beside_magnet : whether a magnet near by is believed
     """
 
     def __init__(self, inversion: Inversion) -> None:
@@ -59,14 +63,15 @@ class Tracker:
         self._odds = np.ones(1)
         self._error = inversion.error_share()
         self._pressed = 0
-        self._strange, self._sound, self._chip_out, self._magnet = 0, 0, NONE, False
+        self._strange, self._sound, self._chip_out = 0, 0, NONE
+        self.beside_magnet = False
 
-    def feed(self, counts: Float[np.ndarray, "channel"]) -> ContactSets:
+    def feed(self, counts: Float[np.ndarray, "channel"], drift_counts: float = 0.0) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest), or of the mean of the last
-        `window_frames`."""
+        `window_frames`; `drift_counts` is the deviation of what every channel drifted since."""
         self._window.append(counts)
         plain = self.inversion.disturbances.observed(
-            np.mean(self._window, axis=0)[None], np.array([len(self._window)])
+            np.mean(self._window, axis=0)[None], np.array([len(self._window)]), drift_counts
         )
         self._believe_again(plain)
         before = self._last
@@ -76,29 +81,40 @@ class Tracker:
             sets = self._diagnosed(plain, before, sets)
         elif self._is_magnet(plain):
             sets = self._turned(plain, None, NONE, magnet=True)
-        if self._magnet:
+        if self.beside_magnet:
             sets = replace(sets, p_value=np.zeros(1))
         return replace(sets, chip_out=np.full(1, self._chip_out))
 
+    @property
+    def believed(self) -> Bool[np.ndarray, "channel"]:
+        """Return which channels are not those of a chip that is left out."""
+        return np.arange(self.inversion.model.channels) // 3 != self._chip_out
+
     def _seen(self, plain: Observed) -> Observed:
         """Return the frame without a chip that lies, or beside a magnet, where that is believed."""
-        if self._magnet:
+        if self.beside_magnet:
             return plain.beside(self.inversion.magnet_columns)
         return plain if self._chip_out == NONE else plain.without(np.array([self._chip_out]))
 
     def _believe_again(self, plain: Observed) -> None:
         """Believe all once the last contacts have explained several frames in a row as they are."""
-        if self._chip_out == NONE and not self._magnet:
+        if self._chip_out == NONE and not self.beside_magnet:
             return
         found = self._same(plain)
         explains = p_values(plain, found)[0] >= _STRAINED
         self._sound = self._sound + 1 if explains else 0
         if self._sound >= _TRUSTED_AFTER:
-            self._sound, self._chip_out, self._magnet, self._last = 0, NONE, False, found
+            self._chip_out, self.beside_magnet = NONE, False
+            self._last, self._sound = found, 0
 
     def _is_magnet(self, plain: Observed) -> bool:
         """Return whether a magnet and fewer contacts are more probable than the contacts found."""
-        if self._magnet or self._chip_out != NONE or self._last is None or not self._last.number[0]:
+        if (
+            self.beside_magnet
+            or self._chip_out != NONE
+            or self._last is None
+            or not self._last.number[0]
+        ):
             return False
         search = self.inversion.search
         beside = BesideMagnet(plain, self.inversion.magnet_columns)
@@ -127,14 +143,15 @@ class Tracker:
         beside = self._turned(plain, None, NONE, magnet=True)
         if beside.explained[0]:
             return beside
-        self._magnet, self._last = False, found
+        self.beside_magnet, self._last = False, found
         return sets
 
     def _turned(
         self, plain: Observed, contacts: Problems | None, chip: int, magnet: bool
     ) -> ContactSets:
         """Return contacts from given ones, or from scratch, with another belief of chips and magnets."""
-        self._chip_out, self._magnet, self._last, self._sound = chip, magnet, contacts, 0
+        self._chip_out, self.beside_magnet = chip, magnet
+        self._last, self._sound = contacts, 0
         return self._followed(self._seen(plain))
 
     def _followed(self, seen: Observed) -> ContactSets:

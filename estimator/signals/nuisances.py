@@ -20,8 +20,9 @@ from estimator.signals.presses import rest_counts
 
 AMBIENT_FIELD = "ambient field"
 """Name of the nuisance whose unknowns are x, y and z of a uniform field."""
-_MOMENT_AM2 = 0.44
-"""Moment of a strong magnet that is left on a table: Ø10 × 5 mm of 1.4 T."""
+_MOMENT_AM2 = 0.13
+"""Deviation of a magnet's moment: Ø8 × 2.3 mm of 1.4 T. Strong ones are far from any contact anyway; a
+wider prior would leave weak ones at 80 mm to contacts."""
 _NEAREST_MM, _FARTHEST_MM = 25.0, 130.0
 """Distances of such magnets beyond the farthest chip: nearer ones pull the object's own magnets."""
 _DRAWN_MAGNETS, _MAGNET_COLUMNS = 2000, 15
