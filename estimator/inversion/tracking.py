@@ -33,6 +33,8 @@ _LEARNT_EVERY = 5
 """Pressed frames of which one tells how wrong the model is."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
+_MOST_WIDENED = 2.0
+"""Deviations over those of a fresh zero up to which magnets are looked for in frames that are explained."""
 _TRUSTED_AFTER = 8
 """Frames in a row that must be explained with all chips and no magnet. A channel of ten times its
 noise agrees by chance in one of four."""
@@ -65,12 +67,16 @@ class Tracker:
         self._pressed = 0
         self._strange, self._sound, self._chip_out = 0, 0, NONE
         self.beside_magnet = False
+        self._widened = 1.0
 
     def feed(self, counts: Float[np.ndarray, "channel"], drift_counts: float = 0.0) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest), or of the mean of the last
         `window_frames`; `drift_counts` is the deviation of what every channel drifted since."""
         self._window.append(counts)
-        plain = self.inversion.disturbances.observed(
+        told = self.inversion.disturbances
+        fresh = np.hypot(told.noise_counts, told.offset_counts)
+        self._widened = float(np.hypot(1.0, drift_counts / np.median(fresh)))
+        plain = told.observed(
             np.mean(self._window, axis=0)[None], np.array([len(self._window)]), drift_counts
         )
         self._believe_again(plain)
@@ -214,7 +220,8 @@ class Tracker:
             return False
         own = covariances(same, self.inversion.priors)[0, :number]
         sigma = np.sqrt(own[:, 2, 2])
-        return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma))
+        # By the deviations of a fresh zero: drift makes a hold less certain, and does not end it.
+        return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma / self._widened))
 
 
 def _at_a_price(judged: Hypotheses) -> Hypotheses:

@@ -306,3 +306,13 @@ def test_drift_since_the_last_rest_widens_regions():
     drifted = counts + np.random.default_rng(4).normal(0, 60, 45)
     assert Tracker(inverted()).feed(drifted, 60.0).explained[0]
     assert not Tracker(inverted()).feed(drifted).explained[0]
+
+
+def test_drift_that_may_have_come_ends_no_hold():
+    """After half an hour without rest channels may have drifted by 85 counts, as much as the hold shows."""
+    force_n, counts = held(2, np.random.default_rng(32), frames=60)
+    tracker = Tracker(inverted())
+    found = [tracker.feed(row, 85.0 * (k > 35)) for k, row in enumerate(counts)]
+    assert all(one.number[0] == 2 for one in found[36:])
+    assert abs(np.mean([np.nansum(one.force_n) for one in found[36:]]) - force_n) < 0.05 * force_n
+    assert tracker.feed(counts[0], 85.0).number[0] == 0
