@@ -298,7 +298,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=6,
+        version=7,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

@@ -47,6 +47,11 @@ _FINEST_COUNTS = 0.29
 """Noise (counts) of rounding to whole counts: 1/√12."""
 _MOST_SPOILT = 0.1
 """Share of a channel's readings that may be spoilt."""
+NOISE_FRAMES = 13
+"""Frames in which a channel shows its noise: 0.13 s at 100 Hz."""
+_NOISE_RANK, _NOISE_FACTOR = 4, 6.0
+"""Six of the ten third differences of a window reach the one of this rank. Where that exceeds six
+times what is usual, each of the six is beyond 3.3 σ. Ten times the noise is found with 95 %."""
 _NOTHING = "readings not used"
 
 
@@ -239,8 +244,45 @@ def constant(counts: Counts) -> Found:
     return mask, _faults("standing still", mask, counts, "show one number throughout")
 
 
+def noise_levels(window: Float[np.ndarray, "frame *channel"]) -> Float[np.ndarray, "*channel"]:
+    """Return a measure of each channel's noise over `NOISE_FRAMES` frames; 0 where readings miss.
+
+    Third differences hardly feel presses (a tap of 5 Hz at 50 frames/s keeps a quarter), and a jump
+    touches four of the ten: fewer than half.
+    """
+    third = np.abs(np.diff(window, n=3, axis=0))
+    return np.nan_to_num(np.partition(third, _NOISE_RANK, axis=0)[_NOISE_RANK])
+
+
+def is_noisy(
+    level: Float[np.ndarray, "*frame face sensor 3"], usual: Float[np.ndarray, "face sensor 3"]
+) -> Bool[np.ndarray, "*frame face sensor 3"]:
+    """Return which noise levels are far above what is usual on most chips, axis by axis."""
+    live = np.where(usual > 0, usual, np.nan).reshape(-1, 3)
+    with np.errstate(invalid="ignore"):
+        typical = [np.median(axis[axis > 0]) if np.any(axis > 0) else np.inf for axis in live.T]
+    return level > _NOISE_FACTOR * np.array(typical)
+
+
+def noisy(counts: Counts) -> Found:
+    """Channels that are far noisier than other chips' for a while: a loose wire, a chip that fails."""
+    mask = np.zeros(counts.shape, bool)
+    if len(counts) < NOISE_FRAMES:
+        return mask, []
+    level = np.zeros((len(counts) - NOISE_FRAMES + 1, *counts.shape[1:]))
+    for index in np.ndindex(*counts.shape[1:]):
+        channel = counts[(slice(None), *index)]
+        windows = np.lib.stride_tricks.sliding_window_view(channel, NOISE_FRAMES)
+        level[(slice(None), *index)] = noise_levels(windows.T)
+    loud = is_noisy(level, np.median(level, axis=0))
+    for late in range(NOISE_FRAMES):
+        mask[late : late + len(loud)] |= loud
+    mask &= np.isfinite(counts)
+    return mask, _faults("noisy channel", mask, counts, "are far noisier than those of other chips")
+
+
 Check = Callable[[Counts], Found]
-STREAM: tuple[Check, ...] = (equal_frames, blank_chips, hit_values, constant, standing)
+STREAM: tuple[Check, ...] = (equal_frames, blank_chips, hit_values, constant, standing, noisy)
 CHECKS: tuple[Check, ...] = (
     equal_frames,
     blank_chips,
