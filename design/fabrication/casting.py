@@ -280,7 +280,7 @@ def _heads(spec: ObjectSpec) -> list[Finding]:
 
 
 def _flanges(spec: ObjectSpec) -> list[Finding]:
-    """How many bolts and dowels of a flange find room between pins."""
+    """Count the bolts and dowels of a flange that find room between pins."""
     if mould_style(spec) != "split":
         return []
     count = min(len(flange.places_mm) for flange in flanges(spec))

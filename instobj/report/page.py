@@ -135,9 +135,9 @@ def is_papers_cube(spec: ObjectSpec) -> bool:
 def _maps(inputs: Inputs) -> dict[str, Any]:
     """Titles and pictures of the scores; the position bound stands on the first screen, δ by itself."""
     folder = inputs["scores"] / "maps"
-    paths = {one.field: folder / one.file_name for one in SCORE_MAPS}
+    paths = {score.field: folder / score.file_name for score in SCORE_MAPS}
     overview, delta = paths.pop("position_bound_mm"), paths.pop("delta_raw")
-    titles = {one.field: one.title for one in SCORE_MAPS}
+    titles = {score.field: score.title for score in SCORE_MAPS}
     maps = [(titles[field], path) for field, path in paths.items()]
     return {"overview": overview, "maps": maps, "delta_map": delta}
 

@@ -95,14 +95,14 @@ def _path(path: Path) -> Path:
     return path
 
 
-def _by(module: str, name: str) -> Callable[[Path], Any]:
+def _reader(module: str, name: str) -> Callable[[Path], Any]:
     """Return a reader by its module and name, imported when it first reads: many are slow to load."""
     return lambda path: getattr(import_module(module), name)(path)
 
 
-def _in_folder(module: str, name: str) -> Callable[[Path], Any]:
+def _folder_reader(module: str, name: str) -> Callable[[Path], Any]:
     """The same of a reader that takes the folder of several files."""
-    return lambda path: _by(module, name)(path.parent)
+    return lambda path: _reader(module, name)(path.parent)
 
 
 def _correction(path: Path) -> StrainCorrection | None:
@@ -122,19 +122,23 @@ def _face_models(path: Path) -> dict[int, FaceModel]:
     return {model.face: model for model in models}
 
 
-_mesh: Callable[[Path], TetMesh] = _by("fem.mesh.tetrahedra", "load_mesh")
-_response: Callable[[Path], ResponseOperator] = _in_folder("fem.linear.response", "load_response")
-_presses: Callable[[Path], tuple[PressForces, MagnetMotions]] = _by(
+_mesh: Callable[[Path], TetMesh] = _reader("fem.mesh.tetrahedra", "load_mesh")
+_response: Callable[[Path], ResponseOperator] = _folder_reader(
+    "fem.linear.response", "load_response"
+)
+_presses: Callable[[Path], tuple[PressForces, MagnetMotions]] = _reader(
     "fem.presses.results", "load_presses"
 )
-_forces: Callable[[Path], PressForces] = _by("fem.presses.results", "load_forces")
-_shear: Callable[[Path], ShearMotions] = _by("fem.presses.shear", "load_shear")
-_signals: Callable[[Path], Signals] = _by("estimator.signals.presses", "load_signals")
-_scores: Callable[[Path], PlaceScores] = _by("estimator.information.scores", "load_scores_csv")
-_robustness: Callable[[Path], Robustness] = _by("estimator.tolerances.result", "load_robustness")
-_frames: Callable[[Path], FrameSet] = _by("estimator.frames.dataset", "load_frames")
-_face_model: Callable[[Path], FaceModel] = _by("estimator.networks.face_model", "load_model")
-_inversion: Callable[[Path], Inversion] = _by("estimator.inversion.storage", "load_inversion")
+_forces: Callable[[Path], PressForces] = _reader("fem.presses.results", "load_forces")
+_shear: Callable[[Path], ShearMotions] = _reader("fem.presses.shear", "load_shear")
+_signals: Callable[[Path], Signals] = _reader("estimator.signals.presses", "load_signals")
+_scores: Callable[[Path], PlaceScores] = _reader("estimator.information.scores", "load_scores_csv")
+_robustness: Callable[[Path], Robustness] = _reader(
+    "estimator.tolerances.result", "load_robustness"
+)
+_frames: Callable[[Path], FrameSet] = _reader("estimator.frames.dataset", "load_frames")
+_face_model: Callable[[Path], FaceModel] = _reader("estimator.networks.face_model", "load_model")
+_inversion: Callable[[Path], Inversion] = _reader("estimator.inversion.storage", "load_inversion")
 
 
 def _manifest(folder_file: Path) -> BuildManifest:

@@ -41,7 +41,7 @@ _AS_GOOD = 1e-4
 FLANGE_THICKNESS_MM = 4.0
 """Thickness of each of the two flanges along the seam, one on either side of it."""
 _FLANGE_WIDTH_MM = 8.0
-"""Usual width of a flange: chosen, with walls of 1.9 mm beside its dowels."""
+"""Usual width of a flange: chosen, with walls of 1.9 mm next to its dowels."""
 DOWEL_DIAMETER_MM, BOLT_HOLE_MM = 4.0, 3.4
 """Diameters of the dowels and of the holes for M3 bolts (ISO 273, medium fit) in the flanges' middle."""
 _SLOPE = np.sin(np.deg2rad(2.0))
@@ -108,7 +108,7 @@ def mould_style(spec: ObjectSpec) -> Literal["one-piece", "split"]:
 
 
 def flange_width_mm(spec: ObjectSpec) -> float:
-    """Width of a flange: its usual one, or what the printer's walls beside bolts and dowels need."""
+    """Width of a flange: its usual one, or what the printer's walls next to bolts and dowels need."""
     widest = max(BOLT_HOLE_MM, DOWEL_DIAMETER_MM + 2 * spec.printer.clearance_mm)
     return max(_FLANGE_WIDTH_MM, widest + 2 * spec.printer.wall_mm)
 

@@ -116,8 +116,10 @@ def draw_overview(spec: ObjectSpec, face_map: FaceMap, path: Path | str) -> Figu
     scale = face_map.scale
     covered = f"Contact locations cover {100 * covered_share(spec):.0f} % of the sensed surface."
     blank = contact_places(spec) & ~np.isfinite(face_map.values)
-    along = ", along the line" if face_map.direction_deg is not None else ""
-    blank_text = f"Blank: blind, or beyond the deepest press{along}." if blank.any() else ""
+    direction_text = ", along the line" if face_map.direction_deg is not None else ""
+    blank_text = (
+        f"Blank: blind, or beyond the deepest press{direction_text}." if blank.any() else ""
+    )
     lines = [*face_map.note.splitlines(), blank_text, covered]
     caption = [part for line in lines for part in wrap(line, _CAPTION_WIDTH)]
     page = _page(spec, face_map.title, len(caption))
