@@ -34,7 +34,7 @@ MOST = {
     "estimator/networks": (1, 0, 0, 0),  # known, the name of a stored tensor
     "estimator/recordings": (0, 1, 0, 0),  # as_dict
     # to be made plain
-    "estimator/calibration": (148, 15, 30, 22),
+    "estimator/calibration": (130, 15, 29, 22),
     "estimator/deploy": (0, 1, 0, 0),
     "estimator/evaluation": (10, 0, 0, 2),
     "estimator/information": (76, 8, 5, 12),

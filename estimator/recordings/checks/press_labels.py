@@ -2,7 +2,7 @@
 
 Everything is judged from the recording alone. Thresholds were set on the public recordings, in
 which none of these faults was found, and on simulated ones with planted faults. Frames that a check
-names are no labels; those that `hidden_contacts` names tell no zero either.
+names are no labels; frames that `hidden_contacts` names give no zero either.
 """
 
 from __future__ import annotations
@@ -215,7 +215,7 @@ PRESSES: tuple[Callable[[Judged], Rows], ...] = (
     contacts_at_rest,
     silent_presses,
 )
-"""Checks of presses, in the order in which they are told."""
+"""Checks of presses, in the order of the report."""
 
 
 def judge_presses(case: Judged) -> Rows:

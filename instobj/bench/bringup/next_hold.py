@@ -90,7 +90,7 @@ def information_of(
 def chips_part(
     slope: Float[np.ndarray, "residual unknown"], poses: int, holds: int, readings: int
 ) -> Float[np.ndarray, "hold own own"]:
-    """Of each hold's readings about all unknowns behind the `poses` first, the holds' own poses.
+    """Information of each hold's readings about all unknowns behind the `poses` first, the holds' own poses.
 
     Rows are the readings of hold after hold, then the priors of all unknowns.
     """

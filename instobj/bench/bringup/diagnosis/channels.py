@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import permutations, product
+from operator import attrgetter
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -129,20 +130,22 @@ def sites_by_response(readings: HeldReadings, holds: Sequence[int]) -> Int[np.nd
 def _settled(
     readings: HeldReadings, model: HeldMagnet, site: Int[np.ndarray, "chip"]
 ) -> Arrangement:
-    found = assigned_sites(readings, model, _poses_by_size(readings, model, site))
+    arrangement = assigned_sites(readings, model, _poses_by_size(readings, model, site))
     for _ in range(_ROUNDS):
-        before = replace(found, model=with_polarities(readings, found))
-        found = assigned_sites(readings, before.model, _poses_by_vectors(readings, before))
-        if np.array_equal(before.site, found.site) and np.array_equal(before.turn, found.turn):
+        previous = replace(arrangement, model=with_polarities(readings, arrangement))
+        pose = _poses_by_vectors(readings, previous)
+        arrangement = assigned_sites(readings, previous.model, pose)
+        same_site = np.array_equal(previous.site, arrangement.site)
+        if same_site and np.array_equal(previous.turn, arrangement.turn):
             break
-    return min((found, _mirrored(readings, found)), key=lambda arrangement: arrangement.cost)
+    return min((arrangement, _mirrored(readings, arrangement)), key=attrgetter("cost"))
 
 
-def _mirrored(readings: HeldReadings, found: Arrangement) -> Arrangement:
+def _mirrored(readings: HeldReadings, arrangement: Arrangement) -> Arrangement:
     """All holds the other way round: the same likelihood with all axes of all chips reversed."""
-    pose = found.pose.copy()
+    pose = arrangement.pose.copy()
     pose[:, 5:] *= -1
-    model = replace(found.model, polarity=-found.model.polarity)
+    model = replace(arrangement.model, polarity=-arrangement.model.polarity)
     return assigned_sites(readings, model, pose)
 
 
@@ -163,32 +166,35 @@ def _poses_by_size(
     return many_most_probable(residuals, stated_pose(len(size)))[0]
 
 
-def with_polarities(readings: HeldReadings, found: Arrangement) -> HeldMagnet:
+def with_polarities(readings: HeldReadings, arrangement: Arrangement) -> HeldMagnet:
     """The way round under which each hold fits the chips better."""
     costs = []
     for sign in (1.0, -1.0):
-        turned = replace(found.model, polarity=np.full(len(found.pose), sign))
-        off = _misfit_of_fields(readings, found, turned.counts(found.pose))
+        turned = replace(arrangement.model, polarity=np.full(len(arrangement.pose), sign))
+        off = _misfit_of_fields(readings, arrangement, turned.counts(arrangement.pose))
         costs.append(0.5 * np.sum(off**2, axis=(1, 2)))
     over = costs[1] + TURNED_OVER < costs[0]
-    return replace(found.model, polarity=np.where(over, -1.0, 1.0))
+    return replace(arrangement.model, polarity=np.where(over, -1.0, 1.0))
 
 
-def _poses_by_vectors(readings: HeldReadings, found: Arrangement) -> Float[np.ndarray, "hold 8"]:
+def _poses_by_vectors(
+    readings: HeldReadings, arrangement: Arrangement
+) -> Float[np.ndarray, "hold 8"]:
     def residuals(pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold residual"]:
-        off = _misfit_of_fields(readings, found, found.model.counts(pose))
-        return np.concatenate([off.reshape(len(off), -1), found.model.off_prior(pose)], axis=1)
+        off = _misfit_of_fields(readings, arrangement, arrangement.model.counts(pose))
+        prior = arrangement.model.off_prior(pose)
+        return np.concatenate([off.reshape(len(off), -1), prior], axis=1)
 
-    return many_most_probable(residuals, found.pose)[0]
+    return many_most_probable(residuals, arrangement.pose)[0]
 
 
 def _misfit_of_fields(
-    readings: HeldReadings, found: Arrangement, counts: Float[np.ndarray, "hold sensor 3"]
+    readings: HeldReadings, arrangement: Arrangement, counts: Float[np.ndarray, "hold sensor 3"]
 ) -> Float[np.ndarray, "hold chip 3"]:
-    """Capped misfit of readings to fields as designed sensors read them, in the errors as found."""
-    error = model_error(readings, found.model, found.pose)[:, found.site, None]
+    """Capped misfit of readings to fields as designed sensors read them, in the arrangement's errors."""
+    error = model_error(readings, arrangement.model, arrangement.pose)[:, arrangement.site, None]
     # h hold, c chip, b designed axis of its site, a its axis as it is turned
-    predicted = np.einsum("cab,hcb->hca", found.turn, counts[:, found.site])
+    predicted = np.einsum("cab,hcb->hca", arrangement.turn, counts[:, arrangement.site])
     return capped_misfit((readings.counts - predicted) / np.hypot(error, readings.noise_counts))
 
 

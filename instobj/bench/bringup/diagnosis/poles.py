@@ -47,8 +47,8 @@ class PocketFields:
     step : counts of every channel
     error : standard deviation that tolerances leave
     uniform : counts of a uniform field of 1 count along x, y, z
-    floor : standard deviation of every channel beside that, by its zero and noise
-    turned : the same of a uniform change of the field beforehand
+    floor : standard deviation that zero and noise of every channel add
+    turned : prior standard deviation of a uniform change of the field
     """
 
     step: Float[np.ndarray, "pocket chip 3"]
