@@ -87,7 +87,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell"),
         make_sheet,
-        version=12,
+        version=13,
     ),
     "fabrication": Stage(
         "design: fabrication checks",
@@ -303,10 +303,13 @@ STAGES: dict[str, Stage] = {
     ),
     "surroundings": Stage(
         "signals: surroundings at rest",
-        (),
-        (*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
+        ("response", "signals"),
+        (
+            *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
+            "score.channels",
+        ),
         make_surroundings,
-        version=3,
+        version=4,
     ),
     "press_curves": Stage(
         "signals: curves of presses",
@@ -369,7 +372,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=21,
+        version=22,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""
