@@ -25,7 +25,7 @@ def cube(sensed=(1,), **magnets):
 
 
 def opposed(**magnets):
-    return cube(positions_mm=PAIR, north=["outward", "inward"], height_mm=2.0, **magnets)
+    return cube(positions_mm=PAIR, north=["outward", "inward"], height_mm=2.5, **magnets)
 
 
 def test_the_pull_is_that_of_a_neighbour_on_its_way_in_by_magpylib():
@@ -33,7 +33,7 @@ def test_the_pull_is_that_of_a_neighbour_on_its_way_in_by_magpylib():
     spec = opposed(recoil_permeability=1.0, remanence_t=1.4)
 
     def disk(x_mm, z_mm, sign):
-        body = magpylib.magnet.Cylinder(polarization=(0, 0, sign * 1.4), dimension=(6e-3, 2e-3))
+        body = magpylib.magnet.Cylinder(polarization=(0, 0, sign * 1.4), dimension=(6e-3, 2.5e-3))
         body.position = (1e-3 * x_mm, 0, 1e-3 * z_mm)
         return body
 
@@ -84,9 +84,21 @@ def test_opposed_neighbours_are_refused_and_each_proposal_does():
     assert "set these two 11 mm apart" in message
     assert stays(positions_mm=((-5.0, 0.0), (6.0, 0.0)))
     assert not stays(positions_mm=((-4.8, 0.0), (5.0, 0.0)))
-    share = float(message.split(" times the strength")[0].split()[-1])
-    assert stays(remanence_t=share * 1.43)
-    assert not stays(remanence_t=(share + 0.02) * 1.43)
+
+
+def test_magnets_as_weak_as_proposed_stay_and_hardly_stronger_ones_do_not():
+    """Pulls go with the square of the strength."""
+    spec = opposed()
+    assert seats(spec).excess.max() > 1.4
+    with pytest.raises(InputError) as refused:
+        require_seated(spec)
+    share = float(str(refused.value).split(" times the strength")[0].split()[-1])
+
+    def excess(remanence_t):
+        weaker = spec.magnets.changed(remanence_t=remanence_t)
+        return seats(spec.changed(magnets=weaker)).excess.max()
+
+    assert excess(share * 1.43) <= 1 < excess((share + 0.02) * 1.43)
 
 
 def test_strong_magnets_of_two_faces_near_an_edge_are_drawn_in():
@@ -103,5 +115,5 @@ def test_strong_magnets_of_two_faces_near_an_edge_are_drawn_in():
 def test_an_object_that_stands_already_is_judged_as_designed():
     """A magnet found turned over was set, whatever it took."""
     flipped = AsBuiltSpec(magnets=(BuiltMagnet(face=1, magnet=2, flipped=True),))
-    built = cube(positions_mm=PAIR, height_mm=2.0).changed(as_built=flipped)
+    built = cube(positions_mm=PAIR, height_mm=2.5).changed(as_built=flipped)
     require_seated(built)
