@@ -45,13 +45,12 @@ from instobj.stages.run import Run
 EXAMPLE = Path(__file__).parents[1] / "examples" / "search_cube.toml"
 OUTWARD = 'search.vary.sensor_chip=["outward"]'
 OVER_START = [
-    'search.objectives=["position_bound_over_start"]',
+    'search.objectives=["position_over_limit"]',
     "search.limits.times_start.percentile_99_position_bound_mm=0.45",
 ]
 FREE = [
     'search.objectives=["percentile_99_position_bound_mm"]',
-    "search.limits.places_worse=1.0",
-    "search.limits.times_start={}",
+    "search.limits.times_start={position_over_limit=1e4}",
     OUTWARD,
 ]
 COARSE = [

@@ -59,13 +59,14 @@ class SearchSpace:
 
 
 def search_space(spec: ObjectSpec) -> SearchSpace:
-    """The variables that `[search]` frees.
+    """The variables that `[search]` frees, in a specification that says so (`with_freedom`).
 
     Raises
     ------
     InputError
-        Nothing may change, or what may change contradicts the rest of the specification.
+        What may change contradicts the rest of the specification.
     """
+    spec = with_freedom(spec)
     vary = spec.search.vary
     variables = [
         Variable(name, choices=choices)
@@ -73,14 +74,19 @@ def search_space(spec: ObjectSpec) -> SearchSpace:
         if (choices := getattr(vary, name)) is not None
     ]
     variables += _magnet_variables(spec) + _sensor_variables(spec)
-    if not variables:
-        proposed = " and ".join(f"{key} = {mm:g}" for key, mm in reaches_that_fit_mm(spec).items())
-        raise InputError(
-            f"nothing may change: [search.vary] is empty. Write {proposed} below it: how far from the "
-            "middles of their faces parts may lie, at most what this body has room for"
-        )
     _check(spec)
     return SearchSpace(spec, tuple(variables))
+
+
+def with_freedom(spec: ObjectSpec) -> ObjectSpec:
+    """The specification; where `[search.vary]` frees nothing, magnets and sensors over their whole faces,
+    each face by itself where its parts lie so."""
+    search, layouts = spec.search, spec.search.vary.layouts
+    if search.vary != VarySpec(layouts=layouts):
+        return spec
+    alone = len(spec.magnets.lists) > 1 and len(layout_groups(spec)) == 1
+    vary = VarySpec(layouts="per face" if alone else layouts, **reaches_that_fit_mm(spec))
+    return spec.changed(search=search.changed(vary=vary))
 
 
 def reaches_that_fit_mm(spec: ObjectSpec) -> dict[str, float]:

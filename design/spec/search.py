@@ -8,7 +8,7 @@ minutes, and a shell that came up before costs nothing. Ranges are continuous.
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, field_validator, model_validator
 
@@ -21,18 +21,18 @@ from design.spec.base import (
     SpecPart,
     Wall,
 )
-from design.spec.renamed import rename_older_keys
 
 Objective = Literal[
     "worst_position_bound_mm",
     "percentile_99_position_bound_mm",
     "median_position_bound_mm",
-    "position_bound_over_start",
+    "position_over_limit",
     "worst_force_bound_n",
     "median_false_force_n",
     "percentile_95_false_force_n",
     "sensitivity_ratio",
 ]
+OVER_LIMIT = "position_over_limit"
 OBJECTIVES_TO_MAXIMIZE = ("sensitivity_ratio",)
 
 Range = tuple[Coordinate, Coordinate]
@@ -88,22 +88,21 @@ class SearchLimitsSpec(SpecPart):
     """Limits that every layout must keep, beyond what any specification must and what `check --fabrication`
     asks of layouts: `silicone.thinnest_wall_mm` round pockets, `printer.wall_mm` round recesses.
 
-    `times_start` says how many
-    times the starting specification's value a score may have at most (`sensitivity_ratio`: at least);
-    `places_worse` is the share of (force, contact location) whose position bound may be larger than the
-    start's. At rest and in the deepest press `limits.saturation_margin` of the sensors' range stays free,
-    and 95 % of virtual objects keep every chip within it.
+    `times_start` says how many times the starting specification's value a score may have at most
+    (`sensitivity_ratio`: at least); `position_over_limit` may not grow unless it says otherwise: what gets
+    worse beyond `limits.position_bound_mm` is made up for elsewhere. At rest and in the deepest press
+    `limits.saturation_margin` of the sensors' range stays free, and 95 % of virtual objects keep every chip
+    within it.
     """
 
-    places_worse: Annotated[float, Field(ge=0, le=1)] = 0.02
-    times_start: dict[Objective, Annotated[float, Field(gt=0, le=1e4)]] = Field(
-        default_factory=dict
-    )
+    times_start: Annotated[
+        dict[Objective, Annotated[float, Field(gt=0, le=1e4)]], Field(validate_default=True)
+    ] = Field(default_factory=dict)
 
     @field_validator("times_start", mode="before")
     @classmethod
-    def _names_now(cls, given: Any) -> Any:
-        return rename_older_keys("search.limits.times_start", given)
+    def _with_default(cls, given: object) -> object:
+        return {OVER_LIMIT: 1.0, **given} if isinstance(given, dict) else given
 
 
 class SearchSpec(SpecPart):
@@ -143,11 +142,6 @@ class SearchSpec(SpecPart):
         """Scores that are objectives or limited."""
         return {*self.objectives, *self.limits.times_start}
 
-    @field_validator("objectives", mode="before")
-    @classmethod
-    def _names_now(cls, given: Any) -> Any:
-        return rename_older_keys("search.objectives", given)
-
     @model_validator(mode="after")
     def _agrees(self) -> SearchSpec:
         if any(b <= a for a, b in pairwise(self.forces_n)):
@@ -163,11 +157,5 @@ class SearchSpec(SpecPart):
             raise ValueError(
                 f"search.finalists = {self.finalists} come from search.leaders = {self.leaders}. Give "
                 "more leaders"
-            )
-        if "position_bound_over_start" in self.named and self.limits.places_worse == 1:
-            raise ValueError(
-                "position_bound_over_start leaves out the share search.limits.places_worse of the contact "
-                "locations; got places_worse = 1, which leaves out all of them. Give a share below 1, "
-                "such as 0.02"
             )
         return self

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
 import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from design.spec.object import ObjectSpec
+from design.spec.search import OVER_LIMIT
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N
 from estimator.layouts.batch import Layouts
 from estimator.layouts.bounds import percentile
@@ -28,35 +29,26 @@ def all_faces(
 
 DEARER = ("median_false_force_n", "percentile_95_false_force_n")
 """Scores that are worked out only where they are named: they cost as much as all others or more."""
-OVER_START = "position_bound_over_start"
 
 
-@dataclass(frozen=True)
-class PlaceBounds:
-    """Position bounds (mm) of another layout, of each scorer at the places of all its faces.
-
-    A batch is told by how much it exceeds them where it does so most (`worst_ratio` of `but`), and may
-    have `most` of them there.
-    """
-
-    position_mm: tuple[Float[Tensor, "_ _"], ...]
-    but: float
-    most: float = 1.0
+def limits_mm(spec: ObjectSpec) -> tuple[float, float]:
+    """Least and greatest position bound (mm) that count: within the limit all are alike, and beyond the
+    longest edge of the body nothing is known of the place."""
+    limit = spec.limits.position_bound_mm
+    return limit, max(limit, *spec.body.size_mm)
 
 
 def batch_scores(
     scorers: Sequence[LayoutScorer],
     layouts: Sequence[Layouts],
     named: Collection[str],
-    start: PlaceBounds | None = None,
 ) -> dict[str, Float[Tensor, "layout"]]:
     """Scores over the places of all pressed faces, those of `DEARER` only where they are named.
 
     Scorers of several forces: the geometric mean over them of the scores at each, so that every
     force counts alike; false forces from presses nearest to
     `CROSS_FACE_FORCE_N`, the largest counts and those that virtual objects keep to from those of the
-    largest force. With `start`, also
-    `OVER_START`: the position bound over the start's, by `worst_ratio`.
+    largest force.
     """
     places = places_information(scorers, layouts)
     forces = sorted({scorer.presses.force_n for scorer in scorers})
@@ -79,8 +71,6 @@ def batch_scores(
         found[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
     for name in ("largest_counts", "kept_counts"):
         found[name] = torch.stack([getattr(face, name) for face in places]).amax(dim=0)
-    if start is not None:
-        found[OVER_START] = bounds_over_start([face.position_bound_mm for face in places], start)
     return found
 
 
@@ -89,24 +79,6 @@ def position_bounds(
 ) -> list[Float[Tensor, "layout _"]]:
     """Position bounds (mm) at the places of each scorer."""
     return [places.position_bound_mm for places in places_information(scorers, layouts)]
-
-
-def bounds_over_start(
-    bounds_mm: Sequence[Float[Tensor, "layout _"]], start: PlaceBounds
-) -> Float[Tensor, "layout"]:
-    pairs = zip(bounds_mm, start.position_mm, strict=True)
-    over = [(bound[:, None] / before).flatten(1) for bound, before in pairs]
-    return worst_ratio(torch.cat(over, dim=1), start.but)
-
-
-def worst_ratio(over_start: Float[Tensor, "layout press"], but: float) -> Float[Tensor, "layout"]:
-    """Geometric mean over the worst presses, twice the share `but` of all, at least one.
-
-    In their middle lies the ratio that all but that share keep. A mean has a smoother slope than
-    one press that stands for all, and where the tail is long it is the stricter.
-    """
-    count = max(1, round(2 * but * over_start.shape[1]))
-    return over_start.log().topk(min(count, over_start.shape[1]), dim=1).values.mean(dim=1).exp()
 
 
 def scores_at_one_force(
@@ -119,12 +91,14 @@ def scores_at_one_force(
         all_faces(scorers, [getattr(face, name) for face in places])
         for name in ("position_bound_mm", "force_bound_n", "sensitivity")
     )
+    least, most = limits_mm(scorers[0].spec)
     ordered, sorted_mm = sensitivity.sort(dim=1).values, position.sort(dim=1).values
     found = {
         "worst_position_bound_mm": sorted_mm[:, -1],
         "percentile_99_position_bound_mm": percentile(sorted_mm, 99.0),
         "percentile_95_position_bound_mm": percentile(sorted_mm, 95.0),
         "median_position_bound_mm": percentile(sorted_mm, 50.0),
+        OVER_LIMIT: (position.clamp(least, most) / least).log().mean(dim=1).exp(),
         "worst_force_bound_n": force.amax(dim=1),
         "sensitivity_ratio": percentile(ordered, 5.0) / percentile(ordered, 50.0),
     }

@@ -13,7 +13,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 import numpy as np
@@ -22,14 +22,15 @@ from jaxtyping import Float
 
 from design.layout.places.contact_places import contact_places
 from design.spec.object import ObjectSpec
+from design.spec.search import OVER_LIMIT
 from estimator.information.cross_face import LEAST_FALSE_FORCE_N, cross_face_disturbance
 from estimator.information.scores import score_places
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import (
     DEARER,
     batch_scores,
+    limits_mm,
     position_bounds,
-    worst_ratio,
 )
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N
 from estimator.layouts.scorer import LayoutScorer
@@ -59,8 +60,8 @@ class FidelityScore:
     sensitivity_ratio : 5th over 50th percentile of δ over the places of all faces
     saturation_margin : share of the sensors' range that stays free, at rest and in the deepest press
     objects_margin : the same in 95 % of virtual objects (`estimator.tolerances.saturation`)
-    position_bound_over_start : position bound over the start's at the same force and location, where
-        it grew most (`against_start`); 1 against itself
+    position_over_limit : position bound over `limits.position_bound_mm`, geometric mean over forces and
+        locations; 1 where it is within the limit, and no more than where nothing is known of the place
     position_bounds_mm : position bound of every force, face and location that the face has, in
         this order
 
@@ -72,6 +73,7 @@ class FidelityScore:
     percentile_99_position_bound_mm: float
     percentile_95_position_bound_mm: float
     median_position_bound_mm: float
+    position_over_limit: float
     worst_force_bound_n: float
     median_false_force_n: float
     percentile_95_false_force_n: float
@@ -79,7 +81,6 @@ class FidelityScore:
     saturation_margin: float
     objects_margin: float
     position_bounds_mm: tuple[float, ...] = field(repr=False)
-    position_bound_over_start: float = 1.0
 
 
 SCORE_NAMES = tuple(f.name for f in fields(FidelityScore) if f.name != "position_bounds_mm")
@@ -168,6 +169,7 @@ def _at_force(spec: ObjectSpec, signals: Signals) -> dict[str, Any]:
         "percentile_99_position_bound_mm": float(np.percentile(bound, 99.0)),
         "percentile_95_position_bound_mm": float(np.percentile(bound, 95.0)),
         "median_position_bound_mm": float(np.median(bound)),
+        OVER_LIMIT: over_limit(spec, bound),
         "worst_force_bound_n": float(scores.force_bound_n[there].max()),
         "sensitivity_ratio": float(low / middle),
         "places": scores,
@@ -184,22 +186,18 @@ def bounds_by_press(
     return dict(zip(keys, np.split(np.array(score.position_bounds_mm), ends), strict=True))
 
 
-def worse_share(start: FidelityScore, found: FidelityScore) -> float:
-    """Share of (force, face, location) whose position bound is larger than the start's, of those where
-    both reach the force."""
-    over = _over(start, found)
-    return float(np.mean(over[~np.isnan(over)] > 1))
+def over_limit(spec: ObjectSpec, bounds_mm: Float[np.ndarray, "*press"]) -> Any:
+    """`FidelityScore.position_over_limit` of bounds at one force, over the last axis; NaN is left out."""
+    least, most = limits_mm(spec)
+    return np.exp(np.nanmean(np.log(np.clip(bounds_mm, least, most) / least), axis=-1))
 
 
-def against_start(start: FidelityScore, found: FidelityScore, but: float) -> FidelityScore:
-    """The score with its position bound over the start's (`estimator.layouts.batch_scores.worst_ratio`)."""
-    over = _over(start, found)
-    ratio = torch.as_tensor(over[~np.isnan(over)])[None]
-    return replace(found, position_bound_over_start=float(worst_ratio(ratio, but)))
-
-
-def _over(start: FidelityScore, found: FidelityScore) -> Float[np.ndarray, "press"]:
-    return np.array(found.position_bounds_mm) / np.array(start.position_bounds_mm)
+def worse_share(start: FidelityScore, found: FidelityScore, limit_mm: float = 0.0) -> float:
+    """Share of (force, face, location) whose position bound is larger than the start's and than a limit, of
+    those where both reach the force."""
+    before, after = np.array(start.position_bounds_mm), np.array(found.position_bounds_mm)
+    both = ~np.isnan(before + after)
+    return float(np.mean(after[both] > np.maximum(before[both], limit_mm)))
 
 
 def _flat(bounds_mm: Iterable[Any]) -> tuple[float, ...]:

@@ -18,7 +18,7 @@ from torch import Tensor
 
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from estimator.field.device import one_thread
-from estimator.layouts.batch_scores import OVER_START, PlaceBounds, batch_scores
+from estimator.layouts.batch_scores import batch_scores
 from estimator.layouts.limits.rules import broken_limits_mm
 from estimator.layouts.scorer import LayoutScorer, within_candidates
 from estimator.layouts.vectors import LayoutSpace, layouts_at
@@ -62,16 +62,12 @@ class Judged:
     """What layouts are worth: every objective as something to minimise, above 0.
 
     `broken` tells of every limit (`RULES`, those of scores) by how much, 0 where it is kept to
-    the last bit. `worse_mm` is above 0 where position bounds are larger than `PlaceBounds.most`
-    of the start's at more places than `PlaceBounds.but` (by `OVER_START`): the verdict refuses
-    what is larger than the start's; as this level's bounds of single places are rough, that makes
-    no layout one that breaks limits. `scores` are those of the lowest fidelity level. `eased`:
+    the last bit. `scores` are those of the lowest fidelity level. `eased`:
     the objectives, with the 95th percentile for those that fewer places decide.
     """
 
     objectives: Float[Tensor, "layout objective"]
     broken: Float[Tensor, "layout limit"]
-    worse_mm: Float[Tensor, "layout"]
     scores: dict[str, Float[Tensor, "layout"]]
     eased: Float[Tensor, "layout objective"]
 
@@ -81,16 +77,14 @@ class Judged:
         return torch.where(self.broken > ROUNDING_MM, self.broken, 0).sum(dim=1)
 
     @property
-    def penalties(self) -> Float[Tensor, "layout 2"]:
-        """By what shares objectives grow for broken limits, and for worse places: each by itself, so that
-        a limit is worth keeping though places are worse. Bounds a tenth over the start's double them,
-        a tenth as steep as limits: the start lies at that border and must come away from it."""
-        return torch.stack([PENALTY_PER_MM * self.broken.sum(dim=1), self.worse_mm], dim=1)
+    def penalty(self) -> Float[Tensor, "layout"]:
+        """By what share objectives grow for broken limits."""
+        return PENALTY_PER_MM * self.broken.sum(dim=1)
 
     @property
     def penalized(self) -> Float[Tensor, "layout objective"]:
-        """Objectives with their penalties."""
-        return self.objectives * (1 + self.penalties).prod(dim=1, keepdim=True)
+        """Objectives with their penalty."""
+        return self.objectives * (1 + self.penalty)[:, None]
 
     def loss(self, weights: Float[Tensor, "objective"]) -> Float[Tensor, "layout"]:
         """Weighted logarithms of penalised objectives, for walks: what breaks a limit, be it by a hair,
@@ -102,14 +96,12 @@ class Judged:
 class LowestFidelity:
     """Scorers of the pressed faces for one structure.
 
-    `at_most` bounds what `batch_scores` tells (`sensitivity_ratio` from below); `start` are the
-    bounds that layouts are held against place by place.
+    `at_most` bounds what `batch_scores` tells (`sensitivity_ratio` from below).
     """
 
     space: LayoutSpace
     scorers: tuple[LayoutScorer, ...]
     at_most: Mapping[str, float]
-    start: PlaceBounds | None = None
 
 
 @one_thread()
@@ -128,25 +120,20 @@ def judge(
         lowest.scorers,
         [near[scorer.presses.face] for scorer in lowest.scorers],
         named,
-        lowest.start,
     )
     told_at_once = bool(lowest.space.sensors)  # sensors that move: limits hold of all faces
     checked = list(laid.items())[: 1 if told_at_once else None]
     of_places = torch.stack([broken_limits_mm(lowest.space, one, face) for face, one in checked])
-    nothing = torch.zeros_like(of_places[0, :, 0])
     of_scores = [
         MM_PER_EXCESS * torch.relu(_to_minimize(name, scores) / most - 1)
         for name, most in lowest.at_most.items()
     ]
     broken = torch.cat([of_places.amax(dim=0), *(one[:, None] for one in of_scores)], dim=1)
-    worse = nothing
-    if lowest.start is not None:
-        worse = MM_PER_EXCESS * torch.relu(scores[OVER_START] / lowest.start.most - 1)
     worth, eased = (
         torch.stack([_to_minimize(name, scores) for name in names], dim=1).clamp(min=1e-9)
         for names in (objectives, [_EASED.get(name, name) for name in objectives])
     )
-    return Judged(worth, broken, worse, scores, eased)
+    return Judged(worth, broken, scores, eased)
 
 
 def _to_minimize(name: str, scores: dict[str, Tensor]) -> Float[Tensor, "layout"]:
@@ -269,20 +256,20 @@ class Evolution:
         return torch.as_tensor(points, dtype=self.begin.dtype, device=self.begin.device)
 
     def tell(self, worth: Worth, progress: float) -> None:
-        """Tell what the generation is worth, eased and with a share of the penalties."""
+        """Tell what the generation is worth, eased and with a share of the penalty."""
         own, share = share_of_objective(progress), share_of_penalty(progress)
         with np.errstate(invalid="ignore"):  # no share of what is infinite
             value = own * worth.value + (1 - own) * worth.eased
         value = np.where(np.isfinite(worth.value) & np.isfinite(worth.eased), value, np.inf)
-        now = value + self.whole * np.log1p(share * worth.penalties).sum(axis=1)
+        now = value + self.whole * np.log1p(share * worth.penalty)
         self.search.tell(list(zip(self._asked, now.tolist(), strict=True)))
 
     def keep_best(self, worth: Worth) -> None:
-        """The best so far of those that keep all limits, before others, with all of the penalties; none
+        """The best so far of those that keep all limits, before others, with all of the penalty; none
         that breaks a limit more than the run's own point, which is the first that is told."""
         self.begun = worth.broken if self.begun is None else self.begun
-        finally_worth = worth.value + self.whole * np.log1p(worth.penalties).sum(axis=1)
-        finally_worth += _AFTER_ALL * (worth.penalties[:, 0] > 0)
+        finally_worth = worth.value + self.whole * np.log1p(worth.penalty)
+        finally_worth += _AFTER_ALL * (worth.penalty > 0)
         finally_worth[_break_more(worth.broken, self.begun).numpy()] = np.inf
         leader = int(finally_worth.argmin())
         if finally_worth[leader] < self.least:
@@ -291,13 +278,13 @@ class Evolution:
 
 @dataclass(frozen=True)
 class Worth:
-    """Of points of one run: weighted logarithms of the objectives, as they are and eased, penalties, and
+    """Of points of one run: weighted logarithms of the objectives, as they are and eased, penalty, and
     broken limits."""
 
     points: Float[Tensor, "layout variable"]
     value: Float[np.ndarray, "layout"]
     eased: Float[np.ndarray, "layout"]
-    penalties: Float[np.ndarray, "layout 2"]
+    penalty: Float[np.ndarray, "layout"]
     broken: Float[Tensor, "layout limit"]
 
 
@@ -324,7 +311,7 @@ def _judged(
     rows = torch.tensor(np.repeat([run.row for run in runs], counts), device=points[0].device)
     with torch.no_grad():
         judged = judge_at(torch.cat(list(points)), rows)
-    parts = judged.objectives.log(), judged.eased.log(), judged.penalties.double(), judged.broken
+    parts = judged.objectives.log(), judged.eased.log(), judged.penalty.double(), judged.broken
     of_runs = (part.cpu().split(counts) for part in parts)
     for run, at, *logs, penalty, broken in zip(runs, points, *of_runs, strict=True):
         value, eased = ((log @ run.weights).double().nan_to_num(torch.inf).numpy() for log in logs)

@@ -115,6 +115,7 @@ TARGETS = {
     "slip": "slip",
     "frames": "frames",
     "pretraining": "pretraining",
+    "verdict": "alternatives press_curves robustness scores weak_areas",
     "report": "report",
 }
 """Results that `instobj run --to` names, and the stages that make them."""

@@ -84,6 +84,10 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
     }
 
 
+VERDICT_STAGES = {"alternatives", "press_curves", "robustness", "scores", "weak_areas"}
+"""Stages that the report's first lines are read from; none of them trains."""
+
+
 def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[str, str]:
     """Return what the report's first lines say."""
     margin = PRESS_CURVES.read(results["press_curves"].folder)["saturation_margin"]

@@ -9,7 +9,7 @@ from typing import Any
 
 from design.spec.object import ObjectSpec
 from instobj.report.core_section import slip_rows
-from instobj.report.remedies import verdict_summary
+from instobj.report.remedies import VERDICT_STAGES, verdict_summary
 from instobj.report.uncertainty import robustness_summary
 from instobj.report.weak_areas import WEAK_TITLE, weak_rows
 from instobj.store.content import StoredResult
@@ -87,7 +87,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     }
     if spec and "robustness" in results:
         made |= _finite(robustness_summary(spec, results["robustness"].folder))
-    if spec and "report" in results:
+    if spec and results.keys() >= VERDICT_STAGES:
         made = {"verdict": verdict_summary(spec, results)} | made
     return {title: values for title, values in made.items() if values}
 

@@ -1,11 +1,10 @@
 """Walks of leaders at the lowest fidelity level, corrected by what the second one said of them.
 
-Space mapping (Bandler et al., IEEE Trans. Microw. Theory Tech. 42, 1994): near a layout, bounds are
-those of the lowest level times what the second one made of them there, place by place and force by
-force; limits on scores alike. What the lowest level leaves out of the mechanics then counts, as far as
-it changes little on a short walk: of nineteen leaders that had walked, on cubes, boxes, handles, pears and
-boards in the shell, the second level's bounds over the start's, where they were largest
-(`estimator.layouts.batch_scores.worst_ratio`), were 0.90 to 1.08 times what so corrected ones foretold.
+Space mapping (Bandler et al., IEEE Trans. Microw. Theory Tech. 42, 1994): near a layout, scores are
+those of the lowest level times what the second one made of them there, and so are their limits. What the
+lowest level leaves out of the mechanics then counts, as far as it changes little on a short walk: of nineteen
+leaders that had walked, on cubes, boxes, handles, pears and boards in the shell, the second level's bounds
+over the start's, where they were largest, were 0.90 to 1.08 times what bounds so corrected foretold.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ import torch
 
 from design.search.places import polarities
 from design.search.space import SearchSpace, params_at, unit_of
-from estimator.layouts.fidelity import MARGINS, bounds_by_press
+from estimator.layouts.fidelity import MARGINS
 from estimator.layouts.polish import Judged, LowestFidelity, judge, walk
 from instobj.search.lowest_fidelity import StartScores, misfit_of, structure_fidelity
 from instobj.search.verdict import FIRST, SECOND, Promoted, score_at
@@ -85,14 +84,8 @@ def corrected_fidelity(
     """
     limited = space.spec.search.limits.times_start
     scores = {name: _corrected(name, start, layout) for name in limited}
-    corrected_start = StartScores(
-        scores, _place_bounds(layout, start), _counts_over_lowest(layout), 1.0
-    )
+    corrected_start = StartScores(scores, _counts_over_lowest(layout))
     return structure_fidelity(space, dict(params), corrected_start)
-
-
-_NEVER_WORSE_MM = 1e9
-"""Bound that stands for places without one: no other bound is larger."""
 
 
 def _counts_over_lowest(layout: Promoted) -> float:
@@ -106,19 +99,3 @@ def _counts_over_lowest(layout: Promoted) -> float:
 def _corrected(name: str, start: Promoted, layout: Promoted) -> float:
     low, high = (score_at(name, layout, level) for level in (FIRST, SECOND))
     return score_at(name, start, SECOND) * (low / high)
-
-
-def _place_bounds(layout: Promoted, start: Promoted) -> dict[tuple[float, int], torch.Tensor]:
-    """Position bounds (1, place) of the corrected start, by force and face."""
-    low, high, start_bounds = (
-        bounds_by_press(start.spec, score)
-        for score in (layout.levels[FIRST], layout.levels[SECOND], start.levels[SECOND])
-    )
-    return {
-        key: torch.as_tensor(
-            # a location that one of the two does not press so hard is never worse
-            np.nan_to_num(start_bounds[key] * low[key] / high[key], nan=_NEVER_WORSE_MM),
-            dtype=torch.float32,
-        )[None]
-        for key in start_bounds
-    }

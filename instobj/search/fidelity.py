@@ -6,12 +6,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import torch
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from estimator.layouts.batch_scores import OVER_START, worst_ratio
-from estimator.layouts.fidelity import FidelityScore, score_signals
+from design.spec.search import OVER_LIMIT
+from estimator.layouts.fidelity import FidelityScore, over_limit, score_signals
 from instobj.stages.run import Run
 from instobj.store.readers import METRICS, PRESSES, SECOND_FIDELITY, SIGNALS
 
@@ -94,16 +93,14 @@ def twin_ratios(start: ObjectSpec, old: list[Bounds], new: list[Bounds]) -> dict
     places that reach it only near the deepest press are judged at less, of both alike
     (`estimator.tolerances.budget`).
     """
-    start_summary, layout_summary = (_summaries(bounds) for bounds in (old, new))
-    ratios = {
+    start_summary, layout_summary = (_summaries(start, bounds) for bounds in (old, new))
+    return {
         name: TwinRatio(
             float(start_summary[name][0] / layout_summary[name][0]),
             *_interval(start_summary[name][1:, None] / layout_summary[name][1:]),
         )
         for name in start_summary
     }
-    but = start.search.limits.places_worse
-    return ratios if but == 1 else ratios | {OVER_START: _place_by_place(old, new, but)}
 
 
 def bounds_of_twins(spec: ObjectSpec, twins: int = TWINS) -> list[Bounds]:
@@ -117,25 +114,7 @@ def bounds_of_twins(spec: ObjectSpec, twins: int = TWINS) -> list[Bounds]:
     ]
 
 
-def _place_by_place(
-    start_bounds: list[Bounds], layout_bounds: list[Bounds], but: float
-) -> TwinRatio:
-    """Bounds of every pair of objects at the same force and location, where they grow most."""
-    old, new = (
-        torch.as_tensor(
-            np.concatenate([force_bounds["position_mm"] for force_bounds in bounds], axis=1)
-        )
-        for bounds in (start_bounds, layout_bounds)
-    )
-    has_bound = (old.isfinite() & new.isfinite()).all(dim=0)
-    over = torch.stack(
-        [worst_ratio(new[:, has_bound] / force_bounds, but) for force_bounds in old[:, has_bound]]
-    )
-    better = 1 / over.numpy()
-    return TwinRatio(float(better[0, 0]), *_interval(better[1:, 1:]))
-
-
-def _summaries(bounds: list[Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
+def _summaries(spec: ObjectSpec, bounds: list[Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
     each = []
     for at_force in bounds:
         position, force = at_force["position_mm"], at_force["force_n"]
@@ -145,6 +124,7 @@ def _summaries(bounds: list[Bounds]) -> dict[str, Float[np.ndarray, "object"]]:
                 "percentile_99_position_bound_mm": np.nanpercentile(position, 99, axis=1),
                 "percentile_95_position_bound_mm": np.nanpercentile(position, 95, axis=1),
                 "median_position_bound_mm": np.nanmedian(position, axis=1),
+                OVER_LIMIT: over_limit(spec, position),
                 "worst_force_bound_n": np.nanmax(force, axis=1),
             }
         )
@@ -166,7 +146,7 @@ def score_row(score: FidelityScore) -> dict[str, Any]:
         "99 % place mm": score.percentile_99_position_bound_mm,
         "95 % place mm": score.percentile_95_position_bound_mm,
         "median place mm": score.median_position_bound_mm,
-        "place over start": score.position_bound_over_start,
+        "place over limit": score.position_over_limit,
         "worst force N": score.worst_force_bound_n,
         "false N": score.median_false_force_n,
         "false N, 95 %": score.percentile_95_false_force_n,

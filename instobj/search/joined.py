@@ -49,6 +49,13 @@ def fit_budget(
     return _changed_space(space, polish_steps=min(generations, max(fits, search.polish_steps)))
 
 
+def quick_space(space: SearchSpace, generation_s: float, seconds: float) -> SearchSpace:
+    """The search with no more generations than `seconds` hold, but one."""
+    fits = int(seconds / max(generation_s, 1e-9))
+    steps = space.spec.search.polish_steps
+    return _changed_space(space, polish_steps=min(steps, max(fits, 1)))
+
+
 def describe_merge(requested: SearchSpec, merged: SearchSpec) -> str:
     """Return what becomes of the trials that are asked for, in words."""
     return (

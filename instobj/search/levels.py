@@ -15,7 +15,7 @@ from typing import Any
 from design.files import atomic_path
 from design.search.structure import structure_choices
 from design.spec.object import ObjectSpec
-from estimator.layouts.fidelity import FidelityScore, against_start, lowest_fidelity_score
+from estimator.layouts.fidelity import FidelityScore, lowest_fidelity_score
 from estimator.layouts.scorer import LayoutScorer
 from instobj.search.fidelity import (
     chain_score,
@@ -114,7 +114,6 @@ class Levels:
         scored_layouts = (
             json.loads(self.path.read_text(encoding="utf-8")) if self.path.is_file() else {}
         )
-        share = layouts[0].spec.search.limits.places_worse
         scored: list[Promoted] = []
         with self.table[name].scoring() as score:
             for layout in layouts:
@@ -135,9 +134,6 @@ class Levels:
                         continue
                     with atomic_path(self.path) as temporary:
                         temporary.write_text(json.dumps(scored_layouts, indent=1), encoding="utf-8")
-                reached, start_levels = score_of(scored_layouts[key]), layouts[0].levels
-                if share < 1:
-                    reached = against_start(start_levels.get(name, reached), reached, share)
-                layout.levels[name] = reached
+                layout.levels[name] = score_of(scored_layouts[key])
                 scored.append(layout)
         return scored

@@ -39,7 +39,8 @@ def run_search(
 ) -> None:
     """Add trials until there are as many as asked for, or the time is `over` after a batch.
 
-    A batch has `layouts_at_once`, scored in `at_once` places. `first` is tried first.
+    A batch has `layouts_at_once`, scored in `at_once` places. `first` is tried first, alone, so that there is
+    something to look at soon.
 
     Raises
     ------
@@ -49,7 +50,8 @@ def run_search(
     search, failed = space.spec.search, 0
     together = layouts_at_once(search, at_once)
     while (finished_count := len(kept.trials)) < search.trials:
-        count = min(together, search.trials - finished_count)
+        alone = first is not None and not finished_count
+        count = 1 if alone else min(together, search.trials - finished_count)
         starts = [
             drawn_start(space, number, first)
             for number in range(finished_count, finished_count + count)

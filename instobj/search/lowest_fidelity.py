@@ -40,10 +40,7 @@ from estimator.field.device import compute_device
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import (
     DEARER,
-    OVER_START,
-    PlaceBounds,
     batch_scores,
-    position_bounds,
 )
 from estimator.layouts.polish import (
     Judge,
@@ -61,7 +58,7 @@ from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
-from instobj.search.joined import fit_budget
+from instobj.search.joined import fit_budget, quick_space
 from instobj.search.trials import Scored
 from instobj.stages.run import Run
 
@@ -69,6 +66,9 @@ _UNFIT_MM = 0.5
 """For what only the specification's own check refuses."""
 _START_RATE = 0.01
 """Share of every variable's range: steps of the start's walk, short compared with what its limits leave."""
+FIRST_LOOK_S = 10.0
+"""Time of the runs of the specification's own layout, where others follow: with the start of the process and
+its walk about half a minute."""
 _START_STEPS = 300
 """At most: on a handle 200 found 0.928, 300 0.927 and 600 0.925 of the start's bound."""
 
@@ -76,11 +76,6 @@ _CHAIN_OVER_LOWEST = {"flat": 1.155, "curved": 1.25, "sensors-in-shell": 1.7}
 """Factor measured with `estimator.layouts.scoring.PlaceInformation`: at flat and curved faces above
 sensors in the core (of a pear the chain had 1.20 times as many), and of boards. The leaders' walk takes
 their own figure."""
-
-_PLACES_OVER_START = 0.8
-"""Share of the start's bounds, at most, where a layout gains least: there the chain has 1.0 to 1.3 times this
-level's ratio to the start (twelve layouts found for a cube, a box, a handle and a pear), the second level
-1.05 to 1.55."""
 
 _HELD: WeakValueDictionary[tuple[str, int, float, bool, str], PressBasis] = WeakValueDictionary()
 """Press bases of scorers: structures that differ in single magnets' sizes share them, at tens of MB
@@ -91,26 +86,24 @@ Evaluate = Callable[[list[dict[str, Any]]], list[Scored]]
 
 @dataclass(frozen=True)
 class StartScores:
-    """The specification as it is at the lowest level; `position_mm` (1, place) by force and face.
+    """The specification as it is at the lowest level.
 
     `counts_over_lowest`: the largest counts that layouts have in the chain, over those of the lowest level.
-    `max_bound_ratio`: what layouts may have of the start's bounds (`PlaceBounds.most`).
     """
 
     scores: dict[str, float]
-    position_mm: dict[tuple[float, int], torch.Tensor]
     counts_over_lowest: float
-    max_bound_ratio: float
 
 
-def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
+def lowest_fidelity(question: tuple[str, int, float, float]) -> Evaluate:
     """The function that scores trials of one structure; takes and gives what pipes can carry.
 
     Of a specification as JSON, how many generations a trial has once trials are joined, and the seconds that
-    are left to all trials: fewer generations where that is short (`fit_budget`). On the device that
+    are left to all trials: fewer generations where that is short (`fit_budget`). The specification's own
+    layout has no more generations than fit into the last figure, seconds. On the device that
     `INSTOBJ_DEVICE` names.
     """
-    content, generations, left_s = question
+    content, generations, left_s, first_s = question
     torch.set_num_threads(1)
     device = compute_device()
     space = search_space(parse_spec(json.loads(content), "the specification"))
@@ -119,18 +112,22 @@ def lowest_fidelity(question: tuple[str, int, float]) -> Evaluate:
     )  # a context that costs each call a little
     with device_context:
         start = start_scores(space.spec)
-    by_structure: dict[Any, tuple[SearchSpace, LowestFidelity]] = {}
+    start_layout = start_params(space)
+    by_structure: dict[Any, tuple[LowestFidelity, float, SearchSpace]] = {}
 
     def evaluate(trials: list[dict[str, Any]]) -> list[Scored]:
         structure = structure_of(space, trials[0])
         if structure not in by_structure:
-            lowest, timed = structure_fidelity(space, trials[0], start), space
+            lowest, generation_s, timed = structure_fidelity(space, trials[0], start), 0.0, space
             if space.spec.search.polish_steps:
                 generation_s = seconds_per_generation(space, lowest, trials[0], len(trials))
                 require_in_time(space.spec.search, generation_s, len(trials))
                 timed = fit_budget(space, generations, generation_s, len(trials), left_s)
-            by_structure[structure] = timed, lowest
-        return score_trials(*by_structure[structure], trials)
+            by_structure[structure] = lowest, generation_s, timed
+        lowest, generation_s, timed = by_structure[structure]
+        if trials == [start_layout]:
+            timed = quick_space(timed, generation_s, first_s)
+        return score_trials(timed, lowest, trials)
 
     def evaluate_there(trials: list[dict[str, Any]]) -> list[Scored]:
         with device_context:
@@ -183,13 +180,6 @@ def structure_fidelity(
 ) -> LowestFidelity:
     """Scorers of a structure, from stored mechanics or after it."""
     structured = with_structure(space.spec, params)
-    pressed = pressed_faces(structured)
-    all_scorers = scorers(structured, pressed)
-    share = structured.search.limits.places_worse
-    start_bounds = tuple(
-        torch.cat([start.position_mm[force, face] for face in pressed[number]])
-        for force, number in map(_pressed, all_scorers)
-    )
     limits = structured.search.limits.times_start
     most_counts = full_scale_counts(structured.sensors) / start.counts_over_lowest
     free = structured.limits.saturation_margin
@@ -199,12 +189,8 @@ def structure_fidelity(
         else factor * start.scores[name]
         for name, factor in limits.items()
     }
-    return LowestFidelity(
-        layout_space(space, structured),
-        all_scorers,
-        at_most,
-        None if share == 1 else PlaceBounds(start_bounds, share, start.max_bound_ratio),
-    )
+    all_scorers = scorers(structured, pressed_faces(structured))
+    return LowestFidelity(layout_space(space, structured), all_scorers, at_most)
 
 
 def scorers(spec: ObjectSpec, faces: Mapping[int, tuple[int, ...]]) -> tuple[LayoutScorer, ...]:
@@ -257,17 +243,13 @@ def single_faces(faces: tuple[int, ...]) -> dict[int, tuple[int, ...]]:
 
 
 def start_scores(spec: ObjectSpec) -> StartScores:
-    """Lowest-fidelity scores of the specification as it is, and its position bounds place by place."""
+    """Lowest-fidelity scores of the specification as it is."""
     all_scorers = scorers(spec, single_faces(spec.body.sensed))
     layouts = [layouts_of(spec, scorer.presses.face) for scorer in all_scorers]
     with torch.no_grad():
         scores = batch_scores(all_scorers, layouts, DEARER)
-        bounds = position_bounds(all_scorers, layouts)
     start_values = {name: float(value) for name, value in scores.items()}
-    by_press = {_pressed(scorer): bound for scorer, bound in zip(all_scorers, bounds, strict=True)}
-    return StartScores(
-        start_values | {OVER_START: 1.0}, by_press, counts_over_lowest(spec), _PLACES_OVER_START
-    )
+    return StartScores(start_values, counts_over_lowest(spec))
 
 
 def counts_over_lowest(spec: ObjectSpec) -> float:
@@ -278,17 +260,13 @@ def counts_over_lowest(spec: ObjectSpec) -> float:
     return _CHAIN_OVER_LOWEST[kind]
 
 
-def _pressed(scorer: LayoutScorer) -> tuple[float, int]:
-    return scorer.presses.force_n, scorer.presses.face
-
-
 def score_trials(
     space: SearchSpace, lowest: LowestFidelity, trials: list[dict[str, Any]]
 ) -> list[Scored]:
     """Polish and score trials of one structure; deterministic.
 
     The specification's own layout also walks down the gradient: a run of generations crosses the whole
-    space and does not come back to where no place is worse than before.
+    space and may not come back.
     """
     spec, structured = space.spec, lowest.space.structured
     flags = [not v.choices for v in space.variables]

@@ -24,8 +24,8 @@ from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.joined import describe_merge, merge_restarts
 from instobj.search.levels import Levels
 from instobj.search.loop import layouts_at_once, run_search
-from instobj.search.lowest_fidelity import lowest_fidelity
-from instobj.search.outcome.write import write_outcome, write_specification
+from instobj.search.lowest_fidelity import FIRST_LOOK_S, lowest_fidelity
+from instobj.search.outcome.write import BEST, RESULTS, write_best, write_outcome
 from instobj.search.possible import require_possible
 from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
@@ -69,18 +69,20 @@ def optimize(
     def say(text: str) -> None:
         progress.step(f"{text}; {limit.left}")
 
-    keep_best = partial(first_look, space, kept, folder, path.parent)
+    keep_best = partial(best_so_far, space, kept, folder, path.parent)
     with (
         _kept_on_interrupt(kept, progress),
         limit.enforced(keep_best),
         open_workers(workers, scheduler, progress) as others,
     ):
-        _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), others)
+        _search(space, kept, progress, say, lambda: limit.left_of(TRIALS_SHARE), others, keep_best)
         with progress.stage("promotion"):
             levels = Levels(folder / "rungs.json", say, others)
             promotion = Promoter(space, limit, levels).promote(kept)
     if promotion is None:
-        return nothing_better(spec, kept, limit)
+        return nothing_better(
+            spec, kept, limit, partial(write_best, folder=folder, beside=path.parent)
+        )
     with progress.stage("report"):
         files = write_outcome(
             space, kept, promotion, folder, path.parent, progress.step, limit.plain_engines_s
@@ -88,8 +90,13 @@ def optimize(
     return _document(spec, kept, promotion, files)
 
 
-def nothing_better(spec: ObjectSpec, kept: KeptTrials, limit: TimeLimit) -> dict[str, Any]:
-    """Return what is said where no trial but the start itself keeps every limit.
+def nothing_better(
+    spec: ObjectSpec,
+    kept: KeptTrials,
+    limit: TimeLimit,
+    write: Callable[[ObjectSpec, str, str], Path],
+) -> dict[str, Any]:
+    """Return what is said where no trial but the start itself keeps every limit; `write` it as the best.
 
     Raises
     ------
@@ -110,26 +117,32 @@ def nothing_better(spec: ObjectSpec, kept: KeptTrials, limit: TimeLimit) -> dict
         f"{len(trials)} trials, what keeps every limit is your own layout (trial {start_trial.number}). Give "
         f"search.seconds = {2 * limit.seconds:g} or more, or raise search.trials, and go on with --resume"
     )
+    best = write(spec, "The layout that the search began with: nothing better was found", spec.name)
     return {
         "command": "optimize",
         "name": spec.name,
         "spec_hash": spec_hash(spec),
         "better": False,
         "verdict": verdict,
+        "gains": "",
         "tables": {verdict: [_trial_counts(kept)]},
-        "files": [],
+        "files": file_rows([best]),
     }
 
 
-def first_look(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path) -> str:
-    """Write the best trial so far, which only the lowest level knows; where, in words, or nothing."""
+def best_so_far(space: SearchSpace, kept: KeptTrials, folder: Path, beside: Path) -> str:
+    """Write the best trial so far, which only the lowest level knows; where, in words, or nothing.
+
+    What an earlier call took to higher levels stays.
+    """
     best = leaders(space, kept, 1)
     if not best:
         return ""
-    folder.mkdir(parents=True, exist_ok=True)
-    path = folder / "first_look.toml"
-    layout = with_layout(space.spec, best[0].params)
-    write_specification(layout, f"{space.spec.name}_first_look", path, beside)
+    path = folder / BEST
+    if not (folder / RESULTS).is_file():
+        layout = with_layout(space.spec, best[0].params)
+        about = f"Trial {best[0].number}, by the lowest fidelity level alone: not confirmed"
+        path = write_best(layout, about, space.spec.name, folder, beside)
     return f" The best so far, by the lowest fidelity level alone, is {path}."
 
 
@@ -164,7 +177,8 @@ def _prepared(path: Path, out: Path, overrides: list[str]) -> tuple[ObjectSpec, 
     shared = body_of(spec).cuboid and len(layout_groups(spec)) == 1
     if spec.contact_grid.count == "fill" and shared:
         spec = spec.changed(contact_grid=spec.contact_grid.changed(count=shared_counts(spec)))
-    return spec, require_possible(spec)
+    space = require_possible(spec)
+    return space.spec, space
 
 
 def _search(
@@ -174,6 +188,7 @@ def _search(
     say: Callable[[str], None],
     left_s: Callable[[], float],
     workers: Workers,
+    keep_best: Callable[[], str],
 ) -> None:
     requested, content = space.spec.search, space.spec.model_dump_json()
     space = merge_restarts(space, layouts_at_once(requested, workers.count))
@@ -188,20 +203,27 @@ def _search(
     def waiting(trials: int) -> None:
         say("1 trial at work" if trials == 1 else f"{trials} trials at work")
 
-    question = (content, space.spec.search.polish_steps, left_s())
+    def keep_and_stop() -> bool:
+        keep_best()
+        return left_s() <= 0
+
+    first_s = FIRST_LOOK_S if space.spec.search.trials > 1 else left_s()
+    question = (content, space.spec.search.polish_steps, left_s(), first_s)
     with answers(lowest_fidelity, question, workers, waiting) as score, progress.stage("search"):
-        run_search(space, kept, score, say, first, lambda: left_s() <= 0, workers.count)
+        run_search(space, kept, score, say, first, keep_and_stop, workers.count)
 
 
 def _document(
     spec: ObjectSpec, kept: KeptTrials, promotion: Promotion, files: list[Path]
 ) -> dict[str, Any]:
+    label = promotion.best.label
     verdict = (
-        f"{promotion.best.label} is better than the start, at the highest fidelity level"
+        f"{label} is better than the start, at the highest fidelity level"
         if promotion.better
         else f"no layout is known to be better than the start at the highest fidelity level "
-        f"({'; '.join(promotion.objections)}); best.toml is not written"
+        f"({'; '.join(promotion.objections)})"
     )
+    verdict += f". best.toml is {label}: {promotion.gains}"
     covered = f"{100 * covered_share(promotion.best.spec):.0f} % of the sensed surface"
     verdict += f". Judged at contact locations that cover {covered}"
     if promotion.shortened:
@@ -216,6 +238,7 @@ def _document(
         "spec_hash": spec_hash(spec),
         "better": promotion.better,
         "verdict": verdict,
+        "gains": promotion.gains,
         "tables": {
             f"search of {spec.name}: {verdict}": [_trial_counts(kept)],
             "lowest fidelity level: rigid magnets in first reflection, linear signals": _rows(

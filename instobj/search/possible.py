@@ -25,6 +25,7 @@ from design.search.space import (
     start_params,
     structure_of,
     unit_of,
+    with_freedom,
 )
 from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
@@ -66,6 +67,7 @@ def require_possible(spec: ObjectSpec) -> SearchSpace:
         object has none of; mechanics that a fidelity level lacks; or no layout within the limits,
         with the one that is most in the way.
     """
+    spec = with_freedom(spec)
     _require_known_on(spec)
     if len(spec.magnets.lists) > 1 and len(layout_groups(spec)) == 1:
         raise InputError(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from design.spec.object import ObjectSpec
-from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
+from design.spec.search import OBJECTIVES_TO_MAXIMIZE, OVER_LIMIT, SearchSpec
 from estimator.layouts.fidelity import FidelityScore, worse_share
 from instobj.search.fidelity import TwinRatio
 
@@ -81,6 +81,11 @@ class Promotion:
         """The highest fidelity level that has scored the best one."""
         return LAST if self.finalists else SECOND
 
+    @property
+    def gains(self) -> str:
+        """Return what the best one gains over the start and what it costs, in one sentence."""
+        return gains_in_words(self.start, self.best, self.level)
+
 
 def merit(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> float:
     """Mean logarithm of the objectives over the start's, with what limits are exceeded: less is
@@ -90,20 +95,12 @@ def merit(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> 
 
 
 def excess(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> dict[str, float]:
-    """Shares by which limits are exceeded, that of places worse than the start's among them.
-
-    Where no place may be worse, each counts as one limit exceeded by as much again.
-    """
+    """Shares by which limits are exceeded."""
     reached = layout.levels[level]
     excesses = {
         "saturation_margin": layout.spec.limits.saturation_margin - reached.saturation_margin,
         "objects_margin": -reached.objects_margin,
     }
-    if search.limits.places_worse < 1:
-        worse = worse_share(start.levels[level], layout.levels[level])
-        most = search.limits.places_worse
-        one_place = 1 / len(layout.levels[level].position_bounds_mm)
-        excesses["places_worse"] = (worse - most) / max(most, one_place)
     for name, factor in search.limits.times_start.items():
         most = 1 / factor if name in OBJECTIVES_TO_MAXIMIZE else factor
         excesses[name] = _score_over_start(name, layout, start, level) / most - 1
@@ -124,11 +121,10 @@ def objections(
     if _mean_log(search, best, start, level) >= 0:
         reasons.append("the objectives' mean is not better")
     for name, share in excess(search, best, start, level).items():
-        if name == "places_worse":
-            worse = worse_share(start.levels[level], best.levels[level])
+        if name == OVER_LIMIT:
             reasons.append(
-                f"the position bound is larger than the start's at {100 * worse:.2g} % of contact "
-                f"locations and forces, more than places_worse = {search.limits.places_worse:g}"
+                f"what got worse beyond limits.position_bound_mm = {best.spec.limits.position_bound_mm:g} "
+                f"outweighs what got better: {name} misses its limit by {100 * share:.2g} %"
             )
         elif name == "saturation_margin":
             free, least = best.levels[level].saturation_margin, best.spec.limits.saturation_margin
@@ -149,6 +145,30 @@ def objections(
     if first in ratios and not ratios[first].low > 1:
         reasons.append(f"{first} is not better in 95 % of pairs of twins")
     return tuple(reasons)
+
+
+def gains_in_words(start: Promoted, layout: Promoted, level: str) -> str:
+    """Return a layout's bounds beside the start's, the shares within the limit, and what got worse."""
+    limit = layout.spec.limits.position_bound_mm
+    start_score, layout_score = start.levels[level], layout.levels[level]
+    bounds = (
+        f"{words} {score_at(name, layout, level):.3g} instead of {score_at(name, start, level):.3g} mm"
+        for name, words in _TOLD.items()
+    )
+    within = (
+        100 * np.nanmean(np.array(s.position_bounds_mm) <= limit)
+        for s in (layout_score, start_score)
+    )
+    worse = 100 * worse_share(start_score, layout_score)
+    beyond = 100 * worse_share(start_score, layout_score, limit)
+    return (
+        f"{', '.join(bounds)}; within the limit of {limit:g} mm lie "
+        f"{' instead of '.join(f'{share:.0f} %' for share in within)} of locations and forces; "
+        f"{worse:.0f} % got worse, {beyond:.0f} % beyond that limit"
+    )
+
+
+_TOLD = {"worst_position_bound_mm": "worst location", "median_position_bound_mm": "median"}
 
 
 def _mean_log(search: SearchSpec, layout: Promoted, start: Promoted, level: str) -> float:

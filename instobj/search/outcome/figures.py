@@ -30,7 +30,7 @@ LABELS = {
     "worst_position_bound_mm": "worst location, position bound (mm)",
     "percentile_99_position_bound_mm": "99th percentile of locations, position bound (mm)",
     "median_position_bound_mm": "median location, position bound (mm)",
-    "position_bound_over_start": "position bound over the start's, where it grew most",
+    "position_over_limit": "position bound over its limit, mean of what is beyond",
     "worst_force_bound_n": "worst location, force bound (N)",
     "median_false_force_n": "false force by the next face (N), median",
     "percentile_95_false_force_n": "false force by the next face (N), 95th percentile",

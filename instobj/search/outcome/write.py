@@ -13,17 +13,23 @@ from design.layout.places.coverage import covered_share
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
+from design.spec.silicone import is_test_file
 from design.tables import toml_text
 from estimator.layouts.fidelity import SCORE_NAMES
 from instobj.search.outcome.history import search_history
 from instobj.search.outcome.layouts import shown_layouts
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.trials import KeptTrials
-from instobj.search.verdict import Promoted, Promotion
+from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion
 from instobj.stages.run import Run
 from instobj.store.stage import write_json
 
-BEST = "best.toml"
+BEST, RESULTS = "best.toml", "search.json"
+LEVEL_NAMES = {
+    FIRST: "lowest fidelity level",
+    SECOND: "second fidelity level",
+    LAST: "highest fidelity level",
+}
 
 
 def write_outcome(
@@ -35,7 +41,7 @@ def write_outcome(
     step: Callable[[str], None],
     plain_engines_s: float = float("inf"),
 ) -> list[Path]:
-    """Write finalists, the best of them where it is better than the start, `search.json`, the page.
+    """Write finalists, the best of them, `search.json`, the page.
 
     `spec_folder` is the folder of the specification, from which it names other files; `plain_engines_s` is
     the time of the plain engines that the page shows.
@@ -46,14 +52,12 @@ def write_outcome(
         write_specification(
             layout.spec, f"{space.spec.name}_finalist_{place}", written[-1], spec_folder
         )
-    if promotion.better:
-        written.append(folder / BEST)
-        write_specification(
-            promotion.best.spec, f"{space.spec.name}_best", written[-1], spec_folder
-        )
-    else:
-        (folder / BEST).unlink(missing_ok=True)  # of an earlier call
-    written.append(folder / "search.json")
+    verdict = (
+        "Better than the start" if promotion.better else "Not known to be better than the start"
+    )
+    about = f"{verdict}, by the {LEVEL_NAMES[promotion.level]}: {promotion.gains}"
+    written.append(write_best(promotion.best.spec, about, space.spec.name, folder, spec_folder))
+    written.append(folder / RESULTS)
     write_json(_results(promotion), written[-1])
     history = search_history(space, kept, plain_engines_s)
     start, best = (Run(layout.spec) for layout in (promotion.start, promotion.best))
@@ -68,17 +72,29 @@ def write_outcome(
     return written
 
 
-def write_specification(spec: ObjectSpec, name: str, path: Path, beside: Path) -> None:
+def write_best(spec: ObjectSpec, about: str, name: str, folder: Path, beside: Path) -> Path:
+    """Write the best layout so far of the search of `name`, and what is known of it in its first line."""
+    folder.mkdir(parents=True, exist_ok=True)
+    write_specification(spec, f"{name}_best", folder / BEST, beside, f"# {about}\n")
+    return folder / BEST
+
+
+def write_specification(
+    spec: ObjectSpec, name: str, path: Path, beside: Path, comment: str = ""
+) -> None:
     """A layout as a specification file of its own, without the search."""
     content = spec.changed(name=name, search=SearchSpec()).model_dump(
         mode="json", exclude_none=True
     )
     del content["search"], content["as_built"]
-    for table, key in (("indenter", "file"), ("silicone", "tensile_data")):
-        if key in content[table]:
-            content[table][key] = str((beside / content[table][key]).absolute())
+    if is_test_file(spec.silicone.modulus_from):
+        content["silicone"]["modulus_from"] = str(
+            (beside / content["silicone"]["modulus_from"]).absolute()
+        )
+    if "file" in content["indenter"]:
+        content["indenter"]["file"] = str((beside / content["indenter"]["file"]).absolute())
     with atomic_path(path) as temporary:
-        temporary.write_bytes(toml_text(content).encode())
+        temporary.write_bytes(f"{comment}{toml_text(content)}".encode())
 
 
 def _results(promotion: Promotion) -> dict[str, Any]:
@@ -93,6 +109,7 @@ def _results(promotion: Promotion) -> dict[str, Any]:
         json.dumps(
             {
                 "better": promotion.better,
+                "gains": promotion.gains,
                 "objections": promotion.objections,
                 "shortened": promotion.shortened,
                 "covered_share": covered_share(promotion.best.spec),

@@ -201,7 +201,6 @@ def test_a_space_without_the_start_says_so(search):
 
 
 WRONG = {
-    "nothing may change": {},
     "block": {"vary": {"magnet_part": ["B5x5x1"]}},
     "not a known part": {"vary": {"magnet_part": ["D99x1"]}},
     "'N99' is not a known grade": {"vary": {"magnet_grade": ["N35", "N99"]}},

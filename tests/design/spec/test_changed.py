@@ -4,6 +4,7 @@ import pytest
 
 from design.errors import SpecError
 from design.spec.object import ObjectSpec
+from design.spec.search import OVER_LIMIT
 from design.spec_io import check, load_spec, parse_spec
 
 CUBE = ObjectSpec(name="cube")
@@ -58,16 +59,16 @@ def test_single_presses_need_not_fit_at_every_contact_location():
 def test_a_part_with_a_field_named_keys_is_changed_too():
     """`dict(part)` would call that field."""
     core = parse_spec({"name": "cube"}, "test").core
-    assert core.changed(hub_radius_mm=1.7).hub_radius_mm == 1.7
-    assert core.changed(hub_radius_mm=1.7).keys == core.keys
+    assert core.changed(wall_mm=4.7).wall_mm == 4.7
+    assert core.changed(wall_mm=4.7).keys == core.keys
 
 
 def test_tables_of_parts_that_are_left_out_are_each_specification_s_own():
     """A frozen part keeps no one from writing into a table in it."""
     ball = ObjectSpec(name="ball")
     ball.search.limits.times_start["worst_position_bound_mm"] = 0.5
-    assert CUBE.search.limits.times_start == {}
-    assert ObjectSpec(name="egg").search.limits.times_start == {}
+    assert CUBE.search.limits.times_start == {OVER_LIMIT: 1.0}
+    assert ObjectSpec(name="egg").search.limits.times_start == {OVER_LIMIT: 1.0}
     assert CUBE.search != CUBE.search.changed(forces_n=(1.0,))
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import torch
 from numpy.testing import assert_allclose
+from scipy.stats import gmean
 
 from design.errors import InputError
 from design.layout.body import face_frames
@@ -20,7 +21,6 @@ from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import CROSS_FACE_FORCE_N, false_forces_n, neighbour_changes
 from estimator.layouts.fidelity import (
     SCORE_NAMES,
-    against_start,
     gains,
     lowest_fidelity_score,
     rank_correlations,
@@ -198,9 +198,9 @@ def test_a_range_of_forces_is_judged_by_geometric_means():
     assert_allclose(found.worst_position_bound_mm, np.prod(bounds.max((1, 2))) ** 0.5, rtol=1e-12)
     better = replace(found, position_bounds_mm=tuple((0.5 * bounds.ravel()).tolist()))
     assert worse_share(better, found) == 1
-    held = against_start(better, found, 0.02)
-    assert held.position_bound_over_start == pytest.approx(2)
-    assert found.position_bound_over_start == 1, "of none but itself"
+    limit, edge = spec.limits.position_bound_mm, max(spec.body.size_mm)
+    assert worse_share(better, found, limit) == np.mean(bounds > limit)
+    assert_allclose(found.position_over_limit, gmean(np.clip(bounds, limit, edge).ravel() / limit))
 
 
 def test_gains_are_above_one_where_a_layout_is_better():

@@ -3,13 +3,11 @@
 from types import SimpleNamespace
 
 import numpy as np
-import pytest
 import torch
 from numpy.testing import assert_allclose
 
 from design.spec.object import ObjectSpec
 from estimator.layouts import batch_scores, cross_face
-from estimator.layouts.batch_scores import PlaceBounds, worst_ratio
 from estimator.layouts.limits import curved
 
 
@@ -46,29 +44,6 @@ def test_a_false_force_is_that_of_the_own_press_that_is_nearest_up_to_twice_the_
                 assert_allclose(found[layout, neighbour, place], wanted, atol=0.004)
 
 
-@pytest.mark.parametrize(("but", "count"), [(0.001, 1), (0.05, 2), (0.2, 8), (0.9, 20)])
-def test_the_worst_ratio_is_a_geometric_mean_over_twice_the_share_left_out(but, count):
-    ratios = np.random.default_rng(3).uniform(0.5, 3, (2, 20))
-    worst = np.sort(ratios, axis=1)[:, ::-1][:, :count]
-    assert_allclose(worst_ratio(tensor(ratios), but), np.exp(np.log(worst).mean(axis=1)))
-
-
-def test_bounds_are_held_against_the_start_at_every_place_of_every_face():
-    rng = np.random.default_rng(4)
-    bounds = [rng.uniform(1, 2, (3, 4)), rng.uniform(1, 2, (3, 6))]
-    before = [rng.uniform(1, 2, (5, 4)), rng.uniform(1, 2, (5, 6))]
-    start = PlaceBounds(tuple(tensor(one) for one in before), 0.1)
-    found = batch_scores.bounds_over_start([tensor(one) for one in bounds], start)
-    every = [
-        np.concatenate(
-            [(bound[layout] / old).ravel() for bound, old in zip(bounds, before, strict=True)]
-        )
-        for layout in range(3)
-    ]
-    worst = np.sort(every, axis=1)[:, -10:]
-    assert_allclose(found, np.exp(np.log(worst).mean(axis=1)))
-
-
 def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_the_nearest(
     monkeypatch,
 ):
@@ -99,7 +74,6 @@ def test_scores_of_several_forces_are_geometric_means_and_false_forces_are_of_th
     assert_allclose(found["median_false_force_n"], [12, 13])
     assert_allclose(found["largest_counts"], [12, 24])
     assert_allclose(found["kept_counts"], [8, 12])
-    assert batch_scores.OVER_START not in found
 
 
 def test_a_face_counts_as_often_as_the_faces_that_it_stands_for():

@@ -1,4 +1,4 @@
-"""Lowest fidelity level of a search: pooled scores, limits over the start's, and gradient descent."""
+"""Lowest fidelity level of a search: pooled scores, limits, and gradient descent."""
 
 from dataclasses import replace
 
@@ -11,17 +11,14 @@ from scipy.stats import gmean
 from design.search.space import search_space
 from design.search.structure import with_structure
 from design.spec.object import ScoreSpec
-from design.spec.search import SearchSpec
+from design.spec.search import OVER_LIMIT, SearchSpec
 from estimator.layouts import polish as polishing
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import (
     DEARER,
-    OVER_START,
-    PlaceBounds,
     batch_scores,
     position_bounds,
     scores_at_one_force,
-    worst_ratio,
 )
 from estimator.layouts.cross_face import false_forces_n
 from estimator.layouts.fidelity import lowest_fidelity_score
@@ -85,7 +82,7 @@ def test_scores_are_pooled_over_the_places_of_all_faces(lowest):
         assert_allclose(float(found[name][0]), wanted, rtol=1e-4)
 
 
-def test_every_force_counts_alike_and_places_are_held_against_the_start(lowest):
+def test_every_force_counts_alike(lowest):
     """Steps of two forces by hand: geometric means of the scores at each."""
     spec, forces = lowest.space.structured, (3.0, 8.0)
     low, high = (made_up_motions(spec.changed(score=ScoreSpec(force_n=n))) for n in forces)
@@ -122,56 +119,35 @@ def test_every_force_counts_alike_and_places_are_held_against_the_start(lowest):
         assert abs(a / b - 1).mean() > 0.1
         assert_allclose(found[name], (a * b).sqrt(), rtol=1e-4)
     assert_allclose(found["median_false_force_n"], each[1]["median_false_force_n"], rtol=1e-4)
-    bounds = position_bounds(pooled, layouts * 2)
-    before = PlaceBounds(tuple(bound[:1] for bound in bounds), 0.02)
-    over = batch_scores(pooled, layouts * 2, [], before)[OVER_START]
-    ratio = torch.cat(bounds, dim=1) / torch.cat(bounds, dim=1)[:1]
-    worst = np.sort(ratio.numpy(), axis=1)[:, -round(0.04 * ratio.shape[1]) :]
-    assert_allclose(over, gmean(worst, axis=1), rtol=1e-5)
-    assert_allclose(over[0], 1, rtol=1e-6)
+    bounds = torch.cat(position_bounds(pooled, layouts * 2), dim=1)
+    limit, edge = spec.limits.position_bound_mm, max(spec.body.size_mm)
+    assert 0.05 < (bounds > limit).float().mean() < 0.95, "some count, some do not"
+    wanted = gmean(bounds.clamp(limit, edge) / limit, axis=1)
+    assert_allclose(found[OVER_LIMIT], wanted, rtol=1e-5)
 
 
-def test_a_face_that_stands_for_others_counts_as_often_and_is_held_against_each(lowest):
+def test_a_face_that_stands_for_others_counts_as_often(lowest):
     layouts = [random_layouts(3, seed=face) for face in FACES]
     four = [
         replace(scorer, faces=count) for scorer, count in zip(lowest.scorers, (1, 4), strict=True)
     ]
     top, side = position_bounds(lowest.scorers, layouts)
-    before = torch.rand(4, side.shape[1]) + 0.5
-    start = PlaceBounds((top[:1], before), 0.1)
-    found = batch_scores(four, layouts, ["median_false_force_n"], start)
+    found = batch_scores(four, layouts, ["median_false_force_n"])
     every = np.concatenate([top, *(4 * [side])], axis=1)
     for name, percent in (("median", 50), ("percentile_95", 95)):
         wanted = np.percentile(every, percent, axis=1)
         assert_allclose(found[f"{name}_position_bound_mm"], wanted, rtol=1e-5)
-    ratio = np.concatenate([top / top[:1], *(side / one for one in before)], axis=1)
-    worst = np.sort(ratio, axis=1)[:, -round(0.2 * ratio.shape[1]) :]
-    assert_allclose(found[OVER_START], gmean(worst, axis=1), rtol=1e-5)
     forces = [false_forces_n(*pair) for pair in zip(lowest.scorers, layouts, strict=True)]
     every = np.concatenate([one.flatten(1) for one in (forces[0], *(4 * [forces[1]]))], axis=1)
     assert_allclose(found["median_false_force_n"], np.median(every, axis=1), rtol=1e-5)
 
 
-def test_more_worse_places_than_allowed_cost_by_themselves_and_break_no_limit(lowest, units):
-    layouts = [layouts_of(lowest.space.structured, face) for face in FACES]
-    bounds = position_bounds(lowest.scorers, layouts)
-    kinder = replace(lowest, start=PlaceBounds(tuple(100 * bound for bound in bounds), 0.02))
-    harder = replace(lowest, start=PlaceBounds(tuple(bound / 100 for bound in bounds), 0.02))
-    free, kept, worse = (judged(one, units) for one in (lowest, kinder, harder))
-    assert_allclose(kept.penalized, free.penalized)
-    ratio = worse.scores[OVER_START]
-    assert (ratio > 20).all()
-    limited = judged(replace(lowest, at_most={OBJECTIVES[0]: 1.0}), units)
-    over = limited.scores[OBJECTIVES[0]]
-    assert_allclose(limited.broken_mm - free.broken_mm, 10 * torch.relu(over - 1), rtol=1e-4)
-    assert_allclose(worse.worse_mm, 10 * (ratio - 1), rtol=1e-5)
-    stricter = replace(harder, start=replace(harder.start, most=0.8))
-    assert_allclose(judged(stricter, units).worse_mm, 10 * (ratio / 0.8 - 1), rtol=1e-5)
-    assert_allclose(worse.broken_mm, free.broken_mm)
-    grown = 1 + worse.worse_mm[:, None]
-    assert_allclose(worse.penalized, grown * free.penalized, rtol=1e-5)
-    sought = judged(harder, units, (OVER_START,))
-    assert_allclose(sought.objectives, ratio[:, None], rtol=1e-5)
+def test_scores_beyond_their_limits_break_them_by_ten_millimetres_for_each_times(lowest, units):
+    free = judged(lowest, units)
+    limited = judged(replace(lowest, at_most={OBJECTIVES[0]: 1.0, OVER_LIMIT: 1.0}), units)
+    over = sum(torch.relu(limited.scores[name] - 1) for name in (OBJECTIVES[0], OVER_LIMIT))
+    assert (over > 0).all()
+    assert_allclose(limited.broken_mm - free.broken_mm, 10 * over, rtol=1e-4)
 
 
 def test_dear_scores_are_worked_out_only_where_they_are_named(lowest):
@@ -253,7 +229,7 @@ def test_narrower_generations_come_from_the_same_distribution():
 
 
 def worth(objectives, broken_mm):
-    return Judged(objectives, broken_mm[:, None], torch.zeros(len(objectives)), {}, objectives)
+    return Judged(objectives, broken_mm[:, None], {}, objectives)
 
 
 def test_runs_that_are_judged_side_by_side_end_as_if_alone(monkeypatch):
@@ -320,12 +296,10 @@ def test_generations_are_told_what_is_eased_at_first_and_what_is_asked_in_the_en
     assert len(points) == 24
     value, eased = np.random.default_rng(1).random((2, len(points)))
     value[3], eased[4] = np.inf, np.inf
-    penalties = np.full((len(points), 2), [1.0, 0.0])
+    penalty = np.ones(len(points))
     kept = []
     run.search.tell = kept.extend
-    run.tell(
-        polishing.Worth(points, value, eased, penalties, torch.zeros(len(points), 1)), progress
-    )
+    run.tell(polishing.Worth(points, value, eased, penalty, torch.zeros(len(points), 1)), progress)
     told = np.array([one for _, one in kept])
     own = {0.0: 0.0, 0.25: 0.5, 0.5: 1.0, 1.0: 1.0}[progress]
     share = polishing.share_of_penalty(progress)
@@ -362,7 +336,7 @@ def test_a_run_passes_by_what_only_the_eased_objective_sees_past():
         away = ((point - 0.85) ** 2).sum(dim=1).sqrt()
         asked = torch.where(away < 0.15, 1 + away, 4 - away)
         broken = torch.zeros(len(point))
-        return Judged(asked[:, None], broken[:, None], broken, {}, (1 + away)[:, None])
+        return Judged(asked[:, None], broken[:, None], {}, (1 + away)[:, None])
 
     begin = torch.full((1, 6), 0.1)
     end = polish(judge_at, begin, 60, torch.ones(1, 1))
@@ -428,19 +402,17 @@ def test_counts_beyond_a_limit_break_it(lowest, units):
     assert_allclose(limited.broken_mm - free.broken_mm, polishing.MM_PER_EXCESS * over, atol=1e-5)
 
 
-def made_judged(objectives, broken=0.0, worse=0.0):
+def made_judged(objectives, broken=0.0):
     count = len(objectives)
     at = torch.tensor(objectives)
-    return Judged(at, torch.full((count, 1), broken), torch.full((count,), worse), {}, at)
+    return Judged(at, torch.full((count, 1), broken), {}, at)
 
 
-def test_a_tenth_of_a_millimetre_doubles_every_objective_and_worse_places_add_their_share():
+def test_a_tenth_of_a_millimetre_doubles_every_objective():
     given = [[2.0, 5.0], [3.0, 7.0]]
     assert_allclose(made_judged(given).penalized, given)
     assert_allclose(made_judged(given, broken=0.1).penalized, 2 * np.array(given), rtol=1e-6)
-    both = made_judged(given, broken=0.2, worse=0.5)
-    assert_allclose(both.penalties, [[2.0, 0.5]] * 2)
-    assert_allclose(both.penalized, 3 * 1.5 * np.array(given), rtol=1e-6)
+    assert_allclose(made_judged(given, broken=0.2).penalty, [2.0, 2.0])
 
 
 @pytest.mark.parametrize(("variables", "layouts"), [(1, 48), (2, 48), (10, 80), (40, 120)])
@@ -498,15 +470,6 @@ def test_a_layout_without_a_gradient_stays_and_the_others_go_on():
     assert (seen[-1][1] < begin[1]).all()
 
 
-def test_the_worst_presses_over_the_start_are_twice_the_share_that_may_be_worse():
-    over = torch.tensor([[1.0, 4.0, 0.5, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]])
-    assert float(worst_ratio(over, 0.0)) == pytest.approx(4.0)
-    assert float(worst_ratio(over, 0.05)) == pytest.approx(4.0)
-    assert float(worst_ratio(over, 0.1)) == pytest.approx(8**0.5)
-    assert float(worst_ratio(over, 0.15)) == pytest.approx(2.0)
-    assert float(worst_ratio(over, 9.0)) == pytest.approx(gmean(over[0]))
-
-
 def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
     """Two scorers, the second of which stands for three faces, with made-up values of each place."""
     scorers = [replace(lowest.scorers[0], faces=1), replace(lowest.scorers[1], faces=3)]
@@ -528,6 +491,7 @@ def test_scores_of_one_force_pool_faces_as_often_as_they_stand_for(lowest):
         "percentile_99_position_bound_mm": np.percentile(position, 99),
         "percentile_95_position_bound_mm": np.percentile(position, 95),
         "median_position_bound_mm": np.median(position),
+        "position_over_limit": gmean(np.clip(position, 1.5, 42) / 1.5),
         "worst_force_bound_n": force.max(),
         "sensitivity_ratio": low / middle,
     }

@@ -8,8 +8,6 @@ from design.search.places import polarities
 from design.search.space import search_space, start_params, unit_of
 from design.search.structure import with_structure
 from design.spec.search import SearchSpec
-from estimator.layouts.batch import layouts_of
-from estimator.layouts.batch_scores import PlaceBounds, position_bounds
 from estimator.layouts.polish import (
     ROUNDING_MM,
     Judged,
@@ -39,14 +37,12 @@ class Start:
         params = start_params(space)
         assert params is not None
         scorers = tuple(layout_scorer(spec, press_basis(spec, motions, face)) for face in FACES)
-        before = position_bounds(scorers, [layouts_of(spec, face) for face in FACES])
         tensors = layout_space(space, with_structure(spec, params))
-        held = PlaceBounds(tuple(before), 0.02)
         self.poles = torch.tensor([polarities(tensors.structured, params)])
         self.unit = torch.as_tensor(unit_of(space, params), dtype=torch.float32)
-        self.lowest = LowestFidelity(tensors, scorers, {}, held)
+        self.lowest = LowestFidelity(tensors, scorers, {})
         median = float(self.judged(self.unit[None]).scores[MEDIAN])
-        self.lowest = LowestFidelity(tensors, scorers, {MEDIAN: median}, held)
+        self.lowest = LowestFidelity(tensors, scorers, {MEDIAN: median})
 
     def judged(self, units):
         return judge(self.lowest, units, self.poles.expand(len(units), -1), OBJECTIVES)
@@ -98,7 +94,7 @@ def hidden_limit(point, rows=None):
     first = point[:, 0]
     broken = torch.stack([torch.relu(0.9 - first), 0.05 * torch.relu(first - 0.4)], dim=1)
     worth = torch.ones_like(first)[:, None]
-    return Judged(worth, broken, torch.zeros_like(first), {}, worth)
+    return Judged(worth, broken, {}, worth)
 
 
 def test_a_broken_limit_is_not_mended_by_breaking_another():
@@ -136,7 +132,7 @@ def test_the_start_is_the_end_where_every_way_on_breaks_a_limit():
         calls.append(len(point))
         missing = torch.relu(point[:, 0] - 0.2) + (1e-6 if len(calls) > 1 else 0.0)
         worth = (2 - point[:, 0])[:, None]
-        return Judged(worth, missing[:, None], torch.zeros(len(point)), {}, worth)
+        return Judged(worth, missing[:, None], {}, worth)
 
     begin = torch.full((1, 2), 0.2)
     end = walk(judged_at, begin, torch.ones(1), 30, 0.05)

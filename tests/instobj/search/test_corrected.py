@@ -31,10 +31,8 @@ SPACE = search_space(
 PARAMS = params_at(SPACE, np.array([0.6, *np.tile([0.05, 0.95], 5)])) | {"magnet5_y_mm": 0.0}
 
 
-def score(worth=1.0, growth=None, free=0.5, of_objects=0.5):
+def score(worth=1.0, free=0.5, of_objects=0.5):
     bounds = np.full((len(FORCES), FACES, PLACES), worth)
-    if growth is not None:
-        bounds = bounds * growth
     names = dict.fromkeys(SCORE_NAMES, worth) | {
         "saturation_margin": free,
         "objects_margin": of_objects,
@@ -57,7 +55,7 @@ def prepared(monkeypatch):
 
     def judge(lowest, unit, poles, objectives):
         worth = 1 + ((unit - 0.5) ** 2).sum(dim=1, keepdim=True)
-        return Judged(worth, torch.zeros(len(unit), 1), torch.zeros(len(unit)), {}, worth)
+        return Judged(worth, torch.zeros(len(unit), 1), {}, worth)
 
     monkeypatch.setattr(corrected, "structure_fidelity", fidelity)
     monkeypatch.setattr(corrected, "judge", judge)
@@ -65,19 +63,13 @@ def prepared(monkeypatch):
     return given
 
 
-def test_the_start_is_corrected_place_by_place_and_score_by_score(prepared):
-    """On face 3 at 8 N the second level finds the layout three times worse than the lowest one did."""
-    growth = np.ones((2, FACES, PLACES))
-    growth[1, 2] = 3.0
+def test_limits_are_corrected_score_by_score(prepared):
     start = promoted(score(4.0), score(5.0))
-    one = promoted(score(1.0, free=0.6), score(2.0, growth, free=0.1))
+    one = promoted(score(1.0, free=0.6), score(2.0, free=0.1))
     corrected.corrected_params(SPACE, PARAMS, start, one)
     (space, params, before), *_ = prepared
-    assert_allclose(before.position_mm[2.0, 3], np.full((1, PLACES), 5.0 * 1.0 / 2.0))
-    assert_allclose(before.position_mm[8.0, 3], np.full((1, PLACES), 5.0 * 1.0 / 6.0))
-    assert before.scores == {"median_position_bound_mm": 2.5}
+    assert before.scores == {"median_position_bound_mm": 2.5, "position_over_limit": 2.5}
     assert before.counts_over_lowest == pytest.approx(1.07 * 0.9 / 0.4)
-    assert before.max_bound_ratio == 1.0
     crowded = promoted(score(1.0, of_objects=0.1), score(2.0, of_objects=-0.8))
     corrected.corrected_params(SPACE, PARAMS, start, crowded)
     *_, (_, _, before) = prepared

@@ -26,7 +26,7 @@ def bowl(monkeypatch):
         scores = {OBJECTIVES[0]: first, OBJECTIVES[1]: 1 / first}
         worth = torch.stack([scores[name] for name in names], dim=1)
         broken = torch.relu(units[:, 0] - 0.9)
-        return Judged(worth, broken[:, None], torch.zeros_like(broken), scores, worth)
+        return Judged(worth, broken[:, None], scores, worth)
 
     lowest = SimpleNamespace(space=SimpleNamespace(structured=None))
     monkeypatch.setattr(history, "structure_fidelity", lambda *_: lowest)

@@ -5,16 +5,15 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-import torch
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
 from design.search.space import params_at, search_space, start_params
 from design.search.structure import with_structure
-from design.spec.search import SearchSpec
+from design.spec.search import OVER_LIMIT, SearchSpec
 from design.spec_io import load_spec, parse_spec
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.batch_scores import OVER_START, PlaceBounds, position_bounds
+from estimator.layouts.batch_scores import batch_scores
 from estimator.layouts.polish import LowestFidelity
 from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.scorer import layout_scorer
@@ -42,31 +41,32 @@ def test_trials_that_cannot_end_in_time_are_refused_with_values_that_can(steps, 
     require(0)
 
 
-def test_the_start_walks_to_a_layout_that_is_better_and_worse_nowhere():
+def test_the_start_walks_to_a_layout_that_is_better_and_keeps_its_limits():
     """Beside generations too few to find much; other trials walk nowhere."""
     vary = {"magnet_reach_mm": 14.0, "magnet_depth_mm": [2.0, 5.0]}
     search = SearchSpec.model_validate({"vary": vary, "polish_steps": STEPS})
     spec = made_up_spec().model_copy(update={"search": search})
     scorers = (layout_scorer(spec, press_basis(spec, made_up_motions(spec), FACE)),)
-    before = position_bounds(scorers, [layouts_of(spec, FACE)])
+    before = {
+        name: float(one)
+        for name, one in batch_scores(scorers, [layouts_of(spec, FACE)], ()).items()
+    }
     space = search_space(spec)
     start, other = start_params(space), params_at(space, np.full(len(space.variables), 0.5))
     assert start is not None
     tensors = layout_space(space, with_structure(spec, start))
-    held = PlaceBounds(tuple(before), 0.02)
-    lowest = LowestFidelity(tensors, scorers, {}, held)
+    lowest = LowestFidelity(tensors, scorers, {OVER_LIMIT: before[OVER_LIMIT]})
     walked, alone = score_trials(space, lowest, [start, other])
-    worst = float(torch.cat(before, dim=1).max())
     assert (walked.broken_mm, walked.misfit) == (0.0, "")
-    assert walked.values[0] < 0.95 * worst
-    assert walked.scores[OVER_START] < 1.001
+    assert walked.values[0] < 0.95 * before["worst_position_bound_mm"]
+    assert walked.scores[OVER_LIMIT] < 1.001 * before[OVER_LIMIT]
     assert walked.scorings > alone.scorings + STEPS
 
 
-def test_counts_and_places_are_limited_by_what_the_chain_makes_of_the_lowest_levels(
+def test_counts_are_limited_by_what_the_chain_makes_of_the_lowest_levels(
     monkeypatch,
 ):
-    search = {"vary": {"magnet_reach_mm": 14.0}, "limits": {"places_worse": 0.03}}
+    search = {"vary": {"magnet_reach_mm": 14.0}}
     sensors = {"range_mt": 50.0, "counts_per_mt": 100.0}
     content = {"name": "cube", "search": search, "sensors": sensors}
     spec = parse_spec(content | {"limits": {"saturation_margin": 0.2}}, "made up")
@@ -75,7 +75,7 @@ def test_counts_and_places_are_limited_by_what_the_chain_makes_of_the_lowest_lev
     params = params_at(space, np.full(len(space.variables), 0.5))
     more, twice = (
         lowest_fidelity.structure_fidelity(
-            space, params, lowest_fidelity.StartScores({}, {}, counts, 0.4 * counts)
+            space, params, lowest_fidelity.StartScores({OVER_LIMIT: 3.0}, counts)
         )
         for counts in (1.25, 2.0)
     )
@@ -83,10 +83,8 @@ def test_counts_and_places_are_limited_by_what_the_chain_makes_of_the_lowest_lev
         assert one.at_most == {
             "largest_counts": pytest.approx(0.8 * 5000 / counts),
             "kept_counts": pytest.approx(5000 / counts),
+            OVER_LIMIT: 3.0,
         }
-    assert [one.start for one in (more, twice)] == [
-        PlaceBounds((), 0.03, most) for most in (0.5, 0.8)
-    ]
 
 
 @pytest.mark.parametrize("choice", [{"magnet_count": 7}, {"sensor_count": 12}])

@@ -5,21 +5,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from design.spec.object import ObjectSpec
+from estimator.layouts.fidelity import over_limit
 from instobj.search.fidelity import TwinRatio
-from instobj.search.verdict import LAST, Promoted, excess, merit, objections
+from instobj.search.verdict import LAST, Promoted, excess, gains_in_words, merit, objections
 from tests.support.objects.fidelity_scores import START
 from tests.support.objects.search_cases import made_up_spec
 
 BETTER = replace(START, worst_position_bound_mm=0.6, percentile_95_false_force_n=2.5)
-_HERE_AND_THERE = np.where(np.arange(200) % 40 == 7, 1.3, 0.9)
-"""Of the start's bounds: worse at 2.5 % of the locations."""
 SURE = {"worst_position_bound_mm": TwinRatio(2.5, 1.4, 4.0)}
 
 
-def objected(best, ratios=SURE, factor=1.0, places_worse=0.02, **search):
+def objected(best, ratios=SURE, factor=1.0, **search):
     times_start = {"median_false_force_n": factor, "sensitivity_ratio": factor}
-    limits = {"times_start": times_start, "places_worse": places_worse}
-    spec = made_up_spec(limits=limits, **search)
+    spec = made_up_spec(limits={"times_start": times_start}, **search)
     layouts = [Promoted("a layout", None, spec, {LAST: score}) for score in (best, START)]
     return objections(spec.search, *layouts, ratios)
 
@@ -40,18 +39,47 @@ FAULTS = {
     "leave their range by 3 % in the deepest press of more than 5 % of virtual objects": (
         replace(BETTER, objects_margin=-0.03)
     ),
-    "larger than the start's at 2.5 % of contact locations and forces, more than places_worse = 0.02": (
-        replace(
-            BETTER, position_bounds_mm=tuple(np.multiply(START.position_bounds_mm, _HERE_AND_THERE))
-        )
-    ),
+    "beyond limits.position_bound_mm = 1.5 outweighs what got better: position_over_limit misses its limit "
+    "by 10 %": replace(BETTER, position_over_limit=1.32),
 }
 
 
-def test_more_worse_locations_are_a_matter_of_what_the_user_allows():
-    worse = next(fault for text, fault in FAULTS.items() if text.startswith("larger than"))
-    assert objected(worse, places_worse=0.03) == ()
-    assert objected(replace(worse, position_bounds_mm=(9.0,) * 200), places_worse=1.0) == ()
+def box_sharp_in_its_middle(blind_mm, middle_mm):
+    """Bounds of a box: blind at its ends (71 % of the locations), sharp in the middle, at one force."""
+    bounds = np.repeat([blind_mm, middle_mm], [142, 58])
+    return replace(
+        START,
+        worst_position_bound_mm=blind_mm,
+        position_over_limit=float(over_limit(ObjectSpec(name="box"), bounds)),
+        position_bounds_mm=tuple(bounds.tolist()),
+    )
+
+
+def test_a_start_that_is_sharp_in_its_middle_and_blind_at_its_ends_is_beaten_by_an_even_layout():
+    """29 % of the locations get worse: within the limit, or by less than the ends gain."""
+    start = box_sharp_in_its_middle(38.0, 0.4)
+    for middle_mm, beyond in ((1.4, "0 %"), (2.0, "29 %")):
+        spec = made_up_spec()
+        even = Promoted("even", None, spec, {LAST: box_sharp_in_its_middle(3.8, middle_mm)})
+        before = Promoted("start", None, spec, {LAST: start})
+        assert objections(spec.search, even, before, SURE) == ()
+        told = gains_in_words(before, even, LAST)
+        assert "worst location 3.8 instead of 38 mm" in told
+        assert told.endswith(f"29 % got worse, {beyond} beyond that limit")
+
+
+def test_what_is_lost_beyond_the_limit_must_not_outweigh_what_is_won():
+    """The ends gain a third, and the middle is lost; how much of that is allowed is a limit like others."""
+    start, lost = box_sharp_in_its_middle(30.0, 0.4), box_sharp_in_its_middle(20.0, 18.0)
+    (said,) = objected_to(lost, start)
+    assert "outweighs what got better" in said
+    assert objected_to(lost, start, {"position_over_limit": 2.0}) == ()
+
+
+def objected_to(best, start, times_start=None):
+    spec = made_up_spec(limits={"times_start": times_start or {}})
+    layouts = [Promoted("a layout", None, spec, {LAST: score}) for score in (best, start)]
+    return objections(spec.search, *layouts, SURE)
 
 
 @pytest.mark.parametrize("text", FAULTS)
@@ -86,16 +114,12 @@ def test_merit_is_the_mean_logarithm_and_what_is_exceeded():
 
 
 def test_a_layout_that_the_verdict_takes_comes_before_a_better_one_that_it_refuses():
-    """3 % of places worse where 2 % are allowed, and four times better, against twice better."""
-    spec = made_up_spec(objectives=["worst_position_bound_mm"], limits={"places_worse": 0.02})
-    few = np.where(np.arange(200) % 34 == 7, 1.1, 0.9)
-    bounds = tuple(np.multiply(START.position_bounds_mm, few).tolist())
-    refused = replace(START, worst_position_bound_mm=1.5 / 4, position_bounds_mm=bounds)
+    """Beyond a limit by half, and four times better, against twice better."""
+    spec = made_up_spec(objectives=["worst_position_bound_mm"])
+    refused = replace(START, worst_position_bound_mm=1.5 / 4, position_over_limit=1.8)
     taken = replace(START, worst_position_bound_mm=1.5 / 2)
     start, first, second = (
         Promoted("", None, spec, {LAST: score}) for score in (START, refused, taken)
     )
-    assert excess(spec.search, first, start, LAST) == pytest.approx({"places_worse": 0.5})
+    assert excess(spec.search, first, start, LAST) == pytest.approx({"position_over_limit": 0.5})
     assert merit(spec.search, second, start, LAST) < merit(spec.search, first, start, LAST)
-    none = made_up_spec(objectives=["worst_position_bound_mm"], limits={"places_worse": 0.0})
-    assert excess(none.search, first, start, LAST) == pytest.approx({"places_worse": 6.0})

@@ -3,6 +3,7 @@
 import signal
 import time
 from contextlib import nullcontext, suppress
+from functools import partial
 
 import numpy as np
 import pytest
@@ -13,7 +14,8 @@ from design.spec_io import load_spec, parse_spec
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.search.levels import LEVELS, Level, Levels
 from instobj.search.loop import run_search
-from instobj.search.optimize import first_look, nothing_better
+from instobj.search.optimize import best_so_far, nothing_better
+from instobj.search.outcome.write import write_best
 from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import TimeLimit, TimeSpent
 from instobj.search.trials import Scored, open_trials
@@ -86,8 +88,8 @@ def test_time_that_holds_no_result_were_all_twice_as_quick_is_refused_with_what_
 
 def test_the_best_so_far_is_kept_and_named_when_the_time_is_spent():
     with (
-        pytest.raises(InputError, match=r"a result\. It is in first_look\.toml\. Trials"),
-        TimeLimit(0.01).enforced(lambda: " It is in first_look.toml."),
+        pytest.raises(InputError, match=r"a result\. It is in best\.toml\. Trials"),
+        TimeLimit(0.01).enforced(lambda: " It is in best.toml."),
     ):
         time.sleep(5)
 
@@ -219,8 +221,8 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
 
     run_search(space, kept, answering(score), lambda line: None, start)
     assert len(leaders(space, kept, 5)) == (beside_mm == 1.0)
-    said = first_look(space, kept, tmp_path / "search", tmp_path)
-    path = tmp_path / "search" / "first_look.toml"
+    said = best_so_far(space, kept, tmp_path / "search", tmp_path)
+    path = tmp_path / "search" / "best.toml"
     assert (str(path) in said) == path.is_file() == (beside_mm == 1.0)
     if path.is_file():
         assert load_spec(path).magnets.positions_mm[0] == (7.0, 8.0)
@@ -228,7 +230,9 @@ def test_the_start_handed_back_is_said_at_once_and_promoted_no_further(tmp_path,
         limit = TimeLimit(spec.search.seconds)
         levels = Levels(tmp_path / "rungs.json", lambda line: None)
         assert Promoter(space, limit, levels).promote(kept) is None
-        document = nothing_better(spec, kept, limit)
+        write = partial(write_best, folder=tmp_path / "search", beside=tmp_path)
+        document = nothing_better(spec, kept, limit, write)
+        assert load_spec(path).magnets == spec.magnets, "the best so far is the start"
         assert document["verdict"].startswith("Nothing better was found in 0 s of search")
         assert (
             "your own layout (trial 0). Give search.seconds = 1800 or more" in document["verdict"]

@@ -9,6 +9,7 @@ START = FidelityScore(
     percentile_99_position_bound_mm=1.2,
     percentile_95_position_bound_mm=1.0,
     median_position_bound_mm=0.5,
+    position_over_limit=1.2,
     worst_force_bound_n=2.5,
     median_false_force_n=1.2,
     percentile_95_false_force_n=3.0,
