@@ -7,7 +7,7 @@ gives the motions of the shell's bodies, and whatever sits in the core has none.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -149,9 +149,7 @@ class KnownField:
 
 
 def _some_magnets(scene: Scene, chosen: Bool[np.ndarray, "magnet"]) -> Scene:
-    magnets = scene.magnets
-    some = {field.name: getattr(magnets, field.name)[chosen] for field in fields(magnets)}
-    return replace(scene, magnets=MagnetLayout(**some))
+    return replace(scene, magnets=scene.magnets.choose(chosen))
 
 
 def counts(

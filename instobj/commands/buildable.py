@@ -5,6 +5,7 @@ from __future__ import annotations
 from design.errors import InputError
 from design.fabrication.finding import Finding
 from design.spec.object import ObjectSpec
+from estimator.field.seating import why_unseated
 from instobj.stages.run import Run
 from instobj.store.readers import FINDINGS
 
@@ -31,6 +32,9 @@ def require_makeable(spec: ObjectSpec) -> None:
 
 def why_unbuildable(found: ObjectSpec, start: ObjectSpec) -> str:
     """Return what fails in a layout and not in the start, which is what a search can answer for; or ""."""
+    unseated = why_unseated(found)
+    if unseated and not why_unseated(start):
+        return unseated
     new = failed_checks(found)
     known = failed_checks(start) if new else {}
     return "; ".join(finding.told for key, finding in new.items() if key not in known)

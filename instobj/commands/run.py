@@ -48,7 +48,8 @@ class SpecCheck:
 
 
 def check(spec: ObjectSpec) -> SpecCheck:
-    """Check that everything fits, and that no sensor saturates at rest or sits in a magnet.
+    """Check that everything fits, that no sensor saturates at rest or sits in a magnet, and that magnets
+    stay in their pockets while they are set.
 
     Parameters
     ----------
@@ -62,7 +63,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
     Raises
     ------
     SpecError
-        It says which sensor, by how much, and which key to change.
+        It says which sensor or magnet, by how much, and which key to change.
 
     Examples
     --------
@@ -72,6 +73,7 @@ def check(spec: ObjectSpec) -> SpecCheck:
     (15, True)
     """
     from design.layout.places.positions import magnet_layout, sensor_layout
+    from estimator.field.seating import require_seated
     from estimator.field.sources import magnet_sources
     from estimator.signals.hall import check_rest, check_sensors_outside_magnets
     from estimator.signals.presses import rest_counts
@@ -81,12 +83,13 @@ def check(spec: ObjectSpec) -> SpecCheck:
     check_sensors_outside_magnets(sensors, magnets, magnet_sources(spec.magnets))
     counts = rest_counts(spec)
     check_rest(counts, sensors, spec.sensors)
+    require_seated(spec)
     largest_mt = float(abs(counts).max()) / spec.sensors.counts_per_mt
     return SpecCheck(len(magnets.face), len(sensors.face), largest_mt, spec.sensors.range_mt)
 
 
 def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, Any]:
-    """Validate each specification, and that no sensor saturates or sits in a magnet at rest."""
+    """Validate each specification as `check` does, and say what its surroundings do to it."""
     from design.fit.boards import boards_across_edges
     from design.fit.roughness import roughness_in_words
     from design.fit.seam import seam_in_words

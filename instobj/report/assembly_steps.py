@@ -143,7 +143,8 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
     )
     return [
         *([] if held else [_glued(spec)]),
-        f"Set the {in_shell} on the floors of the shell's pockets, by {by} above.{_kinds(spec)}",
+        f"Set the {in_shell} on the floors of the shell's pockets, by {by} above.{_kinds(spec)}"
+        f"{_bedded(spec)}",
         *_sealed(spec),
         *([] if held else [core]),
         *([wires] if opening_of(spec) == "closed" else []),
@@ -154,6 +155,18 @@ def _joining_steps(spec: ObjectSpec, parts: Collection[str]) -> list[str]:
         else "Hold the object in the machine so that its axes are known (it has no printed jig), and "
         "calibrate.",
     ]
+
+
+def _bedded(spec: ObjectSpec) -> str:
+    """Return how magnets are kept in open pockets (`estimator.field.seating` counts on it)."""
+    if spec.arrangement == "sensors-in-shell":
+        return ""
+    poles = set(spec.magnets.polarities)
+    one_pole = ", first those with north outward, then the others" if len(poles) > 1 else ""
+    return (
+        " Magnets push and pull each other out: bed each on a film of silicone and hold it down with a "
+        f"wooden plug in its pocket until the film has cured, face by face{one_pole}."
+    )
 
 
 def _kinds(spec: ObjectSpec) -> str:

@@ -7,27 +7,57 @@ from typing import Any
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
 from instobj.report.pages import render
 
+JAW_HEADER = ("jaw", "counts", "false force, N", "pull on a magnet, N")
+_NOTHING = (0.5, 1e-3, 1e-3)
+"""Counts and newtons below which 0 is shown: no chip and no hand feels them."""
+
 
 def surroundings_lines(row: dict[str, Any]) -> list[str]:
-    """Lines for people of the figures that the stage `surroundings` stores."""
-    (touching, near), (touching_others, near_others) = (
-        row[f"jaw_{whose}_counts"] for whose in ("own_face", "other_faces")
-    )
+    """Lines for people of `surroundings_row`, and of the stage `surroundings`, which has more."""
     lines = [
         f"Earth's field of {row['earth_field_ut']:g} µT: turning the object changes a channel by up to "
-        f"{_told(row['turning_largest_counts'])} counts ({_told(row['turning_rms_counts'])} rms)",
-        f"A steel gripper that touches shifts the zero of its face by up to {_told(touching)} counts and "
-        f"of others by {_told(touching_others)}; {row['jaw_gap_mm'][1]:g} mm away by {_told(near)} and "
-        f"{_told(near_others)} (thick wide plate, an upper bound)",
+        f"{_told(row['turning_largest_counts'])} counts ({_told(row['turning_rms_counts'])} rms)"
     ]
+    if "jaws" not in row:
+        lines.append(_steel_line(row))
     lines.append(
         f"Warming by 1 K: signals {100 * abs(NDFEB_REMANENCE_PER_KELVIN):.2f} % smaller, zero shifted by "
         f"up to {_told(abs(row['baseline_counts_per_kelvin']))} counts"
     )
+    if row.get("resting"):
+        resting = row["resting"]
+        lines.append(
+            f"Magnets push and pull each other with up to {_told(resting['force_n'])} N. In the silicone "
+            f"this moves them by up to {_told(1e3 * resting['moved_mm'])} µm and the zero by up to "
+            f"{_told(resting['counts'])} counts; zeroing takes that out"
+        )
     lines.append(
         f"Sensors can be read at up to {_told(row['fastest_frame_rate_hz'])} Hz over the bus"
     )
     return lines
+
+
+def _steel_line(row: dict[str, Any]) -> str:
+    (touching, near), (touching_others, near_others) = (
+        row[f"jaw_{whose}_counts"] for whose in ("own_face", "other_faces")
+    )
+    return (
+        f"A steel gripper that touches shifts the zero of its face by up to {_told(touching)} counts and "
+        f"of others by {_told(touching_others)}, and pulls a magnet with up to "
+        f"{_told(row['jaw_pull_n'][0])} N; {row['jaw_gap_mm'][1]:g} mm away by {_told(near)} and "
+        f"{_told(near_others)} (thick wide plate, an upper bound)"
+    )
+
+
+def jaw_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
+    """Rows of `JAW_HEADER` for the jaws that the stage `surroundings` stores."""
+    rows = []
+    for jaw in row["jaws"]:
+        where = f"{jaw['gap_mm']:g} mm away" if jaw["gap_mm"] else "touching"
+        figures = zip((jaw["counts"], jaw["false_force_n"], jaw["pull_n"]), _NOTHING, strict=True)
+        told = (_told(value) if value >= least else "0" for value, least in figures)
+        rows.append((f"{jaw['material']}, {where}", *told))
+    return rows
 
 
 def _told(value: float) -> str:
@@ -37,4 +67,9 @@ def _told(value: float) -> str:
 
 def surroundings_section(row: dict[str, Any]) -> str:
     """The report's section: what looks like a press and is none."""
-    return render("surroundings.html.j2", lines=surroundings_lines(row))
+    return render(
+        "surroundings.html.j2",
+        lines=surroundings_lines(row),
+        header=JAW_HEADER,
+        jaws=jaw_rows(row),
+    )

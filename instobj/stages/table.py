@@ -86,7 +86,7 @@ STAGES: dict[str, Stage] = {
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell"),
         make_sheet,
-        version=13,
+        version=14,
     ),
     "fabrication": Stage(
         "design: fabrication checks",
@@ -303,10 +303,13 @@ STAGES: dict[str, Stage] = {
     ),
     "surroundings": Stage(
         "signals: surroundings at rest",
-        (),
-        (*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
+        ("response", "signals"),
+        (
+            *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics.slip"),
+            "score.channels",
+        ),
         make_surroundings,
-        version=3,
+        version=4,
     ),
     "press_curves": Stage(
         "signals: curves of presses, compliance",
@@ -363,7 +366,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=22,
+        version=23,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

@@ -8,7 +8,7 @@ says how wrong that is).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TypeVar
 
 import numpy as np
@@ -52,6 +52,12 @@ class MagnetLayout:
     def frames(self) -> Float[np.ndarray, "magnet 3 3"]:
         """Axes of each as columns: side, across, along the polarization."""
         return np.stack([self.side, np.cross(self.axis, self.side), self.axis], axis=-1)
+
+    def choose(
+        self, chosen: Bool[np.ndarray, "magnet"] | Int[np.ndarray, "chosen"]
+    ) -> MagnetLayout:
+        """Return some of the magnets, by mask or by number."""
+        return MagnetLayout(**{f.name: getattr(self, f.name)[chosen] for f in fields(self)})
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from instobj.store.readers import (
     PRESS_CURVES_PICTURE,
     PRESSES,
     REPORT,
+    RESPONSE,
     SIGNALS,
     SURROUNDINGS,
 )
@@ -37,11 +38,17 @@ class TravelSpread:
 
 
 def make_surroundings(context: StageContext, folder: Path) -> None:
-    """Changes of resting signals that are no press."""
+    """Changes of resting signals that are no press, and the presses that they are taken for."""
+    from estimator.information.false_force import jaw_effects, resting_shift
     from instobj.stages.makers.surroundings import surroundings_row
 
-    context.step("Earth's field, a steel jaw, temperature")
-    write_json(surroundings_row(context.spec), SURROUNDINGS.path(folder))
+    spec, response = context.spec, context.read(RESPONSE)
+    context.step("Earth's field, jaws of steel, aluminium and plastic, temperature")
+    row = surroundings_row(spec)
+    row["jaws"] = [asdict(jaw) for jaw in jaw_effects(spec, response, context.read(SIGNALS))]
+    shift = resting_shift(spec, response)
+    row["resting"] = None if shift is None else asdict(shift)
+    write_json(row, SURROUNDINGS.path(folder))
 
 
 def make_press_curves(context: StageContext, folder: Path) -> None:

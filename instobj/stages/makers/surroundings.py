@@ -26,6 +26,7 @@ def surroundings_row(spec: ObjectSpec) -> dict[str, Any]:
         "jaw_gap_mm": list(_GAPS_MM),
         "jaw_own_face_counts": _rounded(changes.jaw_counts.max(axis=0)),
         "jaw_other_faces_counts": _rounded(changes.jaw_elsewhere_counts.max(axis=0)),
+        "jaw_pull_n": [float(f"{pull:.3g}") for pull in changes.jaw_pull_n.max(axis=0)],
         "fastest_frame_rate_hz": round(fastest_frame_rate_hz(spec.sensors), 1),
     }
     baseline = float(abs(rest_counts(spec)).max())

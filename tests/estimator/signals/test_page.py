@@ -97,6 +97,7 @@ def of_chips_and_surroundings():
     )
     yield "jaws of steel (counts)", felt.jaw_counts
     yield "jaws elsewhere (counts)", felt.jaw_elsewhere_counts
+    yield "pulls of jaws on a magnet (N)", felt.jaw_pull_n
 
 
 def of_curves():

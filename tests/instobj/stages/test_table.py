@@ -124,7 +124,7 @@ DOWNSTREAM["protocol.presses_per_place=4"] -= {"pretraining"}  # which sets that
 DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
 _LAID_OUT = ("shell.", "magnets.", "core.", "sensors.", "environment.", "as_built.")
 SHOWN_BY_THE_REPORT_ALONE = {
-    "surroundings": (*_LAID_OUT, "mechanics.slip."),
+    "surroundings": (*_LAID_OUT, "mechanics.slip.", "score.channels"),
     "press_curves": ("magnets.", "sensors.", "silicone."),
     "slip": ("mechanics.slip.", "score."),
     "alternatives": (
