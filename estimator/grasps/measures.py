@@ -107,7 +107,7 @@ class MeasuredGrasp:
 
 def measured_grasps(track: ContactTrack, conditions: Conditions) -> list[MeasuredGrasp]:
     """Measure every grasp of a track; none where nothing was grasped."""
-    grasps = find_grasps(track.time_s, track.total_n, track.total_sigma_n)
+    grasps = find_grasps(track.time_s, track.total_n)
     return [_measured(track, grasp, conditions) for grasp in grasps]
 
 

@@ -9,14 +9,12 @@ from jaxtyping import Float
 
 START_N = 0.6
 """Total force from which two jaws are taken to touch: 0.3 N each, as load cells show a contact."""
-_START_SIGMAS = 3.0
-"""Standard deviations that a force must exceed to count as a touch."""
 _END_SHARE = 0.5
 """Share of the starting force below which a grasp has ended: less than 1, so that noise ends nothing."""
 _PAUSE_S = 0.3
 """Time without force that ends a grasp; shorter ones belong to it."""
 _LEAST_FRAMES = 4
-"""Frames of a grasp, at least."""
+"""Frames of a grasp above `START_N`, at least."""
 HOLD_SHARE = 0.9
 """Share of the level from the first to the last frame of which the hold lasts."""
 _LOST_SHARE = 0.5
@@ -42,22 +40,20 @@ class Grasp:
 
 
 def find_grasps(
-    time_s: Float[np.ndarray, "frame"],
-    force_n: Float[np.ndarray, "frame"],
-    sigma_n: Float[np.ndarray, "frame"],
+    time_s: Float[np.ndarray, "frame"], force_n: Float[np.ndarray, "frame"]
 ) -> list[Grasp]:
     """Number the grasps of a recording.
 
-    A grasp starts where the total force exceeds `START_N` and three standard deviations, and ends
-    where it stays below half of `START_N`. Its level is the median of the forces above half the
-    peak. The hold lasts from the first to the last frame above `HOLD_SHARE` of the level.
+    A grasp starts where the total force exceeds half of `START_N`, on the way to more than that, and
+    ends where it stays below it. Whether anything touches at all is what the estimator decides, whose
+    error of scale must not hide a grasp. The level is the median of the forces above half the peak. The hold
+    lasts from the first to the last frame above `HOLD_SHARE` of the level.
     """
-    strong = force_n > np.maximum(START_N, _START_SIGMAS * sigma_n)
-    held = force_n > _END_SHARE * START_N
+    strong, held = force_n > START_N, force_n > _END_SHARE * START_N
     grasps: list[Grasp] = []
     free = 0
     for first, last in joined_runs(time_s, _runs(held), _PAUSE_S):
-        if last - first >= _LEAST_FRAMES and strong[first:last].any():
+        if strong[first:last].sum() >= _LEAST_FRAMES:
             grasps.append(_grasp(len(grasps) + 1, free, first, last, force_n))
             free = last
     return grasps

@@ -148,14 +148,18 @@ def conditions_of(spec: ObjectSpec) -> Conditions:
 
 
 def _names(paths: Sequence[Path]) -> list[str]:
-    """Short names of what is compared; whole paths where those are the same."""
+    """Short names of what is compared; where those are the same, the parts of the paths that differ."""
     short = [path.absolute().name if path.is_dir() else run_name(path) for path in paths]
     if len(set(short)) == len(short):
         return short
-    whole = [str(path) for path in paths]
-    if len(set(whole)) < len(whole):
-        raise InputError("the same recording or folder is given twice. Give each gripper once")
-    return whole
+    parts = [path.absolute().parts for path in paths]
+    common = set(parts[0]).intersection(*parts[1:])
+    own = ["/".join(part for part in each if part not in common) for each in parts]
+    if len(set(own)) < len(own):
+        raise InputError(
+            "the same recording or folder is given twice. Give each gripper's recordings once"
+        )
+    return own
 
 
 def _measured(read: ReadRecording, conditions: Conditions, protocol: Protocol) -> MeasuredRecording:
@@ -236,7 +240,9 @@ def _document(
         document["exchanged"] = exchanged_share(ranked, paired)
     figure = folder / "assess.png"
     headline = protocol.headline
-    draw_grasps([_picture(group, headline) for group in with_grasps], _axis(headline), figure)
+    draw_grasps(
+        [_picture(group, headline) for group in groups if group.grasps], _axis(headline), figure
+    )
     written = [
         figure,
         _write(folder / "grasps.csv", _csv(_full_rows(groups))),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.errors import InputError
+from design.errors import InputError, RecordingError
 from design.netcdf import holds
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
@@ -132,8 +132,7 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
     InputError
         A bad file, or readings of another object.
     """
-    frames, faults = _frames_of(path, estimators.spec, zeroing)
-    texts: list[str] = []
+    frames, faults, texts = _frames_of(path, estimators.spec, zeroing)
     if estimators.inversion is not None:
         track = _inverted(path, frames, estimators.inversion, zeroing)
         pressed = np.any(track.face != NO_FACE, axis=1)
@@ -153,17 +152,24 @@ def _labelled(frames: FrameSet | None) -> FrameSet | None:
     return frames if labelled else None
 
 
-def _frames_of(path: Path, spec: ObjectSpec, zeroing: Zeroing) -> tuple[FrameSet | None, list[str]]:
-    """Frames of a data set or of a recording with load cells, zeroed; None of one without."""
+def _frames_of(
+    path: Path, spec: ObjectSpec, zeroing: Zeroing
+) -> tuple[FrameSet | None, list[str], list[str]]:
+    """Frames of a data set, or of a recording whose load cells show presses, with its faults and what
+    is to be said; None where it is read like a board's stream."""
     from estimator.recordings.formats.files import has_load_cells
     from estimator.recordings.reading import read_recording
 
     if is_data_set(path):
-        return load_frames(path).select_faces(spec.body.sensed), []
-    if not has_load_cells(path) or zeroing.mode is not None:
-        return None, []
-    recording = read_recording(path)
-    return recording.frames, [f"{path.name}: {fault}" for fault in recording.report.faults]
+        return load_frames(path).select_faces(spec.body.sensed), [], []
+    if zeroing.mode is not None or not has_load_cells(path):
+        return None, [], []
+    try:
+        recording = read_recording(path)
+    except RecordingError as error:
+        # a cell that was not connected must not hide what the sensors felt; a damaged file fails again
+        return None, [], [f"{path.name}: load cells and labels are not used: {error}"]
+    return recording.frames, [f"{path.name}: {fault}" for fault in recording.report.faults], []
 
 
 def _inverted(
@@ -263,7 +269,7 @@ def _zeroed_by_networks(path: Path, networks: dict[int, FaceModel], zeroing: Zer
             f"{path} holds {len(raw)} frames, none of them after {zeroing.frames} at rest that give a "
             "zero. Give a longer recording, or --zero first"
         )
-    return replace(whole, signal_counts=raw - zeros).select(known)
+    return replace(whole, signal_counts=raw - zeros).select(np.flatnonzero(known))
 
 
 def _grid(networks: dict[int, FaceModel]) -> tuple[np.ndarray, np.ndarray]:
