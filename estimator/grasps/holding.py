@@ -75,7 +75,8 @@ def contact_slip(
 
     The onset is the first frame from which on the centre stays further from its beginning than
     `LEAST_SLIP_MM` and five scatters. The scatter is a robust one of successive differences, so
-    that a slow slip does not widen it. A second contact that appears moves the centre too.
+    that a slow slip does not widen it. Give NaN for frames in which
+    another contact takes part: it moves the centre as well.
     """
     known = np.isfinite(centre_mm).all(axis=1)
     time_s, centre_mm = time_s[known], centre_mm[known]

@@ -283,8 +283,9 @@ def _closure(held: Placed, conditions: Conditions, rng: np.random.Generator) -> 
 
 def _hold(held: ContactTrack, faces: dict[int, tuple[Reading, Reading]]) -> dict[str, Reading]:
     total, time_s = held.total_n, held.time_s
-    slips = [contact_slip(time_s, held.face_centre_mm(face)) for face in faces]
-    ways = [slip.distance_mm for slip in slips if np.isfinite(slip.distance_mm)]
+    slips = [contact_slip(time_s, _steady_centre_mm(held, face)) for face in faces]
+    # noise moves every centre: what did not slip has gone no way
+    ways = [slip.distance_mm * slip.slipped for slip in slips if np.isfinite(slip.distance_mm)]
     onsets = [slip.onset_s for slip in slips if slip.slipped]
     onset = min(onsets, default=UNKNOWN)
     return {
@@ -297,6 +298,16 @@ def _hold(held: ContactTrack, faces: dict[int, tuple[Reading, Reading]]) -> dict
             float(total[time_s <= onset].mean()) if onsets else UNKNOWN
         ),
     }  # fmt: skip
+
+
+def _steady_centre_mm(held: ContactTrack, face: int) -> Float[np.ndarray, "frame 2"]:
+    """Centre of force on a face in frames with its usual number of contacts, NaN in others: one that is
+    missed for a while moves the centre, and nothing slips."""
+    count = np.sum(held.face == face, axis=1)
+    if not count.any():
+        return np.full((len(held), 2), np.nan)
+    usual = np.argmax(np.bincount(count[count > 0]))
+    return np.where((count == usual)[:, None], held.face_centre_mm(face), np.nan)
 
 
 def _energy(contacts: Placed, conditions: Conditions) -> float:

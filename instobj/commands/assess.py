@@ -318,7 +318,7 @@ def _difference_text(one: Difference, headline: str) -> str:
     ends = sorted((sign * one.low, sign * one.high))
     relation = "lower" if measure.better == "lower" else "higher"
     return (
-        f"{better} has the {relation} {measure.title} than {worse}: by {shown(abs(one.shift))}{unit} in "
+        f"{better} has a {relation} {measure.title} than {worse}: by {shown(abs(one.shift))}{unit} in "
         f"the median (95 % interval {shown(ends[0])} to {shown(ends[1])}; p = {one.p_value:.1g}, "
         f"{test})."
     )

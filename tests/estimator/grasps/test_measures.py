@@ -60,6 +60,19 @@ def test_a_contact_that_slides_in_the_hold():
     assert grasp.readings["slip_n"].value == pytest.approx(20.0, rel=0.03)
 
 
+def test_a_tip_that_is_missed_for_the_rest_of_a_hold_is_no_slip():
+    track = squeeze(10.0)
+    face, xy, force = (
+        np.concatenate([a, a[:, :1]], axis=1) for a in (track.face, track.xy_mm, track.force_n)
+    )
+    xy[:, 0, 1] += 6.0  # two tips on face 3, of which the second is lost
+    face[42:, 2], xy[42:, 2], force[42:, 2] = 0, np.nan, np.nan
+    covariance = np.concatenate([track.covariance, track.covariance[:, :1]], axis=1)
+    lost = replace(track, face=face, xy_mm=xy, force_n=force, covariance=covariance)
+    (grasp,) = measured_grasps(lost, CONDITIONS)
+    assert grasp.readings["slip_mm"].value == 0.0
+
+
 def test_grasps_of_one_track_are_numbered():
     grasps = measured_grasps(joined(squeeze(4.0), squeeze(9.0), squeeze(6.0)), CONDITIONS)
     assert [grasp.grasp.number for grasp in grasps] == [1, 2, 3]
