@@ -24,7 +24,7 @@ from estimator.signals.interpolation import Traces
 from estimator.signals.presses import Progress, Signals
 
 _PHASES = (0.2, 0.35, 0.45, 0.65, 0.75, 0.9)
-"""Of handling, as shares of a grasp's frames: it is closed on, held, shaken, still, released, free."""
+"""Phases of handling as shares of a grasp's frames: it is closed on, held, shaken, still, released, free."""
 _SHAKE = 0.05
 """Phase by which a shake lets go and comes back: 2.5 % of the travel, 4 % of the force."""
 _SHAKES = 3

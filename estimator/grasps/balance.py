@@ -23,15 +23,15 @@ def net_wrench(
     independent; the covariance is of first order in the errors of places.
     """
     wrench, covariance = np.zeros(6), np.zeros((6, 6))
-    for point, axes, force, own in zip(
+    for point, axes, force, errors in zip(
         contacts.point_mm, contacts.axes, contacts.force_n, contacts.covariance, strict=True
     ):
         unread = np.isnan(force)
-        known = np.where(unread, 0.0, force)
-        push = axes @ known
+        read = np.where(unread, 0.0, force)
+        push = axes @ read
         wrench += np.concatenate([push, np.cross(point, push)])
-        spread = own.copy()
-        spread[2:, 2:][np.diag(unread)] += (friction * known[2]) ** 2 / 4
+        spread = errors.copy()
+        spread[2:, 2:][np.diag(unread)] += (friction * read[2]) ** 2 / 4
         # columns: d/dx, d/dy of r × f, then d/dforce of (f, r × f)
         moved = np.cross(axes[:, :2].T, push).T
         lever = np.cross(point, axes.T).T
@@ -53,24 +53,24 @@ def equilibrium_misfit(
     value, vector = np.linalg.eigh(covariance)
     # a floor, so that what is known exactly is not divided by 0
     stiff = 1 / np.maximum(value, 1e-9 * max(float(value[-1]), 1e-9))
-    along = vector.T @ force_n
+    load = vector.T @ force_n
     if weight_n <= 0:
-        return float(stiff @ along**2)
+        return float(stiff @ load**2)
 
     def excess(shift: float) -> float:
-        return float(np.sum((weight_n * stiff * along / (weight_n**2 * stiff + shift)) ** 2) - 1)
+        return float(np.sum((weight_n * stiff * load / (weight_n**2 * stiff + shift)) ** 2) - 1)
 
     low = -(weight_n**2) * float(stiff.min()) * (1 - 1e-9)
-    high = float(weight_n * np.linalg.norm(stiff * along)) + 1.0
+    high = float(weight_n * np.linalg.norm(stiff * load)) + 1.0
     if excess(low) <= 0:  # no pull along the softest axis: any direction there does
-        direction = -weight_n * stiff * along / (weight_n**2 * stiff + low)
+        direction = -weight_n * stiff * load / (weight_n**2 * stiff + low)
         softest = int(np.argmin(stiff))
         rest = max(0.0, 1 - float(np.sum(np.delete(direction, softest) ** 2)))
         direction[softest] = np.sqrt(rest)
     else:
         shift = float(brentq(excess, low, high))  # pyright: ignore[reportArgumentType]
-        direction = -weight_n * stiff * along / (weight_n**2 * stiff + shift)
-    return float(stiff @ (along + weight_n * direction) ** 2)
+        direction = -weight_n * stiff * load / (weight_n**2 * stiff + shift)
+    return float(stiff @ (load + weight_n * direction) ** 2)
 
 
 def equilibrium_p(misfit: float, weight_n: float) -> float:

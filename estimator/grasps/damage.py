@@ -20,7 +20,7 @@ Quantity = Literal["force_n", "pressure_mpa", "strain", "energy_mj"]
 
 @dataclass(frozen=True)
 class Sphere:
-    """What touches: a soft body of a modulus, pressed by a rigid round tip.
+    """Pair of a soft body and the rigid round tip that presses it.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What happens while an object is taken and held: loading rate, creep, contact slip, steadiness."""
+"""Figures of taking and holding an object: loading rate, creep, contact slip, steadiness."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ def loading_rate_n_per_s(
     """Steepest rise of a force: largest least-squares slope over three frames; NaN where there are fewer."""
     slopes = []
     for first in range(len(force_n) - _RATE_FRAMES + 1):
-        own = slice(first, first + _RATE_FRAMES)
-        centred = time_s[own] - time_s[own].mean()
+        window = slice(first, first + _RATE_FRAMES)
+        centred = time_s[window] - time_s[window].mean()
         if (square := float(centred @ centred)) > 0:
-            slopes.append(float(centred @ force_n[own]) / square)
+            slopes.append(float(centred @ force_n[window]) / square)
     return max(slopes, default=float("nan"))
 
 
@@ -78,8 +78,8 @@ def contact_slip(
     that a slow slip does not widen it. Give NaN for frames in which
     another contact takes part: it moves the centre as well.
     """
-    known = np.isfinite(centre_mm).all(axis=1)
-    time_s, centre_mm = time_s[known], centre_mm[known]
+    present = np.isfinite(centre_mm).all(axis=1)
+    time_s, centre_mm = time_s[present], centre_mm[present]
     if len(centre_mm) < 2 * _REFERENCE_FRAMES:
         return Slip(float("nan"), float("nan"))
     begin = np.median(centre_mm[:_REFERENCE_FRAMES], axis=0)

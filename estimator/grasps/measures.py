@@ -51,7 +51,7 @@ UNKNOWN = float("nan")
 
 @dataclass(frozen=True)
 class Conditions:
-    """What is known of the object and of the test.
+    """Facts of the object and of the test.
 
     Attributes
     ----------
@@ -148,10 +148,10 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
 
 def _typical_frame(track: ContactTrack, grasp: Grasp) -> int:
     """Frame of the hold with the usual number of contacts, whose force is nearest to the level."""
-    own = track.select(slice(grasp.hold, grasp.release))
-    count = (own.face != NO_FACE).sum(axis=1)
+    part = track.select(slice(grasp.hold, grasp.release))
+    count = (part.face != NO_FACE).sum(axis=1)
     usual = int(np.argmax(np.bincount(count[count > 0]))) if np.any(count > 0) else 0
-    away = np.where(count == usual, abs(own.total_n - grasp.level_n), np.inf)
+    away = np.where(count == usual, abs(part.total_n - grasp.level_n), np.inf)
     return grasp.hold + int(np.argmin(away))
 
 
@@ -174,12 +174,12 @@ def _drawn_reading(
     value = figure(contacts)
     if not contacts.covariance.any():
         return Reading(value)
-    drawn = np.array([figure(one) for one in _draws(contacts, rng)])
-    if not np.isfinite(drawn).all() and not np.isnan(drawn).all():
+    figures = np.array([figure(drawn) for drawn in _draws(contacts, rng)])
+    if not np.isfinite(figures).all() and not np.isnan(figures).all():
         # ∞ is an answer (no friction closes the grasp), and percentiles must not interpolate to it
-        low, high = np.percentile(drawn, INTERVAL, method="nearest")
+        low, high = np.percentile(figures, INTERVAL, method="nearest")
     else:
-        low, high = np.percentile(drawn, INTERVAL)
+        low, high = np.percentile(figures, INTERVAL)
     return Reading(value, float(low), float(high))
 
 
@@ -192,16 +192,16 @@ def _spread(value: float, sigma: float) -> Reading:
 
 def _face_forces(track: ContactTrack, grasp: Grasp) -> dict[int, tuple[Reading, Reading]]:
     """Mean in the hold and peak in the grasp; errors are taken to last as long as the grasp."""
-    found = {}
-    own = track.select(slice(grasp.start, grasp.end))
+    forces = {}
+    part = track.select(slice(grasp.start, grasp.end))
     held = slice(grasp.hold - grasp.start, grasp.release - grasp.start)
-    for face in np.unique(own.face[own.face != NO_FACE]).tolist():
-        force = own.face_force_n(face)
-        sigma = np.sqrt(np.where(own.face == face, own.covariance[..., 4, 4], 0.0).sum(axis=1))
+    for face in np.unique(part.face[part.face != NO_FACE]).tolist():
+        force = part.face_force_n(face)
+        sigma = np.sqrt(np.where(part.face == face, part.covariance[..., 4, 4], 0.0).sum(axis=1))
         peak = int(np.argmax(force))
         mean = _spread(float(force[held].mean()), float(sigma[held].mean()))
-        found[face] = (mean, _spread(float(force[peak]), float(sigma[peak])))
-    return found
+        forces[face] = (mean, _spread(float(force[peak]), float(sigma[peak])))
+    return forces
 
 
 def _forces(
@@ -211,12 +211,12 @@ def _forces(
     at_peak: Placed,
     rng: np.random.Generator,
 ) -> dict[str, Reading]:
-    own = track.select(slice(grasp.start, grasp.end))
+    part = track.select(slice(grasp.start, grasp.end))
     held = track.select(slice(grasp.hold, grasp.release))
-    peak = int(np.argmax(own.total_n))
-    strongest = max((peak for _, peak in faces.values()), key=lambda one: one.value)
+    peak = int(np.argmax(part.total_n))
+    strongest = max((peak for _, peak in faces.values()), key=lambda reading: reading.value)
     return {
-        "peak_n": _spread(float(own.total_n[peak]), float(own.total_sigma_n[peak])),
+        "peak_n": _spread(float(part.total_n[peak]), float(part.total_sigma_n[peak])),
         "mean_n": _spread(float(held.total_n.mean()), float(held.total_sigma_n.mean())),
         "finger_n": strongest,
         "grasp_n": _drawn_reading(
@@ -260,8 +260,8 @@ def _closure(held: Placed, conditions: Conditions, rng: np.random.Generator) -> 
         wrenches = contact_wrenches(
             contacts.point_mm, contacts.axes, conditions.friction, patch(contacts), reach
         )
-        found = wrench_space(wrenches)
-        return float(found.closed), found.epsilon, found.volume
+        hull = wrench_space(wrenches)
+        return float(hull.closed), hull.epsilon, hull.volume
 
     used = _drawn_reading(held, rng, lambda c: friction_used(c.force_n))
     needed = _drawn_reading(held, rng, lambda c: closing_friction(c.point_mm, c.axes, patch(c)))
@@ -269,7 +269,7 @@ def _closure(held: Placed, conditions: Conditions, rng: np.random.Generator) -> 
         return dict.fromkeys(
             ("friction_used", "friction_needed", "closed", "epsilon", "volume"), used
         )
-    drawn = np.array([space(one) for one in _draws(held, rng)])
+    drawn = np.array([space(contacts) for contacts in _draws(held, rng)])
     low, high = np.percentile(drawn, INTERVAL, axis=0)
     _, epsilon, volume = space(held)
     return {
@@ -332,7 +332,7 @@ def _damage(
         for slot in slots
     ]
     readings: dict[str, Reading] = {}
-    forces = np.array([one.force_n[:, 2] for one in _draws(at_peak, rng)])
+    forces = np.array([contacts.force_n[:, 2] for contacts in _draws(at_peak, rng)])
     for limit in conditions.limits if len(at_peak) else ():
         whole, each = damage_probability(limit, forces, conditions.tip_radius_mm)
         readings[f"damage_{limit.name}"] = Reading(whole)

@@ -62,10 +62,10 @@ def find_grasps(
 def _grasp(
     number: int, approach: int, first: int, last: int, force_n: Float[np.ndarray, "frame"]
 ) -> Grasp:
-    own = force_n[first:last]
-    level = float(np.median(own[own >= 0.5 * own.max()]))
-    full = first + np.flatnonzero(own >= HOLD_SHARE * level)
-    regrasps = len(_runs(own >= _LOST_SHARE * level)) - 1
+    grasped = force_n[first:last]
+    level = float(np.median(grasped[grasped >= 0.5 * grasped.max()]))
+    full = first + np.flatnonzero(grasped >= HOLD_SHARE * level)
+    regrasps = len(_runs(grasped >= _LOST_SHARE * level)) - 1
     hold, release = int(full[0]), int(full[-1]) + 1
     return Grasp(number, approach, first, hold, release, last, level, regrasps)
 

@@ -26,7 +26,9 @@ class Measure:
 
 
 MEASURES: dict[str, Measure] = {
-    "peak_n": Measure("peak force", "N", "largest sum of all normal forces in the grasp; noise raises it", OWN, "lower"),
+    "peak_n": Measure(
+        "peak force", "N", "largest sum of all normal forces in the grasp; noise raises it", OWN, "lower"
+    ),
     "mean_n": Measure("mean force held", "N", "mean sum of the normal forces in the hold", OWN, "lower"),
     "finger_n": Measure(
         "finger strength", "N", "largest force on one face in the grasp", f"{_SP1227}; {_RAM}", "higher"
@@ -101,7 +103,7 @@ MEASURES: dict[str, Measure] = {
 
 @dataclass(frozen=True)
 class Protocol:
-    """What a protocol ranks by and shows.
+    """Measures that a protocol ranks by and shows.
 
     Attributes
     ----------

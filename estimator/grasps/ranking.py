@@ -31,14 +31,14 @@ def median_interval(
     With fewer than six grasps it is too narrow. ∞ counts, NaN does not. NaN without grasps, and ends with
     one.
     """
-    known = values[~np.isnan(values)]
-    if not len(known):
+    finite = values[~np.isnan(values)]
+    if not len(finite):
         return float("nan"), float("nan"), float("nan")
-    if len(known) == 1:
-        return float(known[0]), float("nan"), float("nan")
-    drawn = np.random.default_rng(seed).choice(known, (RESAMPLED, len(known)))
+    if len(finite) == 1:
+        return float(finite[0]), float("nan"), float("nan")
+    drawn = np.random.default_rng(seed).choice(finite, (RESAMPLED, len(finite)))
     low, high = np.percentile(np.median(drawn, axis=1), [2.5, 97.5], method="nearest")
-    return float(np.median(known)), float(low), float(high)
+    return float(np.median(finite)), float(low), float(high)
 
 
 @dataclass(frozen=True)
@@ -132,8 +132,8 @@ def share_larger(a: Float[np.ndarray, "_"], b: Float[np.ndarray, "_"], paired: b
     """Share of pairs in which b is larger than a; ties count half. NaN without grasps."""
     if not len(a) or not len(b):
         return float("nan")
-    other = b if paired else b[:, None]
-    return float(np.mean((other > a) + 0.5 * (other == a)))
+    against = b if paired else b[:, None]
+    return float(np.mean((against > a) + 0.5 * (against == a)))
 
 
 def _holm(p_values: list[float]) -> list[float]:

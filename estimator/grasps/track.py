@@ -94,28 +94,28 @@ def track_of_sets(time_s: Float[np.ndarray, "frame"], sets: ContactSets) -> Cont
 
 
 def track_of_networks(
-    time_s: Float[np.ndarray, "frame"], found: Mapping[int, Prediction], cover: float
+    time_s: Float[np.ndarray, "frame"], predictions: Mapping[int, Prediction], cover: float
 ) -> ContactTrack:
     """One contact per face: the whole force and the centre that each face's network reads.
 
     Intervals that hold the share `cover` are taken for normal ones.
     """
-    faces = sorted(found)
-    columns = [found[face] for face in faces]
-    pressed = np.stack([one.contact > _PRESSED for one in columns], axis=1)
+    faces = sorted(predictions)
+    columns = [predictions[face] for face in faces]
+    pressed = np.stack([column.contact > _PRESSED for column in columns], axis=1)
     face = np.where(pressed, np.array(faces), NO_FACE)
     force = np.full((*face.shape, 3), np.nan)
-    force[..., 2] = np.stack([one.force_n for one in columns], axis=1).clip(0.0)
-    half = np.stack([one.force_halfwidth_n for one in columns], axis=1)
-    radius = np.stack([one.position_radius_mm for one in columns], axis=1)
+    force[..., 2] = np.stack([column.force_n for column in columns], axis=1).clip(0.0)
+    half = np.stack([column.force_halfwidth_n for column in columns], axis=1)
+    radius = np.stack([column.position_radius_mm for column in columns], axis=1)
     covariance = np.zeros((*face.shape, 5, 5))
     # a radius holds the share in two dimensions: r² = σ² χ²₂(cover)
     covariance[..., 0, 0] = covariance[..., 1, 1] = radius**2 / chi2.ppf(cover, 2)
     covariance[..., 4, 4] = (half / norm.ppf(0.5 + cover / 2)) ** 2
     covariance = np.where(pressed[..., None, None], covariance, 0.0)
     force = np.where(pressed[..., None], force, np.nan)
-    xy = np.stack([one.xy_mm for one in columns], axis=1)
-    novel = np.stack([one.novel for one in columns], axis=1)
+    xy = np.stack([column.xy_mm for column in columns], axis=1)
+    novel = np.stack([column.novel for column in columns], axis=1)
     explained = ~np.any(novel & pressed, axis=1)
     xy = np.where(pressed[..., None], xy, np.nan)
     return ContactTrack(time_s, face, xy, force, covariance, explained)

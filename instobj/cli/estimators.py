@@ -157,7 +157,7 @@ def assess(
     as_json: AsJson = False,
 ) -> None:
     """Was it a good grasp: grasps measured from the object's side, grippers ranked."""
-    from instobj.commands.assess import AssessOptions, assess
+    from instobj.commands.assess.command import AssessOptions, assess
     from instobj.commands.readings import Zeroing
 
     zeroing = Zeroing(*zero_and_frames(zero, 8))

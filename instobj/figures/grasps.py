@@ -21,7 +21,7 @@ class GroupPicture(NamedTuple):
 
 
 def draw_grasps(groups: Sequence[GroupPicture], axis: str, path: Path) -> None:
-    """Total force of every grasp over time, and the measure of each grasp beside its median (PNG)."""
+    """Total force of every grasp over time, and the measure of each grasp with the median (PNG)."""
     from matplotlib import colormaps
     from matplotlib.figure import Figure
 

@@ -14,7 +14,7 @@ from estimator.grasps.track import track_of_labels
 from estimator.inversion.storage import save_inversion
 from estimator.recordings.reading import read_recording
 from estimator.recordings.table import channel_name
-from instobj.commands.assess import conditions_of
+from instobj.commands.assess.command import conditions_of
 from tests.support.cli import run
 from tests.support.mechanics.inverted import SPEC, inverted
 from tests.support.recordings.handled import FORCE, handled

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 MOST_UNEXPLAINED = 0.5
 """Share of pressed frames without explanation from which networks read in the inversion's place."""
 _OTHERS = ("contacts.csv", "grasps.csv", "scores.csv", "bom.csv", "orders.csv")
-"""Tables that instobj writes beside recordings."""
+"""Tables that instobj writes next to recordings."""
 _STEP = 200
 """Frames between two words of progress."""
 
@@ -143,7 +143,7 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
             f"{path.name}: the inversion explains {100 * (1 - unexplained):.0f} % of the pressed frames; "
             "networks read it instead"
         )
-    track = _by_networks(path, frames, estimators.networks, zeroing)
+    track = networks_track(path, frames, estimators.networks, zeroing)
     return ReadRecording(path, track, _labelled(frames), "networks", texts, faults)
 
 
@@ -183,11 +183,11 @@ def _inverted(
         if frames is None:
             reader = LiveContacts(inversion, *zeroing.of_raw)
             stream = recorded_stream(path)
-            for number, time_s, found in recorded_frames(
+            for number, time_s, contacts in recorded_frames(
                 reader, inversion.channels, stream, zeroing
             ):
-                if found is not None:
-                    sets.append(found)
+                if contacts is not None:
+                    sets.append(contacts)
                     stamps.append(time_s)
                 if number % _STEP == 0:
                     progress.step(f"frame {number} of {len(stream.raw)}")
@@ -224,21 +224,21 @@ def _clock(stamps_s: np.ndarray, spec: ObjectSpec) -> np.ndarray:
     return np.arange(len(stamps_s)) / spec.sensors.frame_rate_hz
 
 
-def _by_networks(
+def networks_track(
     path: Path, frames: FrameSet | None, networks: dict[int, FaceModel], zeroing: Zeroing
 ) -> ContactTrack:
     from estimator.networks.face_model import predict_with_gaps
 
     if frames is None:
-        frames = _zeroed_by_networks(path, networks, zeroing)
-    found = {face: predict_with_gaps(model, frames) for face, model in networks.items()}
+        frames = zeroed_stream(path, networks, zeroing)
+    predictions = {face: predict_with_gaps(model, frames) for face, model in networks.items()}
     cover = min(model.interval_cover for model in networks.values())
-    track = track_of_networks(frames.time_s, found, cover)
-    read = np.isfinite(np.sum([one.force_n for one in found.values()], axis=0))
+    track = track_of_networks(frames.time_s, predictions, cover)
+    read = np.isfinite(np.sum([face.force_n for face in predictions.values()], axis=0))
     return track.select(np.flatnonzero(read))
 
 
-def _zeroed_by_networks(path: Path, networks: dict[int, FaceModel], zeroing: Zeroing) -> FrameSet:
+def zeroed_stream(path: Path, networks: dict[int, FaceModel], zeroing: Zeroing) -> FrameSet:
     """Changes against the zero that follows rest, as networks see rest; frames before it left out."""
     from estimator.deploy.zeroing import StreamZero
     from estimator.networks.face_model import predict
@@ -254,8 +254,10 @@ def _zeroed_by_networks(path: Path, networks: dict[int, FaceModel], zeroing: Zer
     )  # fmt: skip
 
     def read_still(change: np.ndarray) -> tuple[float, float]:
-        one = replace(whole.select(np.array([0])), signal_counts=change.reshape(1, *raw.shape[1:]))
-        read = [predict(model, one) for model in networks.values()]
+        frame = replace(
+            whole.select(np.array([0])), signal_counts=change.reshape(1, *raw.shape[1:])
+        )
+        read = [predict(model, frame) for model in networks.values()]
         return max(float(r.contact[0]) for r in read), sum(float(r.force_n[0]) for r in read)
 
     level, zeros = StreamZero(*zeroing.of_raw, read_still), np.full(raw.shape, np.nan)
@@ -263,13 +265,13 @@ def _zeroed_by_networks(path: Path, networks: dict[int, FaceModel], zeroing: Zer
         zero = level.after(counts.ravel(), float(time_s[number]))
         if zero is not None:
             zeros[number] = zero.reshape(counts.shape)
-    known = np.isfinite(zeros).all(axis=(1, 2, 3))
-    if not known.any():
+    zeroed = np.isfinite(zeros).all(axis=(1, 2, 3))
+    if not zeroed.any():
         raise InputError(
             f"{path} holds {len(raw)} frames, none of them after {zeroing.frames} at rest that give a "
             "zero. Give a longer recording, or --zero first"
         )
-    return replace(whole, signal_counts=raw - zeros).select(np.flatnonzero(known))
+    return replace(whole, signal_counts=raw - zeros).select(np.flatnonzero(zeroed))
 
 
 def _grid(networks: dict[int, FaceModel]) -> tuple[np.ndarray, np.ndarray]:
