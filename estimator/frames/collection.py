@@ -1,8 +1,8 @@
 """Simulated recordings whole: the paper's collection, parallel-jaw grasps, presses anywhere.
 
 Travel is a raised cosine of a phase: periodic, or in handling closed, held and released once. Signals
-follow it at once; the felt force follows `silicone.prony`. A case is zeroed once, with an error, and drifts from there; white noise,
-rounding, clipping and the load cells' noise come on top.
+follow it at once; the felt force follows `silicone.prony`. A case is zeroed once, with an error,
+and drifts from there; white noise, rounding, clipping and the load cells' noise come on top.
 """
 
 from __future__ import annotations

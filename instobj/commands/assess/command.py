@@ -111,7 +111,7 @@ def assess(options: AssessOptions) -> dict[str, Any]:
 
 
 def conditions_of(spec: ObjectSpec) -> Conditions:
-    """Faces, skin and tips of a specification; the tip is that of its indenter."""
+    """Faces, skin and tips of a specification; the tip of its indenter presses."""
     radius = spec.indenter.radius_mm
     skin = Sphere(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio, radius)
     return Conditions({frame.number: frame for frame in face_frames(spec)}, skin, radius)
@@ -215,7 +215,7 @@ def _picture(group: Group, headline: str) -> GroupPicture:
         track = recording.read.track.select(slice(grasp.grasp.start, grasp.grasp.end))
         curves.append((track.time_s - track.time_s[0], track.total_n))
     readings = [grasp.readings[headline] for _, grasp in group.grasps]
-    ends = np.array([[one.value, difference.low, difference.high] for one in readings]).reshape(
+    ends = np.array([[reading.value, reading.low, reading.high] for reading in readings]).reshape(
         -1, 3
     )
     return GroupPicture(group.name, curves, ends, median_interval(group.values(headline)))

@@ -64,7 +64,7 @@ class ReadRecording:
 def load_estimators(given: Path, spec: Path | None) -> Estimators:
     """Load what a folder of `train` or `run`, or one file of it, holds.
 
-    The specification is that of contacts.nc, or the given one; networks alone do not tell theirs.
+    contacts.nc holds its specification, unless one is given; networks alone hold none.
 
     Raises
     ------
