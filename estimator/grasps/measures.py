@@ -1,4 +1,4 @@
-"""All measures of each grasp of a track, with the intervals that the estimator's covariance gives."""
+"""Measures of each grasp of a track, with intervals by the estimator's covariance."""
 
 from __future__ import annotations
 
