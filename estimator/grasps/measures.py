@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from jaxtyping import Float
@@ -41,11 +42,11 @@ from estimator.grasps.wrench_space import (
     wrench_space,
 )
 
-INTERVAL = (5.0, 95.0)
-"""Percentiles of an interval: 90 %."""
-_HALF = float(norm.ppf(INTERVAL[1] / 100))
-DRAWS = 32
-"""Draws of what the covariance allows: ends of an interval to some 15 % of its width."""
+_HALF = float(norm.ppf(0.95))
+"""Half of a normal interval of 90 % in standard deviations."""
+DRAWS = 39
+"""Draws of what the covariance allows: the second and the last but one of them hold 36/40 = 90 % of
+further ones, whatever their distribution."""
 UNKNOWN = float("nan")
 
 
@@ -112,75 +113,101 @@ def measured_grasps(track: ContactTrack, conditions: Conditions) -> list[Measure
 
 
 def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> MeasuredGrasp:
-    whole, hold = track.select(slice(grasp.start, grasp.end)), slice(grasp.hold, grasp.release)
+    part, held = _part(track, grasp.start, grasp.end), _part(track, grasp.hold, grasp.release)
+    closing = _part(track, max(grasp.approach, grasp.start - 1), min(grasp.hold + 2, grasp.end))
     rng = np.random.default_rng(grasp.number)
-    peak = grasp.start + int(np.argmax(whole.total_n))
-    at_peak = placed_contacts(track, peak, conditions.faces)
-    held = placed_contacts(track, _typical_frame(track, grasp), conditions.faces)
-    wrench, covariance = net_wrench(held, conditions.friction)
-    damage, places = _damage(track, peak, at_peak, conditions, rng)
-    faces = _face_forces(track, grasp)
+    peak = int(np.argmax(part.total_n))
+    at_peak = placed_contacts(part, peak, conditions.faces)
+    typical = placed_contacts(held, _typical_frame(held, grasp.level_n), conditions.faces)
+    wrench, covariance = net_wrench(typical, conditions.friction)
+    faces = _face_forces(part, held)
+    damage, places = _damage(part, peak, at_peak, conditions, rng)
     readings = {
-        **_forces(track, grasp, faces, at_peak, rng),
-        **_balance(held, wrench, covariance, conditions, rng),
-        **_closure(held, conditions, rng),
-        **_hold(track.select(hold), faces),
-        "loading_n_per_s": Reading(
-            loading_rate_n_per_s(*_closing(track, grasp))
-        ),
+        "peak_n": _spread(float(part.total_n[peak]), float(part.total_sigma_n[peak])),
+        "mean_n": _spread(float(held.total_n.mean()), float(held.total_sigma_n.mean())),
+        "finger_n": max((top for _, top in faces.values()), key=lambda reading: reading.value),
+        **_with_intervals(at_peak, rng, partial(_peak_figures, conditions)),
+        **_with_intervals(typical, rng, partial(_hold_figures, conditions)),
+        "equilibrium_p": Reading(_balance_chance(typical, wrench, covariance, conditions)),
+        **{name: Reading(value) for name, value in _course(held, closing, list(faces)).items()},
         "regrasps": Reading(float(grasp.regrasps)),
-        "energy_mj": _drawn_reading(at_peak, rng, lambda c: _energy(c, conditions)),
-        "unexplained": Reading(float(np.mean(~whole.explained))),
+        "unexplained": Reading(float(np.mean(~part.explained))),
         **damage,
-    }  # fmt: skip
+    }
+    start_s, end_s = float(part.time_s[0]), float(part.time_s[-1])
+    opposed = _is_opposed(typical)
     return MeasuredGrasp(
-        grasp,
-        float(track.time_s[grasp.start]),
-        float(track.time_s[grasp.end - 1]),
-        readings,
-        faces,
-        wrench,
-        covariance,
-        _is_opposed(held),
-        places,
+        grasp, start_s, end_s, readings, faces, wrench, covariance, opposed, places
     )
 
 
-def _typical_frame(track: ContactTrack, grasp: Grasp) -> int:
-    """Frame of the hold with the usual number of contacts, whose force is nearest to the level."""
-    part = track.select(slice(grasp.hold, grasp.release))
-    count = (part.face != NO_FACE).sum(axis=1)
+def _part(track: ContactTrack, first: int, last: int) -> ContactTrack:
+    return track.select(slice(first, last))
+
+
+def _typical_frame(held: ContactTrack, level_n: float) -> int:
+    """Frame with the usual number of contacts whose force is nearest to the level."""
+    count = (held.face != NO_FACE).sum(axis=1)
     usual = int(np.argmax(np.bincount(count[count > 0]))) if np.any(count > 0) else 0
-    away = np.where(count == usual, abs(part.total_n - grasp.level_n), np.inf)
-    return grasp.hold + int(np.argmin(away))
+    return int(np.argmin(np.where(count == usual, abs(held.total_n - level_n), np.inf)))
 
 
-def _closing(track: ContactTrack, grasp: Grasp) -> tuple[np.ndarray, np.ndarray]:
-    """Times and total forces from the last free frame into the hold."""
-    frames = slice(max(grasp.approach, grasp.start - 1), min(grasp.hold + 2, grasp.end))
-    return track.time_s[frames], track.total_n[frames]
+def _with_intervals(
+    contacts: Placed,
+    rng: np.random.Generator,
+    figures: Callable[[Placed], dict[str, float]],
+) -> dict[str, Reading]:
+    """Figures of contacts with the intervals of what their covariance allows; without one, of exact
+    contacts, no ends."""
+    values = figures(contacts)
+    if not contacts.covariance.any():
+        return {name: Reading(value) for name, value in values.items()}
+    drawn = [figures(near_by) for near_by in _draws(contacts, rng)]
+    ordered = {name: np.sort([values_drawn[name] for values_drawn in drawn]) for name in values}
+    return {
+        name: Reading(value, float(ordered[name][1]), float(ordered[name][-2]))
+        for name, value in values.items()
+    }
 
 
 def _draws(contacts: Placed, rng: np.random.Generator) -> list[Placed]:
     return [contacts.drawn(rng.standard_normal((len(contacts), 5))) for _ in range(DRAWS)]
 
 
-def _drawn_reading(
-    contacts: Placed, rng: np.random.Generator, figure: Callable[[Placed], float]
-) -> Reading:
-    """A figure of contacts and the interval of its draws; NaN without contacts."""
-    if not len(contacts):
-        return Reading(UNKNOWN)
-    value = figure(contacts)
+def _peak_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
+    work = energy_mj(contacts.force_n[:, 2], conditions.skin)
+    return {
+        "grasp_n": float(np.mean(side_forces_n(contacts, grasp_axis(contacts)))),
+        "energy_mj": float(work.sum()),
+    }
+
+
+def _hold_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
+    patch = float(patch_radius_mm(contacts.force_n[:, 2], conditions.skin).mean())
+    reach = float(np.linalg.norm(contacts.point_mm, axis=1).max())
+    wrench, _ = net_wrench(contacts, conditions.friction)
+    point, axes = contacts.point_mm, contacts.axes
+    hull = wrench_space(contact_wrenches(point, axes, conditions.friction, patch, reach))
+    return {
+        "net_force_n": float(np.linalg.norm(wrench[:3])),
+        "net_moment_nmm": float(np.linalg.norm(wrench[3:])),
+        "asymmetry": asymmetry(contacts, grasp_axis(contacts)),
+        "friction_used": friction_used(contacts.force_n),
+        "friction_needed": closing_friction(point, axes, patch),
+        "closed": float(hull.closed),
+        "epsilon": hull.epsilon,
+        "volume": hull.volume,
+    }
+
+
+def _balance_chance(
+    contacts: Placed, wrench: np.ndarray, covariance: np.ndarray, conditions: Conditions
+) -> float:
+    """NaN where forces count as exact: then nothing balances exactly."""
     if not contacts.covariance.any():
-        return Reading(value)
-    figures = np.array([figure(drawn) for drawn in _draws(contacts, rng)])
-    if not np.isfinite(figures).all() and not np.isnan(figures).all():
-        # ∞ is an answer (no friction closes the grasp), and percentiles must not interpolate to it
-        low, high = np.percentile(figures, INTERVAL, method="nearest")
-    else:
-        low, high = np.percentile(figures, INTERVAL)
-    return Reading(value, float(low), float(high))
+        return UNKNOWN
+    misfit = equilibrium_misfit(wrench[:3], covariance[:3, :3], conditions.weight_n)
+    return equilibrium_p(misfit, conditions.weight_n)
 
 
 def _spread(value: float, sigma: float) -> Reading:
@@ -190,114 +217,33 @@ def _spread(value: float, sigma: float) -> Reading:
     return Reading(value, max(0.0, value - _HALF * sigma), value + _HALF * sigma)
 
 
-def _face_forces(track: ContactTrack, grasp: Grasp) -> dict[int, tuple[Reading, Reading]]:
+def _face_forces(part: ContactTrack, held: ContactTrack) -> dict[int, tuple[Reading, Reading]]:
     """Mean in the hold and peak in the grasp; errors are taken to last as long as the grasp."""
     forces = {}
-    part = track.select(slice(grasp.start, grasp.end))
-    held = slice(grasp.hold - grasp.start, grasp.release - grasp.start)
     for face in np.unique(part.face[part.face != NO_FACE]).tolist():
-        force = part.face_force_n(face)
-        sigma = np.sqrt(np.where(part.face == face, part.covariance[..., 4, 4], 0.0).sum(axis=1))
+        force, sigma = part.face_force_n(face), part.face_sigma_n(face)
         peak = int(np.argmax(force))
-        mean = _spread(float(force[held].mean()), float(sigma[held].mean()))
-        forces[face] = (mean, _spread(float(force[peak]), float(sigma[peak])))
+        mean = float(held.face_force_n(face).mean()), float(held.face_sigma_n(face).mean())
+        forces[face] = _spread(*mean), _spread(float(force[peak]), float(sigma[peak]))
     return forces
 
 
-def _forces(
-    track: ContactTrack,
-    grasp: Grasp,
-    faces: dict[int, tuple[Reading, Reading]],
-    at_peak: Placed,
-    rng: np.random.Generator,
-) -> dict[str, Reading]:
-    part = track.select(slice(grasp.start, grasp.end))
-    held = track.select(slice(grasp.hold, grasp.release))
-    peak = int(np.argmax(part.total_n))
-    strongest = max((peak for _, peak in faces.values()), key=lambda reading: reading.value)
-    return {
-        "peak_n": _spread(float(part.total_n[peak]), float(part.total_sigma_n[peak])),
-        "mean_n": _spread(float(held.total_n.mean()), float(held.total_sigma_n.mean())),
-        "finger_n": strongest,
-        "grasp_n": _drawn_reading(
-            at_peak, rng, lambda c: float(np.mean(side_forces_n(c, grasp_axis(c))))
-        ),
-    }
-
-
-def _balance(
-    held: Placed,
-    wrench: np.ndarray,
-    covariance: np.ndarray,
-    conditions: Conditions,
-    rng: np.random.Generator,
-) -> dict[str, Reading]:
-    force = wrench[:3]
-    p_value = UNKNOWN
-    if held.covariance.any():
-        misfit = equilibrium_misfit(force, covariance[:3, :3], conditions.weight_n)
-        p_value = equilibrium_p(misfit, conditions.weight_n)
-
-    def size(part: slice) -> Callable[[Placed], float]:
-        return lambda c: float(np.linalg.norm(net_wrench(c, conditions.friction)[0][part]))
-
-    axis = grasp_axis(held) if len(held) else np.zeros(3)
-    return {
-        "net_force_n": _drawn_reading(held, rng, size(slice(0, 3))),
-        "net_moment_nmm": _drawn_reading(held, rng, size(slice(3, 6))),
-        "asymmetry": _drawn_reading(held, rng, lambda c: asymmetry(c, axis)),
-        "equilibrium_p": Reading(p_value),
-    }
-
-
-def _closure(held: Placed, conditions: Conditions, rng: np.random.Generator) -> dict[str, Reading]:
-    reach = float(np.linalg.norm(held.point_mm, axis=1).max(initial=1.0))
-
-    def patch(contacts: Placed) -> float:
-        return float(patch_radius_mm(contacts.force_n[:, 2], conditions.skin).mean())
-
-    def space(contacts: Placed) -> tuple[float, float, float]:
-        wrenches = contact_wrenches(
-            contacts.point_mm, contacts.axes, conditions.friction, patch(contacts), reach
-        )
-        hull = wrench_space(wrenches)
-        return float(hull.closed), hull.epsilon, hull.volume
-
-    used = _drawn_reading(held, rng, lambda c: friction_used(c.force_n))
-    needed = _drawn_reading(held, rng, lambda c: closing_friction(c.point_mm, c.axes, patch(c)))
-    if not len(held):
-        return dict.fromkeys(
-            ("friction_used", "friction_needed", "closed", "epsilon", "volume"), used
-        )
-    drawn = np.array([space(contacts) for contacts in _draws(held, rng)])
-    low, high = np.percentile(drawn, INTERVAL, axis=0)
-    _, epsilon, volume = space(held)
-    return {
-        "friction_used": used,
-        "friction_needed": needed,
-        "closed": Reading(float(drawn[:, 0].mean())),
-        "epsilon": Reading(epsilon, float(low[1]), float(high[1])),
-        "volume": Reading(volume, float(low[2]), float(high[2])),
-    }
-
-
-def _hold(held: ContactTrack, faces: dict[int, tuple[Reading, Reading]]) -> dict[str, Reading]:
+def _course(held: ContactTrack, closing: ContactTrack, faces: list[int]) -> dict[str, float]:
+    """Figures of the course of the force and of the contacts."""
     total, time_s = held.total_n, held.time_s
     slips = [contact_slip(time_s, _steady_centre_mm(held, face)) for face in faces]
     # noise moves every centre: what did not slip has gone no way
     ways = [slip.distance_mm * slip.slipped for slip in slips if np.isfinite(slip.distance_mm)]
-    onsets = [slip.onset_s for slip in slips if slip.slipped]
-    onset = min(onsets, default=UNKNOWN)
+    onset = min((slip.onset_s for slip in slips if slip.slipped), default=UNKNOWN)
     return {
-        "hold_s": Reading(float(time_s[-1] - time_s[0])),
-        "creep": Reading(creep_per_decade(time_s, total)),
-        "unsteadiness": Reading(unsteadiness(total)),
-        "slip_mm": Reading(max(ways, default=UNKNOWN)),
-        "slip_onset_s": Reading(onset - float(time_s[0])),
-        "slip_n": Reading(
-            float(total[time_s <= onset].mean()) if onsets else UNKNOWN
-        ),
-    }  # fmt: skip
+        "loading_n_per_s": loading_rate_n_per_s(closing.time_s, closing.total_n),
+        "hold_s": float(time_s[-1] - time_s[0]),
+        "creep": creep_per_decade(time_s, total),
+        "unsteadiness": unsteadiness(total),
+        "slip_mm": max(ways, default=UNKNOWN),
+        "slip_onset_s": onset - float(time_s[0]),
+        "slip_n": float(total[time_s <= onset].mean()) if np.isfinite(onset) else UNKNOWN,
+    }
 
 
 def _steady_centre_mm(held: ContactTrack, face: int) -> Float[np.ndarray, "frame 2"]:
@@ -310,30 +256,26 @@ def _steady_centre_mm(held: ContactTrack, face: int) -> Float[np.ndarray, "frame
     return np.where((count == usual)[:, None], held.face_centre_mm(face), np.nan)
 
 
-def _energy(contacts: Placed, conditions: Conditions) -> float:
-    return float(energy_mj(contacts.force_n[:, 2], conditions.skin).sum())
-
-
 def _damage(
-    track: ContactTrack,
+    part: ContactTrack,
     peak: int,
     at_peak: Placed,
     conditions: Conditions,
     rng: np.random.Generator,
 ) -> tuple[dict[str, Reading], list[dict[str, float | int]]]:
-    slots = np.flatnonzero(np.isin(track.face[peak], list(conditions.faces)))
-    places = [
-        {
-            "face": int(track.face[peak, slot]),
-            "x_mm": float(track.xy_mm[peak, slot, 0]),
-            "y_mm": float(track.xy_mm[peak, slot, 1]),
-            "force_n": float(track.normal_n[peak, slot]),
-        }
-        for slot in slots
+    slots = np.flatnonzero(np.isin(part.face[peak], list(conditions.faces))).tolist()
+    places: list[dict[str, float | int]] = [
+        {"face": int(part.face[peak, slot]), "x_mm": x, "y_mm": y, "force_n": force}
+        for slot, (x, y), force in zip(
+            slots,
+            part.xy_mm[peak, slots].tolist(),
+            part.normal_n[peak, slots].tolist(),
+            strict=True,
+        )
     ]
     readings: dict[str, Reading] = {}
     forces = np.array([contacts.force_n[:, 2] for contacts in _draws(at_peak, rng)])
-    for limit in conditions.limits if len(at_peak) else ():
+    for limit in conditions.limits:
         whole, each = damage_probability(limit, forces, conditions.tip_radius_mm)
         readings[f"damage_{limit.name}"] = Reading(whole)
         for place, chance in zip(places, each.tolist(), strict=True):
@@ -343,7 +285,5 @@ def _damage(
 
 def _is_opposed(held: Placed) -> bool:
     """Return whether contacts lie on two opposite sides and nowhere else."""
-    if len(held) < 2:
-        return False
     share = held.inward @ grasp_axis(held)
     return bool(np.all(abs(share) > 0.9) and (share > 0).any() and (share < 0).any())

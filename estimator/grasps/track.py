@@ -73,6 +73,10 @@ class ContactTrack:
         """Sum of the normal forces on a face."""
         return np.where(self.face == face, self.normal_n, 0.0).sum(axis=1)
 
+    def face_sigma_n(self, face: int) -> Float[np.ndarray, "frame"]:
+        """Standard deviation of `face_force_n`; errors of contacts count as independent."""
+        return np.sqrt(np.where(self.face == face, self.covariance[..., 4, 4], 0.0).sum(axis=1))
+
     def face_centre_mm(self, face: int) -> Float[np.ndarray, "frame 2"]:
         """Centre of the normal forces on a face; NaN in frames without a contact there."""
         weight = np.where(self.face == face, self.normal_n, 0.0)[..., None]
