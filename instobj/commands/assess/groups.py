@@ -44,6 +44,13 @@ class Group:
         shares = self.values("unexplained")
         return bool(len(shares)) and float(shares.mean()) <= MOST_UNEXPLAINED
 
+    def rows(self) -> list[dict[str, Any]]:
+        """Name of every grasp: group, recording and number."""
+        return [
+            {"group": self.name, "recording": recording.read.path.name, "grasp": grasp.grasp.number}
+            for recording, grasp in self.grasps
+        ]
+
     def values(self, measure: str) -> np.ndarray:
         """A measure of every grasp."""
         return np.array([grasp.readings[measure].value for _, grasp in self.grasps])
@@ -71,6 +78,7 @@ def measure_of(name: str) -> Measure:
 
 
 def axis_of(name: str) -> str:
+    """Title of a measure with its unit."""
     measure = measure_of(name)
     return measure.title if measure.unit == "1" else f"{measure.title} ({measure.unit})"
 
@@ -104,28 +112,36 @@ def compared_with_cells(read: ReadRecording, grasps: list[MeasuredGrasp]) -> lis
 
 
 def cell_rows(groups: list[Group]) -> list[dict[str, Any]]:
+    """Rows of `compared_with_cells` of all groups."""
     return [row for group in groups for recording in group.recordings for row in recording.cells]
 
 
-def grasp_rows(groups: list[Group], names: list[str]) -> list[dict[str, Any]]:
+def named_grasps(groups: list[Group]) -> list[tuple[dict[str, Any], MeasuredGrasp]]:
+    """Every grasp with its name."""
     return [
-        {"group": group.name, "recording": recording.read.path.name, "grasp": grasp.grasp.number}
-        | {
-            axis_of(name): with_ends(grasp.readings.get(name, Reading(float("nan"))))
-            for name in names
-        }
+        (name, grasp)
         for group in groups
-        for recording, grasp in group.grasps
+        for name, (_, grasp) in zip(group.rows(), group.grasps, strict=True)
+    ]
+
+
+def grasp_rows(groups: list[Group], names: list[str]) -> list[dict[str, Any]]:
+    """Measures of every grasp with their intervals, in words."""
+    return [
+        row | {axis_of(name): with_ends(grasp.readings[name]) for name in names}
+        for row, grasp in named_grasps(groups)
     ]
 
 
 def with_ends(reading: Reading) -> str:
+    """A figure with its interval, where it has one."""
     if np.isnan(reading.low):
         return shown(reading.value)
     return f"{shown(reading.value)} ({shown(reading.low)} to {shown(reading.high)})"
 
 
 def median_rows(groups: list[Group], names: list[str]) -> list[dict[str, Any]]:
+    """Medians of every group with their intervals, a row a measure."""
     rows = []
     for name in names:
         row = {"measure": axis_of(name)}
@@ -137,6 +153,7 @@ def median_rows(groups: list[Group], names: list[str]) -> list[dict[str, Any]]:
 
 
 def difference_row(difference: Difference) -> dict[str, Any]:
+    """A comparison as tables show it."""
     return {
         "first": difference.first,
         "second": difference.second,
@@ -150,38 +167,27 @@ def difference_row(difference: Difference) -> dict[str, Any]:
 
 def risk_rows(groups: list[Group], limits: list[str]) -> list[dict[str, Any]]:
     """The five contacts with the largest chance of damage."""
-    if not limits:
-        return []
     rows = [
-        {"group": group.name, "recording": recording.read.path.name, "grasp": grasp.grasp.number}
-        | {name: round(value, 3) for name, value in place.items()}
-        for group in groups
-        for recording, grasp in group.grasps
+        row | {name: round(value, 3) for name, value in place.items()}
+        for row, grasp in named_grasps(groups)
         for place in grasp.places
     ]
-    return sorted(rows, key=lambda row: -row[limits[0]])[:5]
+    return sorted(rows, key=lambda row: -row[limits[0]])[:5] if limits else []
 
 
 def full_rows(groups: list[Group]) -> list[dict[str, Any]]:
     """Every measure of every grasp with its interval, a column each."""
     rows = []
-    for group in groups:
-        for recording, grasp in group.grasps:
-            row: dict[str, Any] = {
-                "group": group.name,
-                "recording": recording.read.path.name,
-                "grasp": grasp.grasp.number,
-                "start_s": grasp.start_s,
-                "end_s": grasp.end_s,
-            }
-            for name, reading in grasp.readings.items():
-                ends = {"": reading.value, "_low": reading.low, "_high": reading.high}
-                row |= {f"{name}{end}": value for end, value in ends.items()}
-            rows.append(row)
+    for row, grasp in named_grasps(groups):
+        row |= {"start_s": grasp.start_s, "end_s": grasp.end_s}
+        for name, reading in grasp.readings.items():
+            row |= {name: reading.value, f"{name}_low": reading.low, f"{name}_high": reading.high}
+        rows.append(row)
     return rows
 
 
 def csv_text(rows: list[dict[str, Any]]) -> str:
+    """Rows as CSV; what is not known is empty."""
     stream = io.StringIO()
     writer = csv.DictWriter(stream, list(dict.fromkeys(name for row in rows for name in row)))
     writer.writeheader()
@@ -196,10 +202,7 @@ def whole_document(document: dict[str, Any], groups: list[Group]) -> dict[str, A
     grasps = [
         row
         | {
-            "phases": {
-                name: getattr(grasp.grasp, name)
-                for name in ("approach", "start", "hold", "release", "end")
-            },
+            "phases": vars(grasp.grasp),
             "wrench": grasp.wrench.tolist(),
             "wrench_covariance": grasp.covariance.tolist(),
             "faces": {
@@ -208,9 +211,7 @@ def whole_document(document: dict[str, Any], groups: list[Group]) -> dict[str, A
             },
             "places": grasp.places,
         }
-        for row, (_, grasp) in zip(
-            full_rows(groups), [pair for group in groups for pair in group.grasps], strict=True
-        )
+        for row, (_, grasp) in zip(full_rows(groups), named_grasps(groups), strict=True)
     ]
     return json_value(document | {"grasps": grasps})
 

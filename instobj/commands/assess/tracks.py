@@ -9,14 +9,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.errors import InputError, RecordingError
+from design.layout.places.contact_grid import contact_grid
 from design.netcdf import holds
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.frames.dataset import NO_FACE, FrameSet, load_frames
+from estimator.deploy.zeroing import ReadStill, StreamZero
+from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
-from instobj.commands.readings import Zeroing, is_data_set, recorded_frames, recorded_stream
+from estimator.recordings.table import FACES
+from instobj.commands.contacts import require_read_sensors
+from instobj.commands.readings import (
+    Stream,
+    Zeroing,
+    is_data_set,
+    recorded_stream,
+    zeroed_data_set,
+)
 from instobj.store.progress import ProgressLine
 from instobj.store.readers import INVERSION, face_model_paths
 
@@ -132,72 +142,103 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
     InputError
         A bad file, or readings of another object.
     """
-    frames, faults, texts = _frames_of(path, estimators.spec, zeroing)
+    frames, faults, texts = _frames_of(path, estimators, zeroing)
+    labelled = bool(np.any(frames.contact_face != NO_FACE))
+    cells = frames if labelled else None
     if estimators.inversion is not None:
-        track = _inverted(path, frames, estimators.inversion, zeroing)
+        track = _inverted(path, frames, estimators.inversion)
         pressed = np.any(track.face != NO_FACE, axis=1)
         unexplained = float(np.mean(~track.explained[pressed])) if pressed.any() else 0.0
         if unexplained <= MOST_UNEXPLAINED or not estimators.networks:
-            return ReadRecording(path, track, _labelled(frames), "inversion", texts, faults)
+            return ReadRecording(path, track, cells, "inversion", texts, faults)
         texts.append(
             f"{path.name}: the inversion explains {100 * (1 - unexplained):.0f} % of the pressed frames; "
             "networks read it instead"
         )
-    track = networks_track(path, frames, estimators.networks, zeroing)
-    return ReadRecording(path, track, _labelled(frames), "networks", texts, faults)
-
-
-def _labelled(frames: FrameSet | None) -> FrameSet | None:
-    labelled = frames is not None and bool(np.any(frames.contact_face != NO_FACE))
-    return frames if labelled else None
+    track = _networks_track(frames, estimators.networks)
+    return ReadRecording(path, track, cells, "networks", texts, faults)
 
 
 def _frames_of(
-    path: Path, spec: ObjectSpec, zeroing: Zeroing
-) -> tuple[FrameSet | None, list[str], list[str]]:
-    """Frames of a data set, or of a recording whose load cells show presses, with its faults and what
-    is to be said; None where it is read like a board's stream."""
+    path: Path, estimators: Estimators, zeroing: Zeroing
+) -> tuple[FrameSet, list[str], list[str]]:
+    """Zeroed frames, faults of the file, and what is to be said of it."""
     from estimator.recordings.formats.files import has_load_cells
     from estimator.recordings.reading import read_recording
 
     if is_data_set(path):
-        return load_frames(path).select_faces(spec.body.sensed), [], []
-    if zeroing.mode is not None or not has_load_cells(path):
-        return None, [], []
-    try:
-        recording = read_recording(path)
-    except RecordingError as error:
-        # a cell that was not connected must not hide what the sensors felt; a damaged file fails again
-        return None, [], [f"{path.name}: load cells and labels are not used: {error}"]
-    return recording.frames, [f"{path.name}: {fault}" for fault in recording.report.faults], []
+        return zeroed_data_set(path, zeroing).select_faces(estimators.spec.body.sensed), [], []
+    texts = []
+    if zeroing.mode is None and has_load_cells(path):
+        try:
+            recording = read_recording(path)
+        except RecordingError as error:
+            # a cell that was not connected must not hide what the sensors felt; damage fails again below
+            texts = [f"{path.name}: load cells and labels are not used: {error}"]
+        else:
+            faults = [f"{path.name}: {fault}" for fault in recording.report.faults]
+            return recording.frames.select_faces(estimators.spec.body.sensed), faults, []
+    stream = recorded_stream(path)
+    faults = [f"{path.name}: {text}" for text in stream.texts]
+    return _zeroed(stream, estimators, zeroing), faults, texts
 
 
-def _inverted(
-    path: Path, frames: FrameSet | None, inversion: Inversion, zeroing: Zeroing
-) -> ContactTrack:
+def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> FrameSet:
+    """Changes of a board's readings against the zero that follows rest, as the estimator sees rest;
+    frames before the first zero are left out."""
+    raw = np.where(stream.left_out, np.nan, stream.raw)
+    count, sensed = len(raw), estimators.spec.body.sensed
+    stamps = stream.time_s
+    if not len(stamps) or not np.all(np.diff(stamps) > 0):
+        stamps = np.arange(count) / estimators.spec.sensors.frame_rate_hz
+    empty = np.full((count, 1, 3), np.nan)
+    grid, one_session = contact_grid(estimators.spec), np.zeros(count, int)
+    frames = FrameSet(
+        raw, one_session[:, None], empty[..., :2], empty, np.ones(count, bool), one_session,
+        one_session - 1, one_session, stamps, np.array(FACES), grid.x_mm, grid.y_mm, np.ones(3),
+        "recorded", "", 0,
+    ).select_faces(sensed)  # fmt: skip
+    raw = frames.signal_counts
+    level = StreamZero(*zeroing.of_raw, _stillness(estimators, frames))
+    zeros = np.full(raw.shape, np.nan)
+    for number, counts in enumerate(np.nan_to_num(raw)):
+        zero = level.after(counts.ravel(), float(stamps[number]))
+        if zero is not None:
+            zeros[number] = zero.reshape(counts.shape)
+    zeroed = np.flatnonzero(np.isfinite(zeros).all(axis=(1, 2, 3)))
+    if not len(zeroed):
+        raise InputError(
+            f"{stream.path} holds {count} frames, none of them after {zeroing.frames} at rest that give a "
+            "zero. Give a longer recording, or --zero first"
+        )
+    return replace(frames, signal_counts=raw - zeros).select(zeroed)
+
+
+def _stillness(estimators: Estimators, frames: FrameSet) -> ReadStill:
+    """Function that reads the chance of a contact and the force in a change of all channels."""
     from estimator.deploy.live_contacts import LiveContacts
+    from estimator.networks.face_model import predict
+
+    if estimators.inversion is not None:
+        return LiveContacts(estimators.inversion).read_still
+    first = frames.select(np.array([0]))
+
+    def read_still(change: np.ndarray) -> tuple[float, float]:
+        frame = replace(first, signal_counts=change.reshape(first.signal_counts.shape))
+        readings = [predict(model, frame) for model in estimators.networks.values()]
+        contact = max(float(reading.contact[0]) for reading in readings)
+        return contact, sum(float(reading.force_n[0]) for reading in readings)
+
+    return read_still
+
+
+def _inverted(path: Path, frames: FrameSet, inversion: Inversion) -> ContactTrack:
     from estimator.inversion.tracking import Tracker
 
-    progress, sets, stamps = ProgressLine(), [], []
+    require_read_sensors(inversion, frames, path)
+    progress, sets, tracker = ProgressLine(), [], Tracker(inversion)
     with progress.stage(f"contacts in {path}"):
-        if frames is None:
-            reader = LiveContacts(inversion, *zeroing.of_raw)
-            stream = recorded_stream(path)
-            for number, time_s, contacts in recorded_frames(
-                reader, inversion.channels, stream, zeroing
-            ):
-                if contacts is not None:
-                    sets.append(contacts)
-                    stamps.append(time_s)
-                if number % _STEP == 0:
-                    progress.step(f"frame {number} of {len(stream.raw)}")
-            return track_of_sets(
-                _clock(np.array(stamps), inversion.model.spec), ContactSets.joined(sets)
-            )
-        _require_same_sensors(path, frames, inversion)
-        counts = frames.signal_counts.reshape(len(frames), -1)
-        tracker = Tracker(inversion)
-        for number, change in enumerate(counts):
+        for number, change in enumerate(frames.signal_counts.reshape(len(frames), -1)):
             if number and frames.session_id[number] != frames.session_id[number - 1]:
                 tracker = Tracker(inversion)
             sets.append(tracker.feed(change))
@@ -206,74 +247,12 @@ def _inverted(
     return track_of_sets(frames.time_s, ContactSets.joined(sets))
 
 
-def _require_same_sensors(path: Path, frames: FrameSet, inversion: Inversion) -> None:
-    faces = inversion.model.signals.faces.tolist()
-    sensors = inversion.model.channels // (3 * len(faces))
-    got = frames.faces.tolist(), frames.signal_counts.shape[2]
-    if got != (faces, sensors):
-        raise InputError(
-            f"{path} has {got[1]} sensors on faces {got[0]}; the estimator reads {sensors} on faces "
-            f"{faces}. Give a recording of the object that it was made for"
-        )
-
-
-def _clock(stamps_s: np.ndarray, spec: ObjectSpec) -> np.ndarray:
-    """Stamps, or the nominal frame rate where a recording has none or they stand still."""
-    if np.isfinite(stamps_s).all() and np.all(np.diff(stamps_s) > 0):
-        return stamps_s
-    return np.arange(len(stamps_s)) / spec.sensors.frame_rate_hz
-
-
-def networks_track(
-    path: Path, frames: FrameSet | None, networks: dict[int, FaceModel], zeroing: Zeroing
-) -> ContactTrack:
+def _networks_track(frames: FrameSet, networks: dict[int, FaceModel]) -> ContactTrack:
+    """Contacts in the frames that have the readings of every network."""
     from estimator.networks.face_model import predict_with_gaps
 
-    if frames is None:
-        frames = zeroed_stream(path, networks, zeroing)
     predictions = {face: predict_with_gaps(model, frames) for face, model in networks.items()}
     cover = min(model.interval_cover for model in networks.values())
     track = track_of_networks(frames.time_s, predictions, cover)
     read = np.isfinite(np.sum([face.force_n for face in predictions.values()], axis=0))
     return track.select(np.flatnonzero(read))
-
-
-def zeroed_stream(path: Path, networks: dict[int, FaceModel], zeroing: Zeroing) -> FrameSet:
-    """Changes against the zero that follows rest, as networks see rest; frames before it left out."""
-    from estimator.deploy.zeroing import StreamZero
-    from estimator.networks.face_model import predict
-
-    stream = recorded_stream(path)
-    raw = np.where(stream.left_out, np.nan, stream.raw)
-    time_s = stream.time_s if len(stream.time_s) else np.arange(len(raw)) / 10.0
-    whole = FrameSet(
-        raw, np.zeros((len(raw), 1), int), np.full((len(raw), 1, 2), np.nan),
-        np.full((len(raw), 1, 3), np.nan), np.ones(len(raw), bool), np.zeros(len(raw), int),
-        np.full(len(raw), -1), np.zeros(len(raw), int), time_s, np.arange(1, 6),
-        *_grid(networks), np.ones(3), "recorded", "", 0,
-    )  # fmt: skip
-
-    def read_still(change: np.ndarray) -> tuple[float, float]:
-        frame = replace(
-            whole.select(np.array([0])), signal_counts=change.reshape(1, *raw.shape[1:])
-        )
-        read = [predict(model, frame) for model in networks.values()]
-        return max(float(r.contact[0]) for r in read), sum(float(r.force_n[0]) for r in read)
-
-    level, zeros = StreamZero(*zeroing.of_raw, read_still), np.full(raw.shape, np.nan)
-    for number, counts in enumerate(np.nan_to_num(raw)):
-        zero = level.after(counts.ravel(), float(time_s[number]))
-        if zero is not None:
-            zeros[number] = zero.reshape(counts.shape)
-    zeroed = np.isfinite(zeros).all(axis=(1, 2, 3))
-    if not zeroed.any():
-        raise InputError(
-            f"{path} holds {len(raw)} frames, none of them after {zeroing.frames} at rest that give a "
-            "zero. Give a longer recording, or --zero first"
-        )
-    return replace(whole, signal_counts=raw - zeros).select(np.flatnonzero(zeroed))
-
-
-def _grid(networks: dict[int, FaceModel]) -> tuple[np.ndarray, np.ndarray]:
-    model = next(iter(networks.values()))
-    return model.grid_x_mm, model.grid_y_mm
