@@ -1,5 +1,7 @@
 """Net wrench, equilibrium and asymmetry of grasps worked out by hand."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -33,8 +35,10 @@ def test_a_tangential_force_acts_at_the_surface():
 
 
 def test_the_covariance_is_that_of_drawn_contacts():
-    pair = placed([3, 1], [[4, 3], [-6, 2]], [8, 5], [[1, 0.5], [0.2, -0.7]], sigma=0.2)
     rng = np.random.default_rng(1)
+    root = 0.1 * rng.normal(size=(2, 5, 5))  # places and forces err together
+    pair = placed([3, 1], [[4, 3], [-6, 2]], [8, 5], [[1, 0.5], [0.2, -0.7]])
+    pair = replace(pair, covariance=root @ root.transpose(0, 2, 1))
     drawn = [net_wrench(pair.drawn(rng.standard_normal((2, 5))), 0.5)[0] for _ in range(4000)]
     _, covariance = net_wrench(pair, 0.5)
     sigma = np.sqrt(np.diag(covariance))

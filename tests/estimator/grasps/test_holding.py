@@ -49,7 +49,7 @@ def test_slip_is_found_within_half_a_millimetre_and_in_time():
 
 
 def test_a_contact_that_stays_does_not_slip():
-    slipped = [contact_slip(TIME_S, sliding(0, 0, 0.1, seed)).slipped for seed in range(200)]
+    slipped = [contact_slip(TIME_S, sliding(0, 0, 0.4, seed)).slipped for seed in range(200)]
     assert np.mean(slipped) <= 0.05
 
 

@@ -65,8 +65,8 @@ def test_a_tip_that_is_missed_for_the_rest_of_a_hold_is_no_slip():
     face, xy, force = (
         np.concatenate([a, a[:, :1]], axis=1) for a in (track.face, track.xy_mm, track.force_n)
     )
-    xy[:, 0, 1] += 6.0  # two tips on face 3, of which the second is lost
-    face[42:, 2], xy[42:, 2], force[42:, 2] = 0, np.nan, np.nan
+    xy[:, 0, 1], force[:, 2] = xy[:, 0, 1] + 20.0, 0.1 * force[:, 2]  # a weak second tip, then lost
+    face[34:, 2], xy[34:, 2], force[34:, 2] = 0, np.nan, np.nan
     covariance = np.concatenate([track.covariance, track.covariance[:, :1]], axis=1)
     lost = replace(track, face=face, xy_mm=xy, force_n=force, covariance=covariance)
     (grasp,) = measured_grasps(lost, CONDITIONS)
