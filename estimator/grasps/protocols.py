@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 OWN = "instobj"
 _RAM = "Falco et al., Grasping the performance, IEEE Robotics & Automation Magazine 22(4), 2015"
 _SP1227 = "NIST SP 1227 (draft, 2018) names it; its clause could not be read"
+_LESS, _MORE = "lower", "higher"
+_CANNY = "Ferrari & Canny, ICRA 1992"
 _ASTM = "ASTM WK83863, scope (the draft's clauses could not be read)"
 
 
@@ -15,90 +16,50 @@ _ASTM = "ASTM WK83863, scope (the draft's clauses could not be read)"
 class Measure:
     """One figure of a grasp.
 
-    `better` says which way is better when grippers are ranked; None where neither is.
+    `better` says which way is better when grippers are ranked; "lower", "higher", or empty.
     """
 
     title: str
     unit: str
     definition: str
     source: str = OWN
-    better: Literal["lower", "higher"] | None = None
+    better: str = ""
 
 
-MEASURES: dict[str, Measure] = {
-    "peak_n": Measure(
-        "peak force", "N", "largest sum of all normal forces in the grasp; noise raises it", OWN, "lower"
-    ),
-    "mean_n": Measure("mean force held", "N", "mean sum of the normal forces in the hold", OWN, "lower"),
-    "finger_n": Measure(
-        "finger strength", "N", "largest force on one face in the grasp", f"{_SP1227}; {_RAM}", "higher"
-    ),
-    "grasp_n": Measure(
-        "grasp strength", "N",
-        "largest force transmitted through the object: the mean of both sides' forces along the "
-        "grasp's axis", f"maximum force imposed on an object: {_ASTM}; {_SP1227}", "higher",
-    ),
-    "loading_n_per_s": Measure(
-        "loading rate", "N/s", "steepest rise of the total force while closing", OWN, "lower"
-    ),
-    "asymmetry": Measure(
-        "asymmetry of the jaws", "1", "(F₊ − F₋)/(F₊ + F₋) of both sides' forces in the hold", OWN
-    ),
-    "net_force_n": Measure("net force", "N", "size of the sum of all contact forces in the hold", OWN),
-    "net_moment_nmm": Measure(
-        "net moment", "N mm", "size of the sum of moments about the object's centre in the hold", OWN
-    ),
-    "equilibrium_p": Measure(
-        "equilibrium", "1",
-        "chance of a net force as large if the contacts and the weight balanced (χ²)", OWN,
-    ),
-    "friction_used": Measure(
-        "friction used", "1", "largest ratio of tangential to normal force in the hold", OWN, "lower"
-    ),
-    "friction_needed": Measure(
-        "friction needed", "1", "least friction with which the contacts close the grasp",
-        "Nguyen, IJRR 7(3), 1988", "lower",
-    ),
-    "closed": Measure(
-        "force closure", "1", "chance that the grasp is closed at the friction assumed",
-        "Ferrari & Canny, ICRA 1992", "higher",
-    ),
-    "epsilon": Measure(
-        "ε", "1", "largest wrench resisted in every direction, unit contact forces",
-        "Ferrari & Canny, ICRA 1992", "higher",
-    ),
-    "volume": Measure(
-        "volume of the wrench space", "1", "volume of the hull of contact wrenches, unit contact forces",
-        "Li & Sastry, IEEE J. Robotics Automation 4, 1988", "higher",
-    ),
-    "hold_s": Measure("hold", "s", "time from the first to the last frame above 90 % of the level", OWN),
-    "creep": Measure(
-        "creep of the force", "1/decade", "change of the held force per tenfold time, over its mean", OWN
-    ),
-    "unsteadiness": Measure(
-        "unsteadiness", "1", "rms deviation of the held force from its mean, over the mean",
-        "instobj; the performance of fingertip force tracking: " + _RAM, "lower",
-    ),
-    "slip_mm": Measure(
-        "contact slip", "mm", "largest way of a face's centre of force during the hold", OWN, "lower"
-    ),
-    "slip_onset_s": Measure(
-        "onset of slip", "s", "time from the start of the hold until a contact has slipped", OWN
-    ),
-    "slip_n": Measure(
-        "force held before slip", "N", "mean total force in the hold up to the onset of slip",
-        f"slip resistance: {_SP1227}; definition: {OWN}", "lower",
-    ),
-    "regrasps": Measure(
-        "regrasps", "1", "times that the force fell below half of its level and came back", OWN, "lower"
-    ),
-    "energy_mj": Measure(
-        "energy put in", "mJ", "work on the silicone up to the peak by Hertz: an upper bound", OWN, "lower"
-    ),
-    "unexplained": Measure(
-        "frames not trusted", "1", "share of frames that the estimator cannot explain", OWN
-    ),
-}  # fmt: skip
+_ROWS: tuple[tuple[str, ...], ...] = (
+    ("peak_n", "peak force", "N", "largest sum of all normal forces; noise raises it", OWN, _LESS),
+    ("mean_n", "mean force held", "N", "mean sum of the normal forces in the hold", OWN, _LESS),
+    ("finger_n", "finger strength", "N", "largest force on one face", f"{_SP1227}; {_RAM}", _MORE),
+    ("grasp_n", "grasp strength", "N", "largest force through the object: mean of both sides' forces along "
+     "the grasp's axis at the peak", f"maximum force imposed on an object: {_ASTM}; {_SP1227}", _MORE),
+    ("loading_n_per_s", "loading rate", "N/s", "steepest rise of the total force in closing", OWN, _LESS),
+    ("asymmetry", "asymmetry of the jaws", "1", "(F₊ − F₋)/(F₊ + F₋) of both sides in the hold"),
+    ("net_force_n", "net force", "N", "size of the sum of all contact forces in the hold"),
+    ("net_moment_nmm", "net moment", "N mm", "size of their moment about the object's centre"),
+    ("equilibrium_p", "equilibrium", "1", "chance of a net force as large if contacts and weight balanced "
+     "(χ²)"),
+    ("friction_used", "friction used", "1", "largest tangential over normal force in the hold", OWN, _LESS),
+    ("friction_needed", "friction needed", "1", "least friction with which the contacts close the grasp",
+     "Nguyen, IJRR 7(3), 1988", _LESS),
+    ("closed", "force closure", "1", "1 where the grasp is closed at the friction assumed", _CANNY, _MORE),
+    ("epsilon", "ε", "1", "largest wrench resisted in every direction, unit contact forces", _CANNY, _MORE),
+    ("volume", "volume of the wrench space", "1", "of the hull of contact wrenches, unit contact forces",
+     "Li & Sastry, IEEE J. Robotics Automation 4, 1988", _MORE),
+    ("hold_s", "hold", "s", "time from the first to the last frame above 90 % of the level"),
+    ("creep", "creep of the force", "1/decade", "change of the held force per tenfold time, over its mean"),
+    ("unsteadiness", "unsteadiness", "1", "rms deviation of the held force from its mean, over the mean",
+     f"{OWN}; the performance of fingertip force tracking: {_RAM}", _LESS),
+    ("slip_mm", "contact slip", "mm", "largest way of a face's centre of force in the hold", OWN, _LESS),
+    ("slip_onset_s", "onset of slip", "s", "time from the start of the hold until a contact slips"),
+    ("slip_n", "force held before slip", "N", "mean total force of the hold up to the onset of slip",
+     f"slip resistance: {_SP1227}; definition: {OWN}"),
+    ("regrasps", "regrasps", "1", "times that the force fell below half its level and came back", OWN, _LESS),
+    ("energy_mj", "energy put in", "mJ", "work on the silicone up to the peak by Hertz, at most", OWN, _LESS),
+    ("unexplained", "frames not trusted", "1", "share of frames that the estimator cannot explain"),
+)  # fmt: skip
+"""Name, title, unit, definition, source and better way of every measure."""
+MEASURES = {name: Measure(*row) for name, *row in _ROWS}
+"""Measures by name, as in grasps.csv."""
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,8 @@ def median_text(group: Group, measure: str) -> str:
     unit = "" if measure_of(measure).unit == "1" else f" {measure_of(measure).unit}"
     count = int(np.isfinite(values).sum())
     interval = "" if np.isnan(low) else f", 95 % interval {shown(low)} to {shown(high)}"
-    return f"{shown(median)}{unit} (median of {count} grasps{interval})"
+    whole = "one grasp" if count == 1 else f"median of {count} grasps"
+    return f"{shown(median)}{unit} ({whole}{interval})"
 
 
 def difference_text(difference: Difference, headline: str) -> str:
@@ -71,7 +72,7 @@ def warnings_of(options: AssessOptions, groups: list[Group], conditions: Conditi
             texts.append(f"{group.name}: no grasp found; it is not ranked.")
         elif len(group.grasps) < _FEW:
             texts.append(
-                f"{group.name}: {len(group.grasps)} grasps are few; its interval is too narrow."
+                f"{group.name}: few grasps ({len(group.grasps)}); the interval of the median is too narrow."
             )
         shares = group.values("unexplained")
         if len(shares) and shares.mean() > _DISTRUST:
