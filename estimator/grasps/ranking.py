@@ -161,7 +161,7 @@ def grasps_needed(larger: float, paired: bool) -> int | None:
 def exchanged_share(
     groups: Mapping[str, Float[np.ndarray, "_"]],
     paired: bool = False,
-    draws: int = 200,
+    draws: int = 1000,
     seed: int = 0,
 ) -> float:
     """Share of draws in which groups with labels exchanged at random are ranked surely: at most about
