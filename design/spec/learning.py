@@ -10,7 +10,7 @@ from design.spec.base import Angle, Coordinate, Counts, Force, SpecPart
 
 ProbePose = tuple[Coordinate, Coordinate, Angle]
 """Centre of a probe in the face's frame (x, y in mm) and its turn about the normal (degrees)."""
-CollectionKind = Literal["paper", "grasp", "continuous"]
+CollectionKind = Literal["paper", "grasp", "handling", "continuous"]
 SensedFace = Annotated[int, Field(ge=1, le=6)]
 
 _ROWS: tuple[ProbePose, ...] = (
@@ -32,7 +32,9 @@ class CollectionSpec(SpecPart):
     periodic depth for all (Knopke et al., RA-L 2024). The poses spread rows and columns near the
     borders and in the middle. "grasp": probes of one, two and three tips on both of `grasp_faces`,
     squeezed periodically to `grasp_force_n`, at ten poses or, of each number of tips, at
-    `random_grasps` poses drawn by `seed`. "continuous": `presses` short presses of `contacts`
+    `random_grasps` poses drawn by `seed`. "handling": as "grasp", each pose taken once in
+    `frames_per_case` frames: free, closed on, held with a shake, released; peaks spread between 80 and
+    100 % of `grasp_force_n`, as a gripper repeats. "continuous": `presses` short presses of `contacts`
     tips at once anywhere on `faces`, with peaks and rest frames as `protocol` has them; with
     `tangential_share` above 0 each is also pulled sideways, by up to that share of its force.
     """

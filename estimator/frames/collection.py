@@ -1,8 +1,8 @@
 """Simulated recordings whole: the paper's collection, parallel-jaw grasps, presses anywhere.
 
-Travel is periodic, a raised cosine. Signals follow it at once; the felt force follows
-`silicone.prony`. A case is zeroed once, with an error, and drifts from there; white noise,
-rounding, clipping and the load cells' noise come on top.
+Travel is a raised cosine of a phase: periodic, or in handling closed, held and released once. Signals
+follow it at once; the felt force follows `silicone.prony`. A case is zeroed once, with an error,
+and drifts from there; white noise, rounding, clipping and the load cells' noise come on top.
 """
 
 from __future__ import annotations
@@ -14,7 +14,12 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.spec.object import ObjectSpec
-from estimator.frames.collection_recipe import Recipe, periodic_recipe, scattered_recipe
+from estimator.frames.collection_recipe import (
+    Recipe,
+    handling_recipe,
+    periodic_recipe,
+    scattered_recipe,
+)
 from estimator.frames.contact_cases import contact_groups
 from estimator.frames.contact_traces import ContactTraces, JointMechanics, force_at_travel
 from estimator.frames.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
@@ -61,7 +66,8 @@ def simulate_collection(
         return _recorded(spec, signals, recipe, rng, spec_hash)
     parts = []
     for cases in contact_groups(spec):
-        recipe = periodic_recipe(spec, signals, cases, mechanics, rng, progress)
+        make = handling_recipe if kind == "handling" else periodic_recipe
+        recipe = make(spec, signals, cases, mechanics, rng, progress)
         parts.append(_recorded(spec, signals, recipe, rng, spec_hash))
         if progress is not None:
             progress(f"face {cases[0].face[0]}: {len(parts[-1])} frames of {len(cases)} cases")

@@ -23,6 +23,14 @@ from estimator.information.shear import ShearSignals
 from estimator.signals.interpolation import Traces
 from estimator.signals.presses import Progress, Signals
 
+_PHASES = (0.2, 0.35, 0.45, 0.65, 0.75, 0.9)
+"""Phases of handling as shares of a grasp's frames: it is closed on, held, shaken, still, released, free."""
+_SHAKE = 0.05
+"""Phase by which a shake lets go and comes back: 2.5 % of the travel, 4 % of the force."""
+_SHAKES = 3
+"""Times that a held object is shaken."""
+_LEAST_TRAVEL = 0.86
+"""Least travel of a grasp over the largest: 80 % of the force, which goes with the power of 3/2."""
 _PERIOD_SPREAD = 0.05
 """Periods differ by so much between cases, so that frames do not meet the same phases again."""
 
@@ -75,6 +83,29 @@ def periodic_recipe(
     turns = rng.uniform(0, 1, (total, 1)) + np.arange(frames) / period
     peak = peak_travel_mm(spec, signals, cases, traces)
     return Recipe(cases, traces, None, peak, turns, np.ones(frames, bool))
+
+
+def handling_recipe(
+    spec: ObjectSpec,
+    signals: Signals,
+    cases: Sequence[ContactCase],
+    mechanics: JointMechanics | None,
+    rng: np.random.Generator,
+    progress: Progress | None,
+) -> Recipe:
+    """Every case once: free, closed on, held with a shake, released, free again."""
+    frames, total = spec.collection.frames_per_case, len(cases) + spec.collection.non_contact_cases
+    traces = contact_traces(spec, signals, cases, mechanics, progress)
+    share = (np.arange(frames) + 0.5) / frames
+    close, hold, shake, still, release, free = _PHASES
+    # half a turn closes, the other half opens; a turn of 0 again is free
+    turns = np.interp(share, [close, hold, release, free], [0.0, 0.5, 0.5, 1.0])
+    swing = np.clip((share - shake) / (still - shake), 0.0, 1.0)
+    turns += _SHAKE * np.sin(2 * np.pi * _SHAKES * swing)
+    turns = np.where(share < free, turns, 0.0)
+    peak = traces.travel_mm[:, -1] * rng.uniform(_LEAST_TRAVEL, 1.0, len(cases))
+    touched = (share > close) & (share < free)
+    return Recipe(cases, traces, None, peak, np.tile(turns, (total, 1)), touched)
 
 
 def peak_travel_mm(

@@ -62,7 +62,7 @@ def contact_groups(spec: ObjectSpec) -> list[list[ContactCase]]:
     InputError
         As `recorded_faces` and `grasp_cases`; a probe's pose with a tip off its face.
     """
-    if spec.collection.kind == "grasp":
+    if spec.collection.kind in ("grasp", "handling"):
         return [grasp_cases(spec)]
     faces = recorded_faces(spec)
     if spec.collection.kind == "continuous":

@@ -122,3 +122,46 @@ def predict(
     elif board is not None:
         for line in on_port(model, board, zeroing, frames, baud):
             typer.echo(line)
+
+
+@app.command(rich_help_panel=MEASURE)
+def assess(
+    paths: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="RECORDING...",
+            help="Recordings, data sets, or folders of them: one a gripper.",
+            show_default=False,
+        ),
+    ],
+    model: Annotated[
+        Path, typer.Option(help="Folder that `train` wrote to, or contacts.nc.", show_default=False)
+    ],
+    protocol: Annotated[
+        str, typer.Option(help="handling, grasp-strength, pinch, slip or force-tracking.")
+    ] = "handling",
+    limit: Annotated[
+        str | None, typer.Option(metavar="FRUIT|FILE", help="Limit of damage: a fruit, or TOML.")
+    ] = None,
+    friction: Annotated[
+        float, typer.Option(min=0, max=2, help="Friction between gripper and object, assumed.")
+    ] = 0.5,
+    weight: Annotated[
+        float, typer.Option(min=0, max=1000, help="Weight of the object, N; 0 where not known.")
+    ] = 0.0,
+    spec: Annotated[
+        Path | None, typer.Option(help="Specification of the object, for networks alone.")
+    ] = None,
+    zero: Zero = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Was it a good grasp: grasps measured from the object's side, grippers ranked."""
+    from instobj.commands.assess.command import AssessOptions, assess
+    from instobj.commands.readings import Zeroing
+
+    zeroing = Zeroing(*zero_and_frames(zero, 8))
+    options = AssessOptions(
+        tuple(paths), model, spec, protocol, limit, friction, weight, zeroing, out
+    )
+    show(assess(options), as_json)

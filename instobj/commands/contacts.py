@@ -110,7 +110,7 @@ def _in_data_set(
     from estimator.metrics.contacts import rows_beside_bound
 
     frames = zeroed_data_set(path, zeroing)
-    _require_same_object(inversion, frames, path)
+    require_read_sensors(inversion, frames, path)
     progress = ProgressLine()
     means, averaged = window_means(frames, inversion.window_frames)
     with progress.stage(f"contacts in {path}"):
@@ -127,7 +127,8 @@ def _in_data_set(
     return np.arange(len(frames)), frames.time_s, best, second, judged
 
 
-def _require_same_object(inversion: Inversion, frames: FrameSet, path: Path) -> None:
+def require_read_sensors(inversion: Inversion, frames: FrameSet, path: Path) -> None:
+    """Raise InputError where frames have other faces or sensors than the estimator reads."""
     faces = inversion.model.signals.faces.tolist()
     sensors = inversion.model.channels // (3 * len(faces))
     got = frames.faces.tolist(), frames.signal_counts.shape[2]

@@ -18,6 +18,7 @@ from pydantic import ValidationError
 from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import with_overrides
+from estimator.grasps.damage import DamageLimit
 from instobj.cli.app import with_joined_sizes
 from instobj.sweep.study import StudySpec
 from tests.support.objects.tiny_cube import lend_mechanics
@@ -131,6 +132,8 @@ def test_a_block_that_does_not_run_is_noticed(block):
 def _parsed(content):
     if {"specification", "latin_hypercube"} & content.keys():
         return StudySpec.model_validate({"name": "x", "specification": "x.toml"} | content)
+    if "limit" in content:
+        return [DamageLimit(**limit) for limit in content["limit"]]
     if isinstance(content.get("magnets"), list):
         return AsBuiltSpec.model_validate(content)
     return ObjectSpec.model_validate({"name": "x"} | content)

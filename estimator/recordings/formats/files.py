@@ -75,18 +75,30 @@ def read_signals(
         As `read_table`.
     """
     path = Path(path)
-    if path.suffix != ".nc":
-        content = read_bytes(path)
+    if not has_load_cells(path):
         with naming(path):
-            rows, _ = csv_rows(content)
-            missing = missing_marker(rows)
-            rows = rows if missing is None else rows[1:]
-            if is_unlabelled([cell.strip() for cell in rows[0]]):
-                time_s, counts = generic_signals(rows, missing)
-                check_signals(time_s, counts)
-                return time_s, counts
+            rows, missing = _rows_of(path)
+            time_s, counts = generic_signals(rows, missing)
+            check_signals(time_s, counts)
+            return time_s, counts
     table = read_table(path)
     return table.time_s, table.counts
+
+
+def has_load_cells(path: Path) -> bool:
+    """Return whether a recording is of a format with load cells; raises as `read_table`."""
+    if path.suffix == ".nc":
+        return True
+    with naming(path):
+        rows, _ = _rows_of(path)
+    return not is_unlabelled([cell.strip() for cell in rows[0]])
+
+
+def _rows_of(path: Path) -> tuple[list[list[str]], float | None]:
+    """Rows of a CSV without its remark, and the number that the remark says stands for no reading."""
+    rows, _ = csv_rows(read_bytes(path))
+    missing = missing_marker(rows)
+    return (rows if missing is None else rows[1:]), missing
 
 
 def _csv_table(content: bytes) -> RawTable:

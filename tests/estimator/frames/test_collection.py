@@ -350,3 +350,23 @@ def test_two_tips_at_once_bear_twice_the_force_on_an_object_of_twice_the_modulus
     assert_allclose(found.tip_force_n, 2 * design.tip_force_n, atol=1e-9)
     assert design.force_n.max() > 1
     assert_allclose(found.counts, design.counts, atol=1e-6)
+
+
+def test_handling_closes_holds_shakes_and_releases_each_grasp_once(signals, mechanics):
+    spec = spec_of(kind="handling", frames_per_case=120, non_contact_cases=1)
+    frames = simulate_collection(spec, signals, "hash", mechanics)
+    total = np.nansum(frames.true_force_n[..., 2], axis=1).reshape(-1, 120)
+    assert total.shape[0] == 10 + 1  # the ten poses of grasps, and one case without contact
+    assert_allclose(total[-1], 0)
+    peaks = total[:-1].max(axis=1) / 2  # of each jaw
+    assert np.all((peaks > 0.75 * 6.0) & (peaks <= 6.01))
+    assert np.ptp(peaks) > 0.2
+    assert_allclose(total[:, :24], 0)
+    assert_allclose(total[:, 109:], 0)
+    held = total[:-1, 43:53] / total[:-1].max(axis=1, keepdims=True)
+    assert_allclose(held, 1.0, atol=1e-3)
+    shaken = total[:-1, 54:78] / total[:-1].max(axis=1, keepdims=True)
+    assert np.all((shaken.min(axis=1) > 0.93) & (shaken.min(axis=1) < 0.985))
+    assert len(np.unique(frames.press_id)) == 11
+    faces = np.unique(frames.contact_face[frames.contact_face != NO_FACE])
+    assert faces.tolist() == list(spec.collection.grasp_faces)

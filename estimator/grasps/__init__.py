@@ -1,0 +1,1 @@
+"""Grasps in contacts over time: found, measured, judged against limits of damage, and ranked."""

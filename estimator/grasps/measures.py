@@ -1,0 +1,289 @@
+"""Measures of each grasp of a track, with intervals by the estimator's covariance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from jaxtyping import Float
+from scipy.stats import norm
+
+from design.body.surface_chart import FaceFrame
+from estimator.frames.dataset import NO_FACE
+from estimator.grasps.balance import (
+    asymmetry,
+    equilibrium_misfit,
+    equilibrium_p,
+    grasp_axis,
+    net_wrench,
+    side_forces_n,
+)
+from estimator.grasps.damage import (
+    DamageLimit,
+    Sphere,
+    damage_probability,
+    energy_mj,
+    patch_radius_mm,
+)
+from estimator.grasps.holding import (
+    contact_slip,
+    creep_per_decade,
+    loading_rate_n_per_s,
+    unsteadiness,
+)
+from estimator.grasps.phases import Grasp, find_grasps
+from estimator.grasps.track import ContactTrack, Placed, placed_contacts
+from estimator.grasps.wrench_space import (
+    closing_friction,
+    contact_wrenches,
+    friction_used,
+    wrench_space,
+)
+
+_HALF = float(norm.ppf(0.95))
+"""Half of a normal interval of 90 % in standard deviations."""
+DRAWS = 39
+"""Draws of what the covariance allows: the second and the last but one of them hold 36/40 = 90 % of
+further ones, whatever their distribution."""
+UNKNOWN = float("nan")
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """Facts of the object and of the test.
+
+    Attributes
+    ----------
+    faces : of the object, by number
+    skin : its silicone under the gripper's tip, for Hertz
+    tip_radius_mm : of the gripper's tips
+    friction : between gripper and object, assumed
+    weight_n : of the object; 0 where it is not known or borne otherwise
+    limits : of damage
+    """
+
+    faces: Mapping[int, FaceFrame]
+    skin: Sphere
+    tip_radius_mm: float
+    friction: float = 0.5
+    weight_n: float = 0.0
+    limits: tuple[DamageLimit, ...] = ()
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A figure with its 90 % interval; NaN ends where the estimator gives none."""
+
+    value: float
+    low: float = UNKNOWN
+    high: float = UNKNOWN
+
+
+@dataclass(frozen=True)
+class MeasuredGrasp:
+    """One grasp in figures.
+
+    Attributes
+    ----------
+    start_s, end_s : by the recording's clock
+    readings : by the names of `protocols.MEASURES`, and `damage_<fruit>` for each limit
+    faces : mean and peak force of each face that was touched
+    wrench, covariance : net force (N) and moment (N mm) in the hold
+    opposed : two sides press against each other, and nothing else touches
+    places : of each contact at the peak: face, x, y (mm), force (N), damage by limit
+    """
+
+    grasp: Grasp
+    start_s: float
+    end_s: float
+    readings: dict[str, Reading]
+    faces: dict[int, tuple[Reading, Reading]]
+    wrench: Float[np.ndarray, "6"]
+    covariance: Float[np.ndarray, "6 6"]
+    opposed: bool
+    places: list[dict[str, float | int]]
+
+
+def measured_grasps(track: ContactTrack, conditions: Conditions) -> list[MeasuredGrasp]:
+    """Measure every grasp of a track; none where nothing was grasped."""
+    grasps = find_grasps(track.time_s, track.total_n)
+    return [_measured(track, grasp, conditions) for grasp in grasps]
+
+
+def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> MeasuredGrasp:
+    part, held = _part(track, grasp.start, grasp.end), _part(track, grasp.hold, grasp.release)
+    closing = _part(track, max(grasp.approach, grasp.start - 1), min(grasp.hold + 2, grasp.end))
+    rng = np.random.default_rng(grasp.number)
+    peak = int(np.argmax(part.total_n))
+    at_peak = placed_contacts(part, peak, conditions.faces)
+    typical = placed_contacts(held, _typical_frame(held, grasp.level_n), conditions.faces)
+    wrench, covariance = net_wrench(typical, conditions.friction)
+    faces = _face_forces(part, held)
+    damage, places = _damage(part, peak, at_peak, conditions, rng)
+    readings = {
+        "peak_n": _spread(float(part.total_n[peak]), float(part.total_sigma_n[peak])),
+        "mean_n": _spread(float(held.total_n.mean()), float(held.total_sigma_n.mean())),
+        "finger_n": max((top for _, top in faces.values()), key=lambda reading: reading.value),
+        **_with_intervals(at_peak, rng, partial(_peak_figures, conditions)),
+        **_with_intervals(typical, rng, partial(_hold_figures, conditions)),
+        "equilibrium_p": Reading(_balance_chance(typical, wrench, covariance, conditions)),
+        **{name: Reading(value) for name, value in _course(held, closing, list(faces)).items()},
+        "regrasps": Reading(float(grasp.regrasps)),
+        "unexplained": Reading(float(np.mean(~part.explained))),
+        **damage,
+    }
+    start_s, end_s = float(part.time_s[0]), float(part.time_s[-1])
+    opposed = _is_opposed(typical)
+    return MeasuredGrasp(
+        grasp, start_s, end_s, readings, faces, wrench, covariance, opposed, places
+    )
+
+
+def _part(track: ContactTrack, first: int, last: int) -> ContactTrack:
+    return track.select(slice(first, last))
+
+
+def _typical_frame(held: ContactTrack, level_n: float) -> int:
+    """Frame with the usual number of contacts whose force is nearest to the level."""
+    count = (held.face != NO_FACE).sum(axis=1)
+    usual = int(np.argmax(np.bincount(count[count > 0]))) if np.any(count > 0) else 0
+    return int(np.argmin(np.where(count == usual, abs(held.total_n - level_n), np.inf)))
+
+
+def _with_intervals(
+    contacts: Placed,
+    rng: np.random.Generator,
+    figures: Callable[[Placed], dict[str, float]],
+) -> dict[str, Reading]:
+    """Figures of contacts with the intervals of what their covariance allows; without one, of exact
+    contacts, no ends."""
+    values = figures(contacts)
+    if not contacts.covariance.any():
+        return {name: Reading(value) for name, value in values.items()}
+    drawn = [figures(near_by) for near_by in _draws(contacts, rng)]
+    ordered = {name: np.sort([values_drawn[name] for values_drawn in drawn]) for name in values}
+    return {
+        name: Reading(value, float(ordered[name][1]), float(ordered[name][-2]))
+        for name, value in values.items()
+    }
+
+
+def _draws(contacts: Placed, rng: np.random.Generator) -> list[Placed]:
+    return [contacts.drawn(rng.standard_normal((len(contacts), 5))) for _ in range(DRAWS)]
+
+
+def _peak_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
+    work = energy_mj(contacts.force_n[:, 2], conditions.skin)
+    return {
+        "grasp_n": float(np.mean(side_forces_n(contacts, grasp_axis(contacts)))),
+        "energy_mj": float(work.sum()),
+    }
+
+
+def _hold_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
+    patch = float(patch_radius_mm(contacts.force_n[:, 2], conditions.skin).mean())
+    reach = float(np.linalg.norm(contacts.point_mm, axis=1).max())
+    wrench, _ = net_wrench(contacts, conditions.friction)
+    point, axes = contacts.point_mm, contacts.axes
+    hull = wrench_space(contact_wrenches(point, axes, conditions.friction, patch, reach))
+    return {
+        "net_force_n": float(np.linalg.norm(wrench[:3])),
+        "net_moment_nmm": float(np.linalg.norm(wrench[3:])),
+        "asymmetry": asymmetry(contacts, grasp_axis(contacts)),
+        "friction_used": friction_used(contacts.force_n),
+        "friction_needed": closing_friction(point, axes, patch),
+        "closed": float(hull.closed),
+        "epsilon": hull.epsilon,
+        "volume": hull.volume,
+    }
+
+
+def _balance_chance(
+    contacts: Placed, wrench: np.ndarray, covariance: np.ndarray, conditions: Conditions
+) -> float:
+    """NaN where forces count as exact: then nothing balances exactly."""
+    if not contacts.covariance.any():
+        return UNKNOWN
+    misfit = equilibrium_misfit(wrench[:3], covariance[:3, :3], conditions.weight_n)
+    return equilibrium_p(misfit, conditions.weight_n)
+
+
+def _spread(value: float, sigma: float) -> Reading:
+    """A force with its normal interval, none below 0."""
+    if not sigma > 0:
+        return Reading(value)
+    return Reading(value, max(0.0, value - _HALF * sigma), value + _HALF * sigma)
+
+
+def _face_forces(part: ContactTrack, held: ContactTrack) -> dict[int, tuple[Reading, Reading]]:
+    """Mean in the hold and peak in the grasp; errors are taken to last as long as the grasp."""
+    forces = {}
+    for face in np.unique(part.face[part.face != NO_FACE]).tolist():
+        force, sigma = part.face_force_n(face), part.face_sigma_n(face)
+        peak = int(np.argmax(force))
+        mean = float(held.face_force_n(face).mean()), float(held.face_sigma_n(face).mean())
+        forces[face] = _spread(*mean), _spread(float(force[peak]), float(sigma[peak]))
+    return forces
+
+
+def _course(held: ContactTrack, closing: ContactTrack, faces: list[int]) -> dict[str, float]:
+    """Figures of the course of the force and of the contacts."""
+    total, time_s = held.total_n, held.time_s
+    slips = [contact_slip(time_s, _steady_centre_mm(held, face)) for face in faces]
+    # noise moves every centre: what did not slip has gone no way
+    ways = [slip.distance_mm * slip.slipped for slip in slips if np.isfinite(slip.distance_mm)]
+    onset = min((slip.onset_s for slip in slips if slip.slipped), default=UNKNOWN)
+    return {
+        "loading_n_per_s": loading_rate_n_per_s(closing.time_s, closing.total_n),
+        "hold_s": float(time_s[-1] - time_s[0]),
+        "creep": creep_per_decade(time_s, total),
+        "unsteadiness": unsteadiness(total),
+        "slip_mm": max(ways, default=UNKNOWN),
+        "slip_onset_s": onset - float(time_s[0]),
+        "slip_n": float(total[time_s <= onset].mean()) if np.isfinite(onset) else UNKNOWN,
+    }
+
+
+def _steady_centre_mm(held: ContactTrack, face: int) -> Float[np.ndarray, "frame 2"]:
+    """Centre of force on a face in frames with its usual number of contacts, NaN in others: one that is
+    missed for a while moves the centre, and nothing slips."""
+    count = np.sum(held.face == face, axis=1)
+    if not count.any():
+        return np.full((len(held), 2), np.nan)
+    usual = np.argmax(np.bincount(count[count > 0]))
+    return np.where((count == usual)[:, None], held.face_centre_mm(face), np.nan)
+
+
+def _damage(
+    part: ContactTrack,
+    peak: int,
+    at_peak: Placed,
+    conditions: Conditions,
+    rng: np.random.Generator,
+) -> tuple[dict[str, Reading], list[dict[str, float | int]]]:
+    slots = np.flatnonzero(np.isin(part.face[peak], list(conditions.faces))).tolist()
+    places: list[dict[str, float | int]] = [
+        {"face": int(part.face[peak, slot]), "x_mm": x, "y_mm": y, "force_n": force}
+        for slot, (x, y), force in zip(
+            slots,
+            part.xy_mm[peak, slots].tolist(),
+            part.normal_n[peak, slots].tolist(),
+            strict=True,
+        )
+    ]
+    readings: dict[str, Reading] = {}
+    forces = np.array([contacts.force_n[:, 2] for contacts in _draws(at_peak, rng)])
+    for limit in conditions.limits:
+        whole, each = damage_probability(limit, forces, conditions.tip_radius_mm)
+        readings[f"damage_{limit.name}"] = Reading(whole)
+        for place, chance in zip(places, each.tolist(), strict=True):
+            place[f"damage_{limit.name}"] = chance
+    return readings, places
+
+
+def _is_opposed(held: Placed) -> bool:
+    """Return whether contacts lie on two opposite sides and nowhere else."""
+    share = held.inward @ grasp_axis(held)
+    return bool(np.all(abs(share) > 0.9) and (share > 0).any() and (share < 0).any())

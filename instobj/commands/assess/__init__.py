@@ -1,0 +1,1 @@
+"""Grasps in recordings, measured and ranked (`instobj assess`)."""

@@ -1,0 +1,231 @@
+"""`instobj assess`: grasps in recordings measured from the object's side, and grippers ranked."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.errors import InputError
+from design.files import atomic_path
+from design.layout.body import face_frames
+from design.spec.object import ObjectSpec
+from estimator.grasps.damage import Sphere, read_limits
+from estimator.grasps.measures import Conditions, measured_grasps
+from estimator.grasps.protocols import PROTOCOLS, Protocol
+from estimator.grasps.ranking import compare, exchanged_share, median_interval
+from instobj.commands.assess.groups import (
+    Group,
+    MeasuredRecording,
+    are_paired,
+    axis_of,
+    cell_rows,
+    compared_with_cells,
+    csv_text,
+    difference_row,
+    full_rows,
+    grasp_rows,
+    measure_of,
+    median_rows,
+    risk_rows,
+    whole_document,
+)
+from instobj.commands.assess.sentences import sentences, warnings_of
+from instobj.commands.assess.tracks import (
+    ReadRecording,
+    load_estimators,
+    read_grasps_of,
+    recordings_in,
+)
+from instobj.commands.readings import Zeroing
+from instobj.figures.grasps import GroupPicture, draw_grasps
+from instobj.report.grasps import write_grasps_page
+from instobj.store.publish import file_rows, require_writable, run_folder, run_name
+
+MOST_ROWS = 12
+"""Rows of a table that a terminal shows."""
+
+
+@dataclass(frozen=True)
+class AssessOptions:
+    """Options of `instobj assess`.
+
+    Attributes
+    ----------
+    paths : recordings, data sets, or folders of them; each is a gripper or policy
+    model : folder of estimators, or one of its files
+    limit : name of a fruit, or a TOML file; None for no damage
+    friction, weight_n : between gripper and object, and of the object (0: not known)
+    """
+
+    paths: tuple[Path, ...]
+    model: Path
+    spec: Path | None
+    protocol: str
+    limit: str | None
+    friction: float
+    weight_n: float
+    zeroing: Zeroing
+    out: Path
+
+
+def assess(options: AssessOptions) -> dict[str, Any]:
+    """Measure the grasps of all recordings and rank the groups; writes page, figure, CSV and JSON to
+    `runs/<name>/assess/`.
+
+    Raises
+    ------
+    InputError
+        An unknown protocol, bad limits, models or recordings, or no grasp in any recording.
+    """
+    protocol = PROTOCOLS.get(options.protocol)
+    if protocol is None:
+        raise InputError(
+            f"--protocol {options.protocol!r} is unknown. Choose one of {', '.join(PROTOCOLS)}"
+        )
+    limits = () if options.limit is None else tuple(read_limits(options.limit))
+    files = [recordings_in(path) for path in options.paths]
+    names = _names(options.paths)
+    require_writable(options.out)
+    estimators = load_estimators(options.model, options.spec)
+    spec = estimators.spec
+    conditions = replace(
+        conditions_of(spec), friction=options.friction, weight_n=options.weight_n, limits=limits
+    )
+    groups = []
+    for name, paths in zip(names, files, strict=True):
+        read = [read_grasps_of(path, estimators, options.zeroing) for path in paths]
+        groups.append(Group(name, [_measured(tracks, conditions, protocol) for tracks in read]))
+    if not any(group.grasps for group in groups):
+        raise InputError(
+            f"no grasp in {', '.join(map(str, options.paths))}: the estimator reads less than a touch of two "
+            "jaws. Check that the recording is of this object and that it begins at rest (--zero)"
+            + " between two opposite sides"
+            * protocol.pinch
+        )
+    return _document(options, protocol, conditions, groups)
+
+
+def conditions_of(spec: ObjectSpec) -> Conditions:
+    """Faces, skin and tips of a specification; the tip of its indenter presses."""
+    radius = spec.indenter.radius_mm
+    skin = Sphere(spec.silicone.youngs_modulus_mpa, spec.silicone.poisson_ratio, radius)
+    return Conditions({frame.number: frame for frame in face_frames(spec)}, skin, radius)
+
+
+def _names(paths: Sequence[Path]) -> list[str]:
+    """Short names of what is compared; where those are the same, the parts of the paths that differ."""
+    short = [path.absolute().name if path.is_dir() else run_name(path) for path in paths]
+    if len(set(short)) == len(short):
+        return short
+    parts = [path.absolute().parts for path in paths]
+    common = set(parts[0]).intersection(*parts[1:])
+    differing = ["/".join(part for part in each if part not in common) for each in parts]
+    if len(set(differing)) < len(differing):
+        raise InputError(
+            "the same recording or folder is given twice. Give each gripper's recordings once"
+        )
+    return differing
+
+
+def _measured(read: ReadRecording, conditions: Conditions, protocol: Protocol) -> MeasuredRecording:
+    grasps = measured_grasps(read.track, conditions)
+    if protocol.pinch:
+        grasps = [grasp for grasp in grasps if grasp.opposed]
+    return MeasuredRecording(read, grasps, compared_with_cells(read, grasps))
+
+
+def _document(
+    options: AssessOptions, protocol: Protocol, conditions: Conditions, groups: list[Group]
+) -> dict[str, Any]:
+    limits = [f"damage_{limit.name}" for limit in conditions.limits]
+    names = [*protocol.measures, *limits]
+    with_grasps = [group for group in groups if group.trusted]
+    paired = are_paired(with_grasps)
+    differences = {
+        name: compare({group.name: group.values(name) for group in with_grasps}, paired)
+        for name in (protocol.headline, *limits)
+    }
+    said = sentences(with_grasps, differences)
+    folder = (
+        run_folder(options.out, "+".join(_file_name(group.name) for group in groups)) / "assess"
+    )
+    tables = {
+        "grasps": grasp_rows(groups, names),
+        "medians": median_rows(groups, names),
+        "ranking": [
+            {"measure": axis_of(name)} | difference_row(pair)
+            for name, pairs in differences.items()
+            for pair in pairs
+        ],
+        "faces and their load cells": cell_rows(groups),
+        "places most at risk": risk_rows(groups, limits),
+    }
+    faults = [
+        text for group in groups for recording in group.recordings for text in recording.read.faults
+    ]
+    document = {
+        "command": "assess",
+        "protocol": options.protocol,
+        "model": str(options.model),
+        "definition": protocol.definition,
+        "friction": conditions.friction,
+        "weight N": conditions.weight_n,
+        "faults": faults,
+        "texts": [*said, *warnings_of(options, groups, conditions)],
+        "tables": {title: rows for title, rows in tables.items() if rows},
+    }
+    if len(with_grasps) > 1:
+        ranked = {group.name: group.values(protocol.headline) for group in with_grasps}
+        document["exchanged"] = exchanged_share(ranked, paired)
+    figure = folder / "assess.png"
+    headline = protocol.headline
+    draw_grasps(
+        [_picture(group, headline) for group in groups if group.grasps], axis_of(headline), figure
+    )
+    written = [
+        figure,
+        _write(folder / "grasps.csv", csv_text(full_rows(groups))),
+        _write(folder / "assess.json", json.dumps(whole_document(document, groups), indent=1)),
+        write_grasps_page(
+            folder / "assess.html", document, figure, _definitions(names, conditions)
+        ),
+    ]
+    # long tables stand on the page; a terminal shows those that fit a screen
+    short = {title: rows for title, rows in document["tables"].items() if len(rows) <= MOST_ROWS}
+    return document | {"tables": short, "files": file_rows(written)}
+
+
+def _definitions(names: list[str], conditions: Conditions) -> list[list[str]]:
+    rows = [[axis_of(name), measure_of(name).definition, measure_of(name).source] for name in names]
+    return rows + [
+        [f"limit: {limit.name}", f"{limit.quantity} {limit.median:g}, spread {limit.spread:g} of ln. "
+         f"{limit.note}", limit.source]
+        for limit in conditions.limits
+    ]  # fmt: skip
+
+
+def _picture(group: Group, headline: str) -> GroupPicture:
+    curves = []
+    for recording, grasp in group.grasps:
+        track = recording.read.track.select(slice(grasp.grasp.start, grasp.grasp.end))
+        curves.append((track.time_s - track.time_s[0], track.total_n))
+    readings = [grasp.readings[headline] for _, grasp in group.grasps]
+    ends = np.array([[reading.value, reading.low, reading.high] for reading in readings]).reshape(
+        -1, 3
+    )
+    return GroupPicture(group.name, curves, ends, median_interval(group.values(headline)))
+
+
+def _file_name(name: str) -> str:
+    return name.strip("/").replace("/", "_").replace("\\", "_")
+
+
+def _write(path: Path, text: str) -> Path:
+    with atomic_path(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return path

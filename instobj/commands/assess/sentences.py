@@ -1,0 +1,114 @@
+"""Sentences of an assessment: what decides something, and what cannot be said."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from estimator.grasps.measures import Conditions
+from estimator.grasps.ranking import LEVEL, Difference, median_interval
+from instobj.commands.assess.groups import Group, cell_rows, measure_of
+from instobj.report.pages import shown
+
+_DISTRUST = 0.2
+"""Share of frames without explanation from which a page warns of it."""
+_FEW = 6
+"""Grasps below which an interval of their median is too narrow."""
+
+
+def sentences(groups: list[Group], differences: dict[str, list[Difference]]) -> list[str]:
+    """Return what decides something, ready for a paper."""
+    texts = []
+    for name, pairs in differences.items():
+        title = measure_of(name).title
+        texts += [f"{group.name}: {title} {median_text(group, name)}." for group in groups]
+        texts += [difference_text(pair, name) for pair in pairs]
+    return texts
+
+
+def median_text(group: Group, measure: str) -> str:
+    values = group.values(measure)
+    median, low, high = median_interval(values)
+    unit = "" if measure_of(measure).unit == "1" else f" {measure_of(measure).unit}"
+    count = int(np.isfinite(values).sum())
+    interval = "" if np.isnan(low) else f", 95 % interval {shown(low)} to {shown(high)}"
+    whole = "one grasp" if count == 1 else f"median of {count} grasps"
+    return f"{shown(median)}{unit} ({whole}{interval})"
+
+
+def difference_text(difference: Difference, headline: str) -> str:
+    measure = measure_of(headline)
+    test = "Wilcoxon, pairs" if difference.paired else "Mann–Whitney"
+    unit = "" if measure.unit == "1" else f" {measure.unit}"
+    names = difference.first, difference.second
+    if not difference.sure:
+        further = (
+            "more grasps will hardly tell"
+            if difference.more_grasps is None
+            else f"about {difference.more_grasps} more grasps of each would, if the difference is as large "
+            "as it looks"
+        )
+        return (
+            f"{names[0]} and {names[1]} cannot be ranked by {measure.title} (p = {difference.p_value:.2g}, "
+            f"{test}): {further}."
+        )
+    less, more = names if difference.shift > 0 else names[::-1]
+    better, worse = (less, more) if measure.better == "lower" else (more, less)
+    sign = 1 if difference.shift > 0 else -1
+    ends = sorted((sign * difference.low, sign * difference.high))
+    relation = "lower" if measure.better == "lower" else "higher"
+    return (
+        f"{better} has a {relation} {measure.title} than {worse}: by {shown(abs(difference.shift))}{unit} in "
+        f"the median (95 % interval {shown(ends[0])} to {shown(ends[1])}; p = {difference.p_value:.1g}, "
+        f"{test})."
+    )
+
+
+def warnings_of(options: AssessOptions, groups: list[Group], conditions: Conditions) -> list[str]:
+    """Return what cannot be said, and why."""
+    tracks = [recording.read for group in groups for recording in group.recordings]
+    texts = list(dict.fromkeys(text for read in tracks for text in read.texts))
+    for group in groups:
+        if not group.grasps:
+            texts.append(f"{group.name}: no grasp found; it is not ranked.")
+        elif len(group.grasps) < _FEW:
+            texts.append(
+                f"{group.name}: few grasps ({len(group.grasps)}); the interval of the median is too narrow."
+            )
+        shares = group.values("unexplained")
+        if len(shares) and shares.mean() > _DISTRUST:
+            texts.append(
+                f"{group.name}: the estimator cannot explain {100 * shares.mean():.0f} % of the grasps' "
+                "frames; forces and places may be wrong by more than their intervals"
+                + (", and it is not ranked." if not group.trusted else ".")
+            )
+    if not any(read.track.has_tangential for read in tracks):
+        texts.append(
+            "Tangential forces are not read by this estimator: friction used, and the part of the "
+            f"balance across the jaws, are unknown within a friction of {conditions.friction:g}."
+        )
+    if any(read.method == "networks" for read in tracks):
+        texts.append(
+            "Networks read one whole force and its centre a face: tips of one jaw are not told apart."
+        )
+    if not options.weight_n:
+        texts.append(
+            "The weight is not given (--weight): balance is judged as if the object weighed nothing."
+        )
+    out = balance_text(groups)
+    return [*texts, out] if out else texts
+
+
+def balance_text(groups: list[Group]) -> str:
+    values = np.concatenate([group.values("equilibrium_p") for group in groups])
+    chances = values[np.isfinite(values)]
+    if not len(chances):
+        return ""
+    balanced = int(np.sum(chances >= LEVEL))
+    text = f"Contacts balance within their uncertainty in {balanced} of {len(chances)} grasps"
+    rows = cell_rows(groups)
+    if rows:
+        inside = sum(row["inside"] for row in rows)
+        text += (
+            f"; load cells lie in the 90 % interval of their face in {inside} of {len(rows)} cases"
+        )
+    return f"{text}."

@@ -1,0 +1,258 @@
+"""Contacts over time in recordings and data sets, by whatever estimators a folder holds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from design.errors import InputError, RecordingError
+from design.layout.places.contact_grid import contact_grid
+from design.netcdf import holds
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec
+from estimator.deploy.zeroing import ReadStill, StreamZero
+from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
+from estimator.inversion.inversion import Inversion
+from estimator.inversion.readings import ContactSets
+from estimator.recordings.table import FACES
+from instobj.commands.contacts import require_read_sensors
+from instobj.commands.readings import (
+    Stream,
+    Zeroing,
+    is_data_set,
+    recorded_stream,
+    zeroed_data_set,
+)
+from instobj.store.progress import ProgressLine
+from instobj.store.readers import INVERSION, face_model_paths
+
+if TYPE_CHECKING:
+    from estimator.networks.face_model import FaceModel
+
+MOST_UNEXPLAINED = 0.5
+"""Share of pressed frames without explanation from which networks read in the inversion's place."""
+_OTHERS = ("contacts.csv", "grasps.csv", "scores.csv", "bom.csv", "orders.csv")
+"""Tables that instobj writes next to recordings."""
+_STEP = 200
+"""Frames between two words of progress."""
+
+
+@dataclass(frozen=True)
+class Estimators:
+    """Inversion and networks (by face) of a folder, and the object that they read."""
+
+    path: Path
+    spec: ObjectSpec
+    inversion: Inversion | None
+    networks: dict[int, FaceModel]
+
+
+@dataclass(frozen=True)
+class ReadRecording:
+    """A file as contacts over time.
+
+    Attributes
+    ----------
+    cells : its frames with load cells and labels; None where it has none
+    method : what read it
+    texts : what is to be said of it
+    faults : that were found in the file and corrected
+    """
+
+    path: Path
+    track: ContactTrack
+    cells: FrameSet | None
+    method: str
+    texts: list[str]
+    faults: list[str]
+
+
+def load_estimators(given: Path, spec: Path | None) -> Estimators:
+    """Load what a folder of `train` or `run`, or one file of it, holds.
+
+    contacts.nc holds its specification, unless one is given; networks alone hold none.
+
+    Raises
+    ------
+    InputError
+        No estimator, or networks alone without a specification.
+    """
+    from estimator.inversion.storage import load_inversion
+    from estimator.networks.face_model import load_model
+
+    of_network = given.suffix == ".safetensors"
+    contacts = INVERSION.path(given) if given.is_dir() else given
+    paths = face_model_paths(given) if given.is_dir() else [given] * of_network
+    networks = {model.face: model for model in map(load_model, paths)}
+    inverted = None
+    if not of_network and (contacts.is_file() or not given.is_dir()):
+        inverted = load_inversion(contacts)
+    if inverted is None and not networks:
+        raise InputError(
+            f"{given} holds no estimator ({INVERSION.name} or face_<n>.safetensors). Give the folder "
+            "that `instobj train` wrote to"
+        )
+    if spec is not None:
+        return Estimators(given, load_spec(spec, []), inverted, networks)
+    if inverted is None:
+        raise InputError(
+            f"{given} holds networks alone, which do not tell the object's shape. Give its specification "
+            "with --spec SPEC.toml"
+        )
+    return Estimators(given, inverted.model.spec, inverted, networks)
+
+
+def recordings_in(given: Path) -> list[Path]:
+    """Recordings and data sets of a folder, by name; the file itself where it is one.
+
+    Raises
+    ------
+    InputError
+        Nothing there, or a folder without any.
+    """
+    if not given.is_dir():
+        if not given.is_file():
+            raise InputError(
+                f"no recording at {given}. Give a recording, a data set, or a folder of them"
+            )
+        return [given]
+    tables = [
+        path
+        for path in sorted(given.glob("*.csv"))
+        if not path.name.endswith(_OTHERS) and "prediction_" not in path.name
+    ]
+    sets = [p for p in sorted(given.glob("*.nc")) if is_data_set(p) or holds(p, "counts")]
+    if not tables and not sets:
+        raise InputError(f"{given} holds no recording (CSV or NetCDF). Give a folder that does")
+    return sorted([*tables, *sets])
+
+
+def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> ReadRecording:
+    """Read the contacts of every frame of a recording or data set.
+
+    The inversion reads where there is one. Where it explains less than half of the pressed frames
+    and there are networks, these read instead, and the texts say so.
+
+    Raises
+    ------
+    InputError
+        A bad file, or readings of another object.
+    """
+    frames, faults, texts = _frames_of(path, estimators, zeroing)
+    labelled = bool(np.any(frames.contact_face != NO_FACE))
+    cells = frames if labelled else None
+    if estimators.inversion is not None:
+        track = _inverted(path, frames, estimators.inversion)
+        pressed = np.any(track.face != NO_FACE, axis=1)
+        unexplained = float(np.mean(~track.explained[pressed])) if pressed.any() else 0.0
+        if unexplained <= MOST_UNEXPLAINED or not estimators.networks:
+            return ReadRecording(path, track, cells, "inversion", texts, faults)
+        texts.append(
+            f"{path.name}: the inversion explains {100 * (1 - unexplained):.0f} % of the pressed frames; "
+            "networks read it instead"
+        )
+    track = _networks_track(frames, estimators.networks)
+    return ReadRecording(path, track, cells, "networks", texts, faults)
+
+
+def _frames_of(
+    path: Path, estimators: Estimators, zeroing: Zeroing
+) -> tuple[FrameSet, list[str], list[str]]:
+    """Zeroed frames, faults of the file, and what is to be said of it."""
+    from estimator.recordings.formats.files import has_load_cells
+    from estimator.recordings.reading import read_recording
+
+    if is_data_set(path):
+        return zeroed_data_set(path, zeroing).select_faces(estimators.spec.body.sensed), [], []
+    texts = []
+    if zeroing.mode is None and has_load_cells(path):
+        try:
+            recording = read_recording(path)
+        except RecordingError as error:
+            # a cell that was not connected must not hide what the sensors felt; damage fails again below
+            texts = [f"{path.name}: load cells and labels are not used: {error}"]
+        else:
+            faults = [f"{path.name}: {fault}" for fault in recording.report.faults]
+            return recording.frames.select_faces(estimators.spec.body.sensed), faults, []
+    stream = recorded_stream(path)
+    faults = [f"{path.name}: {text}" for text in stream.texts]
+    return _zeroed(stream, estimators, zeroing), faults, texts
+
+
+def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> FrameSet:
+    """Changes of a board's readings against the zero that follows rest, as the estimator sees rest;
+    frames before the first zero are left out."""
+    raw = np.where(stream.left_out, np.nan, stream.raw)
+    count, sensed = len(raw), estimators.spec.body.sensed
+    stamps = stream.time_s
+    if not len(stamps) or not np.all(np.diff(stamps) > 0):
+        stamps = np.arange(count) / estimators.spec.sensors.frame_rate_hz
+    empty = np.full((count, 1, 3), np.nan)
+    grid, one_session = contact_grid(estimators.spec), np.zeros(count, int)
+    frames = FrameSet(
+        raw, one_session[:, None], empty[..., :2], empty, np.ones(count, bool), one_session,
+        one_session - 1, one_session, stamps, np.array(FACES), grid.x_mm, grid.y_mm, np.ones(3),
+        "recorded", "", 0,
+    ).select_faces(sensed)  # fmt: skip
+    raw = frames.signal_counts
+    level = StreamZero(*zeroing.of_raw, _stillness(estimators, frames))
+    zeros = np.full(raw.shape, np.nan)
+    for number, counts in enumerate(np.nan_to_num(raw)):
+        zero = level.after(counts.ravel(), float(stamps[number]))
+        if zero is not None:
+            zeros[number] = zero.reshape(counts.shape)
+    zeroed = np.flatnonzero(np.isfinite(zeros).all(axis=(1, 2, 3)))
+    if not len(zeroed):
+        raise InputError(
+            f"{stream.path} holds {count} frames, none of them after {zeroing.frames} at rest that give a "
+            "zero. Give a longer recording, or --zero first"
+        )
+    return replace(frames, signal_counts=raw - zeros).select(zeroed)
+
+
+def _stillness(estimators: Estimators, frames: FrameSet) -> ReadStill:
+    """Function that reads the chance of a contact and the force in a change of all channels."""
+    from estimator.deploy.live_contacts import LiveContacts
+    from estimator.networks.face_model import predict
+
+    if estimators.inversion is not None:
+        return LiveContacts(estimators.inversion).read_still
+    first = frames.select(np.array([0]))
+
+    def read_still(change: np.ndarray) -> tuple[float, float]:
+        frame = replace(first, signal_counts=change.reshape(first.signal_counts.shape))
+        readings = [predict(model, frame) for model in estimators.networks.values()]
+        contact = max(float(reading.contact[0]) for reading in readings)
+        return contact, sum(float(reading.force_n[0]) for reading in readings)
+
+    return read_still
+
+
+def _inverted(path: Path, frames: FrameSet, inversion: Inversion) -> ContactTrack:
+    from estimator.inversion.tracking import Tracker
+
+    require_read_sensors(inversion, frames, path)
+    progress, sets, tracker = ProgressLine(), [], Tracker(inversion)
+    with progress.stage(f"contacts in {path}"):
+        for number, change in enumerate(frames.signal_counts.reshape(len(frames), -1)):
+            if number and frames.session_id[number] != frames.session_id[number - 1]:
+                tracker = Tracker(inversion)
+            sets.append(tracker.feed(change))
+            if number % _STEP == 0:
+                progress.step(f"frame {number} of {len(frames)}")
+    return track_of_sets(frames.time_s, ContactSets.joined(sets))
+
+
+def _networks_track(frames: FrameSet, networks: dict[int, FaceModel]) -> ContactTrack:
+    """Contacts in the frames that have the readings of every network."""
+    from estimator.networks.face_model import predict_with_gaps
+
+    predictions = {face: predict_with_gaps(model, frames) for face, model in networks.items()}
+    cover = min(model.interval_cover for model in networks.values())
+    track = track_of_networks(frames.time_s, predictions, cover)
+    read = np.isfinite(np.sum([face.force_n for face in predictions.values()], axis=0))
+    return track.select(np.flatnonzero(read))

@@ -1,0 +1,117 @@
+"""Measures of whole grasps on a track whose truth is known."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from estimator.grasps.damage import DamageLimit
+from estimator.grasps.measures import measured_grasps
+from estimator.grasps.protocols import MEASURES, PROTOCOLS
+from tests.estimator.grasps.grasps_by_hand import CONDITIONS, joined, squeeze
+
+
+def test_a_squeeze_in_figures():
+    (grasp,) = measured_grasps(squeeze(10.0), CONDITIONS)
+    value = {name: reading.value for name, reading in grasp.readings.items()}
+    assert value["peak_n"] == pytest.approx(20.0)
+    assert value["mean_n"] == pytest.approx(20.0, rel=0.02)
+    assert value["grasp_n"] == value["finger_n"] == pytest.approx(10.0)
+    assert value["loading_n_per_s"] == pytest.approx(20.0)
+    assert value["asymmetry"] == pytest.approx(0.0, abs=1e-12)
+    assert value["equilibrium_p"] > 0.9
+    assert value["closed"] == 1.0
+    assert value["friction_needed"] < 0.01
+    assert value["slip_mm"] == pytest.approx(0.0, abs=1e-9)
+    assert np.isnan(value["slip_onset_s"])
+    assert np.isnan(value["friction_used"])
+    assert grasp.opposed
+    assert set(grasp.faces) == {3, 5}
+
+
+def test_every_measure_is_defined_and_every_protocol_uses_measures():
+    (grasp,) = measured_grasps(squeeze(), CONDITIONS)
+    assert set(grasp.readings) == set(MEASURES)
+    assert all(one.definition and one.source for one in MEASURES.values())
+    for protocol in PROTOCOLS.values():
+        assert protocol.headline in protocol.measures
+        assert MEASURES[protocol.headline].better
+        assert set(protocol.measures) <= set(MEASURES)
+
+
+def test_unequal_jaws_are_asymmetric_and_out_of_equilibrium():
+    (grasp,) = measured_grasps(squeeze(10.0, shares=(1.0, 0.8)), CONDITIONS)
+    assert grasp.readings["asymmetry"].value == pytest.approx(-1 / 9)  # face 3 pushes along −x
+    assert grasp.readings["equilibrium_p"].value < 1e-3
+    assert grasp.readings["net_force_n"].value == pytest.approx(2.0)
+
+
+def test_the_weight_explains_the_difference_of_jaws():
+    heavy = replace(CONDITIONS, weight_n=2.0)
+    (grasp,) = measured_grasps(squeeze(10.0, shares=(1.0, 0.8)), heavy)
+    assert grasp.readings["equilibrium_p"].value > 0.05
+
+
+def test_a_contact_that_slides_in_the_hold():
+    (grasp,) = measured_grasps(squeeze(slide_mm=4.0), CONDITIONS)
+    assert grasp.readings["slip_mm"].value == pytest.approx(4.0)
+    # the hold begins at 1.9 s, the contact slides at 3 s
+    assert grasp.readings["slip_onset_s"].value == pytest.approx(1.1)
+    assert grasp.readings["slip_n"].value == pytest.approx(20.0, rel=0.03)
+
+
+def test_a_tip_that_is_missed_for_the_rest_of_a_hold_is_no_slip():
+    track = squeeze(10.0)
+    face, xy, force = (
+        np.concatenate([a, a[:, :1]], axis=1) for a in (track.face, track.xy_mm, track.force_n)
+    )
+    xy[:, 0, 1], force[:, 2] = xy[:, 0, 1] + 20.0, 0.1 * force[:, 2]  # a weak second tip, then lost
+    face[34:, 2], xy[34:, 2], force[34:, 2] = 0, np.nan, np.nan
+    covariance = np.concatenate([track.covariance, track.covariance[:, :1]], axis=1)
+    lost = replace(track, face=face, xy_mm=xy, force_n=force, covariance=covariance)
+    (grasp,) = measured_grasps(lost, CONDITIONS)
+    assert grasp.readings["slip_mm"].value == 0.0
+
+
+def test_grasps_of_one_track_are_numbered():
+    grasps = measured_grasps(joined(squeeze(4.0), squeeze(9.0), squeeze(6.0)), CONDITIONS)
+    assert [grasp.grasp.number for grasp in grasps] == [1, 2, 3]
+    assert [round(g.readings["peak_n"].value) for g in grasps] == [8, 18, 12]
+
+
+def test_intervals_hold_the_truth_as_often_as_they_say():
+    rng = np.random.default_rng(6)
+    names = {"peak_n": 20.0, "grasp_n": 10.0, "asymmetry": 0.0}
+    inside = dict.fromkeys(names, 0)
+    for _ in range(40):
+        true = squeeze(10.0, sigma_n=0.5)
+        error = 0.5 * rng.standard_normal(2)  # one error for the whole grasp
+        force = true.force_n.copy()
+        force[..., 2] = np.where(true.face > 0, np.maximum(force[..., 2] + error, 0.05), np.nan)
+        (grasp,) = measured_grasps(replace(true, force_n=force), CONDITIONS)
+        for name, value in names.items():
+            inside[name] += grasp.readings[name].low <= value <= grasp.readings[name].high
+    for name, count in inside.items():
+        assert count / 40 >= 0.78, name  # 90 % within 2.5 standard errors
+
+
+def test_damage_is_told_for_the_grasp_and_by_place():
+    limit = DamageLimit("plum", "force_n", 9.0, 0.1, "made up")
+    (grasp,) = measured_grasps(
+        squeeze(9.0, shares=(1.0, 0.6)), replace(CONDITIONS, limits=(limit,))
+    )
+    assert grasp.readings["damage_plum"].value == pytest.approx(0.5, abs=0.1)
+    weak, strong = sorted(place["damage_plum"] for place in grasp.places)
+    assert strong == pytest.approx(0.5, abs=0.1)
+    assert weak < 1e-4
+    assert {place["face"] for place in grasp.places} == {3, 5}
+
+
+def test_contacts_all_round_are_no_pinch():
+    (grasp,) = measured_grasps(squeeze(faces=(3, 1)), CONDITIONS)
+    assert not grasp.opposed
+
+
+def test_rest_is_no_grasp():
+    rest = squeeze(0.0)
+    assert measured_grasps(rest, CONDITIONS) == []

@@ -1,0 +1,225 @@
+"""`instobj assess`: from recordings to a ranking, a page and one clear error for what cannot be read."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+
+from estimator.frames.dataset import load_frames, save_frames
+from estimator.grasps.measures import measured_grasps
+from estimator.grasps.phases import find_grasps
+from estimator.grasps.ranking import compare, exchanged_share
+from estimator.grasps.track import track_of_labels
+from estimator.inversion.storage import save_inversion
+from estimator.recordings.reading import read_recording
+from estimator.recordings.table import channel_name
+from instobj.commands.assess.command import conditions_of
+from tests.support.cli import run
+from tests.support.mechanics.inverted import SPEC, inverted
+from tests.support.recordings.handled import FORCE, handled
+from tests.support.recordings.public_recordings import FOLDER, NAMES
+
+GENTLE_N, ROUGH_N = (2.8, 3.0, 3.2, 3.1, 2.9, 3.0), (5.6, 6.0, 6.4, 5.8, 6.1, 5.9)
+
+
+@pytest.fixture(scope="module")
+def bench(tmp_path_factory):
+    """A model folder, and folders of a gentle and a rough gripper with one recording of the same name."""
+    folder = tmp_path_factory.mktemp("assess")
+    (folder / "model").mkdir()
+    save_inversion(inverted(), folder / "model" / "contacts.nc")
+    for name, peaks, seed in (("gentle", GENTLE_N, 1), ("rough", ROUGH_N, 2)):
+        (folder / name).mkdir()
+        save_frames(handled(peaks, seed)[0], folder / name / "day1.nc")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def ranked(bench):
+    done = run(
+        "assess", "rough", "gentle", "--model", "model", "--limit", "tomato", "--json", cwd=bench
+    )
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout), bench / "runs" / "rough+gentle" / "assess"
+
+
+def test_the_gentle_gripper_is_ranked_first_in_a_sentence(ranked):
+    document, _ = ranked
+    (ranking, damage) = document["tables"]["ranking"]
+    assert (ranking["sure"], ranking["test"]) == ("yes", "signed ranks of pairs")
+    assert "tomato" in damage["measure"]
+    assert any(
+        text.startswith("gentle has a lower peak force than rough: by")
+        for text in document["texts"]
+    )
+    assert document["exchanged"] <= 0.08
+
+
+def test_forces_are_those_that_pressed(ranked):
+    _, folder = ranked
+    with (folder / "grasps.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["group"] for row in rows] == ["rough"] * 6 + ["gentle"] * 6
+    true = 2 * np.array([*ROUGH_N, *GENTLE_N])
+    for name, rtol in (("mean_n", 0.12), ("grasp_n", 0.25)):
+        read = np.array([float(row[name]) for row in rows])
+        np.testing.assert_allclose(read, true if name == "mean_n" else true / 2, rtol=rtol)
+    over = np.array([float(row["peak_n"]) for row in rows]) / true
+    assert np.all((over > 0.95) & (over < 1.25))  # the largest of noisy readings
+
+
+def test_page_figure_and_document_are_written_and_agree(ranked):
+    document, folder = ranked
+    assert {path.name for path in folder.iterdir()} == {
+        "assess.png", "assess.html", "assess.json", "grasps.csv",
+    }  # fmt: skip
+    page = (folder / "assess.html").read_text()
+    assert "gentle has a lower peak force than rough" in page
+    assert "Agriculture 13(12)" in page  # the limit's source stands on the page
+    whole = json.loads((folder / "assess.json").read_text())
+    assert len(whole["grasps"]) == 12
+    assert np.array(whole["grasps"][0]["wrench_covariance"]).shape == (6, 6)
+    assert whole["texts"] == document["texts"]
+
+
+def test_what_cannot_be_said_is_said(ranked):
+    texts = " ".join(ranked[0]["texts"])
+    assert "The weight is not given" in texts
+    assert "load cells lie in the 90 % interval" in texts
+
+
+def test_a_gripper_against_itself_is_not_ranked(bench):
+    done = run("assess", "gentle/day1.nc", "gentle2.nc", "--model", "model", "--json", cwd=bench)
+    assert done.returncode == 2
+    save_frames(handled(GENTLE_N[::-1], 7)[0], bench / "gentle2.nc")
+    done = run("assess", "gentle/day1.nc", "gentle2.nc", "--model", "model", "--json", cwd=bench)
+    document = json.loads(done.stdout)
+    (ranking,) = document["tables"]["ranking"]
+    assert (ranking["sure"], ranking["test"]) == ("no", "rank sums")
+    assert any("cannot be ranked by peak force" in text for text in document["texts"])
+
+
+def raw_csv(path, counts, cells=False, blank=None):
+    """A board's recording of counts, with an idle load cell or without any."""
+    names = [channel_name(*index) for index in np.ndindex(5, 3, 3)]
+    cell = ["cell1_force_n", "cell1_face", "cell1_x1_mm", "cell1_y1_mm"] * cells
+    lines = [",".join(["time_s", *names, *cell])]
+    for row, values in enumerate(np.round(counts + 300)):
+        read = ["" if index == blank else f"{value:.0f}" for index, value in enumerate(values)]
+        lines.append(",".join([f"{row / 10}", *read, *(["0", "", "", ""] * cells)]))
+    path.write_text("\n".join(lines) + "\n")
+
+
+@pytest.mark.parametrize("cells", [False, True])
+def test_a_boards_recording_without_presses_on_load_cells_is_read(bench, cells):
+    _, counts = handled(GENTLE_N[:2], 3)
+    quiet = np.random.default_rng(4).normal(0, 15, (40, counts.shape[1]))
+    path = bench / f"board{cells}.csv"
+    raw_csv(path, np.concatenate([quiet, counts]), cells)
+    done = run("assess", path, "--model", "model/contacts.nc", "--json", cwd=bench)
+    document = json.loads(done.stdout)
+    assert [row["grasp"] for row in document["tables"]["grasps"]] == [1, 2]
+    assert any("few grasps (2)" in text for text in document["texts"])
+    assert cells == any("load cells and labels are not used" in text for text in document["texts"])
+
+
+def test_a_channel_without_readings_is_left_out(bench):
+    frames, _ = handled(GENTLE_N[:2], 5)
+    frames.signal_counts[:, 1, 2] = np.nan
+    save_frames(frames, bench / "dead.nc")
+    done = run("assess", "dead.nc", "--model", "model", "--json", cwd=bench)
+    assert len(json.loads(done.stdout)["tables"]["grasps"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["gentle", "--protocol", "juggling"], "handling, grasp-strength"),
+        (["gentle", "--model", "nowhere"], "nowhere"),
+        (["gentle", "--model", "gentle"], "holds no estimator"),
+        (["gentle", "--limit", "durian"], "apple"),
+        (["model"], "holds no recording"),
+        (["nowhere.csv"], "no recording at nowhere.csv"),
+        (["gentle", "gentle"], "given twice"),
+        (["rest.nc"], "no grasp in rest.nc"),
+        (["empty.csv"], "empty.csv"),
+        (["text.csv"], "text.csv"),
+        (["nan.nc"], "nan.nc"),
+        (["gentle", "--spec", "nowhere.toml"], "nowhere.toml"),
+    ],
+)
+def test_bad_input_is_one_clear_error(bench, arguments, said):
+    rest = load_frames(bench / "gentle" / "day1.nc").select(np.arange(4))
+    save_frames(rest, bench / "rest.nc")
+    silent = load_frames(bench / "gentle" / "day1.nc")
+    silent.signal_counts[:] = np.nan
+    save_frames(silent, bench / "nan.nc")
+    (bench / "empty.csv").write_text("")
+    (bench / "text.csv").write_text("a,b\nc,d\n")
+    model = [] if "--model" in arguments else ["--model", "model"]
+    done = run("assess", *arguments, *model, cwd=bench)
+    assert done.returncode == 2
+    assert said in done.stderr
+    assert done.stderr.count("error:") == 1
+    assert "Traceback" not in done.stderr
+
+
+def test_gentle_and_rough_are_ranked_right_in_nearly_all_of_100_draws():
+    """Ten grasps each, peaks that scatter by 10 %, one a quarter higher; errors as an estimator makes."""
+    right = 0
+    for seed in range(100):
+        rng = np.random.default_rng(seed)
+        peaks = {}
+        for name, level in (("gentle", 6.0), ("rough", 7.5)):
+            force = np.concatenate(
+                [peak * FORCE for peak in level * rng.normal(1, 0.1, 10)]
+            ) * rng.normal(1, 0.03)
+            noisy = np.where(force > 0, force + rng.normal(0, 0.15, len(force)), 0.0)
+            grasps = find_grasps(np.arange(len(force)) / 10, noisy)
+            assert len(grasps) == 10
+            peaks[name] = np.array([grasp.level_n for grasp in grasps])
+        (difference,) = compare(peaks)
+        right += difference.sure and difference.shift > 0
+    assert right >= 95
+
+
+PUBLIC = [FOLDER / name for name in NAMES]
+needs_recordings = pytest.mark.skipif(
+    not all(path.is_file() for path in PUBLIC), reason=f"public recordings are not in {FOLDER}"
+)
+
+
+@pytest.fixture(scope="module")
+def public_grasps():
+    """Grasps of both recordings by their load cells and labels."""
+    conditions = conditions_of(SPEC)
+    return [
+        measured_grasps(track_of_labels(read_recording(path).frames), conditions) for path in PUBLIC
+    ]
+
+
+@needs_recordings
+def test_grasps_of_the_public_recordings_are_found_and_their_jaws_balance(public_grasps):
+    one, two = public_grasps
+    assert (len(one), len(two)) == (25, 17)  # presses that the reader counts by its own rules
+    for grasp in (*one, *two):
+        assert grasp.opposed
+        # two load cells of one gripper: alike within their gain and the object's weight
+        assert abs(grasp.readings["asymmetry"].value) < 0.08
+        assert grasp.readings["regrasps"].value == 0
+
+
+@needs_recordings
+def test_exchanged_jaws_of_the_public_recordings_are_not_ranked(public_grasps):
+    grasps = [grasp for recording in public_grasps for grasp in recording]
+    jaws = {
+        f"face {face}": np.array([grasp.faces[face][0].value for grasp in grasps])
+        for face in (3, 5)
+    }
+    assert exchanged_share(jaws, paired=True, draws=300) <= 0.08
+    files = {
+        path.name: np.array([g.readings["peak_n"].value for g in found])
+        for path, found in zip(PUBLIC, public_grasps, strict=True)
+    }
+    assert exchanged_share(files, draws=300) <= 0.08
