@@ -1,0 +1,52 @@
+"""What was found in a log: each once, with its evidence beside what labels exchanged give."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+EXCHANGES = 199
+"""Exchanges of labels behind each null: p reaches 0.005."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One answer: the question, what was found, its evidence, and what the null gives.
+
+    `p` is the share of exchanges that reach the evidence (None where no null applies).
+    """
+
+    question: str
+    found: str
+    evidence: str = ""
+    null: str = ""
+    p: float | None = None
+
+    @property
+    def row(self) -> dict[str, str | float | None]:
+        """Ready for a table."""
+        return {
+            "question": self.question,
+            "found": self.found,
+            "evidence": self.evidence,
+            "labels exchanged": self.null,
+            "p": None if self.p is None else round(self.p, 4),
+        }
+
+
+def share_as_high(null: Sequence[float], value: float) -> float:
+    """p of a value: the share of it and its null that reach it."""
+    return float((1 + np.sum(np.array(null) >= value - 1e-12)) / (1 + len(null)))
+
+
+def numbers_text(numbers: Sequence[int]) -> str:
+    """Return whole numbers in a few words, such as `1-3, 7`."""
+    parts: list[list[int]] = []
+    for number in sorted(numbers):
+        if parts and number == parts[-1][-1] + 1:
+            parts[-1].append(number)
+        else:
+            parts.append([number])
+    return ", ".join(f"{p[0]}-{p[-1]}" if len(p) > 1 else str(p[0]) for p in parts)
