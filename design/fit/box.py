@@ -205,7 +205,8 @@ def _check_magnets_in_core(spec: ObjectSpec) -> Iterator[str]:
                 f"core.wall_mm = {core.wall_mm:g}. Use a flatter magnet or a thicker wall"
             )
         clear = float((pocket.body.centre_mm[:2] ** 2).sum() ** 0.5) - pocket.outline.radius_mm
-        if clear <= middle:
+        # a magnet over the whole hole closes it, and wires leave over the face's edges
+        if -middle < clear <= middle:
             yield (
                 f"{pocket.body.label} meets the hub or wire hole of radius {middle:g} mm at the middle "
                 f"of the core's face. Move it outwards by more than {middle - clear:.3g} mm"

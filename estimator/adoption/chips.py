@@ -73,9 +73,13 @@ def _frozen_findings(counts: Counts, frozen: Bool[np.ndarray, "row chip"]) -> li
     for chip in np.flatnonzero(frozen.any(axis=0))[:3].tolist():
         rows = np.flatnonzero(frozen[:, chip])
         reading = ", ".join(f"{v:g}" for v in counts[rows[0], chip])
-        where = f"rows {rows[0]}-{rows[-1]}" if len(rows) == np.ptp(rows) + 1 else f"{len(rows)} rows"
+        where = (
+            f"rows {rows[0]}-{rows[-1]}" if len(rows) == np.ptp(rows) + 1 else f"{len(rows)} rows"
+        )
         found.append(
-            Finding("wrong readings", f"chip {chip + 1}, {where}: ({reading})", "repeated; not used")
+            Finding(
+                "wrong readings", f"chip {chip + 1}, {where}: ({reading})", "repeated; not used"
+            )
         )
     return found
 
@@ -196,7 +200,9 @@ def _spike_finding(counts: Counts, spikes: Bool[np.ndarray, "row chip 3"]) -> Fi
         for r, c, a in at[:3].tolist()
     )
     more = f" and {len(at) - 3} more" if len(at) > 3 else ""
-    return Finding("wrong readings", f"{shown}{more}", "single rows whose neighbours agree; not used")
+    return Finding(
+        "wrong readings", f"{shown}{more}", "single rows whose neighbours agree; not used"
+    )
 
 
 def _still_finding(still: Bool[np.ndarray, "row chip 3"]) -> Finding:

@@ -15,19 +15,33 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import RecordingError
+from estimator.adoption.findings import EXCHANGES, Finding, share_as_high
 from estimator.adoption.text_table import TextTable
 
 ROLES = ("time", "face", "place", "level", "force", "-", "chips")
 MOST_FACES, MOST_PLACES = 6, 1000
 """Largest number of a face, and of a place, that a label holds."""
-_CALM = 0.05
+_CALM = 0.5
 """Share of rows in which a label changes, at most."""
+_ROWS = 3000
+"""Rows from which the activity of channels is taken."""
 _WORDS = {
     "face": ("face", "side"),
     "place": ("pos", "position", "place", "location", "point", "spot", "case"),
     "force": ("force", "load", "newton", "fz", "weight", "left", "right", "gram", "grams"),
     "level": ("level", "travel", "depth", "step", "height"),
-    "time": ("time", "stamp", "t", "sec", "secs", "seconds", "nanosec", "ms", "millis", "timestamp"),
+    "time": (
+        "time",
+        "stamp",
+        "t",
+        "sec",
+        "secs",
+        "seconds",
+        "nanosec",
+        "ms",
+        "millis",
+        "timestamp",
+    ),
 }
 _CHANNEL = re.compile(r"(.*?)([xyz])[ _.-]?(\d+)$|(.*?\d)[ _.-]?([xyz])$", re.IGNORECASE)
 
@@ -40,15 +54,15 @@ class ForeignLog:
     ----------
     channels : (row, 3 · chips), in the order of the file
     by_chip : whether x, y, z of a chip stand together; None where names do not say
-    face, place : (row, contact) labels as written; without columns where there are none
+    face, place : (row, contact) labels as written; no columns where there are none
     label : (row, cell) forces, levels or travels, in the unit of the file
     stated : name of the label's columns where a header gives one
     """
 
     channels: Float[np.ndarray, "row channel"]
     by_chip: bool | None
-    face: Float[np.ndarray, "row contact"]
-    place: Float[np.ndarray, "row contact"]
+    face: Float[np.ndarray, "row named"]
+    place: Float[np.ndarray, "row placed"]
     label: Float[np.ndarray, "row cell"]
     time_s: Float[np.ndarray, "row"] | None
     stated: str
@@ -210,7 +224,8 @@ def _label_roles(labels: Float[np.ndarray, "row label"], with_force: bool) -> li
     if labels.shape[1] == 2 and not few[int(np.argmin(changes))]:
         return _place_and_level(many, changes)
     if labels.shape[1] == 3 and any(few):
-        face = min((k for k in range(3) if few[k]), key=lambda k: (changes[k], many[k], k))
+        # a face stays while places change; of two such labels (levels may stay, too) the first
+        face = next((k for k in range(3) if few[k] and changes[k] < max(changes)), few.index(True))
         others = [k for k in range(3) if k != face]
         roles = _place_and_level([many[k] for k in others], [changes[k] for k in others])
         roles.insert(face, "face")
@@ -225,8 +240,61 @@ def _label_roles(labels: Float[np.ndarray, "row label"], with_force: bool) -> li
 
 def _place_and_level(many: list[int], changes: list[int]) -> list[str]:
     """Return which of two labels numbers the places: that of twice the numbers, else the calmer one."""
-    if max(many) >= 2 * min(many):
-        place = int(np.argmax(many))
-    else:
-        place = int(np.argmin(changes))
+    plain = max(many) >= 2 * min(many)
+    place = int(np.argmax(many) if plain else np.argmin(changes))
     return ["place", "level"] if place == 0 else ["level", "place"]
+
+
+def group_axes(
+    log: ForeignLog, given: str | None
+) -> tuple[Float[np.ndarray, "row chip 3"], Finding]:
+    """Return counts chip by chip, and how the columns hold x, y and z.
+
+    Axes of one chip are active in the same rows. The null groups the columns by threes at random.
+
+    Raises
+    ------
+    RecordingError
+        `given` is neither `chip` (x, y, z of a chip stand together) nor `axis` (all x first).
+    """
+    if given not in (None, "chip", "axis"):
+        raise RecordingError(
+            f"axes={given} is neither chip (x1, y1, z1, x2, …) nor axis (x1, x2, …)"
+        )
+    chips = log.channels.shape[1] // 3
+    orders = {
+        "chip": np.arange(3 * chips).reshape(-1, 3),
+        "axis": np.arange(3 * chips).reshape(3, -1).T,
+    }
+    words = {"chip": "x, y, z of a chip stand together", "axis": "x of all chips, then y, then z"}
+    if given or log.by_chip:
+        name, finding = given or "chip", ("as stated" if given else "the header names them")
+        return log.channels[:, orders[name]], Finding("order of columns", words[name], finding)
+    alike = _alike(log.channels)
+    fits = {name: _within(alike, order) for name, order in orders.items()}
+    rng = np.random.default_rng(33)
+    null = [_within(alike, rng.permutation(3 * chips).reshape(-1, 3)) for _ in range(EXCHANGES)]
+    name = max(fits, key=lambda key: fits[key])
+    other = min(fits.values())
+    finding = Finding(
+        "order of columns",
+        words[name],
+        f"axes of a chip active together: correlation {fits[name]:.2f}, the other way {other:.2f}",
+        f"{np.median(null):.2f}",
+        share_as_high(null, fits[name]),
+    )
+    return log.channels[:, orders[name]], finding
+
+
+def _alike(channels: Float[np.ndarray, "row channel"]) -> Float[np.ndarray, "channel channel"]:
+    """Return correlations of how far channels are from their medians, over rows spread evenly."""
+    some = channels[:: max(1, len(channels) // _ROWS)]
+    off = np.log1p(np.abs(some - np.nanmedian(some, axis=0)))
+    off = np.nan_to_num(off - np.nanmean(off, axis=0))
+    length = np.maximum(np.linalg.norm(off, axis=0), 1e-9)
+    return off.T @ off / (length[:, None] * length)
+
+
+def _within(alike: np.ndarray, groups: np.ndarray) -> float:
+    pairs = ((0, 1), (0, 2), (1, 2))
+    return float(np.mean([alike[groups[:, a], groups[:, b]] for a, b in pairs]))

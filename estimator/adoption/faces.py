@@ -1,4 +1,4 @@
-"""Which chips sit under which face: those that answer when it is pressed, beside chips and faces exchanged."""
+"""Chips under each face: those that answer when it is pressed, beside chips and faces exchanged."""
 
 from __future__ import annotations
 
@@ -59,14 +59,14 @@ def answers(
     size = presses.size if size is None else size
     noise = np.zeros(size.shape[1])
     if len(presses.rest_scatter):
-        noise = np.nan_to_num(np.nanmean(np.sum(presses.rest_scatter**2, axis=2), axis=0))
+        noise = np.mean(np.nan_to_num(np.sum(presses.rest_scatter**2, axis=2)), axis=0)
     found = np.zeros((len(faces), size.shape[1]))
     for k, number in enumerate(faces):
         rows = size[(face == number).any(axis=1)]
         live = np.isfinite(rows)
         power = np.where(live, rows, 0.0) ** 2
         mean = power.sum(axis=0) / np.maximum(live.sum(axis=0), 1)
-        found[k] = np.sqrt(np.maximum(mean - noise, 0.0) + 1.0)
+        found[k] = np.sqrt(np.maximum(mean - noise, noise) + 1.0)
     return found
 
 

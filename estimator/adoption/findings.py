@@ -24,16 +24,11 @@ class Finding:
     null: str = ""
     p: float | None = None
 
-    @property
-    def row(self) -> dict[str, str | float | None]:
-        """Ready for a table."""
-        return {
-            "question": self.question,
-            "found": self.found,
-            "evidence": self.evidence,
-            "labels exchanged": self.null,
-            "p": None if self.p is None else round(self.p, 4),
-        }
+    def __str__(self) -> str:
+        beside = [f"labels exchanged: {self.null}"] if self.null else []
+        beside += [] if self.p is None else [f"p {self.p:.2g}"]
+        evidence = f"{self.evidence} ({'; '.join(beside)})" if beside else self.evidence
+        return f"{self.question}: {self.found}\n    {evidence}"
 
 
 def share_as_high(null: Sequence[float], value: float) -> float:

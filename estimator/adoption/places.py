@@ -14,7 +14,6 @@ import numpy as np
 from jaxtyping import Float, Int
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.distance import cdist
-from scipy.stats import rankdata
 
 from estimator.adoption.findings import EXCHANGES, Finding, share_as_high
 from estimator.adoption.presses import ForeignPresses
@@ -95,7 +94,7 @@ def _chained(apart: Float[np.ndarray, "place place"]) -> Float[np.ndarray, "plac
     """Lengths of the shortest chains of near places."""
     rank = apart.argsort(axis=1).argsort(axis=1)
     for count in range(min(_NEIGHBOURS, len(apart) - 1), len(apart)):
-        near = (rank <= count) | (rank.T <= count)
+        near = np.minimum(rank, rank.T) <= count
         along = shortest_path(np.where(near, apart, 0.0), directed=False)
         if np.isfinite(along).all():
             return along
@@ -121,6 +120,9 @@ def _fit(where: Float[np.ndarray, "place 2"], grid: np.ndarray) -> Float[np.ndar
     """Spearman's rank correlation of the grid with the map turned and stretched onto it."""
     terms = np.column_stack([np.ones(len(where)), where])
     laid = terms @ np.linalg.lstsq(terms, grid, rcond=None)[0]
-    return np.array(
-        [np.corrcoef(rankdata(laid[:, k]), rankdata(grid[:, k]))[0, 1] for k in range(2)]
+    # every row has as many places, so that mean ranks of the grid are its numbers, but for a scale
+    rank = laid.argsort(axis=0).argsort(axis=0)
+    rank, number = rank - rank.mean(axis=0), grid - grid.mean(axis=0)
+    return np.sum(rank * number, axis=0) / np.sqrt(
+        np.sum(rank**2, axis=0) * np.sum(number**2, axis=0)
     )

@@ -15,6 +15,8 @@ from estimator.recordings.presses import runs
 
 LEVELS = 60
 """Different labels up to which they may be levels that a machine went to."""
+_HELD = 0.6
+"""Share of rows that repeat the label before, where it is a level: five rows a press give 0.8."""
 _SETTLED = 1 / 3
 """Share of a press's rows before its reading: motors move there."""
 _LOADED, _UNLOADED = 0.5, 0.1
@@ -38,8 +40,8 @@ class ForeignPresses:
     rest_scatter : (stretch, chip, 3) stretches at rest against their neighbours': what no press makes
     """
 
-    face: Int[np.ndarray, "press contact"]
-    place: Int[np.ndarray, "press contact"]
+    face: Int[np.ndarray, "press named"]
+    place: Int[np.ndarray, "press placed"]
     label: Float[np.ndarray, "press cell"]
     change: Float[np.ndarray, "press chip 3"]
     resting: Float[np.ndarray, "chip 3"]
@@ -71,7 +73,7 @@ def label_kind(log: ForeignLog, given: str | None) -> tuple[str, Finding]:
         return "none", Finding("label", "none", "no column of forces, levels or travels")
     values = np.unique(known)
     held = float(np.mean(np.all(np.diff(known, axis=0) == 0, axis=1)))
-    kind = "level" if len(values) <= LEVELS and held > 0.9 else "force"
+    kind = "level" if len(values) <= LEVELS and held > _HELD else "force"
     name = f"the file calls it {log.stated!r}; " if log.stated else ""
     evidence = f"{name}{len(values)} values, {100 * held:.1f} % of rows repeat the row before"
     if given is not None:
@@ -82,7 +84,9 @@ def label_kind(log: ForeignLog, given: str | None) -> tuple[str, Finding]:
     return kind, Finding("label", words[kind], evidence)
 
 
-def find_presses(log: ForeignLog, counts: Counts, kind: str) -> tuple[ForeignPresses, list[Finding]]:
+def find_presses(
+    log: ForeignLog, counts: Counts, kind: str
+) -> tuple[ForeignPresses, list[Finding]]:
     """Cut a log into presses.
 
     Raises

@@ -30,7 +30,7 @@ _DROPPED = 0.05
 """Share of rows that may be damaged; where more are, the file is another."""
 _SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab", "|": "bar", " ": "blank"}
 _CALL = re.compile(r"[A-Za-z_][\w.]*(?=[\[(])")
-_KEY = re.compile(r"[A-Za-z_]\w*\s*[:=](?!\d\d)\s*")
+_KEY = re.compile(r"[A-Za-z_]\w*\s*[:=]\s*")
 _BRACKETS = str.maketrans(dict.fromkeys("()[]{}<>\"'", " "))
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+(e[-+]?\d+)?", re.IGNORECASE)
 _STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:?\d\d)?")
@@ -119,10 +119,10 @@ def _table(lines: list[str]) -> TextTable:
     used = sorted([*columns, *stamps])
     values = [_row(row, used, stamps) for row in kept]
     good = [row for row in values if row is not None]
-    if len(good) < 2 or len(good) < (1 - _DROPPED) * len(rows):
+    if not used or len(good) < 2 or len(good) < (1 - _DROPPED) * len(rows):
         raise RecordingError(
-            f"{len(rows) - len(good)} of its {len(rows)} rows are no rows of {width} numbers, first "
-            f"{_first_bad(rows, width)}. Give a log with one reading of all chips per row"
+            f"{len(rows) - len(good) * bool(used)} of its {len(rows)} rows are no rows of {width} numbers, "
+            f"first {_first_bad(rows, width)}. Give a log with one reading of all chips per row"
         )
     if len(good) < len(rows):
         notes.append(
@@ -142,7 +142,7 @@ def _layout(sample: list[str]) -> tuple[str, int]:
     for separator in _SEPARATORS:
         rows = [_cells(row, separator) for row in sample]
         width, times = Counter(map(len, rows)).most_common(1)[0]
-        cells = [cell for row in rows if len(row) == width for cell in row]
+        cells = [cell for row in rows if len(row) == width for cell in row] or ["no number"]
         numeric = np.mean([not cell or _is_value(cell) for cell in cells])
         # more columns win over fewer where both are tables of numbers
         score = times / len(rows) * numeric**4 * np.log2(1 + width)
@@ -172,15 +172,17 @@ def _header(lines: list[str], separator: str, width: int) -> tuple[list[str] | N
         cells = [cell.strip("\"' ") for cell in _cells(line.translate(_BRACKETS), separator)]
         text = sum(bool(cell) and not _is_value(cell) for cell in cells)
         if 2 * text <= len(cells):
-            above = [c.strip("\"' ") for c in _cells(lines[number - 1], separator)] if number else []
+            above = (
+                [c.strip("\"' ") for c in _cells(lines[number - 1], separator)] if number else []
+            )
             return (above if len(above) == width else None), number
     return None, 0
 
 
 def _is_numeric(rows: list[list[str]], column: int) -> bool:
     step = max(1, len(rows) // _SAMPLE)
-    cells = [row[column] for row in rows[::step]]
-    return np.mean([not cell or is_number(cell) for cell in cells]) > 1 - _DROPPED
+    cells = [row[column] for row in rows[::step]] or ["no number"]
+    return bool(np.mean([not cell or is_number(cell) for cell in cells]) > 1 - _DROPPED)
 
 
 def _is_stamp(rows: list[list[str]], column: int) -> bool:

@@ -10,7 +10,7 @@ KIND_OF = {
     "index": "how-to",
     **dict.fromkeys(
         (
-            *("bodies", "bringup", "calibrate", "estimators", "experiments", "fabrication"),
+            *("adopt", "bodies", "bringup", "calibrate", "estimators", "experiments", "fabrication"),
             *("firmware", "install", "inversion", "layout_search", "library", "live"),
             *("look_inside", "presses", "questions", "reliability", "rig", "robustness"),
             *("start", "sweeps", "validation"),

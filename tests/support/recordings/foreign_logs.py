@@ -128,7 +128,15 @@ def grid(shape, pitch):
 
 
 def make_log(
-    thing, faces=(1,), shape=(5, 5), pitch=(7.8, 9.6), levels=5, rows=8, noise=7.0, touch=-1.0, seed=0
+    thing,
+    faces=(1,),
+    shape=(5, 5),
+    pitch=(7.8, 9.6),
+    levels=5,
+    rows=8,
+    noise=7.0,
+    touch=-1.0,
+    seed=0,
 ):
     """A log of presses to rising levels, 1 mm apart, at every place of some faces; rest at the end."""
     places = grid(shape, pitch)

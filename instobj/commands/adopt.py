@@ -1,0 +1,143 @@
+"""`instobj adopt`: logs of an object that others built, identified and made a specification."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from design.errors import InputError
+from instobj.store.progress import ProgressLine
+from instobj.store.publish import file_rows, require_writable, run_folder
+from instobj.store.stage import write_json
+
+if TYPE_CHECKING:
+    from estimator.adoption.identify import Identified, Known
+
+
+def adopt_logs(
+    logs: list[Path], known: list[str], spec: Path | None, out: Path, overrides: list[str]
+) -> dict[str, Any]:
+    """Identify the object of some logs; with a specification, fit it to them as well.
+
+    Results go to `runs/<name>/adoption.json` and, with a specification, to `runs/<name>/<name>.toml`.
+
+    Raises
+    ------
+    InputError
+        A log that cannot be read, an answer that is not asked for, or a bad specification.
+    """
+    from estimator.adoption.identify import identify
+
+    require_writable(out)
+    answers = read_answers(known)
+    progress = ProgressLine()
+    with progress.stage("identification from the data"):
+        found = identify(logs, answers)
+    name = "+".join(path.name.split(".")[0] for path in logs)
+    target = run_folder(out, name)
+    target.mkdir(parents=True, exist_ok=True)
+    document = _document(found)
+    write_json(document, target / "adoption.json")
+    questions = open_questions(found, answers, spec is not None)
+    return {
+        "command": "adopt",
+        "adoption": document,
+        "texts": _texts(found),
+        **({"tables": {"still to be stated": questions}} if questions else {}),
+        "questions": questions,
+        "files": file_rows([target / "adoption.json"]),
+    }
+
+
+def _texts(found: Identified) -> list[str]:
+    """Return log by log what was assumed and found, each once."""
+    heads = list(dict.fromkeys(where for where, _ in (*found.notes, *found.findings)))
+    lines = []
+    for head in heads:
+        lines.append(head)
+        lines += [f"  {note}" for where, note in found.notes if where == head]
+        lines += [f"  {one}" for where, one in found.findings if where == head]
+    return lines
+
+
+def read_answers(given: list[str]) -> Known:
+    """Read `KEY=VALUE` and TOML files of answers; what stands last holds.
+
+    Raises
+    ------
+    InputError
+        No such file, no TOML, or a key that is not asked for.
+    """
+    from estimator.adoption.identify import Known
+
+    answers: dict[str, object] = {}
+    for text in given:
+        key, equals, value = text.partition("=")
+        if not equals:
+            answers |= _answers_of_file(Path(text))
+            continue
+        try:
+            answers[key.strip()] = tomllib.loads(f"value = {value}")["value"]
+        except tomllib.TOMLDecodeError:
+            answers[key.strip()] = value.strip()
+    return Known.read(answers)
+
+
+def _answers_of_file(path: Path) -> dict[str, object]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise InputError(
+            f"--known {path}: {error}. Give KEY=VALUE, or a TOML file of keys and values"
+        ) from None
+
+
+def open_questions(found: Identified, known: Known, with_spec: bool) -> list[dict[str, str]]:
+    """Return what no log can tell and a fit needs, three questions at most."""
+    asked = []
+    if found.kind == "level" and known.step_mm is None:
+        asked.append({"question": "How far apart are two levels?", "answer": "--known step_mm=1.0"})
+    if found.orders and known.pitch_mm is None:
+        asked.append(
+            {
+                "question": "How far apart are rows of places, and places in a row?",
+                "answer": "--known pitch_mm=[7.8,9.6]",
+            }
+        )
+    if not with_spec:
+        asked.append(
+            {
+                "question": "What is the object: body, magnets' size, chips' part?",
+                "answer": "--spec FILE (instobj new writes one)",
+            }
+        )
+    return asked
+
+
+def _document(found: Identified) -> dict[str, Any]:
+    return {
+        "logs": [str(path) for path in found.paths],
+        "notes": [{"log": where, "note": note} for where, note in found.notes],
+        "findings": [{"log": where} | asdict(one) for where, one in found.findings],
+        "label": found.kind,
+        "chips": found.presses[0].change.shape[1],
+        "presses": [len(table) for table in found.presses],
+        "chips_of_face": {
+            str(face): [chip + 1 for chip in own] for face, own in found.chips_of_face.items()
+        },
+        "orders_of_places": [
+            {
+                "log": found.paths[log].name,
+                "face": face,
+                "order": order.name,
+                "places": order.place.tolist(),
+                "grid": order.grid.tolist(),
+                "rank_correlation": [round(float(value), 3) for value in order.rank_correlation],
+                "null_median": round(float(sorted(order.null)[len(order.null) // 2]), 3),
+                "p": order.p,
+            }
+            for (log, face), order in found.orders.items()
+        ],
+    }
