@@ -8,12 +8,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from design.errors import InputError
+from design.files import atomic_path
+from design.spec_io import load_spec
+from estimator.adoption.identify import Identified, Known, identify
+from instobj.commands.adopt_fit import complaint_about, fit_specification, why_not_fitted
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
-    from estimator.adoption.identify import Identified, Known
+    from design.spec.object import ObjectSpec
 
 
 def adopt_logs(
@@ -28,26 +32,75 @@ def adopt_logs(
     InputError
         A log that cannot be read, an answer that is not asked for, or a bad specification.
     """
-    from estimator.adoption.identify import identify
+    from estimator.recordings.formats.travel import is_travel_recording
 
     require_writable(out)
     answers = read_answers(known)
+    start = None if spec is None else load_spec(spec, overrides)
+    if any(is_travel_recording(path) for path in logs):
+        return _adopt_folders(logs, start)
     progress = ProgressLine()
     with progress.stage("identification from the data"):
         found = identify(logs, answers)
     name = "+".join(path.name.split(".")[0] for path in logs)
     target = run_folder(out, name)
     target.mkdir(parents=True, exist_ok=True)
-    document = _document(found)
+    document, texts, files = _document(found), _texts(found), [target / "adoption.json"]
+    further = {}
+    if spec is not None and start is not None:
+        if why := why_not_fitted(found, answers):
+            texts.append(why)
+        else:
+            fitted = target / f"{start.name}_adopted.toml"
+            findings, document["fit"], text = fit_specification(
+                found, answers, spec, start, progress
+            )
+            document["findings"] += [{"log": spec.name} | asdict(one) for one in findings]
+            texts += [spec.name, *(f"  {one}" for one in findings)]
+            with atomic_path(fitted) as temporary:
+                temporary.write_text(text, encoding="utf-8")
+            files.append(fitted)
+            if complaint := complaint_about(text, fitted):
+                texts.append(f"{fitted.name} does not pass `instobj check`: {complaint}")
+            further = {"next": f"instobj score {fitted}"}
     write_json(document, target / "adoption.json")
     questions = open_questions(found, answers, spec is not None)
     return {
         "command": "adopt",
         "adoption": document,
-        "texts": _texts(found),
+        "texts": texts,
         **({"tables": {"still to be stated": questions}} if questions else {}),
         "questions": questions,
-        "files": file_rows([target / "adoption.json"]),
+        "files": file_rows(files),
+        **further,
+    }
+
+
+def _adopt_folders(folders: list[Path], spec: ObjectSpec | None) -> dict[str, Any]:
+    """Find the chips' order in folders of presses of known travel: `instobj validate` does the rest."""
+    from estimator.adoption.sinking import order_by_sinking
+    from estimator.recordings.formats.travel import read_travel
+
+    if spec is None:
+        raise InputError(
+            "a folder of sensor.csv and states.csv names its places and travels; the order of its chips is "
+            "found with --spec FILE"
+        )
+    findings = []
+    for folder in folders:
+        readings = read_travel(folder).field_mt
+        if readings.shape[1] != spec.sensors.count_per_face:
+            raise InputError(
+                f"{folder} holds {readings.shape[1]} chips; {spec.name} has "
+                f"{spec.sensors.count_per_face} on a face. Give the specification of this object"
+            )
+        findings.append((folder.name, order_by_sinking(spec, readings)[1]))
+    return {
+        "command": "adopt",
+        "adoption": {"findings": [{"log": name} | asdict(one) for name, one in findings]},
+        "texts": [line for name, one in findings for line in (name, f"  {one}")],
+        "questions": [],
+        "next": f"instobj validate SPEC {folders[0]}",
     }
 
 
@@ -70,8 +123,6 @@ def read_answers(given: list[str]) -> Known:
     InputError
         No such file, no TOML, or a key that is not asked for.
     """
-    from estimator.adoption.identify import Known
-
     answers: dict[str, object] = {}
     for text in given:
         key, equals, value = text.partition("=")
