@@ -15,7 +15,7 @@ from jaxtyping import Float
 from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from estimator.adoption.findings import Finding, share_as_high
-from estimator.adoption.fit import Motion, Moving, Pressed, fit_object, halves_of_places
+from estimator.adoption.fit import Motion, Moving, Pressed, fit_object
 from estimator.field.models import magnets_model
 from estimator.signals.field_setup import Scene, min_distance_mm, scene, zero_motion
 
@@ -23,7 +23,7 @@ SPREAD_MM, SHARE = 9.0, 0.4
 """Radius of the bell (one standard deviation) and motion at its middle per travel, before they are fitted."""
 EXTRA = (0.3, 0.3, 0.5)
 """Sizes of ln of the bell's radius, motion aside per radius, tilt over the bell's slope less one."""
-EXCHANGES = 999
+EXCHANGES, FOLDS = 999, 5
 _NEAREST_MM = 1.5
 """Distance of a chip and a magnet that the field model must take."""
 _DEEPEST_MM = 6.0
@@ -49,7 +49,10 @@ class Arrangement:
     @property
     def finding(self) -> Finding:
         """Say what was found."""
-        names = {True: "reverse: chips move, magnets rest", False: "normal: magnets move, chips rest"}
+        names = {
+            True: "reverse: chips move, magnets rest",
+            False: "normal: magnets move, chips rest",
+        }
         told = names[self.reverse > self.normal] if self.p <= 0.05 else "cannot be told"
         return Finding(
             "arrangement",
@@ -62,18 +65,15 @@ class Arrangement:
 
 
 def told_arrangement(spec: ObjectSpec, pressed: Pressed, seed: int = 0) -> Arrangement:
-    """Fit both ways on half of the places and judge them on the other half, either half once."""
-    live = np.isfinite(pressed.change_mt).all(axis=(1, 2))
-    pressed = _one_travel(pressed.select(live))
+    """Fit both ways to four fifths of the places and judge them on the others, each fifth once."""
+    pressed = _one_travel(pressed.complete)
     size = np.sum(pressed.change_mt**2)
     reverse, normal = (
         _squares_left(moving_bodies(spec, sensors_move), pressed, seed) / size
         for sensors_move in (True, False)
     )
     sign = np.random.default_rng((seed, 51)).choice([-1, 1], (EXCHANGES, len(reverse)))
-    return Arrangement(
-        float(1 - reverse.sum()), float(1 - normal.sum()), sign @ (normal - reverse)
-    )
+    return Arrangement(float(1 - reverse.sum()), float(1 - normal.sum()), sign @ (normal - reverse))
 
 
 def _one_travel(pressed: Pressed) -> Pressed:
@@ -86,12 +86,13 @@ def _one_travel(pressed: Pressed) -> Pressed:
 def _squares_left(thing: Moving, pressed: Pressed, seed: int) -> Float[np.ndarray, "press"]:
     """Squares (mT²) that a fit leaves of every press, which it has not seen."""
     left = np.zeros(len(pressed.place))
-    half = halves_of_places(pressed, seed)
-    for shown in (half, ~half):
-        fit = fit_object(thing, pressed.select(shown))
-        unseen = pressed.select(~shown)
+    order = np.random.default_rng((seed, 52)).permutation(len(left))
+    for fold in range(min(FOLDS, len(left))):
+        rows = order[fold::FOLDS]
+        fit = fit_object(thing, pressed.select(np.setdiff1d(order, rows)), kept=2)
+        unseen = pressed.select(rows)
         off = fit.recorded(unseen) - fit.predicted(unseen)[0]
-        left[~shown] = np.sum(off**2, axis=(1, 2))
+        left[rows] = np.sum(off**2, axis=(1, 2))
     return left
 
 

@@ -32,10 +32,10 @@ class CleanChips:
 
 def clean_chips(counts: Counts, seed: int = 0) -> CleanChips:
     """Name silent chips, columns that moved with them, constant and wrong readings; take them out."""
-    silent = _checked(counts, blank_chips, equal_frames).all(axis=2)
+    silent = np.asarray(_checked(counts, blank_chips, equal_frames).all(axis=2))
     used = np.where(silent[..., None], np.nan, counts)
     still = _checked(used, constant, standing)
-    frozen = still.all(axis=2)
+    frozen = np.asarray(still.all(axis=2))
     gone = silent | frozen
     findings = [_silent_finding(counts, silent, *group) for group in _grouped(gone).items()]
     findings += _frozen_findings(counts, frozen)

@@ -36,6 +36,11 @@ class Convention:
     turn: Float[np.ndarray, "3 3"]
     cosine: float
 
+    def agrees(self, other: Convention) -> bool:
+        """Return whether both have the same order and turn."""
+        same_turn = np.array_equal(self.turn, other.turn)
+        return same_turn and np.array_equal(self.order, other.order)
+
     def designed(self, recorded: Float[np.ndarray, "*any chip 3"]) -> np.ndarray:
         """Return readings of the log in the order and along the axes of the design."""
         return recorded[..., self.order, :] @ self.turn

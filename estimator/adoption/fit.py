@@ -1,4 +1,4 @@
-"""The nearest object to a log: pose, scale of travel, strength and place of the magnets, order and axes of chips.
+"""The nearest object to a log: pose, scale of travel, magnets, order and axes of chips.
 
 Ten numbers at most are common to all chips, so that nothing but order and axes is free for one of them. They
 are fitted to some of the places pressed, and to the field at rest, and judged on the other places.
@@ -23,7 +23,7 @@ from estimator.signals.field_setup import Scene, sensed_field, zero_motion
 CHANGE_ERROR, RESTING_ERROR = 0.12, 0.06
 """Shares of the rms change, and of the field at rest, that models of printed objects leave."""
 SCALES = (3.0, 3.0, 0.1, 1.0, 0.3, 0.3, 1.0, 1.0, 1.0)
-"""Sizes of shift (two, mm), turn (rad), contact (mm), ln scale of travel, ln strength, magnets' shift (mm)."""
+"""Sizes: shift (two, mm), turn (rad), contact (mm), ln travel scale, ln strength, magnets' shift (mm)."""
 PRIOR = 3.0
 """Standard deviations of all numbers, in these sizes."""
 BEYOND_MM = 1.0
@@ -47,6 +47,11 @@ class Pressed:
     place: Int[np.ndarray, "press"]
     change_mt: Float[np.ndarray, "press chip 3"]
     resting_mt: Float[np.ndarray, "chip 3"]
+
+    @property
+    def complete(self) -> Pressed:
+        """Presses in which every chip answered."""
+        return self.select(np.flatnonzero(np.isfinite(self.change_mt).all(axis=(1, 2))))
 
     def select(self, rows: np.ndarray) -> Pressed:
         """Some of the presses."""
@@ -164,7 +169,12 @@ def fit_object(thing: Moving, pressed: Pressed, kept: int = _KEPT) -> ObjectFit:
             starts.append(_with_convention(ObjectFit(thing, symmetry, numbers, unknown), pressed))
     starts.sort(key=lambda fit: -fit.convention.cosine)
     refined = [_refined(start, pressed) for start in starts[:kept]]
-    again = [_refined(_with_convention(fit, pressed), pressed) for _, fit in refined]
+    others = [_with_convention(fit, pressed) for _, fit in refined]
+    again = [
+        _refined(other, pressed)
+        for other, (_, fit) in zip(others, refined, strict=True)
+        if not other.convention.agrees(fit.convention)
+    ]
     return min((*refined, *again), key=lambda found: found[0])[1]
 
 
@@ -224,8 +234,7 @@ def halves_of_places(pressed: Pressed, seed: int) -> Bool[np.ndarray, "press"]:
 
 def judged(fit: ObjectFit, pressed: Pressed, exchanges: int = 99, seed: int = 0) -> FitFigures:
     """Judge a fit; places exchanged keep every press's travel and give it the place of another."""
-    live = np.isfinite(pressed.change_mt).all(axis=(1, 2))
-    pressed = pressed.select(live)
+    pressed = pressed.complete
     recorded, predicted = fit.recorded(pressed), fit.predicted(pressed)[0]
     _, travel = fit.in_object(pressed)
     deep = travel > BEYOND_MM

@@ -49,11 +49,10 @@ def _chips(spec: ObjectSpec, fit: ObjectFit) -> dict[str, Any]:
 
 def _magnets(spec: ObjectSpec, fit: ObjectFit) -> dict[str, Any]:
     magnets, frame = spec.magnets, face_frames(spec)[0]
-    outwards = float(frame.axes[:, 2] @ fit.magnet_shift_mm)
     at = fit.thing.scene.magnets.centre_mm + fit.magnet_shift_mm
-    places = frame.from_object(at)[:, :2]
+    places = frame.from_object(at)
     found: dict[str, Any] = {
-        "positions_mm": [[round(float(v), _DIGITS) for v in place] for place in places],
+        "positions_mm": [[round(float(v), _DIGITS) for v in place[:2]] for place in places],
         "remanence_t": [round(float(r * fit.strength), 4) for r in magnets.remanences_t],
     }
     if len(set(found["remanence_t"])) == 1:
@@ -62,8 +61,9 @@ def _magnets(spec: ObjectSpec, fit: ObjectFit) -> dict[str, Any]:
         other = {1: "inward", -1: "outward"}
         found["north"] = [other[pole] for pole in magnets.polarities]
     if spec.arrangement == "sensors-in-shell":
+        outwards = float(frame.axes[:, 2] @ fit.magnet_shift_mm)
         depth = max(0.0, magnets.depth_below_core_face_mm - outwards)
         found["depth_below_core_face_mm"] = round(depth, _DIGITS)
-    elif magnets.depths_mm:
-        found["depth_mm"] = [round(d - outwards, _DIGITS) for d in magnets.depths_mm]
+    else:
+        found["depth_mm"] = [round(-float(z), _DIGITS) for z in places[:, 2]]
     return found

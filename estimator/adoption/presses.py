@@ -111,7 +111,7 @@ def find_presses(
     _, block = np.unique(keys, axis=0, return_inverse=True)
     spans = [(a, b) for a, b in runs(block.ravel()) if b - a >= _LEAST_ROWS]
     cut = _by_force if kind == "force" else _by_level
-    return cut(face, place, label, counts, spans, idle), findings
+    return cut(face, place, label, counts, spans, np.asarray(idle)), findings
 
 
 def _whole(labels: Float[np.ndarray, "row contact"], others: int) -> Int[np.ndarray, "row contact"]:

@@ -104,7 +104,7 @@ def fit_specification(
     for face, pressed in sorted(readings.items()):
         with progress.stage(f"face {face}: arrangement, chips, magnets"):
             findings.append(told_arrangement(spec, pressed, spec.seed).finding)
-            live = pressed.select(np.isfinite(pressed.change_mt).all(axis=(1, 2)))
+            live = pressed.complete
             half = halves_of_places(live, spec.seed)
             fit = fit_object(thing, live.select(half))
             figures[str(face)] = judged(fit, live.select(~half), seed=spec.seed)

@@ -28,6 +28,7 @@ class ForeignObject:
     gap_mm: float = 5.5
     spread_mm: float = 9.0
     counts_per_mt: float = 246.0
+    azimuth_deg: float = 21.6
 
     @property
     def frames(self):
@@ -43,7 +44,7 @@ class ForeignObject:
     @property
     def chip_xy(self):
         """Places of a face's chips."""
-        azimuth = 2 * np.pi * (np.arange(self.chips) / self.chips + 0.06)
+        azimuth = np.deg2rad(self.azimuth_deg) + 2 * np.pi * np.arange(self.chips) / self.chips
         return self.ring_mm * np.column_stack([np.cos(azimuth), np.sin(azimuth)])
 
     def bulge(self, xy, place, depth):
