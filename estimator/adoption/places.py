@@ -20,8 +20,8 @@ from estimator.adoption.presses import ForeignPresses
 
 _NEIGHBOURS = 5
 """Nearest places that a place is joined to; more where parts stay apart."""
-LEAST_PLACES = 9
-"""Places from which a map is drawn: three rows of three."""
+LEAST_PLACES = 6
+"""Places from which a map is drawn: two rows of three."""
 
 
 @dataclass(frozen=True)
