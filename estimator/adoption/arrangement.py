@@ -109,18 +109,34 @@ def moving_bodies(spec: ObjectSpec, sensors_move: bool) -> Moving:
 def _bell(place: Scene, axes: Float[np.ndarray, "3 3"]) -> Motion:
     """Return motions of the bodies: inwards, aside and tilted, about the place pressed."""
     body = place.sensors.position_mm if place.sensors_move else place.magnets.centre_mm
-    x, y, outwards = axes.T
-    local = body @ np.column_stack([x, y])
+    local = body @ axes[:, :2]
 
     def motion(xy: np.ndarray, travel: np.ndarray, extra: np.ndarray) -> np.ndarray:
-        radius = SPREAD_MM * np.exp(extra[0])
-        offset = local[None] - xy[:, None]
-        bell = SHARE * travel[:, None] * np.exp(-np.sum(offset**2, axis=2) / (2 * radius**2))
-        aside = extra[1] * bell[..., None] * offset / radius
-        slope = (1 + extra[2]) * bell[..., None] * offset / radius**2
-        shift = aside[..., :1] * x + aside[..., 1:] * y - bell[..., None] * outwards
-        # a surface w(x, y) turns by (∂w/∂y, −∂w/∂x, 0)
-        turn = slope[..., 1:] * x - slope[..., :1] * y
-        return np.concatenate([shift, turn], axis=2)
+        radius = SPREAD_MM * float(np.exp(extra[0]))
+        return bell_motion(local, axes, xy, travel, radius, float(extra[1]), 1 + float(extra[2]))
 
     return motion
+
+
+def bell_motion(
+    local_mm: Float[np.ndarray, "body 2"],
+    axes: Float[np.ndarray, "3 3"],
+    xy_mm: Float[np.ndarray, "press 2"],
+    travel_mm: Float[np.ndarray, "press"],
+    radius_mm: float,
+    aside: float,
+    tilt: float,
+) -> Float[np.ndarray, "press body 6"]:
+    """Motions of bodies at places of a face under presses: `SHARE` of the travel inwards at the middle.
+
+    `aside` is the motion away from the place per radius of the bell, `tilt` the turn over its slope.
+    """
+    x, y, outwards = axes.T
+    offset = local_mm[None] - xy_mm[:, None]
+    bell = SHARE * travel_mm[:, None] * np.exp(-np.sum(offset**2, axis=2) / (2 * radius_mm**2))
+    away = aside * bell[..., None] * offset / radius_mm
+    slope = tilt * bell[..., None] * offset / radius_mm**2
+    shift = away[..., :1] * x + away[..., 1:] * y - bell[..., None] * outwards
+    # a surface w(x, y) turns by (∂w/∂y, −∂w/∂x, 0)
+    turn = slope[..., 1:] * x - slope[..., :1] * y
+    return np.concatenate([shift, turn], axis=2)

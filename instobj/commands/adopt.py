@@ -11,7 +11,12 @@ from design.errors import InputError
 from design.files import atomic_path
 from design.spec_io import load_spec
 from estimator.adoption.identify import Identified, Known, identify
-from instobj.commands.adopt_fit import complaint_about, fit_specification, why_not_fitted
+from instobj.commands.adopt_fit import (
+    boards_of_logs,
+    complaint_about,
+    fit_specification,
+    why_not_fitted,
+)
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder
 from instobj.store.stage import write_json
@@ -48,7 +53,11 @@ def adopt_logs(
     document, texts, files = _document(found), _texts(found), [target / "adoption.json"]
     further = {}
     if spec is not None and start is not None:
-        if why := why_not_fitted(found, answers):
+        if found.kind == "force" and found.presses[0].face.shape[1] > 1:
+            boards = boards_of_logs(found, start)
+            document["findings"] += [{"log": where} | asdict(one) for where, one in boards]
+            texts += [line for where, one in boards for line in (where, f"  {one}")]
+        elif why := why_not_fitted(found, answers):
             texts.append(why)
         else:
             fitted = target / f"{start.name}_adopted.toml"

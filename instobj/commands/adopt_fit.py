@@ -45,6 +45,17 @@ def why_not_fitted(found: Identified, known: Known) -> str:
     return ""
 
 
+def boards_of_logs(found: Identified, spec: ObjectSpec) -> list[tuple[str, Finding]]:
+    """Find which board is which face's in logs of grasps: several faces held at once, by force."""
+    from estimator.adoption.boards import boards_of_faces
+
+    findings = []
+    for path, presses in zip(found.paths, found.presses, strict=True):
+        boards = boards_of_faces(spec, presses, spec.seed)
+        findings += [(path.name, one) for one in boards.findings(_axes_text(boards.turn))]
+    return findings
+
+
 def pressed_readings(found: Identified, known: Known, spec: ObjectSpec) -> dict[int, Pressed]:
     """Return face of the log → its presses in mm and mT, of the log with most places of it.
 

@@ -10,10 +10,13 @@ from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, parse_spec
 from estimator.adoption.arrangement import moving_bodies, told_arrangement
+from estimator.adoption.boards import boards_of_faces
 from estimator.adoption.convention import TURNS, best_convention
 from estimator.adoption.fit import ObjectFit, Pressed, fit_object, halves_of_places, judged
 from estimator.adoption.nearest_spec import fitted_content
+from estimator.adoption.presses import ForeignPresses
 from estimator.adoption.sinking import order_by_sinking
+from estimator.recordings.formats.files import places_mm
 from tests.support.recordings.foreign_logs import ForeignObject, grid
 from tests.support.recordings.travel_cases import PAD, pad_model, pressed_places, recorded
 
@@ -139,3 +142,40 @@ def test_the_order_of_chips_is_found_from_sinking_magnets_alone():
     assert finding.p == pytest.approx(1 / 120)
     noise = np.random.default_rng(1).normal(size=field.shape)
     assert "number 1 of 120" not in order_by_sinking(spec, noise)[1].found
+
+
+def grasps(count=8, seed=5):
+    """Presses of faces 3 and 5 at once at random labels, boards of five faces in the order 5, 3, 1, 2, 4."""
+    turned = {**content("sensors-in-core"), "body": {}}
+    spec = ObjectSpec.model_validate({**turned, "sensors": {"first_azimuth_deg": [240.0] * 5}})
+    thing = replace(foreign(spec_of("sensors-in-core")), faces=5)
+    label = np.random.default_rng(seed).integers(1, 101, (count, 2))
+    xy = places_mm(label[:, :, None])[:, :, 0]
+    change = sum(
+        thing.counts([(face, *xy[k, contact], 2.0) for k in range(count)])
+        - thing.counts([(0, 0, 0, 0)])
+        for contact, face in enumerate((3, 5))
+    )
+    boards = np.array([4, 2, 0, 1, 3])
+    change = change.reshape(count, 5, 3, 3)[:, boards].reshape(count, 15, 3)
+    face = np.tile([3, 5], (count, 1))
+    still = np.zeros((0, 15, 3))
+    presses = ForeignPresses(face, label, np.ones((count, 2)), change, np.zeros((15, 3)), still)
+    return spec, presses
+
+
+def test_boards_of_faces_held_by_jaws_are_found_with_their_axes():
+    spec, presses = grasps()
+    found = boards_of_faces(spec, replace(presses, change=presses.change @ TURNS[5].T))
+    assert found.chips_of_face == {3: [3, 4, 5], 5: [0, 1, 2]}
+    np.testing.assert_array_equal(found.turn, TURNS[5])
+    assert found.p < 0.03
+    (finding,) = found.findings("as designed")
+    assert "face 5: chips 1-3" in finding.found
+
+
+def test_boards_are_not_told_from_places_that_say_nothing():
+    spec, presses = grasps()
+    mixed = np.random.default_rng(8).permutation(len(presses))
+    (finding,) = boards_of_faces(spec, replace(presses, place=presses.place[mixed])).findings("")
+    assert finding.found == "cannot be told"

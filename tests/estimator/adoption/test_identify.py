@@ -1,11 +1,14 @@
 """Objects of several shapes, identified from logs that an own model makes, beside labels that say nothing."""
 
 import gzip
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from design.errors import RecordingError
+from design.spec_io import load_spec
+from estimator.adoption.boards import boards_of_faces
 from estimator.adoption.identify import Known, identify
 from tests.support.recordings.foreign_logs import ForeignObject, make_log
 from tests.support.recordings.public_recordings import FOLDER
@@ -130,3 +133,19 @@ def test_an_earlier_run_without_header_and_a_log_with_names_stripped_give_the_sa
     bare = tmp_path / "bare.csv"
     bare.write_text(text.split("\n", 1)[1])
     assert identify([bare], Known()).chips_of_face == {1: [6, 7, 8]}
+
+
+@pytest.mark.skipif(not FOLDER.exists(), reason=f"no recordings at {FOLDER}")
+def test_the_paper_s_file_with_names_stripped_tells_its_lag_boards_and_axes(tmp_path):
+    """Faces 3 and 5 are held by jaws; the file has the boards of faces 5, 3, 1, 2, 4 in this order."""
+    text = (FOLDER / "1probe.csv").read_text().split("\n", 1)[1]
+    bare = tmp_path / "bare.csv"
+    bare.write_text(text)
+    found = identify([bare], Known())
+    lag = [one.found for _, one in found.findings if one.question == "lag of forces"]
+    assert lag == ["8 rows behind the chips; corrected"]
+    spec = load_spec(Path(__file__).parents[3] / "examples" / "paper_cube.toml")
+    boards = boards_of_faces(spec, found.presses[0])
+    assert boards.chips_of_face == {3: [3, 4, 5], 5: [0, 1, 2]}
+    np.testing.assert_array_equal(boards.turn, np.eye(3))
+    assert boards.p < 0.05

@@ -32,7 +32,14 @@ def test_a_log_is_identified_in_few_lines_and_what_it_cannot_tell_is_asked(folde
 def test_answers_leave_fewer_questions_and_json_holds_each_finding_with_its_null(folder):
     (folder / "known.toml").write_text("step_mm = 1.0\n")
     done = run(
-        "adopt", "log.csv", "--known", "known.toml", "--known", "pitch_mm=[10,12]", "--json", cwd=folder
+        "adopt",
+        "log.csv",
+        "--known",
+        "known.toml",
+        "--known",
+        "pitch_mm=[10,12]",
+        "--json",
+        cwd=folder,
     )
     found = json.loads(done.stdout)
     assert [question["answer"] for question in found["questions"]] == [
