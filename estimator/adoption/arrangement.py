@@ -14,7 +14,7 @@ from jaxtyping import Float
 
 from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
-from estimator.adoption.findings import Finding, share_as_high
+from estimator.adoption.findings import CERTAIN, Finding, share_as_high
 from estimator.adoption.fit import Motion, Moving, Pressed, fit_object
 from estimator.field.models import magnets_model
 from estimator.signals.field_setup import Scene, min_distance_mm, scene, zero_motion
@@ -53,7 +53,7 @@ class Arrangement:
             True: "reverse: chips move, magnets rest",
             False: "normal: magnets move, chips rest",
         }
-        told = names[self.reverse > self.normal] if self.p <= 0.05 else "cannot be told"
+        told = names[self.reverse > self.normal] if self.p <= CERTAIN else "cannot be told"
         return Finding(
             "arrangement",
             told,

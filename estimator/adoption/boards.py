@@ -1,4 +1,4 @@
-"""Which board of a log sits under which face, and how its chips are turned, where several faces are held at once.
+"""Boards and axes of chips of faces that are held at once.
 
 Jaws press two faces together, so that "who answers when a face is pressed" says nothing. The places do:
 a board goes to the face whose predicted presses its chips follow. The null exchanges the places among the
@@ -17,7 +17,7 @@ from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from estimator.adoption.arrangement import SPREAD_MM, bell_motion
 from estimator.adoption.convention import TURNS
-from estimator.adoption.findings import Finding, numbers_text, share_as_high
+from estimator.adoption.findings import CERTAIN, Finding, numbers_text, share_as_high
 from estimator.adoption.presses import ForeignPresses
 from estimator.field.models import magnets_model
 from estimator.recordings.formats.files import places_mm
@@ -32,7 +32,7 @@ _ASIDE, _TILT = 0.3, 1.0
 
 @dataclass(frozen=True)
 class Boards:
-    """Face → chips of its board (counted from 0), the turn of their axes, and the mean cosine beside its null."""
+    """Face → chips of its board (counted from 0), turn of their axes, mean cosine beside its null."""
 
     chips_of_face: dict[int, list[int]]
     turn: Float[np.ndarray, "3 3"]
@@ -46,7 +46,7 @@ class Boards:
 
     def findings(self, axes: str) -> list[Finding]:
         """Say which board is which face's, if that beats its null."""
-        told = self.p <= 0.05
+        told = self.p <= CERTAIN
         boards = "; ".join(
             f"face {face}: chips {numbers_text([c + 1 for c in chips])}"
             for face, chips in self.chips_of_face.items()

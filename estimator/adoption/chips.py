@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
+from scipy.optimize import linear_sum_assignment
 
 from estimator.adoption.findings import Finding, numbers_text, share_as_high
 from estimator.recordings.checks.readings import blank_chips, constant, equal_frames, standing
@@ -19,7 +20,7 @@ _SPIKE = 8.0
 _LEAST_SPAN = 3
 """Rows in which a chip is silent, at least, to be named by its span."""
 _SHIFTS = 200
-"""Random orders of the chips behind the null of moved columns."""
+"""Exchanges of levels behind the null of moved columns."""
 
 
 @dataclass(frozen=True)
@@ -40,8 +41,7 @@ def clean_chips(counts: Counts, seed: int = 0) -> CleanChips:
     findings = [_silent_finding(counts, silent, *group) for group in _grouped(gone).items()]
     findings += _frozen_findings(counts, frozen)
     used[frozen] = np.nan
-    for rows, missing in _moved_columns(used, gone, findings, seed):
-        kept = [c for c in range(counts.shape[1]) if c not in missing]
+    for rows, kept in _moved_columns(used, gone, findings, seed):
         moved = used[rows][:, ~gone[rows].all(axis=0)].copy()
         used[rows] = np.nan
         used[np.flatnonzero(rows)[:, None], kept] = moved
@@ -116,11 +116,11 @@ def _spans_text(spans: Spans) -> str:
 
 def _moved_columns(
     used: Counts, silent: Bool[np.ndarray, "row chip"], findings: list[Finding], seed: int
-) -> list[tuple[Bool[np.ndarray, "row"], list[int]]]:
+) -> list[tuple[Bool[np.ndarray, "row"], Int[np.ndarray, "part"]]]:
     """Find rows in which a logger that skips silent chips moved the others into their columns.
 
-    The levels of the chips that answer are laid, in their order, beside those of all chips in the other
-    rows; the null lays them there in random orders.
+    The levels of the chips that answer are laid on those of all chips in the other rows, as they fit best;
+    the null does so with the levels exchanged among chips and axes. Returns the chips that columns hold.
     """
     moves = []
     for spans, chips in _grouped(silent).items():
@@ -139,20 +139,26 @@ def _moved_columns(
         if missing == chips or left > as_written / 2:
             continue
         rng = np.random.default_rng((seed, 21))
-        null = [_aligned(level, there[rng.permutation(len(there))])[1] for _ in range(_SHIFTS)]
+        null = [_aligned(level, rng.permuted(there.ravel()).reshape(-1, 3))[1] for _ in range(_SHIFTS)]
         findings.append(
             Finding(
                 "columns moved",
                 f"chips {numbers_text([c + 1 for c in missing])} are missing in rows {_spans_text(spans)}; "
                 f"columns of chips {numbers_text([int(c) + 1 for c in answering])} hold chips "
-                f"{numbers_text([int(c) + 1 for c in kept])}",
+                f"{_in_order(kept)}",
                 f"levels differ by {left:.0f} counts, as written by {as_written:.0f}",
                 f"{np.median(null):.0f} counts",
                 share_as_high([-value for value in null], -left),
             )
         )
-        moves.append((rows, missing))
+        moves.append((rows, kept))
     return moves
+
+
+def _in_order(chips: Int[np.ndarray, "part"]) -> str:
+    numbers = [int(chip) + 1 for chip in chips]
+    rising = numbers == sorted(numbers)
+    return numbers_text(numbers) if rising else f"{', '.join(map(str, numbers))}, in this order"
 
 
 def _left(one: np.ndarray, other: np.ndarray) -> float:
@@ -161,25 +167,10 @@ def _left(one: np.ndarray, other: np.ndarray) -> float:
 
 
 def _aligned(level: np.ndarray, part: np.ndarray) -> tuple[Int[np.ndarray, "part"], float]:
-    """Lay a part's chips, in their order, on the chips that they differ least from.
-
-    Dynamic programming: cost[i, j] is the least for the first i of the part on the first j of all.
-    """
-    count, total = len(part), len(level)
+    """Lay each chip of a part on another one of all chips, so that levels differ least; rms left."""
     apart = np.sum((part[:, None] - level[None]) ** 2, axis=2)
-    cost = np.full((count + 1, total + 1), np.inf)
-    cost[0] = 0.0
-    for i in range(1, count + 1):
-        for j in range(i, total + 1):
-            cost[i, j] = min(cost[i, j - 1], cost[i - 1, j - 1] + apart[i - 1, j - 1])
-    kept, i, j = [], count, total
-    while i:
-        if cost[i, j] == cost[i, j - 1]:
-            j -= 1
-        else:
-            i, j = i - 1, j - 1
-            kept.append(j)
-    return np.array(kept[::-1], int), float(np.sqrt(cost[count, total] / (3 * max(count, 1))))
+    row, kept = linear_sum_assignment(apart)
+    return kept, float(np.sqrt(apart[row, kept].mean() / 3))
 
 
 def wrong_readings(counts: Counts) -> Bool[np.ndarray, "row chip 3"]:

@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.adoption.findings import EXCHANGES, Finding, numbers_text, share_as_high
+from estimator.adoption.findings import CERTAIN, EXCHANGES, Finding, numbers_text, share_as_high
 from estimator.adoption.presses import ForeignPresses
 
 _LEAST_GAP = 1.8
 """Ratio of answers between the weakest chip of a face and the strongest of the others, at least."""
-_CERTAIN = 0.05
 
 
 def chips_under_faces(
@@ -33,7 +32,7 @@ def chips_under_faces(
     found, findings = {}, []
     for k, face in enumerate(pressed):
         p = share_as_high([gap[k] for gap in null], gaps[k])
-        told = gaps[k] >= _LEAST_GAP and p <= _CERTAIN
+        told = gaps[k] >= _LEAST_GAP and p <= CERTAIN
         if told:
             found[face] = groups[k]
         chips = numbers_text([c + 1 for c in groups[k]])

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+CERTAIN = 0.05
+"""p up to which a finding counts; what does not beat its null is not used."""
 EXCHANGES = 199
 """Exchanges of labels behind each null: p reaches 0.005."""
 

@@ -11,7 +11,7 @@ from design.errors import InputError, RecordingError
 from estimator.adoption.chips import clean_chips
 from estimator.adoption.columns import group_axes, tell_columns
 from estimator.adoption.faces import chips_under_faces
-from estimator.adoption.findings import Finding
+from estimator.adoption.findings import CERTAIN, Finding
 from estimator.adoption.places import PlaceOrder, order_of_places
 from estimator.adoption.presses import ForeignPresses, find_presses, label_kind
 from estimator.adoption.text_table import read_text_table
@@ -123,7 +123,8 @@ def identify(paths: list[Path], known: Known, seed: int = 0) -> Identified:
         for face, own in chips.items():
             order = order_of_places(presses, own, face, seed)
             if order is not None:
-                orders[number, face] = order
+                if order.p <= CERTAIN:
+                    orders[number, face] = order
                 findings.append((paths[number].name, order.finding(face)))
     return Identified(
         tuple(paths), tuple(tables), kinds[0], chips, orders, tuple(findings), tuple(notes)

@@ -15,7 +15,7 @@ from jaxtyping import Float, Int
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.distance import cdist
 
-from estimator.adoption.findings import EXCHANGES, Finding, share_as_high
+from estimator.adoption.findings import CERTAIN, EXCHANGES, Finding, share_as_high
 from estimator.adoption.presses import ForeignPresses
 
 _NEIGHBOURS = 5
@@ -47,7 +47,9 @@ class PlaceOrder:
         x, y = self.rank_correlation
         return Finding(
             f"order of places, face {face}",
-            f"{self.name}; mirror images and turns look alike",
+            f"{self.name}; mirror images and turns look alike"
+            if self.p <= CERTAIN
+            else "cannot be told: no grid beats its null",
             f"rank correlation of grid and signals {x:.2f} (rows), {y:.2f} (columns)",
             f"{np.median(self.null):.2f}",
             self.p,

@@ -59,3 +59,16 @@ def test_a_frozen_chip_and_a_single_wrong_reading_are_named_and_left_out():
     assert np.isnan(clean.counts[50:90, 4]).all()
     assert np.isnan(clean.counts[700, 7, 1])
     assert np.isnan(clean.counts).sum() == 3 * 40 + 1
+
+
+def test_moved_columns_of_a_log_whose_chips_are_shuffled_go_back_too():
+    own = LOG.counts + np.random.default_rng(2).normal(0, 900, (1, 15, 3)).round()
+    order = np.random.default_rng(3).permutation(15)
+    counts = own.copy()
+    counts[:HALF, :12] = own[:HALF, 3:]
+    counts[:HALF, 12:] = 0
+    clean = clean_chips(counts[:, order])
+    assert "columns moved" in asked(clean)
+    wanted = own.copy()
+    wanted[:HALF, :3] = np.nan
+    np.testing.assert_array_equal(clean.counts, wanted[:, order])
