@@ -1,4 +1,4 @@
-"""Whether chips or magnets move: the same object pressed both ways, beside the two ways exchanged.
+"""Arrangement: the same object pressed with moving chips and with moving magnets.
 
 A press moves what lies in the shell, as far as a bell about the place says; what sits in the core rests.
 Both ways have the same bodies, the same ten numbers and the bell's three, so that nothing but who moves
@@ -53,10 +53,10 @@ class Arrangement:
             True: "reverse: chips move, magnets rest",
             False: "normal: magnets move, chips rest",
         }
-        told = names[self.reverse > self.normal] if self.p <= CERTAIN else "cannot be told"
+        answer = names[self.reverse > self.normal] if self.p <= CERTAIN else "cannot be told"
         return Finding(
             "arrangement",
-            told,
+            answer,
             f"explained of unseen places: reverse {100 * self.reverse:.0f} %, normal "
             f"{100 * self.normal:.0f} %",
             f"difference of {100 * np.median(np.abs(self.null)):.0f} %",
@@ -85,15 +85,15 @@ def _one_travel(pressed: Pressed) -> Pressed:
 
 def _squares_left(thing: Moving, pressed: Pressed, seed: int) -> Float[np.ndarray, "press"]:
     """Squares (mT²) that a fit leaves of every press, which it has not seen."""
-    left = np.zeros(len(pressed.place))
-    order = np.random.default_rng((seed, 52)).permutation(len(left))
-    for fold in range(min(FOLDS, len(left))):
+    squares = np.zeros(len(pressed.place))
+    order = np.random.default_rng((seed, 52)).permutation(len(squares))
+    for fold in range(min(FOLDS, len(squares))):
         rows = order[fold::FOLDS]
         fit = fit_object(thing, pressed.select(np.setdiff1d(order, rows)), kept=2)
         unseen = pressed.select(rows)
         off = fit.recorded(unseen) - fit.predicted(unseen)[0]
-        left[rows] = np.sum(off**2, axis=(1, 2))
-    return left
+        squares[rows] = np.sum(off**2, axis=(1, 2))
+    return squares
 
 
 def moving_bodies(spec: ObjectSpec, sensors_move: bool) -> Moving:

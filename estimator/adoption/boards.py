@@ -2,7 +2,7 @@
 
 Jaws press two faces together, so that "who answers when a face is pressed" says nothing. The places do:
 a board goes to the face whose predicted presses its chips follow. The null exchanges the places among the
-presses and repeats the whole search. Boards of faces that nobody presses cannot be told.
+presses and repeats the whole search. Boards of faces that nobody presses stay unknown.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _ASIDE, _TILT = 0.3, 1.0
 
 @dataclass(frozen=True)
 class Boards:
-    """Face → chips of its board (counted from 0), turn of their axes, mean cosine beside its null."""
+    """Face → chips of its board (counted from 0), turn of their axes, mean cosine and its null."""
 
     chips_of_face: dict[int, list[int]]
     turn: Float[np.ndarray, "3 3"]
@@ -46,7 +46,7 @@ class Boards:
 
     def findings(self, axes: str) -> list[Finding]:
         """Say which board is which face's, if that beats its null."""
-        told = self.p <= CERTAIN
+        is_certain = self.p <= CERTAIN
         boards = "; ".join(
             f"face {face}: chips {numbers_text([c + 1 for c in chips])}"
             for face, chips in self.chips_of_face.items()
@@ -54,7 +54,7 @@ class Boards:
         return [
             Finding(
                 "boards of the faces held",
-                f"{boards}; {axes}" if told else "cannot be told",
+                f"{boards}; {axes}" if is_certain else "cannot be told",
                 f"cosine with predicted presses {self.cosine:.2f}",
                 f"{np.median(self.null):.2f}",
                 self.p,
@@ -94,21 +94,21 @@ def _predicted(
     motion = np.zeros((len(face), design.bodies, 6))
     xy = places_mm(place)
     for frame in face_frames(spec):
-        own = np.flatnonzero(design.body_face == frame.number)
-        local = frame.from_object(movers[own])[:, :2]
+        movers_of_face = np.flatnonzero(design.body_face == frame.number)
+        local = frame.from_object(movers[movers_of_face])[:, :2]
         for contact in range(face.shape[1]):
             here = np.flatnonzero(face[:, contact] == frame.number)
             for tip in range(place.shape[2]):
-                at = xy[here, contact, tip]
-                travel = np.where(np.isfinite(at[:, 0]), _DEPTH_MM / place.shape[2], 0.0)
-                motion[np.ix_(here, own)] += bell_motion(
-                    local, frame.axes, np.nan_to_num(at), travel, SPREAD_MM, _ASIDE, _TILT
+                tip_xy = xy[here, contact, tip]
+                travel = np.where(np.isfinite(tip_xy[:, 0]), _DEPTH_MM / place.shape[2], 0.0)
+                motion[np.ix_(here, movers_of_face)] += bell_motion(
+                    local, frame.axes, np.nan_to_num(tip_xy), travel, SPREAD_MM, _ASIDE, _TILT
                 )
     model = magnets_model(spec.magnets, min_distance_mm(design, motion))
     change = sensed_field(design, motion, model) - sensed_field(design, zero_motion(design), model)
     # T along each chip's axes: s sensor, j coordinate, i chip axis, n press
-    along = np.einsum("sij,nsj->nsi", design.sensors.axes, change)
-    return np.stack([along[:, design.sensors.face == number] for number in faces], axis=1)
+    chip_field = np.einsum("sij,nsj->nsi", design.sensors.axes, change)
+    return np.stack([chip_field[:, design.sensors.face == number] for number in faces], axis=1)
 
 
 def _agreement(
@@ -116,12 +116,14 @@ def _agreement(
     predicted: Float[np.ndarray, "press face chip 3"],
 ) -> Float[np.ndarray, "turn face board"]:
     """Mean cosine over the presses of every board as every face, under every turn of the axes."""
-    known = np.nan_to_num(recorded)
-    known = known / np.maximum(np.linalg.norm(known, axis=(2, 3), keepdims=True), 1e-12)
+    unit_changes = np.nan_to_num(recorded)
+    unit_changes = unit_changes / np.maximum(
+        np.linalg.norm(unit_changes, axis=(2, 3), keepdims=True), 1e-12
+    )
     size = np.linalg.norm(predicted, axis=(2, 3), keepdims=True)
     wanted = predicted / np.maximum(size, 1e-30)
     # n press, f face, b board, c chip, i recorded axis, j designed axis
-    product = np.einsum("nbci,nfcj->fbij", known, wanted) / len(known)
+    product = np.einsum("nbci,nfcj->fbij", unit_changes, wanted) / len(unit_changes)
     turns = np.array([*TURNS, *(-turn for turn in TURNS)])
     return np.einsum("fbij,tij->tfb", product, turns)
 

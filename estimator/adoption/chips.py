@@ -69,19 +69,19 @@ def _silent_finding(
 
 def _frozen_findings(counts: Counts, frozen: Bool[np.ndarray, "row chip"]) -> list[Finding]:
     """Name chips that repeat one reading, three at most."""
-    found = []
+    findings = []
     for chip in np.flatnonzero(frozen.any(axis=0))[:3].tolist():
         rows = np.flatnonzero(frozen[:, chip])
         reading = ", ".join(f"{v:g}" for v in counts[rows[0], chip])
         where = (
             f"rows {rows[0]}-{rows[-1]}" if len(rows) == np.ptp(rows) + 1 else f"{len(rows)} rows"
         )
-        found.append(
+        findings.append(
             Finding(
                 "wrong readings", f"chip {chip + 1}, {where}: ({reading})", "repeated; not used"
             )
         )
-    return found
+    return findings
 
 
 def _checked(counts: Counts, *checks: object) -> Bool[np.ndarray, "row chip 3"]:
@@ -90,8 +90,8 @@ def _checked(counts: Counts, *checks: object) -> Bool[np.ndarray, "row chip 3"]:
     padded = np.full((len(counts), 5 * -(-chips // 5), 3), np.nan)
     padded[:, :chips] = counts
     by_face = padded.reshape(len(counts), 5, -1, 3)
-    left, _ = checked(by_face, checks)  # pyright: ignore[reportArgumentType]
-    named = np.isnan(left) & np.isfinite(by_face)
+    kept, _ = checked(by_face, checks)  # pyright: ignore[reportArgumentType]
+    named = np.isnan(kept) & np.isfinite(by_face)
     return named.reshape(padded.shape)[:, :chips]
 
 
@@ -132,38 +132,41 @@ def _moved_columns(
         if not full.any() or len(answering) + len(chips) != used.shape[1]:
             continue
         level = np.nanmedian(used[full], axis=0)
-        there = np.nanmedian(used[rows][:, answering], axis=0)
-        as_written = _left(level[answering], there)
-        kept, left = _aligned(level, there)
+        span_level = np.nanmedian(used[rows][:, answering], axis=0)
+        as_written = _left(level[answering], span_level)
+        kept, residual = _aligned(level, span_level)
         missing = [c for c in range(used.shape[1]) if c not in kept]
-        if missing == chips or left > as_written / 2:
+        if missing == chips or residual > as_written / 2:
             continue
         rng = np.random.default_rng((seed, 21))
-        null = [_aligned(level, rng.permuted(there.ravel()).reshape(-1, 3))[1] for _ in range(_SHIFTS)]
+        null = [
+            _aligned(level, rng.permuted(span_level.ravel()).reshape(-1, 3))[1]
+            for _ in range(_SHIFTS)
+        ]
         findings.append(
             Finding(
                 "columns moved",
                 f"chips {numbers_text([c + 1 for c in missing])} are missing in rows {_spans_text(spans)}; "
                 f"columns of chips {numbers_text([int(c) + 1 for c in answering])} hold chips "
-                f"{_in_order(kept)}",
-                f"levels differ by {left:.0f} counts, as written by {as_written:.0f}",
+                f"{_chips_text(kept)}",
+                f"levels differ by {residual:.0f} counts, as written by {as_written:.0f}",
                 f"{np.median(null):.0f} counts",
-                share_as_high([-value for value in null], -left),
+                share_as_high([-value for value in null], -residual),
             )
         )
         moves.append((rows, kept))
     return moves
 
 
-def _in_order(chips: Int[np.ndarray, "part"]) -> str:
+def _chips_text(chips: Int[np.ndarray, "part"]) -> str:
     numbers = [int(chip) + 1 for chip in chips]
     rising = numbers == sorted(numbers)
     return numbers_text(numbers) if rising else f"{', '.join(map(str, numbers))}, in this order"
 
 
-def _left(one: np.ndarray, other: np.ndarray) -> float:
+def _left(levels: np.ndarray, levels_there: np.ndarray) -> float:
     """Root mean square of what two sets of levels differ by."""
-    return float(np.sqrt(np.nanmean((one - other) ** 2)))
+    return float(np.sqrt(np.nanmean((levels - levels_there) ** 2)))
 
 
 def _aligned(level: np.ndarray, part: np.ndarray) -> tuple[Int[np.ndarray, "part"], float]:
@@ -185,12 +188,12 @@ def wrong_readings(counts: Counts) -> Bool[np.ndarray, "row chip 3"]:
 
 
 def _spike_finding(counts: Counts, spikes: Bool[np.ndarray, "row chip 3"]) -> Finding:
-    at = np.argwhere(spikes)
+    spots = np.argwhere(spikes)
     shown = "; ".join(
         f"chip {c + 1} {'xyz'[a]}, row {r}: {counts[r, c, a]:g} beside {counts[r - 1, c, a]:g}"
-        for r, c, a in at[:3].tolist()
+        for r, c, a in spots[:3].tolist()
     )
-    more = f" and {len(at) - 3} more" if len(at) > 3 else ""
+    more = f" and {len(spots) - 3} more" if len(spots) > 3 else ""
     return Finding(
         "wrong readings", f"{shown}{more}", "single rows whose neighbours agree; not used"
     )

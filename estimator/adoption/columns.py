@@ -1,4 +1,4 @@
-"""What the columns of a foreign log are: labels, stamps and the three axes of every chip.
+"""Columns of a foreign log: labels, stamps and the three axes of every chip.
 
 Names decide where a header gives them. Without names, values do: labels are small whole numbers that stay
 for many rows, stamps only rise, and what is left must be three columns per chip. What two readings of a
@@ -48,7 +48,7 @@ _CHANNEL = re.compile(r"(.*?)([xyz])[ _.-]?(\d+)$|(.*?\d)[ _.-]?([xyz])$", re.IG
 
 @dataclass(frozen=True)
 class ForeignLog:
-    """A log with its columns told apart; NaN where a cell is empty.
+    """A log with named columns; NaN where a cell is empty.
 
     Attributes
     ----------
@@ -85,12 +85,12 @@ def tell_columns(table: TextTable, columns: str | None = None) -> ForeignLog:
     width = table.values.shape[1]
     if columns is not None:
         roles, source = _stated(columns, width), "as stated"
-    elif table.names is not None and (named := _by_names(table.names)):
+    elif table.names is not None and (named := _roles_of_names(table.names)):
         roles, source = named, "by their names"
     else:
-        roles, source = _by_values(table.values), "by their values"
-    at = {role: [k for k, given in enumerate(roles) if given == role] for role in ROLES}
-    chips = at["chips"]
+        roles, source = _roles_of_values(table.values), "by their values"
+    columns_of = {role: [k for k, given in enumerate(roles) if given == role] for role in ROLES}
+    chips = columns_of["chips"]
     if not chips or len(chips) % 3:
         raise RecordingError(
             f"{len(chips)} of its {width} columns are left for chips, which take three each. "
@@ -99,13 +99,13 @@ def tell_columns(table: TextTable, columns: str | None = None) -> ForeignLog:
     by_chip = None
     if table.names is not None:
         chips, by_chip = _ordered(table.names, chips)
-    values, labels = table.values, at["force"] or at["level"]
-    time_s = values[:, at["time"][0]] if at["time"] else None
-    said = [f"{len(at[role])} {role}" for role in ROLES[:-1] if at[role]]
+    values, labels = table.values, columns_of["force"] or columns_of["level"]
+    time_s = values[:, columns_of["time"][0]] if columns_of["time"] else None
+    said = [f"{len(columns_of[role])} {role}" for role in ROLES[:-1] if columns_of[role]]
     note = f"columns told {source}: {', '.join([*said, f'{len(chips) // 3} chips'])}"
     stated = "" if table.names is None else " ".join(table.names[k] for k in labels)
     return ForeignLog(
-        values[:, chips], by_chip, values[:, at["face"]], values[:, at["place"]],
+        values[:, chips], by_chip, values[:, columns_of["face"]], values[:, columns_of["place"]],
         values[:, labels], time_s, stated, (*table.notes, note),
     )  # fmt: skip
 
@@ -118,18 +118,18 @@ def _stated(columns: str, width: int) -> list[str]:
             f"columns={columns}: {', '.join(wrong) or 'chips'} cannot be placed. Name once each column "
             f"before and after the chips' ({', '.join(ROLES[:-1])}), and `chips` for all of theirs"
         )
-    at, many = roles.index("chips"), width - len(roles) + 1
+    first, many = roles.index("chips"), width - len(roles) + 1
     if many < 3:
         raise RecordingError(f"columns={columns} leaves {many} of {width} columns for the chips")
-    return [*roles[:at], *["chips"] * many, *roles[at + 1 :]]
+    return [*roles[:first], *["chips"] * many, *roles[first + 1 :]]
 
 
-def _by_names(names: tuple[str, ...]) -> list[str] | None:
+def _roles_of_names(names: tuple[str, ...]) -> list[str] | None:
     """Return a role per column; None where names leave one open."""
     roles = []
     for name in names:
         words = re.findall("[a-z]+", name.lower())
-        role = next((r for r, known in _WORDS.items() if set(words) & set(known)), "")
+        role = next((r for r, vocabulary in _WORDS.items() if set(words) & set(vocabulary)), "")
         if not role and _CHANNEL.fullmatch(name):
             role = "chips"
         roles.append(role)
@@ -140,18 +140,18 @@ def _ordered(names: tuple[str, ...], chips: list[int]) -> tuple[list[int], bool 
     """Return the channels chip by chip, x, y, z, where every name says chip and axis."""
     keys: dict[tuple[str, str], dict[str, int]] = {}
     for column in chips:
-        found = _CHANNEL.fullmatch(names[column])
-        if found is None:
+        match = _CHANNEL.fullmatch(names[column])
+        if match is None:
             return chips, None
-        before, axis, number, alone, last = found.groups()
-        key = (before, number) if axis else (alone, "")
+        prefix, axis, number, alone, last = match.groups()
+        key = (prefix, number) if axis else (alone, "")
         keys.setdefault(key, {})[(axis or last).lower()] = column
     if any(len(axes) != 3 for axes in keys.values()):
         return chips, None
     return [axes[a] for axes in keys.values() for a in "xyz"], True
 
 
-def _by_values(values: Float[np.ndarray, "row column"]) -> list[str]:
+def _roles_of_values(values: Float[np.ndarray, "row column"]) -> list[str]:
     width = values.shape[1]
     kinds = [_kind(values[:, column]) for column in range(width)]
     head = next((k for k, kind in enumerate(kinds) if not kind), width)
@@ -171,22 +171,22 @@ def _by_values(values: Float[np.ndarray, "row column"]) -> list[str]:
 
 def _kind(column: Float[np.ndarray, "row"]) -> str:
     """Return time, label or nothing, from one column's values alone."""
-    known = column[np.isfinite(column)]
-    if not len(known):
+    readings = column[np.isfinite(column)]
+    if not len(readings):
         return "constant"
-    step, whole = np.diff(known), bool(np.all(known == np.round(known)))
-    distinct = len(np.unique(known))
+    step, whole = np.diff(readings), bool(np.all(readings == np.round(readings)))
+    distinct = len(np.unique(readings))
     rising = len(step) > 0 and float(np.mean(step >= 0)) > 0.999 and distinct > 1
-    if rising and (not whole or distinct > MOST_PLACES or known.max() > 1e6):
+    if rising and (not whole or distinct > MOST_PLACES or readings.max() > 1e6):
         return "time"
     calm = len(step) > 0 and float(np.mean(step != 0)) < _CALM
-    if whole and calm and known.min() >= 0 and known.max() <= MOST_PLACES:
+    if whole and calm and readings.min() >= 0 and readings.max() <= MOST_PLACES:
         return "label"
     return ""
 
 
 def _continuous_labels(values: Any, head: int, end: int, kinds: list[str]) -> list[int]:
-    """Return columns of forces beside the chips': of another grain than those, or one or two too many.
+    """Return columns of forces next to the chips': of another grain than those, or one or two too many.
 
     Raises
     ------
@@ -195,9 +195,9 @@ def _continuous_labels(values: Any, head: int, end: int, kinds: list[str]) -> li
     """
     grain = [bool(np.all(v == np.round(v))) for v in (c[np.isfinite(c)] for c in values.T)]
     usual = float(np.mean(grain[head:end])) > 0.5
-    before = next((k for k in range(head, end) if grain[k] == usual), head)
+    first_chip = next((k for k in range(head, end) if grain[k] == usual), head)
     behind = next((k for k in range(end, head, -1) if grain[k - 1] == usual), end)
-    forces = [*range(head, before), *range(behind, end)]
+    forces = [*range(head, first_chip), *range(behind, end)]
     if (end - head - len(forces)) % 3:
         raise RecordingError(
             f"{end - head} columns are no labels, which is no multiple of three: forces may stand before "
@@ -218,7 +218,7 @@ def _label_roles(labels: Float[np.ndarray, "row label"], with_force: bool) -> li
     changes = [int(np.sum(np.diff(c[np.isfinite(c)]) != 0)) for c in labels.T]
     few = [np.nanmax(c) <= MOST_FACES for c in labels.T]
     if with_force and labels.shape[1] and few[0]:
-        return ["face" if one else "place" for one in few]
+        return ["face" if is_few else "place" for is_few in few]
     if labels.shape[1] == 1:
         return ["place"]
     if labels.shape[1] == 2 and not few[int(np.argmin(changes))]:
@@ -271,15 +271,17 @@ def group_axes(
         name, finding = given or "chip", ("as stated" if given else "the header names them")
         return log.channels[:, orders[name]], Finding("order of columns", words[name], finding)
     alike = _alike(log.channels)
-    fits = {name: _within(alike, order) for name, order in orders.items()}
+    fits = {name: _axis_agreement(alike, order) for name, order in orders.items()}
     rng = np.random.default_rng(33)
-    null = [_within(alike, rng.permutation(3 * chips).reshape(-1, 3)) for _ in range(EXCHANGES)]
+    null = [
+        _axis_agreement(alike, rng.permutation(3 * chips).reshape(-1, 3)) for _ in range(EXCHANGES)
+    ]
     name = max(fits, key=lambda key: fits[key])
-    other = min(fits.values())
+    alternative = min(fits.values())
     finding = Finding(
         "order of columns",
         words[name],
-        f"axes of a chip active together: correlation {fits[name]:.2f}, the other way {other:.2f}",
+        f"axes of a chip active together: correlation {fits[name]:.2f}, the other way {alternative:.2f}",
         f"{np.median(null):.2f}",
         share_as_high(null, fits[name]),
     )
@@ -295,6 +297,6 @@ def _alike(channels: Float[np.ndarray, "row channel"]) -> Float[np.ndarray, "cha
     return off.T @ off / (length[:, None] * length)
 
 
-def _within(alike: np.ndarray, groups: np.ndarray) -> float:
+def _axis_agreement(alike: np.ndarray, groups: np.ndarray) -> float:
     pairs = ((0, 1), (0, 2), (1, 2))
     return float(np.mean([alike[groups[:, a], groups[:, b]] for a, b in pairs]))

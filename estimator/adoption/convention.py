@@ -1,4 +1,4 @@
-"""How chips of a log are ordered and turned: recorded against predicted changes under every convention.
+"""Order and turn of the chips of a log: recorded against predicted changes under every convention.
 
 One turn of the axes (24, with either pole outwards 48) holds for all chips of a face, as chips are soldered
 alike; the order is the best assignment of columns to designed chips. What order and turn explain by
@@ -36,10 +36,10 @@ class Convention:
     turn: Float[np.ndarray, "3 3"]
     cosine: float
 
-    def agrees(self, other: Convention) -> bool:
+    def agrees(self, convention: Convention) -> bool:
         """Return whether both have the same order and turn."""
-        same_turn = np.array_equal(self.turn, other.turn)
-        return same_turn and np.array_equal(self.order, other.order)
+        same_turn = np.array_equal(self.turn, convention.turn)
+        return same_turn and np.array_equal(self.order, convention.order)
 
     def designed(self, recorded: Float[np.ndarray, "*any chip 3"]) -> np.ndarray:
         """Return readings of the log in the order and along the axes of the design."""

@@ -1,4 +1,4 @@
-"""Chips under each face: those that answer when it is pressed, beside chips and faces exchanged."""
+"""Chips under each face: they answer when it is pressed; the null exchanges chips and faces."""
 
 from __future__ import annotations
 
@@ -29,23 +29,23 @@ def chips_under_faces(
     for _ in range(EXCHANGES):
         mixed, size = _mixed(presses, rng)
         null.append(_split(answers(mixed, mixed.face, pressed, size))[1])
-    found, findings = {}, []
+    chips_of_face, findings = {}, []
     for k, face in enumerate(pressed):
         p = share_as_high([gap[k] for gap in null], gaps[k])
-        told = gaps[k] >= _LEAST_GAP and p <= CERTAIN
-        if told:
-            found[face] = groups[k]
+        is_certain = gaps[k] >= _LEAST_GAP and p <= CERTAIN
+        if is_certain:
+            chips_of_face[face] = groups[k]
         chips = numbers_text([c + 1 for c in groups[k]])
         findings.append(
             Finding(
                 f"chips under face {face}",
-                f"chips {chips}" if told else "cannot be told: all chips answer alike",
+                f"chips {chips}" if is_certain else "cannot be told: all chips answer alike",
                 f"weakest of them {gaps[k]:.1f} times the strongest other",
                 f"{np.median([gap[k] for gap in null]):.1f} times",
                 p,
             )
         )
-    return found, findings
+    return chips_of_face, findings
 
 
 def answers(
@@ -59,14 +59,14 @@ def answers(
     noise = np.zeros(size.shape[1])
     if len(presses.rest_scatter):
         noise = np.mean(np.nan_to_num(np.sum(presses.rest_scatter**2, axis=2)), axis=0)
-    found = np.zeros((len(faces), size.shape[1]))
+    strength = np.zeros((len(faces), size.shape[1]))
     for k, number in enumerate(faces):
         rows = size[(face == number).any(axis=1)]
         live = np.isfinite(rows)
         power = np.where(live, rows, 0.0) ** 2
         mean = power.sum(axis=0) / np.maximum(live.sum(axis=0), 1)
-        found[k] = np.sqrt(np.maximum(mean - noise, noise) + 1.0)
-    return found
+        strength[k] = np.sqrt(np.maximum(mean - noise, noise) + 1.0)
+    return strength
 
 
 def _split(strength: Float[np.ndarray, "face chip"]) -> tuple[list[list[int]], list[float]]:
@@ -74,12 +74,12 @@ def _split(strength: Float[np.ndarray, "face chip"]) -> tuple[list[list[int]], l
 
     Where several faces were pressed each chip is one of the face that it answers most.
     """
-    own = np.argmax(strength, axis=0)
+    face_of_chip = np.argmax(strength, axis=0)
     groups, gaps = [], []
     for k, row in enumerate(strength):
         order = np.argsort(-row)
         most = max(1, len(row) // 2) if len(strength) == 1 else len(row) - 1
-        candidates = [c for c in order if own[c] == k][:most] or [int(order[0])]
+        candidates = [c for c in order if face_of_chip[c] == k][:most] or [int(order[0])]
         ratios = []
         for count in range(1, len(candidates) + 1):
             outside = np.setdiff1d(order, candidates[:count])

@@ -1,4 +1,4 @@
-"""What was found in a log: each once, with its evidence beside what labels exchanged give."""
+"""Findings in a log: each once, with its evidence and what labels exchanged give."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Finding:
     """
 
     question: str
-    found: str
+    answer: str
     evidence: str = ""
     null: str = ""
     p: float | None = None
@@ -30,7 +30,7 @@ class Finding:
         beside = [f"labels exchanged: {self.null}"] if self.null else []
         beside += [] if self.p is None else [f"p {self.p:.2g}"]
         evidence = f"{self.evidence} ({'; '.join(beside)})" if beside else self.evidence
-        return f"{self.question}: {self.found}\n    {evidence}"
+        return f"{self.question}: {self.answer}\n    {evidence}"
 
 
 def share_as_high(null: Sequence[float], value: float) -> float:

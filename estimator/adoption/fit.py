@@ -78,7 +78,7 @@ class Moving:
     extra: tuple[float, ...] = ()
 
     @classmethod
-    def of_table(cls, model: TravelModel) -> Moving:
+    def from_table(cls, model: TravelModel) -> Moving:
         """Motions of the simulated presses."""
 
         def motion(xy: np.ndarray, travel: np.ndarray, extra: np.ndarray) -> np.ndarray:
@@ -106,7 +106,7 @@ class ObjectFit:
 
     @property
     def pose(self) -> Pose:
-        """Of the object under the machine."""
+        """Pose of the object under the machine."""
         x, y, turn, contact = self.numbers[:4] * SCALES[:4]
         return Pose(np.array([x, y]), float(turn), float(contact), self.symmetry)
 
@@ -122,10 +122,10 @@ class ObjectFit:
 
     @property
     def magnet_shift_mm(self) -> Float[np.ndarray, "3"]:
-        """By which all magnets lie off the design, in the object's frame."""
+        """Shift of all magnets off the design, in the object's frame."""
         return self.numbers[6:9] * SCALES[6:9]
 
-    def in_object(self, pressed: Pressed) -> tuple[np.ndarray, Float[np.ndarray, "press"]]:
+    def shell_presses(self, pressed: Pressed) -> tuple[np.ndarray, Float[np.ndarray, "press"]]:
         """Places in the face's frame and travel of the shell beyond the first contact, mm."""
         tip = np.column_stack([pressed.xy_mm, -pressed.travel_mm])
         xy, travel = self.pose.in_object(tip)
@@ -135,7 +135,7 @@ class ObjectFit:
         self, pressed: Pressed
     ) -> tuple[Float[np.ndarray, "press sensor 3"], Float[np.ndarray, "sensor 3"]]:
         """Changes of the presses and the field at rest, mT, in the order and along the axes of the design."""
-        xy, travel = self.in_object(pressed)
+        xy, travel = self.shell_presses(pressed)
         magnets = self.thing.scene.magnets
         moved = replace(magnets, centre_mm=magnets.centre_mm + self.magnet_shift_mm)
         scene = replace(self.thing.scene, magnets=moved)
@@ -171,21 +171,21 @@ def fit_object(thing: Moving, pressed: Pressed, kept: int = _KEPT) -> ObjectFit:
     refined = [_refined(start, pressed) for start in starts[:kept]]
     others = [_with_convention(fit, pressed) for _, fit in refined]
     again = [
-        _refined(other, pressed)
-        for other, (_, fit) in zip(others, refined, strict=True)
-        if not other.convention.agrees(fit.convention)
+        _refined(alternative, pressed)
+        for alternative, (_, fit) in zip(others, refined, strict=True)
+        if not alternative.convention.agrees(fit.convention)
     ]
-    return min((*refined, *again), key=lambda found: found[0])[1]
+    return min((*refined, *again), key=lambda fit_and_cost: fit_and_cost[0])[1]
 
 
 def _with_convention(fit: ObjectFit, pressed: Pressed) -> ObjectFit:
     change, resting = fit.predicted(pressed)
     live = np.isfinite(pressed.change_mt).all(axis=(1, 2))
-    known, predicted = [pressed.change_mt[live]], [change[live]]
+    readings, predicted = [pressed.change_mt[live]], [change[live]]
     if np.isfinite(pressed.resting_mt).all():
-        known.append(pressed.resting_mt)
+        readings.append(pressed.resting_mt)
         predicted.append(resting)
-    return replace(fit, convention=best_convention(known, predicted))
+    return replace(fit, convention=best_convention(readings, predicted))
 
 
 def _refined(start: ObjectFit, pressed: Pressed) -> tuple[float, ObjectFit]:
@@ -205,8 +205,8 @@ def _refined(start: ObjectFit, pressed: Pressed) -> tuple[float, ObjectFit]:
         off = np.nan_to_num((still - resting) / level).ravel()
         return np.concatenate([(change - recorded)[live] / scale, off, numbers / PRIOR])
 
-    found = least_squares(residual, start.numbers, max_nfev=_ROUNDS, diff_step=1e-3)
-    return float(found.cost), replace(start, numbers=found.x)
+    solution = least_squares(residual, start.numbers, max_nfev=_ROUNDS, diff_step=1e-3)
+    return float(solution.cost), replace(start, numbers=solution.x)
 
 
 @dataclass(frozen=True)
@@ -222,7 +222,7 @@ class FitFigures:
     @property
     def order_of_chips(self) -> int:
         """Place of the chips' order among all, by cosine: 1 is best."""
-        return 1 + sum(other.cosine >= self.all.cosine for other in self.chips_permuted)
+        return 1 + sum(alternative.cosine >= self.all.cosine for alternative in self.chips_permuted)
 
 
 def halves_of_places(pressed: Pressed, seed: int) -> Bool[np.ndarray, "press"]:
@@ -236,7 +236,7 @@ def judged(fit: ObjectFit, pressed: Pressed, exchanges: int = 99, seed: int = 0)
     """Judge a fit; places exchanged keep every press's travel and give it the place of another."""
     pressed = pressed.complete
     recorded, predicted = fit.recorded(pressed), fit.predicted(pressed)[0]
-    _, travel = fit.in_object(pressed)
+    _, travel = fit.shell_presses(pressed)
     deep = travel > BEYOND_MM
     rng = np.random.default_rng((seed, 42))
     exchanged = []

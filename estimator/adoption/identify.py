@@ -1,4 +1,4 @@
-"""Identify an object from its log: what is asked of the columns, chips, faces and places, in this order."""
+"""Identification of an object from its log: columns, chips, faces and places, in this order."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from estimator.recordings.formats.text import naming
 
 @dataclass(frozen=True)
 class Known:
-    """What a user states of a log; None where it is to be found or does not matter.
+    """Statements of a user about a log; None where it is to be found or does not matter.
 
     Attributes
     ----------
@@ -47,8 +47,10 @@ class Known:
             Another key, or a value of another kind.
         """
         keys = [field.name for field in fields(cls)]
-        if other := [key for key in given if key not in keys]:
-            raise InputError(f"--known {other[0]} is not asked for. Give one of {', '.join(keys)}")
+        if unknown := [key for key in given if key not in keys]:
+            raise InputError(
+                f"--known {unknown[0]} is not asked for. Give one of {', '.join(keys)}"
+            )
         checked = dict(given)
         for key, many in (("step_mm", 1), ("pitch_mm", 2)):
             if key in checked:
@@ -70,7 +72,7 @@ def _lengths(key: str, value: object, many: int) -> float | tuple[float, ...]:
 
 @dataclass(frozen=True)
 class Identified:
-    """What a log, or several of one object, hold.
+    """Content of one log, or of several of one object.
 
     Attributes
     ----------
@@ -94,7 +96,7 @@ class Identified:
         return _joined(list(self.presses))
 
 
-def identify(paths: list[Path], known: Known, seed: int = 0) -> Identified:
+def identify(paths: list[Path], answers: Known, seed: int = 0) -> Identified:
     """Read logs of one object and identify it.
 
     Raises
@@ -105,23 +107,23 @@ def identify(paths: list[Path], known: Known, seed: int = 0) -> Identified:
     tables, kinds, findings, notes = [], [], [], []
     for path in paths:
         with naming(path):
-            log = tell_columns(read_text_table(path), known.columns)
-            counts, order = group_axes(log, known.axes)
+            log = tell_columns(read_text_table(path), answers.columns)
+            counts, order = group_axes(log, answers.axes)
             clean = clean_chips(counts, seed)
-            kind, label = label_kind(log, known.label)
+            kind, label = label_kind(log, answers.label)
             presses, lag = find_presses(log, clean.counts, kind)
         notes += [(path.name, note) for note in log.notes]
-        findings += [(path.name, one) for one in (order, *clean.findings, label, *lag)]
+        findings += [(path.name, finding) for finding in (order, *clean.findings, label, *lag)]
         tables.append(presses)
         kinds.append(kind)
     _require_alike(paths, tables, kinds)
     chips, of_faces = chips_under_faces(_joined(tables), seed)
     where = paths[0].name if len(paths) == 1 else "all logs"
-    findings += [(where, one) for one in of_faces]
+    findings += [(where, finding) for finding in of_faces]
     orders = {}
     for number, presses in enumerate(tables):
-        for face, own in chips.items():
-            order = order_of_places(presses, own, face, seed)
+        for face, chips_of in chips.items():
+            order = order_of_places(presses, chips_of, face, seed)
             if order is not None:
                 if order.p <= CERTAIN:
                     orders[number, face] = order

@@ -49,21 +49,21 @@ def _chips(spec: ObjectSpec, fit: ObjectFit) -> dict[str, Any]:
 
 def _magnets(spec: ObjectSpec, fit: ObjectFit) -> dict[str, Any]:
     magnets, frame = spec.magnets, face_frames(spec)[0]
-    at = fit.thing.scene.magnets.centre_mm + fit.magnet_shift_mm
-    places = frame.from_object(at)
-    found: dict[str, Any] = {
+    centre_mm = fit.thing.scene.magnets.centre_mm + fit.magnet_shift_mm
+    places = frame.from_object(centre_mm)
+    keys: dict[str, Any] = {
         "positions_mm": [[round(float(v), _DIGITS) for v in place[:2]] for place in places],
         "remanence_t": [round(float(r * fit.strength), 4) for r in magnets.remanences_t],
     }
-    if len(set(found["remanence_t"])) == 1:
-        found["remanence_t"] = found["remanence_t"][0]
+    if len(set(keys["remanence_t"])) == 1:
+        keys["remanence_t"] = keys["remanence_t"][0]
     if np.linalg.det(fit.convention.turn) < 0:
-        other = {1: "inward", -1: "outward"}
-        found["north"] = [other[pole] for pole in magnets.polarities]
+        opposite = {1: "inward", -1: "outward"}
+        keys["north"] = [opposite[pole] for pole in magnets.polarities]
     if spec.arrangement == "sensors-in-shell":
         outwards = float(frame.axes[:, 2] @ fit.magnet_shift_mm)
         depth = max(0.0, magnets.depth_below_core_face_mm - outwards)
-        found["depth_below_core_face_mm"] = round(depth, _DIGITS)
+        keys["depth_below_core_face_mm"] = round(depth, _DIGITS)
     else:
-        found["depth_mm"] = [round(-float(z), _DIGITS) for z in places[:, 2]]
-    return found
+        keys["depth_mm"] = [round(-float(z), _DIGITS) for z in places[:, 2]]
+    return keys

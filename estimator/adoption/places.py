@@ -1,4 +1,4 @@
-"""The order of the places pressed, found from the signals alone, beside places exchanged.
+"""The order of the places pressed, found from the signals alone; the null exchanges places.
 
 Two places are near where the own chips of a face answer alike. Distances along chains of near places
 give a map of them (Isomap); what it cannot tell is how that map is turned, stretched or mirrored. An order
@@ -60,12 +60,12 @@ def order_of_places(
     presses: ForeignPresses, chips: list[int], face: int, seed: int = 0
 ) -> PlaceOrder | None:
     """Find the order of a face's places; None where they are too few, or no grid has their number."""
-    own = presses.select(np.flatnonzero(presses.face[:, 0] == face))
-    place = np.unique(own.place[:, 0])
+    face_presses = presses.select(np.flatnonzero(presses.face[:, 0] == face))
+    place = np.unique(face_presses.place[:, 0])
     shapes = list(_grids(len(place)))
     if len(place) < LEAST_PLACES or not shapes or len(chips) < 2:
         return None
-    where = map_of_places(own, chips, place)
+    where = map_of_places(face_presses, chips, place)
     best = max(shapes, key=lambda named: _fit(where, named[1]).min())
     rng = np.random.default_rng((seed, 32))
     null = [
@@ -85,10 +85,10 @@ def map_of_places(
     mean = np.array([np.sqrt(np.nanmean(size[r] ** 2, axis=0)) for r in rows])
     mean = np.where(np.isfinite(mean), mean, np.nanmean(mean, axis=0))
     apart = cdist(np.log(mean + floor), np.log(mean + floor))
-    along = _chained(apart)
+    chain_lengths = _chained(apart)
     # classical scaling: twice-centred squares of distances are inner products
     centre = np.eye(len(place)) - 1 / len(place)
-    value, vector = np.linalg.eigh(-centre @ along**2 @ centre / 2)
+    value, vector = np.linalg.eigh(-centre @ chain_lengths**2 @ centre / 2)
     return vector[:, -2:] * np.sqrt(np.maximum(value[-2:], 0.0))
 
 
@@ -97,14 +97,14 @@ def _chained(apart: Float[np.ndarray, "place place"]) -> Float[np.ndarray, "plac
     rank = apart.argsort(axis=1).argsort(axis=1)
     for count in range(min(_NEIGHBOURS, len(apart) - 1), len(apart)):
         near = np.minimum(rank, rank.T) <= count
-        along = shortest_path(np.where(near, apart, 0.0), directed=False)
-        if np.isfinite(along).all():
-            return along
+        chain_lengths = shortest_path(np.where(near, apart, 0.0), directed=False)
+        if np.isfinite(chain_lengths).all():
+            return chain_lengths
     return apart
 
 
 def _grids(count: int) -> Iterator[tuple[str, Int[np.ndarray, "place 2"]]]:
-    """Yield orders of so many places: in rows and in a snake, of all shapes of two or more rows."""
+    """Yield orders of this number of places: in rows and in a snake, of all shapes of two or more rows."""
     for rows in range(2, count // 2 + 1):
         if count % rows:
             continue

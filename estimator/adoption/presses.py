@@ -68,11 +68,11 @@ def label_kind(log: ForeignLog, given: str | None) -> tuple[str, Finding]:
 
     Levels are few, and each is kept for many rows; a load cell scatters from row to row.
     """
-    known = log.label[np.isfinite(log.label).all(axis=1)]
-    if not known.size:
+    labels = log.label[np.isfinite(log.label).all(axis=1)]
+    if not labels.size:
         return "none", Finding("label", "none", "no column of forces, levels or travels")
-    values = np.unique(known)
-    held = float(np.mean(np.all(np.diff(known, axis=0) == 0, axis=1)))
+    values = np.unique(labels)
+    held = float(np.mean(np.all(np.diff(labels, axis=0) == 0, axis=1)))
     kind = "level" if len(values) <= LEVELS and held > _HELD else "force"
     name = f"the file calls it {log.stated!r}; " if log.stated else ""
     evidence = f"{name}{len(values)} values, {100 * held:.1f} % of rows repeat the row before"
@@ -110,7 +110,7 @@ def find_presses(
     keys = np.column_stack([face, place, idle, *(label.T if kind != "force" else ())])
     _, block = np.unique(keys, axis=0, return_inverse=True)
     spans = [(a, b) for a, b in runs(block.ravel()) if b - a >= _LEAST_ROWS]
-    cut = _by_force if kind == "force" else _by_level
+    cut = _cut_forces if kind == "force" else _cut_levels
     return cut(face, place, label, counts, spans, np.asarray(idle)), findings
 
 
@@ -121,7 +121,7 @@ def _whole(labels: Float[np.ndarray, "row contact"], others: int) -> Int[np.ndar
     return np.nan_to_num(labels).astype(int)
 
 
-def _by_level(
+def _cut_levels(
     face: np.ndarray, place: np.ndarray, label: np.ndarray, counts: Counts,
     spans: list[tuple[int, int]], idle: Bool[np.ndarray, "row"],
 ) -> ForeignPresses:  # fmt: skip
@@ -134,7 +134,9 @@ def _by_level(
     first = [a for a, _ in pressed]
     if resting:
         rest_at = np.array([(a + b) / 2 for a, b in resting])
-        rest = _between(middle, rest_at, np.array([_settled(counts, *span) for span in resting]))
+        rest = _interpolated(
+            middle, rest_at, np.array([_settled(counts, *span) for span in resting])
+        )
     else:
         rest = np.broadcast_to(_lowest(place[first], label[first], levels), levels.shape)
     scatter = _rest_scatter(counts, resting)
@@ -155,14 +157,16 @@ def _median(part: np.ndarray) -> np.ndarray:
     return np.where(silent, np.nan, np.nanmedian(np.where(silent, 0.0, part), axis=0))
 
 
-def _between(at: np.ndarray, known_at: np.ndarray, known: np.ndarray) -> np.ndarray:
+def _interpolated(
+    middle_row: np.ndarray, known_at: np.ndarray, known_levels: np.ndarray
+) -> np.ndarray:
     """Interpolate levels at rest along the rows, each channel over the stretches in which it answers."""
-    flat = known.reshape(len(known), -1)
-    found = np.full((len(at), flat.shape[1]), np.nan)
+    flat = known_levels.reshape(len(known_levels), -1)
+    levels = np.full((len(middle_row), flat.shape[1]), np.nan)
     for channel, values in enumerate(flat.T):
         if (live := np.isfinite(values)).any():
-            found[:, channel] = np.interp(at, known_at[live], values[live])
-    return found.reshape(len(at), *known.shape[1:])
+            levels[:, channel] = np.interp(middle_row, known_at[live], values[live])
+    return levels.reshape(len(middle_row), *known_levels.shape[1:])
 
 
 def _lowest(place: np.ndarray, label: np.ndarray, levels: np.ndarray) -> np.ndarray:
@@ -183,7 +187,7 @@ def _rest_scatter(counts: Counts, resting: list[tuple[int, int]]) -> np.ndarray:
     return levels - _median(levels) if len(levels) else levels
 
 
-def _by_force(
+def _cut_forces(
     face: np.ndarray, place: np.ndarray, label: np.ndarray, counts: Counts,
     spans: list[tuple[int, int]], idle: Bool[np.ndarray, "row"],
 ) -> ForeignPresses:  # fmt: skip

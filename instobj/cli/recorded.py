@@ -42,9 +42,10 @@ def adopt(
         list[Path],
         typer.Argument(help="Logs of one object: any tables of numbers.", show_default=False),
     ],
-    known: Annotated[
+    statements: Annotated[
         list[str] | None,
         typer.Option(
+            "--known",
             metavar="KEY=VALUE|FILE",
             help="What the log cannot tell (columns, axes, label, step_mm, pitch_mm), or a TOML file of "
             "these; can be repeated.",
@@ -60,7 +61,7 @@ def adopt(
     """Identify an object that others built from its logs, and fit a specification to it."""
     from instobj.commands.adopt import adopt_logs
 
-    show(adopt_logs(logs, known or [], spec, out, overrides or []), as_json)
+    show(adopt_logs(logs, statements or [], spec, out, overrides or []), as_json)
 
 
 @app.command(rich_help_panel=MEASURE)

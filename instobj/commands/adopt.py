@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 def adopt_logs(
-    logs: list[Path], known: list[str], spec: Path | None, out: Path, overrides: list[str]
+    logs: list[Path], statements: list[str], spec: Path | None, out: Path, overrides: list[str]
 ) -> dict[str, Any]:
     """Identify the object of some logs; with a specification, fit it to them as well.
 
@@ -40,32 +40,32 @@ def adopt_logs(
     from estimator.recordings.formats.travel import is_travel_recording
 
     require_writable(out)
-    answers = read_answers(known)
+    answers = read_answers(statements)
     start = None if spec is None else load_spec(spec, overrides)
     if any(is_travel_recording(path) for path in logs):
         return _adopt_folders(logs, start)
     progress = ProgressLine()
     with progress.stage("identification from the data"):
-        found = identify(logs, answers)
+        identified = identify(logs, answers)
     name = "+".join(path.name.split(".")[0] for path in logs)
     target = run_folder(out, name)
     target.mkdir(parents=True, exist_ok=True)
-    document, texts, files = _document(found), _texts(found), [target / "adoption.json"]
+    document, texts, files = _document(identified), _texts(identified), [target / "adoption.json"]
     further = {}
     if spec is not None and start is not None:
-        if found.kind == "force" and found.presses[0].face.shape[1] > 1:
-            boards = boards_of_logs(found, start)
-            document["findings"] += [{"log": where} | asdict(one) for where, one in boards]
-            texts += [line for where, one in boards for line in (where, f"  {one}")]
-        elif why := why_not_fitted(found, answers):
+        if identified.kind == "force" and identified.presses[0].face.shape[1] > 1:
+            boards = boards_of_logs(identified, start)
+            document["findings"] += [{"log": where} | asdict(finding) for where, finding in boards]
+            texts += [line for where, finding in boards for line in (where, f"  {finding}")]
+        elif why := why_not_fitted(identified, answers):
             texts.append(why)
         else:
             fitted = target / f"{start.name}_adopted.toml"
             findings, document["fit"], text = fit_specification(
-                found, answers, spec, start, progress
+                identified, answers, spec, start, progress
             )
-            document["findings"] += [{"log": spec.name} | asdict(one) for one in findings]
-            texts += [spec.name, *(f"  {one}" for one in findings)]
+            document["findings"] += [{"log": spec.name} | asdict(finding) for finding in findings]
+            texts += [spec.name, *(f"  {finding}" for finding in findings)]
             with atomic_path(fitted) as temporary:
                 temporary.write_text(text, encoding="utf-8")
             files.append(fitted)
@@ -73,7 +73,7 @@ def adopt_logs(
                 texts.append(f"{fitted.name} does not pass `instobj check`: {complaint}")
             further = {"next": f"instobj score {fitted}"}
     write_json(document, target / "adoption.json")
-    questions = open_questions(found, answers, spec is not None)
+    questions = open_questions(identified, answers, spec is not None)
     return {
         "command": "adopt",
         "adoption": document,
@@ -106,21 +106,21 @@ def _adopt_folders(folders: list[Path], spec: ObjectSpec | None) -> dict[str, An
         findings.append((folder.name, order_by_sinking(spec, readings)[1]))
     return {
         "command": "adopt",
-        "adoption": {"findings": [{"log": name} | asdict(one) for name, one in findings]},
-        "texts": [line for name, one in findings for line in (name, f"  {one}")],
+        "adoption": {"findings": [{"log": name} | asdict(finding) for name, finding in findings]},
+        "texts": [line for name, finding in findings for line in (name, f"  {finding}")],
         "questions": [],
         "next": f"instobj validate SPEC {folders[0]}",
     }
 
 
-def _texts(found: Identified) -> list[str]:
+def _texts(identified: Identified) -> list[str]:
     """Return log by log what was assumed and found, each once."""
-    heads = list(dict.fromkeys(where for where, _ in (*found.notes, *found.findings)))
+    heads = list(dict.fromkeys(where for where, _ in (*identified.notes, *identified.findings)))
     lines = []
     for head in heads:
         lines.append(head)
-        lines += [f"  {note}" for where, note in found.notes if where == head]
-        lines += [f"  {one}" for where, one in found.findings if where == head]
+        lines += [f"  {note}" for where, note in identified.notes if where == head]
+        lines += [f"  {finding}" for where, finding in identified.findings if where == head]
     return lines
 
 
@@ -154,42 +154,45 @@ def _answers_of_file(path: Path) -> dict[str, object]:
         ) from None
 
 
-def open_questions(found: Identified, known: Known, with_spec: bool) -> list[dict[str, str]]:
+def open_questions(identified: Identified, answers: Known, with_spec: bool) -> list[dict[str, str]]:
     """Return what no log can tell and a fit needs, three questions at most."""
-    asked = []
-    if found.kind == "level" and known.step_mm is None:
-        asked.append({"question": "How far apart are two levels?", "answer": "--known step_mm=1.0"})
-    if found.orders and known.pitch_mm is None:
-        asked.append(
+    questions = []
+    if identified.kind == "level" and answers.step_mm is None:
+        questions.append(
+            {"question": "How far apart are two levels?", "answer": "--known step_mm=1.0"}
+        )
+    if identified.orders and answers.pitch_mm is None:
+        questions.append(
             {
                 "question": "How far apart are rows of places, and places in a row?",
                 "answer": "--known pitch_mm=[7.8,9.6]",
             }
         )
     if not with_spec:
-        asked.append(
+        questions.append(
             {
                 "question": "What is the object: body, magnets' size, chips' part?",
                 "answer": "--spec FILE (instobj new writes one)",
             }
         )
-    return asked
+    return questions
 
 
-def _document(found: Identified) -> dict[str, Any]:
+def _document(identified: Identified) -> dict[str, Any]:
     return {
-        "logs": [str(path) for path in found.paths],
-        "notes": [{"log": where, "note": note} for where, note in found.notes],
-        "findings": [{"log": where} | asdict(one) for where, one in found.findings],
-        "label": found.kind,
-        "chips": found.presses[0].change.shape[1],
-        "presses": [len(table) for table in found.presses],
+        "logs": [str(path) for path in identified.paths],
+        "notes": [{"log": where, "note": note} for where, note in identified.notes],
+        "findings": [{"log": where} | asdict(finding) for where, finding in identified.findings],
+        "label": identified.kind,
+        "chips": identified.presses[0].change.shape[1],
+        "presses": [len(table) for table in identified.presses],
         "chips_of_face": {
-            str(face): [chip + 1 for chip in own] for face, own in found.chips_of_face.items()
+            str(face): [chip + 1 for chip in chips]
+            for face, chips in identified.chips_of_face.items()
         },
         "orders_of_places": [
             {
-                "log": found.paths[log].name,
+                "log": identified.paths[log].name,
                 "face": face,
                 "order": order.name,
                 "places": order.place.tolist(),
@@ -198,6 +201,6 @@ def _document(found: Identified) -> dict[str, Any]:
                 "null_median": round(float(sorted(order.null)[len(order.null) // 2]), 3),
                 "p": order.p,
             }
-            for (log, face), order in found.orders.items()
+            for (log, face), order in identified.orders.items()
         ],
     }

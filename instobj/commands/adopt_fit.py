@@ -31,32 +31,34 @@ _FAR = 0.15
 """Change of a factor that is named as what limits the fit."""
 
 
-def why_not_fitted(found: Identified, known: Known) -> str:
+def why_not_fitted(identified: Identified, answers: Known) -> str:
     """Say why a log cannot be held against a specification; nothing where it can."""
-    if found.kind not in ("level", "travel"):
+    if identified.kind not in ("level", "travel"):
         return (
             "the specification is not fitted: the label is no travel. Validate recordings of forces with "
             "`instobj validate`"
         )
-    if not found.orders:
+    if not identified.orders:
         return "the specification is not fitted: no order of places was found"
-    if known.pitch_mm is None or (found.kind == "level" and known.step_mm is None):
+    if answers.pitch_mm is None or (identified.kind == "level" and answers.step_mm is None):
         return "the specification is not fitted before the questions above are answered"
     return ""
 
 
-def boards_of_logs(found: Identified, spec: ObjectSpec) -> list[tuple[str, Finding]]:
+def boards_of_logs(identified: Identified, spec: ObjectSpec) -> list[tuple[str, Finding]]:
     """Find which board is which face's in logs of grasps: several faces held at once, by force."""
     from estimator.adoption.boards import boards_of_faces
 
     findings = []
-    for path, presses in zip(found.paths, found.presses, strict=True):
+    for path, presses in zip(identified.paths, identified.presses, strict=True):
         boards = boards_of_faces(spec, presses, spec.seed)
-        findings += [(path.name, one) for one in boards.findings(_axes_text(boards.turn))]
+        findings += [(path.name, item) for item in boards.findings(_axes_text(boards.turn))]
     return findings
 
 
-def pressed_readings(found: Identified, known: Known, spec: ObjectSpec) -> dict[int, Pressed]:
+def pressed_readings(
+    identified: Identified, answers: Known, spec: ObjectSpec
+) -> dict[int, Pressed]:
     """Return face of the log → its presses in mm and mT, of the log with most places of it.
 
     Raises
@@ -66,29 +68,31 @@ def pressed_readings(found: Identified, known: Known, spec: ObjectSpec) -> dict[
     """
     from estimator.adoption.fit import Pressed
 
-    pitch, step = known.pitch_mm or (1.0, 1.0), known.step_mm or 1.0
+    pitch, step = answers.pitch_mm or (1.0, 1.0), answers.step_mm or 1.0
     readings = {}
-    for (log, face), order in sorted(found.orders.items(), key=lambda item: len(item[1].place)):
-        chips = found.chips_of_face[face]
+    for (log, face), order in sorted(
+        identified.orders.items(), key=lambda item: len(item[1].place)
+    ):
+        chips = identified.chips_of_face[face]
         if len(chips) != spec.sensors.count_per_face:
             raise InputError(
                 f"{len(chips)} chips answer under face {face}; {spec.name} has "
                 f"{spec.sensors.count_per_face} on its face. Give the specification of this object"
             )
-        presses = found.presses[log]
-        own = presses.select(np.flatnonzero(presses.face[:, 0] == face))
+        presses = identified.presses[log]
+        face_presses = presses.select(np.flatnonzero(presses.face[:, 0] == face))
         grid = (order.grid - order.grid.mean(axis=0)) * np.array(pitch)
-        at = np.searchsorted(order.place, own.place[:, 0])
+        place_index = np.searchsorted(order.place, face_presses.place[:, 0])
         scale = spec.sensors.counts_per_mt
         readings[face] = Pressed(
-            grid[at], own.label[:, 0] * step, own.place[:, 0],
-            own.change[:, chips] / scale, own.resting[chips] / scale,
+            grid[place_index], face_presses.label[:, 0] * step, face_presses.place[:, 0],
+            face_presses.change[:, chips] / scale, face_presses.resting[chips] / scale,
         )  # fmt: skip
     return readings
 
 
 def fit_specification(
-    found: Identified, known: Known, path: Path, spec: ObjectSpec, progress: ProgressLine
+    identified: Identified, answers: Known, path: Path, spec: ObjectSpec, progress: ProgressLine
 ) -> tuple[list[Finding], dict[str, Any], str]:
     """Fit a specification to every face pressed.
 
@@ -107,10 +111,10 @@ def fit_specification(
     from estimator.calibration.known_travel.model import require_comparable, travel_model
 
     require_comparable(spec)
-    readings = pressed_readings(found, known, spec)
+    readings = pressed_readings(identified, answers, spec)
     run = Run(spec, progress)
     model = travel_model(spec, run.read(PRESSES)[1])
-    thing = Moving.of_table(model)
+    thing = Moving.from_table(model)
     findings, figures, fitted = [], {}, ""
     for face, pressed in sorted(readings.items()):
         with progress.stage(f"face {face}: arrangement, chips, magnets"):
@@ -120,10 +124,10 @@ def fit_specification(
             fit = fit_object(thing, live.select(half))
             figures[str(face)] = judged(fit, live.select(~half), seed=spec.seed)
             whole = fit_object(thing, live)
-        findings += _fit_findings(face, whole, figures[str(face)], found.chips_of_face[face])
+        findings += _fit_findings(face, whole, figures[str(face)], identified.chips_of_face[face])
         if not fitted:
             fitted = fitted_text(path, spec, whole)
-    return findings, {face: _summary(found) for face, found in figures.items()}, fitted
+    return findings, {face: _summary(identified) for face, identified in figures.items()}, fitted
 
 
 def _fit_findings(
@@ -131,7 +135,7 @@ def _fit_findings(
 ) -> list[Finding]:
     from estimator.adoption.findings import Finding, share_as_high
 
-    beyond, null = figures.beyond, [one.cosine for one in figures.places_exchanged]
+    beyond, null = figures.beyond, [item.cosine for item in figures.places_exchanged]
     order = ", ".join(str(chips[k] + 1) for k in fit.convention.order.tolist())
     orders = 1 + len(figures.chips_permuted)
     limits = [
@@ -154,7 +158,7 @@ def _fit_findings(
             f"order and axes of chips, face {face}",
             f"designed chips are columns' chips {order}; {_axes_text(fit.convention.turn)}",
             f"this order is number {figures.order_of_chips} of {orders} at those places",
-            f"cosine {np.median([one.cosine for one in figures.chips_permuted]):.2f}",
+            f"cosine {np.median([item.cosine for item in figures.chips_permuted]):.2f}",
         ),
         Finding(
             f"what limits the fit, face {face}",
@@ -180,13 +184,13 @@ def _summary(figures: FitFigures) -> dict[str, Any]:
         return {
             name: [float(np.median(values)), float(np.max(values))]
             for name in ("cosine", "explained")
-            if (values := [getattr(one, name) for one in group])
+            if (values := [getattr(item, name) for item in group])
         }
 
     return {
         "all": asdict(figures.all),
         "beyond 1 mm": asdict(figures.beyond),
-        "by travel": {name: asdict(one) for name, one in figures.by_travel.items()},
+        "by travel": {name: asdict(item) for name, item in figures.by_travel.items()},
         "places exchanged, median and best": spread(figures.places_exchanged),
         "chips permuted, median and best": spread(figures.chips_permuted),
         "order of chips": figures.order_of_chips,

@@ -26,7 +26,7 @@ def test_silent_chips_are_named_with_their_rows(silent):
     counts[:HALF, list(silent)] = 0
     clean = clean_chips(counts)
     found = asked(clean)["silent chips"]
-    assert f"rows 0-{HALF - 1}" in found.found
+    assert f"rows 0-{HALF - 1}" in found.answer
     assert "exactly 0" in found.evidence
     assert np.isnan(clean.counts[:HALF, list(silent)]).all()
     assert "columns moved" not in asked(clean)
@@ -40,8 +40,8 @@ def test_columns_that_moved_up_when_chips_were_skipped_go_back():
     counts[:HALF, 12:] = 0
     clean = clean_chips(counts)
     found = asked(clean)
-    assert "chips 13-15" in found["silent chips"].found
-    assert "chips 1-3 are missing" in found["columns moved"].found
+    assert "chips 13-15" in found["silent chips"].answer
+    assert "chips 1-3 are missing" in found["columns moved"].answer
     assert found["columns moved"].p < 0.02
     np.testing.assert_array_equal(clean.counts[:HALF, 3:], own[:HALF, 3:])
     assert np.isnan(clean.counts[:HALF, :3]).all()
@@ -53,7 +53,7 @@ def test_a_frozen_chip_and_a_single_wrong_reading_are_named_and_left_out():
     counts[50:90, 4] = (-8764, 16329, 1)
     counts[700, 7, 1] += 16000
     clean = clean_chips(counts)
-    wrong = [finding.found for finding in clean.findings if finding.question == "wrong readings"]
+    wrong = [finding.answer for finding in clean.findings if finding.question == "wrong readings"]
     assert any("chip 5, rows 50-89: (-8764, 16329, 1)" in text for text in wrong)
     assert any("chip 8 y, row 700" in text for text in wrong)
     assert np.isnan(clean.counts[50:90, 4]).all()

@@ -141,7 +141,7 @@ def test_the_order_of_chips_is_found_from_sinking_magnets_alone():
     assert found == tuple(order)
     assert finding.p == pytest.approx(1 / 120)
     noise = np.random.default_rng(1).normal(size=field.shape)
-    assert "number 1 of 120" not in order_by_sinking(spec, noise)[1].found
+    assert "number 1 of 120" not in order_by_sinking(spec, noise)[1].answer
 
 
 def grasps(count=8, seed=5):
@@ -171,11 +171,11 @@ def test_boards_of_faces_held_by_jaws_are_found_with_their_axes():
     np.testing.assert_array_equal(found.turn, TURNS[5])
     assert found.p < 0.03
     (finding,) = found.findings("as designed")
-    assert "face 5: chips 1-3" in finding.found
+    assert "face 5: chips 1-3" in finding.answer
 
 
 def test_boards_are_not_told_from_places_that_say_nothing():
     spec, presses = grasps()
     mixed = np.random.default_rng(8).permutation(len(presses))
     (finding,) = boards_of_faces(spec, replace(presses, place=presses.place[mixed])).findings("")
-    assert finding.found == "cannot be told"
+    assert finding.answer == "cannot be told"

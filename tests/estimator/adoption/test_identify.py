@@ -71,7 +71,7 @@ def test_labels_that_say_nothing_find_no_order_of_places(tmp_path):
     found = identify([write(tmp_path / "log.csv", columns)], Known())
     assert found.orders == {}
     (order,) = [one for _, one in found.findings if one.question.startswith("order of places")]
-    assert order.found.startswith("cannot be told")
+    assert order.answer.startswith("cannot be told")
 
 
 def test_chips_that_feel_nothing_are_given_to_no_face(tmp_path):
@@ -98,7 +98,7 @@ def test_forces_that_come_late_are_brought_to_their_signals(tmp_path):
     np.savetxt(path, columns, delimiter=",", fmt="%.3f")
     found = identify([path], Known(columns="face,place,force,chips"))
     (lag,) = [one for _, one in found.findings if one.question == "lag of forces"]
-    assert lag.found.startswith("6 rows")
+    assert lag.answer.startswith("6 rows")
     assert found.kind == "force"
     assert found.chips_of_face == {2: [3, 4, 5]}
 
@@ -114,7 +114,7 @@ def test_logs_of_unlike_objects_are_not_adopted_together(tmp_path):
 @needs_cube
 def test_the_second_instrumented_cube_is_identified_blind():
     found = identify([CUBE / "Balanced.csv.gz"], Known())
-    texts = [(one.question, one.found) for _, one in found.findings]
+    texts = [(one.question, one.answer) for _, one in found.findings]
     assert ("silent chips", "chips 13-15, rows 0-4438") in texts
     assert any(
         q == "columns moved" and "chips 1-3 are missing in rows 0-4438" in f for q, f in texts
@@ -144,7 +144,7 @@ def test_the_paper_s_file_with_names_stripped_tells_its_lag_boards_and_axes(tmp_
     bare = tmp_path / "bare.csv"
     bare.write_text(text)
     found = identify([bare], Known())
-    lag = [one.found for _, one in found.findings if one.question == "lag of forces"]
+    lag = [one.answer for _, one in found.findings if one.question == "lag of forces"]
     assert lag == ["8 rows behind the chips; corrected"]
     spec = load_spec(Path(__file__).parents[3] / "examples" / "paper_cube.toml")
     boards = boards_of_faces(spec, found.presses[0])
