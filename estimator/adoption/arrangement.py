@@ -64,12 +64,17 @@ class Arrangement:
         )
 
 
-def told_arrangement(spec: ObjectSpec, pressed: Pressed, seed: int = 0) -> Arrangement:
-    """Fit both ways to four fifths of the places and judge them on the others, each fifth once."""
+def told_arrangement(
+    spec: ObjectSpec, pressed: Pressed, seed: int = 0, kept: int = 2
+) -> Arrangement:
+    """Fit both ways to four fifths of the places and judge them on the others, each fifth once.
+
+    `kept` starts of each fit are refined.
+    """
     pressed = _one_travel(pressed.complete)
     size = np.sum(pressed.change_mt**2)
     reverse, normal = (
-        _squares_left(moving_bodies(spec, sensors_move), pressed, seed) / size
+        _squares_left(moving_bodies(spec, sensors_move), pressed, seed, kept) / size
         for sensors_move in (True, False)
     )
     sign = np.random.default_rng((seed, 51)).choice([-1, 1], (EXCHANGES, len(reverse)))
@@ -83,13 +88,15 @@ def _one_travel(pressed: Pressed) -> Pressed:
     return pressed.select(order[first])
 
 
-def _squares_left(thing: Moving, pressed: Pressed, seed: int) -> Float[np.ndarray, "press"]:
+def _squares_left(
+    thing: Moving, pressed: Pressed, seed: int, kept: int
+) -> Float[np.ndarray, "press"]:
     """Squares (mT²) that a fit leaves of every press, which it has not seen."""
     squares = np.zeros(len(pressed.place))
     order = np.random.default_rng((seed, 52)).permutation(len(squares))
     for fold in range(min(FOLDS, len(squares))):
         rows = order[fold::FOLDS]
-        fit = fit_object(thing, pressed.select(np.setdiff1d(order, rows)), kept=2)
+        fit = fit_object(thing, pressed.select(np.setdiff1d(order, rows)), kept)
         unseen = pressed.select(rows)
         off = fit.recorded(unseen) - fit.predicted(unseen)[0]
         squares[rows] = np.sum(off**2, axis=(1, 2))

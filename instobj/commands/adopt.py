@@ -171,7 +171,7 @@ def open_questions(identified: Identified, answers: Known, with_spec: bool) -> l
     if not with_spec:
         questions.append(
             {
-                "question": "What is the object: body, magnets' size, chips' part?",
+                "question": "What is the object? It also tells arrangement, axes and magnets.",
                 "answer": "--spec FILE (instobj new writes one)",
             }
         )

@@ -89,7 +89,8 @@ def test_a_planted_order_and_turn_of_chips_are_found():
 def test_who_moves_is_told_from_presses_of_an_independent_model(arrangement):
     """The field is magpylib's, the motion the log's own: tests/support/recordings/foreign_logs.py."""
     spec = spec_of(arrangement)
-    found = told_arrangement(spec, readings(spec))
+    pressed = readings(spec)
+    found = told_arrangement(spec, pressed.select(np.flatnonzero(pressed.place % 4 < 3)), kept=1)
     reverse = arrangement == "sensors-in-shell"
     assert (found.reverse > found.normal) == reverse
     assert found.p < 0.05

@@ -7,8 +7,11 @@ import pytest
 
 from tests.support.cli import run
 from tests.support.recordings.foreign_logs import ForeignObject, make_log
+from tests.support.recordings.public_recordings import FOLDER
 from tests.support.recordings.travel_cases import PAD, pad_model, pressed_places, recorded
 from tests.support.recordings.travel_cases import write_recording as write_folder
+
+CUBE = FOLDER.parent / "instrumented-cube" / "Balanced.csv.gz"
 
 
 @pytest.fixture(scope="module")
@@ -85,3 +88,25 @@ def test_folders_of_known_travel_tell_the_order_of_their_chips(tmp_path):
     assert done.returncode == 0
     assert "columns 4, 1, 5, 2, 3" in done.stdout
     assert "--spec" in run("adopt", "press", cwd=tmp_path).stderr
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not CUBE.exists(), reason=f"no recording at {CUBE}")
+def test_the_second_instrumented_cube_follows_from_travel_alone(tmp_path):
+    """Half of its places are held out; the fitted specification passes `instobj check`."""
+    spec = PAD.parents[1] / "studies" / "instrumented_cube.toml"
+    known = ("--known", "step_mm=1", "--known", "pitch_mm=[7.8,9.6]")
+    done = run("adopt", CUBE, "--spec", spec, *known, "--json", cwd=tmp_path)
+    found = json.loads(done.stdout)["adoption"]
+    figures = found["fit"]["1"]
+    assert figures["beyond 1 mm"]["cosine"] > 0.85
+    assert figures["beyond 1 mm"]["explained"] > 0.7
+    assert (
+        figures["places exchanged, median and best"]["cosine"][1] < figures["all"]["cosine"] - 0.1
+    )
+    assert figures["order of chips"] == 1
+    (arrangement,) = [one for one in found["findings"] if one["question"] == "arrangement"]
+    assert arrangement["answer"].startswith("reverse")
+    assert arrangement["p"] < 0.05
+    written = "runs/Balanced/instrumented_cube_adopted.toml"
+    assert run("check", written, cwd=tmp_path).returncode == 0
