@@ -27,6 +27,13 @@ def write(path, columns):
     return path
 
 
+def write_floats(folder, columns, force):
+    """Write a log with these forces in its third column."""
+    path = folder / "log.csv"
+    np.savetxt(path, np.column_stack([columns[:, :2], force, columns[:, 3:]]), "%.3f", ",")
+    return path
+
+
 @pytest.mark.parametrize(
     ("thing", "faces", "shape", "pitch"),
     [
@@ -90,17 +97,18 @@ def test_forces_that_come_late_are_brought_to_their_signals(tmp_path):
     counts = np.round(
         thing.counts(presses) + 7 * np.random.default_rng(7).standard_normal((630, 15, 3))
     )
-    late = np.roll(force, 6) + np.random.default_rng(8).normal(0, 0.05, 630)
+    noise = np.random.default_rng(8).normal(0, 0.05, 630)
+    late, timely = np.roll(force, 6) + noise, force + noise
     columns = np.column_stack(
         [np.full(630, 2), place, late.round(3), counts.reshape(630, -1).astype(int)]
     )
-    path = tmp_path / "log.csv"
-    np.savetxt(path, columns, delimiter=",", fmt="%.3f")
-    found = identify([path], Known(columns="face,place,force,chips"))
+    known = Known(columns="face,place,force,chips")
+    found, wanted = (identify([write_floats(tmp_path, columns, f)], known) for f in (late, timely))
     (lag,) = [one for _, one in found.findings if one.question == "lag of forces"]
     assert lag.answer.startswith("6 rows")
     assert found.kind == "force"
     assert found.chips_of_face == {2: [3, 4, 5]}
+    np.testing.assert_allclose(found.presses[0].change, wanted.presses[0].change, atol=40)
 
 
 def test_logs_of_unlike_objects_are_not_adopted_together(tmp_path):
@@ -151,3 +159,11 @@ def test_the_paper_s_file_with_names_stripped_tells_its_lag_boards_and_axes(tmp_
     assert boards.chips_of_face == {3: [3, 4, 5], 5: [0, 1, 2]}
     np.testing.assert_array_equal(boards.turn, np.eye(3))
     assert boards.p < 0.05
+
+
+def test_a_log_without_rest_is_held_against_its_lowest_levels(tmp_path):
+    log = make_log(ForeignObject(), shape=(4, 4), pitch=(10, 12), levels=4, rows=5)
+    pressed = log.columns()[log.labels[:, 1] > 0]
+    found = identify([write(tmp_path / "log.csv", pressed)], Known())
+    assert found.chips_of_face == {1: [0, 1, 2]}
+    assert found.orders[0, 1].name == "4 rows of 4"
