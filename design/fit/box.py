@@ -24,6 +24,9 @@ from design.spec.body import HUB_DEPTH_MM
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
+_NO_WIRES_MM = 0.5
+"""Radius of a hole through which no sensor's wires go."""
+
 
 def check_box(spec: ObjectSpec) -> Iterator[str]:
     """Yield what does not fit in a box that has room for its core."""
@@ -200,7 +203,9 @@ def _check_magnets_in_core(spec: ObjectSpec) -> Iterator[str]:
                 f"core.wall_mm = {core.wall_mm:g}. Use a flatter magnet or a thicker wall"
             )
         clear = float((pocket.body.centre_mm[:2] ** 2).sum() ** 0.5) - pocket.outline.radius_mm
-        if clear <= middle:
+        # a hole too narrow for wires carries none, and a magnet may close it wholly
+        closed = middle <= _NO_WIRES_MM and clear <= -middle
+        if clear <= middle and not closed:
             yield (
                 f"{pocket.body.label} meets the wire hole of radius {middle:g} mm at the middle "
                 f"of the core's face. Move it outwards by more than {middle - clear:.3g} mm"

@@ -33,7 +33,7 @@ from estimator.frames.face_data import (
 )
 from estimator.networks.prediction import UNITS, Prediction
 
-_ADVICE = "Give a file that `instobj export` wrote"
+_ADVICE = "Give a file that `instobj train --export` wrote"
 
 
 @dataclass(frozen=True)
@@ -65,10 +65,12 @@ def load_deployed(path: Path | str) -> DeployedModel:
             f"{path} is a folder. Give one exported estimator, such as {path / 'face_1.onnx'}"
         )
     if not path.is_file():
-        raise InputError(f"no model at {path}. `instobj export` makes one of a trained estimator")
+        raise InputError(
+            f"no model at {path}. `instobj train --export` makes one of a trained estimator"
+        )
     if path.suffix == ".safetensors":
         raise InputError(
-            f"{path} is a trained estimator that is not exported yet. `instobj export {path}` makes "
+            f"{path} is a trained estimator that is not exported yet. `instobj train --export {path}` makes "
             f"{path.stem}.onnx; give that"
         )
     session = open_session(path)

@@ -12,7 +12,6 @@ from instobj.cli.options import (
     HERE,
     MEASURE,
     AsJson,
-    Out,
     Overrides,
     Port,
     Sources,
@@ -49,7 +48,15 @@ def train(
             help="Test data set of the same object, for contacts by inversion (default: held-out presses)."
         ),
     ] = None,
-    out: Out = HERE,
+    export: Annotated[
+        bool,
+        typer.Option(
+            "--export",
+            help="SOURCES are trained estimators (face_<n>.safetensors) or their folder: write ONNX "
+            "files with scaling, units and channel order, beside them or into --out.",
+        ),
+    ] = False,
+    out: Annotated[Path | None, typer.Option(help="Folder for cad_out/ and runs/.")] = None,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
@@ -57,14 +64,19 @@ def train(
 
     With --set training.model=inversion: tables of the forward model, for contacts on all faces at once.
     """
+    if export:
+        if start or twin or on or overrides:
+            raise InputError("--export trains nothing: leave out --start, --twin, --on and --set")
+        export_trained(sources, out, as_json)
+        return
+    out = out or HERE
     from instobj.commands.run import run_estimator
 
     stages = ("networks", "metrics")
     show(run_estimator(sources, stages, out, overrides or [], start, twin, on), as_json)
 
 
-@app.command(rich_help_panel=MEASURE)
-def export(
+def export_trained(
     models: Annotated[
         list[Path],
         typer.Argument(help="Trained estimators (face_<n>.safetensors), or their folder."),

@@ -37,6 +37,34 @@ def recordings(
 
 
 @app.command(rich_help_panel=MEASURE)
+def adopt(
+    logs: Annotated[
+        list[Path],
+        typer.Argument(help="Logs of one object: any tables of numbers.", show_default=False),
+    ],
+    statements: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--known",
+            metavar="KEY=VALUE|FILE",
+            help="What the log cannot tell (columns, axes, label, step_mm, pitch_mm), or a TOML file of "
+            "these; can be repeated.",
+        ),
+    ] = None,
+    spec: Annotated[
+        Path | None, typer.Option(help="Specification to start from; it is fitted to the logs.")
+    ] = None,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Identify an object that others built from its logs, and fit a specification to it."""
+    from instobj.commands.adopt import adopt_logs
+
+    show(adopt_logs(logs, statements or [], spec, out, overrides or []), as_json)
+
+
+@app.command(rich_help_panel=MEASURE)
 def validate(
     spec: Spec,
     recordings: Recordings,

@@ -10,7 +10,7 @@ import typer
 
 from design.errors import InputError
 from instobj.cli.bench import NAMES, run_on_bench
-from instobj.cli.estimators import train
+from instobj.cli.estimators import export_trained, train
 from instobj.cli.options import HERE, TARGETS, AsJson, Out, Overrides, Specs, Workers, run_to
 
 CHAIN = {
@@ -63,6 +63,7 @@ def add_renamed(app: typer.Typer, score: Callable[..., None]) -> None:
         command = app.command(name, hidden=True, add_help_option=False, context_settings=ANYTHING)
         command(_bench_command(name))
     app.command("evaluate", hidden=True)(_said(train, "evaluate", "train"))
+    app.command("export", hidden=True)(_said(export_trained, "export", "train --export"))
     app.command("compare", hidden=True)(_said(score, "compare", "score"))
     for name, instead in GONE.items():
         app.command(name, hidden=True, context_settings=ANYTHING)(_refusal(name, instead))

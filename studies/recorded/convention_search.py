@@ -8,15 +8,16 @@ exchanged among the presses of both recordings, so that p is corrected for the s
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import permutations, product
+from itertools import permutations
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.adoption.convention import TURNS
+from estimator.adoption.findings import share_as_high
 from estimator.calibration.recorded_presses import RecordedPresses, own_channels
 from estimator.field.models import magnets_model
 from estimator.signals.field_setup import min_distance_mm
@@ -34,13 +35,6 @@ SYMMETRIES = tuple(
 )  # fmt: skip
 """The labels as they are, turned by 90, 180 and 270°, mirrored in four lines."""
 ORDERS = tuple(permutations(range(3)))
-TURNS = tuple(
-    matrix
-    for order in permutations(range(3))
-    for signs in product((1, -1), repeat=3)
-    if np.linalg.det(matrix := np.eye(3)[list(order)] * np.array(signs)[:, None]) > 0
-)
-"""All turns that take chip axes to chip axes; the first leaves them."""
 CANDIDATES = len(SYMMETRIES) * len(ORDERS) * len(TURNS)
 """Of a face."""
 
@@ -171,11 +165,6 @@ def search(
         float(np.median(null)),
         share_as_high(null, off),
     )
-
-
-def share_as_high(null: Sequence[float], value: float) -> float:
-    """p of a value: the share of it and its null that reach it."""
-    return float((1 + np.sum(np.array(null) >= value - 1e-12)) / (1 + len(null)))
 
 
 def unturned_labels() -> int:

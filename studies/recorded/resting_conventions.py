@@ -19,11 +19,12 @@ from scipy.optimize import least_squares
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
+from estimator.adoption.convention import TURNS
+from estimator.adoption.findings import share_as_high
 from estimator.calibration.pose_fit import Calibration
 from estimator.field.models import MagnetsModel, magnets_model
 from estimator.signals.field_setup import Scene, min_distance_mm, zero_motion
 from estimator.tolerances.assembly import counts_of, designed, face_axes
-from studies.recorded.convention_search import TURNS, share_as_high
 
 MOST_CANDIDATES = 500_000
 COMMON = {

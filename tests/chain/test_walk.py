@@ -111,7 +111,7 @@ def test_an_object_is_taken_from_firmware_to_predictions(tmp_path):
     assert np.ptp(pressed["reference_n"]) < 0.3
     done("recordings", "walk.nc", "--spec", "walk.toml", "--json", cwd=tmp_path)
     done("train", "runs/walk/frames.nc", *SETTINGS, "--json", cwd=tmp_path)
-    done("export", f"runs/walk/face_{FACE}.safetensors", "--json", cwd=tmp_path)
+    done("train", "--export", f"runs/walk/face_{FACE}.safetensors", "--json", cwd=tmp_path)
     done("predict", f"runs/walk/face_{FACE}.onnx", "walk.nc", "--json", cwd=tmp_path)
     require_right_predictions(tmp_path)
 

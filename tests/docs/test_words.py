@@ -10,15 +10,8 @@ KIND_OF = {
     "index": "how-to",
     **dict.fromkeys(
         (
-            *(
-                "assess",
-                "bodies",
-                "bringup",
-                "calibrate",
-                "estimators",
-                "experiments",
-                "fabrication",
-            ),
+            *("adopt", "assess", "bodies", "bringup", "calibrate", "estimators"),
+            *("experiments", "fabrication"),
             *("firmware", "install", "inversion", "layout_search", "library", "live"),
             *("look_inside", "presses", "questions", "reliability", "rig", "robustness"),
             *("start", "sweeps", "validation"),

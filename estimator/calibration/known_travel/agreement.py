@@ -174,6 +174,6 @@ def rival_figures(
 
 
 def _sunk(model: TravelModel, fitted: Fitted, by_mm: Float[np.ndarray, "press"]) -> Changes:
-    motion = np.zeros((len(by_mm), len(model.scene.magnets.face), 6))
+    motion = np.zeros((len(by_mm), model.scene.bodies, 6))
     motion[:, :, 2] = -by_mm[:, None]
     return model.change(fitted.twin, motion)

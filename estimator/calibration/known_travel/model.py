@@ -151,13 +151,13 @@ def require_comparable(spec: ObjectSpec) -> None:
     Raises
     ------
     InputError
-        Several sensed faces, a curved one, or sensors in the shell.
+        Several sensed faces, or a curved one.
     """
     frames = face_frames(spec)
-    if len(frames) != 1 or spec.arrangement != "sensors-in-core":
+    if len(frames) != 1:
         raise InputError(
-            f"presses of known travel are compared on one sensed face with sensors in the core; got "
-            f"{len(frames)} faces and arrangement {spec.arrangement!r}. Set body.sensed_faces"
+            f"presses of known travel are compared on one sensed face; got {len(frames)}. Set "
+            "body.sensed_faces"
         )
     if not frames[0].flat:
         raise InputError(

@@ -112,7 +112,9 @@ def live_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
     spec = load_spec(options.spec, list(options.overrides))
     for path in options.models:
         if not path.is_file():
-            raise InputError(f"no model at {path}. `instobj train` and `instobj export` make one")
+            raise InputError(
+                f"no model at {path}. `instobj train` and `instobj train --export` make one"
+            )
     chunks, readings, zeroing = _opened(given, options.zeroing)
     scene = live_scene(spec, Run(spec, progress).require("build").folder, _KEY + _LABELLED)
     return LiveSource(spec, scene, readings.source, chunks, readings, options.models, zeroing)

@@ -159,7 +159,7 @@ def test_export_reads_it_once_and_copies_it(folder, tmp_path):
     content = bytearray((folder / "contacts.nc").read_bytes())
     content[len(content) // 2] ^= 0xFF
     damaged.write_bytes(content)
-    done = CliRunner().invoke(app, ["export", str(damaged)])
+    done = CliRunner().invoke(app, ["train", "--export", str(damaged)])
     assert done.exit_code != 0
     assert "damaged" in str(done.exception)
 

@@ -1,4 +1,4 @@
-"""`instobj export` and `instobj predict` on files and on a port; training from a start."""
+"""`instobj train --export` and `instobj predict` on files and on a port; training from a start."""
 
 import csv
 import json
@@ -64,7 +64,7 @@ def folder(tmp_path_factory):
 
 
 def test_what_is_no_exported_estimator_or_folder_of_trained_ones_is_one_error(folder, tmp_path):
-    with pytest.raises(InputError, match=r"not exported yet\. `instobj export .*face_3\.safetens"):
+    with pytest.raises(InputError, match=r"not exported yet\. `instobj train --export .*face_3\.safetens"):
         predict_file(folder / "face_3.safetensors", folder / "press.nc")
     with pytest.raises(InputError, match=r"holds no trained estimator \(face_<n>\.safetensors or"):
         export_models([tmp_path], tmp_path)
@@ -125,7 +125,7 @@ def test_export_writes_into_the_folder_that_is_named_also_if_it_is_this_one(
     several, tmp_path, monkeypatch
 ):
     monkeypatch.chdir(tmp_path)
-    done = CliRunner().invoke(app, ["export", "runs/other", "--out", ".", "--json"])
+    done = CliRunner().invoke(app, ["train", "--export", "runs/other", "--out", ".", "--json"])
     assert [row["path"] for row in json.loads(done.stdout)["files"]] == ["face_3.onnx"]
 
 

@@ -16,7 +16,7 @@ class Made(TravelModel):
     """Motions that are place and travel, a field that is quadratic in them."""
 
     def __init__(self):
-        scene = SimpleNamespace(magnets=SimpleNamespace(face=np.ones(2, int)))
+        scene = SimpleNamespace(bodies=2)
         self.__dict__.update(scene=scene, asked=[])
 
     def covers(self, xy_mm):
