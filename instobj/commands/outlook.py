@@ -70,7 +70,7 @@ def parts_that_help(request: Request, tables: Tables) -> str:
         if (left := far_share(spec_of(placed))) < best:
             best, told = left, _told(sensors_more, counts)
     if told:
-        return f"{told} would leave {100 * best:.0f} % of the locations too far"
+        return f"{told} would leave about {100 * best:.0f} % of the locations too far"
     return (
         f"no number of parts tried here brings more locations within {LONGEST_PATH_MM:g} mm: take a "
         "smaller body, or `instobj optimize`"

@@ -42,7 +42,7 @@ def test_more_parts_are_named_that_leave_fewer_locations_too_far():
     tables = placed(request)
     told = parts_that_help(request, tables)
     asked = {key: int(count) for key, count in re.findall(r"--(sensors|magnets) (\d+)", told)}
-    said = int(re.search(r"leave (\d+) % of", told)[1])
+    said = int(re.search(r"about (\d+) % of", told)[1])
     more = placed(Request("box", request.size_mm, **{"sensors": 2} | asked))
     after = far_share(spec_of(more))
     assert round(100 * after) == said
