@@ -21,7 +21,7 @@ from design.spec.base import complaints
 from design.spec.body import BodySpec, ShellSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
-from design.spec.renamed import RENAMED, name_now, rename_older_keys
+from design.spec.silicone import is_test_file
 from design.spec.uses import USES, require_used
 
 _DEEP_KEY = re.compile(r"(?:\.[\w-]{1,80}){100}")
@@ -129,15 +129,11 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
 def with_overrides(content: dict[str, Any], overrides: Iterable[str]) -> dict[str, Any]:
     """Apply `key=value` overrides (dotted keys, TOML values) to parsed TOML, in place.
 
-    Keys under an older name are renamed first, so that an override meets them under either.
-
     Raises
     ------
     SpecError
         An override is not of that form, or names a value as if it were a table.
     """
-    for table in RENAMED:
-        _rename(content, table)
     overrides = list(overrides)
     changed = {
         key.strip(): value
@@ -259,19 +255,20 @@ def _with_as_built(content: dict[str, Any], path: Path) -> dict[str, Any]:
 
 
 def _with_tensile_data(content: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Fit `silicone.tensile_data`, a file next to the specification, where it is to give the modulus.
+    """Fit the tensile test that `silicone.modulus_from` names, a file next to the specification.
 
     An explicit modulus goes before it; the key is then dropped.
     """
     silicone = content.get("silicone")
-    if not isinstance(silicone, dict) or not isinstance(silicone.get("tensile_data"), str):
+    source = silicone.get("modulus_from") if isinstance(silicone, dict) else None
+    if not isinstance(silicone, dict) or not isinstance(source, str) or not is_test_file(source):
         return content
     if "youngs_modulus_mpa" in silicone:
-        return content | {"silicone": silicone | {"tensile_data": None}}
+        return content | {"silicone": silicone | {"modulus_from": None}}
     from design.catalogue.tensile import fit_tensile
     from design.catalogue.tensile_files import read_tensile_test
 
-    file = folder / silicone["tensile_data"]
+    file = folder / source
     modulus = fit_tensile(read_tensile_test(file), file.name).modulus
     figures = {
         "youngs_modulus_mpa": modulus.youngs_modulus_mpa,
@@ -312,21 +309,11 @@ def _with_imported_body(content: dict[str, Any], folder: Path) -> dict[str, Any]
         measured = BodySpec.model_validate(_IMPORTED | {k: body[k] for k in _FOREIGN if k in body})
     except ValidationError:
         return content  # told with all other problems of the specification
-    return content | {"body": body | body_of_file(folder / body["file"], measured.mm_per_unit)}
+    return content | {"body": body | body_of_file(folder / body["file"], measured.scale)}
 
 
 _IMPORTED = {"kind": "imported"}
-_FOREIGN = ("file", "unit", "scale")
-
-
-def _rename(content: dict[str, Any], table: str) -> None:
-    """Keys of a table, where there is one, under their names now, in place."""
-    *above, name = table.split(".")
-    holder: Any = content
-    for part in above:
-        holder = holder.get(part) if isinstance(holder, dict) else None
-    if isinstance(holder, dict) and name in holder:
-        holder[name] = rename_older_keys(table, holder[name])
+_FOREIGN = ("file", "scale")
 
 
 def _apply_override(content: dict[str, Any], override: str) -> None:
@@ -339,7 +326,7 @@ def _apply_override(content: dict[str, Any], override: str) -> None:
         table = table.setdefault(part, {})
         if not isinstance(table, dict):
             raise SpecError(f"{override}: {part!r} is a value, not a table of the specification")
-    table[name_now(".".join(tables), name)] = _toml_value(value.strip())
+    table[name] = _toml_value(value.strip())
 
 
 def _toml_value(text: str) -> Any:

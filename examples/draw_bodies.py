@@ -16,7 +16,7 @@ from design.build.scene import magnet_halves
 from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from instobj.render.parts import camera_axes, depth_image
+from instobj.render.raster import camera_axes, depth_image
 
 COLOURS = {
     "silicone": (0.93, 0.84, 0.68),

@@ -21,8 +21,7 @@ from design.mould.room import core_outside
 from design.solids.booleans import Shape, convert_to_triangles
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from instobj.render.parts import COLOURS
-from instobj.render.pieces import Piece, moved, picture_of
+from instobj.render.pieces import COLOURS, Piece, picture_of
 
 APART = 0.75
 """How far the halves are drawn, of the body's largest edge."""
@@ -50,7 +49,7 @@ def pieces(spec: ObjectSpec, apart_mm: float) -> list[Piece]:
 
 def piece(shape: Shape, colour: tuple[float, float, float], by_mm: np.ndarray) -> Piece:
     """A part as triangles, moved."""
-    return Piece(moved(convert_to_triangles(shape), by_mm), colour)
+    return Piece(convert_to_triangles(shape), colour).moved(by_mm)
 
 
 def draw(spec: ObjectSpec, target: Path) -> None:

@@ -79,5 +79,21 @@ def cycles(
     show(cycles_in(recording), as_json)
 
 
+@app.command()
+def travel(
+    spec: Spec,
+    recording: Annotated[Path, typer.Argument(help="Folder with sensor.csv and states.csv.")],
+    repeats: Annotated[
+        Path | None, typer.Argument(help="The same of repeated presses on that machine.")
+    ] = None,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Presses of known travel: places read from the field, and the bound of the place by repeats."""
+    from studies.recorded.travel import travel_of
+
+    show(travel_of(spec, recording, repeats, overrides or []), as_json)
+
+
 if __name__ == "__main__":
     run_command(app)

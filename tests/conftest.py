@@ -21,12 +21,12 @@ _BRINGUP = [
 typechecks.install(["design", "fem", "estimator", "studies", *_BRINGUP])
 
 from instobj.figures import saving  # noqa: E402  types are checked in what is imported from here
-from instobj.render import parts  # noqa: E402
+from instobj.render import raster  # noqa: E402
 from tests.support import recorded_meshes  # noqa: E402
 
 recorded_meshes.install()
 saving.DPI = 60  # pictures in full take a minute of a run
-parts.PIXELS = 400
+raster.PIXELS = 400
 os.fsync = lambda descriptor: None  # searches wait for the disk at every trial
 
 VERIFICATION_OUTCOMES = pytest.StashKey[list]()

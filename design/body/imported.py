@@ -27,21 +27,21 @@ _NOTHING = 1e-9
 """Share of the box's volume, below which a piece encloses nothing."""
 
 
-def body_of_file(path: Path, mm_per_unit: float = 1.0) -> dict[str, Any]:
+def body_of_file(path: Path, scale: float = 1.0) -> dict[str, Any]:
     """Return what `[body]` takes from a file: its path and the size of its box.
 
-    A unit of the file is `mm_per_unit` long; STEP files are read in mm whatever they are drawn in.
+    A unit of the file is `scale` mm long; STEP files are read in mm whatever they are drawn in.
 
     Raises
     ------
     InputError
         A file that is missing, not a solid, open, in several pieces or crossing itself.
     """
-    size = [round(float(edge), 6) for edge in _surface_in(path, mm_per_unit).extents]
+    size = [round(float(edge), 6) for edge in _surface_in(path, scale).extents]
     return {"file": str(path.resolve()), "size_mm": size}
 
 
-def read_surface(file: str | None, mm_per_unit: float = 1.0) -> trimesh.Trimesh:
+def read_surface(file: str | None, scale: float = 1.0) -> trimesh.Trimesh:
     """The surface in a file, its box centred on the origin.
 
     Raises
@@ -51,7 +51,7 @@ def read_surface(file: str | None, mm_per_unit: float = 1.0) -> trimesh.Trimesh:
     """
     if file is None:
         raise InputError("body.kind = 'imported' needs body.file. Name an STL or STEP file")
-    return _surface_in(Path(file), mm_per_unit).copy()
+    return _surface_in(Path(file), scale).copy()
 
 
 def file_digest(file: str | None) -> str | None:
@@ -63,16 +63,16 @@ def _digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def _surface_in(path: Path, mm_per_unit: float) -> trimesh.Trimesh:
+def _surface_in(path: Path, scale: float) -> trimesh.Trimesh:
     require_regular_file(path, _missing(path))
-    return _closed_surface(path.resolve(), _digest(path), mm_per_unit)
+    return _closed_surface(path.resolve(), _digest(path), scale)
 
 
 @lru_cache(maxsize=4)
-def _closed_surface(path: Path, digest: str, mm_per_unit: float) -> trimesh.Trimesh:
+def _closed_surface(path: Path, digest: str, scale: float) -> trimesh.Trimesh:
     """The file's surface, kept while its content is the same."""
     surface = _read_unchanged(path)
-    surface.apply_scale(mm_per_unit)
+    surface.apply_scale(scale)
     surface = _repaired(surface, path)
     surface.apply_translation(-surface.bounds.mean(axis=0))
     _require_simple(surface, path)

@@ -92,6 +92,17 @@ class FaceFrame:
         return self.relief == Cap()
 
     @cached_property
+    def ends(self) -> tuple[bool, bool]:
+        """Return whether the body itself ends at the border along x and y, not the patch alone.
+
+        It does where the surface runs straight: on flat faces, and along a cylinder.
+        """
+        if not isinstance(self.relief, Cap):
+            return False, False
+        straight_x, straight_y = np.isinf(self.relief.semi_axes_mm[:2]).tolist()
+        return straight_x, straight_y
+
+    @cached_property
     def axes(self) -> Float[np.ndarray, "3 3"]:
         """Rotation whose columns are x, y, n: face coordinates to object coordinates; read-only."""
         axes = np.column_stack([self.x, self.y, self.normal])

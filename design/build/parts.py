@@ -121,10 +121,8 @@ def _pins(spec: ObjectSpec) -> list[Part]:
 
 
 def _templates(spec: ObjectSpec) -> list[Part]:
-    """Templates of all faces where they are flat; of curved ones where the specification asks for it."""
+    """Templates to set magnets: plates for flat faces, sheets that hug curved ones."""
     flat = all(frame.flat for frame in face_frames(spec))
-    if not (flat or spec.mould.magnet_templates == "all"):
-        return []
     groups, make = (
         (template_faces(spec), make_magnet_template)
         if flat

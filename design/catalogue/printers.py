@@ -23,7 +23,6 @@ class Printer:
     process: Process
     bed_mm: tuple[float, float, float]
     wall_mm: float
-    feature_mm: float
     hole_mm: float
     clearance_mm: float
     aspect: float
@@ -32,10 +31,10 @@ class Printer:
 
 
 PRINTERS = {
-    "fdm-0.4": Printer("fdm", (220.0, 220.0, 240.0), 0.8, 0.8, 1.0, 0.1, 4.0, 1.0, 1.27),
-    "fdm-0.25": Printer("fdm", (220.0, 220.0, 240.0), 0.5, 0.5, 0.8, 0.1, 4.0, 1.0, 1.27),
-    "resin": Printer("resin", (140.0, 80.0, 160.0), 0.5, 0.3, 0.5, 0.1, 6.0, 1.0, 1.15),
-    "sls": Printer("sls", (300.0, 300.0, 300.0), 0.8, 0.8, 1.5, 0.2, 5.0, 1.0, 1.0),
+    "fdm-0.4": Printer("fdm", (220.0, 220.0, 240.0), 0.8, 1.0, 0.1, 4.0, 1.0, 1.27),
+    "fdm-0.25": Printer("fdm", (220.0, 220.0, 240.0), 0.5, 0.8, 0.1, 4.0, 1.0, 1.27),
+    "resin": Printer("resin", (140.0, 80.0, 160.0), 0.5, 0.5, 0.1, 6.0, 1.0, 1.15),
+    "sls": Printer("sls", (300.0, 300.0, 300.0), 0.8, 1.5, 0.2, 5.0, 1.0, 1.0),
 }
 """Nozzles of 0.4 and 0.25 mm with PETG, a desktop resin printer, sintered PA12."""
 

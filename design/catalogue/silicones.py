@@ -132,7 +132,7 @@ def silicone_preset(name: str) -> Silicone:
     if name not in SILICONES:
         raise InputError(
             f"silicone.name = {name!r} is not in the catalogue ({', '.join(SILICONES)}). Choose one "
-            "of them, or give silicone.youngs_modulus_mpa, silicone.shore or silicone.tensile_data"
+            "of them, or give silicone.youngs_modulus_mpa or silicone.modulus_from"
         )
     return SILICONES[name]
 
@@ -149,8 +149,8 @@ def modulus_from_shore(reading: str) -> ModulusEstimate:
     hardness = float(match[2]) if match else -1.0
     if match is None or not 0 <= hardness <= 95:
         raise InputError(
-            f"silicone.shore = {reading!r} is no hardness that can be converted. Write the scale (A "
-            'or 00) and a number from 0 to 95, as in "A10" or "00-30"'
+            f"silicone.modulus_from = {reading!r} is no hardness that can be converted. Write the scale (A "
+            'or 00) and a number from 0 to 95, as in "A10" or "00-30", or a file (.csv)'
         )
     relation, low, high, source = _RELATIONS["A"] if match[1].upper() == "A" else _RELATIONS["00"]
     modulus = relation(hardness)

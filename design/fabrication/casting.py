@@ -32,7 +32,6 @@ from design.layout.body import body_of
 from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import (
     COMPLIANCE_FRACTION,
-    flange_wall_mm,
     mould_frame,
     mould_style,
     parting,
@@ -281,17 +280,9 @@ def _heads(spec: ObjectSpec) -> list[Finding]:
 
 
 def _flanges(spec: ObjectSpec) -> list[Finding]:
-    """Walls of the flanges next to bolts and dowels, and how many of these find room between pins."""
+    """Count the bolts and dowels of a flange that find room between pins."""
     if mould_style(spec) != "split":
         return []
-    wall, limit = flange_wall_mm(spec), spec.printer.wall_mm
-    least = ceil(10 * (spec.mould.flange_mm + 2 * (limit - wall)) - 1e-6) / 10
-    text = (
-        "wall of a flange on either side of its bolts and dowels; below 0 their holes are open. Below the "
-        f"limit: raise mould.flange_mm to {least:g}"
-    )
-    status, part = status_above(wall, limit), "mould_half_a"
-    walls = Finding("flange round its bolts", part, wall, limit, "mm", status, text)
     count = min(len(flange.places_mm) for flange in flanges(spec))
     status = "pass" if count == len(PLACES) else "warn" if count > 1 else "fail"
     text = (
@@ -299,7 +290,7 @@ def _flanges(spec: ObjectSpec) -> list[Finding]:
         "Below the limit nothing holds or finds the halves: turn the seam (mould.parting_azimuth_deg), or "
         "move magnets away from its ends"
     )
-    return [walls, Finding("bolts of a flange", part, float(count), 2.0, "", status, text)]
+    return [Finding("bolts of a flange", "mould_half_a", float(count), 2.0, "", status, text)]
 
 
 def check_air(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Finding]:

@@ -122,7 +122,7 @@ def check_features(spec: ObjectSpec) -> list[Finding]:
     if core.keys.positions_mm:
         narrow, name, place = min(core.keys.size_mm), "anti-slip key", core_keys(spec)[0].centre_mm
         findings += [
-            _feature(name, "core", narrow, printer.feature_mm, "core.keys.size_mm", place),
+            _feature(name, "core", narrow, printer.wall_mm, "core.keys.size_mm", place),
             _aspect(name, "core", core.keys.height_mm, narrow, spec, place, "core.keys.height_mm"),
         ]
     findings += _fins(spec) if spec.shell.slits.depth_mm else []
@@ -172,7 +172,7 @@ def _bosses(spec: ObjectSpec) -> list[Finding]:
 
     narrow, narrow_mm = min(placed, key=lambda boss: width(boss[0]))
     tall, tall_mm = max(placed, key=lambda boss: slender(boss[0]))
-    key, name, least = "shell.pocket_diameter_mm", "boss of a pocket", spec.printer.feature_mm
+    key, name, least = "shell.pocket_diameter_mm", "boss of a pocket", spec.printer.wall_mm
     return [
         _feature(name, part, width(narrow), least, key, narrow_mm),
         _aspect(name, part, slender(tall), 1.0, spec, tall_mm),

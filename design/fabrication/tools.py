@@ -38,8 +38,8 @@ def check_tools(spec: ObjectSpec, meshes: dict[str, trimesh.Trimesh]) -> list[Fi
     if spec.arrangement == "sensors-in-shell":  # the magnets are set before the shell is cast
         body = [(name, mesh) for name, mesh in body if name == "core"]
     text = (
-        "largest common volume of a template and what it lies on. Above the limit it does not lie: leave "
-        "mould.magnet_templates out, or move magnets"
+        "largest common volume of a template and what it lies on. Above the limit it does not lie: set "
+        "magnets without it, or move them"
     )
     for first, numbers in groups.items():
         name = "magnet_template" if len(groups) == 1 else f"magnet_template_face_{first}"

@@ -36,7 +36,6 @@ def _check_recesses_off_passages(spec: ObjectSpec) -> Iterator[str]:
     """A recess may run into the hub or the wire hole, or stay clear of it, but not touch it in a line."""
     core, beside = spec.core, np.zeros(2)
     passages = {
-        "core.hub_radius_mm": core.hub_radius_mm,
         "half of core.wire_hole_top_diameter_mm": core.wire_hole_top_diameter_mm / 2,
         "half of core.wire_hole_side_diameter_mm": core.wire_hole_side_diameter_mm / 2,
     }

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from design.fit.magnet_places import MOST_TOLD
 from design.fit.nearest import excess, least_spacing_mm
+from design.layout.boards import passage_radius_mm
 from design.layout.body import core_frames, face_frames
 from design.layout.places.contact_places import LEAST_COUNT, place_problems
 from design.layout.pockets import (
@@ -84,11 +85,6 @@ def _check_wire_passages(spec: ObjectSpec) -> Iterator[str]:
         yield (
             f"core.wire_hole_*_diameter_mm must be below the core's cavity, {room:g} mm wide; got "
             f"{widest:g}. Use a smaller hole or thinner core walls"
-        )
-    if 2 * core.hub_radius_mm >= smallest:
-        yield (
-            f"core.hub_radius_mm must be below half the core ({smallest / 2:g} mm); "
-            f"got {core.hub_radius_mm:g}. Use a smaller hub recess"
         )
 
 
@@ -196,8 +192,7 @@ def _check_magnets_in_core(spec: ObjectSpec) -> Iterator[str]:
             "magnets.depth_mm is that of magnets in the shell; with arrangement = 'sensors-in-shell' "
             "they sit in the core. Give magnets.depth_below_core_face_mm instead"
         )
-    holes = (core.wire_hole_top_diameter_mm / 2, core.wire_hole_side_diameter_mm / 2)
-    middle = max(core.hub_radius_mm, *holes)
+    middle = passage_radius_mm(spec)
     for pocket in (pocket for face in core_pockets(spec) for pocket in face):
         if -pocket.lowest_mm >= core.wall_mm:
             yield (
@@ -207,7 +202,7 @@ def _check_magnets_in_core(spec: ObjectSpec) -> Iterator[str]:
         clear = float((pocket.body.centre_mm[:2] ** 2).sum() ** 0.5) - pocket.outline.radius_mm
         if clear <= middle:
             yield (
-                f"{pocket.body.label} meets the hub or wire hole of radius {middle:g} mm at the middle "
+                f"{pocket.body.label} meets the wire hole of radius {middle:g} mm at the middle "
                 f"of the core's face. Move it outwards by more than {middle - clear:.3g} mm"
             )
     for pockets in core_pockets(spec):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.triangles import Block
-from design.layout.blocks import core_keys, relief_slits
+from design.layout.blocks import core_keys, relief_slits, slit_end_mm
 from design.layout.boards import bay_block, cuts_of_core, gap_mm, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.pockets import axis_in_object_mm, shell_pockets
@@ -118,10 +118,10 @@ def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
             f"shell.slits lie between sensed sides 2 to 5 that meet; this {spec.body.kind} has none. Leave "
             "shell.slits.depth_mm out"
         )
-    if not slits.width_mm < slits.end_mm < spec.body.size_mm[2] / 2:
+    if 2 * slit_end_mm(spec) >= spec.body.size_mm[2]:
         yield (
-            f"shell.slits.end_mm must be above shell.slits.width_mm = {slits.width_mm:g} and below half "
-            f"the body's height ({spec.body.size_mm[2] / 2:g} mm); got {slits.end_mm:g}"
+            f"shell.slits end {slit_end_mm(spec):.3g} mm before the body's ends, which leaves no slit "
+            f"along its height of {spec.body.size_mm[2]:g} mm. Leave shell.slits.depth_mm out"
         )
         return
     for slit in slit_blocks:

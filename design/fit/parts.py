@@ -13,7 +13,7 @@ from jaxtyping import Float
 from design.body.triangles import Block
 from design.fit.curved_parts import check_curved_bay, check_curved_keys, check_curved_slits
 from design.fit.nearest import nearest_bay, nearest_keys, nearest_slits, with_nearest
-from design.layout.blocks import relief_slits
+from design.layout.blocks import relief_slits, slit_end_mm
 from design.layout.boards import (
     channel_heights_mm,
     passage_radius_mm,
@@ -97,10 +97,7 @@ def _check_pocket_width(spec: ObjectSpec) -> Iterator[str]:
 def _check_dents(spec: ObjectSpec) -> Iterator[str]:
     measured = [magnet for magnet in spec.as_built.magnets if magnet.dent_mm is not None]
     if measured and spec.arrangement == "sensors-in-shell":
-        yield (
-            "as_built gives dent_mm of a magnet, but the magnets lie in the core. Leave it out; "
-            "shell.dent_mm is for the seals over the sensor boards"
-        )
+        yield ("as_built gives dent_mm of a magnet, but the magnets lie in the core. Leave it out")
         return
     depth = dents_mm(spec)
     not_with = {
@@ -111,7 +108,7 @@ def _check_dents(spec: ObjectSpec) -> Iterator[str]:
     for key, (given, needed) in not_with.items():
         if depth.any() and given != needed:
             yield (
-                f"dents of the seals (shell.dent_mm, as_built) are not known with {key}; got "
+                f"dents of the seals (as_built) are not known with {key}; got "
                 f"{given!r}. Leave one of the two out"
             )
     for frame, pockets, dents in zip(face_frames(spec), shell_pockets(spec), depth, strict=True):
@@ -122,8 +119,8 @@ def _check_dents(spec: ObjectSpec) -> Iterator[str]:
             if dent >= cover:
                 yield (
                     f"a dent of {dent:g} mm on face {frame.number} reaches {pocket.body.label}, over "
-                    f"which there are {cover:.3g} mm of silicone. Make shell.dent_mm (as_built: "
-                    f"dent_mm) smaller than {floor(1e3 * cover) / 1e3:g}"
+                    f"which there are {cover:.3g} mm of silicone. Make dent_mm (as_built) "
+                    f"smaller than {floor(1e3 * cover) / 1e3:g}"
                 )
 
 
@@ -183,16 +180,10 @@ def _check_slits(spec: ObjectSpec) -> Iterator[str]:
             f"shell.slits.depth_mm = {slits.depth_mm:g} reaches the core, {sqrt(2) * thickness:.3g} mm "
             "below the edge. Make the slits shallower or the shell thicker"
         )
-    needed = slits.depth_mm / sqrt(2) + slits.width_mm
-    if slits.end_mm < needed:
+    if 2 * slit_end_mm(spec) >= min(spec.body.size_mm):
         yield (
-            f"shell.slits.end_mm must be at least {needed:.3g}, so that slits do not meet at the "
-            f"corners; got {slits.end_mm:g}. Raise it"
-        )
-    if 2 * slits.end_mm >= min(spec.body.size_mm):
-        yield (
-            f"shell.slits.end_mm must be below half the shortest edge of the body "
-            f"({min(spec.body.size_mm) / 2:g} mm); got {slits.end_mm:g}. Lower it"
+            f"shell.slits end {slit_end_mm(spec):.3g} mm before the corners, which leaves no slit along "
+            f"an edge of {min(spec.body.size_mm):g} mm. Leave shell.slits.depth_mm out"
         )
     for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
         for pocket, slit in product(face, relief_slits(spec)):

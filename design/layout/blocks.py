@@ -101,9 +101,15 @@ def _slit_between(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
     axis, start = np.array([0.0, 0.0, 1.0]), surface + slits.width_mm
     axes = np.column_stack([axis, -out, np.cross(axis, -out)])
     deep = slits.width_mm + slits.depth_mm
-    length = 2 * (float(body.half_mm[2]) - slits.end_mm)
+    length = 2 * (float(body.half_mm[2]) - slit_end_mm(spec))
     half = np.array([length, deep, slits.width_mm]) / 2
     return Block((start - deep / 2) * out, axes, half)
+
+
+def slit_end_mm(spec: ObjectSpec) -> float:
+    """Distance of a slit's ends from the corners: the shell's thickness, or where three do not meet."""
+    slits = spec.shell.slits
+    return float(max(spec.shell.thickness_mm, slits.depth_mm / np.sqrt(2) + slits.width_mm))
 
 
 def _slit(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
@@ -112,7 +118,8 @@ def _slit(spec: ObjectSpec, a: FaceFrame, b: FaceFrame) -> Block:
     inward = -(a.normal + b.normal) / np.sqrt(2)
     edge = (a.normal + b.normal) * half_body
     reach = float(abs(edge_axis) @ half_body)
-    low, high = slits.end_mm - reach, reach - slits.end_mm
+    end_mm = slit_end_mm(spec)
+    low, high = end_mm - reach, reach - end_mm
     if abs(edge_axis[2]) > 0.5 and not _sensed_below(spec):
         past = reach + slits.width_mm
         low, high = (-past, high) if edge_axis[2] > 0 else (low, past)

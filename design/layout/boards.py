@@ -213,10 +213,9 @@ def _wire_hole_key(spec: ObjectSpec, face: int) -> str:
 
 
 def passage_radius_mm(spec: ObjectSpec) -> float:
-    """Radius of the widest passage for wires in the middle of a core's face: hub, or wire hole."""
+    """Radius of the widest passage for wires in the middle of a core's face: wire hole and hub's recess."""
     core = spec.core
-    widest = max(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm)
-    return max(core.hub_radius_mm, widest / 2)
+    return max(core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm) / 2
 
 
 def gap_mm(a: Block, b: Block) -> float:

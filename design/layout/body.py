@@ -29,7 +29,7 @@ def body_of(spec: ObjectSpec) -> BodyKind:
         bore_mm=body.bore_mm,
         inside=body.inside,
         file=body.file,
-        mm_per_unit=body.mm_per_unit,
+        scale=body.scale,
     )
 
 

@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 @cached_geometry
 def dents_mm(spec: ObjectSpec) -> Float[np.ndarray, "face body"]:
-    """Depth of every dent in its middle, sensed face by face: `shell.dent_mm`, or as found."""
+    """Depth of every dent in its middle, sensed face by face, as found."""
     count = len(shell_pockets(spec)[0])
-    depth = np.full((len(spec.body.sensed), count), spec.shell.dent_mm)
+    depth = np.zeros((len(spec.body.sensed), count))
     for magnet in spec.as_built.magnets:
         if magnet.dent_mm is not None:
             depth[spec.body.sensed.index(magnet.face), magnet.magnet - 1] = magnet.dent_mm

@@ -11,6 +11,7 @@ import numpy as np
 
 from design.layout.mould.frame import (
     FLANGE_THICKNESS_MM,
+    flange_width_mm,
     mould_frame,
     parting,
     seam_ends_mm,
@@ -79,7 +80,7 @@ class Flange:
 def flanges(spec: ObjectSpec) -> tuple[Flange, Flange]:
     """Flanges of both ends of the seam, below the rim that a plug clips onto, as long as dowels and bolts
     need."""
-    frame, wide = mould_frame(spec), spec.mould.flange_mm
+    frame, wide = mould_frame(spec), flange_width_mm(spec)
     left, right = seam_ends_mm(spec)
     lower = BELOW_RIM_MM + 2 * spec.printer.clearance_mm if frame.plugged else 0.0
     top = frame.rim_mm - lower

@@ -16,6 +16,7 @@ from design.layout.mould.frame import (
     BOLT_HOLE_MM,
     DOWEL_DIAMETER_MM,
     FLANGE_THICKNESS_MM,
+    flange_width_mm,
     mould_frame,
     parting,
 )
@@ -143,7 +144,7 @@ def flange_solid(spec: ObjectSpec, first: Flange, second: Flange) -> Shape:
 
 
 def _half_space(spec: ObjectSpec, side: int) -> cq.Solid:
-    reach = 4 * max(spec.body.size_mm) + 4 * spec.mould.flange_mm
+    reach = 4 * max(spec.body.size_mm) + 4 * flange_width_mm(spec)
     low, high = (0.0, reach) if side > 0 else (-reach, 0.0)
     return _box_in_plane(spec, [-reach, -reach, low], [reach, reach, high])
 

@@ -6,7 +6,7 @@ Loose ones are drawn along their own axes; their numbers are those of `design.la
 from __future__ import annotations
 
 from design.layout.core_hold import LOCATOR_NOSE_MM, Locator
-from design.layout.mould.frame import parting
+from design.layout.mould.frame import flange_width_mm, parting
 from design.layout.mould.pins import Pin, along_pull, key_of_pocket, met_pockets, places_of_pockets
 from design.mould.room import core_outside
 from design.solids.booleans import Shape, Solid, cut, join, one_body
@@ -35,12 +35,10 @@ def make_pin(spec: ObjectSpec, pin: Pin) -> Solid:
     InputError
         The pin is not one valid solid.
     """
-    seat, draft, solids = pin.seat_mm, spec.mould.draft_deg, []
+    seat, solids = pin.seat_mm, []
     for pocket in pin.pockets:
         solids.append(pocket_prism(pin.frame, pocket, None, seat + OVERSHOOT_MM))
         solids.append(pocket_prism(pin.frame, pocket, seat, pin.top_mm, pin.rim_mm))
-        if draft and pocket.axis[2] == 1:
-            solids.append(pocket_prism(pin.frame, pocket, 0.0, seat + OVERSHOOT_MM, 0.0, draft))
     body: Shape = join(*solids)
     if pin.locator is not None:
         rod, nose = _rod_and_nose(spec, pin.locator)
@@ -50,14 +48,12 @@ def make_pin(spec: ObjectSpec, pin: Pin) -> Solid:
 
 def pin_holes(spec: ObjectSpec, pin: Pin) -> list[cq.Solid]:
     """Hole through the wall, and room for the head all the way out."""
-    play, draft, seat = spec.printer.clearance_mm, spec.mould.draft_deg, pin.seat_mm
-    out = 2 * max(spec.body.size_mm) + spec.mould.flange_mm
+    play, seat = spec.printer.clearance_mm, pin.seat_mm
+    out = 2 * max(spec.body.size_mm) + flange_width_mm(spec)
     holes = []
     for pocket in pin.pockets:
         holes.append(pocket_prism(pin.frame, pocket, None, seat + OVERSHOOT_MM, play))
         holes.append(pocket_prism(pin.frame, pocket, seat, out, pin.rim_mm + play))
-        if draft and pocket.axis[2] == 1:
-            holes.append(pocket_prism(pin.frame, pocket, 0.0, seat + OVERSHOOT_MM, play, draft))
     return holes
 
 

@@ -52,8 +52,7 @@ def make_mould_holder(spec: ObjectSpec) -> Solid:
     outlet, play = core_outlet(spec), spec.printer.clearance_mm
     rod = rod_about_z(spec.body.bore_mm / 2, -mould_frame(spec).rim_mm, 0.5 * outlet.floor_mm)
     radius, low = outlet.radius_mm - play, outlet.floor_mm - OVERSHOOT_MM
-    narrowing = float(np.tan(np.deg2rad(spec.mould.draft_deg)))
-    nose = rod_about_z(radius, low, outlet.nose_mm, radius - narrowing * (outlet.nose_mm - low))
+    nose = rod_about_z(radius, low, outlet.nose_mm)
     past = 2 * radius
     flat = box_between(
         (outlet.flat_mm - play, -past, outlet.floor_mm - 2.0), (past, past, outlet.nose_mm + 1.0)

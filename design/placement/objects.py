@@ -333,7 +333,6 @@ def electronics_tables(request: Request, faces: list[Shares]) -> Tables:
         "recess_outer_radius_mm": round(radius + _HALF_RECESS_MM, 2),
         "wire_hole_top_diameter_mm": hole,
         "wire_hole_side_diameter_mm": max(_SIDE_HOLE_MM, hole),
-        "hub_radius_mm": max(_SIDE_HOLE_MM, hole) / 2,
     }
     sensors = {
         "count_per_face": request.sensors,

@@ -6,7 +6,12 @@ import numpy as np
 
 from design.body.surface_chart import FACE_AXES, FaceFrame
 from design.layout.blocks import core_keys
-from design.layout.boards import bay_block, wire_channels, wire_hole_diameter_mm
+from design.layout.boards import (
+    bay_block,
+    passage_radius_mm,
+    wire_channels,
+    wire_hole_diameter_mm,
+)
 from design.layout.body import body_of, core_frames
 from design.layout.core_hold import locators
 from design.layout.places.positions import board_places
@@ -99,12 +104,11 @@ def _sensor_recess(
 
 def wire_passage(spec: ObjectSpec, frame: FaceFrame) -> list[cq.Solid]:
     """Wire hole through the wall at the face centre, and the hub recess where it is wider."""
-    core = spec.core
-    radius = wire_hole_diameter_mm(spec, frame.number) / 2
+    radius, hub_mm = wire_hole_diameter_mm(spec, frame.number) / 2, passage_radius_mm(spec)
     through = -_passage_mm(spec, frame) - OVERSHOOT_MM
     passage = [cylinder_on_face(frame, (0.0, 0.0), radius, through, OVERSHOOT_MM)]
-    if core.hub_radius_mm > radius:
-        hub = (core.hub_radius_mm, -HUB_DEPTH_MM, OVERSHOOT_MM)
+    if hub_mm > radius:
+        hub = (hub_mm, -HUB_DEPTH_MM, OVERSHOOT_MM)
         passage.append(cylinder_on_face(frame, (0.0, 0.0), *hub))
     return passage
 

@@ -91,8 +91,12 @@ def pedestal_mm(spec: ObjectSpec) -> float:
 
 
 def _pedestal(spec: ObjectSpec, top: float, seat: float) -> cq.Shape:
-    """Between plate and seat: as wide as a body with an open side, or round a bore's post."""
+    """Between plate and seat: under a body with an open side, or round a bore's post.
+
+    It stands back so far that a tip pressed into a side, half of it below the rim, does not meet it.
+    """
     body, half = body_of(spec), np.asarray(spec.body.size_mm[:2]) / 2
+    half = half - spec.press.depths_mm[-1] - CLEAR_MM
     if body.cuboid:
         return box_between((*-half, top - 1.0), (*half, seat))
     radius = half[0] if body.opens_sides else spec.body.bore_mm / 2 + PEDESTAL_WALL_MM

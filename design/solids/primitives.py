@@ -48,12 +48,9 @@ def tapered_rod(
     return cq.Solid.makeCone(radius_mm, end_radius_mm, axis.Length, start, axis)
 
 
-def rod_about_z(
-    radius_mm: float, low_mm: float, high_mm: float, high_radius_mm: float | None = None
-) -> cq.Solid:
-    """`tapered_rod` on the z axis, between two levels."""
-    start, axis = cq.Vector(0, 0, low_mm), cq.Vector(0, 0, high_mm - low_mm)
-    return tapered_rod(start, axis, radius_mm, high_radius_mm)
+def rod_about_z(radius_mm: float, low_mm: float, high_mm: float) -> cq.Solid:
+    """Cylinder on the z axis, between two levels."""
+    return tapered_rod(cq.Vector(0, 0, low_mm), cq.Vector(0, 0, high_mm - low_mm), radius_mm)
 
 
 def cylinder_on_face(
@@ -99,18 +96,16 @@ def pocket_prism(
     bottom_mm: float | None,
     top_mm: float,
     grow_mm: float = 0.0,
-    draft_deg: float = 0.0,
 ) -> cq.Solid:
     """The pocket's prism, its outline grown on all sides, between two heights above the face.
 
     Without a bottom it begins at the pocket's floor; elsewhere planes parallel to the face end it.
-    A draft widens it upwards, of pockets that are not tilted.
     """
     floor, axis = pocket.axis_ends_mm[0], pocket.axis
     if axis[2] == 1:
         low = floor[2] if bottom_mm is None else bottom_mm
         start, end = (frame.to_object(np.array([*floor[:2], z])) for z in (low, top_mm))
-        return _prism(pocket, frame, start, cq.Vector(*(end - start)), grow_mm, draft_deg)
+        return _prism(pocket, frame, start, cq.Vector(*(end - start)), grow_mm)
     past = (pocket.outline.radius_mm + grow_mm) + OVERSHOOT_MM
     start = floor
     if bottom_mm is not None:
@@ -136,20 +131,13 @@ def _prism(
     start: np.ndarray,
     axis: cq.Vector,
     grow_mm: float = 0.0,
-    draft_deg: float = 0.0,
 ) -> cq.Solid:
     half = [edge + grow_mm for edge in pocket.outline.half_mm]
     if pocket.outline.round:
-        widening = float(np.tan(np.deg2rad(draft_deg)))
-        return tapered_rod(cq.Vector(*start), axis, half[0], half[0] + axis.Length * widening)
+        return tapered_rod(cq.Vector(*start), axis, half[0])
     side = frame.axes @ pocket.body.frame[:, 0]
     placed = cq.Location(cq.Plane(cq.Vector(*start), cq.Vector(*side), axis))
-    if not draft_deg:
-        return box_between((-half[0], -half[1], 0.0), (half[0], half[1], axis.Length)).moved(placed)
-    corners = [cq.Vector(x * half[0], y * half[1]) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
-    base = cq.Wire.makePolygon(corners, close=True)
-    up = cq.Vector(0, 0, axis.Length)
-    return cq.Solid.extrudeLinear(base, [], up, taper=-draft_deg).moved(placed)
+    return box_between((-half[0], -half[1], 0.0), (half[0], half[1], axis.Length)).moved(placed)
 
 
 def single_solid(shape: cq.Shape, part: str) -> cq.Solid:

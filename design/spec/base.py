@@ -19,7 +19,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from design.errors import SpecError
-from design.spec.renamed import REMOVED
+from design.spec.removed import REMOVED
 
 # Bounds of what is plausible: beyond them lies a slip of the keyboard or another unit.
 Length = Annotated[float, Field(gt=0, le=1000)]
@@ -246,13 +246,13 @@ def _complaint(problem: Any, model: type[BaseModel]) -> str:
         return message
     if problem["type"] == "missing":
         return f"{where} is missing. Add it"
-    if unknown and where in REMOVED:
-        return f"{where} was removed: {REMOVED[where]}. Leave it out"
+    key = ".".join(part for part in where.split(".") if not part.isdigit())
+    if unknown and key in REMOVED:
+        return f"{key} was removed: {REMOVED[key]}. Leave it out"
     if unknown:
         return f"{where} is not a key. {_nearest_key(problem['loc'], model)}"
     if problem["type"] == "string_pattern_mismatch":
         message = "letters, digits, _ . - alone, a letter or digit first; no blanks, no umlauts"
-    key = ".".join(part for part in where.split(".") if not part.isdigit())
     if removed := REMOVED.get(f"{key} = {problem.get('input')}"):
         return f"{key} = {problem['input']!r} was removed: {removed}"
     for word, plain in _WORDS.items():

@@ -25,8 +25,8 @@ FaceNumber = Annotated[int, Field(ge=1, le=6)]
 """1 = +z, 2 = −y, 3 = +x, 4 = +y, 5 = −x, 6 = −z."""
 
 
-Unit = Literal["mm", "cm", "m", "in"]
-MM: dict[Unit, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+MM = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+"""Lengths of the units that files are drawn in."""
 Edge = Annotated[float, Field(gt=0, le=1e8)]
 """Edge of a body, mm; the error for one too long names the unit that its file may be drawn in."""
 LONGEST_EDGE_MM = (5.0, 1000.0)
@@ -39,8 +39,8 @@ class BodySpec(SpecPart):
     `kind` is one of `design.body.kinds.registry` (docs/bodies.md); what holds the silicone from
     `inside` is a rigid core unless the kind allows others. `open_faces` have no silicone: there the
     core's cavity runs out, where no whole side opens through a bore of `bore_mm`. The surface of an
-    imported body is in `file` (STL, STEP and others), moved so that its box is centred; its triangles
-    are in `unit` (STEP files know theirs), and `scale` makes it larger or smaller. `sensed_faces`, by
+    imported body is in `file` (STL, STEP and others), moved so that its box is centred; `scale` is the
+    length of its unit in mm (STEP files know theirs), or makes it larger or smaller. `sensed_faces`, by
     default all that are closed, carry magnets and sensors and are pressed.
     """
 
@@ -51,8 +51,7 @@ class BodySpec(SpecPart):
     inside: Literal["core", "silicone", "air"] = "core"
     bore_mm: Length = 10.0
     file: str | None = None
-    unit: Unit = "mm"
-    scale: Annotated[float, Field(ge=1e-4, le=1e4)] = 1.0
+    scale: Annotated[float, Field(ge=1e-4, le=1e6)] = 1.0
 
     def __hash__(self) -> int:
         return hash(self.model_dump_json())
@@ -64,11 +63,6 @@ class BodySpec(SpecPart):
         return tuple(sorted(face for face in set(self.open_faces) if face in openable))
 
     @property
-    def mm_per_unit(self) -> float:
-        """Length of a unit of `file` in mm, scaled."""
-        return MM[self.unit] * self.scale
-
-    @property
     def sensed(self) -> tuple[int, ...]:
         """Numbers of the sensed faces, in order."""
         closed = tuple(face for face in KINDS[self.kind].faces if face not in self.opened)
@@ -76,7 +70,7 @@ class BodySpec(SpecPart):
 
     @model_validator(mode="after")
     def _agrees(self) -> BodySpec:
-        for check in (_check_unused, _check_unit, _check_size, _check_faces, _check_inside):
+        for check in (_check_unused, _check_size, _check_faces, _check_inside):
             check(self)
         return self
 
@@ -86,7 +80,6 @@ def _check_unused(body: BodySpec) -> None:
     kind = KINDS[body.kind]
     uses = {
         "bore_mm": bool(kind.openable) and not kind.opens_sides,
-        "unit": kind.from_file,
         "scale": kind.from_file,
         "open_faces": bool(kind.openable) or not body.open_faces,
     }
@@ -118,29 +111,17 @@ def _check_size(body: BodySpec) -> None:
 def _question(body: BodySpec) -> str:
     """In which unit a file may be drawn whose surface is too small or too large for a body."""
     least, most = LONGEST_EDGE_MM
-    drawn = max(body.size_mm) / body.mm_per_unit
-    step = Path(body.file or "").suffix.lower() in STEP
-    likely: list[Unit] = (
-        [] if step else [u for u, mm in MM.items() if least <= drawn * mm * body.scale <= most]
-    )
-    questions = [
-        f'body.unit = "{unit}" (instobj new: --unit {unit}) makes it {drawn * MM[unit] * body.scale:.4g} mm'
-        for unit in likely
+    longest = max(body.size_mm)
+    step = Path(body.file or "").suffix.lower() in STEP  # in mm already
+    units = {} if step else {unit: mm for unit, mm in MM.items() if least <= longest * mm <= most}
+    # the power of ten that brings the body nearest to a fist
+    factors = units or {"": 10.0 ** -round(float(np.log10(longest / 50)))}
+    answers = [
+        f"{f'{unit}: ' if unit else ''}body.scale = {body.scale * factor:g} (instobj new: --scale) makes "
+        f"it {longest * factor:.4g} mm"
+        for unit, factor in factors.items()
     ]
-    if not questions:
-        power = 10.0 ** -round(float(np.log10(max(body.size_mm) / 50)))
-        questions = [
-            f"body.scale = {body.scale * power:g} makes it {max(body.size_mm) * power:.4g} mm"
-        ]
-    return f"In which unit is its file drawn? {', '.join(questions)}"
-
-
-def _check_unit(body: BodySpec) -> None:
-    if body.unit != "mm" and body.file and Path(body.file).suffix.lower() in STEP:
-        raise ValueError(
-            f"body.unit = {body.unit!r} is for triangles; a STEP file says its own unit. Leave body.unit "
-            "out, or use body.scale"
-        )
+    return f"In which unit is its file drawn? {', '.join(answers)}"
 
 
 def _check_faces(body: BodySpec) -> None:
@@ -190,12 +171,11 @@ class SlitsSpec(SpecPart):
     """Relief slits along the edges between sensed faces, against pressure on the neighbours.
 
     Each runs from the edge `depth_mm` inwards along the bisector of the two faces, `width_mm` wide,
-    and ends `end_mm` before the corners of the body; a depth of 0 leaves them out.
+    and ends a shell's thickness before the corners of the body; a depth of 0 leaves them out.
     """
 
     width_mm: Length = 1.0
     depth_mm: Offset = 0.0
-    end_mm: Offset = 8.0
 
 
 class ShellSpec(SpecPart):
@@ -204,14 +184,12 @@ class ShellSpec(SpecPart):
     Round bodies lie in pockets of `pocket_diameter_mm`; blocks and sensor boards in pockets of
     their own outline. With a `seal_layer_mm` the shell is cast thinner by that much on every sensed
     face and gets its size in a second pour, which covers the pockets with a layer in one piece.
-    `dent_mm` is how far the seals have sunk over the pockets' middles (docs/robustness.md).
     """
 
     thickness_mm: Wall = 8.0
     pocket_diameter_mm: Length = 6.0
     pocket_depth_mm: Length = 3.0
     seal_layer_mm: Offset = 0.0
-    dent_mm: Offset = 0.0
     slits: SlitsSpec = SlitsSpec()
 
 
@@ -244,7 +222,6 @@ class CoreSpec(SpecPart):
     recess_inner_radius_mm: Length = 4.5
     recess_outer_radius_mm: Length = 11.0
     recess_depth_mm: Length = 3.0
-    hub_radius_mm: Length = 2.0
     wire_hole_top_diameter_mm: Length = 2.0
     wire_hole_side_diameter_mm: Length = 4.0
     wire_channel_width_mm: Offset = 0.0

@@ -10,12 +10,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from design.catalogue.magnets import NDFEB_RECOIL_PERMEABILITY
 from design.spec.base import (
     Component,
     Coordinate,
     Length,
-    RecoilPermeability,
     Remanence,
     SpecPart,
 )
@@ -32,7 +30,6 @@ class StrayMagnetSpec(SpecPart):
     diameter_mm: Length = 10.0
     height_mm: Length = 5.0
     remanence_t: Remanence = 1.3
-    recoil_permeability: RecoilPermeability = NDFEB_RECOIL_PERMEABILITY
 
     @model_validator(mode="after")
     def _axis_points_somewhere(self) -> StrayMagnetSpec:

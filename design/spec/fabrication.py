@@ -30,19 +30,14 @@ class MouldSpec(SpecPart):
     is one piece where a side is open. The plane's normal has `parting_azimuth_deg` from x; left
     out, it is chosen for the body's kind (`design.layout.mould.frame.parting`).
     `printer.clearance_mm` is left between parts that slide. A closed mould is poured through a
-    hole of `pour_mm`; vents of `printer.hole_mm` stand where air would be caught. `draft_deg`
-    widens pins and rods from where they leave the silicone; walls that shape silicone have the
-    draft of the object's own. `magnet_templates` are printed of flat faces; with "all", sheets
-    that hug curved ones too.
+    hole of `pour_mm`; vents of `printer.hole_mm` stand where air would be caught. Walls that shape
+    silicone have the draft of the object's own; pins and rods are straight.
     """
 
     style: Literal["one-piece", "split"] | None = None
     wall_mm: Thickness = 1.5
     parting_azimuth_deg: Angle | None = None
-    flange_mm: Thickness = 8.0
-    draft_deg: Annotated[float, Field(ge=0, le=10)] = 0.0
     pour_mm: Thickness = 6.0
-    magnet_templates: Literal["flat", "all"] = "flat"
 
 
 class PrinterSpec(SpecPart):
@@ -57,7 +52,6 @@ class PrinterSpec(SpecPart):
     process: Process = "fdm"
     bed_mm: tuple[Bed, Bed, Bed] = (220.0, 220.0, 240.0)
     wall_mm: Thickness = 0.8
-    feature_mm: Thickness = 0.8
     hole_mm: Thickness = 1.0
     clearance_mm: Gap = 0.1
 

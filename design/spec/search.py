@@ -8,7 +8,7 @@ minutes, and a shell that came up before costs nothing. Ranges are continuous.
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, field_validator, model_validator
 
@@ -21,7 +21,6 @@ from design.spec.base import (
     SpecPart,
     Wall,
 )
-from design.spec.renamed import rename_older_keys
 
 Objective = Literal[
     "worst_position_bound_mm",
@@ -102,9 +101,8 @@ class SearchLimitsSpec(SpecPart):
 
     @field_validator("times_start", mode="before")
     @classmethod
-    def _with_default(cls, given: Any) -> Any:
-        named = rename_older_keys("search.limits.times_start", given)
-        return {OVER_LIMIT: 1.0, **named} if isinstance(named, dict) else named
+    def _with_default(cls, given: object) -> object:
+        return {OVER_LIMIT: 1.0, **given} if isinstance(given, dict) else given
 
 
 class SearchSpec(SpecPart):
@@ -143,11 +141,6 @@ class SearchSpec(SpecPart):
     def named(self) -> set[str]:
         """Scores that are objectives or limited."""
         return {*self.objectives, *self.limits.times_start}
-
-    @field_validator("objectives", mode="before")
-    @classmethod
-    def _names_now(cls, given: Any) -> Any:
-        return rename_older_keys("search.objectives", given)
 
     @model_validator(mode="after")
     def _agrees(self) -> SearchSpec:

@@ -42,8 +42,7 @@ class SensorSpec(SpecPart):
     `first_azimuth_deg` is for faces 1, 2, …, over again where there are more. `positions_mm` puts
     sensors elsewhere: x, y in the face's frame, one list for every face or one for each, of equal
     length. Chip axes: X = −tangential, Y = radial outward, Z = the face's outward normal, with the
-    chip facing inward; "outward" turns it about Y, and `mount_rotation_deg` then turns it by that
-    rotation vector about its own X, Y, Z. `rotations_deg` takes the place of all three on boards with
+    chip facing inward; "outward" turns it about Y. `rotations_deg` takes the place of both on boards with
     chips turned any way: one rotation vector for each sensor, one list for every face or one for
     each; it turns X, Y, Z from the face's x, y, n. `range_mt`, `counts_per_mt` and
     `noise_counts` are those of `part` where they are left out; the default part's noise, gain and
@@ -72,7 +71,6 @@ class SensorSpec(SpecPart):
     package_mm: tuple[Length, Length, Length] = (6.6, 6.2, 1.6)
     chip_mm: tuple[Length, Length, Length] = (2.9, 2.8, 1.25)
     chip: Literal["inward", "outward"] = "inward"
-    mount_rotation_deg: tuple[Angle, Angle, Angle] = (0.0, 0.0, 0.0)
     rotations_deg: tuple[Turns, ...] | None = None
     counts_per_mt: Annotated[float, Field(ge=0.1, le=1e6)] = 820.0
     range_mt: FieldRange = 40.0
@@ -131,11 +129,10 @@ class SensorSpec(SpecPart):
                 f"{self.count_per_face} sensors of a face; got lists of {sorted(counts)}. Fix the "
                 "lists, or leave rotations_deg out"
             )
-        if self.chip != "inward" or any(self.mount_rotation_deg):
+        if self.chip != "inward":
             raise ValueError(
                 "sensors.rotations_deg says how every chip is turned; sensors.chip = "
-                f"{self.chip!r} and mount_rotation_deg = {list(self.mount_rotation_deg)} turn them "
-                "too. Give rotations_deg alone"
+                f"{self.chip!r} turns them too. Give rotations_deg alone"
             )
         return self
 

@@ -39,9 +39,10 @@ class SiliconeSpec(SpecPart):
     A printed lattice or a foam is described by the constants of a homogeneous body that yields as
     it does: its own modulus, far below that of its struts, and its own Poisson's ratio.
 
-    Figures that are left out are those of the preset `name`, the modulus that of `tensile_data` or
-    `shore` where one is given; an explicit modulus goes before all. `youngs_modulus_range_mpa` is
-    the interval that the modulus may lie in, unknown where an explicit one lies outside its source's.
+    Figures that are left out are those of the preset `name`, the modulus that of `modulus_from`, a Shore
+    hardness or the CSV file of a tensile test, where it is given; an explicit modulus goes before all.
+    `youngs_modulus_range_mpa` is the interval that the modulus may lie in, unknown where an explicit one
+    lies outside its source's.
     0.414 MPa is Gent's (1958) relation at Shore A10; the public recordings fit 0.23 to 0.28 MPa.
 
     `cure` is its chemistry (what is not cast, as printed TPU, has "none"), Walls below
@@ -54,8 +55,7 @@ class SiliconeSpec(SpecPart):
     """
 
     name: str = "Platsil Gel-10"
-    shore: str | None = None
-    tensile_data: str | None = None
+    modulus_from: str | None = None
     youngs_modulus_mpa: Modulus = 0.414
     youngs_modulus_range_mpa: tuple[Modulus, Modulus] | None = (0.15, 0.54)
     poisson_ratio: Annotated[float, Field(ge=-0.3, le=0.5)] = 0.4999
@@ -107,10 +107,10 @@ class SiliconeSpec(SpecPart):
     @property
     def modulus_source(self) -> str:
         """Return where the modulus comes from, in words."""
-        estimate = _estimate(self.name, self.shore)
+        estimate = _estimate(self.name, self.modulus_from)
         if estimate is not None and estimate.youngs_modulus_mpa == self.youngs_modulus_mpa:
             return estimate.source
-        return f"fitted to {self.tensile_data}" if self.tensile_data else "given"
+        return f"fitted to {self.modulus_from}" if is_test_file(self.modulus_from) else "given"
 
     @property
     def relative_spread(self) -> tuple[float, float] | None:
@@ -123,16 +123,16 @@ class SiliconeSpec(SpecPart):
 
 def _figures(given: dict[str, Any]) -> dict[str, Any]:
     """The source's figures where `given` has none; values of wrong types are left to pydantic."""
-    name, shore = given.get("name", "Platsil Gel-10"), given.get("shore")
+    name, source = given.get("name", "Platsil Gel-10"), given.get("modulus_from")
     modulus = given.get("youngs_modulus_mpa")
-    if not isinstance(name, str) or not isinstance(shore, str | None):
+    if not isinstance(name, str) or not isinstance(source, str | None):
         return {}
-    estimate = _estimate(name, shore)
+    estimate = _estimate(name, source)
     if modulus is None:
-        if given.get("tensile_data") is not None:
+        if is_test_file(source):
             raise ValueError(
-                "silicone.tensile_data is read where a specification is loaded from a file. Give "
-                "silicone.youngs_modulus_mpa, or load the file"
+                f"silicone.modulus_from = {source!r} is read where a specification is loaded from a "
+                "file. Give silicone.youngs_modulus_mpa, or load the file"
             )
         estimate = estimate or silicone_preset(name).modulus
         modulus = estimate.youngs_modulus_mpa
@@ -146,9 +146,14 @@ def _figures(given: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _estimate(name: str, shore: str | None) -> ModulusEstimate | None:
-    if shore is not None:
-        return modulus_from_shore(shore)
+def is_test_file(modulus_from: str | None) -> bool:
+    """Return whether `silicone.modulus_from` names the file of a tensile test, not a hardness."""
+    return modulus_from is not None and modulus_from.lower().endswith(".csv")
+
+
+def _estimate(name: str, modulus_from: str | None) -> ModulusEstimate | None:
+    if modulus_from is not None and not is_test_file(modulus_from):
+        return modulus_from_shore(modulus_from)
     return SILICONES[name].modulus if name in SILICONES else None
 
 

@@ -19,7 +19,6 @@ USES: dict[str, tuple[str, tuple[Any, ...]]] = {
     "indenter.tip_spacing_mm": ("indenter.tip_count", (2, 3)),
     "magnets.depth_below_core_face_mm": ("arrangement", ("sensors-in-shell",)),
     "mould.parting_azimuth_deg": ("mould.style", _SPLIT),
-    "mould.flange_mm": ("mould.style", _SPLIT),
     "collection.frames_per_case": ("collection.kind", ("paper", "grasp")),
     "collection.non_contact_cases": ("collection.kind", ("paper",)),
     "collection.dual_poses": ("collection.kind", ("paper",)),

@@ -7,9 +7,8 @@ not seen, and by what the same procedure reaches with the places exchanged.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -17,6 +16,7 @@ from jaxtyping import Float, Int
 from design.layout.places.positions import slipped
 from design.spec.mechanics import SlipSpec
 from design.spec.object import ObjectSpec
+from estimator.calibration.most_probable import Unknown, Values, most_probable
 from estimator.calibration.recorded_presses import (
     PredictedMotions,
     RecordedPresses,
@@ -26,19 +26,24 @@ from estimator.calibration.recorded_presses import (
 from estimator.field.models import MagnetsModel
 from estimator.tolerances.assembly import Assembly, counts_of
 
-PRIOR = (1.0, 1.0, 1.0, 3.0, 3.0, 3.0, 0.02, 0.5)
-"""Standard deviations: shift x, y, z (mm), rotation vector x, y, z (degrees), ln of the remanence's
-scale (a grade's range), ln of the modulus' scale."""
 LARGEST_SHIFT_MM = 3.0
 """Of each coordinate that a fit may take; sensors come no nearer to magnets than by about this."""
-BOUNDS = (*(LARGEST_SHIFT_MM,) * 3, 10.0, 10.0, 10.0, 0.1, 1.5)
-GROUPS = {
-    "pose of the core": (0, 1, 2, 3, 4, 5),
-    "strength of the magnets": (6,),
-    "modulus, that is depth": (7,),
+CORE = {
+    "shift_mm": Unknown(1.0, (3,), bound=LARGEST_SHIFT_MM),
+    "rotation_deg": Unknown(3.0, (3,), bound=10.0),
 }
-"""What is freed by itself, as numbers of `PRIOR`."""
-_EVERY = tuple(range(len(PRIOR)))
+"""Pose of the core in the shell: its shift, and its rotation vector."""
+REMANENCE = {"ln_remanence": Unknown(0.02, bound=0.1)}
+"""Logarithm of the remanence's scale: a grade's range."""
+MODULUS = {"ln_modulus": Unknown(0.5, bound=1.5)}
+"""Logarithm of the modulus' scale."""
+ALL = CORE | REMANENCE | MODULUS
+GROUPS = {
+    "pose of the core": CORE,
+    "strength of the magnets": REMANENCE,
+    "modulus, that is depth": MODULUS,
+}
+"""What is freed by itself."""
 _FLOOR_COUNTS = 20.0
 """Error of the model, at least."""
 _MODEL_ERROR = 0.2
@@ -55,6 +60,13 @@ class Calibration:
     rotation_deg: tuple[float, float, float]
     remanence_scale: float
     modulus_scale: float
+
+    @staticmethod
+    def of(values: Values) -> Calibration:
+        """Return the nuisances of unknowns of `ALL`; what is not among them is as designed."""
+        x, y, z, a, b, c = np.concatenate([values.get(name, np.zeros(3)) for name in CORE]).tolist()
+        scales = (float(np.exp(values.get(name, 0.0))) for name in REMANENCE | MODULUS)
+        return Calibration((x, y, z), (a, b, c), *scales)
 
     def applied(self, design: Assembly) -> Assembly:
         """The design with what sits in the core moved, magnets and silicone scaled."""
@@ -121,51 +133,31 @@ def fit(
     problem: Problem,
     rows: Int[np.ndarray, "some"],
     case: Int[np.ndarray, "press"],
-    free: tuple[int, ...] = _EVERY,
+    free: Mapping[str, Unknown] = ALL,
 ) -> Calibration:
     """Nuisances from some presses; `case` (of every press) may have been exchanged.
 
-    Numbers of `PRIOR` that are not `free` stay at the design.
+    What is not `free` stays at the design.
     """
-    from scipy.optimize import least_squares
-
     first, recorded, sigma = means_of_cases(problem, rows)
-    known, chosen = np.isfinite(recorded), list(free)
+    known = np.isfinite(recorded)
 
-    def all_of(scaled: Float[np.ndarray, "number"]) -> Float[np.ndarray, "8"]:
-        every = np.zeros(len(PRIOR))
-        every[chosen] = scaled
-        return every
+    def misfit(values: Values) -> Float[np.ndarray, "residual"]:
+        assembly = Calibration.of(values).applied(problem.design)
+        return ((recorded - problem.predicted(assembly, first, case)) / sigma)[known]
 
-    def residual(scaled: Float[np.ndarray, "number"]) -> Float[np.ndarray, "residual"]:
-        assembly = pose_calibration(all_of(scaled)).applied(problem.design)
-        wrong = (recorded - problem.predicted(assembly, first, case)) / sigma
-        return np.concatenate([wrong[known], scaled])
-
-    bounds = (np.array(BOUNDS) / PRIOR)[chosen]
-    found: Any = least_squares(
-        residual,
-        np.zeros(len(chosen)),
-        bounds=(-bounds, bounds),
-        max_nfev=_EVALUATIONS,
-        diff_step=1e-4,
-    )
-    return pose_calibration(all_of(found.x))
+    found = most_probable(misfit, free, max_nfev=_EVALUATIONS, diff_step=1e-4)
+    return Calibration.of(found.values)
 
 
 def groups_freed(problem: Problem) -> dict[str, Judged]:
     """Each group of numbers fitted by itself to all sets of places but one and judged on that one, in
     turn; that which leaves least first, beside the design."""
     presses = problem.presses
-    found = {"the design": judged_pose(problem, folds_by_case(presses), presses.case, ())}
+    found = {"the design": judged_pose(problem, folds_by_case(presses), presses.case, {})}
     for name, free in GROUPS.items():
         found[name] = judged_pose(problem, folds_by_case(presses), presses.case, free)
     return dict(sorted(found.items(), key=lambda item: item[1].left))
-
-
-def pose_calibration(scaled: Float[np.ndarray, "8"]) -> Calibration:
-    x, y, z, a, b, c, strength, modulus = (scaled * np.array(PRIOR)).tolist()
-    return Calibration((x, y, z), (a, b, c), float(np.exp(strength)), float(np.exp(modulus)))
 
 
 def means_of_cases(
@@ -206,17 +198,17 @@ def calibration_test(
     progress: Callable[[str], None] = lambda _: None,
 ) -> CalibrationTest:
     """Fit on all folds but one, judge on that one, in turn; and so with every exchange of places."""
-    after = judged_pose(problem, folds, problem.presses.case, _EVERY)
+    after = judged_pose(problem, folds, problem.presses.case, ALL)
     null = []
     for number, order in enumerate(exchanged):
         progress(f"{unseen}: places exchanged, {number + 1} of {len(exchanged)}")
-        null.append(judged_pose(problem, folds, order[problem.presses.case], _EVERY))
+        null.append(judged_pose(problem, folds, order[problem.presses.case], ALL))
     medians = [float(np.median([getattr(n, f) for n in null])) for f in Judged.__annotations__]
     cosine = [after.own_cosine, *(n.own_cosine for n in null)]
     left = [after.left, *(n.left for n in null)]
     return CalibrationTest(
         unseen,
-        judged_pose(problem, folds, problem.presses.case, ()),
+        judged_pose(problem, folds, problem.presses.case, {}),
         after,
         Judged(*medians),
         float(np.mean(np.array(cosine) >= after.own_cosine)),
@@ -229,7 +221,7 @@ def judged_pose(
     problem: Problem,
     folds: Sequence[Int[np.ndarray, "_"]],
     case: Int[np.ndarray, "press"],
-    free: tuple[int, ...],
+    free: Mapping[str, Unknown],
 ) -> Judged:
     presses = problem.presses
     predicted = np.empty(presses.signal_counts.shape)

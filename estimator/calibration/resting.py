@@ -12,7 +12,7 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.recordings.formats.text import parse_number
+from estimator.recordings.formats.text import csv_rows, naming, numbers, read_bytes
 from estimator.signals.hall import full_scale_counts
 
 _CHANNEL = re.compile(r"F([1-6])-([XYZ])(\d+)")
@@ -88,7 +88,10 @@ def _of_table(path: Path, spec: ObjectSpec, header: list[str]) -> Resting:
             f"{', '.join(unknown[:5]) or 'none'}; missing: {', '.join(missing[:5]) or 'none'}. Name "
             "the columns F1-X1 and so on, each once"
         )
-    values = _numbers(path, header)[:, [header.index(name) for name in names]]
+    with naming(path):
+        rows, _ = csv_rows(read_bytes(path))
+        values = numbers(rows[1:], header, first_line=2)
+    values = values[:, [header.index(name) for name in names]]
     known = np.isfinite(values)
     silent = {names[c]: "no reading" for c in np.flatnonzero(~known.any(axis=0))}
     low = np.min(values, axis=0, where=known, initial=np.inf)
@@ -97,20 +100,6 @@ def _of_table(path: Path, spec: ObjectSpec, header: list[str]) -> Resting:
         silent |= {names[c]: f"stuck at {low[c]:g}" for c in np.flatnonzero(low == high)}
     counts = np.where(known, values, 0.0).sum(axis=0) / np.maximum(known.sum(axis=0), 1)
     return _with_silent(spec, counts, len(values), silent)
-
-
-def _numbers(path: Path, header: list[str]) -> Float[np.ndarray, "row column"]:
-    with path.open(newline="", encoding="utf-8-sig") as file:
-        rows = [row for row in csv.reader(file) if row][1:]
-    if not rows:
-        raise InputError(f"{path} holds no frame below its header. Record some frames at rest")
-    try:
-        values = np.array([[parse_number(cell) for cell in row] for row in rows])
-    except ValueError as error:
-        raise InputError(f"{path}: {error}. Every row needs {len(header)} numbers") from None
-    if values.ndim != 2 or values.shape[1] != len(header):
-        raise InputError(f"{path}: every row needs {len(header)} numbers. Fix the cut rows")
-    return values
 
 
 def _with_silent(

@@ -125,9 +125,13 @@ def predict(
         counts = counts_of(spec, assembly.scene, motion, model) - zero
         return counts.reshape(presses, cases, -1)
 
-    ratios = np.clip(MODULUS_RATIOS * assembly.modulus_ratio, MODULUS_RATIOS[0], MODULUS_RATIOS[-1])
-    by_ratio = np.stack([change(float(ratio)) for ratio in ratios])
+    by_ratio = np.stack([change(ratio) for ratio in tried_ratios(assembly.modulus_ratio)])
     return Predictions(change(assembly.modulus_ratio), by_ratio)
+
+
+def tried_ratios(modulus_ratio: float) -> list[float]:
+    """Moduli about that of an assembly, over the specification's, within those of the mechanics."""
+    return np.clip(MODULUS_RATIOS * modulus_ratio, MODULUS_RATIOS[0], MODULUS_RATIOS[-1]).tolist()
 
 
 def agreement(

@@ -10,7 +10,14 @@ from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from estimator.deploy.runtime import channel_readings
-from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode
+from estimator.deploy.zeroing import (
+    REMEMBERED_S,
+    ZERO_FRAMES,
+    StillReading,
+    StreamZero,
+    ZeroMode,
+)
+from estimator.frames.press_protocol import DRIFT_TIME_S
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.tracking import Tracker
@@ -37,7 +44,7 @@ class LiveContacts:
     leaves_out: bool = True
 
     def __post_init__(self) -> None:
-        self._one = contacts_of_one(self.inversion)
+        self._drifting = drifted(self.inversion, REMEMBERED_S)
         self._warm_up()
         self.rezero()
 
@@ -45,13 +52,12 @@ class LiveContacts:
         """Read a press: what the first one builds and imports takes a second, which comes too late live."""
         press = np.array([[[0.0, 0.0, 0.5 * self.inversion.model.bounds[1][2]]]])
         change = self.inversion.model.singles(np.zeros((1, 1), int), press)[0, 0, 0]
-        for inversion in (self.inversion, self._one):
-            _ = Tracker(inversion).feed(change).position_radius_mm
+        _ = Tracker(self.inversion).feed(change).position_radius_mm
 
     def rezero(self) -> None:
         """Take the zero again from the frames that follow, with nothing pressed."""
         self._tracker = Tracker(self.inversion)
-        self._level = StreamZero(self.zero, self.zero_frames, self.read_still)
+        self._level = StreamZero(self.zero, self.zero_frames, self.read_still, self.read_drift)
         self._zero: np.ndarray | None = None
         self._unzeroed = np.zeros(self.inversion.model.channels, bool)
         self._out = self._unzeroed
@@ -81,7 +87,8 @@ class LiveContacts:
             return None
         change, most = now - self._zero, full_scale_counts(self.inversion.model.spec.sensors)
         live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
-        return self._tracker.feed(np.where(live, change, np.nan))
+        drift = drift_counts(self.inversion, self._level.age_s)
+        return self._tracker.feed(np.where(live, change, np.nan), drift)
 
     def miss(self) -> None:
         """Pass over a frame that lacks a reading: contacts stay where they were."""
@@ -123,14 +130,33 @@ class LiveContacts:
                 "that is read"
             )
 
-    def read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
-        # a tracker of its own: it is asked for opposite changes in turn
-        contacts = Tracker(self._one).feed(np.where(self._out, np.nan, change))
+    def read_still(self, change: Float[np.ndarray, "channel"], frames: int = 1) -> StillReading:
+        """Return what the mean of so many frames is read as, from scratch."""
+        return self._read_mean(self.inversion, change, frames)
+
+    def read_drift(self, followed: Float[np.ndarray, "channel"], frames: int = 1) -> StillReading:
+        """Return the same of all that the zero followed lately, beside the drift that chips may have."""
+        return self._read_mean(self._drifting, followed, frames)
+
+    def _read_mean(self, inversion: Inversion, change: np.ndarray, frames: int) -> StillReading:
+        out = self._out | ~self._tracker.believed
+        seen = inversion.disturbances.observed(
+            np.where(out, np.nan, change)[None], np.array([frames])
+        )
+        contacts, *_ = inversion.read_once(inversion.search, seen, inversion.error_share())
         pressed = contacts.number[0] > 0
         share = contacts.odds[0] if pressed else 1 - contacts.odds[0]
-        return float(share), float(np.nansum(contacts.force_n[0]))
+        explained = bool(contacts.explained[0]) and not self._tracker.beside_magnet
+        return StillReading(float(share), float(np.nansum(contacts.force_n[0])), explained)
 
 
-def contacts_of_one(inversion: Inversion) -> Inversion:
-    """That knows at most one contact: quick, and enough to tell a press from rest."""
-    return replace(inversion, priors=replace(inversion.priors, number=(0.5, 0.5)))
+def drift_counts(inversion: Inversion, age_s: float) -> float:
+    """Return the drift (counts) of a channel since rest was last seen: a random walk."""
+    return inversion.model.spec.sensors.drift_counts * math.sqrt(age_s / DRIFT_TIME_S)
+
+
+def drifted(inversion: Inversion, age_s: float) -> Inversion:
+    """Return the same estimator for changes that hold the drift of so long a time."""
+    offset = np.hypot(inversion.disturbances.offset_counts, drift_counts(inversion, age_s))
+    told = replace(inversion.disturbances, offset_counts=offset)
+    return replace(inversion, disturbances=told)

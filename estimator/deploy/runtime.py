@@ -15,7 +15,13 @@ from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from design.seal import sealed_content
-from estimator.deploy.zeroing import ZERO_FRAMES, StreamZero, ZeroMode, is_pause
+from estimator.deploy.zeroing import (
+    ZERO_FRAMES,
+    StillReading,
+    StreamZero,
+    ZeroMode,
+    is_pause,
+)
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import (
     HISTORY,
@@ -235,9 +241,9 @@ class LiveReader:
     def _past(self) -> Bool[np.ndarray, "channel"]:
         return np.array([face >= HISTORY for face, _, _ in self.model.channels])
 
-    def read_still(self, change: Float[np.ndarray, "channel"]) -> tuple[float, float]:
+    def read_still(self, change: Float[np.ndarray, "channel"], frames: int = 1) -> StillReading:
         prediction = run_model(self.model, np.where(self._past, 0.0, change)[None])
-        return float(prediction.contact[0]), float(prediction.force_n[0])
+        return StillReading(float(prediction.contact[0]), float(prediction.force_n[0]))
 
 
 def channel_readings(

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.catalogue.magnets import NDFEB_RECOIL_PERMEABILITY
 from design.spec.object import ObjectSpec
 from estimator.field.models import FieldModel, MagnetsModel, sum_over_magnets
 from estimator.field.sources import DiskMagnet, self_demagnetised
@@ -70,7 +71,7 @@ def environment(spec: ObjectSpec) -> Environment:
     strays = []
     for stray in around.magnets:
         outline = DiskMagnet(stray.diameter_mm, stray.height_mm, 1.0)
-        body = self_demagnetised(outline, stray.remanence_t, stray.recoil_permeability)
+        body = self_demagnetised(outline, stray.remanence_t, NDFEB_RECOIL_PERMEABILITY)
         place, axis = np.asarray(stray.position_mm), _unit(stray.axis)
         strays.append((FieldModel(body, "exact"), _column(place), _column(axis)))
     plates = tuple(

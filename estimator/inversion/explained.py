@@ -77,5 +77,17 @@ def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]
     """Return the chance of a misfit as large if a problem's contacts were true."""
     from scipy.special import chdtrc
 
+    return chdtrc(_freedoms(seen, problems), 2 * problems.misfit)
+
+
+def excess(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+    """Return χ² over its degrees of freedom, 1 at least.
+
+    By that factor an unknown disturbance is larger than those that are known, squared (Birge's ratio).
+    """
+    return np.maximum(2 * problems.misfit / _freedoms(seen, problems), 1.0)
+
+
+def _freedoms(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
     readings = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
-    return chdtrc(np.maximum(readings - 3 * problems.number, 1), 2 * problems.misfit)
+    return np.maximum(readings - 3.0 * problems.number, 1.0)

@@ -16,14 +16,17 @@ from design.spec.object import ObjectSpec
 from estimator.field.device import card_tensor
 from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
-from estimator.inversion.explained import ErrorShare
+from estimator.inversion.evidence import covariances
+from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
 from estimator.inversion.lying import lying_chips
+from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
 from estimator.inversion.model.noise import Disturbances, disturbances
 from estimator.inversion.priors import Priors
 from estimator.inversion.problems import BLIND, Observed, Problems
-from estimator.inversion.readings import ContactSets, among_sets, contact_sets
-from estimator.inversion.search import Search
+from estimator.inversion.readings import ContactSets, among_sets, contact_sets, widened
+from estimator.inversion.search import Hypotheses, Search
+from estimator.signals.nuisances import magnet_columns
 from estimator.signals.presses import Signals
 from fem.presses.results import MagnetMotions, PressForces
 
@@ -64,6 +67,19 @@ class Inversion:
     def told(self) -> Int[np.ndarray, "told"]:
         """Rows of `channels` among all channels of the object."""
         return np.flatnonzero(self.disturbances.noise_counts < BLIND)
+
+    def chip_name(self, chip: int) -> str:
+        """Return a chip's name as in a recording's channels, without the axis; empty for `NONE`."""
+        if chip == NONE:
+            return ""
+        faces = self.model.signals.faces
+        face, sensor = divmod(chip, self.model.channels // (3 * len(faces)))
+        return f"F{faces[face]}-{sensor + 1}"
+
+    @cached_property
+    def magnet_columns(self) -> Float[np.ndarray, "channel k"]:
+        """Return what a magnet near the object adds, counts per standard deviation."""
+        return magnet_columns(self.model.spec)
 
     @property
     def window_frames(self) -> int:
@@ -132,26 +148,47 @@ class Inversion:
     def read_part(
         self, search: Search, seen: Observed, error: ErrorShare
     ) -> tuple[ContactSets, ContactSets]:
-        """Some frames at once; those that nothing explains again without a chip that lies."""
-        sets = self.read_once(search, seen, error)
-        rows = np.flatnonzero(~sets[0].explained)
+        """Some frames at once. Those that nothing explains are read again without a chip that lies, those
+        that a magnet near by explains better with its field as a nuisance: no contact explains these."""
+        *sets, believed = self.read_once(search, seen, error)
+        strange = np.flatnonzero(~sets[0].explained)
+        if len(strange):
+            chip = lying_chips(search, seen.select(strange), error)
+            rows, chip = strange[chip != NONE], chip[chip != NONE]
+            if len(rows):
+                *again, _ = self.read_once(search, seen.select(rows).without(chip), error)
+                sets = [
+                    old.replaced(rows, replace(new, chip_out=chip))
+                    for old, new in zip(sets, again, strict=True)
+                ]
+        return self._beside_magnet(search, seen, error, (sets[0], sets[1]), believed)
+
+    def _beside_magnet(
+        self,
+        search: Search,
+        seen: Observed,
+        error: ErrorShare,
+        sets: tuple[ContactSets, ContactSets],
+        believed: Hypotheses,
+    ) -> tuple[ContactSets, ContactSets]:
+        """The same sets, but for frames that a magnet near by explains better than those `believed`."""
+        fewer = BesideMagnet(seen, self.magnet_columns).explains_with_fewer(search, believed)
+        rows = np.flatnonzero((~sets[0].explained | fewer) & (sets[0].chip_out == NONE))
         if not len(rows):
             return sets
-        chip = lying_chips(search, seen.select(rows), error)
-        rows, chip = rows[chip != NONE], chip[chip != NONE]
-        if not len(rows):
-            return sets
-        again = self.read_once(search, seen.select(rows).without(chip), error)
+        frames = BesideMagnet(seen.select(rows), self.magnet_columns)
+        *again, wide = self.read_once(search, frames.wide, error)
+        better = frames.comparable(wide) > believed.log_evidence[rows]
         best, second = (
-            one.replaced(rows, replace(other, chip_out=chip))
-            for one, other in zip(sets, again, strict=True)
+            old.replaced(rows[better], replace(new.select(better), p_value=np.zeros(better.sum())))
+            for old, new in zip(sets, again, strict=True)
         )
         return best, second
 
     def read_once(
         self, search: Search, seen: Observed, error: ErrorShare
-    ) -> tuple[ContactSets, ContactSets]:
-        """Some frames at once, all chips believed."""
+    ) -> tuple[ContactSets, ContactSets, Hypotheses]:
+        """Some frames at once, all that is seen believed; also what the best sets were read from."""
         found = search.contacts(seen)
         best = found.best()
         second = found.second(best)
@@ -162,6 +199,7 @@ class Inversion:
         return (
             self.reading(seen, one, found.odds[best], error, spread),
             self.reading(seen, other, odds_of_second, error),
+            Hypotheses(one, found.log_evidence[best]),
         )
 
     def reading(
@@ -172,12 +210,21 @@ class Inversion:
         error: ErrorShare,
         covariance: Float[np.ndarray, "frame contact 3 3"] | None = None,
     ) -> ContactSets:
-        """Contacts with all that is uncertain of them; `covariance` as in `contact_sets`."""
+        """Contacts with all that is uncertain of them; `covariance` as in `contact_sets`.
+
+        Where nothing explains a frame, regions are as wide as what is left unexplained asks for.
+        """
         p_value = error.p_of(seen, problems, error.share)
+        known = covariances(problems, self.priors) if covariance is None else covariance
+        factor = np.where(p_value < UNEXPLAINED, excess(seen, problems), 1.0)
+        covariance = widened(known, factor, self.priors)
         sets = contact_sets(self.model, self.priors, seen, problems, odds, p_value, covariance)
         units = self.disturbances.deviations
-        changed = units * sets.since_zero, units * sets.since_zero_sigma
-        sets = replace(sets, since_zero=changed[0], since_zero_sigma=changed[1])
+        # Beyond them stand the unknowns of a magnet near by, which are not told.
+        change, sigma = (
+            units * one[:, : len(units)] for one in (sets.since_zero, sets.since_zero_sigma)
+        )
+        sets = replace(sets, since_zero=change, since_zero_sigma=sigma)
         return sets.with_force_error(self.disturbances.force_error)
 
 

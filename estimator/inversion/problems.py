@@ -92,6 +92,10 @@ class Observed:
         )
         return Observed(np.where(out, 0.0, self.counts), sigma, still, strict, self.columns)
 
+    def beside(self, columns: Float[np.ndarray, "channel more"]) -> Observed:
+        """The same where further nuisances add to all channels."""
+        return replace(self, columns=np.hstack([self._shared, columns]))
+
     def with_error_share(self, share: float) -> Observed:
         """The same around contacts of a model with that share of the strict error."""
         still, strict = self.still**2, self.strict**2

@@ -12,7 +12,7 @@ from estimator.inversion.evidence import bounded_curvature, covariances
 from estimator.inversion.explained import UNEXPLAINED
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
-from estimator.inversion.priors import Priors
+from estimator.inversion.priors import Priors, widths
 from estimator.inversion.problems import Observed, Problems
 from estimator.inversion.search import Hypotheses
 
@@ -35,7 +35,7 @@ class ContactSets(Columns):
         standard deviations; NaN where contacts are taken for frictionless
     odds : (frame,) posterior probability of as many contacts on each face, among all numbers found
     p_value : (frame,) chance of a misfit as large if the set were true; a frame far below 0.001 is
-        explained by no contact that the model knows
+        explained by no contact that the model knows; 0 where a magnet near by is more probable
     chip_out : (frame,) chip that was not believed, as the row of its sensor among all of the object;
         `NONE` where all were
     since_zero, since_zero_sigma : (frame, unknown) what changed since the zero and is no contact, in
@@ -110,12 +110,11 @@ def contact_sets(
     problems: Problems,
     odds: Float[np.ndarray, "frame"],
     p_value: Float[np.ndarray, "frame"],
-    covariance: Float[np.ndarray, "frame contact 3 3"] | None = None,
+    covariance: Float[np.ndarray, "frame contact 3 3"],
 ) -> ContactSets:
-    """Contacts of one problem per frame, in the order of the problems; `covariance` is `covariances`, if
-    left out. Changes since the zero are in standard deviations of their priors."""
+    """Contacts of one problem per frame, in the order of the problems. Changes since the zero are in
+    standard deviations of their priors."""
     there = problems.face != NONE
-    own = covariances(problems, priors) if covariance is None else covariance
     pulls = np.full((2, *there.shape, 2), np.nan)
     if model.shear is not None:
         found = np.stack(tangential_forces(model, priors, seen, problems))
@@ -124,7 +123,7 @@ def contact_sets(
         np.where(there, model.signals.faces[problems.face], NO_FACE),
         np.where(there[..., None], problems.contact[..., :2], np.nan),
         np.where(there, problems.contact[..., 2], np.nan),
-        np.where(there[..., None, None], own, np.nan),
+        np.where(there[..., None, None], covariance, np.nan),
         pulls[0],
         pulls[1],
         odds,
@@ -155,6 +154,21 @@ def among_sets(
     np.add.at(total, sets.frame, weight * square)
     np.add.at(norm, sets.frame, weight)
     return np.where(norm > 0, total / np.where(norm > 0, norm, 1.0), np.eye(3))
+
+
+def widened(
+    covariance: Float[np.ndarray, "frame contact 3 3"],
+    factor: Float[np.ndarray, "frame"],
+    priors: Priors,
+) -> Float[np.ndarray, "frame contact 3 3"]:
+    """Return covariances times a factor from 1 on, no wider than the priors."""
+    rows = np.flatnonzero(factor > 1)
+    wide = covariance.copy()
+    # Normal priors as wide as the even ones, as in `bounded_curvature`: precisions add up.
+    prior = np.diag(12 / np.square(widths(priors)))
+    precision = np.linalg.inv(covariance[rows] * factor[rows, None, None, None])
+    wide[rows] = np.linalg.inv(precision + prior)
+    return wide
 
 
 def changes_since_zero(

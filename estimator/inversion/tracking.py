@@ -6,12 +6,13 @@ from collections import deque
 from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.lying import lying_chips
+from estimator.inversion.lying import lying_chip_beside, lying_chips
+from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observed, Problems, empty
@@ -32,6 +33,11 @@ _LEARNT_EVERY = 5
 """Pressed frames of which one tells how wrong the model is."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
+_MOST_WIDENED = 2.0
+"""Deviations over those of a fresh zero up to which magnets are looked for in frames that are explained."""
+_TRUSTED_AFTER = 8
+"""Frames in a row that must be explained with all chips and no magnet. A channel of ten times its
+noise agrees by chance in one of four."""
 
 
 class Tracker:
@@ -41,8 +47,13 @@ class Tracker:
     the contacts of the last frame no longer explain what is seen, one more is tried, then all are
     looked for anew; after a vain try only every second frame, every fourth, every eighth, unless the
     misfit grows: meanwhile the odds of the last try stand. `seen_anew` counts the frames in which all
-    were looked for. A chip without which frames are explained that are not with it is left out until
-    frames without it are not explained either.
+    were looked for. A chip without which a frame is explained that is not with it is left out, and
+    the field of a magnet near by is a nuisance where that is more probable than contacts: until
+    several frames in a row are explained as they are.
+
+    Attributes
+    ----------
+    beside_magnet : whether a magnet near by is believed
     """
 
     def __init__(self, inversion: Inversion) -> None:
@@ -54,26 +65,100 @@ class Tracker:
         self._odds = np.ones(1)
         self._error = inversion.error_share()
         self._pressed = 0
-        self._strange, self._chip_out = 0, NONE
+        self._strange, self._sound, self._chip_out = 0, 0, NONE
+        self.beside_magnet = False
+        self._widened = 1.0
 
-    def feed(self, counts: Float[np.ndarray, "channel"]) -> ContactSets:
+    def feed(self, counts: Float[np.ndarray, "channel"], drift_counts: float = 0.0) -> ContactSets:
         """The contacts of the next frame (changes of counts against rest), or of the mean of the last
-        `window_frames`."""
+        `window_frames`; `drift_counts` is the deviation of what every channel drifted since."""
         self._window.append(counts)
-        whole = seen = self.inversion.disturbances.observed(
-            np.mean(self._window, axis=0)[None], np.array([len(self._window)])
+        told = self.inversion.disturbances
+        fresh = np.hypot(told.noise_counts, told.offset_counts)
+        self._widened = float(np.hypot(1.0, drift_counts / np.median(fresh)))
+        plain = told.observed(
+            np.mean(self._window, axis=0)[None], np.array([len(self._window)]), drift_counts
         )
-        if self._chip_out != NONE:
-            seen = seen.without(np.array([self._chip_out]))
-        sets = self._followed(seen)
+        self._believe_again(plain)
+        before = self._last
+        sets = self._followed(self._seen(plain))
         self._strange = 0 if sets.explained[0] else self._strange + 1
-        # Looked for in the second, fourth, eighth, … frame on end that nothing explains
-        if self._strange > 1 and self._strange & (self._strange - 1) == 0:
-            (self._chip_out,) = lying_chips(self.inversion.search, whole, self._error).tolist()
-            if self._chip_out != NONE:
-                self._last = None
-                sets = self._followed(whole.without(np.array([self._chip_out])))
+        if self._strange:
+            sets = self._diagnosed(plain, before, sets)
+        elif self._is_magnet(plain):
+            sets = self._turned(plain, None, NONE, magnet=True)
+        if self.beside_magnet:
+            sets = replace(sets, p_value=np.zeros(1))
         return replace(sets, chip_out=np.full(1, self._chip_out))
+
+    @property
+    def believed(self) -> Bool[np.ndarray, "channel"]:
+        """Return which channels are not those of a chip that is left out."""
+        return np.arange(self.inversion.model.channels) // 3 != self._chip_out
+
+    def _seen(self, plain: Observed) -> Observed:
+        """Return the frame without a chip that lies, or beside a magnet, where that is believed."""
+        if self.beside_magnet:
+            return plain.beside(self.inversion.magnet_columns)
+        return plain if self._chip_out == NONE else plain.without(np.array([self._chip_out]))
+
+    def _believe_again(self, plain: Observed) -> None:
+        """Believe all once the last contacts have explained several frames in a row as they are."""
+        if self._chip_out == NONE and not self.beside_magnet:
+            return
+        found = self._same(plain)
+        explains = p_values(plain, found)[0] >= _STRAINED
+        self._sound = self._sound + 1 if explains else 0
+        if self._sound >= _TRUSTED_AFTER:
+            self._chip_out, self.beside_magnet = NONE, False
+            self._last, self._sound = found, 0
+
+    def _is_magnet(self, plain: Observed) -> bool:
+        """Return whether a magnet and fewer contacts are more probable than the contacts found."""
+        if (
+            self.beside_magnet
+            or self._chip_out != NONE
+            or self._last is None
+            or not self._last.number[0]
+        ):
+            return False
+        search = self.inversion.search
+        beside = BesideMagnet(plain, self.inversion.magnet_columns)
+        return bool(beside.explains_with_fewer(search, search.judged(self._last))[0])
+
+    def _diagnosed(
+        self, plain: Observed, before: Problems | None, sets: ContactSets
+    ) -> ContactSets:
+        """Return the contacts of a frame that nothing explains, without a chip or beside a magnet.
+
+        By the contacts of the frame before at once; from scratch in the second, fourth, eighth, …
+        frame on end.
+        """
+        search, error, found = self.inversion.search, self._error, self._last
+        before = empty(plain, np.zeros(1, int), search.priors.most) if before is None else before
+        chip = lying_chip_beside(search, plain, before, error)
+        if chip != NONE:
+            return self._turned(plain, before, chip, magnet=False)
+        if self._is_magnet(plain):
+            return self._turned(plain, None, NONE, magnet=True)
+        if self._strange < 2 or self._strange & (self._strange - 1):
+            return sets
+        (chip,) = lying_chips(search, plain, error).tolist()
+        if chip != NONE:
+            return self._turned(plain, None, chip, magnet=False)
+        beside = self._turned(plain, None, NONE, magnet=True)
+        if beside.explained[0]:
+            return beside
+        self.beside_magnet, self._last = False, found
+        return sets
+
+    def _turned(
+        self, plain: Observed, contacts: Problems | None, chip: int, magnet: bool
+    ) -> ContactSets:
+        """Return contacts from given ones, or from scratch, with another belief of chips and magnets."""
+        self._chip_out, self.beside_magnet = chip, magnet
+        self._last, self._sound = contacts, 0
+        return self._followed(self._seen(plain))
 
     def _followed(self, seen: Observed) -> ContactSets:
         """The next frame's contacts, of channels that are believed."""
@@ -135,7 +220,8 @@ class Tracker:
             return False
         own = covariances(same, self.inversion.priors)[0, :number]
         sigma = np.sqrt(own[:, 2, 2])
-        return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma))
+        # By the deviations of a fresh zero: drift makes a hold less certain, and does not end it.
+        return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma / self._widened))
 
 
 def _at_a_price(judged: Hypotheses) -> Hypotheses:

@@ -20,6 +20,8 @@ from estimator.frames.dataset import FrameSet
 BATCH_FRAMES, LEARNING_RATE, PATIENCE_EPOCHS = 512, 3e-3, 15
 """Settings of training; within a factor of two they hardly matter to what a network of simulated presses
 reads."""
+INTERVAL_COVER = 0.9
+"""Share of frames of new presses whose intervals hold the true value."""
 SMALL_PRESSES = 60
 """Fewer presses with contact on the face make a recording small."""
 

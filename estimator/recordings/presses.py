@@ -20,8 +20,8 @@ CONTACT_FORCE_N = 0.3
 """Force from which a load cell shows a contact."""
 LAGS = range(-10, 26)
 """Frames by which the force may lag behind the signals (negative: it is ahead)."""
-_LEAST_PRESS_FRAMES = 5
-"""Frames of a press, at least."""
+LEAST_CONTACT_FRAMES = 5
+"""Frames in a row that make a contact; shorter excursions are edges and glitches."""
 _LEVEL_ROUNDS = 50
 """Rounds in which levels of rest are found, at most."""
 _STEADY_REST_N = 0.15
@@ -179,7 +179,7 @@ def force_excursions(
     pressed = [
         (first, last)
         for first, last in runs((force_n > CONTACT_FORCE_N).astype(int))
-        if force_n[first] > CONTACT_FORCE_N and last - first >= _LEAST_PRESS_FRAMES
+        if force_n[first] > CONTACT_FORCE_N and last - first >= LEAST_CONTACT_FRAMES
     ]
     joined: list[tuple[int, int]] = []
     for first, last in pressed:

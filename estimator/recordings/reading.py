@@ -1,8 +1,7 @@
 """Recordings of the real object as data sets: faults found, lag corrected, presses zeroed.
 
-Formats: `estimator.recordings.formats.files`; faults: `estimator.recordings.checks.faults`
-(channels, faces, stamps) and `estimator.recordings.checks.labels` (contacts and places). Every correction
-is stated in the report; nothing is keyed to a file's name.
+Formats: `estimator.recordings.formats.files`; faults: the room `estimator.recordings.checks`. Every
+correction is stated in the report; nothing is keyed to a file's name.
 """
 
 from __future__ import annotations
@@ -21,26 +20,25 @@ from estimator.recordings.checks.faults import (
     axis_noise_counts,
     correct_face_labels,
     dead_channels,
-    dead_faults,
     jump_faults,
     mirror_faults,
     noisy_channels,
-    noisy_faults,
     press_responses,
     rest_noise_counts,
     stamp_faults,
     unread_faces,
 )
-from estimator.recordings.checks.labels import place_label_faults
+from estimator.recordings.checks.judged import Judged
 from estimator.recordings.checks.limits import (
     Limits,
     limit_to_range,
     places_off_the_body,
     usual_limits,
 )
-from estimator.recordings.checks.readings import without_faults
-from estimator.recordings.checks.repeats import Repeats, repeat_faults, repeated_readings
-from estimator.recordings.checks.table import PRESSES, RESTS, Judged, judged, spoilt_channels
+from estimator.recordings.checks.place_labels import place_label_faults
+from estimator.recordings.checks.press_labels import hidden_contacts, judge_presses
+from estimator.recordings.checks.readings import spoilt_channels, without_faults
+from estimator.recordings.checks.repeats import repeat_faults, repeated_readings
 from estimator.recordings.checks.turned import turned_channels, turned_forces
 from estimator.recordings.contacts import (
     Place,
@@ -55,7 +53,6 @@ from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.text import naming
 from estimator.recordings.presses import (
     CONTACT_FORCE_N,
-    LagReport,
     estimate_lag,
     frame_times_s,
     is_at_rest,
@@ -99,30 +96,6 @@ class Recording:
         return str(self.report)
 
 
-@dataclass(frozen=True)
-class _Presses:
-    """A table after its force and labels were brought into line with its signals.
-
-    `doubtful` marks frames whose labels a check names, `hidden` those at rest by the load cells in which
-    the signals show a contact.
-    """
-
-    time_s: Float[np.ndarray, "frame"]
-    rate_hz: float
-    press: Int[np.ndarray, "frame"]
-    force_n: Float[np.ndarray, "frame cell"]
-    shear_n: Float[np.ndarray, "frame cell 2"]
-    rest: Bool[np.ndarray, "frame"]
-    hidden: Bool[np.ndarray, "frame"]
-    face: Int[np.ndarray, "frame cell"]
-    tip_xy_mm: Float[np.ndarray, "frame cell tip 2"]
-    doubtful: Bool[np.ndarray, "frame"]
-    repeats: Repeats
-    noise_counts: Float[np.ndarray, "5 sensor 3"]
-    lag: LagReport
-    faults: tuple[Fault, ...]
-
-
 def read_recording(
     path: Path | str, grid_mm: Grid | None = None, limits: Limits | None = None
 ) -> Recording:
@@ -156,39 +129,39 @@ def read_recording(
     limits = limits or usual_limits(table)
     with naming(path):
         table, left_out, unreadable = _believed(table, limits)
-        presses = _find_presses(table)
-        zeros = rest_levels(
-            table.counts,
-            presses.press,
-            np.any(presses.force_n >= CONTACT_FORCE_N, axis=1),
-            presses.rest & ~presses.hidden,
-        )
-    zero, zeroed_after = zeros.counts, int(np.sum(~zeros.is_before))
-    jumping, jumps = jump_faults(zero)
-    block, place, places = contact_cases(
-        presses.face, presses.tip_xy_mm, presses.force_n >= CONTACT_FORCE_N
-    )
+        case, unsure, misread = _find_presses(table)
+        named, press_faults = judge_presses(case)
+        hidden, concealed = hidden_contacts(case)
+        at_rest = case.rest & ~hidden
+        zeros = rest_levels(case.table.counts, case.press, np.any(case.touching, axis=1), at_rest)
+    face, tip_xy_mm = case.face, case.table.tip_xy_mm
+    block, place, places = contact_cases(face, tip_xy_mm, case.touching)
     session = np.unique(table.case, return_inverse=True)[1] if table.kind == "generic" else block
-    frames = _frames(table, presses, zeros, jumping | left_out, session, place)
+    noisy, noisy_faults = noisy_channels(case.noise_counts)
+    jumping, jumps = jump_faults(zeros.counts)
+    frames = _frames(case, zeros, noisy | jumping | left_out, hidden, session, place)
+    frames = replace(frames, valid=frames.valid & ~(named | hidden | unsure))
     turned, turns = turned_channels(frames)
     frames.signal_counts[:, turned] = np.nan
-    off, off_faults = places_off_the_body(presses.tip_xy_mm, limits)
+    off, off_faults = places_off_the_body(tip_xy_mm, limits)
     wrong, place_faults = place_label_faults(frames, places)
     frames = replace(frames, valid=frames.valid & ~wrong & ~off)
     faults = (
         *stamp_faults(table),
         *unreadable,
-        *repeat_faults(presses.repeats, presses.rate_hz),
-        *noisy_faults(presses.noise_counts),
+        *repeat_faults(case.repeats, case.rate_hz),
+        *noisy_faults,
         *jumps,
         *turns,
-        *presses.faults,
+        *misread,
+        *press_faults,
+        *concealed,
         *off_faults,
         *place_faults,
-        *(mirror_faults(presses.face, presses.tip_xy_mm, block) if table.kind == "gripper" else ()),
+        *(mirror_faults(face, tip_xy_mm, block) if table.kind == "gripper" else ()),
     )
-    report = _report(path, table, presses, frames, places, zeroed_after, faults)
-    return Recording(frames, report, zero)
+    report = _report(path, case, frames, places, int(np.sum(~zeros.is_before)), faults)
+    return Recording(frames, report, zeros.counts)
 
 
 def _believed(
@@ -206,66 +179,57 @@ def _believed(
         raise RecordingError(f"no reading is left: {'; '.join(map(str, faults[:3]))}")
     spoilt, left_out = spoilt_channels(counts, np.isfinite(raw) & np.isnan(counts))
     table, unreachable = limit_to_range(replace(table, counts=counts), limits)
-    faults_found = [
-        *faults,
-        *unreachable,
-        *left_out,
-        *dead_faults(raw),
-        *unread_faces(raw, table.face),
-    ]
-    return table, spoilt | dead_channels(raw), faults_found
+    dead, silent = dead_channels(raw)
+    unread = unread_faces(raw, table.face)
+    return table, spoilt | dead, [*faults, *unreachable, *left_out, *silent, *unread]
 
 
 def _report(
     path: Path | str,
-    table: RawTable,
-    presses: _Presses,
+    case: Judged,
     frames: FrameSet,
     places: tuple[Place, ...],
     zeroed_after: int,
     faults: tuple[Fault, ...],
 ) -> RecordingReport:
-    read = np.isfinite(table.counts).any(axis=(1, 2, 3))  # copied presses were read before
+    read = np.isfinite(case.table.counts).any(axis=(1, 2, 3))  # copied presses were read before
     return RecordingReport(
         path=str(path),
-        kind=table.kind,
+        kind=case.table.kind,
         frames=len(frames),
-        contact_frames=int(np.sum(frames.valid & ~presses.rest)),
-        rest_frames=int(np.sum(frames.valid & presses.rest)),
+        contact_frames=int(np.sum(frames.valid & ~case.rest)),
+        rest_frames=int(np.sum(frames.valid & case.rest)),
         unused_frames=int(np.sum(~frames.valid)),
-        faces_pressed=tuple(int(f) for f in np.unique(presses.face) if f != NO_FACE),
-        tips=table.tip_xy_mm.shape[2],
-        presses=len(
-            np.unique(presses.press[(presses.force_n >= CONTACT_FORCE_N).any(axis=1) & read])
-        ),
+        faces_pressed=tuple(int(f) for f in np.unique(case.face) if f != NO_FACE),
+        tips=case.table.tip_xy_mm.shape[2],
+        presses=len(np.unique(case.press[case.touching.any(axis=1) & read])),
         sessions=len(np.unique(frames.session_id)),
         places=places,
-        frame_rate_hz=presses.rate_hz,
-        units=_UNITS[table.kind],
-        lag=presses.lag,
-        largest_force_n=float(np.nanmax(presses.force_n)),
-        noise_counts=noise_by_name(presses.noise_counts),
+        frame_rate_hz=case.rate_hz,
+        units=_UNITS[case.table.kind],
+        lag=case.lag,
+        largest_force_n=float(np.nanmax(case.aligned_n)),
+        noise_counts=noise_by_name(case.noise_counts),
         presses_zeroed_after=zeroed_after,
         faults=faults,
     )
 
 
-def _find_presses(table: RawTable) -> _Presses:
-    label_face, tip_xy_mm = table.face, table.tip_xy_mm
-    no_contact = table.declared_rest | np.all(np.isnan(tip_xy_mm), axis=(1, 2, 3))
+def _find_presses(table: RawTable) -> tuple[Judged, Bool[np.ndarray, "frame"], list[Fault]]:
+    """The table with its presses, frames whose force was misread, and what was found of forces and faces."""
+    no_contact = table.declared_rest | np.all(np.isnan(table.tip_xy_mm), axis=(1, 2, 3))
     if table.kind == "generic":
-        label_face, tip_xy_mm = carried_labels(label_face, tip_xy_mm, table.case)
-    table = replace(table, face=label_face, tip_xy_mm=tip_xy_mm)
-    keys = np.column_stack([table.case, place_keys(label_face, tip_xy_mm)])
-    stretch = stretches(table.time_s, keys)
+        face, tip_xy_mm = carried_labels(table.face, table.tip_xy_mm, table.case)
+        table = replace(table, face=face, tip_xy_mm=tip_xy_mm)
+    keys = np.column_stack([table.case, place_keys(table.face, table.tip_xy_mm)])
+    stretch, block = stretches(table.time_s, keys), block_numbers(keys)
     time_s, rate_hz = frame_times_s(table.time_s, stretch, NOMINAL_RATE_HZ)
     check_rate(rate_hz)
     limit_n = REST_FORCE_N[table.kind]
-    block = block_numbers(keys)
     wrong, misread = wrong_forces(table.force_n)
     measured_n, turns = repaired_forces(table.force_n, wrong), []
     if table.kind != "training":
-        measured_n, turns = turned_forces(measured_n, table.counts, label_face, block, limit_n)
+        measured_n, turns = turned_forces(measured_n, table.counts, table.face, block, limit_n)
     force_n = tared(measured_n, no_contact, limit_n, signed=table.kind != "training")
     if force_n.max() < CONTACT_FORCE_N:
         raise RecordingError(
@@ -275,6 +239,7 @@ def _find_presses(table: RawTable) -> _Presses:
     press = number_presses(force_n, stretch, limit_n)
     responses = press_responses(table.counts, force_n, press)
     face, corrected = correct_face_labels(table, press, responses)
+    table = replace(table, face=face)
     lag = estimate_lag(table.counts, force_n, face, press, stretch)
     late = lag.frames if lag.corrected else 0
     aligned_n = shifted_forces(force_n, stretch, late)
@@ -284,65 +249,59 @@ def _find_presses(table: RawTable) -> _Presses:
     if table.shear_n is not None:
         shear_n = shifted_shear(table.shear_n, stretch, late, rest)
     repeats = repeated_readings(table.counts)
-    noise = rest_noise_counts(table.counts, rest, repeats.stale)
     case = Judged(
-        table, face, force_n, press, responses, no_contact, rest, stretch, block, noise
+        table=table, time_s=time_s, rate_hz=rate_hz, force_n=force_n, aligned_n=aligned_n,
+        shear_n=shear_n, press=press, stretch=stretch, block=block, responses=responses,
+        no_contact=no_contact, rest=rest, repeats=repeats, lag=lag,
+        noise_counts=rest_noise_counts(table.counts, rest, repeats.stale),
     )  # fmt: skip
-    (named, press_faults), (hidden, concealed) = judged(case, PRESSES), judged(case, RESTS)
-    return _Presses(
-        time_s, rate_hz, press, aligned_n, shear_n, rest, hidden, face, tip_xy_mm, named | hidden | unsure,
-        repeats, noise, lag, (*misread, *turns, *corrected, *press_faults, *concealed),
-    )  # fmt: skip
+    return case, unsure, [*misread, *turns, *corrected]
 
 
 def _frames(
-    table: RawTable,
-    presses: _Presses,
+    case: Judged,
     zeros: Zeros,
     left_out: Bool[np.ndarray, "5 sensor 3"],
+    hidden: Bool[np.ndarray, "frame"],
     session: Int[np.ndarray, "frame"],
     place: Int[np.ndarray, "frame"],
 ) -> FrameSet:
-    touching = presses.force_n >= CONTACT_FORCE_N
+    table, touching, not_new = case.table, case.touching, case.repeats.rows
+    zero, error = zeros.counts[case.press], None
     if table.kind == "generic":
+        at_rest = is_at_rest(case.aligned_n, rest_limit_n(case.aligned_n)) & ~hidden & ~not_new
         levels = levels_under_presses(
-            table.counts, presses.time_s, session, np.any(touching, axis=1),
-            is_at_rest(presses.force_n, rest_limit_n(presses.force_n))
-            & ~presses.hidden & ~presses.repeats.rows,
-            presses.noise_counts,
-        )  # fmt: skip
+            table.counts, case.time_s, session, np.any(touching, axis=1), at_rest, case.noise_counts
+        )
         zero, error = levels.counts, levels.error
-    else:
-        zero, error = zeros.counts[presses.press], None
     signal = table.counts - zero
-    unusable = noisy_channels(presses.noise_counts) | left_out
-    gap = np.any(np.isnan(table.counts) & ~unusable & _recorded(table), axis=(1, 2, 3))
+    gap = np.any(np.isnan(table.counts) & ~left_out & _recorded(table), axis=(1, 2, 3))
     gap |= ~np.isfinite(table.counts).any(axis=(1, 2, 3))
-    signal[:, unusable] = np.nan
+    signal[:, left_out] = np.nan
     alone = table.kind == "generic"  # a gripper's jaws press together, other load cells may rest
-    still = alone & (np.abs(presses.force_n) < REST_FORCE_N[table.kind])
-    clear = presses.rest | (touching | still).all(axis=1)
+    still = alone & (np.abs(case.aligned_n) < REST_FORCE_N[table.kind])
+    clear = case.rest | (touching | still).all(axis=1)
     contact_face, xy_mm, contact_n = contact_slots(
-        presses.face, presses.tip_xy_mm, presses.force_n, presses.shear_n, touching
+        case.face, table.tip_xy_mm, case.aligned_n, case.shear_n, touching
     )
     return FrameSet(
         signal_counts=signal,
         contact_face=contact_face,
         contact_xy_mm=xy_mm,
         force_n=contact_n,
-        valid=clear & ~presses.doubtful & ~gap & ~presses.repeats.rows,
-        press_id=presses.press,
+        valid=clear & ~gap & ~not_new,
+        press_id=case.press,
         place_id=place,
         session_id=session,
-        time_s=presses.time_s,
+        time_s=case.time_s,
         faces=np.array(FACES),
         grid_x_mm=table.grid_x_mm,
         grid_y_mm=table.grid_y_mm,
-        noise_counts=axis_noise_counts(presses.noise_counts),
+        noise_counts=axis_noise_counts(case.noise_counts),
         source="recorded",
         spec_hash=table.digest,
         seed=0,
-        lag_frames=presses.lag.frames if presses.lag.corrected else 0,
+        lag_frames=case.lag.frames if case.lag.corrected else 0,
         zero_error=error,
     )
 

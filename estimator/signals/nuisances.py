@@ -20,6 +20,13 @@ from estimator.signals.presses import rest_counts
 
 AMBIENT_FIELD = "ambient field"
 """Name of the nuisance whose unknowns are x, y and z of a uniform field."""
+_MOMENT_AM2 = 0.13
+"""Deviation of a magnet's moment: Ø8 × 2.3 mm of 1.4 T. Strong ones are far from any contact anyway; a
+wider prior would leave weak ones at 80 mm to contacts."""
+_NEAREST_MM, _FARTHEST_MM = 25.0, 130.0
+"""Distances of such magnets beyond the farthest chip: nearer ones pull the object's own magnets."""
+_DRAWN_MAGNETS, _MAGNET_COLUMNS = 2000, 15
+"""Magnets drawn, and columns kept: a uniform field, its 5 gradients and 7 second derivatives."""
 
 
 @dataclass(frozen=True)
@@ -79,3 +86,29 @@ def warmth(spec: ObjectSpec) -> Nuisance:
     alone = spec.changed(environment=EnvironmentSpec())
     per_k = NDFEB_REMANENCE_PER_KELVIN * rest_counts(alone).reshape(-1, 1)
     return Nuisance("temperature", "K", deviation_k, deviation_k * per_k)
+
+
+def magnet_columns(spec: ObjectSpec) -> Float[np.ndarray, "channel k"]:
+    """Return columns A, with A Aᵀ the covariance of the counts that a magnet near the object adds.
+
+    No contact adds these. Magnets are drawn: dipoles in any direction and distance (log-uniform).
+    The columns kept hold all but 5 % of a channel's deviation; they feel steel with a moment too.
+    """
+    place, rng = scene(spec), np.random.default_rng(0)
+    sensors_mm = place.sensors.position_mm
+    farthest_mm = float(np.linalg.norm(sensors_mm, axis=1).max())
+    low, high = np.log([farthest_mm + _NEAREST_MM, farthest_mm + _FARTHEST_MM])
+    way = rng.standard_normal((_DRAWN_MAGNETS, 1, 3))
+    way /= np.linalg.norm(way, axis=2, keepdims=True)
+    distance_mm = np.exp(rng.uniform(low, high, (_DRAWN_MAGNETS, 1, 1)))
+    moment = _MOMENT_AM2 / 3**0.5 * rng.standard_normal((_DRAWN_MAGNETS, 1, 3))
+    offset_mm = sensors_mm - distance_mm * way
+    far_mm = np.linalg.norm(offset_mm, axis=2, keepdims=True)
+    along = offset_mm / far_mm
+    # Dipole (Jackson, Classical Electrodynamics, 3rd ed., 5.56), μ0/4π = 1e-7; mT and mm: 1e3 · 1e9
+    field_mt = 1e5 / far_mm**3 * (3 * along * (along * moment).sum(axis=2, keepdims=True) - moment)
+    # n magnet, s sensor, a chip axis, c coordinate of the object
+    axes = spec.sensors.counts_per_mt * (place.chips.matrix @ place.sensors.axes)
+    counts = np.einsum("sac,nsc->nsa", axes, field_mt).reshape(_DRAWN_MAGNETS, -1)
+    _, size, rows = np.linalg.svd(counts / _DRAWN_MAGNETS**0.5, full_matrices=False)
+    return (size[:_MAGNET_COLUMNS, None] * rows[:_MAGNET_COLUMNS]).T

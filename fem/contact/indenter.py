@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -17,6 +19,8 @@ _LARGEST_CELL_MM = 1.2
 """Largest edge of a cell."""
 _FINE_BELOW_MM = 0.4
 """Height above a tip's lowest point up to which cells are halved: small contacts are there."""
+_LEVEL_MM = 1e-9
+"""Least distance from a circle's middle: there is no direction from it."""
 _SAMPLES = 4
 """Samples along each edge of a cell, by which its area and moments below the tip are found."""
 
@@ -34,25 +38,77 @@ class TipCells:
     tip: Int[np.ndarray, "cell"]
 
 
-def tip_cells(indenter: IndenterSpec) -> TipCells:
-    """Cells of every tip: about 150 a tip, at most 1.2 mm wide.
+@dataclass(frozen=True)
+class Border:
+    """Border of a flat face, seen from the place pressed: a rectangle's corners, or a circle in it."""
+
+    low_mm: Float[np.ndarray, "2"]
+    high_mm: Float[np.ndarray, "2"]
+    round: bool = False
+
+    def beyond_mm(self, points_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
+        """Return how far points lie outside, negative inside."""
+        middle, half = (self.low_mm + self.high_mm) / 2, (self.high_mm - self.low_mm) / 2
+        away = points_mm - middle
+        if self.round:
+            return np.asarray(np.linalg.norm(away, axis=-1) - half.max())
+        return np.asarray(np.max(abs(away) - half, axis=-1))
+
+    def side_distances_mm(self, points_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n side"]:
+        """Return how far points lie beyond each side: −x, −y, +x, +y, or the circle."""
+        if self.round:
+            return self.beyond_mm(points_mm)[:, None]
+        return np.concatenate([self.low_mm - points_mm, points_mm - self.high_mm], axis=1)
+
+    def near_sides(
+        self, inside_mm: Float[np.ndarray, "n side"], reach_mm: float
+    ) -> list[list[int]]:
+        """Sides that some points lie next to, and pairs that meet in a corner next to some."""
+        near = inside_mm < reach_mm
+        single = [[int(side)] for side in np.flatnonzero(near.any(axis=0))]
+        return single + [
+            [a, b] for [a], [b] in combinations(single, 2) if (near[:, a] & near[:, b]).any()
+        ]
+
+    def mirrored(
+        self, points_mm: Float[np.ndarray, "n dim"], sides: Sequence[int]
+    ) -> Float[np.ndarray, "n dim"]:
+        """Points beyond these sides, as far outside as they were inside."""
+        image = points_mm.copy()
+        if self.round:
+            middle = (self.low_mm + self.high_mm) / 2
+            away = points_mm[:, :2] - middle
+            radius = np.linalg.norm(away, axis=1, keepdims=True)
+            outer = float((self.high_mm - self.low_mm).max())
+            image[:, :2] = middle + away * (outer / np.maximum(radius, _LEVEL_MM) - 1)
+            return image
+        for side in sides:
+            at = np.concatenate([self.low_mm, self.high_mm])[side]
+            image[:, side % 2] = 2 * at - image[:, side % 2]
+        return image
+
+
+def tip_cells(indenter: IndenterSpec, border: Border | None = None) -> TipCells:
+    """Cells of every tip, of what lies within a border: about 150 a tip, at most 1.2 mm wide.
 
     Cells are halved where the tip is not flat within 0.4 mm above its lowest point, and at the
     outline of what is flat: there small contacts and the pressures of sharp edges are.
     """
-    shape = tip_shape(indenter)
-    patches, height = _cells(shape)
-    places = tip_places_mm(indenter)
-    count = len(places)
-    return TipCells(
-        Patches(
-            np.tile(patches.area_mm2, count),
-            (places[:, None] + patches.centre_mm).reshape(-1, 2),
-            np.tile(patches.variance_mm2, count),
-        ),
-        np.tile(height, count),
-        np.repeat(np.arange(count), len(height)),
+    shape, places = tip_shape(indenter), tip_places_mm(indenter)
+    if border is None:
+        cells = [_cells(shape)] * len(places)
+    else:
+        moved_by = [(border.low_mm - place, border.high_mm - place) for place in places]
+        cells = [_cells(shape, Border(*ends, border.round)) for ends in moved_by]
+    area, variance, height = (
+        np.concatenate(column)
+        for column in zip(*((p.area_mm2, p.variance_mm2, h) for p, h in cells), strict=True)
     )
+    centre = np.concatenate(
+        [place + p.centre_mm for place, (p, _) in zip(places, cells, strict=True)]
+    )
+    tip = np.repeat(np.arange(len(places)), [len(h) for _, h in cells])
+    return TipCells(Patches(area, centre, variance), height, tip)
 
 
 def patch_cells(radius_mm: float) -> TipCells:
@@ -73,35 +129,56 @@ def hemisphere_profile_mm(
     return radius_mm - np.sqrt(inside)
 
 
-def _cells(shape: TipShape) -> tuple[Patches, np.ndarray]:
+def _cells(shape: TipShape, border: Border | None = None) -> tuple[Patches, np.ndarray]:
     low, high = shape.corners_mm.min(axis=0), shape.corners_mm.max(axis=0)
     edge = min(np.sqrt(np.prod(high - low) / CELLS), _LARGEST_CELL_MM)
     count = np.ceil((high - low) / edge).astype(int)
     size = (high - low) / count
     index = np.stack(np.meshgrid(*map(np.arange, count), indexing="ij"), axis=-1).reshape(-1, 2)
     lower = low + index * size
-    points, height = _sampled(shape, lower, size)
+    size = np.broadcast_to(size, lower.shape)
+    if border is not None:
+        lower, size = _cut(lower, size, border)
+    points, height = _sampled(shape, lower, size, border)
     inside = np.isfinite(height)
     lowest, highest = height.min(axis=1), np.where(inside, height, np.inf).max(axis=1)
     halved = (lowest < _FINE_BELOW_MM) & (highest > 1e-6 * edge)
-    quarter = np.array([[0, 0], [0, 1], [1, 0], [1, 1]]) * size / 2
-    fine = _sampled(shape, (lower[halved, None] + quarter).reshape(-1, 2), size / 2)
+    half = np.repeat(size[halved] / 2, 4, axis=0)
+    quarter = np.tile([[0, 0], [0, 1], [1, 0], [1, 1]], (int(halved.sum()), 1)) * half
+    fine = _sampled(shape, np.repeat(lower[halved], 4, axis=0) + quarter, half, border)
     parts = [
-        cell_moments(points[~halved], height[~halved], size),
-        cell_moments(*fine, size / 2),
+        cell_moments(points[~halved], height[~halved], size[~halved]),
+        cell_moments(*fine, half),
     ]
     area, centre, variance, mean = (np.concatenate(column) for column in zip(*parts, strict=True))
     return Patches(area, centre, variance), mean
 
 
+def _cut(
+    lower_mm: Float[np.ndarray, "cell 2"], size_mm: Float[np.ndarray, "cell 2"], border: Border
+) -> tuple[Float[np.ndarray, "kept 2"], Float[np.ndarray, "kept 2"]]:
+    """Cells without what lies beyond a rectangle, those left out that have no part in it."""
+    ends = np.clip([lower_mm, lower_mm + size_mm], border.low_mm, border.high_mm)
+    size = ends[1] - ends[0]
+    # slivers thinner than this share of a cell are rounding
+    kept = (size > 1e-6 * size_mm).all(axis=1)
+    return ends[0][kept], size[kept]
+
+
 def _sampled(
-    shape: TipShape, lower_mm: np.ndarray, size_mm: np.ndarray
+    shape: TipShape,
+    lower_mm: Float[np.ndarray, "cell 2"],
+    size_mm: Float[np.ndarray, "cell 2"],
+    border: Border | None,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Points in every cell (cell, sample, 2), and the tip's heights there."""
+    """Points in every cell (cell, sample, 2), and the tip's heights there; ∞ beyond the border."""
     middle = (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     local = np.stack(np.meshgrid(middle, middle, indexing="ij"), axis=-1).reshape(-1, 2)
-    points = lower_mm[:, None] + local * size_mm
-    return points, tip_heights_mm(shape, points)
+    points = lower_mm[:, None] + local * size_mm[:, None]
+    height = tip_heights_mm(shape, points)
+    if border is not None:
+        height = np.where(border.beyond_mm(points) > 0, np.inf, height)
+    return points, height
 
 
 def cell_moments(
@@ -110,15 +187,15 @@ def cell_moments(
     """Area, centroid, variance and mean height of what lies below the tip; empty cells left out."""
     inside = np.isfinite(height)
     kept = inside.any(axis=1)
-    points, height, inside = points[kept], height[kept], inside[kept]
+    points, height, inside, size_mm = points[kept], height[kept], inside[kept], size_mm[kept]
     count = inside.sum(axis=1)
     # c cell, s sample, i coordinate: mean over the samples inside
     centre = np.einsum("cs,csi->ci", inside, points) / count[:, None]
     squared = np.sum((points - centre[:, None]) ** 2, axis=2)
     # Variance of a square of edge h along one axis: h²/12, that of a sample's own piece.
-    within = np.mean((size_mm / _SAMPLES) ** 2) / 12
+    within = np.mean((size_mm / _SAMPLES) ** 2, axis=1) / 12
     # Per axis, hence the half of the squared distance in the plane.
     variance = np.einsum("cs,cs->c", inside, squared) / count / 2 + within
     mean = np.where(inside, height, 0).sum(axis=1) / count
-    area = count * np.prod(size_mm) / _SAMPLES**2
+    area = count * np.prod(size_mm, axis=1) / _SAMPLES**2
     return area, centre, variance, mean

@@ -89,7 +89,7 @@ def widening_mm2(depth_mm: float, edge_mm: float, poisson_ratio: float) -> float
     return float((2 * alpha + np.log(whole / kept)) / wavenumber**2)
 
 
-@functools.lru_cache(maxsize=32)
+@functools.lru_cache(maxsize=128)
 def _pattern_share(
     elastic: tuple[float, float], pattern: bytes, count: int, depth_mm: float, edge_mm: float
 ) -> Float[np.ndarray, "patch patch"]:

@@ -106,7 +106,10 @@ def refined_surface(
     hats = hat_patches(surface)
     narrowing = hat_narrowing(surface)
     around, bases = Delaunay(surface.xy_mm), rigid_bases(spec, frame, surface, hats)
-    face = RefinedFace(frame, surface, frame.number, hats, unused, narrowing, around, bases)
+    elastic = (spec.silicone.surface_modulus_mpa, spec.silicone.poisson_ratio)
+    face = RefinedFace(
+        frame, surface, frame.number, hats, unused, narrowing, around, elastic, bases
+    )
     return face, moments
 
 

@@ -177,7 +177,7 @@ def require_press(
     _require_bonded(spec)
     if dents_mm(spec).any():
         raise InputError(
-            "dents of the seals (shell.dent_mm, as_built) are known at small strain only. Press with "
+            "dents of the seals (as_built) are known at small strain only. Press with "
             "small strain: `instobj press --material linear`, or set them to 0"
         )
     frames = {frame.number: frame for frame in face_frames(spec)}

@@ -304,6 +304,22 @@ def _curved_moments(
     ]
 
 
+def leaning_moments(
+    space: DisplacementSpace,
+    facets: Int[np.ndarray, "facet"],
+    outward: Float[np.ndarray, "3"],
+) -> tuple[sp.csc_matrix, Int[np.ndarray, "vertex"]]:
+    """∫ φ_i v dA over the area across a direction, (node, vertex) in mm², and the vertices used."""
+    mesh = space.mesh
+    displacement = FacetBasis(mesh, space.displacement.elem, facets=facets, intorder=3)
+    pressure = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=3)
+    vertices = np.unique(np.asarray(mesh.facets)[:, facets])
+    # d component of the normal, f facet, q quadrature point
+    lean = np.einsum("dfq,d->fq", np.asarray(displacement.normals), outward)
+    moments = _weighted_product.assemble(pressure, displacement, weight=lean)
+    return moments.tocsc()[:, vertices], vertices
+
+
 def save_response(response: ResponseOperator, folder: Path | str) -> None:
     """Write `compliance.npy` (memory-mapped on loading) and `surfaces.npz`."""
     folder = Path(folder)

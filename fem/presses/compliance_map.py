@@ -12,7 +12,6 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
-from design.files import atomic_path
 from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
 from design.tables import write_table
@@ -58,28 +57,6 @@ def presses_without_magnets(
     """
     depth = min(spec.press.depths_mm, key=lambda depth: abs(depth - DEPTH_MM))
     return simulate_lattice(without_magnets(spec), response, progress, depths_mm=(depth,))[0]
-
-
-def save_forces(forces: PressForces, path: Path | str) -> None:
-    """Write as NumPy's .npz."""
-    arrays = {
-        "faces": forces.faces,
-        "x_mm": forces.lattice.x_mm,
-        "y_mm": forces.lattice.y_mm,
-        "depth_mm": forces.depth_mm,
-        "force_n": forces.force_n,
-        "contact_area_mm2": forces.contact_area_mm2,
-    }
-    with atomic_path(path) as temporary, temporary.open("wb") as stream:
-        np.savez(stream, **arrays)  # pyright: ignore[reportArgumentType]
-
-
-def load_forces(path: Path | str) -> PressForces:
-    """Read what `save_forces` wrote."""
-    with np.load(path, allow_pickle=False) as data:
-        lattice = PlaceGrid(data["x_mm"], data["y_mm"])
-        rest = (data["depth_mm"], data["force_n"], data["contact_area_mm2"])
-        return PressForces(data["faces"], lattice, *rest)
 
 
 def save_compliance_csv(

@@ -17,7 +17,7 @@ from design.errors import InputError
 from design.layout.tips import path_mm, tips_overlap
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import contact_pressures
-from fem.contact.indenter import moved, tip_cells
+from fem.contact.indenter import TipCells, moved, tip_cells
 from fem.contact.lift_off import lift_off
 from fem.contact.refined import (
     RefinedFace,
@@ -28,7 +28,7 @@ from fem.contact.refined import (
 )
 from fem.linear.core_interface import CoreState
 from fem.linear.response import ResponseOperator
-from fem.presses.table import require_on_face, require_on_patch, resting_gap_mm
+from fem.presses.table import cells_over, require_landing, require_on_patch, resting_gap_mm
 
 
 @dataclass(frozen=True)
@@ -59,8 +59,10 @@ class JointPress:
 
 @dataclass(frozen=True)
 class JointCells:
-    """All indenters' cells with their mutual compliance, wherever their paths have brought them."""
+    """All indenters' cells over the body, with their mutual compliance, wherever their paths have
+    brought them."""
 
+    cut: tuple[TipCells, ...]
     spreads: tuple[Spread, ...]
     compliance: Float[np.ndarray, "cell cell"]
     gap_mm: Float[np.ndarray, "cell"]
@@ -131,13 +133,12 @@ def presser(
 ) -> Callable[[np.ndarray], JointPress]:
     """Function from the tips' depths to their joint press; on straight paths cells stay."""
     require_apart(spec, tips)
-    cut = tip_cells(spec.indenter)
     straight = not any(spec.indenter.direction_deg)
     kept = joint_cells(spec, response, tips, np.zeros(len(tips)), faces) if straight else None
 
     def press(depths_mm: np.ndarray) -> JointPress:
         cells = kept or joint_cells(spec, response, tips, depths_mm, faces)
-        for spread, depth in zip(cells.spreads, depths_mm, strict=True):
+        for cut, spread, depth in zip(cells.cut, cells.spreads, depths_mm, strict=True):
             require_on_patch(cut, spread, depth)
         gap = (cells.gap_mm - depths_mm[cells.tip]) * cells.area_mm2
         pressure = contact_pressures(cells.compliance, gap, cells.area_mm2, np.zeros(1))[0]
@@ -197,20 +198,24 @@ def joint_cells(
     used = {tip.face for tip in tips}
     if faces is None:
         faces = {n: refined_face(response, i, spec) for i, n in enumerate(numbers) if n in used}
-    indenter, cut = spec.indenter, tip_cells(spec.indenter)
-    spreads = []
+    indenter, whole = spec.indenter, tip_cells(spec.indenter)
+    spreads, cuts = [], []
     for tip, sideways in zip(tips, path_mm(indenter, depths_mm), strict=True):
         if tip.face not in numbers:
             raise InputError(f"face {tip.face} is not a sensed face. Press one of {numbers}")
         place = faces[tip.face].frame.to_plane(np.array([tip.x_mm, tip.y_mm]))
-        require_on_face(faces[tip.face], indenter, np.stack([place, place + sideways]))
-        spreads.append(spread_cells(faces[tip.face], moved(cut.patches, place + sideways), place))
+        require_landing(faces[tip.face], spec, np.stack([place, place + sideways]))
+        cuts.append(cells_over(faces[tip.face], indenter, whole, place + sideways))
+        patches = moved(cuts[-1].patches, place + sideways)
+        spreads.append(spread_cells(faces[tip.face], patches, place))
+    gaps = [resting_gap_mm(cut, spread) for cut, spread in zip(cuts, spreads, strict=True)]
     return JointCells(
+        tuple(cuts),
         tuple(spreads),
         joint_compliance(response, spreads, spec),
-        np.concatenate([resting_gap_mm(cut, spread) for spread in spreads]),
-        np.tile(cut.patches.area_mm2, len(tips)),
-        np.repeat(np.arange(len(tips)), len(cut.height_mm)),
+        np.concatenate(gaps),
+        np.concatenate([cut.patches.area_mm2 for cut in cuts]),
+        np.repeat(np.arange(len(tips)), [len(gap) for gap in gaps]),
     )
 
 

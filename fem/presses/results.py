@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from design.errors import StoreError
 from design.layout.places.contact_grid import PlaceGrid
 from design.netcdf import FileKind, read_netcdf, write_netcdf
 
@@ -27,7 +28,7 @@ PRESSES_KIND = FileKind(
         "rest": ("magnet component", _MOTION),
     },
     coordinates={"face": ("face", ""), "depth_mm": ("step", "mm")},
-    optional=("rest",),
+    optional=("motion", "rest"),
 )
 
 
@@ -76,15 +77,15 @@ class MagnetMotions:
         return motion.reshape(-1, *motion.shape[-2:])
 
 
-def save_presses(forces: PressForces, motions: MagnetMotions, path: Path | str) -> None:
-    """Write both as one NetCDF file with units."""
+def save_presses(forces: PressForces, motions: MagnetMotions | None, path: Path | str) -> None:
+    """Write both as one NetCDF file with units; without magnets, the forces alone."""
     values = {
         "force_n": forces.force_n,
         "contact_area_mm2": forces.contact_area_mm2,
-        "motion": motions.motion,
+        "motion": None if motions is None else motions.motion,
         "lattice_x_mm": forces.lattice.x_mm,
         "lattice_y_mm": forces.lattice.y_mm,
-        "rest": motions.rest,
+        "rest": None if motions is None else motions.rest,
         "face": forces.faces,
         "depth_mm": forces.depth_mm,
     }
@@ -99,10 +100,26 @@ def load_presses(path: Path | str) -> tuple[PressForces, MagnetMotions]:
     InputError
         No such file.
     StoreError
-        Damaged, or of another schema.
+        Damaged, without motions, or of another schema.
     """
+    forces, motions = _read(path)
+    if motions is None:
+        raise StoreError(
+            f"{path} holds presses without magnets. Simulate the presses of the object"
+        )
+    return forces, motions
+
+
+def load_forces(path: Path | str) -> PressForces:
+    """Read the forces of what `save_presses` wrote. Raises as `load_presses`, motions or not."""
+    return _read(path)[0]
+
+
+def _read(path: Path | str) -> tuple[PressForces, MagnetMotions | None]:
     values, _ = read_netcdf(PRESSES_KIND, path)
     lattice = PlaceGrid(values["lattice_x_mm"], values["lattice_y_mm"])
     shared = (values["face"], lattice, values["depth_mm"])
     forces = PressForces(*shared, values["force_n"], values["contact_area_mm2"])
+    if "motion" not in values:
+        return forces, None
     return forces, MagnetMotions(*shared, values["motion"], values.get("rest"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -19,7 +20,7 @@ from design.processes import one_blas_thread
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
 from fem.contact.complementarity import Contact, contact
-from fem.contact.indenter import TipCells, hemisphere_profile_mm, moved, tip_cells
+from fem.contact.indenter import Border, TipCells, hemisphere_profile_mm, moved, tip_cells
 from fem.contact.refined import (
     RefinedFace,
     Spread,
@@ -37,6 +38,8 @@ _QUADRATURE_ORDER = 8
 """Degree that the quadrature over a triangle integrates exactly: a tip's profile is curved."""
 _BORDER_MM = 1e-3
 """Rounding by which a tip may lie beyond the face."""
+_ALIKE_DIGITS = 6
+"""Decimals (mm) to which distances from the border are the same."""
 _NEVER_MM = 1e3
 """Gap of vertices beyond the face, far more than any depth: they never touch."""
 Progress = Callable[[str], None]
@@ -151,6 +154,15 @@ def press_face(
         return _press_each(spec, response, face_index, xy_mm, depths_mm)
 
 
+@dataclass(frozen=True)
+class _Kept:
+    """Cells that many places share, their own compliance, and the last contact of each step."""
+
+    cells: TipCells
+    compliance: Float[np.ndarray, "cell cell"]
+    nearby: dict[int, Contact]
+
+
 def _press_each(
     spec: ObjectSpec,
     response: ResponseOperator,
@@ -160,30 +172,59 @@ def _press_each(
 ) -> FacePresses:
     face, tip = refined_face(response, face_index, spec), tip_cells(spec.indenter)
     sideways = path_mm(spec.indenter, depths_mm)
-    require_on_face(face, spec.indenter, xy_mm + sideways[-1])
-    require_on_face(face, spec.indenter, xy_mm)
-    near = cells_compliance(tip.patches, spec)
-    shape = (len(xy_mm), len(depths_mm))
+    require_landing(face, spec, np.concatenate([xy_mm + sideways[-1], xy_mm]))
+    shape, kept = (len(xy_mm), len(depths_mm)), dict[int, _Kept]()
     force, touched = np.zeros(shape), np.zeros(shape)
     vertex = np.zeros((*shape, len(face.surface.xy_mm)))
     together = [np.arange(len(depths_mm))] if not sideways.any() else np.arange(shape[1])[:, None]
-    nearby: dict[int, Contact] = {}
     for place, centre in enumerate(face.frame.to_plane(xy_mm)):
         for steps in together:
-            spread = spread_cells(face, moved(tip.patches, centre + sideways[steps[0]]), centre)
-            require_on_patch(tip, spread, float(depths_mm[steps[-1]]))
+            cut = cells_over(face, spec.indenter, tip, centre + sideways[steps[0]])
+            if id(cut) not in kept:
+                kept[id(cut)] = _Kept(cut, cells_compliance(cut.patches, spec), {})
+            near, nearby = kept[id(cut)].compliance, kept[id(cut)].nearby
+            spread = spread_cells(face, moved(cut.patches, centre + sideways[steps[0]]), centre)
+            require_on_patch(cut, spread, float(depths_mm[steps[-1]]))
             solved = nearby[steps[0]] = contact(
                 place_compliance(spread, near),
-                resting_gap_mm(tip, spread) * tip.patches.area_mm2,
-                tip.patches.area_mm2,
+                resting_gap_mm(cut, spread) * cut.patches.area_mm2,
+                cut.patches.area_mm2,
                 np.asarray(depths_mm)[steps],
                 nearby.get(steps[0]),
             )
             pressure = solved.pressure_mpa
-            force[place, steps] = pressure @ tip.patches.area_mm2
+            force[place, steps] = pressure @ cut.patches.area_mm2
             touched[place, steps] = (pressure > 0) @ spread.patches.area_mm2
             vertex[place, steps[:, None], spread.rows] = pressure @ spread.matrix.T
     return FacePresses(force, touched, vertex)
+
+
+def cells_over(
+    face: RefinedFace, indenter: IndenterSpec, whole: TipCells, xy_mm: Float[np.ndarray, "2"]
+) -> TipCells:
+    """Cells of an indenter at a place that lie over the face; `whole` where all of them do.
+
+    Places as far from the border share them.
+    """
+    border = face.border
+    if border is None:
+        return whole
+    outline = footprint_mm(indenter)
+    corners = np.stack(np.meshgrid(*(xy_mm + outline).T), axis=-1)
+    if (border.beyond_mm(corners) <= _BORDER_MM).all():
+        return whole
+    ends = np.array([border.low_mm, border.high_mm]) - xy_mm
+    if not border.round:  # a side that the tip does not reach cuts nothing
+        ends = np.array([np.maximum(ends[0], outline[0]), np.minimum(ends[1], outline[1])])
+    low, high = map(tuple, ends.round(_ALIKE_DIGITS).tolist())
+    return _cut_cells(indenter, low, high, border.round)  # pyright: ignore[reportArgumentType]
+
+
+@functools.lru_cache(maxsize=256)
+def _cut_cells(
+    indenter: IndenterSpec, low_mm: tuple[float, ...], high_mm: tuple[float, ...], is_round: bool
+) -> TipCells:
+    return tip_cells(indenter, Border(np.array(low_mm), np.array(high_mm), is_round))
 
 
 def resting_gap_mm(tip: TipCells, spread: Spread) -> Float[np.ndarray, "cell"]:
@@ -230,6 +271,26 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
         touch = np.min(profile - height) - np.min(profile)
         moments[place] = integral @ (profile - height - touch)
     return moments
+
+
+def require_landing(
+    face: RefinedFace, spec: ObjectSpec, xy_mm: Float[np.ndarray, "place 2"]
+) -> None:
+    """Raise InputError for a press whose lowest point lands beside a flat face.
+
+    Where slits cut the edges the whole indenter must stay on the face.
+    """
+    if spec.shell.slits.depth_mm > 0:
+        return require_on_face(face, spec.indenter, xy_mm)
+    beside = face.border is not None and face.border.beyond_mm(xy_mm) > _BORDER_MM
+    if np.any(beside):
+        x, y = xy_mm[beside][0]
+        half = face.frame.half_extents_mm
+        raise InputError(
+            f"a press at ({x:g}, {y:g}) mm lands beside face {face.frame.number} (±{half[0]:.4g}, "
+            f"±{half[1]:.4g} mm). Move it inwards"
+        )
+    return None
 
 
 def require_on_face(

@@ -86,11 +86,9 @@ def new(
         Path | None,
         typer.Option("--from", metavar="FILE", help="Closed surface of an imported body."),
     ] = None,
-    unit: Annotated[
-        str | None, typer.Option(help="Unit of the lengths in the file: mm (default), cm, m, in.")
-    ] = None,
     scale: Annotated[
-        float | None, typer.Option(help="Factor on the lengths in the file (default: 1).")
+        float | None,
+        typer.Option(help="Factor on the lengths in the file: 1 for mm (default), 10 for cm, …"),
     ] = None,
     out: Out = HERE,
 ) -> None:
@@ -98,7 +96,7 @@ def new(
     from instobj.commands.new import new_specification, placed_text, request_of, size_of
 
     size_mm = None if size is None else size_of(size, kind)
-    request = request_of(kind, size_mm, sensors, magnets, file, unit, scale)
+    request = request_of(kind, size_mm, sensors, magnets, file, scale)
     written = new_specification(name, out, request)
     typer.echo(f"wrote {written}\n{placed_text(written, request)}\nnext  instobj check {written}")
 
@@ -257,9 +255,12 @@ def run_command(command: typer.Typer, arguments: list[str] | None = None) -> Non
 
 
 def _instead_of(error: typer.TyperException) -> str:
-    """Return what to write in place of an option that went with 0.2.0; nothing for other errors."""
-    instead = OPTIONS.get(getattr(error, "option_name", ""))
-    return f" It went with 0.2.0: {instead}" if instead else ""
+    """Return what to write in place of an option that is none: gone with 0.2.0, or a key."""
+    name = getattr(error, "option_name", "")
+    if instead := OPTIONS.get(name):
+        return f" It went with 0.2.0: {instead}"
+    # only keys of a specification have a dot in their names
+    return f". Keys are set by --set: --set {name.lstrip('-')}=VALUE" if "." in name else ""
 
 
 def with_joined_sizes(words: list[str]) -> list[str]:
@@ -285,7 +286,7 @@ def _warning_line(
     line: str | None = None,
 ) -> str:
     """Return what users are warned of in one line; other warnings with the line of code."""
-    if category in (UserWarning, FutureWarning):
+    if category is UserWarning:
         return f"warning: {message}\n"
     return f"{filename}:{lineno}: {category.__name__}: {message}\n"
 

@@ -46,6 +46,7 @@ OPTIONS = {
     "--seed": "--set seed=NUMBER",
     "--speed": "--replay FILE@SPEED",
     "--storage": "--out FOLDER",
+    "--unit": "--scale 10 for cm, 1000 for m, 25.4 for in",
     "--zero-frames": "--zero MODE:FRAMES",
 }
 """Options before 0.2.0 → what to write instead, or what holds now."""

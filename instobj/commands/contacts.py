@@ -155,15 +155,6 @@ def _in_recording(
     return np.array(numbers), np.array(time_s), ContactSets.joined(found), unread
 
 
-def _chip_name(inversion: Inversion, chip: int) -> str:
-    """Return a chip's name as in a recording's channels, without the axis; empty for none."""
-    if chip == NONE:
-        return ""
-    faces = inversion.model.signals.faces
-    face, sensor = divmod(chip, inversion.model.channels // (3 * len(faces)))
-    return f"F{faces[face]}-{sensor + 1}"
-
-
 def _field_change(inversion: Inversion, best: ContactSets, row: int) -> dict[str, float | str]:
     """Return the columns of `FIELD`; empty cells of an object that is not turned."""
     first = 0
@@ -196,7 +187,7 @@ def _rows(
             "next_odds": "" if second is None else round(float(second.odds[row]), 4),
             "p_value": float(f"{best.p_value[row]:.3g}"),
             "explained": int(best.explained[row]),
-            "chip_out": _chip_name(inversion, int(best.chip_out[row])),
+            "chip_out": inversion.chip_name(int(best.chip_out[row])),
             **_field_change(inversion, best, row),
         }
         if not best.number[row]:

@@ -33,7 +33,7 @@ from design.placement.asked import most_printed_mm, placements
 from design.placement.hooking import hooked_by_azimuth_mm, turned, way_that_hooks_least
 from design.placement.objects import Request, Tables, relaid, spec_of
 from design.placement.room import narrow_heads
-from design.spec.body import MM, BodySpec
+from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from instobj.commands.outlook import next_step_text, parts_that_help, tables_of, with_edges_that_fit
@@ -255,7 +255,6 @@ def request_of(
     sensors: int | None = None,
     magnets: int | None = None,
     file: Path | None = None,
-    unit: str | None = None,
     scale: float | None = None,
 ) -> Request | None:
     """Return what the options of `instobj new` ask for; None where none is given.
@@ -270,14 +269,12 @@ def request_of(
     if kind is None and size_mm is None and file is None:
         _refuse_alone("with --kind and --size, or with --from", sensors=sensors, magnets=magnets)
     if file is None:
-        _refuse_alone("with --from FILE", unit=unit, scale=scale)
+        _refuse_alone("with --from FILE", scale=scale)
     if kind is None and size_mm is None:
         return None
     kind = kind or BodySpec().kind
     if kind not in KINDS:
         raise InputError(f"--kind {kind} is not known. {_kind_that_is_meant(kind)}")
-    if unit is not None and unit not in MM:
-        raise InputError(f"--unit {unit} is not known. Choose one of {', '.join(MM)}")
     if scale is not None and not 0 < scale < inf:
         raise InputError(f"--scale must be above 0 and finite; got {scale:g}. Leave it out for 1")
     if KINDS[kind].from_file != (file is not None):
@@ -293,10 +290,10 @@ def request_of(
     request = asked if sensors is None else replace(asked, sensors=sensors)
     if file is None:
         return request
-    keys = {"unit": unit or "mm", "scale": 1.0 if scale is None else scale}
-    read = body_of_file(file, MM[keys["unit"]] * keys["scale"])
-    keys = {"file": read["file"], **keys}
-    return replace(request, size_mm=tuple(read["size_mm"]), file=tuple(keys.items()))
+    mm = 1.0 if scale is None else scale
+    read = body_of_file(file, mm)
+    keys = (("file", read["file"]), ("scale", mm))
+    return replace(request, size_mm=tuple(read["size_mm"]), file=keys)
 
 
 _MEANT = {

@@ -28,7 +28,7 @@ _EDGE_STEP, _LONGEST = 1.1, 3.0
 """Steps in which edges grow, and by how much at most: beyond, the shell is one element thick."""
 _TRIES_S = 8.0
 """Time after which no further number of parts is tried."""
-_MORE = ((1, 0), (2, 0), (0, 4), (2, 4), (4, 4))
+_MORE = ((1, 0), (0, 4), (1, 4), (2, 0), (2, 4), (4, 4))
 """Sensors and magnets more on each face that are tried, the cheapest first."""
 _FEW, _LESS = 0.05, 0.75
 """Share of far locations that is called near, and how much smaller one must be to be named."""
@@ -72,8 +72,8 @@ def parts_that_help(request: Request, tables: Tables) -> str:
     if told:
         return f"{told} would leave about {100 * best:.0f} % of the locations too far"
     return (
-        f"no number of parts tried here brings more locations within {LONGEST_PATH_MM:g} mm: take a "
-        "smaller body, or `instobj optimize`"
+        f"no number of parts tried here brings many more locations within {LONGEST_PATH_MM:g} mm: take "
+        "a smaller body, or `instobj optimize`"
     )
 
 

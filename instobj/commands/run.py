@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from design.spec_io import load_spec, spec_hash
 from instobj.commands.buildable import require_makeable
 from instobj.commands.compare import compare_scores
 from instobj.stages.run import Run, with_needs
+from instobj.stages.table import STAGES
 from instobj.stages.tasks import tasks_of
 from instobj.stages.workers import open_workers
 from instobj.store.content import store_root
@@ -27,6 +29,7 @@ from instobj.store.publish import (
     stage_row,
 )
 from instobj.store.readers import FINDINGS, FRAMES
+from instobj.store.run_bar import expected_seconds
 
 
 @dataclass(frozen=True)
@@ -163,10 +166,12 @@ def run_chain(
         if "sheet" in stages:
             require_makeable(spec)
     _make_by_workers(loaded, stages, workers, scheduler)
-    result: dict[str, Any] = {
-        "command": "chain",
-        "objects": [run_one_object(spec, stages, out) for spec in loaded],
-    }
+    progress = ProgressLine()
+    # workers have made all stages by now: what is left is reading, which a bar would overstate
+    watched = progress.watched and workers == 1 and scheduler is None
+    with progress.whole_run(_due(loaded, stages)) if watched else nullcontext():
+        objects = [run_one_object(spec, stages, out, progress) for spec in loaded]
+    result: dict[str, Any] = {"command": "chain", "objects": objects}
     if "scores" in stages and len(loaded) > 1:
         result["comparison"] = compare_scores(loaded, out)
     return result
@@ -219,10 +224,19 @@ def _make_by_workers(
                 raise InputError(f"{spec.name}: {done[key]['error']}")
 
 
-def run_one_object(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> dict[str, Any]:
+def _due(specs: list[ObjectSpec], stages: tuple[str, ...]) -> list[tuple[str, float]]:
+    """Title and expected seconds of each stage that the objects' runs pass, one run after another."""
+    names = [task.stage for spec in specs for task in tasks_of([spec], stages)[0].values()]
+    seconds = {name: expected_seconds(store_root(), name) for name in set(names)}
+    return [(STAGES[name].title, seconds[name]) for name in names]
+
+
+def run_one_object(
+    spec: ObjectSpec, stages: tuple[str, ...], out: Path, progress: ProgressLine | None = None
+) -> dict[str, Any]:
     from instobj.report.summary import summarize
 
-    run = Run(spec)
+    run = Run(spec, progress or ProgressLine())
     files: list[Path] = []
     for name in stages:
         known = set(run.results)

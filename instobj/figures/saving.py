@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING
 from design.files import atomic_path
 
 if TYPE_CHECKING:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
 DPI = 120
 """Dots per inch of figures."""
 _COMPRESSION = 4
-"""Level of PNG's compression, from 0 (none) to 9 (slow)."""
+"""Level of PNG's compression, from 0 (none) to 9 (slow); pages pack their copies again."""
 
 
 def save_figure(figure: Figure, path: Path | str) -> Path:
@@ -26,33 +25,19 @@ def save_figure(figure: Figure, path: Path | str) -> Path:
     InputError
         The picture cannot be written.
     """
-    return save_drawn(drawn(figure), path)
-
-
-def drawn(figure: Figure) -> FigureCanvasAgg:
-    """A figure laid out and drawn at `DPI` dots per inch."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.image import imsave
 
     figure.set_dpi(DPI)
     _lay_out(figure)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    return canvas
-
-
-def save_drawn(canvas: FigureCanvasAgg, path: Path | str) -> Path:
-    """Write what is drawn on a canvas, as `save_figure` does.
-
-    Less thoroughly compressed than usual, which is quicker; pages pack their copies again.
-    """
-    from matplotlib.image import imsave
-
     content = io.BytesIO()  # the encoder does not tell why a file cannot be written
     imsave(
         content,
         canvas.buffer_rgba(),
         format="png",
-        dpi=canvas.figure.dpi,
+        dpi=DPI,
         metadata={"Software": "instobj"},  # in place of a version, so that bytes stay the same
         pil_kwargs={"compress_level": _COMPRESSION},
     )

@@ -12,8 +12,8 @@ from design.layout.mould.frame import mould_frame, mould_style, parting
 from design.layout.surface import sealed_body_surface
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
-from instobj.render.parts import COLOURS, camera_axes, load_stl
-from instobj.render.pieces import Piece, moved, picture_of
+from instobj.render.pieces import COLOURS, Piece, load_stl, picture_of
+from instobj.render.raster import camera_axes
 
 if TYPE_CHECKING:
     import trimesh
@@ -42,8 +42,6 @@ def draw_demoulding(spec: ObjectSpec, folder: Path, pins: tuple[Pin, ...], targe
 
     `folder` holds a build with a mould, `pins` are its loose pins (none of a mould in one piece).
     """
-    from matplotlib.figure import Figure
-
     frame = mould_frame(spec)
     split = mould_style(spec) == "split"
     normal = parting(spec).normal if split else frame.across
@@ -59,13 +57,9 @@ def draw_demoulding(spec: ObjectSpec, folder: Path, pins: tuple[Pin, ...], targe
     shown += _seal_steps(spec, parts, pins)
     placed, places = _place_in_columns(shown, camera)
     picture = picture_of(placed, *view)
-    left, right, bottom, top = picture.extent_mm
-    figure = Figure(figsize=(12, 12 * (top - bottom) / (right - left)), layout="constrained")
-    axes = figure.subplots()
-    axes.imshow(picture.rgb, extent=picture.extent_mm)
+    figure, axes = picture.figure(12.0)
     for number, (step, (x, y)) in enumerate(zip(shown, places, strict=True), start=1):
         axes.text(x, y, f"{number}  {step.text}", ha="center", va="top", fontsize=11)
-    axes.set_axis_off()
     return save_figure(figure, target)
 
 
@@ -74,15 +68,12 @@ def split_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...]
     frame, normal = mould_frame(spec), parting(spec).normal
     apart = _APART * max(spec.body.size_mm)
     bodies = tuple(Piece(_body(pin), COLOURS["pin"]) for pin in pins)
-    out = tuple(
-        Piece(moved(piece.mesh, _DRAWN_MM * pin.way), COLOURS["pin"])
-        for pin, piece in zip(pins, bodies, strict=True)
-    )
+    out = tuple(piece.moved(_DRAWN_MM * pin.way) for pin, piece in zip(pins, bodies, strict=True))
     halves = (parts["mould_half_a"], parts["mould_half_b"])
-    opened = (_shifted(halves[0], apart * normal), _shifted(halves[1], -apart * normal))
+    opened = (halves[0].moved(apart * normal), halves[1].moved(-apart * normal))
     rod = tuple(parts[name] for name in ("mould_holder",) if name in parts)
     plug = tuple(parts[name] for name in ("mould_plug",) if name in parts)
-    drawn = tuple(_shifted(piece, apart * frame.out) for piece in rod)
+    drawn = tuple(piece.moved(apart * frame.out) for piece in rod)
     steps = [
         Step("closed, until it has cured", (*halves, *bodies, *rod, *plug)),
         Step("draw all pins outwards", (*halves, *out, *rod, *plug)),
@@ -106,7 +97,7 @@ def one_piece_steps(spec: ObjectSpec, parts: dict[str, Piece]) -> list[Step]:
         steps.append(Step("draw the plug straight out", (box, shell, _away(spec, plug[0]))))
     apart = (0.5 + _APART) * max(spec.body.size_mm)
     text = "fold its walls inwards and peel it out" if plug else "peel it out from its edge"
-    return [*steps, Step(text, (box, _shifted(shell, apart * out)))]
+    return [*steps, Step(text, (box, shell.moved(apart * out)))]
 
 
 def _seal_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...]) -> list[Step]:
@@ -122,12 +113,12 @@ def _seal_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...]
         slits = bool(spec.shell.slits.depth_mm)
         inside = () if slits else inside
         text = "draw the plug, fold the walls inwards" if slits else "draw it out"
-        out = Step(text, tuple(_shifted(piece, apart) for piece in (finished, *inside)))
+        out = Step(text, tuple(piece.moved(apart) for piece in (finished, *inside)))
         return [pour, Step(out.text, (box, *out.pieces))]
     held = tuple(Piece(_body(pin), COLOURS["pin"]) for pin in pins if pin.locator is not None)
     apart = _APART * max(spec.body.size_mm) * parting(spec).normal
     halves = (parts["mould_seal_half_a"], parts["mould_seal_half_b"])
-    opened = (_shifted(halves[0], apart), _shifted(halves[1], -apart))
+    opened = (halves[0].moved(apart), halves[1].moved(-apart))
     return [
         Step("pour the layer in the seal halves", (*halves, *held, *inside)),
         Step("draw what holds the core, part them", (*opened, finished)),
@@ -135,11 +126,7 @@ def _seal_steps(spec: ObjectSpec, parts: dict[str, Piece], pins: tuple[Pin, ...]
 
 
 def _away(spec: ObjectSpec, piece: Piece) -> Piece:
-    return _shifted(piece, (0.4 + _APART) * max(spec.body.size_mm) * mould_frame(spec).out)
-
-
-def _shifted(piece: Piece, by_mm: np.ndarray) -> Piece:
-    return Piece(moved(piece.mesh, by_mm), piece.colour)
+    return piece.moved((0.4 + _APART) * max(spec.body.size_mm) * mould_frame(spec).out)
 
 
 def _body(pin: Pin) -> trimesh.Trimesh:
@@ -165,7 +152,7 @@ def _place_in_columns(
     for index, (step, (low, high)) in enumerate(zip(steps, spans, strict=True)):
         middle = np.array([index % _COLUMNS * wide, -(index // _COLUMNS) * tall])
         shift = (middle - (low + high) / 2) @ camera[:2]
-        placed += [_shifted(piece, shift) for piece in step.pieces]
+        placed += [piece.moved(shift) for piece in step.pieces]
         places.append((float(middle[0]), float(middle[1] - (high - low)[1] / 2 - 3.0)))
     return placed, places
 

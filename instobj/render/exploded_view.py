@@ -9,39 +9,32 @@ from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
-from instobj.render.parts import COLOURS, load_stl
-from instobj.render.pieces import Piece, moved, picture_of
+from instobj.render.pieces import COLOURS, POLES, Piece, load_stl, picture_of
 
 _TOWARDS = (1.0, -1.25, 0.6)
 """Direction from the object to the viewer."""
 _UP = (0.0, 0.0, 1.0)
 """Direction that is up in the picture."""
+_HEIGHT_INCHES, _LABEL_INCHES = 11.0, 2.4
+"""Height of the picture, and room for the names of the parts."""
 _GAP_MM = 24.0
 """Gap between parts."""
 _OUT_MM = 7.0
 """Distance by which a part is drawn out."""
-_NORTH, _SOUTH = (0.80, 0.16, 0.14), (0.16, 0.32, 0.72)
-"""Colours (RGB) of a magnet's poles."""
 
 
 def draw_exploded(spec: ObjectSpec, folder: Path, png_path: Path) -> Path:
     """Draw the parts of a build above each other, in the order in which they go together."""
-    from matplotlib.figure import Figure
-
     pieces = _pieces(spec, folder)
     picture = picture_of(pieces, _TOWARDS, _UP)
     left, right, bottom, top = picture.extent_mm
-    figure = Figure(figsize=(11 * (right - left) / (top - bottom) + 2.4, 11), layout="constrained")
-    axes = figure.subplots()
-    axes.imshow(picture.rgb, extent=picture.extent_mm)
+    figure, axes = picture.figure(_HEIGHT_INCHES * (right - left) / (top - bottom), _LABEL_INCHES)
     for piece in pieces:
         if piece.label:
             on_screen = piece.mesh.vertices @ picture.camera.T
             height = (on_screen[:, 1].min() + on_screen[:, 1].max()) / 2
             axes.text(right + 2, height, piece.label, va="center", fontsize=12)
-    axes.set_axis_off()
-    save_figure(figure, png_path)
-    return png_path
+    return save_figure(figure, png_path)
 
 
 def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
@@ -66,10 +59,9 @@ def _pieces(spec: ObjectSpec, folder: Path) -> list[Piece]:
         shift = np.array([0.0, 0.0, level - high - reach])
         for name in present:
             text = label if name == present[0] else ""
-            pieces.append(
-                Piece(moved(parts[name], _aside(spec, name) + shift), COLOURS[name], text)
-            )
-        pieces += [Piece(moved(piece.mesh, shift), piece.colour) for piece in extra]
+            piece = Piece(parts[name], COLOURS[name], text)
+            pieces.append(piece.moved(_aside(spec, name) + shift))
+        pieces += [piece.moved(shift) for piece in extra]
         level -= high - low + 2 * reach + _GAP_MM
     return pieces
 
@@ -95,16 +87,16 @@ def _around(spec: ObjectSpec, name: str) -> list[Piece]:
         layout = magnet_layout(spec)
         out = _outward(layout.centre_mm, layout.axis) * _OUT_MM
         return [
-            Piece(moved(half, way), colour)
+            Piece(half, colour).moved(way)
             for halves, way in zip(magnet_halves(spec, layout), out, strict=True)
-            for half, colour in zip(halves, (_NORTH, _SOUTH), strict=True)
+            for half, colour in zip(halves, POLES, strict=True)
         ]
     if name == ("core" if in_shell else "shell"):
         blocks = board_blocks(spec)
         centres = np.stack([block.centre_mm for block in blocks])
         out = _outward(centres, np.stack([block.axes[:, 2] for block in blocks])) * _OUT_MM
         return [
-            Piece(moved(block_surface(block), way), COLOURS["board"])
+            Piece(block_surface(block), COLOURS["board"]).moved(way)
             for block, way in zip(blocks, out, strict=True)
         ]
     return []

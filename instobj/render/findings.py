@@ -9,14 +9,7 @@ import numpy as np
 
 from design.fabrication.finding import Finding
 from instobj.figures.saving import save_figure
-from instobj.render.parts import (
-    DepthImage,
-    PartView,
-    camera_axes,
-    depth_image,
-    draw_axes_and_scale,
-    shade,
-)
+from instobj.render.pieces import Picture, Piece, picture_of
 
 if TYPE_CHECKING:
     import trimesh
@@ -73,19 +66,23 @@ def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, findings: list[Find
 
     towards = viewing_direction(mesh, np.array(findings[0].place_mm))
     up = (0.0, 0.0, 1.0) if abs(towards[2]) < 0.95 else (0.0, 1.0, 0.0)
-    camera = camera_axes(tuple(towards), up)
-    view = PartView(part, part, tuple(towards), up, _GREY)
-    image = depth_image(np.asarray(mesh.triangles) @ camera.T)
-    axes.imshow(shade(image, mesh, camera, view), extent=image.extent_mm)
-    draw_axes_and_scale(axes, camera, image.extent_mm)
+    picture = picture_of([Piece(mesh, _GREY)], tuple(towards), up)
+    picture.show(axes)
+    picture.add_axes_and_scale(axes)
+    left, right, *_ = picture.extent_mm
     lines = []
     for number, finding in enumerate(findings, start=1):
-        x, y = (camera @ np.array(finding.place_mm))[:2]
+        x, y, _ = seen_mm = picture.camera @ np.array(finding.place_mm)
         colour = _COLOURS[finding.status]
-        hidden = _hidden(image, camera @ np.array(finding.place_mm))
-        style = (0, (2, 1.2)) if hidden else "solid"
-        size = 0.028 * (image.extent_mm[1] - image.extent_mm[0])
-        ring = Circle((x, y), size, fill=False, linewidth=2.4, linestyle=style, edgecolor=colour)
+        style = (0, (2, 1.2)) if _hidden(picture, seen_mm) else "solid"
+        ring = Circle(
+            (x, y),
+            0.028 * (right - left),
+            fill=False,
+            linewidth=2.4,
+            linestyle=style,
+            edgecolor=colour,
+        )
         axes.add_patch(ring)
         axes.annotate(
             str(number), (x, y), ha="center", va="center", fontsize=11, color=colour, weight="bold"
@@ -102,13 +99,14 @@ def _draw_part(axes: Axes, part: str, mesh: trimesh.Trimesh, findings: list[Find
     )
 
 
-def _hidden(image: DepthImage, seen_mm: np.ndarray) -> bool:
+def _hidden(picture: Picture, seen_mm: np.ndarray) -> bool:
     """Return whether a place lies behind the surface that its pixel shows."""
-    left, right, bottom, top = image.extent_mm
-    rows, columns = image.depth_mm.shape
+    left, right, bottom, top = picture.extent_mm
+    depth_mm = picture.image.depth_mm
+    rows, columns = depth_mm.shape
     column = int((seen_mm[0] - left) / (right - left) * columns)
     row = int((top - seen_mm[1]) / (top - bottom) * rows)
-    return bool(image.depth_mm[row, column] > seen_mm[2] + BEHIND_MM)
+    return bool(depth_mm[row, column] > seen_mm[2] + BEHIND_MM)
 
 
 def viewing_direction(mesh: trimesh.Trimesh, place: np.ndarray) -> np.ndarray:

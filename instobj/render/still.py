@@ -6,26 +6,17 @@ from pathlib import Path
 
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
-from instobj.render.parts import COLOURS, draw_axes_and_scale, load_stl, without_quarter
-from instobj.render.pieces import Piece, picture_of
+from instobj.render.pieces import COLOURS, POLES, Piece, load_stl, picture_of, without_quarter
 
 _TOWARDS, _UP = (1.0, -1.25, 0.9), (0.0, 0.0, 1.0)
 """Direction from the object to the viewer, and the one that is up in the picture."""
-_NORTH, _SOUTH = (0.80, 0.16, 0.14), (0.16, 0.32, 0.72)
-"""Colours (RGB) of a magnet's poles."""
 
 
 def draw_still(spec: ObjectSpec, build: Path, png_path: Path) -> Path:
     """Draw the object of a build's folder, with its axes and a bar of 10 mm."""
-    from matplotlib.figure import Figure
-
     picture = picture_of(_pieces(spec, build), _TOWARDS, _UP)
-    left, right, bottom, top = picture.extent_mm
-    figure = Figure(figsize=(6.4, 6.4 * (top - bottom) / (right - left)), layout="constrained")
-    axes = figure.subplots()
-    axes.imshow(picture.rgb, extent=picture.extent_mm)
-    draw_axes_and_scale(axes, picture.camera, picture.extent_mm)
-    axes.set_axis_off()
+    figure, axes = picture.figure(6.4)
+    picture.add_axes_and_scale(axes)
     return save_figure(figure, png_path)
 
 
@@ -38,7 +29,7 @@ def _pieces(spec: ObjectSpec, build: Path) -> list[Piece]:
     shell = without_quarter(load_stl(build / "shell.stl"))
     pieces = [Piece(load_stl(build / "core.stl"), COLOURS["core"]), Piece(shell, COLOURS["shell"])]
     for halves in magnet_halves(spec, magnet_layout(spec)):
-        pieces += [Piece(half, c) for half, c in zip(halves, (_NORTH, _SOUTH), strict=True)]
+        pieces += [Piece(half, c) for half, c in zip(halves, POLES, strict=True)]
     return [
         *pieces,
         *(Piece(block_surface(block), COLOURS["board"]) for block in board_blocks(spec)),

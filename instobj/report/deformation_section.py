@@ -23,11 +23,6 @@ def deformation_section(spec: ObjectSpec, inputs: dict[str, Path], protocol: dic
     )
 
 
-def compliance_section(folder: Path) -> str:
-    """HTML: the map of compliance that the stage `tied_compliance` drew into its folder."""
-    return render("compliance.html.j2", map=readers.TIED_COMPLIANCE_MAP.path(folder))
-
-
 def envelope_text(spec: ObjectSpec, protocol: dict[str, Any]) -> str:
     """Orientation from presses of another object: error at the protocol's peaks, 5 and 20 % depths."""
     from fem.large_strain.linearity import depth_of_force_error_mm, linear_error

@@ -13,9 +13,9 @@ from design.layout.places.contact_places import contact_places, grid_count
 from design.layout.places.coverage import covered_shares
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
-from instobj.figures.maps.files import SCORE_MAPS, unit_of
+from instobj.figures.maps.files import SCORE_MAPS
 from instobj.report.core_section import core_section
-from instobj.report.deformation_section import compliance_section, deformation_section
+from instobj.report.deformation_section import deformation_section
 from instobj.report.pages import render, shown
 from instobj.report.remedies import remedies_section
 from instobj.report.surroundings import surroundings_section
@@ -33,7 +33,7 @@ from instobj.report.uncertainty import (
 from instobj.report.verdict import judge, objects_text
 from instobj.report.weak_areas import weak_areas_section
 from instobj.store import readers
-from instobj.store.readers import BOUND_OVERVIEW, published_files
+from instobj.store.readers import published_files
 from instobj.store.record import read_record
 
 if TYPE_CHECKING:
@@ -50,15 +50,6 @@ PAPER_TABLE_1 = {
 }
 """Knopke et al., Table I: A_sim, E_loc (pixels), E_f (%), E_f (N), A_non; random frame split."""
 _PAPER_PARTS = ("arrangement", "body", "shell", "core", "magnets", "sensors", "silicone")
-
-
-@dataclass(frozen=True)
-class MapsOfFaces:
-    """Pictures of one score, one per face."""
-
-    title: str
-    unit: str
-    paths: list[Path]
 
 
 @dataclass(frozen=True)
@@ -94,7 +85,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         surroundings=surroundings_section(readers.SURROUNDINGS.read(inputs["surroundings"])),
         press_curves=readers.PRESS_CURVES_PICTURE.path(inputs["press_curves"]),
         mechanics=_mechanics(spec, curves, inputs, protocol),
-        compliance=compliance_section(inputs["tied_compliance"]),
+        compliance=readers.TIED_COMPLIANCE_MAP.path(inputs["press_curves"]),
         deformation=deformation_section(spec, inputs, protocol),
         core=core_section(spec, inputs["presses"], inputs["slip"]),
         estimators=_estimators(inputs),
@@ -103,7 +94,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         parts_picture=readers.PARTS_PICTURE.path(inputs["build"]),
         parts_folder=f"../../cad_out/{quote(spec.name)}/",
         files=files_beside(inputs),
-        **_maps(spec, inputs),
+        **_maps(inputs),
         **_areas(scores),
         **weak_areas_section(inputs["weak_areas"]),
         **_cross_face(inputs),
@@ -141,19 +132,14 @@ def is_papers_cube(spec: ObjectSpec) -> bool:
     return all(getattr(spec, part) == getattr(default, part) for part in _PAPER_PARTS)
 
 
-def _maps(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
+def _maps(inputs: Inputs) -> dict[str, Any]:
+    """Titles and pictures of the scores; the position bound stands on the first screen, δ by itself."""
     folder = inputs["scores"] / "maps"
-    maps = {
-        score_map.field: MapsOfFaces(
-            score_map.title,
-            unit_of(score_map, spec),
-            sorted(folder.glob(f"{score_map.stem}_face_*.png")),
-        )
-        for score_map in SCORE_MAPS
-    }
-    delta = maps.pop("delta_raw")
-    overview = BOUND_OVERVIEW.path(inputs["scores"])
-    return {"overview": overview, "maps": [*maps.values()], "delta_maps": [delta]}
+    paths = {score.field: folder / score.file_name for score in SCORE_MAPS}
+    overview, delta = paths.pop("position_bound_mm"), paths.pop("delta_raw")
+    titles = {score.field: score.title for score in SCORE_MAPS}
+    maps = [(titles[field], path) for field, path in paths.items()]
+    return {"overview": overview, "maps": maps, "delta_map": delta}
 
 
 def _areas(scores: PlaceScores) -> dict[str, Any]:

@@ -32,7 +32,6 @@ from instobj.stages.makers.report import (
     make_press_curves,
     make_report,
     make_surroundings,
-    make_tied_compliance,
 )
 from instobj.stages.makers.scene import make_scene
 from instobj.stages.makers.signals import (
@@ -80,21 +79,21 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=18,
+        version=19,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
         ("build",),
         ("name", *_MAKING, "silicone", "load_cell"),
         make_sheet,
-        version=12,
+        version=13,
     ),
     "fabrication": Stage(
         "design: fabrication checks",
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=15,
+        version=16,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=4),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
@@ -111,21 +110,21 @@ STAGES: dict[str, Stage] = {
             "mechanics.correction",
         ),
         make_large_strain,
-        version=2,
+        version=3,
     ),
     "shapes": Stage(
         "mechanics: shapes of presses",
         ("mesh", "response"),
         _PRESSED,
         make_shapes,
-        version=2,
+        version=3,
     ),
     "presses": Stage(
         "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
         (*_PRESSED, "mechanics.slip"),
         make_presses,
-        version=4,
+        version=5,
     ),
     "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=4),
     "plain_response": Stage(
@@ -139,13 +138,14 @@ STAGES: dict[str, Stage] = {
         ("plain_response",),
         ("contact_grid", "indenter", "press"),
         make_plain_presses,
-        version=3,
+        version=4,
     ),
     "compliance": Stage(
         "mechanics: compliance map",
         ("presses", "plain_presses"),
         ("magnets", "sensors", "arrangement"),
         make_compliance,
+        version=2,
     ),
     "candidates": Stage(
         "mechanics: motions of candidate magnets",
@@ -159,7 +159,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_cylinder",
         ),
         make_candidates,
-        version=8,
+        version=9,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",
@@ -184,7 +184,7 @@ STAGES: dict[str, Stage] = {
         ("response", "coarse_response"),
         _PRESSED,
         make_discretisation,
-        version=3,
+        version=4,
     ),
     "signals": Stage(
         "signals: Hall sensors",
@@ -198,14 +198,14 @@ STAGES: dict[str, Stage] = {
         ("signals",),
         ("score", *_NUISANCES, "seed"),
         make_scores,
-        version=10,
+        version=11,
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=5,
+        version=6,
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -219,7 +219,7 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals", "shear"),
         ("score", *_NUISANCES),
         make_shear_scores,
-        version=3,
+        version=4,
     ),
     "identify": Stage(
         "sensitivity: several simultaneous contacts",
@@ -298,7 +298,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=6,
+        version=7,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
@@ -309,16 +309,11 @@ STAGES: dict[str, Stage] = {
         version=3,
     ),
     "press_curves": Stage(
-        "signals: curves of presses",
-        ("signals",),
-        ("sensors", "silicone", "protocol.peak_force_n"),
+        "signals: curves of presses, compliance",
+        ("presses", "signals"),
+        ("magnets", "sensors", "arrangement", "silicone", "protocol.peak_force_n"),
         make_press_curves,
-    ),
-    "tied_compliance": Stage(
-        "mechanics: compliance map with magnets",
-        ("presses",),
-        ("magnets", "sensors", "arrangement"),
-        make_tied_compliance,
+        version=2,
     ),
     "alternatives": Stage(
         "sensitivity: what to try next",
@@ -362,14 +357,13 @@ STAGES: dict[str, Stage] = {
             "metrics",
             "surroundings",
             "press_curves",
-            "tied_compliance",
             "alternatives",
             "slip",
             "scene",
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=21,
+        version=22,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

@@ -7,8 +7,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-_FORMAT = 2
-"""Raised when results of earlier versions can no longer be used (2: records hold hashes)."""
+_FORMAT = 3
+"""Raised when results of earlier versions can no longer be used (3: all keys of a part are inputs)."""
 
 
 def content_key(content: Any) -> str:

@@ -1,21 +1,22 @@
-"""Progress of long work on standard error: a live line on a terminal, a line a stage elsewhere."""
+"""Progress of long work on standard error: a live bar on a terminal, a line a stage elsewhere."""
 
 from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, field
 from threading import Event, Thread
 
 from rich.console import Console
-from rich.status import Status
+
+from instobj.store.run_bar import RunBar
 
 NEWS_EVERY_S = 4.0
 """For code that has news all the time."""
 MOST_SILENT_S = 5.0
-"""Longest time without a change of the live line, s."""
+"""Longest time between two looks whether a log needs a line, s."""
 LOG_EVERY_S = 300.0
 """Least time between two steps that a log shows, s: a log is read afterwards, not watched."""
 _shown = Event()
@@ -30,23 +31,40 @@ def show_progress() -> None:
 class ProgressLine:
     """Line that shows what the stage at work is doing now; `step` is handed to the stages.
 
-    On a terminal a stage that says nothing for 5 s shows its last step again with the time it has
-    taken. In a log a step is written once in 5 min at most.
+    On a terminal a bar shows the step and its time. In a log a step is written once in 5 min at
+    most, again where the stage is silent.
     """
 
     console: Console = field(
         default_factory=lambda: Console(stderr=True, highlight=False, quiet=not _shown.is_set())
     )
-    status_shown: Status | None = None
+    bar: RunBar | None = None
     _title: str = ""
     _step: str = ""
     _started: float = 0.0
     _told: float = 0.0
     _logged: float = field(default_factory=time.perf_counter)
 
+    @property
+    def watched(self) -> bool:
+        """True where lines go to a terminal and are not silenced."""
+        return self.console.is_terminal and not self.console.quiet
+
+    @contextmanager
+    def whole_run(self, due: Sequence[tuple[str, float]]) -> Iterator[None]:
+        """Show one bar for the stages `due` (title, expected seconds) where someone watches."""
+        if not self.watched:
+            yield
+            return
+        with RunBar(self.console, due) as self.bar:
+            try:
+                yield
+            finally:
+                self.bar = None
+
     @contextmanager
     def stage(self, title: str) -> Iterator[None]:
-        """Show `title` while the stage works; the live line is one, however stages lie in each other."""
+        """Show `title` while the stage works; the bar is one, however stages lie in each other."""
         outer = self._title, self._step, self._started
         self._title, self._step = title, ""
         self._started = self._told = time.perf_counter()
@@ -54,7 +72,7 @@ class ProgressLine:
             if outer[0]:
                 yield
                 return
-            with self._live_line(title), self._reminder():
+            with self._live(title), self._reminder():
                 yield
         finally:
             self._title, self._step, self._started = outer
@@ -65,8 +83,8 @@ class ProgressLine:
         title = ": ".join(filter(None, (self._title, message)))
         elapsed = self._told - self._started
         line = f"{title} [dim]({elapsed:.0f} s)[/dim]" if self._title else message
-        if self.status_shown is not None:
-            self.status_shown.update(line)
+        if self.bar is not None:
+            self.bar.show(title)
         elif self._told - self._logged >= LOG_EVERY_S:
             self._log(f"  … {line}")
 
@@ -85,19 +103,19 @@ class ProgressLine:
         sys.stderr.flush()
 
     @contextmanager
-    def _live_line(self, title: str) -> Iterator[None]:
-        if not self.console.is_terminal:
+    def _live(self, title: str) -> Iterator[None]:
+        """Show the stage in the run's bar, or in one of its own."""
+        with nullcontext() if self.bar is not None else self.whole_run([]):
+            if self.bar is not None:
+                self.bar.begin(title)
             yield
-            return
-        with self.console.status(title) as self.status_shown:
-            try:
-                yield
-            finally:
-                self.status_shown = None
 
     @contextmanager
     def _reminder(self) -> Iterator[None]:
-        """Print the last step again wherever nothing was printed for a while."""
+        """Write the last step again wherever a log got no line for a while."""
+        if self.bar is not None:  # it shows the time by itself
+            yield
+            return
         ended = Event()
 
         def remind() -> None:

@@ -9,6 +9,7 @@ import csv
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -94,22 +95,14 @@ def _path(path: Path) -> Path:
     return path
 
 
-def _manifest(path: Path) -> BuildManifest:
-    from design.build.manifest import BuildManifest
-
-    return BuildManifest.read(path.parent)
-
-
-def _mesh(path: Path) -> TetMesh:
-    from fem.mesh.tetrahedra import load_mesh
-
-    return load_mesh(path)
+def _reader(module: str, name: str) -> Callable[[Path], Any]:
+    """Return a reader by its module and name, imported when it first reads: many are slow to load."""
+    return lambda path: getattr(import_module(module), name)(path)
 
 
-def _response(path: Path) -> ResponseOperator:
-    from fem.linear.response import load_response
-
-    return load_response(path.parent)
+def _folder_reader(module: str, name: str) -> Callable[[Path], Any]:
+    """The same of a reader that takes the folder of several files."""
+    return lambda path: _reader(module, name)(path.parent)
 
 
 def _correction(path: Path) -> StrainCorrection | None:
@@ -119,74 +112,39 @@ def _correction(path: Path) -> StrainCorrection | None:
     content = _json(path)["correction"]
     if content is None:
         return None
-    return StrainCorrection(
-        content["thickness_mm"],
-        tuple(content["force"]),
-        tuple(content["shift"]),
-        tuple(content["rotation"]),
-    )
-
-
-def _presses(path: Path) -> tuple[PressForces, MagnetMotions]:
-    from fem.presses.results import load_presses
-
-    return load_presses(path)
-
-
-def _forces(path: Path) -> PressForces:
-    from fem.presses.compliance_map import load_forces
-
-    return load_forces(path)
-
-
-def _shear(path: Path) -> ShearMotions:
-    from fem.presses.shear import load_shear
-
-    return load_shear(path)
-
-
-def _signals(path: Path) -> Signals:
-    from estimator.signals.presses import load_signals
-
-    return load_signals(path)
-
-
-def _scores(path: Path) -> PlaceScores:
-    from estimator.information.scores import load_scores_csv
-
-    return load_scores_csv(path)
-
-
-def _robustness(path: Path) -> Robustness:
-    from estimator.tolerances.result import load_robustness
-
-    return load_robustness(path)
-
-
-def _frames(path: Path) -> FrameSet:
-    from estimator.frames.dataset import load_frames
-
-    return load_frames(path)
-
-
-def _face_model(path: Path) -> FaceModel:
-    from estimator.networks.face_model import load_model
-
-    return load_model(path)
+    lists = (tuple(content[name]) for name in ("force", "shift", "rotation"))
+    return StrainCorrection(content["thickness_mm"], *lists)
 
 
 def _face_models(path: Path) -> dict[int, FaceModel]:
     """Estimators by face."""
-    from estimator.networks.face_model import load_model
-
-    models = [load_model(model_path) for model_path in face_model_paths(path.parent)]
+    models = [_face_model(model_path) for model_path in face_model_paths(path.parent)]
     return {model.face: model for model in models}
 
 
-def _inversion(path: Path) -> Inversion:
-    from estimator.inversion.storage import load_inversion
+_mesh: Callable[[Path], TetMesh] = _reader("fem.mesh.tetrahedra", "load_mesh")
+_response: Callable[[Path], ResponseOperator] = _folder_reader(
+    "fem.linear.response", "load_response"
+)
+_presses: Callable[[Path], tuple[PressForces, MagnetMotions]] = _reader(
+    "fem.presses.results", "load_presses"
+)
+_forces: Callable[[Path], PressForces] = _reader("fem.presses.results", "load_forces")
+_shear: Callable[[Path], ShearMotions] = _reader("fem.presses.shear", "load_shear")
+_signals: Callable[[Path], Signals] = _reader("estimator.signals.presses", "load_signals")
+_scores: Callable[[Path], PlaceScores] = _reader("estimator.information.scores", "load_scores_csv")
+_robustness: Callable[[Path], Robustness] = _reader(
+    "estimator.tolerances.result", "load_robustness"
+)
+_frames: Callable[[Path], FrameSet] = _reader("estimator.frames.dataset", "load_frames")
+_face_model: Callable[[Path], FaceModel] = _reader("estimator.networks.face_model", "load_model")
+_inversion: Callable[[Path], Inversion] = _reader("estimator.inversion.storage", "load_inversion")
 
-    return load_inversion(path)
+
+def _manifest(folder_file: Path) -> BuildManifest:
+    from design.build.manifest import BuildManifest
+
+    return BuildManifest.read(folder_file.parent)
 
 
 MANIFEST = ResultFile("build", "manifest.json", _manifest)
@@ -210,7 +168,7 @@ PRESSES = ResultFile("presses", "presses.nc", _presses)
 CORE_TENSION = ResultFile("presses", "core_tension.json", _json_if_there)
 PLAIN_MESH = ResultFile("plain_mesh", "mesh.npz", _mesh)
 PLAIN_RESPONSE = ResultFile("plain_response", "surfaces.npz", _response)
-PLAIN_FORCES = ResultFile("plain_presses", "forces.npz", _forces)
+PLAIN_FORCES = ResultFile("plain_presses", "forces.nc", _forces)
 COMPLIANCE = ResultFile("compliance", "compliance.csv", _rows, published=True)
 COMPLIANCE_MAPS = ResultFile("compliance", "maps/*.png", _path, published=True)
 INTERPOLATION_ERROR = ResultFile("candidates", "interpolation_error.json", _json)
@@ -258,7 +216,7 @@ OVER_TIME_PICTURE = ResultFile("metrics", "metrics/over_time.png", _path, publis
 SURROUNDINGS = ResultFile("surroundings", "surroundings.json", _json)
 PRESS_CURVES = ResultFile("press_curves", "press_curves.json", _json)
 PRESS_CURVES_PICTURE = ResultFile("press_curves", "press_curves.png", _path)
-TIED_COMPLIANCE_MAP = ResultFile("tied_compliance", "compliance.png", _path)
+TIED_COMPLIANCE_MAP = ResultFile("press_curves", "compliance.png", _path)
 ALTERNATIVES = ResultFile("alternatives", "alternatives.json", _json)
 SLIP = ResultFile("slip", "slip.json", _json, published=True)
 SLIP_PICTURE = ResultFile("slip", "slip.png", _path, published=True)

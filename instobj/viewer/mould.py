@@ -11,7 +11,7 @@ from jaxtyping import Float
 
 from design.layout.mould.frame import mould_frame, parting
 from design.spec.object import ObjectSpec
-from instobj.render.parts import load_stl
+from instobj.render.pieces import load_stl
 
 if TYPE_CHECKING:
     import trimesh

@@ -19,7 +19,7 @@ from design.layout.body import face_frames
 from design.layout.mould.frame import mould_frame
 from design.layout.places.positions import MagnetLayout, magnet_layout, sensor_layout
 from design.spec.object import ObjectSpec
-from instobj.render.parts import load_stl
+from instobj.render.pieces import load_stl
 from instobj.viewer.archive import Stepped, stepped
 from instobj.viewer.mould import mould_pieces
 from instobj.viewer.surface import Shaded, shaded_part

@@ -18,6 +18,7 @@ from torch import Tensor, nn
 from estimator.field.device import one_thread
 from estimator.frames.dataset import FrameSet
 from estimator.frames.face_data import FaceData, channel_counts
+from estimator.networks.defaults import INTERVAL_COVER
 from estimator.networks.face_model import Architecture, FaceModel
 from estimator.networks.intervals.held_out import Fold, assembled
 from estimator.networks.network import Reading
@@ -102,9 +103,11 @@ def fit_paper(
     scale = float(member.get_buffer("force_scale_n"))
     batches = [batch_of(part, channels, scale, 1) for part in (train, held_out)]
     _fit(member, batches[0], batches[1], settings, progress)
-    folds, coverage = [Fold(member, None, None, train, held_out)], settings.training.coverage
+    folds = [Fold(member, None, None, train, held_out)]
     everything = joined(train, held_out)
-    network, presses = assembled(folds, everything, None, None, channels, coverage, settings.seed)
+    network, presses = assembled(
+        folds, everything, None, None, channels, INTERVAL_COVER, settings.seed
+    )
     grids = train_frames.grid_x_mm, train_frames.grid_y_mm
     built = Architecture(HIDDEN_UNITS)
     return FaceModel("paper", settings.face, channels, *grids, built, 0, coverage, presses, network)

@@ -174,12 +174,12 @@ def calibrated_parts(
     """
     from estimator.calibration.twin.digital_twin import calibrate
     from estimator.calibration.twin.pressed_places import pressed_places, within_reach
-    from estimator.calibration.twin.pretraining import with_calibrated_presses
+    from estimator.calibration.twin.pretraining import calibrated_frames, with_presses_of_twin
 
     reached = within_reach(parts[0], recorded.design_presses[0], face)
     seen = pressed_places(recorded.design, reached, face)
     twin = calibrate(recorded.design, *recorded.design_presses, seen)
-    return with_calibrated_presses(twin, parts, draws), parts[1]
+    return with_presses_of_twin(parts, calibrated_frames(twin, draws)), parts[1]
 
 
 def fitted_to_split(

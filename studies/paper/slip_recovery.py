@@ -9,14 +9,13 @@ magnets and sensors were off the design before it.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from estimator.calibration.pose_fit import BOUNDS, LARGEST_SHIFT_MM, Calibration
-from estimator.calibration.pose_fit import PRIOR as PRIOR_OF_NUISANCES
+from estimator.calibration.most_probable import Values, most_probable
+from estimator.calibration.pose_fit import CORE, LARGEST_SHIFT_MM, Calibration
 from estimator.field.models import magnets_model
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.signals.field_setup import min_distance_mm
@@ -24,8 +23,6 @@ from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.presses import Signals
 from estimator.tolerances.assembly import Assembly, counts_of, designed
 
-PRIOR, _LARGEST = np.array(PRIOR_OF_NUISANCES[:6]), np.array(BOUNDS[:6])
-"""Standard deviations and largest values of the slip: shift (mm) and rotation vector (degrees)."""
 _MODEL_ERROR = 0.1
 """Error of the predicted change over its rms: magnets and sensors are off the design."""
 _CHUNK_FRAMES = 4000
@@ -54,8 +51,6 @@ def slip_from_rest(
     `noise_counts` is how uncertain each change is, drift since the first zero included. On twins of
     the paper's cube a slip of 1 mm is found within 0.1 mm and 0.5°.
     """
-    from scipy.optimize import least_squares
-
     design, known = designed(spec), np.isfinite(change_counts)
     rest = np.zeros((1, design.scene.bodies, 6))
     nearest = min_distance_mm(design.scene, rest) - LARGEST_SHIFT_MM
@@ -64,22 +59,14 @@ def slip_from_rest(
     rms = float(np.sqrt(np.mean(change_counts[known] ** 2)))
     sigma = np.hypot(noise_counts, _MODEL_ERROR * rms)
 
-    def missing(scaled: Float[np.ndarray, "6"]) -> Float[np.ndarray, "known"]:
-        x, y, z, a, b, c = (scaled * PRIOR).tolist()
-        moved = FoundSlip((x, y, z), (a, b, c), 0.0).applied(design).scene
+    def missing(values: Values) -> Float[np.ndarray, "known"]:
+        moved = Calibration.of(values).applied(design).scene
         found = counts_of(spec, moved, rest, model)[0] - before
         return (change_counts - found)[known]
 
-    bounds = _LARGEST / PRIOR
-    found: Any = least_squares(
-        lambda scaled: np.concatenate([missing(scaled) / sigma, scaled]),
-        np.zeros(6),
-        bounds=(-bounds, bounds),
-        diff_step=1e-4,
-    )
-    x, y, z, a, b, c = (found.x * PRIOR).tolist()
-    left = float(np.sqrt(np.mean(missing(found.x) ** 2))) / rms
-    return FoundSlip((x, y, z), (a, b, c), left)
+    values = most_probable(lambda v: missing(v) / sigma, CORE, diff_step=1e-4).values
+    slip, left = Calibration.of(values), float(np.sqrt(np.mean(missing(values) ** 2))) / rms
+    return FoundSlip(slip.shift_mm, slip.rotation_deg, left)
 
 
 def carried_over(frames: FrameSet, before: Signals, after: Signals) -> FrameSet:

@@ -1,1 +1,1 @@
-"""Questions about one recording, each answered once: conventions, interface of the core, loading cycles."""
+"""Questions about one recording, each answered once: conventions, the core's interface, cycles, places."""

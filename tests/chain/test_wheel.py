@@ -24,9 +24,9 @@ CHAIN = """
 import json, sys
 from instobj.cli.app import main
 from instobj.figures import saving
-from instobj.render import parts
+from instobj.render import raster
 
-saving.DPI, parts.PIXELS = 60, 400
+saving.DPI, raster.PIXELS = 60, 400
 for words in json.loads(sys.argv[1]):
     sys.argv = ["instobj", *words]
     try:

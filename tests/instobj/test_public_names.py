@@ -16,7 +16,9 @@ from design.errors import InputError
 from design.layout.places.positions import magnet_layout
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import save_frames
+from estimator.inversion.storage import save_inversion
 from instobj.store import readers
+from tests.support.mechanics.inverted import inverted
 from tests.support.objects.tiny_cube import lend_mechanics, tiny_cube
 
 INIT = Path(instobj.__file__)
@@ -52,6 +54,7 @@ def place(tmp_path_factory):
         patch.setenv("INSTOBJ_STORE", str(folder / "store"))
         lend_mechanics(folder / "store")
         save_frames(instobj.Run(TINY).frames, "frames.nc")
+        save_inversion(inverted(), "contacts.nc")
         yield folder
 
 

@@ -101,7 +101,7 @@ def _written(
     """What `[body]` takes of a surface (mm) once it is written in some unit."""
     unit, path = list(MM)[rng.integers(len(MM))], folder / "foreign.stl"
     surface.copy().apply_scale(1 / MM[unit]).export(path)
-    return {"unit": unit, "scale": scale} | body_of_file(path, MM[unit] * scale)
+    return {"scale": MM[unit] * scale} | body_of_file(path, MM[unit] * scale)
 
 
 def _request(rng: np.random.Generator, kind: str, folder: Path) -> Request:
@@ -111,7 +111,7 @@ def _request(rng: np.random.Generator, kind: str, folder: Path) -> Request:
     if kind == "imported":
         longest = float(np.exp(rng.uniform(np.log(40), np.log(160))))
         body = _written(rng, foreign_shape(rng, longest), folder)
-        keys = tuple((key, body[key]) for key in ("file", "unit", "scale"))
+        keys = tuple((key, body[key]) for key in ("file", "scale"))
         return Request(kind, tuple(body["size_mm"]), sensors, magnets, keys)
     return Request(kind, _size_mm(rng, kind), sensors, magnets)
 

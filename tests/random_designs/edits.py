@@ -68,13 +68,11 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("shell.pocket_diameter_mm", _plus(-0.5, 3.0), KINDS),
     ("shell.pocket_depth_mm", _times(0.6, 1.8), KINDS),
     ("shell.seal_layer_mm", _from(0.2, 1.5), KINDS),
-    ("shell.dent_mm", _from(0.05, 0.4), KINDS),
     ("core.wall_mm", _times(0.7, 1.9), KINDS),
     ("core.recess_width_mm", _times(0.9, 1.5), KINDS),
     ("core.recess_inner_radius_mm", _plus(-2.5, 1.0), KINDS),
     ("core.recess_outer_radius_mm", _plus(-1.0, 4.0), KINDS),
     ("core.recess_depth_mm", _plus(-0.7, 1.6), KINDS),
-    ("core.hub_radius_mm", _times(0.5, 2.2), KINDS),
     ("core.wire_hole_top_diameter_mm", _times(0.6, 2.2), KINDS),
     ("core.wire_hole_side_diameter_mm", _times(0.4, 2.0), KINDS),
     ("core.wire_channel_width_mm", _from(0.6, 2.5), KINDS),
@@ -91,7 +89,6 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("sensors.package_mm", _edges((3, 3, 0.8), (9, 8, 2)), KINDS),
     ("sensors.chip_mm", _edges((1.5, 1.5, 0.6), (4, 4, 1.6)), KINDS),
     ("sensors.chip", _one_of("outward", "inward"), KINDS),
-    ("sensors.mount_rotation_deg", _one_of([0, 0, 45], [0, 0, 90], [180, 0, 0]), KINDS),
     ("sensors.part", _one_of("TMAG5273A2", "TMAG5273A1"), KINDS),
     ("body.sensed_faces", _some_faces, ("box", "cylinder", *_BORED)),
     ("body.open_faces", _one_of([], [1], [4], [3, 6], [1, 2], [2, 3, 6], [1, 6]), ("box",)),
@@ -103,13 +100,9 @@ KEYS: tuple[tuple[str, Value, tuple[str, ...]], ...] = (
     ("mould.style", _one_of("split", "one-piece"), KINDS),
     ("mould.wall_mm", _times(0.6, 3.5), KINDS),
     ("mould.parting_azimuth_deg", _from(-180.0, 180.0), KINDS),
-    ("mould.flange_mm", _from(3.0, 14.0), KINDS),
-    ("mould.draft_deg", _from(0.0, 6.0), KINDS),
     ("mould.pour_mm", _from(2.5, 12.0), KINDS),
-    ("mould.magnet_templates", _one_of("all", "flat"), KINDS),
     ("printer.name", _one_of("fdm-0.25", "resin", "sls"), KINDS),
     ("printer.wall_mm", _from(0.4, 1.6), KINDS),
-    ("printer.feature_mm", _from(0.3, 1.6), KINDS),
     ("printer.hole_mm", _from(0.5, 2.0), KINDS),
     ("printer.clearance_mm", _from(0.05, 0.4), KINDS),
     ("silicone.name", _one_of("Ecoflex 00-30", "Dragon Skin 10", "Dragon Skin 30"), KINDS),
@@ -243,8 +236,8 @@ def _sensors_moved(rng: np.random.Generator, tables: dict[str, Any]) -> None:
 
 
 def _slits(rng: np.random.Generator, tables: dict[str, Any]) -> None:
-    width, depth, end = rng.uniform([0.6, 1.0, 2.0], [2.5, 7.0, 12.0]).round(2).tolist()
-    put(tables, "shell.slits", {"width_mm": width, "depth_mm": depth, "end_mm": end})
+    width, depth = rng.uniform([0.6, 1.0], [2.5, 7.0]).round(2).tolist()
+    put(tables, "shell.slits", {"width_mm": width, "depth_mm": depth})
 
 
 def _keys(rng: np.random.Generator, tables: dict[str, Any]) -> None:

@@ -58,7 +58,7 @@ def _file(rng: np.random.Generator, folder: Path, smooth: bool) -> Options:
     surface = _smooth(rng, longest) if smooth else foreign_shape(rng, longest)
     unit, path = list(MM)[rng.integers(len(MM))], folder / "body.stl"
     surface.apply_scale(1 / MM[unit]).export(path)
-    return {"file": str(path), "unit": unit}
+    return {"file": str(path), "scale": MM[unit]}
 
 
 def _smooth(rng: np.random.Generator, longest_mm: float) -> trimesh.Trimesh:

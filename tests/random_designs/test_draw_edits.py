@@ -9,7 +9,6 @@ import pytest
 import trimesh
 
 from design.layout.places.fractions import with_places_in_mm
-from design.spec.body import MM
 from design.spec.object import ObjectSpec
 from tests.random_designs import __main__ as command
 from tests.random_designs.draw import KINDS, kind_of
@@ -47,7 +46,7 @@ def test_edited_keys_are_keys_of_the_specification():
             fields = fields[name].annotation.model_fields
         assert where.split(".")[-1] in fields, where
     assert len({where for where, _, _ in KEYS}) > 40
-    assert all(sum(kind in kinds for _, kinds in EDITS) > 50 for kind in KINDS)
+    assert all(sum(kind in kinds for _, kinds in EDITS) > 40 for kind in KINDS)
 
 
 @pytest.mark.parametrize("kind", ["box", "pad", "capsule", "dome"])
@@ -65,7 +64,7 @@ def test_one_edit_leaves_what_the_schema_takes(kind):
 def test_values_are_those_given_or_the_defaults():
     tables = {"shell": {"thickness_mm": 5.0}}
     assert value_of(tables, "shell.thickness_mm") == 5.0
-    assert value_of(tables, "shell.slits.end_mm") == ObjectSpec(name="x").shell.slits.end_mm
+    assert value_of(tables, "shell.slits.width_mm") == ObjectSpec(name="x").shell.slits.width_mm
     assert value_of(tables, "magnets.depth_mm") is None
 
 
@@ -85,8 +84,8 @@ def test_foreign_shapes_are_as_long_as_asked():
 def test_a_file_in_another_unit_is_read_as_large_as_it_was(tmp_path):
     body = drawn(A_PEAR, tmp_path)["body"]
     assert body["kind"] == kind_of(A_PEAR)
-    assert body["unit"] != "mm"
-    written = trimesh.load_mesh(body["file"]).extents * body["scale"] * MM[body["unit"]]
+    assert body["scale"] > 2.0
+    written = trimesh.load_mesh(body["file"]).extents * body["scale"]
     assert body["size_mm"] == pytest.approx(written.tolist(), rel=1e-5)
     assert max(body["size_mm"]) > 50
 

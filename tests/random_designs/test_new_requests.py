@@ -8,7 +8,6 @@ import trimesh
 
 from design.errors import SpecError
 from design.fabrication.finding import Finding
-from design.spec.body import MM
 from tests.random_designs import new_requests
 from tests.random_designs.draw import KINDS
 from tests.random_designs.new_requests import asked, drawn, named
@@ -31,7 +30,7 @@ def test_a_seed_is_one_request_within_a_hand(tmp_path):
         assert 1 <= options["sensors"] <= 4
         if kind == "imported":
             surface = trimesh.load_mesh(options["file"])
-            assert 30 <= max(surface.extents) * MM[options["unit"]] <= 150
+            assert 30 <= max(surface.extents) * options["scale"] <= 150
         else:
             assert 9 <= min(options["size_mm"]) <= max(options["size_mm"]) <= 112.1
 

@@ -33,7 +33,6 @@ BALL = {
     "core": {
         "recess_inner_radius_mm": 2.4,
         "recess_outer_radius_mm": 8.9,
-        "hub_radius_mm": 1.5,
         "wire_hole_top_diameter_mm": 2.0,
         "wall_mm": 5.5,
     },
@@ -201,7 +200,6 @@ def test_a_wire_hole_of_a_core_without_a_cavity_ends_at_its_axis():
                 "wall_mm": 5.5,
                 "wire_hole_top_diameter_mm": 2.5,
                 "wire_hole_side_diameter_mm": 3.0,
-                "hub_radius_mm": 1.5,
             },
             "sensors": {"positions_mm": [[-8.24, 0.0], [8.24, 0.0]]},
             "press": {"depths_mm": [0.5, 1.0]},

@@ -105,13 +105,12 @@ def test_resting_cosines_count_chips_that_answer_on_all_axes():
             assert found[row, column, straight] == pytest.approx(by_hand(board, order))
 
 
-def test_nuisances_are_scaled_by_their_priors_and_strengths_are_logarithms():
-    found = pose_fit.pose_calibration(np.array([0.5, -1, 2, 1, 0, -1, 1, -2.0]))
-    assert found.shift_mm == (0.5, -1.0, 2.0)
-    assert found.rotation_deg == (3.0, 0.0, -3.0)
+def test_nuisances_that_are_not_freed_are_as_designed_and_scales_are_logarithms():
+    values = {"rotation_deg": np.array([3.0, 0, -3]), "ln_remanence": np.array(0.02)}
+    found = Calibration.of(values)
+    assert (found.shift_mm, found.rotation_deg) == ((0.0, 0.0, 0.0), (3.0, 0.0, -3.0))
     assert found.remanence_scale == pytest.approx(np.exp(0.02))
-    assert found.modulus_scale == pytest.approx(np.exp(-1.0))
-    assert isinstance(found, Calibration)
+    assert found.modulus_scale == 1.0
 
 
 def presses(case):
@@ -145,7 +144,7 @@ def test_what_a_model_leaves_is_a_root_share_of_all_recorded_squares(monkeypatch
     )
     monkeypatch.setattr(pose_fit, "mean_own_cosine", lambda problem, recorded, predicted: 0.25)
     found = pose_fit.judged_pose.__wrapped__(
-        problem, [np.array([1]), np.array([0])], given.case, ()
+        problem, [np.array([1]), np.array([0])], given.case, {}
     )
     assert found.own_cosine == 0.25
     assert found.left == pytest.approx(np.sqrt((1 + 1) / 25))

@@ -45,7 +45,7 @@ class BodyKind(ABC):
     bore_mm: float = 0.0
     inside: Inside = "core"
     file: str | None = None
-    mm_per_unit: float = 1.0
+    scale: float = 1.0
 
     name: ClassVar[str]
     """Name of the kind, in `body.kind`."""

@@ -29,7 +29,6 @@ class Cylinder(BodyKind):
         "body.open_faces": "[6], [1] or both: ends at which the core's cavity runs out; []: closed",
         "shell.slits": "relief slits halfway between the sides 2 to 5",
         "shell.slits.depth_mm": "from the surface inwards; 0: none",
-        "shell.slits.end_mm": "how far before the ends they stop",
     }
 
     @classmethod

@@ -24,4 +24,4 @@ class Imported(OffsetBody):
         return None
 
     def outer_surface(self) -> trimesh.Trimesh:
-        return read_surface(self.file, self.mm_per_unit)
+        return read_surface(self.file, self.scale)

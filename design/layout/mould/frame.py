@@ -40,6 +40,8 @@ _AS_GOOD = 1e-4
 """Share of the surface by which an undercut may grow for a plane through the origin."""
 FLANGE_THICKNESS_MM = 4.0
 """Thickness of each of the two flanges along the seam, one on either side of it."""
+_FLANGE_WIDTH_MM = 8.0
+"""Usual width of a flange: chosen, with walls of 1.9 mm next to its dowels."""
 DOWEL_DIAMETER_MM, BOLT_HOLE_MM = 4.0, 3.4
 """Diameters of the dowels and of the holes for M3 bolts (ISO 273, medium fit) in the flanges' middle."""
 _SLOPE = np.sin(np.deg2rad(2.0))
@@ -105,10 +107,10 @@ def mould_style(spec: ObjectSpec) -> Literal["one-piece", "split"]:
     return "one-piece" if opening_of(spec) == "open" else "split"
 
 
-def flange_wall_mm(spec: ObjectSpec) -> float:
-    """Wall of a flange on either side of a bolt's hole or a dowel's, whichever is wider."""
+def flange_width_mm(spec: ObjectSpec) -> float:
+    """Width of a flange: its usual one, or what the printer's walls next to bolts and dowels need."""
     widest = max(BOLT_HOLE_MM, DOWEL_DIAMETER_MM + 2 * spec.printer.clearance_mm)
-    return (spec.mould.flange_mm - widest) / 2
+    return max(_FLANGE_WIDTH_MM, widest + 2 * spec.printer.wall_mm)
 
 
 @cached_geometry

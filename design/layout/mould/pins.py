@@ -330,5 +330,5 @@ def _leaving(seat: np.ndarray, top: np.ndarray, wall_mm: float) -> np.ndarray:
 
 
 def least_rim_mm(spec: ObjectSpec) -> float:
-    """Least rim of a pin's head: half of the printer's smallest feature."""
-    return spec.printer.feature_mm / 2
+    """Least rim of a pin's head: half of the printer's thinnest wall."""
+    return spec.printer.wall_mm / 2

@@ -18,6 +18,7 @@ from design.layout.body import body_of
 from design.layout.mould.frame import (
     FLANGE_THICKNESS_MM,
     Parting,
+    flange_width_mm,
     mould_frame,
     mould_style,
     parting,
@@ -85,7 +86,7 @@ def hole_from(
 
 def far_mm(spec: ObjectSpec) -> float:
     """A length that leaves the mould from anywhere in it."""
-    return 3 * max(spec.body.size_mm) + spec.mould.flange_mm + spec.mould.wall_mm
+    return 3 * max(spec.body.size_mm) + flange_width_mm(spec) + spec.mould.wall_mm
 
 
 def pour_holes(
@@ -287,7 +288,7 @@ def _thin_in_a_flange(spec: ObjectSpec, hole: Hole) -> bool:
     place = path @ frame.axes
     beyond = np.maximum(frame.low_mm - place, place - frame.high_mm)[:, :2].max(axis=1)
     left, right = seam_ends_mm(spec)
-    middle, half = (left + right) / 2, (right - left) / 2 + spec.mould.flange_mm
+    middle, half = (left + right) / 2, (right - left) / 2 + flange_width_mm(spec)
     across = abs(path @ np.cross(frame.out, plane.normal) - middle)
     inside = (beyond > -radius) & (across < half + radius) & (place[:, 2] < frame.rim_mm + radius)
     if not inside.any():

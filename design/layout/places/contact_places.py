@@ -4,8 +4,9 @@ Faces differ in size and shape; tables of presses do not. So all faces take thei
 centred lattice, as large as the largest face needs, and each has a mask of the locations that lie on it. Its
 steps are lengths along the surface (`design.body.section_lengths`), so that locations lie evenly on
 curved faces too.
-With `contact_grid.count = "fill"` these are all at which the tip and half a pitch round it stay
-on the face, with a pair of counts all of the lattice on every face.
+With `contact_grid.count = "fill"` these are all at which the tip lands on the face, anywhere within
+half a pitch, with a pair of counts all of the lattice on every face. Over the border of a flat face
+the tip may hang; on a curved patch all that it touches stays.
 """
 
 from __future__ import annotations
@@ -186,17 +187,23 @@ def nodes_of_parity(free: Bool[np.ndarray, "face i j"], odd: tuple[bool, bool]) 
 def tip_stays(
     spec: ObjectSpec, frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"]
 ) -> Bool[np.ndarray, "node"]:
-    """Return whether the tip, pressed at places down to the deepest step, stays on the face."""
-    footprint = footprint_mm(spec.indenter)
+    """Return whether the tips, pressed at places down to the deepest step, land on the face.
+
+    On a flat face the lowest point of each must; what hangs over the border presses nothing, as over
+    the ends of a cylinder. Where slits cut the edges the whole outline must stay on the face, and
+    elsewhere on a curved patch what touches.
+    """
+    tips = (
+        footprint_mm(spec.indenter) if spec.shell.slits.depth_mm else tip_places_mm(spec.indenter)
+    )
     path = path_mm(spec.indenter, spec.press.depths_mm)[-1]
-    reach = np.maximum(abs(footprint + path), abs(footprint)).max(axis=0)
-    if frame.flat and not frame.round:
-        return np.all(abs(place_mm) + reach <= np.array(frame.half_extents_mm) + 1e-9, axis=1)
-    stays = stays_on_patch(frame, place_mm, touched_reach_mm(spec))
-    if frame.flat:
+    reach = np.maximum(abs(tips + path), abs(tips)).max(axis=0)
+    if not frame.flat:
+        return stays_on_patch(frame, place_mm, touched_reach_mm(spec))
+    if frame.round:
         radius = min(frame.half_extents_mm) - _ROUND_MARGIN_MM
-        stays &= np.linalg.norm(place_mm, axis=1) + np.linalg.norm(reach) / np.sqrt(2) <= radius
-    return stays
+        return np.linalg.norm(place_mm, axis=1) + np.linalg.norm(reach) <= radius
+    return np.all(abs(place_mm) + reach <= np.array(frame.half_extents_mm) + 1e-9, axis=1)
 
 
 def touched_reach_mm(spec: ObjectSpec) -> float:
@@ -211,7 +218,7 @@ def touched_reach_mm(spec: ObjectSpec) -> float:
 def stays_on_patch(
     frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"], reach_mm: float
 ) -> Bool[np.ndarray, "node"]:
-    """Return whether disks that touch the surface at places stay on the patch all round."""
+    """Return whether disks that touch the surface at places stay on the patch, or reach beyond the body."""
     xy_mm = frame.to_plane(place_mm)
     stays = frame.covers(xy_mm)
     if not stays.any():
@@ -225,6 +232,9 @@ def stays_on_patch(
     points = touching[:, None] + np.einsum("pij,rj->pri", axes, ring)
     normals = np.repeat(axes[:, :, 2], len(ring), axis=0)
     rim = frame.project_along(points.reshape(-1, 3), normals)
-    on_patch = frame.covers(np.where(np.isfinite(rim), rim, np.inf)[:, :2])
+    # where the body itself ends a disk may hang over
+    half = np.where(frame.ends, frame.half_extents_mm, np.inf)
+    rim = np.clip(rim[:, :2], -half, half)
+    on_patch = frame.covers(np.where(np.isfinite(rim), rim, np.inf))
     stays[stays] = on_patch.reshape(len(places), -1).all(axis=1)
     return stays

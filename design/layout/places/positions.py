@@ -283,9 +283,7 @@ def rims_of_stack(
 
 def chip_on_board(sensors: SensorSpec) -> Float[np.ndarray, "3 3"]:
     """The chip's axes as columns, in the board's (−tangential, radial, normal)."""
-    rotation = rotation_matrix(sensors.mount_rotation_deg)
-    outward = np.diag([-1.0, 1.0, -1.0])
-    return outward @ rotation if sensors.chip == "outward" else rotation
+    return np.diag([-1.0, 1.0, -1.0]) if sensors.chip == "outward" else np.eye(3)
 
 
 def rotation_matrix(vector_deg: tuple[float, float, float]) -> Float[np.ndarray, "3 3"]:

@@ -1,1 +1,1 @@
-"""Presses of known travel against the model: registration, agreement beside nulls, bound, places read."""
+"""Presses of known travel against the model: registration, agreement beside nulls, freed assumptions."""

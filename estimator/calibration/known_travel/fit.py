@@ -8,26 +8,40 @@ Gaussian priors, and their field at rest then has to be that level.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Bool, Float
-from scipy.optimize import least_squares
 
 from estimator.calibration.known_travel.model import SYMMETRIES, Pose, TravelModel, Twin
+from estimator.calibration.most_probable import Unknown, Values, most_probable
 from estimator.recordings.formats.travel import TravelRecording
 
+Changes = Float[np.ndarray, "press sensor 3"]
+REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
+"""Of the places; all others are judged."""
 MODEL_ERROR_MT = 0.05
 """Of a change, rms: what registered presses leave on the eFlesh recordings."""
 RESTING_ERROR_MT = 0.1
-MAGNET_SEAT_MM, MAGNET_TILT_RAD, STRENGTH = 1.0, 0.1, 0.1
-"""Prior standard deviations of what is calibrated: magnets lie loosely in printed pouches."""
-POSE_SCALES = (1.0, 1.0, 0.05, 1.0)
-"""Of shift (two), turn and contact: sizes of steps, no priors."""
+_POSE = {
+    "shift_mm": Unknown(1.0, (2,), has_prior=False),
+    "turn_rad": Unknown(0.05, has_prior=False),
+    "contact_mm": Unknown(1.0, has_prior=False),
+}
+"""Pose of the object under the machine."""
 _START_ABOVE_MM = 2.0
 """Height above the highest tip at which the contact plane is first assumed."""
-_ROUNDS, _STARTS_KEPT = 30, 2
-"""Evaluations of a fit, and starts that are refined."""
+_ROUNDS, _FIRST_ROUNDS, _STARTS_KEPT = 30, 6, 2
+"""Evaluations of a fit, of one from every symmetry, and starts that are refined."""
+
+
+@dataclass(frozen=True)
+class Freed:
+    """Assumptions freed beside the pose: their numbers, and the changes (mT) of presses with them."""
+
+    unknowns: Mapping[str, Unknown]
+    change: Callable[[Twin, Values, np.ndarray], Changes]
 
 
 @dataclass(frozen=True)
@@ -46,79 +60,89 @@ def drawn_places(recording: TravelRecording, share: float, seed: int) -> Bool[np
     return np.isin(recording.place_id, chosen)
 
 
+def fits_and_judged(
+    model: TravelModel, recording: TravelRecording, seed: int
+) -> dict[str, tuple[Fitted, TravelRecording, TravelRecording]]:
+    """Registered on few of the places and calibrated on some more; each with the presses that it was
+    made on and all others, by which it is judged."""
+    found = {}
+    for name, share in (("registered", REGISTERED_SHARE), ("calibrated", CALIBRATED_SHARE)):
+        shown = drawn_places(recording, share, seed)
+        part, judged = recording.select(shown), recording.select(~shown)
+        fitted = register(model, part)
+        if name == "calibrated":
+            fitted = calibrate(model, part, fitted.twin)
+        found[name] = fitted, part, judged
+    return found
+
+
 def register(model: TravelModel, recording: TravelRecording) -> Fitted:
     """Pose of the designed object, of all symmetries that which leaves least."""
     middle = (recording.tip_mm[:, :2].min(axis=0) + recording.tip_mm[:, :2].max(axis=0)) / 2
     contact = float(recording.tip_mm[:, 2].max()) + _START_ABOVE_MM
-    found = [
-        fit_twin(
-            model,
-            recording,
-            model.as_designed(Pose(middle, 0.0, contact, k)),
-            POSE_NUMBERS,
-            rounds=6,
-        )
-        for k in range(len(SYMMETRIES))
-    ]
+    starts = [model.as_designed(Pose(middle, 0.0, contact, k)) for k in range(len(SYMMETRIES))]
+    found = [fit_pose(model, recording, start, _FIRST_ROUNDS) for start in starts]
     found.sort(key=lambda fitted: fitted.left_mt)
-    better = [fit_twin(model, recording, one.twin, POSE_NUMBERS) for one in found[:_STARTS_KEPT]]
+    better = [fit_pose(model, recording, one.twin) for one in found[:_STARTS_KEPT]]
     return min(better, key=lambda fitted: fitted.left_mt)
+
+
+def fit_pose(
+    model: TravelModel, recording: TravelRecording, start: Twin, rounds: int = _ROUNDS
+) -> Fitted:
+    """The start with its pose fitted alone."""
+    pose_alone = Freed({}, lambda twin, _, tip: model.pressed(twin, tip))
+    return fit_beside_pose(start, pose_alone, recording, rounds)[0]
 
 
 def calibrate(model: TravelModel, recording: TravelRecording, start: Twin) -> Fitted:
     """Pose, places and tilts of the magnets and their strength, from a registered twin."""
-    return fit_twin(model, recording, start, _ALL)
+    return fit_beside_pose(start, freed_magnets(model), recording, resting=model.resting)[0]
 
 
-def left_over(
-    model: TravelModel, fitted: Fitted, recording: TravelRecording
-) -> Float[np.ndarray, "press sensor 3"]:
+def freed_magnets(model: TravelModel) -> Freed:
+    """Seats, tilts and common strength of the magnets, which lie loosely in printed pouches."""
+    count = len(model.scene.magnets.face)
+    unknowns = {
+        "magnet_mm": Unknown(1.0, (count, 3)),
+        "tilt_rad": Unknown(0.1, (count, 2)),
+        "ln_strength": Unknown(0.1),
+    }
+    return Freed(unknowns, lambda twin, _, tip: model.pressed(twin, tip))
+
+
+def left_over(model: TravelModel, fitted: Fitted, recording: TravelRecording) -> Changes:
     """Recorded less predicted, mT."""
     return recording.field_mt - fitted.resting_mt - model.pressed(fitted.twin, recording.tip_mm)
 
 
-POSE_NUMBERS, _ALL = "pose", "pose and magnets"
+def fit_beside_pose(
+    start: Twin,
+    freed: Freed,
+    recording: TravelRecording,
+    rounds: int = _ROUNDS,
+    resting: Callable[[Twin], Float[np.ndarray, "sensor 3"]] | None = None,
+) -> tuple[Fitted, Values]:
+    """The start with its pose and what is freed fitted to presses, and the values found.
 
+    `resting` predicts the level at rest, where that is to be met as well.
+    """
 
-def fit_twin(
-    model: TravelModel, recording: TravelRecording, start: Twin, free: str, rounds: int = _ROUNDS
-) -> Fitted:
-    magnets = len(start.magnet_mm)
-    scales = np.array(POSE_SCALES)
-    if free == _ALL:
-        of_magnets = [MAGNET_SEAT_MM] * (3 * magnets) + [MAGNET_TILT_RAD] * (2 * magnets)
-        scales = np.array([*scales, *of_magnets, STRENGTH])
+    def fitted_and_left(values: Values) -> tuple[Fitted, Changes]:
+        twin = start.moved(values)
+        left = recording.field_mt - freed.change(twin, values, recording.tip_mm)
+        level = left.mean(axis=0)
+        return Fitted(twin, level, float(np.sqrt(np.mean((left - level) ** 2)))), left - level
 
-    def residual(numbers: np.ndarray) -> np.ndarray:
-        twin = moved_twin(start, numbers * scales)
-        left = recording.field_mt - model.pressed(twin, recording.tip_mm)
-        resting = left.mean(axis=0)
-        parts = [(left - resting).ravel() / MODEL_ERROR_MT]
-        if free == _ALL:
-            off = (resting - model.resting(twin)).ravel() / RESTING_ERROR_MT
-            parts += [off, numbers[len(POSE_SCALES) :]]
+    def misfit(values: Values) -> Float[np.ndarray, "residual"]:
+        fitted, left = fitted_and_left(values)
+        parts = [left.ravel() / MODEL_ERROR_MT]
+        if resting is not None:
+            off = fitted.resting_mt - resting(fitted.twin)
+            parts.append(off.ravel() / RESTING_ERROR_MT)
         return np.concatenate(parts)
 
-    found = least_squares(
-        residual, np.zeros(len(scales)), max_nfev=rounds, diff_step=1e-3, x_scale=1.0
-    )
-    twin = moved_twin(start, found.x * scales)
-    left = recording.field_mt - model.pressed(twin, recording.tip_mm)
-    resting = left.mean(axis=0)
-    return Fitted(twin, resting, float(np.sqrt(np.mean((left - resting) ** 2))))
-
-
-def moved_twin(start: Twin, numbers: np.ndarray) -> Twin:
-    """The start with all numbers moved: shift, turn, contact, then magnets, tilts, strength."""
-    pose = start.pose.moved(numbers)
-    if len(numbers) == len(POSE_SCALES):
-        return replace(start, pose=pose)
-    magnets = len(start.magnet_mm)
-    seats = numbers[4 : 4 + 3 * magnets].reshape(magnets, 3)
-    tilts = numbers[4 + 3 * magnets : -1].reshape(magnets, 2)
-    return Twin(
-        pose,
-        start.magnet_mm + seats,
-        start.tilt_rad + tilts,
-        start.strength * float(np.exp(numbers[-1])),
-    )
+    values = most_probable(
+        misfit, _POSE | dict(freed.unknowns), max_nfev=rounds, diff_step=1e-3
+    ).values
+    return fitted_and_left(values)[0], values

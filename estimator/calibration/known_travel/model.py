@@ -17,6 +17,7 @@ from scipy.ndimage import map_coordinates, spline_filter
 from design.errors import InputError
 from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
+from estimator.calibration.most_probable import Values
 from estimator.field.models import MagnetsModel, magnets_model
 from estimator.signals.field_setup import Scene, min_distance_mm, scene, sensed_field, zero_motion
 from fem.presses.results import MagnetMotions
@@ -49,13 +50,13 @@ class Pose:
         turned = (tip_mm[:, :2] - self.shift_mm) @ np.array([[cosine, -sine], [sine, cosine]])
         return turned @ SYMMETRIES[self.symmetry], self.contact_mm - tip_mm[:, 2]
 
-    def moved(self, numbers: Float[np.ndarray, "number"]) -> Pose:
-        """By shift x, y (mm), turn (rad) and height of the contact (mm), the first four numbers."""
+    def moved(self, values: Values) -> Pose:
+        """By `shift_mm`, `turn_rad` and `contact_mm`."""
         return replace(
             self,
-            shift_mm=self.shift_mm + numbers[:2],
-            turn_rad=self.turn_rad + float(numbers[2]),
-            contact_mm=self.contact_mm + float(numbers[3]),
+            shift_mm=self.shift_mm + values["shift_mm"],
+            turn_rad=self.turn_rad + float(values["turn_rad"]),
+            contact_mm=self.contact_mm + float(values["contact_mm"]),
         )
 
 
@@ -70,6 +71,18 @@ class Twin:
     magnet_mm: Float[np.ndarray, "magnet 3"]
     tilt_rad: Float[np.ndarray, "magnet 2"]
     strength: float = 1.0
+
+    def moved(self, values: Values) -> Twin:
+        """With its pose moved, and its magnets where `magnet_mm`, `tilt_rad`, `ln_strength` are given."""
+        twin = replace(self, pose=self.pose.moved(values))
+        if "magnet_mm" not in values:
+            return twin
+        return replace(
+            twin,
+            magnet_mm=self.magnet_mm + values["magnet_mm"],
+            tilt_rad=self.tilt_rad + values["tilt_rad"],
+            strength=self.strength * float(np.exp(values["ln_strength"])),
+        )
 
 
 @dataclass(frozen=True)

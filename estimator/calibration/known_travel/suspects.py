@@ -9,33 +9,29 @@ and Poisson's ratio) cannot be told apart.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
-from scipy.optimize import least_squares
 
 from estimator.calibration.known_travel.fit import (
-    MAGNET_SEAT_MM,
-    MAGNET_TILT_RAD,
-    MODEL_ERROR_MT,
-    POSE_SCALES,
-    STRENGTH,
+    Changes,
     Fitted,
+    Freed,
+    fit_beside_pose,
+    freed_magnets,
     left_over,
 )
 from estimator.calibration.known_travel.model import TravelModel, Twin
+from estimator.calibration.most_probable import Unknown, Values
 from estimator.recordings.formats.travel import TravelRecording
 
-LEAN_RAD, TRAVEL_SHARE, CHIP_SHARE = 0.05, 0.2, 0.1
+_LEAN_RAD, _LN_TRAVEL, _CHIP_SHARE = 0.05, 0.2, 0.1
 """Prior standard deviations: machine against face, travel's scale, every entry of a chip's matrix."""
 _DRAWS = 500
 """Bootstrap draws of an interval."""
 _ROUNDS = 15
 """Evaluations of a fit, at most."""
-
-Changes = Float[np.ndarray, "press sensor 3"]
-Numbers = Float[np.ndarray, "number"]
 
 
 @dataclass(frozen=True)
@@ -60,15 +56,6 @@ class Suspect:
     found: str
 
 
-@dataclass(frozen=True)
-class _Freed:
-    """Prior scales of an assumption's numbers, the changes (mT) that they give, and what they say."""
-
-    scales: Numbers
-    change: Callable[[Twin, Numbers, np.ndarray], Changes]
-    words: Callable[[Numbers], str]
-
-
 def ranked_suspects(
     model: TravelModel,
     fitted: Fitted,
@@ -84,99 +71,73 @@ def ranked_suspects(
     one number mixes their motions (1) with those of `model` (0), and the function says what it means.
     """
     freed = _freed(model, fitted) | {
-        name: _mixed(model, other, words) for name, (other, words) in others.items()
+        name: (_mixed(model, other), lambda values, words=words: words(float(values["share"])))
+        for name, (other, words) in others.items()
     }
     alone = squares_left(left_over(model, fitted, judged))
     size = squares_left(judged.field_mt - fitted.resting_mt)
     rng = np.random.default_rng((seed, 15))
     found = []
-    for name, one in freed.items():
-        left, numbers = _left(fitted.twin, one, registered, judged)
+    for name, (one, words) in freed.items():
+        fit, values = fit_beside_pose(fitted.twin, one, registered, _ROUNDS)
+        changes = one.change(fit.twin, values, judged.tip_mm)
+        left = squares_left(judged.field_mt - fit.resting_mt - changes)
         gained, low, high = gain_of_suspect(alone, left, size, judged.place_id, rng)
         explained = float(1 - left.sum() / size.sum())
-        words = one.words(numbers)
-        found.append(Suspect(name, len(numbers), explained, gained, low, high, words))
+        numbers = sum(unknown.size for unknown in one.unknowns.values())
+        found.append(Suspect(name, numbers, explained, gained, low, high, words(values)))
     return sorted(found, key=lambda suspect: -suspect.gained)
 
 
-def _freed(model: TravelModel, fitted: Fitted) -> dict[str, _Freed]:
-    count, sensors = len(model.scene.magnets.face), len(model.scene.sensors.face)
-    middle = fitted.twin.pose.shift_mm
+def _freed(model: TravelModel, fitted: Fitted) -> dict[str, tuple[Freed, Callable[[Values], str]]]:
+    """Assumptions by their names, each with what its values say in words."""
+    sensors, middle = len(model.scene.sensors.face), fitted.twin.pose.shift_mm
 
-    def leaning(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:
+    def leaning(twin: Twin, values: Values, tip: np.ndarray) -> Changes:
         lower = tip.copy()
-        lower[:, 2] += (tip[:, :2] - middle) @ numbers
+        lower[:, 2] += (tip[:, :2] - middle) @ values["lean_rad"]
         return model.pressed(twin, lower)
 
-    def deeper(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:
+    def deeper(twin: Twin, values: Values, tip: np.ndarray) -> Changes:
         xy, travel = twin.pose.in_object(tip)
-        return model.change(twin, model.motion(xy, travel * np.exp(numbers[0])))
+        return model.change(twin, model.motion(xy, travel * np.exp(values["ln_travel"])))
 
-    def read(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:
-        matrix = np.eye(3) + numbers.reshape(sensors, 3, 3)
+    def read(twin: Twin, values: Values, tip: np.ndarray) -> Changes:
         # s sensor, j axis as designed, i axis as freed, n press
-        return np.einsum("sij,nsj->nsi", matrix, model.pressed(twin, tip))
+        return np.einsum("sij,nsj->nsi", np.eye(3) + values["gains"], model.pressed(twin, tip))
 
-    def moved(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:
-        seats = numbers[: 3 * count].reshape(count, 3)
-        tilts = numbers[3 * count : -1].reshape(count, 2)
-        off = replace(twin, magnet_mm=seats, tilt_rad=tilts, strength=float(np.exp(numbers[-1])))
-        return model.pressed(off, tip)
-
-    seats = [MAGNET_SEAT_MM] * (3 * count) + [MAGNET_TILT_RAD] * (2 * count)
     return {
-        "machine leans": _Freed(
-            np.full(2, LEAN_RAD),
-            leaning,
-            lambda n: f"{np.rad2deg(np.linalg.norm(n)):.1f}°",
+        "machine leans": (
+            Freed({"lean_rad": Unknown(_LEAN_RAD, (2,))}, leaning),
+            lambda v: f"{np.rad2deg(np.linalg.norm(v['lean_rad'])):.1f}°",
         ),
-        "scale of travel": _Freed(
-            np.array([TRAVEL_SHARE]), deeper, lambda n: f"× {np.exp(n[0]):.2f}"
+        "scale of travel": (
+            Freed({"ln_travel": Unknown(_LN_TRAVEL)}, deeper),
+            lambda v: f"× {np.exp(v['ln_travel']):.2f}",
         ),
-        "chips": _Freed(
-            np.full(9 * sensors, CHIP_SHARE),
-            read,
-            lambda n: f"gains off by {np.sqrt(np.mean(n**2)):.2f}",
+        "chips": (
+            Freed({"gains": Unknown(_CHIP_SHARE, (sensors, 3, 3))}, read),
+            lambda v: f"gains off by {np.sqrt(np.mean(v['gains'] ** 2)):.2f}",
         ),
-        "magnets": _Freed(
-            np.array([*seats, STRENGTH]),
-            moved,
-            lambda n: (
-                f"up to {np.linalg.norm(n[: 3 * count].reshape(-1, 3), axis=1).max():.1f} mm, "
-                f"× {np.exp(n[-1]):.2f}"
+        "magnets": (
+            freed_magnets(model),
+            lambda v: (
+                f"up to {np.linalg.norm(v['magnet_mm'], axis=1).max():.1f} mm, "
+                f"× {np.exp(v['ln_strength']):.2f}"
             ),
         ),
     }
 
 
-def _mixed(model: TravelModel, other: TravelModel, words: Callable[[float], str]) -> _Freed:
-    def change(twin: Twin, numbers: Numbers, tip: np.ndarray) -> Changes:
-        given = twin.pose.in_object(tip)
-        motion = (1 - numbers[0]) * model.motion(*given) + numbers[0] * other.motion(*given)
+def _mixed(model: TravelModel, other: TravelModel) -> Freed:
+    """Motions of both models mixed: a `share` of 0 is the first, of 1 the other."""
+
+    def change(twin: Twin, values: Values, tip: np.ndarray) -> Changes:
+        given, share = twin.pose.in_object(tip), values["share"]
+        motion = (1 - share) * model.motion(*given) + share * other.motion(*given)
         return model.change(twin, motion)
 
-    return _Freed(np.ones(1), change, lambda n: words(float(n[0])))
-
-
-def _left(
-    start: Twin, freed: _Freed, registered: TravelRecording, judged: TravelRecording
-) -> tuple[Float[np.ndarray, "press"], Numbers]:
-    """Squares (mT²) left of every judged press, and what was found."""
-    pose = len(POSE_SCALES)
-
-    def at(values: np.ndarray, tip: np.ndarray) -> Changes:
-        twin = replace(start, pose=start.pose.moved(values[:pose] * POSE_SCALES))
-        return freed.change(twin, values[pose:] * freed.scales, tip)
-
-    def residual(values: np.ndarray) -> np.ndarray:
-        left = registered.field_mt - at(values, registered.tip_mm)
-        return np.concatenate([(left - left.mean(axis=0)).ravel() / MODEL_ERROR_MT, values[pose:]])
-
-    begin = np.zeros(pose + len(freed.scales))
-    found = least_squares(residual, begin, max_nfev=_ROUNDS, diff_step=1e-3).x
-    resting = (registered.field_mt - at(found, registered.tip_mm)).mean(axis=0)
-    left = judged.field_mt - resting - at(found, judged.tip_mm)
-    return squares_left(left), found[pose:] * freed.scales
+    return Freed({"share": Unknown(1.0)}, change)
 
 
 def squares_left(field_mt: Changes) -> Float[np.ndarray, "press"]:

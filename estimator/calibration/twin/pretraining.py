@@ -65,18 +65,12 @@ def frames_of_twin(
     return _one_session(drawn, signals)
 
 
-def with_calibrated_presses(
-    twin: CalibratedTwin,
-    parts: tuple[FrameSet, FrameSet],
-    draws: int,
-    progress: Progress | None = None,
-) -> FrameSet:
-    """The first part, for training, with presses of the calibrated twin at every place.
+def with_presses_of_twin(parts: tuple[FrameSet, FrameSet], simulated: FrameSet) -> FrameSet:
+    """The first part, for training, with presses that `calibrated_frames` simulated.
 
     Press ids are unique over both parts; the second one, which stops the training and calibrates the
     intervals, stays what was labelled.
     """
-    simulated = calibrated_frames(twin, draws, progress)
     taken = max(int(part.press_id.max()) for part in parts) + 1
     return joined([parts[0], replace(simulated, press_id=simulated.press_id + taken)])
 

@@ -207,18 +207,18 @@ class ContactModel:
         single = zeros(contact, (*face.shape, *self.rest.shape))
         moved = float64(self.motions.values(face[there], contact[there])[:, 0])
         single[there] = moved.reshape(-1, *self.rest.shape)
-        change = self._changes(concatenated([single[there], single.sum(axis=1)]))
+        change = self.counts_of_motions(concatenated([single[there], single.sum(axis=1)]))
         alone = zeros(contact, (*face.shape, self.channels))
         alone[there] = change[: len(moved)]
         extra[several] = change[len(moved) :] - alone.sum(axis=1)
         return extra
 
-    def _changes(self, moved: Float[Array, "state body 6"]) -> Float[Array, "state channel"]:
+    def counts_of_motions(self, moved: Float[Array, "state body 6"]) -> Float[Array, "state channel"]:
         """Counts of motions beyond those at rest; of a scene that is not plain on the processor."""
         if isinstance(moved, np.ndarray):
             return self._counts(self.rest + moved) - self._resting
         if not self.plain:
-            return like(moved, self._changes(on_host(moved)))
+            return like(moved, self.counts_of_motions(on_host(moved)))
         xp, rest = library(moved), like(moved, self.rest)
         field = self._field_of(rest + moved) - self._field_of(rest[None])
         axes = like(moved, self.scene.chips.matrix @ self.scene.sensors.axes)

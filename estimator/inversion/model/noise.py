@@ -63,14 +63,16 @@ class Disturbances:
         self,
         counts: Float[np.ndarray, "frame channel"],
         averaged: Int[np.ndarray, "frame"] | None = None,
+        drift_counts: float = 0.0,
     ) -> Observed:
-        """Frames, each the mean of so many readings (or one), with their standard deviations.
+        """Frames, each the mean of so many readings (or one), with their standard deviations, in which
+        every channel has drifted by `drift_counts` (rms).
 
         A channel without a reading (NaN) says nothing.
         """
         white = self.noise_counts**2 + _ROUNDING**2
         readings = np.ones(len(counts)) if averaged is None else averaged
-        own = np.sqrt(white / readings[:, None] + self.offset_counts**2)
+        own = np.sqrt(white / readings[:, None] + self.offset_counts**2 + drift_counts**2)
         missing = np.isnan(counts)
         counts = np.where(missing, 0.0, counts)
         change = np.linalg.norm(counts.reshape(len(counts), -1, 3), axis=2) / np.sqrt(3)

@@ -32,6 +32,7 @@ from estimator.frames.face_data import (
 )
 from estimator.networks.defaults import (
     BATCH_FRAMES,
+    INTERVAL_COVER,
     LEARNING_RATE,
     PATIENCE_EPOCHS,
     PLAIN,
@@ -160,7 +161,7 @@ def fit_estimator(
         fit_forest(everything, channels, len(folds) * trees, seed) if trees else None,
         fit_process(everything, channels, seed) if training.process else None,
         channels,
-        training.coverage,
+        INTERVAL_COVER,
         seed,
     )
     return _described(network, presses, channels, settings, train_frames)
@@ -195,7 +196,7 @@ def _described(
         grid_y_mm=frames.grid_y_mm,
         architecture=architecture,
         history_frames=training.history_frames or 0,
-        interval_cover=training.coverage,
+        interval_cover=INTERVAL_COVER,
         interval_presses=presses,
         network=network.to(settings.device),
     )

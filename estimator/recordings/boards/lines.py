@@ -211,15 +211,6 @@ def encode_load(load: Load) -> bytes:
     return _line(f"L,{','.join(cells)}")
 
 
-def encode_status(status: Status) -> bytes:
-    """Line of a board's state; NaN becomes an empty cell."""
-    supply = "" if status.supply_mv is None else str(status.supply_mv)
-    counts = (status.supply_errors, status.bus_errors, status.bus_recoveries)
-    celsius = ["" if value != value else f"{value:.1f}" for value in status.sensors_c]
-    cells = [str(status.board_ms % 2**32), supply, *map(str, counts), status.start, *celsius]
-    return _line(f"S,{','.join(cells)}")
-
-
 def checksum(body: bytes) -> str:
     """CRC-16/CCITT-FALSE (polynomial 0x1021, start 0xFFFF) in four hexadecimal digits."""
     return f"{crc_hqx(body, 0xFFFF):04X}"

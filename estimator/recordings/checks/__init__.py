@@ -1,1 +1,1 @@
-"""What is wrong with a recording, found from its data."""
+"""What is wrong with a recording, found from its data: each check gives what it names, and sentences."""

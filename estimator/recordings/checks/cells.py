@@ -1,4 +1,4 @@
-"""Load cells and clocks that cannot be right: single wrong readings, jaws that do not balance, rates."""
+"""Load cells and clocks that cannot be right: single wrong readings, and rates."""
 
 from __future__ import annotations
 
@@ -23,10 +23,6 @@ _ROUNDS = 4
 """Rounds in which jumps are sought, at most."""
 _WHOLE_CELL = 0.3
 """Share of wrong readings above which they are no fault of single rows."""
-_UNEQUAL = 3.0
-"""Jaws of the public recordings show 0.6 to 1.6 times one another, 1.01 in the middle."""
-_HELD_N = 1.0
-"""Force from which a frame is held."""
 LARGEST_RATE_HZ = 2000.0
 """Frames a second: a bus of Hall sensors gives some 500 at most."""
 
@@ -103,30 +99,6 @@ def repaired_forces(
         bad = wrong[:, cell]
         repaired[bad, cell] = np.interp(rows[bad], rows[~bad], force_n[~bad, cell])
     return repaired
-
-
-def unequal_jaws(force_n: Float[np.ndarray, "frame cell"], kind: str) -> list[Fault]:
-    """Two jaws of a gripper that show more than three times one another: one cell is in another unit.
-
-    They hold one object, so their forces are equal and opposite.
-    """
-    if kind != "gripper":
-        return []
-    held = np.flatnonzero(force_n.max(axis=1) > _HELD_N)
-    if not len(held):
-        return []
-    loaded = force_n[held]
-    loaded = loaded[loaded.max(axis=1) >= np.median(loaded.max(axis=1))]
-    ratio = float(np.median(loaded[:, 0]) / max(np.median(loaded[:, 1]), 1e-9))
-    if 1 / _UNEQUAL <= ratio <= _UNEQUAL:
-        return []
-    larger = 1 if ratio > 1 else 2
-    times = max(ratio, 1 / ratio)
-    detail = (
-        f"cell {larger} shows {times:.3g} times the force of cell {3 - larger}, though jaws press "
-        "equally: one of them is in another unit (9.8 or 102: g against N, 1000: kg against g)"
-    )
-    return [Fault("forces of another unit", rows_text(held), detail, "no labels there")]
 
 
 def check_rate(rate_hz: float) -> None:

@@ -17,8 +17,6 @@ JUMP_COUNTS = 500.0
 """Change of the level at rest between two recordings that is reported."""
 _MOVED_COUNTS = 150.0
 """Median change of the channels at rest that is reported."""
-_DOUBT_FACTOR = 3.0
-"""Response of another face, over the weakest of the named ones, from which a label is doubted."""
 _OPPOSITE_MM = 6.0
 """Two hand labels, each good to about one pixel of 3 mm."""
 
@@ -34,6 +32,10 @@ class Fault:
 
     def __str__(self) -> str:
         return f"{self.kind}: {self.where}: {self.detail}; {self.action}"
+
+
+Channels = Bool[np.ndarray, "5 sensor 3"]
+"""Channels that a check names."""
 
 
 def rest_noise_counts(
@@ -65,46 +67,37 @@ def known_mean(counts: Float[np.ndarray, "frame *channel"]) -> Float[np.ndarray,
     )
 
 
-def dead_channels(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Bool[np.ndarray, "5 sensor 3"]:
-    """Channels without any reading, or stuck at one value, on faces that have readings at all."""
-    is_finite = np.isfinite(counts)
-    absent_face = np.all(~is_finite, axis=(0, 2, 3))
-    low = np.min(counts, axis=0, where=is_finite, initial=np.inf)
-    high = np.max(counts, axis=0, where=is_finite, initial=-np.inf)
-    return (high <= low) & ~absent_face[:, None, None]
-
-
-def noisy_channels(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Bool[np.ndarray, "5 sensor 3"]:
-    """Channels whose rest noise exceeds `NOISY_FACTOR` times the median of their axis."""
-    with np.errstate(invalid="ignore"):
-        return noise_counts > NOISY_FACTOR * axis_noise_counts(noise_counts)
-
-
 def axis_noise_counts(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Float[np.ndarray, "3"]:
     """Median over the live channels of each axis, NaN for an axis that has none."""
     live_noise = [axis[np.isfinite(axis)] for axis in np.moveaxis(noise_counts, 2, 0)]
     return np.array([np.median(axis) if len(axis) else np.nan for axis in live_noise])
 
 
-def dead_faults(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> list[Fault]:
-    """Dead channels, each as one fault."""
-    dead = np.argwhere(dead_channels(counts)).tolist()
-    return [
-        Fault("dead channel", channel_name(*index), "no varying reading", "set to NaN")
-        for index in dead
-    ]
+def dead_channels(
+    counts: Float[np.ndarray, "frame 5 sensor 3"],
+) -> tuple[Channels, list[Fault]]:
+    """Channels without any reading, or stuck at one value, on faces that have readings at all."""
+    is_finite = np.isfinite(counts)
+    absent_face = np.all(~is_finite, axis=(0, 2, 3))
+    low = np.min(counts, axis=0, where=is_finite, initial=np.inf)
+    high = np.max(counts, axis=0, where=is_finite, initial=-np.inf)
+    dead = (high <= low) & ~absent_face[:, None, None]
+    names = [channel_name(*index) for index in np.argwhere(dead).tolist()]
+    return dead, [Fault("dead channel", name, "no varying reading", "set to NaN") for name in names]
 
 
-def noisy_faults(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> list[Fault]:
-    """Noisy channels, each as one fault."""
+def noisy_channels(
+    noise_counts: Float[np.ndarray, "5 sensor 3"],
+) -> tuple[Channels, list[Fault]]:
+    """Channels whose rest noise exceeds `NOISY_FACTOR` times the median of their axis."""
     typical, faults = axis_noise_counts(noise_counts), []
-    for face, sensor, axis in np.argwhere(noisy_channels(noise_counts)).tolist():
-        sigma = noise_counts[face, sensor, axis]
+    with np.errstate(invalid="ignore"):
+        noisy = noise_counts > NOISY_FACTOR * typical
+    for index in np.argwhere(noisy).tolist():
+        sigma, axis = noise_counts[tuple(index)], index[2]
         detail = f"σ {sigma:.0f} counts at rest, {typical[axis]:.0f} are typical of {'XYZ'[axis]}"
-        faults.append(
-            Fault("noisy channel", channel_name(face, sensor, axis), detail, "set to NaN")
-        )
-    return faults
+        faults.append(Fault("noisy channel", channel_name(*index), detail, "set to NaN"))
+    return noisy, faults
 
 
 def jumped_channels(
@@ -118,7 +111,7 @@ def jumped_channels(
 
 def jump_faults(
     rest_counts: Float[np.ndarray, "press 5 sensor 3"],
-) -> tuple[Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+) -> tuple[Channels, list[Fault]]:
     """Channels whose rest level jumps by more than `JUMP_COUNTS` from one press to the next.
 
     Where many channels move at once the shell moved against the core (or other magnets came
@@ -190,33 +183,6 @@ def correct_face_labels(
         action = f"cell {cell + 1} set to face {corrected}, whose sensors respond"
         faults.append(Fault("wrong face label", rows_text(frames), detail, action))
     return face, faults
-
-
-def doubtful_presses(
-    pressed: Int[np.ndarray, "frame cell"],
-    press: Int[np.ndarray, "frame"],
-    responses: Float[np.ndarray, "press 5"],
-) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
-    """Presses in which an unnamed face responds far more than a named one: labels not believed.
-
-    `pressed` is the face that each load cell is said to press while it holds a force, else 0.
-    """
-    doubtful = np.zeros(len(press), dtype=bool)
-    faults = []
-    for number in range(press.max() + 1):
-        frames = np.flatnonzero(press == number)
-        named = np.isin(FACES, pressed[frames])
-        unnamed_response = np.where(named | np.isnan(responses[number]), 0.0, responses[number])
-        weakest = np.min(responses[number], where=named, initial=np.inf)
-        if unnamed_response.max() > _DOUBT_FACTOR * weakest:
-            strongest = FACES[int(unnamed_response.argmax())]
-            detail = f"face {strongest} responds {unnamed_response.max():.0f} counts, a named "
-            detail += f"face only {weakest:.0f}"
-            faults.append(
-                Fault("doubtful face label", rows_text(frames), detail, "frames not used")
-            )
-            doubtful[frames] = True
-    return doubtful, faults
 
 
 def mirror_faults(

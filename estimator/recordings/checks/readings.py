@@ -45,6 +45,13 @@ _LEAST_COPY = 5
 """Rows of a copy, at least."""
 _FINEST_COUNTS = 0.29
 """Noise (counts) of rounding to whole counts: 1/√12."""
+_MOST_SPOILT = 0.1
+"""Share of a channel's readings that may be spoilt."""
+NOISE_FRAMES = 13
+"""Frames in which a channel shows its noise: 0.13 s at 100 Hz."""
+_NOISE_RANK, _NOISE_FACTOR = 4, 6.0
+"""Six of the ten third differences of a window reach the one of this rank. Where that exceeds six
+times what is usual, each of the six is beyond 3.3 σ. Ten times the noise is found with 95 %."""
 _NOTHING = "readings not used"
 
 
@@ -237,8 +244,45 @@ def constant(counts: Counts) -> Found:
     return mask, _faults("standing still", mask, counts, "show one number throughout")
 
 
+def noise_levels(window: Float[np.ndarray, "frame *channel"]) -> Float[np.ndarray, "*channel"]:
+    """Return a measure of each channel's noise over `NOISE_FRAMES` frames; 0 where readings miss.
+
+    Third differences hardly feel presses (a tap of 5 Hz at 50 frames/s keeps a quarter), and a jump
+    touches four of the ten: fewer than half.
+    """
+    third = np.abs(np.diff(window, n=3, axis=0))
+    return np.nan_to_num(np.partition(third, _NOISE_RANK, axis=0)[_NOISE_RANK])
+
+
+def is_noisy(
+    level: Float[np.ndarray, "*frame face sensor 3"], usual: Float[np.ndarray, "face sensor 3"]
+) -> Bool[np.ndarray, "*frame face sensor 3"]:
+    """Return which noise levels are far above what is usual on most chips, axis by axis."""
+    live = np.where(usual > 0, usual, np.nan).reshape(-1, 3)
+    with np.errstate(invalid="ignore"):
+        typical = [np.median(axis[axis > 0]) if np.any(axis > 0) else np.inf for axis in live.T]
+    return level > _NOISE_FACTOR * np.array(typical)
+
+
+def noisy(counts: Counts) -> Found:
+    """Channels that are far noisier than other chips' for a while: a loose wire, a chip that fails."""
+    mask = np.zeros(counts.shape, bool)
+    if len(counts) < NOISE_FRAMES:
+        return mask, []
+    level = np.zeros((len(counts) - NOISE_FRAMES + 1, *counts.shape[1:]))
+    for index in np.ndindex(*counts.shape[1:]):
+        channel = counts[(slice(None), *index)]
+        windows = np.lib.stride_tricks.sliding_window_view(channel, NOISE_FRAMES)
+        level[(slice(None), *index)] = noise_levels(windows.T)
+    loud = is_noisy(level, np.median(level, axis=0))
+    for late in range(NOISE_FRAMES):
+        mask[late : late + len(loud)] |= loud
+    mask &= np.isfinite(counts)
+    return mask, _faults("noisy channel", mask, counts, "are far noisier than those of other chips")
+
+
 Check = Callable[[Counts], Found]
-STREAM: tuple[Check, ...] = (equal_frames, blank_chips, hit_values, constant, standing)
+STREAM: tuple[Check, ...] = (equal_frames, blank_chips, hit_values, constant, standing, noisy)
 CHECKS: tuple[Check, ...] = (
     equal_frames,
     blank_chips,
@@ -262,6 +306,24 @@ def without_faults(
         mask, check_faults = check(counts)
         counts, faults = np.where(mask, np.nan, counts), faults + check_faults
     return counts, faults
+
+
+def spoilt_channels(
+    counts: Float[np.ndarray, "frame 5 sensor 3"], lost: Bool[np.ndarray, "frame 5 sensor 3"]
+) -> tuple[Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+    """Channels of which more than a tenth of the readings is `lost` to faults: to leave them out costs
+    less than their frames. Frames that lack half of the channels count for none."""
+    has_reading = np.isfinite(counts) | lost
+    whole = 2 * lost.sum(axis=(1, 2, 3)) >= has_reading.sum(axis=(1, 2, 3))
+    part = (lost & ~whole[:, None, None, None]).sum(axis=0)
+    share = part / np.maximum((has_reading & ~whole[:, None, None, None]).sum(axis=0), 1)
+    spoilt = share > _MOST_SPOILT
+    channels = [tuple(index) for index in np.argwhere(spoilt).tolist()]
+    if not channels:
+        return spoilt, []
+    detail = f"more than {100 * _MOST_SPOILT:.0f} % of their readings are named above"
+    where = channels_text(channels, np.any(has_reading, axis=0))
+    return spoilt, [Fault("channels left out", where, detail, "set to NaN")]
 
 
 def _faults(

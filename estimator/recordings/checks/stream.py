@@ -1,7 +1,8 @@
-"""The checks of `readings` on a stream, frame by frame: chips that stand still or do not answer."""
+"""The checks of `readings` on a stream: chips that stand still, do not answer, or are noisy."""
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -10,12 +11,17 @@ from jaxtyping import Bool, Float
 from estimator.recordings.checks.readings import (
     LEAST_TURNS,
     NO_ANSWER,
+    NOISE_FRAMES,
+    is_noisy,
     longest_by_chance,
+    noise_levels,
 )
 from estimator.recordings.table import channels_text
 
 _LEAST_STEPS = 6
 """Steps of a channel from which its noise shows."""
+_USUAL_RATE = 0.01
+"""Share of a new noise level in the usual one: it is the mean of the last hundred frames."""
 _LEAST_EQUAL_FRAMES = 20.0
 """Whole frames that repeat on end: a logger faster than its sensors sends fewer."""
 
@@ -25,7 +31,8 @@ class SoundReadings:
     """Judge of which readings of a stream can be believed, from the frames so far.
 
     A chip that stands still is found with its fourth equal reading (a single channel after some seven),
-    and believed again with its next new one. Streams without noise show nothing.
+    and believed again with its next new one. A channel that turns noisy is found within thirteen
+    frames. Streams without noise show nothing.
     """
 
     left_out: Bool[np.ndarray, "face sensor 3"] | None = None
@@ -34,6 +41,9 @@ class SoundReadings:
     _steps: np.ndarray = field(default_factory=lambda: np.zeros(0))
     _turns: np.ndarray = field(default_factory=lambda: np.zeros(0))
     _runs: list[_Runs] = field(default_factory=list)
+    _recent: deque[np.ndarray] = field(default_factory=lambda: deque(maxlen=NOISE_FRAMES))
+    _usual: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    _noisy: np.ndarray = field(default_factory=lambda: np.zeros(0, bool))
 
     def known(
         self, counts: Float[np.ndarray, "face sensor 3"]
@@ -57,6 +67,8 @@ class SoundReadings:
             out |= chips.standing[..., None] | channels.standing
         blank = np.any([np.all(counts == value, axis=2) for value in NO_ANSWER], axis=0)
         out |= blank[..., None] | stuck
+        self._noisy = self._noisy_channels(counts)
+        out |= self._noisy
         out &= live & self._has_noise()
         self.left_out = out
         return np.where(out, np.nan, counts)
@@ -68,14 +80,31 @@ class SoundReadings:
             return ""
         channels = [tuple(index) for index in np.argwhere(self.left_out).tolist()]
         names = channels_text(channels, np.isfinite(self._last))
-        return f"{names}: standing still or without an answer, left out"
+        why = "noisy" if self._noisy[self.left_out].all() else "standing still or without an answer"
+        return f"{names}: {why}, left out"
 
     def _begin(self, counts: Float[np.ndarray, "face sensor 3"]) -> None:
         self._last, self.left_out = counts, np.zeros(counts.shape, bool)
         self._step, self._steps, self._turns = (np.zeros(counts.shape) for _ in range(3))
+        self._usual, self._noisy = np.zeros(counts.shape), np.zeros(counts.shape, bool)
+        self._recent.clear()
         self._runs = [
             _Runs(counts.shape[:2]), _Runs(counts.shape), _Runs((1,), _LEAST_EQUAL_FRAMES)
         ]  # fmt: skip
+
+    def _noisy_channels(
+        self, counts: Float[np.ndarray, "face sensor 3"]
+    ) -> Bool[np.ndarray, "face sensor 3"]:
+        """Return which channels the last frames show to be noisy."""
+        self._recent.append(counts)
+        if len(self._recent) < NOISE_FRAMES:
+            return self._noisy
+        level = noise_levels(np.stack(self._recent))
+        # What is usual follows slowly, so that presses and noise of a while hardly change it.
+        begun = self._usual.any()
+        self._usual = self._usual + (_USUAL_RATE if begun else 1.0) * (level - self._usual)
+        # Half as loud still counts once a channel is known to be noisy.
+        return is_noisy(level, self._usual) | self._noisy & is_noisy(2 * level, self._usual)
 
     def _note_noise(self, step: Float[np.ndarray, "face sensor 3"]) -> None:
         moved = np.nan_to_num(step) != 0

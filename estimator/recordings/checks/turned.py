@@ -9,8 +9,8 @@ from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.recordings.checks.faults import Fault, known_mean, rows_text
-from estimator.recordings.checks.labels import LEAST_FRAMES, pattern_noises, press_patterns
-from estimator.recordings.presses import CONTACT_FORCE_N, runs
+from estimator.recordings.checks.place_labels import pattern_noises, press_patterns
+from estimator.recordings.presses import CONTACT_FORCE_N, LEAST_CONTACT_FRAMES, runs
 from estimator.recordings.table import channel_name
 
 _ALIKE = 0.5
@@ -86,7 +86,7 @@ def _rests_above(
     means = []
     for first, last in runs(block):
         rows = [first + np.flatnonzero(part[first:last]) for part in (at_level, lowest)]
-        if min(map(len, rows)) >= LEAST_FRAMES:
+        if min(map(len, rows)) >= LEAST_CONTACT_FRAMES:
             means.append([known_mean(counts[part]) for part in rows])
     if len(means) < _LEAST_BLOCKS:
         return False
@@ -113,7 +113,7 @@ def change_alike(
     for first, last in runs(block):
         named = int(face[first])
         rows = [first + np.flatnonzero(part[first:last]) for part in parts]
-        if named == NO_FACE or min(map(len, rows)) < LEAST_FRAMES:
+        if named == NO_FACE or min(map(len, rows)) < LEAST_CONTACT_FRAMES:
             continue
         face_counts = counts[:, named - 1].reshape(len(counts), -1)
         level, above, below = (face_counts[part].mean(axis=0) for part in rows)

@@ -66,8 +66,12 @@ def read_bytes(path: Path) -> bytes:
     Raises
     ------
     RecordingError
-        It is no file that can be read to its end, or is empty.
+        It is no file that can be read to its end, is empty, or is a specification.
     """
+    if path.suffix == ".toml":
+        raise RecordingError(
+            f"{path} is a specification. Give recordings (CSV or NetCDF), and the specification by --spec"
+        )
     try:
         missing = f"no recording at {path}. Give the path of a recording"
         content = require_regular_file(path, missing).read_bytes()

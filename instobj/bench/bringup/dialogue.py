@@ -21,15 +21,10 @@ from instobj.bench.bringup.asking.asked import (
     further_holds,
 )
 from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
-from instobj.bench.bringup.diagnosis.poles import (
-    PocketFields,
-    find_magnet,
-    magnet_findings,
-    pocket_fields,
-)
+from instobj.bench.bringup.diagnosis.poles import PocketFields, magnet_findings, pocket_fields
 from instobj.bench.bringup.journal import Journal
 from instobj.bench.bringup.sources import KEEP, QUIT, SKIP, Source
-from instobj.bench.bringup.verdict import as_drawn, magnet_before, which_is_which
+from instobj.bench.bringup.verdict import as_drawn, magnet_found, which_is_which
 from instobj.store.progress import ProgressLine
 
 _LEAST_RESPONSE_COUNTS = 300.0
@@ -74,13 +69,9 @@ class _Checks:
         return [f"the largest change is {change:.0f} counts: hold the magnet nearer"]
 
     def _of_magnet(self, asked: Asked, recording: Recording) -> list[Finding]:
-        before = self.journal.recordings.get(magnet_before(self.design, asked))
-        if before is None:
-            return []
-        dead = np.array([chip.dead for chip in self.chips])
-        change = recording.unsaturated(self.design) - before.unsaturated(self.design)
-        found = find_magnet(self.design, self.fields, asked.part, np.where(dead, np.nan, change))
-        return magnet_findings(self.design, found)
+        recordings = self.journal.recordings | {asked.name: recording}
+        found = magnet_found(self.design, recordings, self.chips, self.fields, asked)
+        return [] if found is None else magnet_findings(self.design, found)
 
 
 def left_of(asked: tuple[Asked, ...], journal: Journal) -> list[Asked]:

@@ -84,12 +84,21 @@ def information_of(
     model = held_magnet(spec, [hold.part for hold in holds])
     found = replace(problem.found, model=model, pose=stated_pose(count))
     every = JointFit.of(replace(given, counts=counts, noise_counts=noise), found)
-    slope, poses = every.slopes(every.start), every.poses
-    k = np.arange(count)
-    readings = slope[: counts.size].reshape(count, -1, slope.shape[1])
-    of_pose = readings[:, :, :poses].reshape(count, readings.shape[1], count, -1)[k, :, k]
-    of_chips = readings[:, :, poses:]
-    prior = slope[counts.size :][:poses, :poses].reshape(count, -1, count, poses // count)
+    return chips_part(every.slopes(every.start), every.poses, count, counts.size)
+
+
+def chips_part(
+    slope: Float[np.ndarray, "residual unknown"], poses: int, holds: int, readings: int
+) -> Float[np.ndarray, "hold own own"]:
+    """Of each hold's readings about all unknowns behind the `poses` first, the holds' own poses.
+
+    Rows are the readings of hold after hold, then the priors of all unknowns.
+    """
+    k = np.arange(holds)
+    by_hold = slope[:readings].reshape(holds, -1, slope.shape[1])
+    of_pose = by_hold[:, :, :poses].reshape(holds, by_hold.shape[1], holds, -1)[k, :, k]
+    of_chips = by_hold[:, :, poses:]
+    prior = slope[readings:][:poses, :poses].reshape(holds, -1, holds, poses // holds)
     normal = of_pose.mT @ of_pose + (prior**2)[k, :, k]
     across = of_chips.mT @ of_pose
     return of_chips.mT @ of_chips - across @ np.linalg.solve(normal, across.mT)

@@ -41,16 +41,28 @@ class Source(Protocol):
         ...
 
 
-@dataclass
-class FromFile:
-    """Recordings of an earlier bring-up; whatever was found is kept as it is."""
-
-    journal: Journal
+class _Nobody:
+    """A user who does as asked and keeps whatever was found."""
 
     def answer(self, question: str, allowed: str) -> str:
         """Nothing, or to keep what was found."""
         del question
         return KEEP if KEEP in allowed else ""
+
+
+class _TellsMost:
+    """Asks for the further hold that tells most."""
+
+    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
+        """The one that tells most."""
+        return next_hold(spec, journal.recordings, journal.skipped)
+
+
+@dataclass
+class FromFile(_Nobody):
+    """Recordings of an earlier bring-up; whatever was found is kept as it is."""
+
+    journal: Journal
 
     def record(self, asked: Asked) -> Recording | None:
         """That recording, where the file holds it."""
@@ -64,27 +76,18 @@ class FromFile:
 
 
 @dataclass
-class Simulated:
+class Simulated(_Nobody, _TellsMost):
     """A simulated object whose user does as asked and keeps every fault."""
 
     made: SimulatedObject
-
-    def answer(self, question: str, allowed: str) -> str:
-        """Nothing, or to keep what was found."""
-        del question
-        return KEEP if KEEP in allowed else ""
 
     def record(self, asked: Asked) -> Recording:
         """Return what the simulated board sends."""
         return self.made.recording(asked)
 
-    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
-        """The one that tells most."""
-        return next_hold(spec, journal.recordings, journal.skipped)
-
 
 @dataclass
-class Board:
+class Board(_TellsMost):
     """A board on a port, and a user at the keyboard; the line is read while the user acts."""
 
     spec: ObjectSpec
@@ -119,10 +122,6 @@ class Board:
             if self.typed.ended:
                 break
         raise InputError("standard input ended before the answer. Repeat the command to go on")
-
-    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
-        """The one that tells most."""
-        return next_hold(spec, journal.recordings, journal.skipped)
 
     def record(self, asked: Asked) -> Recording:
         """The next frames of the board.

@@ -35,6 +35,7 @@ from instobj.bench.bringup.diagnosis.health import health_findings
 from instobj.bench.bringup.diagnosis.levels import in_designed_axes, judge_levels, level_findings
 from instobj.bench.bringup.diagnosis.poles import (
     MagnetFound,
+    PocketFields,
     find_magnet,
     magnet_findings,
     pocket_fields,
@@ -156,17 +157,28 @@ def magnets_found(
     spec: ObjectSpec, recordings: Recordings, chips: tuple[ChipFound, ...]
 ) -> Iterator[MagnetFound]:
     """Pole and pocket of every magnet whose step was recorded."""
-    fields, dead = pocket_fields(spec, chips), np.array([chip.dead for chip in chips])
+    fields = pocket_fields(spec, chips)
     for asked in asked_of(spec):
-        before = magnet_before(spec, asked) if asked.step == "magnet" else ""
-        if before in recordings and asked.name in recordings:
-            change = recordings[asked.name].unsaturated(spec) - recordings[before].unsaturated(spec)
-            yield find_magnet(spec, fields, asked.part, np.where(dead, np.nan, change))
+        if asked.step == "magnet" and (
+            found := magnet_found(spec, recordings, chips, fields, asked)
+        ):
+            yield found
 
 
-def magnet_before(spec: ObjectSpec, asked: Asked) -> str:
-    """Name of the recording against which a magnet's step is seen."""
-    return f"magnet {magnet_names(spec)[asked.part - 1]}" if asked.part else "closed"
+def magnet_found(
+    spec: ObjectSpec,
+    recordings: Recordings,
+    chips: tuple[ChipFound, ...],
+    fields: PocketFields,
+    asked: Asked,
+) -> MagnetFound | None:
+    """One magnet from its step against the recording before it; None without both."""
+    before = f"magnet {magnet_names(spec)[asked.part - 1]}" if asked.part else "closed"
+    if before not in recordings or asked.name not in recordings:
+        return None
+    dead = np.array([chip.dead for chip in chips])
+    change = recordings[asked.name].unsaturated(spec) - recordings[before].unsaturated(spec)
+    return find_magnet(fields, asked.part, np.where(dead, np.nan, change))
 
 
 def _levels(

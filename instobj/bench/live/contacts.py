@@ -26,10 +26,12 @@ _PRESENT = 0.5
 
 @dataclass(frozen=True)
 class Found:
-    """Contacts in a frame, in `protocol.CONTACT`'s columns, and whether they explain it."""
+    """Contacts in a frame, in `protocol.CONTACT`'s columns, whether they explain it, and the name of a
+    chip that they were read without."""
 
     contacts: Float[np.ndarray, "contact 15"]
     explained: bool
+    chip_out: str = ""
 
 
 class Estimator(Protocol):
@@ -87,7 +89,8 @@ class InvertedContacts:
             )
             for slot in np.flatnonzero(found.face[0]).tolist()
         ]
-        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(found.explained[0]))
+        chip = self._reader.inversion.chip_name(int(found.chip_out[0]))
+        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(found.explained[0]), chip)
 
     def pass_by(
         self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut

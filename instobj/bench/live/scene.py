@@ -6,7 +6,7 @@ from pathlib import Path
 
 from design.spec.object import ObjectSpec
 from instobj.bench.live.watch import channel_names
-from instobj.render.parts import load_stl
+from instobj.render.pieces import load_stl
 from instobj.viewer.archive import pack
 from instobj.viewer.scene import add_surface, object_scene
 from instobj.viewer.surface import shaded_part

@@ -168,10 +168,16 @@ class Watch:
             "health": health,
             "zeroed": self._zero is not None,
             "explained": self.reading.found.explained,
-            "trouble": self._trouble or self._sound.text,
+            "trouble": self._trouble or self._doubts(),
             "read": self._read_frames,
             "now_s": time.time(),
         }
+
+    def _doubts(self) -> str:
+        """Return which channels and chips are not believed, for people; empty if all are."""
+        chip = self.reading.found.chip_out
+        lies = f"{chip}: its readings fit no contact, left out" if chip else ""
+        return "; ".join(filter(None, (self._sound.text, lies)))
 
     def _take_row(self, content: bytes) -> None:
         arrived_s, time_s = _STAMPS.unpack_from(content)

@@ -15,11 +15,13 @@ from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
-from instobj.commands.presses.places import CheckedPlaces, Place, check_places
+from instobj.commands.presses.places import CheckedPlaces, Place, check_places, over_edge
+from instobj.commands.presses.press import stored_press_mesh
 from instobj.figures.loads import Pressed, draw_loads
 from instobj.stages.run import Run
+from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows, require_writable, run_folder, stage_row
-from instobj.store.readers import MESH, RESPONSE
+from instobj.store.readers import MESH, PRESS_MESH, RESPONSE
 from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
@@ -53,11 +55,15 @@ def press_loads(
     if force_n is not None and patch is not None:
         raise InputError("give either --force or --patch: a patch has the force of its pressure")
     require_no_slip(spec)
-    checked = check_places(_with_patch(spec, patch), places, force_n is None and patch is None)
+    alone = len(places) == 1 and patch is None
+    to_depth, whole = force_n is None and patch is None, patch is not None
+    checked = check_places(_with_patch(spec, patch), places, to_depth, whole, over_edges=alone)
     require_writable(out)
     run = Run(spec)
     if patch is not None:
         pressed = _patches(run, checked.good, patch)
+    elif alone and over_edge(spec, checked.good[0]):
+        pressed = _over_edge(spec, checked.good[0], force_n)
     elif spec.indenter.friction == "sticking":
         pressed = _sticking(run, checked.good, force_n)
     else:
@@ -199,6 +205,27 @@ def _frictionless(run: Run, places: Sequence[Place], force_n: float | None) -> P
     else:
         final = press_to_force(spec, response, [[tip] for tip in tips], force_n)
     return joint_pressed(spec, response, final, step)
+
+
+def _over_edge(spec: ObjectSpec, place: Place, force_n: float | None) -> Pressed:
+    """One press over an edge, on a mesh that is fine there."""
+    from fem.presses.over_edge import edge_mesh, edge_place, edge_presser
+    from fem.presses.to_force import press_to_depths
+
+    rolled = edge_place(spec, place.tip)
+    assert rolled is not None
+    where = (place.x_mm, place.y_mm)
+    kept = stored_press_mesh(
+        spec, place.face, where, lambda: edge_mesh(spec, rolled), ProgressLine()
+    )
+    step = edge_presser(spec, PRESS_MESH.read(kept.folder), rolled)
+    if force_n is None:
+        final = step(np.array([place.depth_mm]))
+    else:
+        final = press_to_depths(spec, step, [[place.tip]], force_n)
+    shares = np.arange(1, _CURVE_STEPS) / _CURVE_STEPS
+    curve = [*(step(share * final.depth_mm) for share in shares), final]
+    return Pressed(_rows(final, []), final.motion, curve, [])
 
 
 def _sticking(run: Run, places: Sequence[Place], force_n: float | None) -> Pressed:

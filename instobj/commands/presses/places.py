@@ -76,8 +76,16 @@ def jaw_given(text: str) -> list[Place]:
     return places
 
 
-def check_places(spec: ObjectSpec, places: list[Place], to_depth: bool) -> CheckedPlaces:
+def check_places(
+    spec: ObjectSpec,
+    places: list[Place],
+    to_depth: bool,
+    whole: bool = False,
+    over_edges: bool = False,
+) -> CheckedPlaces:
     """Tell places that can be pressed from those that cannot.
+
+    `whole`: nothing may hang over a border. `over_edges`: the tip may roll over it.
 
     Raises
     ------
@@ -87,7 +95,7 @@ def check_places(spec: ObjectSpec, places: list[Place], to_depth: bool) -> Check
     good, refused = [], []
     for place in places:
         try:
-            _require_place(spec, place, to_depth)
+            _require_place(spec, place, to_depth, whole, over_edges)
         except InputError as error:
             refused.append({"press": str(place), "error": str(error)})
         else:
@@ -109,12 +117,11 @@ def _place_at(text: str, depth_mm: float) -> Place:
         raise InputError(f"{text!r} is no contact location FACE:X,Y in mm. {_EXAMPLE}") from None
 
 
-def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
+def _require_place(
+    spec: ObjectSpec, place: Place, to_depth: bool, whole: bool, over_edges: bool
+) -> None:
     from design.layout.body import face_frames
-    from design.layout.places.contact_grid import press_lattice
-    from design.layout.places.contact_places import pressed_nodes
-    from design.layout.tips import footprint_mm, path_mm, tip_shape
-    from estimator.signals.interpolation import among_pressed
+    from design.layout.tips import footprint_mm, path_mm, tip_places_mm, tip_shape
 
     frames = {frame.number: frame for frame in face_frames(spec)}
     if place.face not in frames:
@@ -125,30 +132,54 @@ def _require_place(spec: ObjectSpec, place: Place, to_depth: bool) -> None:
             f"a press to {place.depth_mm:g} mm on {place}: the depth must be above 0 and below the "
             f"indenter's height and the shell's thickness ({deepest:g} mm). Press less deep"
         )
-    half = frames[place.face].half_lengths_mm
-    at_the_end = path_mm(spec.indenter, [place.depth_mm])[0] if to_depth else (0.0, 0.0)
-    lattice, footprint = press_lattice(spec), footprint_mm(spec.indenter)
-    grid = (abs(lattice.x_mm).max(), abs(lattice.y_mm).max())
-    size = footprint[1] - footprint[0]
+    if over_edges and over_edge(spec, place):
+        return
+    frame = frames[place.face]
+    whole = whole or spec.indenter.friction == "sticking" or spec.shell.slits.depth_mm > 0
+    hangs = np.array(frame.ends) & (not whole)
+    tips = tip_places_mm(spec.indenter)
+    reach = np.where(hangs, [tips.min(axis=0), tips.max(axis=0)], footprint_mm(spec.indenter))
+    half, size = frame.half_lengths_mm, np.ptp(reach, axis=0)
     if size[0] > 2 * half[0] or size[1] > 2 * half[1]:
         raise InputError(
             f"the {spec.indenter.kind} covers {size[0]:.4g} × {size[1]:.4g} mm, more than face "
             f"{place.face} ({2 * half[0]:.4g} × {2 * half[1]:.4g} mm). Use a smaller indenter"
         )
+    at_the_end = path_mm(spec.indenter, [place.depth_mm])[0] if to_depth else (0.0, 0.0)
     for axis, (name, at) in enumerate((("x", place.x_mm), ("y", place.y_mm))):
-        ends = [at + side + way for side in footprint[:, axis] for way in (0, at_the_end[axis])]
+        ends = [at + side + way for side in reach[:, axis] for way in (0, at_the_end[axis])]
         if max(map(abs, ends)) > half[axis] + 1e-9:
+            does = "lands at" if hangs[axis] else "reaches"
             raise InputError(
-                f"the {spec.indenter.kind} pressed on {place} reaches {name} = "
+                f"the {spec.indenter.kind} pressed on {place} {does} {name} = "
                 f"{max(ends, key=abs):.4g} mm, beyond the border of face {place.face} "
                 f"(±{half[axis]:.4g} mm): it misses the body. Move the press inwards or use a "
                 "smaller indenter"
             )
-        if abs(at) > grid[axis] + 1e-9:
-            raise InputError(
-                f"{place} lies outside the contact grid (|{name}| up to {grid[axis]:g} mm, half a "
-                "pitch of margin included). Move the press inwards or enlarge contact_grid"
-            )
+    if not frame.flat:
+        _require_on_lattice(spec, place)
+
+
+def over_edge(spec: ObjectSpec, place: Place) -> bool:
+    """Return whether a place lies over an edge.
+
+    Raises
+    ------
+    InputError
+        It lies further than the tip rolls, or this indenter cannot.
+    """
+    from fem.presses.over_edge import edge_place
+
+    return edge_place(spec, place.tip) is not None
+
+
+def _require_on_lattice(spec: ObjectSpec, place: Place) -> None:
+    """On a curved patch a press stays where the table of presses is known."""
+    from design.layout.places.contact_grid import press_lattice
+    from design.layout.places.contact_places import pressed_nodes
+    from estimator.signals.interpolation import among_pressed
+
+    lattice = press_lattice(spec)
     pressed = pressed_nodes(spec)[spec.body.sensed.index(place.face)]
     x, y = np.array([[place.x_mm], [place.y_mm]])
     if not among_pressed(lattice, pressed, x, y).all():

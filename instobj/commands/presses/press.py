@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
@@ -24,6 +25,7 @@ from instobj.store.stage import Step, write_json
 if TYPE_CHECKING:
     from fem.large_strain.hyperelastic import Hyperelastic
     from fem.large_strain.results import LargeStrainPress
+    from fem.mesh.tetrahedra import TetMesh
 
 MATERIALS = ("neo-hookean", "yeoh", "ogden")
 _STEP_MM = 0.25
@@ -120,19 +122,13 @@ def _stored_press(
     material: Hyperelastic,
 ) -> tuple[StoredResult, StoredResult]:
     """The press's own mesh, then the press: found in the store, or made and kept."""
-    content = spec.model_dump(mode="json")
-    progress = ProgressLine()
-    where = {"face": face, "xy_mm": xy_mm, "indenter": content["indenter"]}
-    versions = {"version": _VERSION, "libraries": {"instobj": version("instobj")}}
-    body = {name: content[name] for name in _SHAPE_OF_BODY}
-    with progress.stage("mesh of the press"):
-        mesh = stored(
-            store_root(),
-            "press_mesh",
-            where | body | versions,
-            lambda folder: _make_mesh(spec, face, xy_mm, folder, progress.step),
-            progress.say,
-        )
+    from fem.mesh.tetrahedra import tetrahedralize_for_press
+
+    content, progress = spec.model_dump(mode="json"), ProgressLine()
+    mesh = stored_press_mesh(
+        spec, face, xy_mm, lambda: tetrahedralize_for_press(spec, face, *xy_mm), progress
+    )
+    where, versions = _where(spec, face, xy_mm)
     how = {"silicone": content["silicone"], "mechanics": content["mechanics"]}
     how |= {"depths_mm": depths_mm, "material": asdict(material), "mesh": mesh.origin}
     with progress.stage("press with large deformation"):
@@ -148,16 +144,37 @@ def _stored_press(
     return mesh, press
 
 
-def _make_mesh(
-    spec: ObjectSpec, face: int, xy_mm: tuple[float, float], folder: Path, step: Step
-) -> None:
+def stored_press_mesh(
+    spec: ObjectSpec,
+    face: int,
+    xy_mm: tuple[float, float],
+    tetrahedra: Callable[[], TetMesh],
+    progress: ProgressLine,
+) -> StoredResult:
+    """A mesh that is fine at one press: found in the store, or made and kept."""
     from fem.mesh.quality import mesh_quality, require_quality
-    from fem.mesh.tetrahedra import save_mesh, tetrahedralize_for_press
+    from fem.mesh.tetrahedra import save_mesh
 
-    step("tetrahedra, fine at the press")
-    mesh = tetrahedralize_for_press(spec, face, *xy_mm)
-    require_quality(mesh_quality(mesh, spec))
-    save_mesh(mesh, PRESS_MESH.path(folder))
+    def make(folder: Path) -> None:
+        progress.step("tetrahedra, fine at the press")
+        mesh = tetrahedra()
+        require_quality(mesh_quality(mesh, spec))
+        save_mesh(mesh, PRESS_MESH.path(folder))
+
+    content = spec.model_dump(mode="json")
+    body = {name: content[name] for name in _SHAPE_OF_BODY}
+    where, versions = _where(spec, face, xy_mm)
+    with progress.stage("mesh of the press"):
+        return stored(store_root(), "press_mesh", where | body | versions, make, progress.say)
+
+
+def _where(
+    spec: ObjectSpec, face: int, xy_mm: tuple[float, float]
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the place and indenter of a stored press, and the versions that made it."""
+    indenter = spec.model_dump(mode="json")["indenter"]
+    where = {"face": face, "xy_mm": xy_mm, "indenter": indenter}
+    return where, {"version": _VERSION, "libraries": {"instobj": version("instobj")}}
 
 
 def _make_press(

@@ -104,12 +104,12 @@ def validate_on(
     from instobj.commands.recorded.validate_travel import validate_on_travel
 
     if any(is_travel_recording(file) for file in recordings):
-        if len(recordings) > 2:
+        if len(recordings) > 1:
             raise InputError(
-                "of presses of known travel one recording is validated, and a second one of repeats "
-                f"read beside it; got {len(recordings)} recordings. Give one or two folders"
+                f"of presses of known travel one recording is validated; got {len(recordings)}. Give one "
+                "folder"
             )
-        return validate_on_travel(path, recordings, exchanges, out, overrides)
+        return validate_on_travel(path, recordings[0], exchanges, out, overrides)
     folder = next((file for file in recordings if file.is_dir()), None)
     if folder is not None:
         raise InputError(

@@ -8,8 +8,6 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from design.errors import InputError, SpecError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
@@ -21,27 +19,22 @@ from instobj.store.stage import write_json
 if TYPE_CHECKING:
     from estimator.calibration.known_travel.agreement import TravelAgreement
     from estimator.calibration.known_travel.fit import Fitted
-    from estimator.calibration.known_travel.model import TravelModel
     from estimator.recordings.formats.travel import TravelRecording
 
-REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
-"""Of the places; all others are judged."""
 POISSON_STEP, LARGEST_POISSON = 0.15, 0.45
 """By how much Poisson's ratio is changed to see whether it matters, and up to where."""
 
 
 def validate_on_travel(
-    path: Path, folders: list[Path], exchanges: int, out: Path, overrides: list[str]
+    path: Path, folder: Path, exchanges: int, out: Path, overrides: list[str]
 ) -> dict[str, Any]:
     """Registered on 5 % and calibrated on 10 % of the places, judged on all others.
 
-    A second folder of repeated presses, recorded on the same machine, also tests the bound of the
-    place. Results go to `runs/<name>/travel.{json,png}` and `residuals.png`.
+    Results go to `runs/<name>/travel.{json,png}` and `residuals.png`.
     """
     from estimator.calibration.known_travel.agreement import travel_agreement
-    from estimator.calibration.known_travel.fit import calibrate, drawn_places, register
+    from estimator.calibration.known_travel.fit import fits_and_judged
     from estimator.calibration.known_travel.model import require_comparable, travel_model
-    from estimator.calibration.known_travel.places import readers
     from estimator.calibration.known_travel.suspects import ranked_suspects
     from instobj.figures.travel import draw_residuals, draw_travel
 
@@ -49,46 +42,30 @@ def validate_on_travel(
     require_comparable(spec)
     require_writable(out)
     run = Run(spec)
-    with run.progress.stage("reading the recordings"):
-        recording, *repeats = [_recording(spec, folder) for folder in folders]
-    _, motions = run.read(PRESSES)
-    model = travel_model(spec, motions)
-    agreements: dict[str, TravelAgreement] = {}
-    fits: dict[str, Fitted] = {}
-    places: dict[str, Any] = {}
-    parts: dict[str, tuple[TravelRecording, TravelRecording]] = {}
+    with run.progress.stage("reading the recording"):
+        recording = recording_of(spec, folder)
+    model = travel_model(spec, run.read(PRESSES)[1])
     with run.progress.stage("registration, calibration, nulls"):
-        for name, share in (("registered", REGISTERED_SHARE), ("calibrated", CALIBRATED_SHARE)):
-            run.progress.step(f"{name} on {100 * share:g} % of the places")
-            shown = drawn_places(recording, share, spec.seed)
-            parts[name] = part, judged = recording.select(shown), recording.select(~shown)
-            fitted = register(model, part)
-            if name == "calibrated":
-                fitted = calibrate(model, part, fitted.twin)
-            fits[name] = fitted
-            agreements[name] = travel_agreement(
-                model, fitted, part, judged, exchanges, seed=spec.seed
-            )
-            found = readers(model, fitted, part, judged, spec.seed)
-            places[name] = {reader: asdict(errors) for reader, errors in found.items()}
+        found = fits_and_judged(model, recording, spec.seed)
+        agreements = {
+            name: travel_agreement(model, *parts, exchanges, seed=spec.seed)
+            for name, parts in found.items()
+        }
     others = {
         name: (travel_model(other.spec, other.read(PRESSES)[1]), words)
         for name, (other, words) in _other_mechanics(run).items()
     }
     with run.progress.stage("what the residuals point to"):
-        part, judged = parts["registered"]
-        suspects = ranked_suspects(model, fits["registered"], part, judged, others, spec.seed)
-    document = _document(spec, folders[0], agreements, fits) | {
-        "places": places,
-        "suspects": [asdict(suspect) for suspect in suspects],
-    }
-    if repeats:
-        document["bound"] = _bound(model, fits, repeats[0])
+        fitted, part, judged = found["registered"]
+        suspects = ranked_suspects(model, fitted, part, judged, others, spec.seed)
+    fits = {name: fit for name, (fit, *_) in found.items()}
+    document = _document(spec, folder, agreements, fits)
+    document["suspects"] = [asdict(suspect) for suspect in suspects]
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "travel.json")
-    draw_travel(spec, model, fits["registered"], recording, document, target / "travel.png")
-    draw_residuals(spec, model, fits["registered"], judged, suspects, target / "residuals.png")
+    draw_travel(spec, model, fitted, recording, document, target / "travel.png")
+    draw_residuals(spec, model, fitted, judged, suspects, target / "residuals.png")
     return _published(spec, run, document, target)
 
 
@@ -120,7 +97,14 @@ def _other_mechanics(run: Run) -> dict[str, tuple[Run, Callable[[float], str]]]:
     return found
 
 
-def _recording(spec: ObjectSpec, folder: Path) -> TravelRecording:
+def recording_of(spec: ObjectSpec, folder: Path) -> TravelRecording:
+    """The presses of a folder, of as many chips as the object has.
+
+    Raises
+    ------
+    InputError
+        Another number of chips, or a damaged recording.
+    """
     from estimator.recordings.formats.travel import read_travel
 
     recording = read_travel(folder)
@@ -131,27 +115,6 @@ def _recording(spec: ObjectSpec, folder: Path) -> TravelRecording:
             "face. Validate the specification of the recorded object"
         )
     return recording
-
-
-def _bound(
-    model: TravelModel, fits: dict[str, Fitted], repeats: TravelRecording
-) -> dict[str, dict[str, float | int]]:
-    from estimator.calibration.known_travel.bound import bound_test
-
-    tests = {name: bound_test(model, fitted, repeats) for name, fitted in fits.items()}
-    return {
-        name: {
-            "places": len(test.bound_mm),
-            "median bound mm": float(np.median(test.bound_mm)),
-            "median scatter mm": float(np.median(test.scatter_mm)),
-            "scatter over bound": test.size_ratio,
-            "its spread ×/÷": test.size_spread,
-            "rank correlation": test.rank_correlation,
-            "null of places exchanged, 95 %": test.null,
-            "attainable with these repeats": test.attainable,
-        }
-        for name, test in tests.items()
-    }
 
 
 def _document(
@@ -211,18 +174,10 @@ def _tables(document: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
         f"{name}, judged on all other places": agreement_rows(found)
         for name, found in document["agreement"].items()
     }
-    for name, found in document["places"].items():
-        tables[f"places read, learnt where {name}"] = [
-            {"reader": reader, **errors} for reader, errors in found.items()
-        ]
     tables[
         "what the residuals point to: one assumption freed, share of the change explained on judged places "
         "(90 % of places drawn anew)"
     ] = suspect_rows(document["suspects"])
-    if "bound" in document:
-        tables["bound of the place against the scatter of repeats"] = [
-            {"object": name, **found} for name, found in document["bound"].items()
-        ]
     return tables
 
 

@@ -7,10 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from design.layout.places.contact_grid import grid_places_in_lattice
-from design.layout.places.contact_places import contact_places
 from design.spec.object import ObjectSpec
 from fem.presses.compliance_map import ComplianceMap
-from instobj.figures.maps.overview import draw_overview
+from instobj.figures.maps.overview import FaceMap, draw_overview
 from instobj.figures.maps.scale import GAIN_COLOURS, finite_limits
 from instobj.store.readers import TIED_COMPLIANCE_MAP
 
@@ -32,30 +31,20 @@ def draw_compliance(
         name: compliance.mm_per_n[:, grid_places_in_lattice(spec)]
         for name, compliance in maps.items()
     }
-    has_place = contact_places(spec)
-    low, high = finite_limits(np.stack(list(shown.values())))
+    limits = finite_limits(np.stack(list(shown.values())))
+    title = f"Compliance {with_magnets.depth_mm:g} mm deep: indentation depth per newton"
     for name, values in shown.items():
-        rigid = spec.mechanics.magnets == "rigid"
-        what = "magnets rigid" if rigid else "magnets as ideal points"
-        title = f"Compliance {with_magnets.depth_mm:g} mm deep: indentation depth per newton"
-        if name == WITHOUT_MAGNETS:
-            what, title = "magnets left out (drawn where they would be)", f"{title}, no magnets"
-        softest, stiffest = values[has_place].max(), values[has_place].min()
+        without = name == WITHOUT_MAGNETS
+        what = "magnets left out (drawn where they would be)" if without else "magnets rigid"
+        if spec.mechanics.magnets == "points" and not without:
+            what = "magnets as ideal points"
+        softest, stiffest = np.nanmax(values), np.nanmin(values)
         both = " One scale with and without magnets." if without_magnets is not None else ""
-        draw_overview(
-            values,
-            with_magnets.faces,
-            spec,
-            title,
-            "mm/N",
-            low,
-            high,
-            folder / name,
-            log=False,
-            colours=GAIN_COLOURS,
-            note=(
-                f"Depth over force of the {spec.indenter.kind} pressed {with_magnets.depth_mm:g} mm, "
-                f"{what}. Softest {softest:.2f}, stiffest {stiffest:.2f} mm/N; E = "
-                f"{spec.silicone.youngs_modulus_mpa:g} MPa, small strain.{both}"
-            ),
+        note = (
+            f"Depth over force of the {spec.indenter.kind} pressed {with_magnets.depth_mm:g} mm, "
+            f"{what}. Softest {softest:.2f}, stiffest {stiffest:.2f} mm/N; E = "
+            f"{spec.silicone.youngs_modulus_mpa:g} MPa, small strain.{both}"
         )
+        titled = f"{title}, no magnets" if without else title
+        face_map = FaceMap(titled, "mm/N", values, False, GAIN_COLOURS, limits, note)
+        draw_overview(spec, face_map, folder / name)

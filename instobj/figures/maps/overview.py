@@ -12,7 +12,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Bool, Float
 
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
@@ -23,15 +23,19 @@ from instobj.figures.maps.heatmaps import (
     INK,
     OUTWARD,
     PAPER,
-    SMALLEST_FONT,
     Pose,
     draw_ground,
     draw_values,
-    fitting_font,
     half_mm,
     legend_handles,
 )
-from instobj.figures.maps.scale import BOUND_COLOURS, MapScale, map_scale, set_plain_ticks
+from instobj.figures.maps.scale import (
+    BOUND_COLOURS,
+    MapScale,
+    finite_limits,
+    map_scale,
+    set_plain_ticks,
+)
 from instobj.figures.saving import save_figure
 
 if TYPE_CHECKING:
@@ -51,9 +55,38 @@ _CAPTION_WIDTH, _LINE_INCHES, _TITLE_LINE_INCHES = 42, 0.26, 0.33
 _ABOVE_CAPTION_INCHES = 2.1
 """Height of scale and legend in the column."""
 _NAME_POINTS = 10.5
-_REPORT_PX, _LEGIBLE_PX = 780.0, 5.0
 _ARROW_MM = 5.0
 MARKED = "#2fd6f5"
+
+
+@dataclass(frozen=True)
+class FaceMap:
+    """A score of every contact location of the sensed faces, and how it is drawn.
+
+    Attributes
+    ----------
+    values : (face, place); what is not finite stays blank
+    limits : ends of the scale, by default the least and the largest finite value
+    note : caption, wrapped to its column
+    direction_deg : (face, place), from each face's x, drawn as a line through blank places
+    marked : (face, place), places that get a frame
+    """
+
+    title: str
+    unit: str
+    values: Float[np.ndarray, "face place"]
+    log: bool = True
+    colours: str = BOUND_COLOURS
+    limits: tuple[float, float] | None = None
+    note: str = ""
+    direction_deg: Float[np.ndarray, "face place"] | None = None
+    marked: Bool[np.ndarray, "face place"] | None = None
+
+    @property
+    def scale(self) -> MapScale:
+        """Colours of all faces. Raises InputError as `map_scale` and `finite_limits` do."""
+        limits = self.limits or finite_limits(self.values)
+        return map_scale(self.unit, *limits, self.log, self.colours)
 
 
 @dataclass(frozen=True)
@@ -66,59 +99,39 @@ class _Page:
     column_left: float
     column_top: float
 
-    @property
-    def smallest_font(self) -> float:
-        """Points of a number that can be read where the picture is as wide as the report's text."""
-        across = float(self.figure.get_size_inches()[0])
-        return max(SMALLEST_FONT, _LEGIBLE_PX / _REPORT_PX * 72 * across)
-
     def place(self, left_inches: float, bottom: float, width: float, height: float) -> Any:
         """A rectangle in inches as shares of the figure."""
         across, up = self.figure.get_size_inches()
         return left_inches / across, bottom / up, width / across, height / up
 
 
-def draw_overview(
-    values: Float[np.ndarray, "face place"],
-    faces: Int[np.ndarray, "face"],
-    spec: ObjectSpec,
-    title: str,
-    unit: str,
-    vmin: float,
-    vmax: float,
-    path: Path | str,
-    *,
-    log: bool = True,
-    colours: str = BOUND_COLOURS,
-    note: str = "",
-    direction_deg: Float[np.ndarray, "face place"] | None = None,
-    marked: Bool[np.ndarray, "face place"] | None = None,
-) -> Figure:
+def draw_overview(spec: ObjectSpec, face_map: FaceMap, path: Path | str) -> Figure:
     """All faces in one picture and on one scale (PNG).
 
-    `note` is the caption, wrapped to its column; `direction_deg` from each face's x is drawn as a
-    line through places without a finite value, `marked` places get a frame. Raises as `map_scale`
-    does.
+    Raises
+    ------
+    InputError
+        No value is finite, or the limits of the scale are out of order.
     """
-    scale = map_scale(unit, vmin, vmax, log, colours)
+    scale = face_map.scale
     covered = f"Contact locations cover {100 * covered_share(spec):.0f} % of the sensed surface."
-    lines = [*note.splitlines(), covered]
+    blank = contact_places(spec) & ~np.isfinite(face_map.values)
+    direction_text = ", along the line" if face_map.direction_deg is not None else ""
+    blank_text = (
+        f"Blank: blind, or beyond the deepest press{direction_text}." if blank.any() else ""
+    )
+    lines = [*face_map.note.splitlines(), blank_text, covered]
     caption = [part for line in lines for part in wrap(line, _CAPTION_WIDTH)]
-    page = _page(spec, faces, title, len(caption))
-    cell = spec.contact_grid.pitch_mm * page.inches_per_mm
-    legible = fitting_font(values, scale, cell) >= page.smallest_font
-    sizes = page.inches_per_mm, SMALLEST_FONT if legible else np.inf
+    page = _page(spec, face_map.title, len(caption))
     meshes = []
-    for index, (row, number) in enumerate(zip(values, faces.tolist(), strict=True)):
+    for index, (row, number) in enumerate(zip(face_map.values, spec.body.sensed, strict=True)):
         pose = net_pose(spec, number, _gap_mm(page.inches_per_mm))
         draw_ground(page.axes, spec, number, pose)
-        mesh, *_ = draw_values(page.axes, row, spec, number, scale, pose, *sizes)
-        meshes.append(mesh)
-        if direction_deg is not None:
-            blind = contact_places(spec)[spec.body.sensed.index(number)] & ~np.isfinite(row)
-            draw_directions(page.axes, spec, direction_deg[index], blind, pose)
-        if marked is not None:
-            _draw_frames(page.axes, spec, marked[index], pose)
+        meshes.append(draw_values(page.axes, row, spec, number, scale, pose))
+        if face_map.direction_deg is not None:
+            draw_directions(page.axes, spec, face_map.direction_deg[index], blank[index], pose)
+        if face_map.marked is not None:
+            _draw_frames(page.axes, spec, face_map.marked[index], pose)
         _name(page.axes, spec, number, pose)
         _draw_axes_arrows(page, spec, number, pose)
     _fill_column(page, meshes[0], scale, caption)
@@ -138,19 +151,17 @@ def net_pose(spec: ObjectSpec, face: int, gap_mm: float = GAP_MM) -> Pose:
     )
 
 
-def _page(
-    spec: ObjectSpec, faces: Int[np.ndarray, "face"], title: str, caption_lines: int
-) -> _Page:
+def _page(spec: ObjectSpec, title: str, caption_lines: int) -> _Page:
     """A figure as large as net, column and title need."""
     from matplotlib.figure import Figure
 
-    plain_low, plain_high = _net_ends(spec, faces, GAP_MM)
+    plain_low, plain_high = _net_ends(spec, GAP_MM)
     inches_per_mm = min(
         _CELL_INCHES / spec.contact_grid.pitch_mm,
         _LARGEST_NET_INCHES / float((plain_high - plain_low).max()),
     )
     gap = _gap_mm(inches_per_mm)
-    low, high = _net_ends(spec, faces, gap)
+    low, high = _net_ends(spec, gap)
     low, high = low - gap, high + gap
     net = (high - low) * inches_per_mm
     across = net[0] + _COLUMN_INCHES + 2 * _MARGIN_INCHES
@@ -176,11 +187,11 @@ def _gap_mm(inches_per_mm: float) -> float:
 
 
 def _net_ends(
-    spec: ObjectSpec, faces: Int[np.ndarray, "face"], gap_mm: float
+    spec: ObjectSpec, gap_mm: float
 ) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "2"]]:
     """Least and greatest x and y (mm) of all maps."""
     corners = []
-    for number in faces.tolist():
+    for number in spec.body.sensed:
         half = np.array(half_mm(spec, number))
         corners.append(net_pose(spec, number, gap_mm).apply(np.stack([-half, half])))
     all_corners = np.concatenate(corners)

@@ -97,7 +97,7 @@ def _other_changes(start: ObjectSpec, changed: ObjectSpec) -> list[tuple[str, st
             str(magnets.count),
             ", ".join(size.told for size in magnets.distinct_sizes),
             str(sensors.count_per_face),
-            f"{sensors.chip}, turned {sensors.mount_rotation_deg[2]:g}°",
+            sensors.chip,
             f"±{sensors.range_mt:g} mT",
             f"{spec.shell.thickness_mm:g} mm",
             spec.silicone.name,

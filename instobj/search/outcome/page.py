@@ -136,8 +136,7 @@ def _cross_face(results: ChainResults) -> list[list[str]]:
 
 def _forces(promotion: Promotion, folder: Path) -> dict[str, Any]:
     """Bounds force by force, and where a location is worse than it was."""
-    from instobj.figures.maps.overview import draw_overview
-    from instobj.figures.maps.scale import finite_limits
+    from instobj.figures.maps.overview import FaceMap, draw_overview
 
     spec, faces = promotion.best.spec, promotion.best.spec.body.sensed
     forces = spec.scoring_forces_n
@@ -165,16 +164,9 @@ def _forces(promotion: Promotion, folder: Path) -> dict[str, Any]:
     every_ratio = np.concatenate(list(ratio.values()))
     worse = np.mean(every_ratio[~np.isnan(every_ratio)] > 1)
     force_list = ", ".join(f"{force:g}" for force in forces)
-    draw_overview(
-        largest,
-        np.array(faces),
-        spec,
-        f"Position bound after the search over before, largest of {force_list} N",
-        "times",
-        *finite_limits(largest.ravel()),
-        path,
-        note=f"Above 1 a location got worse: {100 * worse:.1f} % of locations and forces.",
-    )
+    title = f"Position bound after the search over before, largest of {force_list} N"
+    note = f"Above 1 a location got worse: {100 * worse:.1f} % of locations and forces."
+    draw_overview(spec, FaceMap(title, "times", largest, note=note), path)
     header = ["N", "worst, mm", "times better", "99 %, mm", "times better", "median, mm"]
     header += ["times better", "locations worse"]
     return {"force_header": header, "forces": rows, "over_start": path}
@@ -192,7 +184,7 @@ def _label(name: str) -> str:
 
 def _maps(promotion: Promotion, results: ChainResults, folder: Path) -> list[tuple[str, Path]]:
     """Pictures of the position bound of every place, both on one scale."""
-    from instobj.figures.maps.overview import draw_overview
+    from instobj.figures.maps.overview import FaceMap, draw_overview
     from instobj.figures.maps.scale import finite_limits
 
     if results.scores is None:
@@ -204,21 +196,19 @@ def _maps(promotion: Promotion, results: ChainResults, folder: Path) -> list[tup
         when: getattr(score, f"position_bound{SUFFIXES[baseline]}_mm")
         for when, score in scores.items()
     }
-    all_bounds = np.concatenate([values.ravel() for values in bounds.values()])
+    limits = finite_limits(np.concatenate([values.ravel() for values in bounds.values()]))
     pictures = []
-    for when, score in scores.items():
-        values, path = bounds[when], folder / f"position_bound_{when}.png"
+    for when, values in bounds.items():
         worst, middle = np.nanmax(values), np.nanmedian(values)
-        draw_overview(
-            values,
-            score.faces,
-            pair[when],
+        face_map = FaceMap(
             f"Position bound {when} the search, {pair[when].score.force_n:g} N",
             "mm",
-            *finite_limits(all_bounds),
-            path,
+            values,
+            limits=limits,
             note=f"Worst location {worst:.2f} mm, median {middle:.2f} mm, {baseline} baseline.",
         )
+        path = folder / f"position_bound_{when}.png"
+        draw_overview(pair[when], face_map, path)
         pictures.append((when, path))
     return pictures
 

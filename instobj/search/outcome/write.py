@@ -13,6 +13,7 @@ from design.layout.places.coverage import covered_share
 from design.search.space import SearchSpace
 from design.spec.object import ObjectSpec
 from design.spec.search import SearchSpec
+from design.spec.silicone import is_test_file
 from design.tables import toml_text
 from estimator.layouts.fidelity import SCORE_NAMES
 from instobj.search.outcome.history import search_history
@@ -86,9 +87,12 @@ def write_specification(
         mode="json", exclude_none=True
     )
     del content["search"], content["as_built"]
-    for table, key in (("indenter", "file"), ("silicone", "tensile_data")):
-        if key in content[table]:
-            content[table][key] = str((beside / content[table][key]).absolute())
+    if is_test_file(spec.silicone.modulus_from):
+        content["silicone"]["modulus_from"] = str(
+            (beside / content["silicone"]["modulus_from"]).absolute()
+        )
+    if "file" in content["indenter"]:
+        content["indenter"]["file"] = str((beside / content["indenter"]["file"]).absolute())
     with atomic_path(path) as temporary:
         temporary.write_bytes(f"{comment}{toml_text(content)}".encode())
 

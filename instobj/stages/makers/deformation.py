@@ -91,12 +91,20 @@ def correct_table(
 def correction_places_mm(spec: ObjectSpec) -> list[tuple[float, float]]:
     """Centre, middle of an edge, corner, over the outermost magnet, on the way there, off centre.
 
-    All within the contact grid; places less than 1 mm from an earlier one are left out.
+    All within the contact grid, and the whole tip on a flat face: a press with large deformation
+    does not hang over. Places less than 1 mm from an earlier one are left out.
     """
+    from design.layout.body import face_frames
     from design.layout.places.contact_places import outermost_mm
     from design.layout.pockets import magnet_places
+    from design.layout.tips import footprint_mm
 
-    reach = outermost_mm(spec)
+    frame, reach = face_frames(spec)[0], outermost_mm(spec)
+    if frame.flat:
+        room = frame.half_extents_mm - abs(footprint_mm(spec.indenter)).max(axis=0)
+        if frame.round:  # a corner of the rectangle of places lies on the circle
+            room = room / np.sqrt(2)
+        reach = np.minimum(reach, room)
     outer = max(magnet_places(spec)[0], key=lambda place: float(np.hypot(*place)))
     magnet = np.clip(outer, -reach, reach)
     wanted = (0 * reach, reach * [1, 0], reach, magnet, magnet / 2, reach * [0.4, 0])

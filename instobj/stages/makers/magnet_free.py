@@ -61,11 +61,12 @@ def make_plain_response(context: StageContext, folder: Path) -> None:
 
 def make_plain_presses(context: StageContext, folder: Path) -> None:
     """Contact without magnets at the depth of the compliance map."""
-    from fem.presses.compliance_map import presses_without_magnets, save_forces
+    from fem.presses.compliance_map import presses_without_magnets
+    from fem.presses.results import save_presses
 
     response = context.read(PLAIN_RESPONSE)
     forces = presses_without_magnets(context.spec, response, context.step)
-    save_forces(forces, PLAIN_FORCES.path(folder))
+    save_presses(forces, None, PLAIN_FORCES.path(folder))
 
 
 def make_compliance(context: StageContext, folder: Path) -> None:

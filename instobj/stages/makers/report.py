@@ -45,11 +45,13 @@ def make_surroundings(context: StageContext, folder: Path) -> None:
 
 
 def make_press_curves(context: StageContext, folder: Path) -> None:
-    """Curves of force and signal, the free range of the sensors, depth at the middle peak force."""
+    """Curves of force and signal, free range of the sensors, depth at the middle peak force, compliance."""
     from estimator.signals.presses import saturation_margin
+    from fem.presses.compliance_map import compliance_map
     from instobj.figures.curves import draw_press_curves
+    from instobj.figures.maps.compliance import draw_compliance
 
-    signals = SIGNALS.read(context.inputs["signals"])
+    signals = context.read(SIGNALS)
     spread = travel_spread(context.spec, signals)
     content: dict[str, Any] = {
         "saturation_margin": saturation_margin(signals, context.spec),
@@ -58,14 +60,7 @@ def make_press_curves(context: StageContext, folder: Path) -> None:
     }
     write_json(content, PRESS_CURVES.path(folder))
     draw_press_curves(context.spec, signals, PRESS_CURVES_PICTURE.path(folder))
-
-
-def make_tied_compliance(context: StageContext, folder: Path) -> None:
-    """Map of compliance with the magnets, from the table of presses alone."""
-    from fem.presses.compliance_map import compliance_map
-    from instobj.figures.maps.compliance import draw_compliance
-
-    forces, _ = PRESSES.read(context.inputs["presses"])
+    forces, _ = context.read(PRESSES)
     draw_compliance(context.spec, compliance_map(forces), folder)
 
 

@@ -61,15 +61,15 @@ class TwinOfData:
         The twin sees training frames alone; how well it predicts is judged on training places left
         out in turn. A face with too few places stays as it is, and its row says so.
         """
-        from estimator.calibration.twin.pretraining import with_calibrated_presses
+        from estimator.calibration.twin.pretraining import calibrated_frames, with_presses_of_twin
 
         calibrated = self.calibrated(parts[0], face, step)
         if calibrated is None:
             return parts
-        train = with_calibrated_presses(
-            calibrated[0], parts, self.draws, lambda text: step(f"face {face}: {text}")
+        simulated = calibrated_frames(
+            calibrated[0], self.draws, lambda text: step(f"face {face}: {text}")
         )
-        return train, parts[1]
+        return with_presses_of_twin(parts, simulated), parts[1]
 
     def inverted(self, frames: FrameSet, step: Step) -> Inversion:
         """The estimator that inverts the twins of all faces with enough single places in these frames, or,

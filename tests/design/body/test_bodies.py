@@ -159,7 +159,7 @@ LONG = {"package_mm": [6.6, 6.2, 1.6]}
         (
             "pad",
             {"core": {"recess_inner_radius_mm": 3.264, "recess_outer_radius_mm": 6.9}},
-            r"begins 2 mm .* where core.hub_radius_mm = 2 ends: they would touch in a line",
+            r"begins 2 mm .* where half of core.wire_hole_side_diameter_mm = 2",
         ),
     ],
 )

@@ -344,8 +344,8 @@ def test_a_missing_file_and_a_missing_name_are_told(tmp_path):
 @pytest.mark.parametrize(
     ("factor", "overrides"),
     [
-        (0.001, {"body.unit": '"m"'}),
-        pytest.param(1 / 25.4, {"body.unit": '"in"'}, marks=pytest.mark.slow),
+        (0.001, {"body.scale": "1000"}),
+        pytest.param(1 / 25.4, {"body.scale": "25.4"}, marks=pytest.mark.slow),
         (2.0, {"body.scale": "0.5"}),
     ],
 )
@@ -358,13 +358,6 @@ def test_a_body_in_another_unit_is_the_same_body(tmp_path, factor, overrides):
     assert_allclose(body_of(spec).outer_surface().extents, SIZE, rtol=1e-3)
 
 
-def test_a_step_file_says_its_own_unit(tmp_path):
-    """Its reader gives mm already: 4 cm would have become 40."""
-    cq.exporters.export(cq.Workplane().box(40, 40, 40), str(tmp_path / "box.step"))
-    with pytest.raises(InputError, match="a STEP file says its own unit"):
-        _load(tmp_path, "box.step", **{"body.unit": '"cm"'})
-
-
 @pytest.mark.parametrize(
     ("scale", "overrides", "reason"),
     [
@@ -373,11 +366,10 @@ def test_a_step_file_says_its_own_unit(tmp_path):
         pytest.param(
             0.001,
             {},
-            r'5 to 1000 mm; got 0\.05\d* .* In which unit .* body\.unit = "m"',
+            r"5 to 1000 mm; got 0\.05\d* .* In which unit .* m: body\.scale = 1000",
             id="in metres",
         ),
-        pytest.param(0.001, {"body.unit": '"ell"'}, r"body\.unit", id="no unit"),
-        pytest.param(1.0, {"body.scale": "1e5"}, r"body\.scale", id="large"),
+        pytest.param(1.0, {"body.scale": "1e7"}, r"body\.scale", id="large"),
         pytest.param(
             0.7, {"magnets.positions_mm": "[[14, 0]]"}, "pocket outside face", id="pocket"
         ),

@@ -68,10 +68,10 @@ def test_harder_dragon_skin_is_stiffer_and_within_gent_s_spread():
 
 
 def test_an_explicit_modulus_goes_before_hardness_and_hardness_before_the_name():
-    assert silicone(name="Ecoflex 00-30", shore="A20").youngs_modulus_mpa == pytest.approx(
+    assert silicone(name="Ecoflex 00-30", modulus_from="A20").youngs_modulus_mpa == pytest.approx(
         0.7345, abs=1e-3
     )
-    both = silicone(shore="A20", youngs_modulus_mpa=0.5)
+    both = silicone(modulus_from="A20", youngs_modulus_mpa=0.5)
     assert (both.youngs_modulus_mpa, both.modulus_source) == (0.5, "given")
     assert both.relative_spread == pytest.approx((0.4407, 1.9097), abs=1e-3)
     far = silicone(youngs_modulus_mpa=2)
@@ -79,7 +79,7 @@ def test_an_explicit_modulus_goes_before_hardness_and_hardness_before_the_name()
 
 
 def test_an_unknown_name_needs_a_modulus():
-    with pytest.raises(InputError, match=r"'Goo' is not in the catalogue .*silicone.shore"):
+    with pytest.raises(InputError, match=r"'Goo' is not in the catalogue .*silicone.modulus_from"):
         silicone(name="Goo")
     assert silicone(name="Goo", youngs_modulus_mpa=0.2).youngs_modulus_range_mpa is None
 
@@ -100,7 +100,7 @@ def test_relaxation_keeps_a_solid_and_names_unknown_keys():
 
 
 def test_specifications_with_equal_figures_are_equal():
-    spec = parse_spec({"name": "cube", "silicone": {"shore": "A30"}}, "test")
+    spec = parse_spec({"name": "cube", "silicone": {"modulus_from": "A30"}}, "test")
     assert spec_hash(parse_spec(spec.model_dump(mode="json"), "again")) == spec_hash(spec)
     assert spec_hash(ObjectSpec(name="cube", silicone=silicone())) == spec_hash(
         ObjectSpec(name="cube")

@@ -167,7 +167,7 @@ def test_a_specification_takes_its_modulus_from_a_file_beside_it(tmp_path):
     rows = zip(STRETCH, test.nominal_stress_mpa, strict=True)
     written(tmp_path, "stretch,nominal_stress_mpa", rows)
     spec = tmp_path / "cube.toml"
-    spec.write_text('name = "cube"\n[silicone]\ntensile_data = "pull.csv"\n')
+    spec.write_text('name = "cube"\n[silicone]\nmodulus_from = "pull.csv"\n')
     silicone = load_spec(spec).silicone
     assert_allclose(silicone.youngs_modulus_mpa, 1.5 * 0.061 * 2.7, rtol=1e-5)
     assert silicone.relative_spread is not None
@@ -175,7 +175,7 @@ def test_a_specification_takes_its_modulus_from_a_file_beside_it(tmp_path):
     given = load_spec(spec, ["silicone.youngs_modulus_mpa=0.3"]).silicone
     assert (given.youngs_modulus_mpa, given.modulus_source) == (0.3, "given")
     with pytest.raises(InputError, match="cannot read tensile data"):
-        load_spec(spec, ["silicone.tensile_data=none.csv"])
+        load_spec(spec, ["silicone.modulus_from=none.csv"])
 
 
 def intervals_hold(noise_of):

@@ -18,7 +18,7 @@ BASES = {
     "ring of 8.5 mm": ["sensors.radius_mm=8.5"],
     "keys": [*KEY, "core.keys.positions_mm=[[0.0, 12.0]]"],
     "key below a magnet": [*KEY, "core.keys.positions_mm=[[10.0, 10.0]]"],
-    "slits": ["shell.slits.depth_mm=4.0", "shell.slits.end_mm=20.0"],
+    "slits": ["shell.slits.depth_mm=4.0"],
     "channels": ["core.wire_channel_width_mm=2.0"],
     "cuboid tip": ["indenter.kind=cuboid"],
     "two tips": ["indenter.tip_count=2"],
@@ -44,8 +44,7 @@ cube: core.wall_mm | 12.99 | 13.0 | larger than two core walls
 cube: core.recess_depth_mm | 4.49 | 4.5 | recess_depth_mm must be below
 cube: core.recess_outer_radius_mm | 12.99 | 13.0 | recess_outer_radius_mm < half
 cube: core.recess_inner_radius_mm | 10.99 | 11.0 | recess_outer_radius_mm < half
-cube: core.hub_radius_mm | 12.99 | 13.0 | below half the core
-cube: core.hub_radius_mm | 4.48 | 4.495 | they would touch in a line
+cube: core.wire_hole_side_diameter_mm | 8.96 | 8.99 | they would touch in a line
 cube: core.wire_hole_side_diameter_mm | 16.99 | 17.0 | below the core's cavity
 cube: core.wire_hole_top_diameter_mm | 16.99 | 17.0 | below the core's cavity
 cube: shell.pocket_depth_mm | 7.99 | 8.0 | pocket_depth_mm must be below
@@ -54,7 +53,7 @@ cube: shell.pocket_diameter_mm | 6.0 | 5.99 | narrower than the magnets
 cube: shell.pocket_diameter_mm | 6.0 | 5.99 | pocket 6 mm wide or more
 cube: magnets.height_mm | 2.99 | 3.0 | pocket deeper than 3 mm
 cube: shell.seal_layer_mm | 2.0 | 2.01 | sticking out of the first pour
-cube: shell.dent_mm | 1.99 | 2.0 | reaches magnets.positions_mm
+cube: as_built.magnets | [{face=1,magnet=2,dent_mm=1.99}] | [{face=1,magnet=2,dent_mm=2.0}] | reaches
 cube: magnets.height_mm | 2.99 | 3.0 | must fit below the seal
 one magnet: magnets.depth_mm | 0.51 | 0.5 | does not seal the magnet
 one magnet: magnets.depth_mm | 7.49 | 7.5 | does not seal the magnet
@@ -84,15 +83,14 @@ keys: core.keys.positions_mm | [[0, 12], [2.01, 12]] | [[0, 12], [1.99, 12]] | a
 keys: core.keys.height_mm | 7.99 | 8.0 | height_mm must be below shell
 key below a magnet: core.keys.height_mm | 4.99 | 5.0 | into the pocket
 slits: shell.slits.depth_mm | 10.81 | 10.82 | reaches the core
-slits: shell.slits.end_mm | 3.83 | 3.82 | so that slits do not meet
-slits: shell.slits.end_mm | 20.99 | 21.0 | below half the shortest edge
+slits: shell.slits.width_mm | 18.17 | 18.18 | leaves no slit
 channels: core.wire_channel_depth_mm | 4.49 | 4.5 | must be below core.wall_mm
 cube: core.bay_mm | [19.99, 9.0, 9.0] | [20.0, 9.0, 9.0] | 20 mm in x
 cube: core.bay_mm | [9.0, 19.99, 9.0] | [9.0, 20.0, 9.0] | 20 mm in y
 cube: core.bay_mm | [9.0, 9.0, 22.99] | [9.0, 9.0, 23.0] | 23 mm in z
 sensors in the shell: shell.pocket_depth_mm | 1.61 | 1.6 | a sensor board of
 sensors in the shell: magnets.height_mm | 4.49 | 4.5 | deep in a core wall of
-sensors in the shell: magnets.positions_mm | [[5.01, 0.0]] | [[5.0, 0.0]] | meets the hub
+sensors in the shell: magnets.positions_mm | [[5.01, 0.0]] | [[5.0, 0.0]] | meets the wire hole
 ball: shell.pocket_depth_mm | 7.99 | 8.0 | does not lie within the 8 mm
 ball: press.depths_mm | [1.0, 4.8] | [1.0, 4.81] | 60% of the silicone
 ball: body.bore_mm | 33.99 | 34.0 | below the core's width, 34 mm

@@ -11,10 +11,10 @@ from design.spec_io import parse_spec
 
 FAULTS = {
     "magnets": {"positions_mm": [[0, 0], [18, 0]]},
-    "core": {"recess_depth_mm": 4.5, "hub_radius_mm": 15.0},
+    "core": {"recess_depth_mm": 4.5, "wire_hole_top_diameter_mm": 30.0},
     "press": {"depths_mm": [1.0, 4.9]},
     "contact_grid": {"count": [20, 10]},
-    "shell": {"slits": {"depth_mm": 12.0, "end_mm": 12.0}},
+    "shell": {"slits": {"depth_mm": 12.0}},
 }
 NAMED = {
     "magnets": r"magnets\.positions_mm\[1\]",
@@ -31,7 +31,7 @@ def test_five_faults_in_five_tables_are_told_together():
         parse_spec({"name": "cube", **FAULTS}, "cube.toml")
     for table, pattern in NAMED.items():
         assert re.search(pattern, str(told.value)), f"nothing of [{table}] in\n{told.value}"
-    assert "core.hub_radius_mm" in str(told.value), "one fault of [core] hid the other"
+    assert "core.wire_hole_" in str(told.value), "one fault of [core] hid the other"
     assert all(line.startswith("  - ") for line in str(told.value).splitlines()[1:])
 
 

@@ -122,7 +122,12 @@ STEEL = "environment.steel_plates=[{position_mm=[0, 0, %s], normal=[0, 0, -1]}]"
         ("sensors.positions_mm=[[%s, 0]]", 12.0, r"by more than ([\d.]+) mm in x", 0.0),
         (STRAY, 20.0, r"outwards by more than ([\d.]+) mm", 0.0),
         (STEEL, 18.0, r"back by ([\d.]+) mm or more", -0.1),
-        ("shell.dent_mm=%s", 2.5, r"dent_mm\) smaller than ([\d.]+)", 0.0),
+        (
+            "as_built.magnets=[{face=1,magnet=1,dent_mm=%s}]",
+            2.5,
+            r"dent_mm \(as_built\) smaller than ([\d.]+)",
+            0.0,
+        ),
     ],
 )
 def test_the_nearest_value_is_told_and_is_the_nearest(setting, wrong, pattern, step):

@@ -21,7 +21,6 @@ box: core.recess_outer_radius_mm=15.2
 box: core.recess_inner_radius_mm=6.7
 box: core.wire_hole_side_diameter_mm=21.5
 box: core.wire_hole_top_diameter_mm=22.5
-closed box: core.hub_radius_mm=15.5
 box: shell.pocket_depth_mm=8.25
 box: shell.pocket_depth_mm=1.1
 box: shell.pocket_diameter_mm=3.9
@@ -38,7 +37,6 @@ box: core.recess_inner_radius_mm=3.3
 box: core.recess_width_mm=3.7
 box: core.recess_depth_mm=2.05
 box: sensors.radius_mm=5.75
-box: core.hub_radius_mm=2.162
 box: press.depths_mm=[1,4.9]
 box: indenter.radius_mm=1.4
 box: indenter.kind=cuboid indenter.size_mm=[47,51]
@@ -63,11 +61,8 @@ box: core.keys.height_mm=8.3
 box: mechanics.interface=frictionless
 box: core.keys.size_mm=[9,14]
 box: shell.slits.depth_mm=11.1
-box: shell.slits.end_mm=3.1
-box: shell.slits.end_mm=24.5
 box: shell.seal_layer_mm=1.9
-box: shell.dent_mm=1.8
-box: shell.dent_mm=1.0 mechanics.correction=large-strain indenter.friction=sticking
+box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.0}] mechanics.correction=large-strain
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.9}]
 box: core.wire_channel_depth_mm=4.6
 box: core.bay_mm=[25,29,38]
@@ -133,9 +128,8 @@ hollow dome: contact_grid.count=[16,14]
 """
 TIGHT = """
 box: shell.seal_layer_mm=1.74
-box: shell.dent_mm=1.74 shell.seal_layer_mm=0
+box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.74}] shell.seal_layer_mm=0
 box: core.bay_mm=[24.7,28.7,37.3]
-box: shell.slits.end_mm=3.4
 box: magnets.depth_mm=[0.61,2.6,0.9] shell.seal_layer_mm=0
 box: core.keys.positions_mm=[[13.9,-10],[10.5,14.2]]
 sleeve: press.depths_mm=[1,4.79]

@@ -134,7 +134,7 @@ def test_fins_of_slits_hook_unless_they_lie_along_the_pull(azimuth_deg, hooked_m
 def test_fins_that_no_seam_frees_are_told_with_a_mould_that_does():
     """Halfway between four sides two lie in the seam that the two others are drawn along."""
     body = {"kind": "cylinder", "size_mm": [40.0, 40.0, 50.0]}
-    shell = {"slits": {"depth_mm": 3.0, "width_mm": 0.8, "end_mm": 6.0}}
+    shell = {"slits": {"depth_mm": 3.0, "width_mm": 0.8}}
     content = {"name": "cylinder", "body": body, "shell": shell, "mould": {"style": "split"}}
     (told,) = seam_in_words(ObjectSpec.model_validate(content))
     assert "2 of 4 slits hook" in told

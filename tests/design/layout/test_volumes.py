@@ -8,7 +8,7 @@ from design.layout.volumes import sealed_volume_mm3
 from design.spec.object import ObjectSpec
 
 KEYS = {"positions_mm": [[3.0, 9.0], [-9.0, 2.0]], "size_mm": [3.0, 2.0], "height_mm": 1.5}
-SLITS = {"width_mm": 1.5, "depth_mm": 4.0, "end_mm": 6.0}
+SLITS = {"width_mm": 1.5, "depth_mm": 4.0}
 
 
 def volume(body, **parts):
@@ -32,10 +32,10 @@ def test_keys_of_a_ball_take_what_of_them_stands_out_of_the_core():
 
 @pytest.mark.parametrize(("open_faces", "edges"), [([6], 8), ([], 12)])
 def test_slits_run_along_the_edges_between_sensed_faces(open_faces, edges):
-    """Triangles of 4 mm less half of them, 1.5 mm wide; those along z run out of an open face."""
+    """Triangles of 4 mm less half of them, 1.5 mm wide, from 8 mm off the corners or an open face."""
     box = {"size_mm": [42.0, 44.0, 46.0], "open_faces": open_faces}
     plain, slit = volume(box), volume(box, shell={"slits": SLITS})
-    along = {"x": 42 - 12, "y": 44 - 12, "z": 46 - (12 if not open_faces else 6)}
+    along = {"x": 42 - 16, "y": 44 - 16, "z": 46 - (16 if not open_faces else 8)}
     level = 4 if not open_faces else 2
     length = level * (along["x"] + along["y"]) + 4 * along["z"]
     assert edges == 2 * level + 4

@@ -54,7 +54,7 @@ CASES = {
     "closed sphere": {"body": {"open_faces": []}},
     "bored ellipsoid": {"body": {"open_faces": [6], "bore_mm": 9.0}},
     "split pad": {"mould": {"style": "split"}},
-    "split cylinder": {"mould": {"style": "split", "draft_deg": 3.0}},
+    "split cylinder": {"mould": {"style": "split"}},
     "split dome": {"mould": {"style": "split"}},
     "open at the side": {"body": {"open_faces": [3]}},
     "closed cylinder": {"body": {"open_faces": []}, "magnets": BESIDE},
@@ -201,17 +201,6 @@ def test_bosses_along_the_pull_stay_on_their_half():
     half, shell = make_mould_half(turned, 1), make_shell(turned)
     moved = half.translate(cq.Vector(5, 0, 0))
     assert volume_mm3(common(moved, shell)) < 1e-6
-
-
-def test_draft_widens_pins_outside_the_silicone_alone():
-    straight, drafted = (
-        case("sphere", mould={"draft_deg": draft, "wall_mm": 3.0}) for draft in (0.0, 5.0)
-    )
-    pins = [make_pin(spec, loose_pins(spec)[1]) for spec in (straight, drafted)]
-    thicker = cut(pins[1], pins[0])
-    assert volume_mm3(thicker) > 2
-    assert volume_mm3(common(thicker, cast_room(drafted))) < 0.02
-    assert volume_mm3(cut(pins[0], pins[1])) < 1e-6
 
 
 def test_a_style_that_cannot_be_drawn_is_refused_and_the_other_is_chosen():

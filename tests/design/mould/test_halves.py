@@ -225,7 +225,6 @@ def test_dowels_stand_on_flange_that_hangs_on_the_block():
             "recess_inner_radius_mm": 2.39,
             "recess_outer_radius_mm": 8.89,
             "wire_hole_top_diameter_mm": 2.0,
-            "hub_radius_mm": 1.5,
             "wall_mm": 5.5,
         },
         "sensors": {"count_per_face": 2, "radius_mm": 5.64},

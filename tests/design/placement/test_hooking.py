@@ -10,7 +10,7 @@ from design.placement.objects import SHELL_VARIANTS, Request, ShellVariant, spec
 
 
 def lump(longest_mm, scale=1.0):
-    file = (("file", "lump.stl"), ("unit", "mm"), ("scale", scale))
+    file = (("file", "lump.stl"), ("scale", scale))
     return Request("imported", (longest_mm, 0.8 * longest_mm, 0.5 * longest_mm), file=file)
 
 

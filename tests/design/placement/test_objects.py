@@ -296,7 +296,6 @@ def test_electronics_of_a_face_by_hand():
     assert (core["recess_inner_radius_mm"], core["recess_outer_radius_mm"]) == (5.75, 12.25)
     assert core["wire_hole_top_diameter_mm"] == objects.hole_mm(2) >= 2.0
     assert core["wire_hole_side_diameter_mm"] == max(3.0, objects.hole_mm(2))
-    assert core["hub_radius_mm"] == core["wire_hole_side_diameter_mm"] / 2
     near = objects.electronics_tables(request, [np.zeros((1, 2))] * 4 + [np.ones((1, 2))])
     assert near["sensors"]["radius_mm"] == 3.5
     assert near["sensors"]["positions_mm"] == [[[0.0, 0.0]]] * 4 + [[[1.0, 1.0]]]
@@ -443,7 +442,6 @@ def test_a_recess_that_leans_towards_the_wire_hole_of_its_face_leaves_a_wall_at_
             "recess_inner_radius_mm": away_mm - half,
             "recess_outer_radius_mm": away_mm + half,
             "wire_hole_side_diameter_mm": 3.0,
-            "hub_radius_mm": 1.5,
         },
         "sensors": {
             "count_per_face": 2,

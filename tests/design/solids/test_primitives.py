@@ -61,9 +61,8 @@ def test_boxes_blocks_and_rods():
     volume, middle, box = told(rod_about_z(2.0, -3.0, 5.0))
     assert volume == pytest.approx(32 * np.pi)
     assert_allclose(middle, [0, 0, 1], atol=1e-9)
-    volume, _, box = told(rod_about_z(2.0, 0.0, 3.0, 1.0))
-    assert volume == pytest.approx(np.pi * 3 / 3 * (4 + 2 + 1))
-    assert_allclose(box[:, 0], [-2, 2], atol=1e-5)
+    cone = tapered_rod(cq.Vector(0, 0, 0), cq.Vector(0, 0, 3), 2.0, 1.0)
+    assert told(cone)[0] == pytest.approx(np.pi * 3 / 3 * (4 + 2 + 1))
     straight = tapered_rod(cq.Vector(1, 0, 0), cq.Vector(0, 5, 0), 2.0, 2.0)
     assert told(straight)[0] == pytest.approx(20 * np.pi)
     assert_allclose(told(straight)[1], [1, 2.5, 0], atol=1e-9)
@@ -101,12 +100,6 @@ def test_pockets_without_tilt_reach_from_floor_to_above_the_face(outline, area):
     x, y = (half + 0.5 for half in outline.half_mm)
     grown = told(pocket_prism(FRAME, straight, -1.0, 2.0, 0.5))[0]
     assert grown == pytest.approx(3 * (np.pi * x * y if outline.round else 4 * x * y))
-    slope, (x, y) = np.tan(np.deg2rad(10.0)), outline.half_mm
-    around = 2 * np.pi * x if outline.round else 4 * (x + y)  # corners are rounded
-    drafted = told(pocket_prism(FRAME, straight, -1.0, 2.0, 0.0, 10.0))
-    wanted = 3 * area + around * slope * 9 / 2 + np.pi * slope**2 * 27 / 3
-    assert drafted[0] == pytest.approx(wanted, rel=1e-6)
-    assert drafted[1][0] > middle[0], "wider above"
 
 
 @pytest.mark.parametrize("outline", [Outline((3.0, 3.0), True), Outline((3.0, 2.0), False)])
@@ -198,14 +191,8 @@ def test_primitives_by_hand():
     radius = plain.outline.radius_mm
     grown = pocket_prism(frame, plain, -1.0, 2.0, 0.3)
     assert grown.Volume() == pytest.approx(np.pi * (radius + 0.3) ** 2 * 3.0)
-    drafted = pocket_prism(frame, plain, 0.0, 2.0, 0.0, 5.0)
-    wide = radius + 2.0 * np.tan(np.deg2rad(5.0))
-    cone = np.pi * 2.0 / 3 * (radius**2 + radius * wide + wide**2)
-    assert drafted.Volume() == pytest.approx(cone, rel=1e-6)
     over = tilted.outline.area_mm2 * 0.5 / tilted.axis[2]
     assert pocket_solid(frame, tilted).Volume() == pytest.approx(tilted.volume_mm3 + over, rel=2e-2)
-    cone = rod_about_z(2.0, -1.0, 3.0, 1.0)
-    assert cone.Volume() == pytest.approx(np.pi * 4.0 / 3 * (4 + 2 + 1))
     one = Block(np.array([1.0, 2.0, 3.0]), frame.axes, np.array([1.0, 2.0, 4.0]))
     assert block_solid(one).Volume() == pytest.approx(64.0)
     box = block_solid(one).BoundingBox()

@@ -41,9 +41,11 @@ def test_wire_holes_of_opposite_faces_meet_past_the_centre():
         [[7.59, 0.0], [-3.8, 12.83], [-3.8, -12.83]],
         [[7.92, 0.0], [-3.96, 13.39], [-3.96, -13.39]],
     )
-    body = {"kind": "imported", "unit": "m", "sensed_faces": [3, 5]} | body_of_file(BRICK, 1000.0)
+    body = {"kind": "imported", "scale": 1000.0, "sensed_faces": [3, 5]} | body_of_file(
+        BRICK, 1000.0
+    )
     sensors = {"count_per_face": 3, "radius_mm": 7.59, "positions_mm": [near, far]}
-    core = {"recess_inner_radius_mm": 4.34, "recess_outer_radius_mm": 10.84, "hub_radius_mm": 1.5}
+    core = {"recess_inner_radius_mm": 4.34, "recess_outer_radius_mm": 10.84}
     core |= {"wire_hole_side_diameter_mm": 3.0}
     content = {"name": "brick", "body": body, "sensors": sensors, "core": core}
     spec = ObjectSpec.model_validate(content | {"magnets": {"positions_mm": [[0.0, 0.0]]}})

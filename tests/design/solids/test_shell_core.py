@@ -109,7 +109,7 @@ def in_core(spec, points):
         normal, u_axis, v_axis = np.array(axes, float)
         depth = abs(normal) @ half - points @ normal
         u, v = points @ u_axis, points @ v_axis
-        inside &= ~((np.hypot(u, v) < core.hub_radius_mm) & (depth < 0.5))
+        inside &= ~((np.hypot(u, v) < core.wire_hole_side_diameter_mm / 2) & (depth < 0.5))
         top, side = core.wire_hole_top_diameter_mm, core.wire_hole_side_diameter_mm
         hole = (top if number == 1 else side) / 2
         inside &= ~((np.hypot(u, v) < hole) & (depth < core.wall_mm))
@@ -178,7 +178,6 @@ def test_wires_pass_from_every_face_to_the_cavity():
     ("change", "message"),
     [
         ({"wire_hole_side_diameter_mm": 17.0}, "cavity, 17 mm wide; got 17"),
-        ({"hub_radius_mm": 13.0}, "hub_radius_mm must be below half the core"),
     ],
 )
 def test_passages_that_do_not_fit_are_refused(change, message):
@@ -249,7 +248,7 @@ def test_a_wire_hole_goes_on_to_the_middle_where_the_cavity_is_narrower_than_it(
         "name": "ball",
         "body": {"kind": "sphere", "size_mm": [23.3] * 3, "bore_mm": 6.0, "sensed_faces": [1]},
         "shell": {"thickness_mm": 5.0},
-        "core": {"wall_mm": wall_mm, "hub_radius_mm": 0.5},
+        "core": {"wall_mm": wall_mm, "wire_hole_side_diameter_mm": 2.0},
     }
     spec = ObjectSpec.model_validate(content)
     (face,) = core_frames(spec)

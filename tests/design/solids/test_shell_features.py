@@ -119,8 +119,6 @@ def test_a_bay_widens_the_cavity():
         ),
         (KEYS | {"mechanics": {"interface": "frictionless"}}, "cannot slide on a frictionless"),
         ({"shell": {"slits": {"depth_mm": 11}}}, "reaches the core"),
-        ({"shell": {"slits": {"depth_mm": 4, "end_mm": 3}}}, "do not meet at the corners"),
-        ({"shell": {"slits": {"depth_mm": 4, "end_mm": 30}}}, "half the shortest edge"),
         (
             {"magnets": {"positions_mm": [[14.5, 0]]}, "shell": {"slits": {"depth_mm": 6}}},
             "meets a relief slit",

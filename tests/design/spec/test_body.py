@@ -25,12 +25,15 @@ def test_the_longest_edge_measures_5_to_1000_mm():
 @pytest.mark.parametrize(
     ("size_mm", "said"),
     [
-        ((0.02, 0.04, 0.05), ["--unit m) makes it 50 mm", "--unit in) makes it 1.27 mm"]),
-        ((0.4, 0.5, 0.5), ["--unit cm) makes it 5 mm", "--unit m) makes it 500 mm"]),
-        ((4e-4, 2e-4, 4e-4), ["body.scale = 100000 makes it 40 mm"]),
-        ((2e4, 3e3, 2e4), ["body.scale = 0.001 makes it 20 mm"]),
-        ((1600.0, 300.0, 900.0), ["body.scale = 0.01 makes it 16 mm"]),
-        ((1560.0, 300.0, 900.0), ["body.scale = 0.1 makes it 156 mm"]),
+        (
+            (0.02, 0.04, 0.05),
+            ["m: body.scale = 1000 (instobj new: --scale) makes it 50 mm", "makes it 1.27 mm"],
+        ),
+        ((0.4, 0.5, 0.5), ["--scale) makes it 5 mm", "--scale) makes it 500 mm"]),
+        ((4e-4, 2e-4, 4e-4), ["body.scale = 100000 (instobj new: --scale) makes it 40 mm"]),
+        ((2e4, 3e3, 2e4), ["body.scale = 0.001 (instobj new: --scale) makes it 20 mm"]),
+        ((1600.0, 300.0, 900.0), ["body.scale = 0.01 (instobj new: --scale) makes it 16 mm"]),
+        ((1560.0, 300.0, 900.0), ["body.scale = 0.1 (instobj new: --scale) makes it 156 mm"]),
     ],
 )
 def test_a_file_drawn_in_another_unit_is_told_with_units_that_work(size_mm, said):
@@ -43,10 +46,6 @@ def test_a_file_drawn_in_another_unit_is_told_with_units_that_work(size_mm, said
 
 def test_units_in_mm():
     assert MM == {"mm": 1, "cm": 10, "m": 1000, "in": 25.4}
-    spec = BodySpec(kind="imported", file="a.stl", open_faces=(), unit="in", scale=2.0)
-    assert spec.mm_per_unit == 50.8
-    refused("a STEP file says its own unit", kind="imported", file="a.step", unit="cm")
-    assert BodySpec(kind="imported", file="a.step", open_faces=()).mm_per_unit == 1
 
 
 def test_open_and_sensed_faces():

@@ -59,8 +59,8 @@ def test_single_presses_need_not_fit_at_every_contact_location():
 def test_a_part_with_a_field_named_keys_is_changed_too():
     """`dict(part)` would call that field."""
     core = parse_spec({"name": "cube"}, "test").core
-    assert core.changed(hub_radius_mm=1.7).hub_radius_mm == 1.7
-    assert core.changed(hub_radius_mm=1.7).keys == core.keys
+    assert core.changed(wall_mm=4.7).wall_mm == 4.7
+    assert core.changed(wall_mm=4.7).keys == core.keys
 
 
 def test_tables_of_parts_that_are_left_out_are_each_specification_s_own():

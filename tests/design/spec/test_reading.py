@@ -2,7 +2,6 @@
 
 import os
 import time
-import warnings
 
 import numpy as np
 import pytest
@@ -12,10 +11,9 @@ from numpy.testing import assert_allclose
 from pydantic import ValidationError
 
 from design.errors import InputError, SpecError
-from design.spec.learning import TrainingSpec
 from design.spec.object import LARGEST_SEED, ObjectSpec
-from design.spec.renamed import REMOVED
-from design.spec_io import load_spec, parse_spec, spec_hash, with_overrides
+from design.spec.removed import REMOVED
+from design.spec_io import load_spec, parse_spec, with_overrides
 
 FILES = {
     "deep": ("x = " + "[" * 500 + "]" * 500, "nests brackets or tables too deep"),
@@ -77,74 +75,6 @@ def test_an_element_that_cannot_take_the_ratio_names_the_one_that_does(element, 
     with pytest.raises(InputError, match=rf'got {ratio:g}\. Use mechanics\.element = "{other}"'):
         parse_spec(content | {"mechanics": {"element": element}}, "x")
     parse_spec(content | {"mechanics": {"element": other}}, "x")
-
-
-OLDER_NAMES = {"members": ("ensemble", 3), "interval_cover": ("coverage", 0.8)}
-
-
-@pytest.mark.parametrize(("older", "now"), OLDER_NAMES.items(), ids=OLDER_NAMES)
-def test_an_older_key_reads_as_its_name_now_with_one_warning(older, now, tmp_path):
-    name, value = now
-    path, same = tmp_path / "x.toml", tmp_path / "y.toml"
-    path.write_text(f'name = "x"\n[training]\n{older} = {value}')
-    same.write_text(f'name = "x"\n[training]\n{name} = {value}')
-    with pytest.warns(FutureWarning, match=rf"training\.{name}") as warned:
-        spec = load_spec(path)
-    assert len(warned) == 1, [str(one.message) for one in warned]
-    assert getattr(spec.training, name) == value
-    with warnings.catch_warnings(action="error"):
-        assert spec_hash(spec) == spec_hash(load_spec(same))
-
-
-@pytest.mark.parametrize("in_file", ["ensemble = 2", "members = 2"])
-@pytest.mark.parametrize("override", ["ensemble", "members"])
-@pytest.mark.filterwarnings("ignore:training.members:FutureWarning")
-def test_an_override_goes_before_the_file_under_either_name(in_file, override, tmp_path):
-    path = tmp_path / "x.toml"
-    path.write_text(f'name = "x"\n[training]\n{in_file}')
-    assert load_spec(path, [f"training.{override}=4"]).training.ensemble == 4
-
-
-def test_a_key_under_both_names_is_refused(tmp_path):
-    path = tmp_path / "x.toml"
-    path.write_text('name = "x"\n[training]\nensemble = 2\nmembers = 3')
-    with pytest.raises(InputError, match=r"got both, 3 and 2\. Keep training\.ensemble"):
-        load_spec(path)
-    with pytest.raises(ValueError, match="got both"):
-        TrainingSpec(ensemble=2, members=3)
-
-
-OLDER_SEARCH = '[search]\nobjectives = ["cross_face_sigma"]'
-OLDER_LIMIT = "[search.limits]\ntimes_start = { cross_face_sigma = 1.1 }"
-
-
-@pytest.mark.parametrize("older", [OLDER_SEARCH, OLDER_LIMIT], ids=["objective", "limit"])
-def test_an_objective_in_sigma_reads_as_one_in_newtons_with_one_warning(older, tmp_path):
-    path = tmp_path / "x.toml"
-    path.write_text(f'name = "x"\n{older}')
-    with pytest.warns(FutureWarning, match="median_false_force_n") as warned:
-        spec = load_spec(path)
-    assert len(warned) == 1, [str(one.message) for one in warned]
-    assert "median_false_force_n" in spec.search.named
-
-
-@pytest.mark.filterwarnings("ignore:search:FutureWarning")
-def test_a_limit_under_its_older_name_is_overridden_under_either(tmp_path):
-    path = tmp_path / "x.toml"
-    path.write_text(f'name = "x"\n{OLDER_LIMIT}')
-    for name in ("cross_face_sigma", "median_false_force_n"):
-        spec = load_spec(path, [f"search.limits.times_start.{name}=1.3"])
-        assert spec.search.limits.times_start["median_false_force_n"] == 1.3
-    wrong = f'name = "x"\n{OLDER_SEARCH.replace("cross_face_sigma", "cross_face_sigmas")}'
-    path.write_text(wrong)
-    with pytest.raises(InputError, match=r"search\.objectives"):
-        load_spec(path)
-
-
-def test_an_override_under_an_older_name_warns_once():
-    with pytest.warns(FutureWarning, match=r"training\.coverage") as warned:
-        spec = parse_spec(with_overrides({"name": "x"}, ["training.interval_cover=0.7"]), "test")
-    assert (len(warned), spec.training.coverage) == (1, 0.7)
 
 
 def test_a_list_with_a_wrong_entry_is_told_once():
@@ -308,7 +238,12 @@ def test_a_mesh_that_the_body_has_no_room_for_is_refused(change, words):
 def test_what_was_removed_says_what_holds_in_its_place(removed, tmp_path):
     path, (key, _, value) = tmp_path / "x.toml", removed.partition(" = ")
     path.write_text('name = "x"')
+    table, _, name = key.rpartition(".")
+    of_entries = table == "environment.magnets"  # a list of tables
+    change = (
+        f"{table}=[{{{name}=1, position_mm=[99, 0, 0]}}]" if of_entries else f"{key}={value or 1}"
+    )
     with pytest.raises(InputError) as told:
-        load_spec(path, [f"{key}={value or 1}"])
+        load_spec(path, [change])
     assert f"was removed: {REMOVED[removed]}" in str(told.value)
     assert key in str(told.value)

@@ -27,7 +27,6 @@ body.sensed_faces=[1,3] magnets.positions_mm=% | [[[0,0]],[[1,1]]] | [[[0,0]],[[
 sensors.count_per_face=% sensors.positions_mm=[[5,0],[-5,0]] | 2 | 3 | = 3 places on every face; got \\[2\\]
 sensors.rotations_deg=% | [[0,0,0],[0,0,90],[0,0,180]] | [[0,0,0],[0,0,90]] | 3 sensors of a face; got lists o
 sensors.rotations_deg=[[0,0,0],[0,0,90],[0,0,180]] sensors.chip=% | inward | outward | Give rotations_deg alon
-sensors.rotations_deg=[[0,0,0],[0,0,90],[0,0,180]] sensors.mount_rotation_deg=[0,0,%] | 0 | 1 | Give rotations
 sensors.range_mt=% | 80 | 80.1 | beyond the ranges of TMAG5273A1
 sensors.part=% | TMAG5273B2 | TMAG5273E2 | is not a known part
 sensors.part=MLX90393 sensors.noise_counts=% | [9,9,12] | [] | noise_counts

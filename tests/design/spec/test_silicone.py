@@ -34,7 +34,7 @@ def test_a_name_gives_all_figures(name):
         ({"youngs_modulus_mpa": 0.5}, 0.5, (0.15, 0.54), "given"),
         ({"youngs_modulus_mpa": 0.55}, 0.55, None, "given"),
         ({**OWN, "youngs_modulus_mpa": 0.5}, 0.5, None, "given"),
-        ({**OWN, "youngs_modulus_mpa": 0.5, "tensile_data": "a.csv"}, 0.5, None, "fitted to a.csv"),
+        ({**OWN, "youngs_modulus_mpa": 0.5, "modulus_from": "a.csv"}, 0.5, None, "fitted to a.csv"),
         (
             {**OWN, "youngs_modulus_mpa": 0.5, "youngs_modulus_range_mpa": [0.4, 0.6]},
             0.5,
@@ -56,7 +56,7 @@ def test_a_given_modulus_keeps_the_interval_that_holds_it(given, modulus, spread
 def test_hardness_goes_before_the_name_and_an_unknown_name_needs_a_modulus():
     estimate = modulus_from_shore("A20")
     for name in ("own rubber", "Platsil Gel-10"):
-        found = silicone(name=name, shore="A20")
+        found = silicone(name=name, modulus_from="A20")
         assert found.youngs_modulus_mpa == estimate.youngs_modulus_mpa
         assert found.youngs_modulus_range_mpa == estimate.range_mpa
         assert found.modulus_source == estimate.source
@@ -64,7 +64,7 @@ def test_hardness_goes_before_the_name_and_an_unknown_name_needs_a_modulus():
         silicone(**OWN)
     assert silicone(**OWN, youngs_modulus_mpa=0.4).casting is None
     with pytest.raises(ValueError, match="is read where a specification is loaded"):
-        silicone(**OWN, tensile_data="a.csv")
+        silicone(**OWN, modulus_from="a.csv")
 
 
 def test_skins_are_stiffer_right_under_the_surface():

@@ -59,7 +59,7 @@ def test_a_file_and_an_override_are_refused_with_what_would_use_the_key(tmp_path
     with pytest.raises(SpecError, match=r"cube\.toml is not.*\n.*indenter\.kind = 'cylinder'"):
         load_spec(path)
     path.write_text('name = "cube"\n[indenter]\nradius_mm = 4\n')
-    with pytest.raises(SpecError, match=r"--set is not.*\n.*mould\.flange_mm = 9 has no effect"):
-        load_spec(path, ["mould.style=one-piece", "mould.flange_mm=9"])
+    with pytest.raises(SpecError, match=r"--set is not.*\n.*mould\.parting_azimuth_deg = 9 has no"):
+        load_spec(path, ["mould.style=one-piece", "mould.parting_azimuth_deg=9"])
     box = ["indenter.kind=cuboid", "indenter.size_mm=[8,6]"]
     assert load_spec(path, box).indenter.size_mm == (8, 6), "the file's radius is of its own kind"

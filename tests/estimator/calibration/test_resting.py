@@ -86,8 +86,8 @@ def test_wrong_tables_are_refused(tmp_path):
         (rows_of(3), ["F6-X1", *NAMES[1:]], "unknown: F6-X1; missing: F1-X1"),
         (rows_of(3)[:, :44], NAMES[:44], "missing: F5-Z3"),
         (rows_of(3), [*NAMES[:44], NAMES[0]], "each once"),
-        (rows_of(3)[:0], NAMES, "holds no frame"),
-        (rows_of(3)[:, :44], NAMES, "every row needs 45 numbers"),
+        (rows_of(3)[:0], NAMES, "holds one line"),
+        (rows_of(3)[:, :44], NAMES, "line 2: 44 cells where 45 belong"),
     ):
         with pytest.raises(InputError, match=said):
             read_resting(written(tmp_path, rows, names), SPEC)

@@ -10,7 +10,7 @@ import pytest
 from design.errors import InputError
 from estimator.deploy import zeroing
 from estimator.deploy.runtime import LiveReader
-from estimator.deploy.zeroing import RestZero, is_still
+from estimator.deploy.zeroing import RestZero, StillReading, is_still
 from tests.support.pages import DOCS
 
 GAIN = np.array([60.0, -35.0, 90.0, 20.0, -15.0, 40.0])
@@ -19,10 +19,10 @@ RATE_HZ = 10.0
 REST, RISE, HOLD = 25, 8, 60
 
 
-def read(change):
+def read(change, frames=1):
     """A linear estimator: force along the press' own direction, none where it points back."""
     force = max(0.0, float(change @ GAIN / (GAIN @ GAIN)))
-    return float(force > 0.3), force
+    return StillReading(float(force > 0.3), force)
 
 
 def forces(presses=6, hold=HOLD, seed=0):
@@ -53,7 +53,7 @@ def followed(raw, zero):
     found = []
     for number, row in enumerate(raw):
         zero.update(row, number / RATE_HZ)
-        found.append(math.nan if zero.level is None else read(row - zero.level)[1])
+        found.append(math.nan if zero.level is None else read(row - zero.level).force_n)
     return np.array(found)
 
 
@@ -71,7 +71,7 @@ def test_offsets_and_drift_between_presses_are_followed(fault, monkeypatch):
     raw, zero = stream(force_n), RestZero(8, read)
     if fault == "zeroed once":
         first = raw[:20].mean(axis=0)
-        found = np.array([read(row - first)[1] for row in raw])
+        found = np.array([read(row - first).force_n for row in raw])
     else:
         found = followed(raw, zero)
     false, missed = shares(force_n, found, limit=0.5)
@@ -138,7 +138,7 @@ def test_at_200_hz_presses_are_no_rest(every):
             zero.pass_by(row, float(time_s[number]))
             continue
         zero.update(row, float(time_s[number]))
-        found[number] = math.nan if zero.level is None else read(row - zero.level)[1]
+        found[number] = math.nan if zero.level is None else read(row - zero.level).force_n
     told = np.isfinite(found)
     assert told.mean() > 0.9 / every
     assert abs(found - force_n)[told].mean() < 0.3
@@ -173,8 +173,8 @@ class Following:
         self.zero = RestZero(8, self.read)
         self.zero.level = np.zeros(2)
 
-    def read(self, change):
-        return self.said[bool(change.sum() >= 0)]
+    def read(self, change, frames):
+        return StillReading(*self.said[bool(change.sum() >= 0)])
 
     def considered(self, level, elapsed_s=1.0, largest_n=10.0):
         self.zero.largest_n = largest_n
@@ -232,16 +232,16 @@ def test_the_largest_force_is_remembered_for_five_seconds_after_its_press():
 
 
 def test_windows_last_six_tenths_of_a_second_and_eight_frames():
-    zero = RestZero(8, lambda change: (0.0, 0.0))
+    zero = RestZero(8, lambda change, frames: StillReading(0.0, 0.0))
     for number in range(20):
         zero.pass_by(np.zeros(1), 0.05 * number)
     times = [time_s for time_s, _ in zero.window]
     assert times == pytest.approx([0.05 * k for k in range(7, 20)])
-    slow = RestZero(5, lambda change: (0.0, 0.0))
+    slow = RestZero(5, lambda change, frames: StillReading(0.0, 0.0))
     for number in range(9):
         slow.pass_by(np.zeros(1), float(number))
     assert [time_s for time_s, _ in slow.window] == [4.0, 5.0, 6.0, 7.0, 8.0]
-    unknown = RestZero(5, lambda change: (0.0, 0.0))
+    unknown = RestZero(5, lambda change, frames: StillReading(0.0, 0.0))
     assert [unknown.pass_by(np.zeros(1)) for _ in range(2)] == pytest.approx([0.1, 0.1])
     assert slow.pass_by(np.zeros(1), 0.0) == -8.0
     assert len(slow.window) == 1
@@ -253,3 +253,45 @@ def test_modes_of_a_stream_s_zero():
     assert [first.after(row, 0.0) is None for row in rows] == [True, True, False]
     assert first.after(rows[2], 0.0).tolist() == [2.0] * 6
     assert zeroing.StreamZero("none", 2, read).after(rows[0], 0.0).tolist() == [0.0] * 6
+
+
+def test_one_wrong_reading_does_not_move_the_zero():
+    rows = np.tile([700.0, -20.0], (8, 1)) + np.arange(8)[:, None]
+    wrong = rows.copy()
+    wrong[3, 1] += 65_536
+    np.testing.assert_allclose(zeroing.level_of(wrong), zeroing.level_of(rows), atol=1.0)
+
+
+def test_a_window_that_a_press_begins_in_is_no_return():
+    """A weak hold that scatters no more than noise: its first frame read alone shows the press."""
+    force_n = np.concatenate([np.zeros(20), np.full(200, 1.2)])
+    found = followed(
+        stream(force_n, jump_counts=0.0, drift_per_s=0.0, hysteresis=0.0), RestZero(8, read)
+    )
+    assert abs(found[-150:].mean() - 1.2) < 0.1
+
+
+def test_what_is_neither_rest_nor_press_leaves_the_zero_alone():
+    zero = RestZero(8, lambda change, frames: StillReading(0.0, 0.0, explained=False))
+    zero.level = np.zeros(2)
+    zero.consider(np.array([400.0, -300.0]), 1.0)
+    assert zero.level.tolist() == [0.0, 0.0]
+
+
+def drifting(force_n, window_s=600.0):
+    """The zero of a force that grows by 0.01 N/s beside slow drift, by a reader that knows drift."""
+
+    def read_drift(followed, frames):
+        # 49 counts of drift in ten minutes: the force along the press' direction within 2 σ is none
+        sigma_n = 49.0 / np.linalg.norm(GAIN)
+        found = read(followed)
+        return StillReading(float(found.force_n > 2 * sigma_n), found.force_n)
+
+    zero = RestZero(8, read, read_drift)
+    return followed(stream(force_n, jump_counts=0.0, drift_per_s=0.02, hysteresis=0.0), zero)
+
+
+def test_a_press_that_grows_slower_than_drift_is_seen_where_drift_is_known():
+    force_n = np.concatenate([np.zeros(100), np.minimum(np.arange(0, 6, 0.0008), 4.0)])
+    assert abs(drifting(force_n)[-300:].mean() - 4.0) < 0.5
+    assert drifting(np.zeros(6000))[100:].max() < 1.0

@@ -8,14 +8,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
-from estimator.deploy.live_contacts import LiveContacts, contacts_of_one
+from estimator.deploy.live_contacts import LiveContacts
 from estimator.inversion.model.noise import MESH_ERROR, SUM_ERROR, design_error, disturbances
 from estimator.inversion.problems import BLIND
 from estimator.inversion.storage import is_inversion, load_inversion, save_inversion
 from estimator.inversion.tracking import Tracker
 from estimator.recordings.checks.stream import SoundReadings
 from estimator.signals.hall import full_scale_counts
-from tests.support.mechanics.inverted import SPEC, inverted, noisy_counts, presses
+from tests.support.mechanics.inverted import SPEC, contacts, inverted, noisy_counts, presses
 
 
 def press_over_time():
@@ -166,7 +166,7 @@ def test_at_rest_a_contact_is_unlikely():
     face[4:, 0], contact[4:, 0] = 1, [2.0, -4.0, 5.0]
     counts = noisy_counts(inverted(), face, contact, np.random.default_rng(2), turned=False)
     reader = LiveContacts(inverted(), "none")
-    share, force = np.transpose([reader.read_still(frame) for frame in counts])
+    share, force = np.transpose([reader.read_still(frame)[:2] for frame in counts])
     assert (share[:4] < 0.5).all()
     assert (share[4:] > 0.5).all()
     assert ((share >= 0) & (share <= 1)).all()
@@ -264,7 +264,55 @@ def test_a_file_whose_description_is_another_is_one_error(tmp_path, name, value)
         load_inversion(path)
 
 
-def test_an_answer_while_zeroing_takes_one_contact_for_as_likely_as_none():
-    found = contacts_of_one(inverted())
-    assert found.priors.number == (0.5, 0.5)
-    assert found.priors.most == 1
+def held(number, rng, frames=100):
+    """Raw counts of contacts that begin after 5 s of rest and stay, on an object that turns and warms."""
+    face, contact = contacts(rng, 1, number, (4.0, 8.0))
+    face, contact = face.repeat(frames, 0), contact.repeat(frames, 0)
+    face[:25] = -1
+    counts = noisy_counts(inverted(), face, contact, rng, turned=False)
+    turn = np.outer(np.sin(np.arange(frames) / 30), [1.0, -0.6, 0.4, 0.0])
+    warm = np.outer(np.arange(frames) / frames, [0.0, 0.0, 0.0, 1.0])
+    return contact[0, :, 2].sum(), counts + (turn + warm) @ inverted().disturbances.columns.T
+
+
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_a_zero_that_follows_rest_eats_no_hold_of_a_turning_object(number):
+    """Zero and readings move by turning and warmth; forces of holds stay, of one tip and of several."""
+    force_n, counts = held(number, np.random.default_rng(30 + number))
+    reader = LiveContacts(inverted())
+    found = [reader.feed(row.reshape(5, 3, 3), k / 5) for k, row in enumerate(counts + 700.0)]
+    read = [np.nansum(one.force_n) for one in found[40:]]
+    assert abs(np.mean(read[-20:]) - force_n) < 0.1 * force_n
+    assert np.mean(np.array(read) > 0.5 * force_n) > 0.98
+
+
+def test_a_magnet_that_comes_near_moves_no_zero():
+    """Rest, then a magnet 60 mm away: what nothing explains is no rest, and no press either."""
+    rng = np.random.default_rng(40)
+    none = np.full((60, 6), -1), np.zeros((60, 6, 3))
+    counts = noisy_counts(inverted(), *none, rng, turned=False)
+    counts[20:] += 3 * inverted().magnet_columns @ rng.standard_normal(15)
+    reader = LiveContacts(inverted())
+    found = [reader.feed(row.reshape(5, 3, 3), k / 5) for k, row in enumerate(counts)]
+    assert not any(one.explained[0] for one in found[22:])
+
+
+def test_drift_since_the_last_rest_widens_regions():
+    face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
+    face[0, 0], contact[0, 0] = 2, [6.0, -6.0, 12.0]
+    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(3), turned=False)[0]
+    fresh, late = (Tracker(inverted()).feed(counts, drift) for drift in (0.0, 30.0))
+    assert late.position_radius_mm[0, 0] > 1.2 * fresh.position_radius_mm[0, 0]
+    drifted = counts + np.random.default_rng(4).normal(0, 60, 45)
+    assert Tracker(inverted()).feed(drifted, 60.0).explained[0]
+    assert not Tracker(inverted()).feed(drifted).explained[0]
+
+
+def test_drift_that_may_have_come_ends_no_hold():
+    """After half an hour without rest channels may have drifted by 85 counts, as much as the hold shows."""
+    force_n, counts = held(2, np.random.default_rng(32), frames=60)
+    tracker = Tracker(inverted())
+    found = [tracker.feed(row, 85.0 * (k > 35)) for k, row in enumerate(counts)]
+    assert all(one.number[0] == 2 for one in found[36:])
+    assert abs(np.mean([np.nansum(one.force_n) for one in found[36:]]) - force_n) < 0.05 * force_n
+    assert tracker.feed(counts[0], 85.0).number[0] == 0

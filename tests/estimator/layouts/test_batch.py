@@ -26,9 +26,7 @@ def test_axes_are_the_normal_turned_by_the_rotation_vector():
 
 
 def test_chips_turn_with_the_azimuth_and_stand_at_azimuth_0_in_the_middle():
-    spec = ObjectSpec.model_validate(
-        {"name": "c", "sensors": {"mount_rotation_deg": [20.0, -10.0, 5.0]}}
-    )
+    spec = ObjectSpec.model_validate({"name": "c", "sensors": {"chip": "outward"}})
     on_board = chip_on_board(spec.sensors)
     places = np.array([[3.0, 4.0], [-2.0, 1.0], [0.0, -5.0], [0.0, 0.0]])
     found = chip_axes(torch.as_tensor(places)[None], torch.as_tensor(on_board))

@@ -6,7 +6,6 @@ from numpy.testing import assert_allclose
 
 from estimator.recordings import drift
 from estimator.recordings.drift import levels_under_presses
-from estimator.recordings.zeros import rest_levels
 
 REST, LOADED, PRESSES, FRAME_S = 25, 30, 40, 0.1
 NOISE = np.full((5, 1, 3), 20.0)
@@ -126,14 +125,6 @@ def test_gaps_dead_channels_and_single_presses_leave_no_gap():
     )
     assert np.isfinite(found.counts).all()
     assert np.isfinite(found.error).all()
-
-
-def test_zeros_from_behind_their_press_are_told():
-    time_s, loaded = stretch(4)
-    loaded[: REST - 2] = True  # the first press has no rest before it
-    press = np.repeat(np.arange(4), REST + LOADED)
-    zeros = rest_levels(np.zeros((len(time_s), 5, 1, 3)), press, loaded, ~loaded)
-    assert zeros.is_before.tolist() == [False, True, True, True]
 
 
 def test_three_loaded_frames_are_a_contact_and_two_beside_it_are_no_rest():

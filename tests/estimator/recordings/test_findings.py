@@ -1,14 +1,13 @@
 """Findings of the checks, whole: kind, place, figures and what was done, on arrays of a few frames."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from estimator.recordings.checks import faults, labels, limits, turned
+from estimator.recordings.checks import faults, limits, place_labels, press_labels, turned
 from estimator.recordings.checks.faults import Fault
 from tests.support.recordings.frame_sets import frame_set
+from tests.support.recordings.judged_cases import judged, raw_table
 
 NOISE = np.full((5, 2, 3), 10.0)
 
@@ -34,20 +33,20 @@ def test_a_channel_that_never_changes_is_dead_unless_its_whole_face_is_absent():
     counts[:, 1] = np.nan
     counts[:, 2, 1, 0] = np.nan
     counts[:, 3, 0, 2] = 7.0
-    assert np.argwhere(faults.dead_channels(counts)).tolist() == [[2, 1, 0], [3, 0, 2]]
+    assert np.argwhere(faults.dead_channels(counts)[0]).tolist() == [[2, 1, 0], [3, 0, 2]]
 
 
 def test_a_channel_is_noisy_above_three_times_the_median_of_its_axis():
     noise = NOISE * [1.0, 2.0, 3.0]
     noise[4, 1, 2] = 90.0
-    assert not faults.noisy_channels(noise).any()
+    assert not faults.noisy_channels(noise)[0].any()
     noise[4, 1, 2] = 91.0
     noise[0, 0, 0] = np.nan
-    assert np.argwhere(faults.noisy_channels(noise)).tolist() == [[4, 1, 2]]
+    assert np.argwhere(faults.noisy_channels(noise)[0]).tolist() == [[4, 1, 2]]
     assert_allclose(faults.axis_noise_counts(noise), [10.0, 20.0, 30.0])
     counts = np.arange(2.0)[:, None, None, None] + still(2)
     counts[:, 1, 0, 1] = 5.0
-    assert [*faults.dead_faults(counts), *faults.noisy_faults(noise)] == [
+    assert [*faults.dead_channels(counts)[1], *faults.noisy_channels(noise)[1]] == [
         Fault("dead channel", "F2-Y1", "no varying reading", "set to NaN"),
         Fault("noisy channel", "F5-Z2", "σ 91 counts at rest, 30 are typical of Z", "set to NaN"),
     ]
@@ -58,6 +57,7 @@ def test_rest_levels_that_jump_are_named_with_their_press():
     levels[2:, 3, 1, 0] = 501.0
     levels[1:, 0, 0, 0] = 500.0
     levels[3:] += 151.0
+    levels[3:, 0, 1, 1] = 2000.0
     levels[3:, 4, 1, 2] = np.nan
     jumping, found = faults.jump_faults(levels)
     assert np.argwhere(jumping).tolist() == [[3, 1, 0]]
@@ -94,8 +94,8 @@ def test_two_jaws_on_one_face_are_told_apart_by_the_usual_or_the_strongest_face(
     face = np.array([[3, 5], [3, 5], [3, 3], [3, 3], [5, 5]])
     responses = np.array([[1.0, 2.0, 9.0, 3.0, np.nan]] * 3)
     press = np.array([0, 0, 1, 1, 2])
-    table = SimpleNamespace(kind="gripper", face=face)
-    corrected, found = faults.correct_face_labels.__wrapped__(table, press, responses)
+    table = raw_table(5, "gripper", 2, face=face)
+    corrected, found = faults.correct_face_labels(table, press, responses)
     assert corrected.tolist() == [[3, 5], [3, 5], [3, 5], [3, 5], [3, 5]]
     assert [str(one) for one in found] == [
         "wrong face label: rows 2–3: both load cells are said to press face 3; "
@@ -103,15 +103,16 @@ def test_two_jaws_on_one_face_are_told_apart_by_the_usual_or_the_strongest_face(
         "wrong face label: rows 4–4: both load cells are said to press face 5; "
         "cell 1 set to face 3, whose sensors respond",
     ]
-    alone = SimpleNamespace(kind="gripper", face=face[2:4])
-    corrected, found = faults.correct_face_labels.__wrapped__(alone, press[:2], responses)
+    alone = raw_table(2, "gripper", 2, face=face[2:4])
+    corrected, found = faults.correct_face_labels(alone, press[:2], responses)
     assert corrected.tolist() == [[3, 4], [3, 4]]
 
 
 def test_a_face_that_answers_three_times_a_named_one_casts_doubt():
     responses = np.array([[10.0, 30.0, 5.0, np.nan, 1.0], [10.0, 31.0, 5.0, np.nan, 1.0]])
-    pressed, press = np.array([[1], [0], [1], [0]]), np.array([0, 0, 1, 1])
-    doubtful, found = faults.doubtful_presses(pressed, press, responses)
+    force, face = np.array([[5.0], [0], [5], [0]]), np.ones((4, 1), int)
+    case = judged([0, 0, 1, 1], force, face=face, responses=responses)
+    doubtful, found = press_labels.doubtful_presses(case)
     assert doubtful.tolist() == [False, False, True, True]
     assert found == [
         Fault(
@@ -139,8 +140,9 @@ def test_jaws_must_be_opposite_to_six_millimetres():
 
 
 def test_stamps_that_repeat_or_run_backwards_are_counted():
-    table = SimpleNamespace(duplicate_columns=("X1", "Y1"), time_s=np.array([0.0, 0, 1, 1, 0.5]))
-    assert faults.stamp_faults.__wrapped__(table) == [
+    stamps = np.array([0.0, 0, 1, 1, 0.5])
+    table = raw_table(5, duplicate_columns=("X1", "Y1"), time_s=stamps)
+    assert faults.stamp_faults(table) == [
         Fault("duplicate column names", "X1, Y1", "named twice", "told apart by their order"),
         Fault("time stamps", "Time", "2 of 5 repeat the one before", "rebuilt from the frame rate"),
         Fault("time stamps", "Time", "1 run backwards", "a new stretch begins there"),
@@ -148,58 +150,26 @@ def test_stamps_that_repeat_or_run_backwards_are_counted():
 
 
 def test_stamps_that_are_all_the_same_tell_no_rate():
-    table = SimpleNamespace(duplicate_columns=(), time_s=np.full(4, 5.0))
-    (found,) = faults.stamp_faults.__wrapped__(table)
+    table = raw_table(4, time_s=np.full(4, 5.0))
+    (found,) = faults.stamp_faults(table)
     assert found.detail == "3 of 4 repeat the one before"
     assert found.action.startswith("they tell no frame rate, an assumed one is taken")
 
 
 def test_a_face_is_pressed_where_its_cell_holds_a_third_of_the_largest_force():
     force = np.array([[10.0, 3.0], [2.9, 3.1], [0.3, 0.29]])
-    found = labels.pressed_faces(np.array([[3, 5]] * 3), force, np.array([0, 0, 1]))
+    case = judged([0, 0, 1], force, face=np.array([[3, 5]] * 3))
+    found = press_labels.pressed_faces(case)
     assert found.tolist() == [[3, 5], [0, 5], [3, 0]]
 
 
 def test_five_loaded_frames_called_rest_spoil_their_press():
-    touching = np.zeros((20, 1), bool)
-    touching[2:6] = touching[11:16] = True
-    wrong, found = labels.contacts_at_rest(touching, np.ones(20, bool), np.repeat([0, 1, 2, 3], 5))
+    force = np.zeros((20, 1))
+    force[2:6] = force[11:16] = 0.3
+    case = judged(np.repeat([0, 1, 2, 3], 5), force, no_contact=np.ones(20, bool))
+    wrong, found = press_labels.contacts_at_rest(case)
     assert np.flatnonzero(wrong).tolist() == list(range(10, 20))
     assert [one.where for one in found] == ["rows 11–15"]
-
-
-def test_a_change_of_more_than_six_sigma_at_rest_is_a_hidden_contact():
-    counts = still(40)
-    counts[20:25, 2] = 61.0
-    counts[30:34, 3] = 90.0
-    counts[35:40, 1] = 60.0
-    rest, zeros = np.ones(40, bool), np.zeros(40, int)
-    hidden, found = labels.hidden_contacts(counts, rest, zeros, zeros, NOISE)
-    assert np.flatnonzero(hidden).tolist() == [20, 21, 22, 23, 24]
-    assert found == [
-        Fault(
-            "contact while labelled rest",
-            "rows 20–24",
-            "face 3 responds by 6 σ while no load cell does",
-            "frames not used",
-        )
-    ]
-
-
-def test_a_press_below_a_tenth_of_the_usual_answer_is_silent():
-    face, press = np.full((12, 1), 2), np.repeat([0, 1, 2], 4)
-    force = np.full((12, 1), 5.0)
-    responses = np.zeros((3, 5))
-    responses[:, 1] = [1000.0, 1000.0, 99.0]
-    wrong, found = labels.silent_presses(face, force, press, responses, NOISE)
-    assert np.flatnonzero(wrong).tolist() == [8, 9, 10, 11]
-    assert found[0].detail == (
-        "5.0 N on face 2, whose sensors change by 99 counts where 1000 are usual"
-    )
-    responses[2, 1] = 101.0
-    assert not labels.silent_presses(face, force, press, responses, NOISE)[1]
-    responses[:, 1] = [49.0, 49.0, 1.0]
-    assert not labels.silent_presses(face, force, press, responses, NOISE)[1]
 
 
 def test_the_longest_level_is_the_middle_of_the_fullest_window():
@@ -263,11 +233,11 @@ def test_long_holds_with_short_rests_are_not_turned():
 
 def test_presses_without_any_rest_are_told_where_they_are_most():
     press, rest = np.repeat([0, 1, 2, 3], 3), np.zeros(12, bool)
-    touching = ~rest
     rest[[0, 3]] = True
-    assert labels.restless_presses(rest, touching, press) == []
+    case = judged(press, np.ones((12, 1)), rest=rest)
+    assert press_labels.restless_presses(case)[1] == []
     rest[3] = False
-    (found,) = labels.restless_presses(rest, touching, press)
+    _, (found,) = press_labels.restless_presses(case)
     assert (found.kind, found.where) == ("hardly any rest", "3 of 4 presses")
 
 
@@ -313,16 +283,16 @@ def test_patterns_are_means_over_the_frames_of_at_least_half_the_largest_force()
     signals[:6, 0] = [1000, 1, 2, 3, 4, 5]
     signals[:6, 1] = [1000, 4, 4, 4, 4, 4]
     signals[7:, 2] = 1.0
-    found = labels.press_patterns(made(press, place, force, signals))
+    found = place_labels.press_patterns(made(press, place, force, signals))
     assert (found[0].tolist(), found[1].tolist()) == ([0], [3])
     assert_allclose(found[2], [[0.6, 0.8, 0.0]])
     force[10:], press, place = [8, 8], [*press, 1], [*place, 4]
     signals = np.vstack([signals, [[0, np.nan, 1]]])
-    found = labels.press_patterns(made(press, place, force, signals))
+    found = place_labels.press_patterns(made(press, place, force, signals))
     assert (found[0].tolist(), found[1].tolist()) == ([0, 1], [3, 4])
     assert_array_equal(found[2][1], [0, np.nan, 1])
     valid = np.arange(12) != 5
-    left = labels.press_patterns(made(press, place, force, signals, valid=valid))
+    left = place_labels.press_patterns(made(press, place, force, signals, valid=valid))
     assert left[0].tolist() == [1]
 
 
@@ -338,7 +308,7 @@ def of_presses(places, patterns):
 
 
 def place_faults(places, patterns):
-    return labels.place_label_faults(of_presses(places, patterns), PLACES)
+    return place_labels.place_label_faults(of_presses(places, patterns), PLACES)
 
 
 def test_a_press_unlike_its_place_and_like_another_of_the_same_face_is_mislabelled():
@@ -397,7 +367,11 @@ def test_changes_at_rest_are_medians_over_the_live_channels_of_a_face():
     noise[1, 1, 0] = 0.0
     noise[2] = np.nan
     stretch = np.array([0, 0, 1, 1, 1, 1])
-    found = labels.label_sigmas(counts, rest, stretch, noise)
+    case = judged(
+        np.zeros(6, int), np.zeros((6, 1)), counts=counts, rest=rest, stretch=stretch,
+        noise_counts=noise,
+    )  # fmt: skip
+    found = press_labels.sigmas_from_rest(case, slice(0, 6))
     # face 1: levels are the median of both stretches' medians, 1 and 5 → 3; three channels of six move
     first = np.median(
         abs(np.array([0.0, 2, 4, 6, 50, 80])[:, None] - 3) * [1, 2, 3, 0, 0, 0], axis=1
@@ -412,12 +386,13 @@ def test_a_load_is_the_third_quartile_of_a_cell_over_its_press():
     face = np.array([[2, 0]] * 5 + [[4, 5]] * 2)
     press = np.array([0] * 5 + [1] * 2)
     responses = np.array([[np.nan, 70.0, 1, 2, 3], [1.0, 2, 3, 40, 5]])
-    assert labels.loads_of_places(face, force, press, responses) == [
+    case = judged(press, force, face=face, responses=responses)
+    assert press_labels.loads_of_places(case) == [
         (0, 2, 3.0, 70.0),
         (1, 4, 0.3, 40.0),
     ]
     responses[1, 3] = np.nan
-    assert len(labels.loads_of_places(face, force, press, responses)) == 1
+    assert len(press_labels.loads_of_places(case)) == 1
 
 
 def test_a_place_beyond_the_object_is_told_once_with_its_rows():
@@ -434,8 +409,8 @@ def test_a_place_beyond_the_object_is_told_once_with_its_rows():
 
 
 def test_usual_limits_are_of_16_bits_and_three_times_the_grid():
-    table = SimpleNamespace(grid_x_mm=np.array([-6.0, 7.0]), grid_y_mm=np.array([-8.0, 6.0]))
-    assert limits.usual_limits.__wrapped__(table) == limits.Limits(32768.0, 24.0)
+    grid = {"grid_x_mm": np.array([-6.0, 7.0]), "grid_y_mm": np.array([-8.0, 6.0])}
+    assert limits.usual_limits(raw_table(3, **grid)) == limits.Limits(32768.0, 24.0)
 
 
 def test_changes_are_alike_where_most_blocks_say_so():

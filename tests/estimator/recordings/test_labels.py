@@ -5,14 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from estimator.recordings.checks.labels import (
-    hidden_contacts,
-    press_patterns,
-    silent_presses,
-)
+from estimator.recordings.checks.place_labels import press_patterns
+from estimator.recordings.checks.press_labels import hidden_contacts, silent_presses
 from estimator.recordings.formats.files import read_table
 from estimator.recordings.formats.netcdf import write_generic_netcdf
 from estimator.recordings.reading import read_recording
+from tests.support.recordings.judged_cases import judged
 from tests.support.recordings.made_recordings import (
     PRESS,
     REST,
@@ -79,19 +77,6 @@ def test_a_wrong_place_is_found_by_the_other_presses_of_both_places(read, arrays
     assert [used(recording, press) for press in range(12)] == [press != 1 for press in range(12)]
 
 
-def test_two_swapped_places_name_each_other(read, arrays):
-    planted = copies(arrays)
-    planted[3][rows(2)], planted[3][rows(5)] = 1, 0
-    first, second = found(read(planted), "wrong place label")
-    assert f"swapped with rows {5 * PRESS}–{6 * PRESS - 1}" in first.detail
-    assert f"swapped with rows {2 * PRESS}–{3 * PRESS - 1}" in second.detail
-
-
-def test_a_place_pressed_once_cannot_be_judged(read):
-    lone = gripper_arrays(CASES, presses=1, lag=0)
-    assert not found(read(lone), "wrong place label")
-
-
 @pytest.mark.parametrize("cell", [0, 1])
 def test_a_force_without_signal(read, arrays, cell):
     planted = copies(arrays)
@@ -154,16 +139,6 @@ def test_a_channel_that_jumps_between_two_presses(read, arrays):
     assert np.isfinite(np.delete(recording.frames.signal_counts.reshape(-1, 45), 31, axis=1)).all()
 
 
-def test_a_shell_that_moved_is_no_jumping_channel(read, arrays):
-    planted = copies(arrays)
-    shift = np.random.default_rng(3).choice([-1, 1], (5, 9)) * 700
-    planted[2][8 * PRESS - 2 :] += shift
-    recording = read(planted)
-    assert not found(recording, "jumping channel")
-    assert [fault.where for fault in found(recording, "shell moved")] == ["before press 8"]
-    assert np.isfinite(recording.frames.signal_counts).all()
-
-
 def test_patterns_are_unit_means_of_five_frames_of_half_the_press_and_more(read, arrays):
     recording = read(copies(arrays))
     press, place, pattern = press_patterns(recording.frames)
@@ -194,8 +169,9 @@ def test_a_hidden_contact_leaves_its_level_by_six_sigmas_in_five_frames(
     noise[3] = 2.0
     counts = np.full((50, 5, 3, 3), 100.0)
     counts[5 : 5 + frames, 3, :2] += 2.0 * sigmas
-    rest, none = np.arange(50) < at_rest, np.zeros(50, int)
-    hidden, faults = hidden_contacts(counts, rest, none, none, noise)
+    rest, none = np.arange(50) < at_rest, np.zeros((50, 1))
+    case = judged(none[:, 0].astype(int), none, counts=counts, rest=rest, noise_counts=noise)
+    hidden, faults = hidden_contacts(case)
     assert np.flatnonzero(hidden).tolist() == (list(range(5, 5 + frames)) if told else [])
     assert [fault.detail[:6] for fault in faults] == (["face 4"] if told else [])
 
@@ -223,6 +199,8 @@ def test_a_press_is_silent_below_a_tenth_of_what_is_usual_where_that_stands_out(
     responses[:, 2] = [100.0, 100.0, 100.0, counts, 100.0]
     noise = np.full((5, 3, 3), sigma)
     noise[1, 1, 1] = np.nan
-    wrong, faults = silent_presses(np.full((60, 1), 3), force_n, press, responses, noise)
+    face = np.full((60, 1), 3)
+    case = judged(press, force_n, face=face, responses=responses, noise_counts=noise)
+    wrong, faults = silent_presses(case)
     assert np.flatnonzero(wrong).tolist() == (list(range(36, 48)) if told else [])
     assert len(faults) == told

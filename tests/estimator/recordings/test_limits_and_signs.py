@@ -7,7 +7,7 @@ from design.errors import InputError, RecordingError
 from estimator.recordings.checks.limits import Limits, limit_to_range
 from estimator.recordings.formats.text import parse_number
 from estimator.recordings.reading import read_recording
-from estimator.recordings.table import RawTable
+from tests.support.recordings.judged_cases import raw_table
 from tests.support.recordings.made_recordings import (
     PRESS,
     REST,
@@ -85,14 +85,6 @@ def test_forces_turned_in_some_rows_are_turned_back(read, arrays, cell):
     np.testing.assert_array_equal(recording.frames.valid, sound.frames.valid)
 
 
-def test_a_long_hold_is_no_turned_force(read):
-    """More frames at one force than at rest: the level at which the cell dwells is not rest."""
-    held = gripper_arrays(CASES, presses=4, lag=0)
-    level = np.minimum(held[1], 12.0)
-    assert (level == 12.0).mean() > (level < 0.1).mean()
-    assert not found(read((held[0], level, *held[2:])), "force turned")
-
-
 def test_a_channel_whose_sign_turns_between_presses_is_left_out(read, arrays):
     planted = copies(arrays)
     middle = np.median(planted[2][:, 4, 6])
@@ -102,17 +94,6 @@ def test_a_channel_whose_sign_turns_between_presses_is_left_out(read, arrays):
     assert fault.where == f"F5-X3, rows {2 * PRESS - 1}–{2 * PRESS}"
     assert np.isnan(recording.frames.signal_counts[:, 4, 2, 0]).all()
     assert not found(recording, "wrong place label")
-
-
-def test_two_channels_exchanged_between_presses_are_left_out(read, arrays):
-    planted = copies(arrays)
-    level = np.median(planted[2][:REST], axis=0)
-    one, two = planted[2][:, 2, 1] - level[2, 1], planted[2][:, 2, 5] - level[2, 5]
-    later = np.arange(len(one)) >= 2 * PRESS
-    planted[2][:, 2, 1] = np.where(later, two, one)
-    planted[2][:, 2, 5] = np.where(later, one, two)
-    (fault,) = found(read(planted), "channels exchanged")
-    assert fault.where == f"F3-Y1 and F3-Z2, rows {2 * PRESS - 1}–{2 * PRESS}"
 
 
 def test_a_sound_recording_has_none_of_them(read, arrays):
@@ -143,21 +124,7 @@ def test_what_only_python_takes_for_a_number_is_none(cell):
 
 def table_of(counts):
     counts = np.tile(np.asarray(counts, float)[:, None, None, None], (1, 5, 3, 3))
-    frames = len(counts)
-    return RawTable(
-        kind="gripper",
-        time_s=np.arange(frames) / 10,
-        force_n=np.zeros((frames, 2)),
-        counts=counts,
-        face=np.zeros((frames, 2), int),
-        tip_xy_mm=np.full((frames, 2, 1, 2), np.nan),
-        case=np.zeros(frames, int),
-        declared_rest=np.zeros(frames, bool),
-        grid_x_mm=np.arange(3.0),
-        grid_y_mm=np.arange(3.0),
-        duplicate_columns=(),
-        digest="x",
-    )
+    return raw_table(len(counts), counts=counts)
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from estimator.recordings.checks.readings import noisy
 from estimator.recordings.checks.stream import SoundReadings
 
 CHIPS = (5, 3)
@@ -86,3 +87,30 @@ def test_a_stream_without_noise_is_believed():
     stream = np.zeros((200, *CHIPS, 3))
     stream[100:150] = np.linspace(0, 500, 50)[:, None, None, None]
     assert not left_out(stream)[0].any()
+
+
+def test_a_channel_that_turns_noisy_is_left_out_within_a_fifth_of_a_second_at_100_hz():
+    late, kept, in_file = [], [], []
+    for seed in range(10):
+        stream, rng = resting(300, seed), np.random.default_rng(100 + seed)
+        stream[150:, 2, 1, 0] += np.round(200 * rng.standard_normal(150))
+        out, sound = left_out(stream)
+        late.append(int(out[150:, 2, 1, 0].argmax()))
+        kept.append(out[170:, 2, 1, 0].mean())
+        assert "F3-X2: noisy" in sound.text
+        in_file.append(noisy(stream)[0][150:, 2, 1, 0].mean())
+        out[150:, 2, 1, 0] = False
+        assert not out.any()
+    assert max(late) <= 20
+    assert np.mean(kept) > 0.9
+    assert np.mean(in_file) > 0.95
+
+
+def test_taps_and_sudden_presses_are_no_noise():
+    """Taps of 5 Hz at 50 frames a second, and contacts that come and go within a frame."""
+    stream, time_s = resting(2000), np.arange(2000) / 50
+    taps = 1000 * np.maximum(0, np.sin(2 * np.pi * 2.5 * time_s)) * (time_s > 10)
+    stream[:, 1, 0] += np.round(taps[:, None] * [1.0, 0.4, -0.7])
+    stream[:, 3, 1] += np.where((np.arange(2000) % 40 < 20) & (time_s > 20), 3000, 0)[:, None]
+    assert not left_out(stream)[0].any()
+    assert not noisy(stream)[0].any()

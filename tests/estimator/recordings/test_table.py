@@ -6,22 +6,16 @@ import numpy as np
 import pytest
 
 from design.errors import RecordingError
-from estimator.recordings.table import RawTable, channel_name, check_plausible, check_signals
+from estimator.recordings.table import channel_name, check_plausible, check_signals
+from tests.support.recordings.judged_cases import raw_table
 
 FRAMES = 5
-SOUND = RawTable(
-    kind="generic",
-    time_s=np.arange(FRAMES) / 10,
+SOUND = raw_table(
+    FRAMES,
     force_n=np.ones((FRAMES, 1)),
     counts=np.ones((FRAMES, 5, 1, 3)),
     face=np.full((FRAMES, 1), 3),
     tip_xy_mm=np.full((FRAMES, 1, 1, 2), 2.0),
-    case=np.zeros(FRAMES, int),
-    declared_rest=np.zeros(FRAMES, bool),
-    grid_x_mm=np.arange(3.0),
-    grid_y_mm=np.arange(3.0),
-    duplicate_columns=(),
-    digest="x",
 )
 
 

@@ -29,7 +29,7 @@ from tests.support.mechanics.synthetic_presses import synthetic_presses
 BOX = ObjectSpec.model_validate(
     {
         "name": "box",
-        "body": {"size_mm": (60.0, 40.0, 36.0)},
+        "body": {"size_mm": (44.0, 36.0, 28.0)},
         "contact_grid": {"count": "fill", "pitch_mm": 4.0},
         "press": {"depths_mm": (0.5, 1.0, 2.0, 3.0)},
         "score": {"force_n": 5.0},
@@ -111,7 +111,7 @@ def test_presses_beside_the_pressed_places_are_refused(signals):
     on_edge = np.array([6.0])
     assert press_traces(signals, np.array([2]), 0 * on_edge, on_edge).force_n[0, -1] > 0
     with pytest.raises(InputError, match="beside the contact locations that the face"):
-        press_traces(signals, np.array([3]), np.array([12.5]), np.array([0.0]))
+        press_traces(signals, np.array([3]), np.array([15.0]), np.array([0.0]))
 
 
 def test_scores_are_those_of_the_whole_table_and_missing_elsewhere(signals, tmp_path):

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from design.spec.object import ObjectSpec
-from estimator.signals.nuisances import nuisance_columns, nuisances
+from estimator.signals.nuisances import magnet_columns, nuisance_columns, nuisances
 from estimator.signals.presses import rest_counts
 
 CUBE = ObjectSpec(name="cube")
@@ -61,3 +61,19 @@ def test_gains_of_drawn_chips_count():
     change = rest_counts(wrong.changed(environment=north)) - rest_counts(wrong)
     columns = nuisance_columns(wrong)[:, 0] * 10 / (np.sqrt(2 / 3) * 50)
     assert_allclose(columns, change.ravel(), atol=1e-8)
+
+
+def test_columns_of_a_magnet_hold_what_magnets_near_the_object_add():
+    """By the forward chain, with exact disks in place of dipoles: Ø10 × 5 mm at 70 mm of the middle."""
+    columns, rng = magnet_columns(CUBE), np.random.default_rng(5)
+    left, whole = [], []
+    for place, axis in rng.standard_normal((12, 2, 3)):
+        position = tuple((70 * place / np.linalg.norm(place)).tolist())
+        magnet = {"position_mm": position, "axis": tuple(axis.tolist())}
+        magnet |= {"diameter_mm": 10.0, "height_mm": 5.0, "remanence_t": 1.4}
+        around = CUBE.environment.changed(magnets=[magnet])
+        change = (rest_counts(CUBE.changed(environment=around)) - rest_counts(CUBE)).ravel()
+        unknowns = np.linalg.lstsq(columns, change, rcond=None)[0]
+        left.append(np.linalg.norm(change - columns @ unknowns))
+        whole.append(np.linalg.norm(change))
+    assert np.linalg.norm(left) < 0.1 * np.linalg.norm(whole)

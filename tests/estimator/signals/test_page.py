@@ -29,7 +29,10 @@ REVERSE = {
         "positions_mm": [[5.5, -2.0], [-3.0, 6.0]], "shape": "block", "size_mm": [4.0, 3.0],
         "depth_below_core_face_mm": 0.5,
     },
-    "sensors": {"positions_mm": [[4.5, 3.5], [-6.0, 1.0]], "mount_rotation_deg": [5.0, -3.0, 20.0]},
+    "sensors": {
+        "positions_mm": [[4.5, 3.5], [-6.0, 1.0]],
+        "rotations_deg": [[5.0, -3.0, 20.0], [-4.0, 6.0, 160.0]],
+    },
     "core": {"wall_mm": 5.0},
 }  # fmt: skip
 

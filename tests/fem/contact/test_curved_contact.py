@@ -44,7 +44,8 @@ def _half_space_face(relief: Relief) -> RefinedFace:
     surface = FaceSurface(1, xy, around.simplices, relief_mm=relief.evaluate(xy)[0])
     none = np.zeros((len(xy), len(xy)))
     narrowing = hat_narrowing(surface)
-    return RefinedFace(frame, surface, 0, hat_patches(surface), none, narrowing, around)
+    elastic = (1.0, 0.5)
+    return RefinedFace(frame, surface, 0, hat_patches(surface), none, narrowing, around, elastic)
 
 
 def _forces(face: RefinedFace, place: tuple[float, float]) -> np.ndarray:

@@ -19,7 +19,12 @@ SEAL_MM = 2.0
 
 def dented(depth_mm, spec=None):
     spec = spec or small_spec()
-    return spec.changed(shell=spec.shell.changed(dent_mm=depth_mm))
+    dents = [
+        {"face": face, "magnet": magnet, "dent_mm": depth_mm}
+        for face in spec.body.sensed
+        for magnet in range(1, spec.magnets.count + 1)
+    ]
+    return spec.changed(as_built={"magnets": dents})
 
 
 def mesh_with_dents(mesh, spec):

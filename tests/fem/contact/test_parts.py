@@ -75,7 +75,9 @@ def test_moments_are_those_of_what_lies_below_the_tip():
     height = np.ones((3, 16))
     height[1] = np.where(local[:, 0] < 1, 3.0, np.inf)
     height[2] = np.inf
-    area, centre, variance, mean = indenter.cell_moments(points, height, np.array([2.0, 1.0]))
+    area, centre, variance, mean = indenter.cell_moments(
+        points, height, np.tile([2.0, 1.0], (3, 1))
+    )
     assert_allclose(area, [2.0, 1.0])
     assert_allclose(centre, [[1.0, 0.5], [2.5, 0.5]])
     assert_allclose(mean, [1.0, 3.0])

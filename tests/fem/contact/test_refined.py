@@ -15,7 +15,9 @@ NEAR = np.array([[4.0, 1.0, 0.5], [1.0, 3.0, 0.2], [0.5, 0.2, 2.0]])
 
 
 def spread(flat):
-    face = SimpleNamespace(wide_compliance=WIDE, frame=SimpleNamespace(flat=flat), bases=())
+    face = SimpleNamespace(
+        wide_compliance=WIDE, frame=SimpleNamespace(flat=flat), bases=(), border=None
+    )
     cosine = np.array([1.0, 0.8, np.nan])
     return SimpleNamespace(face=face, rows=np.array([1, 3]), matrix=MATRIX, cosine=cosine)
 

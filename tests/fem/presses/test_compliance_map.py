@@ -6,16 +6,15 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from design.errors import StoreError
 from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ContactGridSpec, PressSpec
 from fem.presses.compliance_map import (
     compliance_map,
-    load_forces,
     presses_without_magnets,
     save_compliance_csv,
-    save_forces,
 )
-from fem.presses.results import PressForces
+from fem.presses.results import PressForces, load_forces, load_presses, save_presses
 from tests.support.objects.magnet_free_cases import magnet_free_cube
 
 LATTICE = PlaceGrid(np.array([-2.0, 1.0, 4.0]), np.array([0.0, 5.0]))
@@ -55,8 +54,10 @@ def test_the_table_has_one_row_a_place_with_both_compliances(forces, tmp_path):
 
 
 def test_forces_come_back_from_their_file(forces, tmp_path):
-    save_forces(forces, tmp_path / "forces.npz")
-    loaded = load_forces(tmp_path / "forces.npz")
+    save_presses(forces, None, tmp_path / "forces.nc")
+    loaded = load_forces(tmp_path / "forces.nc")
+    with pytest.raises(StoreError, match="presses without magnets"):
+        load_presses(tmp_path / "forces.nc")
     for name in ("faces", "depth_mm", "force_n", "contact_area_mm2"):
         np.testing.assert_array_equal(getattr(loaded, name), getattr(forces, name))
     np.testing.assert_array_equal(loaded.lattice.xy_mm, LATTICE.xy_mm)

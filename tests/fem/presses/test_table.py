@@ -130,9 +130,9 @@ def test_layer_force_without_magnets(points_spec, points_response):
     assert_allclose(mean[1], dimitriadis_force_n(1.0, RADIUS, 8.0), rtol=0.10)
 
 
-@pytest.mark.parametrize("xy", [(16.2, 0.0), (0.0, -16.2)])
-def test_a_tip_over_the_border_is_refused(rigid_spec, rigid_response, xy):
-    with pytest.raises(InputError, match="hangs over the border of face 4"):
+@pytest.mark.parametrize("xy", [(21.2, 0.0), (0.0, -21.2)])
+def test_a_tip_that_lands_beside_the_face_is_refused(rigid_spec, rigid_response, xy):
+    with pytest.raises(InputError, match="lands beside face 4"):
         press_places(rigid_spec, rigid_response, 3, np.array([[0.0, 0.0], xy]), DEPTHS)
 
 
@@ -191,7 +191,7 @@ def test_progress_is_told_face_by_face(presses, told):
 
 def test_saved_presses_come_back_alike_with_axes_in_order(presses, rigid_spec, tmp_path):
     forces, motions = presses
-    assert forces.force_n.shape == (5, 21 * 21, 3)
+    assert forces.force_n.shape == (5, 29 * 29, 3)
     assert motions.motion.shape == (5, 21 * 21, 3, 25, 6)
     save_presses(forces, motions, tmp_path / "presses.nc")
     read_forces, read_motions = load_presses(tmp_path / "presses.nc")

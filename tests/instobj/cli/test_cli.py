@@ -167,15 +167,6 @@ def test_ctrl_c_keeps_finished_stages_and_the_next_run_goes_on(tmp_path):
     assert json.loads(again.stdout)["objects"][0]["stages"][0]["reused"] is False
 
 
-def test_an_older_key_is_one_line_of_warning_beside_the_result(tmp_path):
-    (tmp_path / "x.toml").write_text('name = "x"\n[training]\nmembers = 2\n')
-    done = run_apart("check", "x.toml", "--json", cwd=tmp_path)
-    assert done.returncode == 0
-    assert json.loads(done.stdout)["command"] == "check"
-    (line,) = done.stderr.splitlines()
-    assert line.startswith("warning: training.members is now called training.ensemble")
-
-
 def test_without_a_command_the_first_session_is_shown(tmp_path):
     done = run(cwd=tmp_path)
     assert done.returncode == 0
@@ -242,6 +233,7 @@ def test_a_cost_of_a_slip_wants_a_slip(tmp_path):
         ("predict model.onnx a.csv --zero rest:2", "rest:20"),
         ("predict model.onnx a.csv --zero always", "rest, first or none"),
         ("optimize a.toml --storage b", "--out FOLDER"),
+        ("check a.toml --shell.thickness_mm=9", "--set shell.thickness_mm=VALUE"),
     ],
 )
 def test_options_of_one_text_and_those_that_went_say_what_to_write(words, told, tmp_path):

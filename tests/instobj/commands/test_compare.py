@@ -35,7 +35,7 @@ def test_objects_are_compared_in_one_table_and_one_figure(tmp_path, capsys):
     assert [near["object"], far["object"]] == ["near", "far"]
     assert (near["place mm"], near["place after 15 min mm"]) == (0.4, pytest.approx(1.2))
     assert (near["weakest place mm"], near["on face"]) == (2.0, 4)
-    assert (near["places within limit %"], far["places within limit %"]) == (99.8, 0.0)
+    assert (near["places within limit %"], far["places within limit %"]) == (99.9, 0.0)
     picture = run_folder(tmp_path, "near+far") / "comparison.png"
     assert picture.read_bytes().startswith(b"\x89PNG")
     print_result({"comparison": found})

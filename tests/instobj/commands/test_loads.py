@@ -56,19 +56,19 @@ def test_no_place_at_all_is_refused():
     ("place", "indenter", "words"),
     [
         (Place(6, 0.0, 0.0, 1.0), {}, "not sensed"),
-        (Place(1, 17.0, 0.0, 1.0), {}, "misses the body"),
-        (Place(1, 0.0, 15.4, 1.0), {}, "outside the contact grid"),
+        (Place(1, 21.1, 0.0, 1.0), {}, "lands at x = 21.1 mm"),
+        (Place(1, 17.0, 0.0, 1.0), {"friction": "sticking"}, "misses the body"),
         (Place(1, 0.0, 0.0, 5.0), {}, "Press less deep"),
         (Place(1, 0.0, 0.0, -1.0), {}, "Press less deep"),
-        (Place(1, 14.8, 0.0, 3.0), {"direction_deg": (40.0, 0.0)}, "misses the body"),
-        (Place(1, 0.0, 0.0, 1.0), {"kind": "cuboid", "size_mm": (43.0, 9.0)}, "more than face 1"),
+        (Place(1, 18.8, 0.0, 3.0), {"direction_deg": (40.0, 0.0)}, "misses the body"),
+        (Place(1, 0.0, 0.0, 1.0), {"tip_count": 2, "tip_spacing_mm": 43.0}, "more than face 1"),
     ],
 )
 def test_one_bad_press_is_told_of_and_the_others_are_kept(place, indenter, words):
     spec = SPEC.model_copy(update={"indenter": IndenterSpec(**indenter)})
     with pytest.raises(InputError, match=words):
         check_places(spec, [place], to_depth=True)
-    if indenter.get("kind") is None:
+    if indenter.get("tip_count") is None:
         fine = Place(4, 2.0, 3.0, 1.0)
         checked = check_places(spec, [place, fine], to_depth=True)
         assert checked.good == (fine,)
@@ -130,7 +130,7 @@ def test_the_figure_is_drawn_for_presses_and_for_patches(tmp_path):
         (["3:0,0"], [], "two jaws; got 1"),
         (["3:0,0", "1:0,0"], [], "not opposite"),
         (["3:0,0", "6:0,0"], [], "face 6 is not sensed"),
-        (["3:0,0", "5:19,0"], [], "misses the body"),
+        (["3:0,0", "5:21.5,0"], [], "misses the body"),
         (["3:0,0", "5;0,0"], [], "FACE:X,Y"),
         (["3:0,0", "5:0,0"], ["indenter.friction=sticking"], "frictionless"),
         (["3:0,0", "5:0,0"], ["mechanics.slip.shift_mm=[1, 0, 0]"], "no slip"),

@@ -43,11 +43,11 @@ def placed_tables(kind):
         "contact_grid": {"count": [5, 5], "pitch_mm": 1.5},
         "indenter": {"radius_mm": 3.0},
         "press": {"depths_mm": [0.25, 0.5]},
-        "core": {"wall_mm": 5.0, "hub_radius_mm": 1.5, "recess_inner_radius_mm": 0.25},
+        "core": {"wall_mm": 5.0, "recess_inner_radius_mm": 0.25},
         "sensors": {"radius_mm": 3.5, "positions_mm": [[0.0, 0.0]], "count_per_face": 1},
     }
     if kind == "imported":
-        tables["body"] |= {"file": str(PEAR), "unit": "cm", "scale": 2.0}
+        tables["body"] |= {"file": str(PEAR), "scale": 20.0}
     return tables
 
 
@@ -72,7 +72,7 @@ def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monk
         for key, value in keys.items():
             if f"{table}.{key}" not in named and not isinstance(value, dict):
                 assert cube[table][key] == value, f"{table}.{key} was changed"
-    assert ("unit = " in text) is (kind == "imported")
+    assert ("scale = " in text) is (kind == "imported")
     assert_comments_of_the_kind(kind, text)
 
 
@@ -328,7 +328,7 @@ def test_what_was_written_is_said_with_what_comes_next(tmp_path):
     wrote, placed, far, taking, following = done.stdout.splitlines()
     assert wrote == "wrote avocado.toml"
     assert "5 magnets and 3 sensors on each of faces [1, 2, 3, 4, 5]" in placed
-    assert far.startswith("12 % of the contact locations are too far from a magnet and a sensor")
+    assert far.startswith("43 % of the contact locations are too far from a magnet and a sensor")
     assert taking.startswith("scores (`instobj score`) take about ")
     assert following == "next  instobj check avocado.toml"
     assert [path.name for path in tmp_path.glob("*.toml")] == ["avocado.toml"]
@@ -351,12 +351,10 @@ def test_without_options_the_cube_of_the_paper_is_written(tmp_path):
         ({"kind": "box"}, "Add --size"),
         ({"kind": "imported"}, "--from FILE goes with"),
         ({"size_mm": (1.0, 1.0, 1.0), "file": PEAR}, "Leave it out, or use --scale"),
-        ({"file": PEAR, "unit": "ft"}, "mm, cm, m, in"),
         ({"file": PEAR, "scale": 0.0}, "above 0 and finite; got 0"),
         ({"file": PEAR, "scale": float("nan")}, "above 0 and finite; got nan"),
         ({"sensors": 2}, "--sensors 2 goes with --kind and --size"),
         ({"magnets": 4}, "--magnets 4 goes with --kind and --size"),
-        ({"unit": "m"}, "--unit m goes with --from FILE"),
         ({"size_mm": (60.0, 40.0, 30.0), "scale": 2.0}, "--scale 2.0 goes with --from FILE"),
     ],
 )
@@ -368,8 +366,8 @@ def test_options_that_do_not_go_together_are_refused(options, said):
 @pytest.mark.parametrize(
     ("edge_mm", "asked"),
     [
-        (0.05, r'body\.unit = "m" \(instobj new: --unit m\) makes it 50 mm'),
-        (45e3, r"body\.scale = 0\.001 makes it 45 mm"),
+        (0.05, r"m: body\.scale = 1000 \(instobj new: --scale\) makes it 50 mm"),
+        (45e3, r"body\.scale = 0\.001 \(instobj new: --scale\) makes it 45 mm"),
     ],
 )
 def test_a_file_in_metres_is_answered_with_a_question(edge_mm, asked):

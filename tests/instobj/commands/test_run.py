@@ -15,7 +15,7 @@ from tests.support.recordings.pressed_frames import made_frames
 @pytest.fixture
 def specification(tmp_path, monkeypatch):
     """One named cube, in a folder of results; what would be made is not."""
-    monkeypatch.setattr(run, "run_one_object", lambda spec, stages, out: list(stages))
+    monkeypatch.setattr(run, "run_one_object", lambda spec, stages, *_: list(stages))
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n')
     return path

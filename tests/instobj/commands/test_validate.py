@@ -63,9 +63,7 @@ def test_silent_channels_are_named(tmp_path, rest):
     ("content", "words"),
     [
         ("F1-X1,F1-Y9\n1,2\n", ("F1-Y9", "missing", "F1-Z1")),
-        (",".join(NAMES) + "\n", ("no frame",)),
-        (",".join(NAMES) + "\n1,2\n", ("45",)),
-        (",".join(NAMES) + "\n" + ",".join(["x"] * 45) + "\n", ("numbers",)),
+        (",".join(NAMES) + "\n1,2\n", ("rest.csv", "line 2", "45")),
         ("date,temperature\n2024-01-01,20\n2024-01-02,21\n", ("rest.csv",)),
         (None, ("no resting signals",)),
     ],

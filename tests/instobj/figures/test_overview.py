@@ -1,4 +1,4 @@
-"""Overview pictures of every body: nothing lies on a map, and numbers keep to their cells."""
+"""Overview pictures of every body: nothing lies on a map."""
 
 from itertools import combinations, pairwise
 from pathlib import Path
@@ -8,11 +8,10 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from numpy.testing import assert_allclose
 
-from design.layout.body import face_frame, face_frames
+from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.spec_io import load_spec, parse_spec
-from instobj.figures.maps import heatmaps, overview
-from instobj.figures.maps.scale import map_scale
+from instobj.figures.maps import overview
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CAPTION = (
@@ -43,14 +42,12 @@ def spec_of(name):
 def drawn(request, tmp_path_factory):
     """The specification, and its overview as a figure that was drawn."""
     spec = spec_of(request.param)
-    faces = np.array(spec.body.sensed)
-    places = len(contact_grid(spec))
-    values = np.linspace(0.012, 1234.0, len(faces) * places).reshape(len(faces), places)
+    shape = len(spec.body.sensed), len(contact_grid(spec))
+    values = np.linspace(0.012, 1234.0, shape[0] * shape[1]).reshape(shape)
     path = tmp_path_factory.mktemp("overview") / "a.png"
     title = "How well a contact of 8 N can be located at best"
-    figure = overview.draw_overview(
-        values, faces, spec, title, "mm", 0.012, 1234.0, path, note=CAPTION
-    )
+    face_map = overview.FaceMap(title, "mm", values, note=CAPTION)
+    figure = overview.draw_overview(spec, face_map, path)
     FigureCanvasAgg(figure).draw()
     return spec, figure
 
@@ -101,35 +98,6 @@ def test_nothing_lies_on_a_map_and_all_is_within_the_picture(drawn):
         assert box.y1 <= height, name
 
 
-def numbers_of(axes):
-    """Each face's numbers, without the strokes under them."""
-    return [one for one in axes.collections if one.get_zorder() == 6][1::2]
-
-
-def widths_px(numbers):
-    scale = numbers.get_transform()
-    return [path.get_extents(scale).width for path in numbers.get_paths()]
-
-
-def test_numbers_are_narrower_than_their_cells_and_can_be_read_or_are_left_out(drawn):
-    """In the report, where the picture is 780 px wide, from 5 px on."""
-    spec, figure = drawn
-    net = figure.axes[0]
-    numbers = numbers_of(net)
-    assert bool(numbers) is (spec.name not in ("paper_cube", "box", "handle", "capsule", "pear"))
-    if not numbers:
-        return
-    fonts_px = [number.get_transform().get_matrix()[0, 0] for number in numbers]
-    assert min(fonts_px) / figure.dpi / figure.get_size_inches()[0] * 780 >= 5
-    places = sum(len(number.get_paths()) for number in numbers)
-    assert places == len(spec.body.sensed) * len(contact_grid(spec))
-    ends = net.transData.transform([[0.0, 0.0], [spec.contact_grid.pitch_mm, 0.0]])
-    cell = np.ptp(ends[:, 0])
-    widths = [width for number in numbers for width in widths_px(number)]
-    assert max(widths) < cell
-    assert max(widths) > 0.5 * cell, "as large as they may be"
-
-
 def test_face_6_joins_face_4_point_for_point():
     spec = parse_spec(FLAT_BOX | {"body": {"size_mm": [60, 40, 30], "open_faces": []}}, "closed")
     frames = {frame.number: frame for frame in face_frames(spec)}
@@ -143,22 +111,3 @@ def test_face_6_joins_face_4_point_for_point():
         assert_allclose(on_side[2], 0, atol=1e-9)
         apart = pose.apply(on_edge) - side_pose.apply(on_side[:2])
         assert_allclose(apart, [0, overview.GAP_MM], atol=1e-9)
-
-
-def test_a_map_of_one_face_keeps_its_numbers_in_their_cells(tmp_path, monkeypatch):
-    spec, kept = spec_of("box"), []
-
-    def measure(canvas, path):
-        axes = canvas.figure.axes[0]
-        (numbers,) = numbers_of(axes)
-        cell = np.ptp(axes.transData.transform([[0, 0], [3.0, 0]])[:, 0])
-        kept.append((max(widths_px(numbers)), cell))
-
-    monkeypatch.setattr(heatmaps, "save_drawn", measure)
-    values = np.linspace(1000, 9000, len(contact_grid(spec)))
-    heatmaps.FaceMaps(spec).draw(
-        values, 1, "δ", map_scale("counts", 1000, 9000), tmp_path / "a.png"
-    )
-    ((width, cell),) = kept
-    assert 0 < width < cell
-    assert face_frame(spec, 1).number == 1

@@ -7,7 +7,8 @@ from numpy.testing import assert_allclose
 
 from design.build.manifest import BuildManifest, PartManifest
 from design.errors import InputError
-from instobj.render.parts import VIEWS, camera_axes, depth_image, draw_parts
+from instobj.render.parts import VIEWS, draw_parts
+from instobj.render.raster import camera_axes, depth_image
 
 
 def write_build(folder):

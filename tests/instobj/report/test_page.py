@@ -30,12 +30,11 @@ TABLES = (
         "discretisation",
     ),
     *("weak_header", "weak_areas", "weak_maps"),
-    *("parts", "stages", "area_header", "discretisation_header", "deltas", "delta_maps"),
+    *("parts", "stages", "area_header", "discretisation_header", "deltas"),
 )
 TEXTS = (
     *(
         "surroundings",
-        "compliance",
         "deformation",
         "core",
         "discretisation_note",
@@ -54,7 +53,7 @@ TEXTS = (
     *("weak_text", "edge_text"),
 )
 PICTURES = ("overview", "robustness_picture", "press_curves", "parts_picture", "still", "scene")
-PICTURES += ("weak_picture",)
+PICTURES += ("weak_picture", "delta_map", "compliance")
 
 
 def page_of(spec, tmp_path, **content):
@@ -132,8 +131,8 @@ def test_the_page_begins_with_the_share_of_the_surface_that_it_judges(tmp_path, 
 @pytest.mark.parametrize(
     ("tables", "told"),
     [
-        ({}, "10 × 10 contact locations per face"),
-        ({"body": {"sensed_faces": [3]}}, "10 × 10 contact locations"),
+        ({}, "14 × 14 contact locations per face"),
+        ({"body": {"sensed_faces": [3]}}, "14 × 14 contact locations"),
         ({"body": {"size_mm": [50.0, 42.0, 42.0]}}, " to "),
     ],
 )

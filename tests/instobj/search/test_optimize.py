@@ -155,7 +155,12 @@ def test_a_written_layout_is_read_back(tmp_path):
         "north": ["outward", "inward"],
     }
     sensors = {"positions_mm": [[0.5, 8.2], [-7.1, -4.2]], "chip": "outward"}
-    content = {"name": "cube", "magnets": magnets, "sensors": sensors, "silicone": {"shore": "A20"}}
+    content = {
+        "name": "cube",
+        "magnets": magnets,
+        "sensors": sensors,
+        "silicone": {"modulus_from": "A20"},
+    }
     spec = parse_spec(content, "made up")
     write_specification(spec, "again", tmp_path / "again.toml", tmp_path)
     again = load_spec(tmp_path / "again.toml")

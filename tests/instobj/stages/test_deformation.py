@@ -68,7 +68,7 @@ def with_correction(**parts):
 
 def test_places_span_the_face_and_its_magnets():
     assert correction_places_mm(SPEC) == [
-        (0.0, 0.0), (13.5, 0.0), (13.5, 13.5), (10.0, 10.0), (5.0, 5.0), (5.4, 0.0),
+        (0.0, 0.0), (16.0, 0.0), (16.0, 16.0), (10.0, 10.0), (5.0, 5.0), (6.4, 0.0),
     ]  # fmt: skip
     single = ObjectSpec.model_validate(
         {

@@ -27,117 +27,58 @@ def _keys(*overrides: str, example: str = "") -> dict[str, str]:
 
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-DOWNSTREAM = {
-    "sensors.radius_mm=8.0": {"compliance", "build", "signals", "robustness"},
-    "sensors.noise_counts=[20.0,22.0,11.0]": {"compliance", "build", "signals", "robustness"},
-    "silicone.youngs_modulus_mpa=0.3": {"plain_response", "response", "coarse_response"},
+SENSED = {"build", "compliance", "signals", "robustness"}
+CAST_IN = SENSED | {"mesh", "coarse_response"}
+MESHED = {"plain_mesh", "mesh", "coarse_response"}
+ELASTIC = {"plain_response", "response", "coarse_response"}
+PRESSED = {"presses", "shear", "discretisation"}
+WHERE_PRESSED = PRESSED | {"build", "plain_presses", "candidates"}
+RECORDED = {"frames", "collection", "pulled_collection"}
+DOWNSTREAM: dict[str, set[str]] = {
+    "sensors.radius_mm=8.0": SENSED,
+    "sensors.noise_counts=[20.0,22.0,11.0]": SENSED,
+    "sensors.averaging=32": SENSED,
+    "silicone.youngs_modulus_mpa=0.3": ELASTIC,
     "silicone.density_g_per_cm3=1.1": {"report"},
     "silicone.youngs_modulus_range_mpa=[0.3, 0.5]": {"report"},
-    "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": {
-        "frames",
-        "collection",
-        "pulled_collection",
-    },
-    "silicone.shore=A12": {"plain_response", "response", "coarse_response", "report"},
-    "mechanics.element=p2-p0": {"plain_response", "response", "coarse_response"},
+    "silicone.prony=[{fraction = 0.1, time_s = 2.0}]": RECORDED,
+    "silicone.modulus_from=A12": ELASTIC | {"report"},
+    "mechanics.element=p2-p0": ELASTIC,
     "mechanics.magnets=points": {"response", "coarse_response"},
-    "mechanics.interface=frictionless": {"plain_response", "response", "coarse_response"},
-    "mechanics.slip.rim=held": {
-        "plain_response",
-        "response",
-        "coarse_response",
-        "presses",
-        "shear",
-    },
+    "mechanics.interface=frictionless": ELASTIC,
+    "mechanics.slip.rim=held": ELASTIC | {"presses", "shear"},
     "mechanics.slip.shift_mm=[1.0,0.0,0.0]": {"presses", "shear"},
-    "magnets.tilt_deg=[[1,2],[0,0],[0,0],[0,0],[0,0]]": {
-        "compliance",
-        "build",
-        "mesh",
-        "coarse_response",
-        "signals",
-        "robustness",
-    },
-    "magnets.depth_mm=3": {
-        "compliance",
-        "build",
-        "mesh",
-        "coarse_response",
-        "signals",
-        "robustness",
-    },
-    "magnets.remanence_t=1.4": {"compliance", "build", "signals", "robustness"},
-    "magnets.temperature_c=45": {"compliance", "build", "signals", "robustness"},
-    "magnets.grade=N45": {"compliance", "build", "signals", "robustness"},
-    'magnets.grade=["N35","N52","N35","N35","N42"]': {
-        "compliance",
-        "build",
-        "signals",
-        "robustness",
-    },
-    "sensors.averaging=32": {"compliance", "build", "signals", "robustness"},
-    "contact_grid.pitch_mm=2.5": {
-        "build",
-        "plain_presses",
-        "candidates",
-        "presses",
-        "shear",
-        "discretisation",
-    },
-    "press.depths_mm=[1.0,2.0]": {
-        "build",
-        "plain_presses",
-        "candidates",
-        "presses",
-        "shear",
-        "discretisation",
-    },
-    "mesh.edge_mm=5": {"plain_mesh", "mesh", "coarse_response"},
-    "magnets.positions_mm=[[0,0],[9,8]]": {
-        "compliance",
-        "build",
-        "mesh",
-        "coarse_response",
-        "signals",
-        "robustness",
-    },
+    "magnets.tilt_deg=[[1,2],[0,0],[0,0],[0,0],[0,0]]": CAST_IN,
+    "magnets.depth_mm=3": CAST_IN,
+    "magnets.positions_mm=[[0,0],[9,8]]": CAST_IN,
+    "magnets.diameter_mm=5": CAST_IN | {"candidates"},
+    "magnets.remanence_t=1.4": SENSED,
+    "magnets.temperature_c=45": SENSED,
+    "magnets.grade=N45": SENSED,
+    'magnets.grade=["N35","N52","N35","N35","N42"]': SENSED,
+    "contact_grid.pitch_mm=2.5": WHERE_PRESSED,
+    "press.depths_mm=[1.0,2.0]": WHERE_PRESSED,
+    "indenter.radius_mm=4.5": WHERE_PRESSED,
+    "mesh.edge_mm=5": MESHED,
     "environment.earth_field_ut=50": {"signals", "robustness"},
     "load_cell.kind=hx711": {"sheet"},
-    "magnets.diameter_mm=5": {
-        "compliance",
-        "candidates",
-        "build",
-        "mesh",
-        "coarse_response",
-        "signals",
-        "robustness",
-    },
-    "indenter.radius_mm=4.5": {
-        "build",
-        "presses",
-        "plain_presses",
-        "candidates",
-        "shear",
-        "discretisation",
-    },
-    "shell.thickness_mm=9": {"plain_mesh", "build", "mesh", "coarse_response"},
-    "score.force_n=6": {"candidates", "robustness", "scores", "shear_scores", "identify"},
-    "protocol.presses_per_place=4": {"frames", "collection", "pulled_collection"},
-    "collection.presses=5": {"collection", "pulled_collection"},
-    "tolerances.magnet_tilt_deg=1": {"robustness", "alternatives"},
-    "as_built.magnets=[{face=2, magnet=1, flipped=true}]": {"signals", "robustness"},
-    "training.epochs=5": {"networks"},
-    "limits.position_bound_mm=2": {"report", "identify", "weak_areas", "second_fidelity"},
+    "shell.thickness_mm=9": MESHED | {"build"},
+    "shell.slits.depth_mm=3": MESHED | {"build"},
+    "core.keys.positions_mm=[[11.4,11.4]]": MESHED | {"build"},
+    "shell.seal_layer_mm=0.5": {"build"},
     "core.wall_mm=4": {"build"},
     "mould.style=split": {"build"},
     "printer.name=resin": {"build"},
-    "shell.seal_layer_mm=0.5": {"build"},
-    "shell.dent_mm=0.5": {"build", "presses", "shapes", "shear", "discretisation"},
+    "score.force_n=6": {"candidates", "robustness", "scores", "shear_scores", "identify"},
+    "protocol.presses_per_place=4": RECORDED,
+    "collection.presses=5": {"collection", "pulled_collection"},
+    "tolerances.magnet_tilt_deg=1": {"robustness", "alternatives"},
+    "as_built.magnets=[{face=2, magnet=1, flipped=true}]": {"signals", "robustness"},
     "as_built.magnets=[{face=2, magnet=1, dent_mm=0.5}]": {
-        *("signals", "robustness", "presses", "shapes", "shear", "discretisation"),
+        *("signals", "robustness", "shapes", *PRESSED),
     },
-    "shell.slits.depth_mm=3": {"plain_mesh", "build", "mesh", "coarse_response"},
-    "core.keys.positions_mm=[[11.4,11.4]]": {"plain_mesh", "build", "mesh", "coarse_response"},
+    "training.epochs=5": {"networks"},
+    "limits.position_bound_mm=2": {"report", "identify", "weak_areas", "second_fidelity"},
     "inversion.contacts=3": set(),
     "seed=2": {"signals", "robustness", "identify", "frames", "networks"},
 }
@@ -145,7 +86,7 @@ DOWNSTREAM = {
 
 PRESSED_ON_THEIR_OWN = (
     "silicone.youngs_modulus_mpa=0.3",
-    "silicone.shore=A12",
+    "silicone.modulus_from=A12",
     "mechanics.element=p2-p0",
     "mechanics.magnets=points",
     "mechanics.interface=frictionless",
@@ -184,8 +125,7 @@ DOWNSTREAM["mechanics.correction=large-strain"] = {"large_strain"}
 _LAID_OUT = ("shell.", "magnets.", "core.", "sensors.", "environment.", "as_built.")
 SHOWN_BY_THE_REPORT_ALONE = {
     "surroundings": (*_LAID_OUT, "mechanics.slip."),
-    "press_curves": ("sensors.", "silicone."),
-    "tied_compliance": ("magnets.", "sensors."),
+    "press_curves": ("magnets.", "sensors.", "silicone."),
     "slip": ("mechanics.slip.", "score."),
     "alternatives": (
         *(*_LAID_OUT, "mechanics.", "silicone.", "score.", "seed", "contact_grid.", "press."),
@@ -277,25 +217,3 @@ def test_every_key_of_mechanics_matters_to_some_stage():
     named = {part for stage in STAGES.values() for part in stage.depends_on}
     keys = {f"mechanics.{key}" for key in MechanicsSpec.model_fields}
     assert keys <= named
-
-
-def test_presses_of_curved_faces_have_other_keys_than_on_the_grids_of_their_planes():
-    """Boxes and pads keep the results that were stored before places lay along the surface."""
-
-    def grid(kind, size_mm):
-        spec = ObjectSpec.model_validate({"name": "a", "body": {"kind": kind, "size_mm": size_mm}})
-        return stage_inputs(STAGES["presses"], spec, {}, {})["spec"]["contact_grid"]
-
-    assert set(grid("box", [42.0, 42.0, 42.0])) == {"count", "pitch_mm"}
-    assert "steps" not in grid("pad", [60.0, 40.0, 12.0])
-    for curved in (("sphere", [50.0] * 3), ("cylinder", [40.0, 40.0, 60.0])):
-        assert grid(*curved)["steps"] == "along the surface"
-
-
-def test_results_of_a_specification_without_dents_stay():
-    """The key came later: what it changes names it only where there are dents."""
-    spec = ObjectSpec(name="cube")
-    inputs = [stage_inputs(stage, spec, {}, {})["spec"] for stage in STAGES.values()]
-    assert not any("dents" in one or "dent_mm" in one.get("shell", {}) for one in inputs)
-    sunk = spec.changed(shell=spec.shell.changed(dent_mm=0.5))
-    assert stage_inputs(STAGES["presses"], sunk, {}, {})["spec"]["dents"] == [[0.5] * 5] * 5

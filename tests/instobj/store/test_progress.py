@@ -48,11 +48,10 @@ def test_steps_of_a_stage_within_another_are_its_own_and_the_live_line_stays_one
             with progress.stage("mesh"):
                 progress.step("tetrahedra")
             progress.step("twins")
-            live = progress.status_shown
-            assert (live is not None) == terminal
-            if live is not None:
-                assert str(live.status).startswith("promotion: twins")
-        assert progress.status_shown is None
+            assert (progress.bar is not None) == terminal
+            if progress.bar is not None:
+                assert progress.bar.tasks[0].description == "promotion: twins"
+        assert progress.bar is None
         progress.step("kept")
         lines = written.getvalue().splitlines()
         assert lines[-1].endswith("… kept"), "no stage, no time"
@@ -60,11 +59,10 @@ def test_steps_of_a_stage_within_another_are_its_own_and_the_live_line_stays_one
             assert [line.split(": ")[0] for line in lines[:2]] == ["  … mesh", "  … promotion"]
 
 
-@pytest.mark.parametrize("terminal", [False, True])
-def test_the_last_step_is_told_again_where_a_stage_is_silent_and_only_then(monkeypatch, terminal):
+def test_the_last_step_is_told_again_where_a_stage_is_silent_and_only_then(monkeypatch):
     monkeypatch.setattr(module, "MOST_SILENT_S", 0.02)
     written, told = io.StringIO(), []
-    progress = ProgressLine(Console(file=written, width=80, force_terminal=terminal))
+    progress = ProgressLine(Console(file=written, width=80))
     step = progress.step
     monkeypatch.setattr(progress, "step", lambda text: (told.append(text), step(text)))
     with progress.stage("presses"), progress.stage("response"):
@@ -77,8 +75,7 @@ def test_the_last_step_is_told_again_where_a_stage_is_silent_and_only_then(monke
         assert len(said) >= 4
         reminders = [one for one in threading.enumerate() if one.name == "reminder"]
         assert len(reminders) == 1
-        if not terminal:
-            assert written.getvalue().splitlines()[-1].startswith("  … response: factoring (")
+        assert written.getvalue().splitlines()[-1].startswith("  … response: factoring (")
     assert not reminders[0].is_alive()
     told.clear()
     monkeypatch.setattr(module, "MOST_SILENT_S", 60.0)

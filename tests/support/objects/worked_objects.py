@@ -12,7 +12,6 @@ _CORE = {
     "recess_depth_mm": 2.6,
     "wire_hole_top_diameter_mm": 2.2,
     "wire_hole_side_diameter_mm": 3.0,
-    "hub_radius_mm": 1.4,
 }
 _SENSORS = {
     "positions_mm": [[4.2, 1.5], [-2.0, 5.0]],
@@ -45,7 +44,7 @@ def _object(body, **tables):
 _OWN_LISTS = [[[1.0 + 0.3 * k, -4.0], [-6.0, 3.0 - 0.4 * k], [6.0, 4.5]] for k in range(4)]
 _OBLONG = {"size_mm": [46.0, 50.0, 56.0]}
 _ONE = {"positions_mm": [[0.0, 0.0]], "north": ["inward"]}
-_SLITS = {"slits": {"depth_mm": 3.5, "width_mm": 0.9, "end_mm": 9.0}}
+_SLITS = {"slits": {"depth_mm": 3.5, "width_mm": 0.9}}
 _ROUND = {"positions_mm": [[1.5, -4.0], [-4.5, 2.0]], "north": ["outward", "inward"]}
 _FEW = {"positions_mm": [[3.9, 1.0]]}
 OBJECTS = {
@@ -79,7 +78,7 @@ OBJECTS = {
             "size_mm": [4.0, 3.0],
             "depth_below_core_face_mm": 0.3,
         },
-        sensors={"mount_rotation_deg": [5.0, -3.0, 20.0]},
+        sensors={"chip": "outward"},
     ),
     "pad": _object({"kind": "pad", "size_mm": [40.0, 34.0, 13.0]}),
     "cylinder": _object(

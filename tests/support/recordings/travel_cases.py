@@ -9,6 +9,7 @@ from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.positions import magnet_layout
 from design.spec_io import load_spec
 from estimator.calibration.known_travel.model import Pose, travel_model
+from estimator.recordings.formats.travel import TravelRecording
 from fem.presses.results import MagnetMotions
 
 PAD = Path(__file__).parents[3] / "examples" / "eflesh_pad.toml"
@@ -57,3 +58,9 @@ def recorded(model, tip_mm, noise_mt=0.005, **off):
     twin = replace(model.as_designed(POSE), **off)
     noise = noise_mt * np.random.default_rng(0).standard_normal((len(tip_mm), 5, 3))
     return RESTING_MT + model.pressed(twin, tip_mm) + noise
+
+
+def presses_of(tip_mm, field_mt):
+    """A recording of these presses, places numbered by x and y."""
+    _, place = np.unique(tip_mm[:, :2], axis=0, return_inverse=True)
+    return TravelRecording(np.arange(len(tip_mm), dtype=float), tip_mm, field_mt, place.ravel())

@@ -129,27 +129,21 @@ def sites_by_response(readings: HeldReadings, holds: Sequence[int]) -> Int[np.nd
 def _settled(
     readings: HeldReadings, model: HeldMagnet, site: Int[np.ndarray, "chip"]
 ) -> Arrangement:
-    pose, turn = _poses_by_size(readings, model, site), np.tile(np.eye(3), (len(site), 1, 1))
-    site, turn, cost = assigned_sites(readings, model, pose)
+    found = assigned_sites(readings, model, _poses_by_size(readings, model, site))
     for _ in range(_ROUNDS):
-        model = with_polarities(readings, model, pose, site, turn)
-        pose = _poses_by_vectors(readings, model, pose, site, turn)
-        before = site, turn
-        site, turn, cost = assigned_sites(readings, model, pose)
-        if np.array_equal(before[0], site) and np.array_equal(before[1], turn):
+        before = replace(found, model=with_polarities(readings, found))
+        found = assigned_sites(readings, before.model, _poses_by_vectors(readings, before))
+        if np.array_equal(before.site, found.site) and np.array_equal(before.turn, found.turn):
             break
-    found = Arrangement(site, turn, model, pose, cost)
-    mirrored = _mirrored(readings, found)
-    return min((found, mirrored), key=lambda arrangement: arrangement.cost)
+    return min((found, _mirrored(readings, found)), key=lambda arrangement: arrangement.cost)
 
 
 def _mirrored(readings: HeldReadings, found: Arrangement) -> Arrangement:
     """All holds the other way round: the same likelihood with all axes of all chips reversed."""
-    model = replace(found.model, polarity=-found.model.polarity)
     pose = found.pose.copy()
     pose[:, 5:] *= -1
-    site, turn, cost = assigned_sites(readings, model, pose)
-    return Arrangement(site, turn, model, pose, cost)
+    model = replace(found.model, polarity=-found.model.polarity)
+    return assigned_sites(readings, model, pose)
 
 
 def _poses_by_size(
@@ -169,43 +163,33 @@ def _poses_by_size(
     return many_most_probable(residuals, stated_pose(len(size)))[0]
 
 
-def with_polarities(
-    readings: HeldReadings,
-    model: HeldMagnet,
-    pose: Float[np.ndarray, "hold 8"],
-    site: Int[np.ndarray, "chip"],
-    turn: Float[np.ndarray, "chip 3 3"],
-) -> HeldMagnet:
+def with_polarities(readings: HeldReadings, found: Arrangement) -> HeldMagnet:
     """The way round under which each hold fits the chips better."""
     costs = []
     for sign in (1.0, -1.0):
-        turned = replace(model, polarity=np.full(len(pose), sign))
-        # h hold, c chip, b designed axis of its site, a its axis as it is turned
-        predicted = np.einsum("cab,hcb->hca", turn, turned.counts(pose)[:, site])
-        error = np.hypot(model_error(readings, model, pose)[:, site, None], readings.noise_counts)
-        off = capped_misfit((readings.counts - predicted) / error)
+        turned = replace(found.model, polarity=np.full(len(found.pose), sign))
+        off = _misfit_of_fields(readings, found, turned.counts(found.pose))
         costs.append(0.5 * np.sum(off**2, axis=(1, 2)))
     over = costs[1] + TURNED_OVER < costs[0]
-    return replace(model, polarity=np.where(over, -1.0, 1.0))
+    return replace(found.model, polarity=np.where(over, -1.0, 1.0))
 
 
-def _poses_by_vectors(
-    readings: HeldReadings,
-    model: HeldMagnet,
-    pose: Float[np.ndarray, "hold 8"],
-    site: Int[np.ndarray, "chip"],
-    turn: Float[np.ndarray, "chip 3 3"],
-) -> Float[np.ndarray, "hold 8"]:
-    error = model_error(readings, model, pose)[:, site, None]
-    error = np.hypot(error, readings.noise_counts)
-
+def _poses_by_vectors(readings: HeldReadings, found: Arrangement) -> Float[np.ndarray, "hold 8"]:
     def residuals(pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold residual"]:
-        # h hold, c chip, b designed axis of its site, a its axis as it is turned
-        predicted = np.einsum("cab,hcb->hca", turn, model.counts(pose)[:, site])
-        off = capped_misfit((readings.counts - predicted) / error)
-        return np.concatenate([off.reshape(len(off), -1), model.off_prior(pose)], axis=1)
+        off = _misfit_of_fields(readings, found, found.model.counts(pose))
+        return np.concatenate([off.reshape(len(off), -1), found.model.off_prior(pose)], axis=1)
 
-    return many_most_probable(residuals, pose)[0]
+    return many_most_probable(residuals, found.pose)[0]
+
+
+def _misfit_of_fields(
+    readings: HeldReadings, found: Arrangement, counts: Float[np.ndarray, "hold sensor 3"]
+) -> Float[np.ndarray, "hold chip 3"]:
+    """Capped misfit of readings to fields as designed sensors read them, in the errors as found."""
+    error = model_error(readings, found.model, found.pose)[:, found.site, None]
+    # h hold, c chip, b designed axis of its site, a its axis as it is turned
+    predicted = np.einsum("cab,hcb->hca", found.turn, counts[:, found.site])
+    return capped_misfit((readings.counts - predicted) / np.hypot(error, readings.noise_counts))
 
 
 def model_error(
@@ -248,7 +232,7 @@ def misfit_of(
 
 def assigned_sites(
     readings: HeldReadings, model: HeldMagnet, pose: Float[np.ndarray, "hold 8"]
-) -> tuple[Int[np.ndarray, "chip"], Float[np.ndarray, "chip 3 3"], float]:
+) -> Arrangement:
     """The best one-to-one assignment of chips to places, and each one's way round."""
     turns = signed_permutations()
     misfit = np.zeros((*[readings.counts.shape[1]] * 2, len(turns)))
@@ -261,7 +245,7 @@ def assigned_sites(
     chip, site = linear_sum_assignment(cost)
     turn = turns[misfit[chip, site].argmin(axis=1)]
     prior = 0.5 * np.sum(model.off_prior(pose) ** 2) + TURNED_OVER * np.sum(model.polarity < 0)
-    return site, turn, float(cost[chip, site].sum() + prior)
+    return Arrangement(site, turn, model, pose, float(cost[chip, site].sum() + prior))
 
 
 def _one(

@@ -17,12 +17,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
-from scipy.optimize import least_squares
+from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
+from estimator.calibration.most_probable import MostProbable, Unknown, Values, most_probable
 from instobj.bench.bringup.asking.asked import POSES
 from instobj.bench.bringup.diagnosis.findings import HALF_95, ChipFound
 
@@ -30,8 +30,9 @@ EARTH_UT = (25.0, 65.0)
 """At the surface (IGRF): from South America to the magnetic poles."""
 _LAID_RAD = np.deg2rad(8.0)
 """Standard deviation of how an object is laid against what was asked for."""
-_OPEN_GAIN, _OPEN_TURN = 0.3, np.deg2rad(5.0)
-"""Standard deviations of a chip's gain (its logarithm) and turn (rad): wide, so that data decide."""
+_OPEN_GAIN, _OPEN_TURN, _OPEN_OFFSET_COUNTS, _OPEN_FIELD_UT = 0.3, np.deg2rad(5.0), 300.0, 60.0
+"""Standard deviations of a chip's gain (its logarithm), turn (rad) and offset, and of the room's field:
+wide, so that data decide."""
 _DRIFT_S = 900.0
 """Time in which offsets drift by `sensors.drift_counts`: 15 minutes."""
 _SETTLED = 1e-6
@@ -86,31 +87,34 @@ def from_earth(
     first = np.where(known, means, 0).sum(axis=0) / np.maximum(known.sum(axis=0), 1)
     scale = 1e-3 * spec.sensors.counts_per_mt
     tolerance = float(np.hypot(spec.tolerances.sensor_gain_relative, spec.sensors.gain_tolerance))
-    sizes = np.cumsum([3, 3 * len(means), *[3 * count] * 4])[:-1]
     times = (times_s - times_s.mean())[:, None, None]
-    slope_sd = max(spec.sensors.drift_counts, 1.0) / _DRIFT_S
+    unknowns = {
+        "field_ut": Unknown(_OPEN_FIELD_UT, (3,)),
+        "laid_rad": Unknown(_LAID_RAD, (len(means), 3)),
+        "ln_gain": Unknown(_OPEN_GAIN, (count, 3)),
+        "turn_rad": Unknown(_OPEN_TURN, (count, 3)),
+        "offset": Unknown(_OPEN_OFFSET_COUNTS, (count, 3), first),
+        "slope": Unknown(max(spec.sensors.drift_counts, 1.0) / _DRIFT_S, (count, 3)),
+    }
 
-    def residuals(unknown: Float[np.ndarray, "unknown"]) -> Float[np.ndarray, "residual"]:
-        b, laid, gain, turn, offset, slope = np.split(unknown, sizes)
-        laid = laid.reshape(-1, 3)
-        gain, turn, offset, slope = (part.reshape(-1, 3) for part in (gain, turn, offset, slope))
-        # The room's field b in the object's frame, in each pose k as it was laid; then c chip, a channel
-        field = np.einsum("kab,kb->ka", poses, Rotation.from_rotvec(laid).apply(b))
+    def off_readings(values: Values) -> Float[np.ndarray, "reading"]:
+        # The room's field in the object's frame, in each pose k as it was laid; then c chip, a channel
+        laid = Rotation.from_rotvec(values["laid_rad"]).apply(values["field_ut"])
+        field = np.einsum("kab,kb->ka", poses, laid)
         seen = np.einsum("cab,kb->kca", axes, field)
-        seen = seen + np.cross(turn, seen)
-        off = (means - scale * np.exp(gain) * seen - offset - slope * times) / noise
-        mean_gain = gain.mean() * np.sqrt(gain.size) / max(tolerance, 1e-3)
-        priors = [laid / _LAID_RAD, gain / _OPEN_GAIN, turn / _OPEN_TURN, slope / slope_sd]
-        priors += [(offset - first) / 300.0, b / 60.0, mean_gain]
-        return np.concatenate([off[known], *(np.ravel(prior) for prior in priors)])
+        seen = scale * np.exp(values["ln_gain"]) * (seen + np.cross(values["turn_rad"], seen))
+        return ((means - seen - values["offset"] - values["slope"] * times) / noise)[known]
 
-    field = first_field(means - first, axes, poses, scale)
-    start = np.concatenate([field, np.zeros(sizes[-1] - 3 + 3 * count)])
-    start[sizes[3] : sizes[4]] = first.ravel()
-    found = least_squares(residuals, start, xtol=_SETTLED)
-    covariance = np.linalg.inv(found.jac.T @ found.jac)
-    misfit = float(np.mean(found.fun[: known.sum()] ** 2))
-    return results_of_fit(found.x, covariance, sizes, known, misfit)
+    def misfit(values: Values) -> Float[np.ndarray, "residual"]:
+        # The mean of all gains is within tolerance, whatever single ones are.
+        gain = values["ln_gain"]
+        mean_gain = gain.mean() * np.sqrt(gain.size) / max(tolerance, 1e-3)
+        return np.append(off_readings(values), mean_gain)
+
+    start = {"field_ut": first_field(means - first, axes, poses, scale)}
+    found = most_probable(misfit, unknowns, start, xtol=_SETTLED)
+    alive = np.where(known.any(axis=0), 1.0, np.nan)
+    return stated_intervals(found, alive, float(np.mean(off_readings(found.values) ** 2)))
 
 
 def first_field(
@@ -127,27 +131,19 @@ def first_field(
     return np.linalg.lstsq(scale * slope[known], change[known], rcond=None)[0]
 
 
-def results_of_fit(
-    found: Float[np.ndarray, "unknown"],
-    covariance: Float[np.ndarray, "unknown unknown"],
-    sizes: Int[np.ndarray, "split"],
-    known: Bool[np.ndarray, "pose chip 3"],
-    misfit: float,
+def stated_intervals(
+    found: MostProbable, alive: Float[np.ndarray, "chip 3"], misfit: float
 ) -> EarthFound:
-    b, _, gain, _, offset, _ = np.split(found, sizes)
-    _, _, gain_sd, _, offset_sd, _ = np.split(np.sqrt(np.diag(covariance)), sizes)
-    size = float(np.linalg.norm(b))
-    direction = b / size
-    dead = np.where(known.any(axis=0), 1.0, np.nan)
-    gain, gain_sd, offset, offset_sd = (
-        dead * part.reshape(-1, 3) for part in (gain, gain_sd, offset, offset_sd)
-    )
+    """Values with half of their 95 % intervals; `alive` is 1, NaN for a dead channel."""
+    field, gain = found.values["field_ut"], np.exp(found.values["ln_gain"])
+    size = float(np.linalg.norm(field))
+    direction = field / size
     return EarthFound(
         size,
-        float(HALF_95 * np.sqrt(direction @ covariance[:3, :3] @ direction)),
-        offset,
-        HALF_95 * offset_sd,
-        np.exp(gain),
-        HALF_95 * gain_sd * np.exp(gain),
+        float(HALF_95 * np.sqrt(direction @ found.covariance("field_ut") @ direction)),
+        alive * found.values["offset"],
+        alive * HALF_95 * found.sd("offset"),
+        alive * gain,
+        alive * HALF_95 * found.sd("ln_gain") * gain,
         misfit,
     )

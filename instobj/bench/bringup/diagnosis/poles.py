@@ -47,11 +47,19 @@ class PocketFields:
     step : counts of every channel
     error : standard deviation that tolerances leave
     uniform : counts of a uniform field of 1 count along x, y, z
+    floor : standard deviation of every channel beside that, by its zero and noise
+    turned : the same of a uniform change of the field beforehand
     """
 
     step: Float[np.ndarray, "pocket chip 3"]
     error: Float[np.ndarray, "pocket chip"]
     uniform: Float[np.ndarray, "chip 3 3"]
+    floor: float
+    turned: float
+
+    def sigma(self, pocket: int) -> Float[np.ndarray, "chip 1"]:
+        """Standard deviation (counts) of every chip's channels, for a magnet in a pocket."""
+        return np.hypot(self.error[pocket], self.floor)[:, None]
 
 
 def pocket_fields(spec: ObjectSpec, chips: Sequence[ChipFound]) -> PocketFields:
@@ -67,7 +75,9 @@ def pocket_fields(spec: ObjectSpec, chips: Sequence[ChipFound]) -> PocketFields:
     # p pocket, c chip, b object coordinate, a chip axis; 1e3: field in T, gain per mT
     step = 1e3 * spec.sensors.counts_per_mt * np.einsum("cab,pcb->pca", axes, in_object)
     error = np.linalg.norm(step, axis=2) * _relative(spec, np.linalg.norm(offset, axis=2))
-    return PocketFields(step, error, axes)
+    floor = np.hypot(spec.sensors.zeroing_counts, max(spec.sensors.noise_counts) / 2)
+    turned = 1e-3 * TURNED_UT * spec.sensors.counts_per_mt
+    return PocketFields(step, error, axes, float(floor), turned)
 
 
 def _relative(
@@ -86,56 +96,38 @@ def _relative(
 
 
 def find_magnet(
-    spec: ObjectSpec, fields: PocketFields, asked: int, change: Float[np.ndarray, "chip 3"]
+    fields: PocketFields, asked: int, change: Float[np.ndarray, "chip 3"]
 ) -> MagnetFound:
     """Pocket and moment that explain a step (counts, NaN where unknown) best; ties stay as asked."""
-    signs = np.array([1.0, -1.0])
-    cost = np.array(
-        [[cost_of(spec, fields, p, s, change) for s in signs] for p in range(len(fields.step))]
-    )
+    pockets = range(len(fields.step))
+    cost = np.array([[cost_of(fields, p, sign, change) for sign in (1.0, -1.0)] for p in pockets])
     cost[np.arange(len(cost)) != asked] += _MARGIN
     pocket = int(np.unravel_index(np.argmin(cost), cost.shape)[0])
-    return MagnetFound(asked, pocket, strength_of(spec, fields, pocket, change))
+    return MagnetFound(asked, pocket, strength_of(fields, pocket, change))
 
 
 def cost_of(
-    spec: ObjectSpec,
-    fields: PocketFields,
-    pocket: int,
-    sign: float,
-    change: Float[np.ndarray, "chip 3"],
+    fields: PocketFields, pocket: int, sign: float, change: Float[np.ndarray, "chip 3"]
 ) -> float:
     """−ln likelihood, up to a constant, at the best uniform field."""
     left = change - sign * fields.step[pocket]
-    sigma = np.broadcast_to(pocket_sigma(spec, fields, pocket), left.shape)
+    sigma = np.broadcast_to(fields.sigma(pocket), left.shape)
     known = np.isfinite(left)
     rows = fields.uniform[known] / sigma[known, None]
     values = left[known] / sigma[known]
-    prior = np.eye(3) / (1e-3 * TURNED_UT * spec.sensors.counts_per_mt)
-    uniform = np.linalg.lstsq(np.vstack([rows, prior]), np.append(values, np.zeros(3)), rcond=None)[
-        0
-    ]
+    with_prior = np.vstack([rows, np.eye(3) / fields.turned])
+    uniform, *_ = np.linalg.lstsq(with_prior, np.append(values, np.zeros(3)), rcond=None)
     off = (values - rows @ uniform) / _ROBUST
     return float(np.sum(0.5 * _ROBUST**2 * np.log1p(off**2) + np.log(sigma[known])))
 
 
-def pocket_sigma(
-    spec: ObjectSpec, fields: PocketFields, pocket: int
-) -> Float[np.ndarray, "chip 1"]:
-    floor = np.hypot(spec.sensors.zeroing_counts, max(spec.sensors.noise_counts) / 2)
-    return np.hypot(fields.error[pocket], floor)[:, None]
-
-
-def strength_of(
-    spec: ObjectSpec, fields: PocketFields, pocket: int, change: Float[np.ndarray, "chip 3"]
-) -> float:
+def strength_of(fields: PocketFields, pocket: int, change: Float[np.ndarray, "chip 3"]) -> float:
     """Moment over the designed one, together with a uniform field, by weighted least squares."""
-    weight = np.broadcast_to(1 / pocket_sigma(spec, fields, pocket), change.shape)
+    weight = np.broadcast_to(1 / fields.sigma(pocket), change.shape)
     known = np.isfinite(change)
-    rows = (
-        np.column_stack([fields.step[pocket][known], fields.uniform[known]]) * weight[known, None]
-    )
-    return float(np.linalg.lstsq(rows, change[known] * weight[known], rcond=None)[0][0])
+    rows = np.column_stack([fields.step[pocket][known], fields.uniform[known]])
+    weighted = rows * weight[known, None], change[known] * weight[known]
+    return float(np.linalg.lstsq(*weighted, rcond=None)[0][0])
 
 
 def magnet_findings(spec: ObjectSpec, found: MagnetFound) -> list[Finding]:

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 
 from design.layout.mould import pouring
 from design.layout.mould.closure import flange_span_mm
-from design.layout.mould.frame import mould_frame, up
+from design.layout.mould.frame import flange_width_mm, mould_frame, up
 from design.layout.mould.pins import loose_pins
 from design.layout.mould.pouring import (
     Hole,
@@ -31,7 +31,6 @@ LOW_MAGNETS = {
         "recess_outer_radius_mm": 6.75,
         "wire_hole_top_diameter_mm": 2.0,
         "wire_hole_side_diameter_mm": 1.8,
-        "hub_radius_mm": 1.5,
         "wall_mm": 4.32,
     },
     "sensors": {"count_per_face": 1, "radius_mm": 3.5, "positions_mm": [[0.0, 0.0]]},
@@ -140,7 +139,7 @@ def test_a_hole_through_a_flange_leaves_a_wall_to_its_sides(aside_mm, beside_mm,
     """A hole of Ø1 mm beside the block, through a flange 8 mm wide that reaches 4 mm to both sides of a seam
     across x: a pouring hole of random design 7052 left 0.14 mm."""
     spec = body_spec("sphere", body={"open_faces": [6]}, mould={"parting_azimuth_deg": 0.0})
-    assert spec.mould.flange_mm == 8.0
+    assert flange_width_mm(spec) == 8.0
     way, frame = up(spec), mould_frame(spec)
     top = np.array([aside_mm, float(frame.high_mm[1]) + beside_mm, 0.0])
     hole = Hole("vent", top - way, top, top + 100 * way, 1.0)

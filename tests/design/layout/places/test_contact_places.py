@@ -29,16 +29,15 @@ FILL = {"contact_grid": {"count": "fill"}}
 BOX = ObjectSpec.model_validate({"name": "box", "body": {"size_mm": (60.0, 40.0, 30.0)}} | FILL)
 
 
-def test_a_face_of_a_box_has_all_locations_whose_tip_and_margin_stay_on_it():
-    grid, tip = contact_grid(BOX).xy_mm, 5.0
+def test_a_face_of_a_box_has_all_locations_whose_margin_stays_on_it():
+    grid = contact_grid(BOX).xy_mm
     for frame, there in zip(face_frames(BOX), contact_places(BOX), strict=True):
-        room = np.array(frame.half_extents_mm) - tip
+        room = np.array(frame.half_extents_mm)
         fits = (abs(grid) + 1.5 <= room + 1e-9).all(axis=1)
         np.testing.assert_array_equal(there, fits)
-        along = [len(np.unique(axis)) for axis in grid[there].T]
-        assert along == [2 * int(half / 3) for half in room]
-    assert grid_count(BOX) == (16, 16)
-    assert shared_counts(BOX) == (6, 10)
+    assert grid_count(BOX) == (20, 19)
+    assert shared_counts(BOX) == (10, 13)
+    assert covered_share(BOX) > 0.9
 
 
 def test_an_object_without_a_count_is_filled():
@@ -47,14 +46,21 @@ def test_an_object_without_a_count_is_filled():
     np.testing.assert_array_equal(contact_places(other), contact_places(BOX))
 
 
-def test_filling_the_papers_cube_gives_its_own_ten_by_ten():
-    cube, filled = (
-        load_spec("examples/paper_cube.toml", ["contact_grid.count=[10, 10]"]),
-        ObjectSpec.model_validate({"name": "cube"} | FILL),
-    )
-    assert grid_count(filled) == grid_count(cube) == (10, 10)
-    assert contact_places(filled).all()
-    assert covered_share(filled) == covered_share(cube)
+def test_the_papers_cube_is_judged_on_all_of_its_sensed_surface():
+    """The paper's own ten by ten locations lie among the fourteen by fourteen."""
+    cube = load_spec("examples/paper_cube.toml")
+    paper = cube.changed(contact_grid=cube.contact_grid.changed(count=(10, 10)))
+    assert grid_count(cube) == (14, 14)
+    assert covered_share(cube) > 0.99
+    assert covered_share(paper) == pytest.approx((30 / 42) ** 2, abs=0.01)
+    everywhere, own = (contact_grid(spec).xy_mm for spec in (cube, paper))
+    assert (abs(everywhere[:, None] - own).max(axis=2).min(axis=0) < 1e-9).all()
+
+
+def test_where_slits_cut_the_edges_whole_tips_stay_on_the_face():
+    slits = BOX.changed(shell=BOX.shell.changed(slits=BOX.shell.slits.changed(depth_mm=3.0)))
+    reach = abs(press_lattice(slits).xy_mm[pressed_nodes(slits)[0]]).max(axis=0)
+    assert (reach + 5.0 <= [30.0, 20.0]).all()
 
 
 def _old_rule(frame, place, reach):
@@ -98,7 +104,7 @@ def test_given_counts_are_the_same_on_all_faces():
 
 def test_a_face_without_room_is_told_with_what_would_help():
     with pytest.raises(SpecError, match=r"room for 1 × 1 locations on face 1.*pitch_mm"):
-        parse_spec({"name": "cube", "contact_grid": {"count": "fill", "pitch_mm": 20.0}}, "cube")
+        parse_spec({"name": "cube", "contact_grid": {"count": "fill", "pitch_mm": 25.0}}, "cube")
 
 
 def test_a_pitch_that_would_take_hundreds_of_locations_is_refused():
@@ -122,18 +128,51 @@ def test_covered_shares_agree_with_points_strewn_over_the_surface(spec):
         found.append(weight[cells.any(axis=1)].sum() / weight.sum())
         areas.append(weight.sum() * half.prod())
     np.testing.assert_allclose(covered_shares(spec), found, atol=0.03)
-    assert covered_share(spec) == pytest.approx(np.average(found, weights=areas), abs=0.015)
+    if spec is BOX:
+        assert covered_share(spec) == pytest.approx(np.average(found, weights=areas), abs=0.015)
+
+
+def test_tips_hang_over_the_ends_of_a_cylinder_and_not_over_its_patches_sides():
+    spec = body_spec("cylinder", indenter={"radius_mm": 4.0})
+    side = next(frame for frame in face_frames(spec) if not frame.flat)
+    along = side.ends.index(True)
+    half, turn = np.array(side.half_lengths_mm), np.eye(2)
+    assert side.ends == tuple(np.arange(2) == along)
+    wanted = {along: [True, True, False], 1 - along: [True, False, False]}
+    for axis, stays in wanted.items():
+        places = np.outer([0.0, half[axis] - 0.5, half[axis] + 0.5], turn[axis])
+        assert tip_stays(spec, side, places).tolist() == stays
+
+
+def test_what_several_patches_share_counts_once():
+    """Random points of a ball: those within half a pitch of a location of any patch that has them."""
+    ball = body_spec("sphere", contact_grid={"count": "fill"})
+    radius, pitch = ball.body.size_mm[0] / 2, ball.contact_grid.pitch_mm
+    points = np.random.default_rng(5).normal(size=(8000, 3))
+    points *= radius / np.linalg.norm(points, axis=1)[:, None]
+    on_any, covered = np.zeros((2, len(points)), bool)
+    for frame, there in zip(face_frames(ball), contact_places(ball), strict=True):
+        steep = points @ frame.normal / radius
+        on = steep >= 0.5
+        place = frame.from_plane((points[on] - frame.centre_mm) @ frame.axes[:, :2])
+        near = abs(place[:, None] - contact_grid(ball).xy_mm[there]).max(axis=2) <= pitch / 2
+        on_any |= on
+        covered[on] |= near.any(axis=1)
+    assert covered_share(ball) == pytest.approx(covered.sum() / on_any.sum(), abs=0.02)
+    assert covered_share(ball) > 1.2 * np.mean(covered_shares(ball))
 
 
 def test_a_tip_stays_within_the_circle_of_a_flat_round_face():
-    """Of 20 mm radius less 0.1 mm."""
-    spec, reach = body_spec("cylinder", indenter={"radius_mm": 5.0}), 5.0
+    """Of 20 mm radius less 0.1 mm; one tip lands there by its lowest point, two 8 mm beside it."""
+    spec, reach = body_spec("cylinder", indenter={"radius_mm": 5.0}), 0.0
     end = next(frame for frame in face_frames(spec) if frame.number == 1)
     turn = np.linspace(0, 2 * np.pi, 12)
     way = np.column_stack([np.cos(turn), np.sin(turn)])
     for away, stays in ((0.0, True), (19.9 - reach - 0.05, True), (19.9 - reach + 0.05, False)):
         found = tip_stays(spec, end, away * way)
         assert found.all() if stays else not found.any()
+    two = spec.changed(indenter=spec.indenter.changed(tip_count=2, tip_spacing_mm=16.0))
+    assert tip_stays(two, end, np.array([[11.8, 0.0], [12.0, 0.0]])).tolist() == [True, False]
 
 
 def test_a_node_is_all_around_free_with_its_eight_neighbours():

@@ -8,17 +8,15 @@ import pytest
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places
-from design.layout.places.coverage import cell_areas_mm2, covered_share
+from design.layout.places.coverage import cell_areas_mm2, covered_share, covered_shares
 from design.spec_io import load_spec, parse_spec
 
 EXAMPLES = Path(__file__).parents[4] / "examples"
 
 
 def test_of_the_papers_cube():
-    """10 × 10 cells of 3 mm on faces of 42 mm."""
-    assert covered_share(parse_spec({"name": "cube"}, "test")) == pytest.approx(
-        (30 / 42) ** 2, rel=0.005
-    )
+    """14 × 14 cells of 3 mm on faces of 42 mm."""
+    assert covered_share(parse_spec({"name": "cube"}, "test")) == pytest.approx(1.0, rel=0.005)
 
 
 def test_of_a_box_with_unequal_faces():
@@ -38,7 +36,7 @@ def test_of_a_ball_area_is_along_the_surface():
     x = (np.arange(2000) + 0.5) / 1000 * reach - reach
     square = np.sum(radius / np.sqrt(radius**2 - x[:, None] ** 2 - x**2)) * (reach / 1000) ** 2
     assert len(face_frames(ball)) == 5
-    assert covered_share(ball) == pytest.approx(square / patch, rel=0.01)
+    assert covered_shares(ball) == pytest.approx(square / patch, rel=0.01)
 
 
 def test_cells_of_a_ball_are_those_of_the_closed_form():

@@ -1,11 +1,10 @@
-"""Poses of objects under a machine, by the machine's own steps; errors of places by hand."""
+"""Poses of objects under a machine, by the machine's own steps."""
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from estimator.calibration.known_travel.model import SYMMETRIES, Pose
-from estimator.calibration.known_travel.places import PlaceErrors, place_errors
+from estimator.calibration.known_travel.model import SYMMETRIES, Pose, Twin
 
 
 @pytest.mark.parametrize("symmetry", range(8))
@@ -31,10 +30,17 @@ def test_symmetries_are_four_turns_and_four_mirrors():
     assert_allclose(SYMMETRIES[0], np.eye(2))
 
 
-def test_errors_of_places_are_distances_in_the_plane_and_of_the_travel():
-    true = np.zeros((3, 3))
-    read = np.array([[3.0, 4.0, 0.2], [0.0, 1.0, -0.4], [0.6, 0.8, 0.9]])
-    rms = np.sqrt((25 + 1 + 1) / 3), np.sqrt((0.04 + 0.16 + 0.81) / 3)
-    wanted = PlaceErrors(1.0, rms[0], 0.4, rms[1])
-    for name, value in vars(wanted).items():
-        assert getattr(place_errors(read, true), name) == pytest.approx(value), name
+def test_values_of_a_fit_move_pose_seats_tilts_and_strength():
+    pose = Pose(np.array([1.0, 2.0]), 0.1, 5.0, 3)
+    start = Twin(pose, np.ones((2, 3)), np.zeros((2, 2)), 1.1)
+    values = {"shift_mm": np.array([0.5, -0.5]), "turn_rad": np.array(0.01)}
+    values["contact_mm"] = np.array(0.2)
+    moved = start.moved(values)
+    assert_allclose(moved.pose.shift_mm, [1.5, 1.5])
+    assert (moved.pose.turn_rad, moved.pose.contact_mm) == pytest.approx((0.11, 5.2))
+    assert (moved.pose.symmetry, moved.strength) == (3, 1.1)
+    values |= {"magnet_mm": np.arange(6.0).reshape(2, 3), "tilt_rad": np.arange(4.0).reshape(2, 2)}
+    moved = start.moved(values | {"ln_strength": np.log(2)})
+    assert_allclose(moved.magnet_mm, 1 + np.arange(6).reshape(2, 3))
+    assert_allclose(moved.tilt_rad, np.arange(4).reshape(2, 2))
+    assert moved.strength == pytest.approx(2.2)

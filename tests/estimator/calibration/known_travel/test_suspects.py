@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from estimator.calibration.known_travel.fit import POSE_NUMBERS, drawn_places, fit_twin
+from estimator.calibration.known_travel.fit import drawn_places, fit_pose
 from estimator.calibration.known_travel.suspects import ranked_suspects
 from estimator.recordings.formats.travel import TravelRecording
 from tests.support.recordings.travel_cases import (
@@ -36,8 +36,8 @@ def ranked(model, bulging, field_mt, tip, seed=0):
     recording = TravelRecording(np.arange(len(tip), dtype=float), tip, field_mt, place)
     shown = drawn_places(recording, 0.4, seed)
     parts = recording.select(shown), recording.select(~shown)
-    near = POSE.moved(np.array([0.3, 0.3, 0.0, -0.2]))
-    registered = fit_twin(model, parts[0], model.as_designed(near), POSE_NUMBERS)
+    near = replace(POSE, shift_mm=POSE.shift_mm + 0.3, contact_mm=POSE.contact_mm - 0.2)
+    registered = fit_pose(model, parts[0], model.as_designed(near))
     others = {"bulging": (bulging, lambda share: f"{share:.2f}")}
     return ranked_suspects(model, registered, *parts, others, seed)
 

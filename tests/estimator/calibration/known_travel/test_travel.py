@@ -1,29 +1,24 @@
 """Presses of known travel: pose found from a few places, judged on others, every figure beside nulls."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from design.errors import InputError, RecordingError
-from estimator.calibration.known_travel.agreement import figures, travel_agreement
-from estimator.calibration.known_travel.bound import bound_test
+from estimator.calibration.known_travel.agreement import travel_agreement
 from estimator.calibration.known_travel.fit import (
-    Fitted,
     calibrate,
     drawn_places,
     left_over,
     register,
 )
-from estimator.calibration.known_travel.model import SYMMETRIES, Pose
-from estimator.calibration.known_travel.places import readers
 from estimator.recordings.formats.travel import is_travel_recording, read_travel
 from tests.support.recordings.travel_cases import (
     POSE,
     RESTING_MT,
     pad_model,
     pressed_places,
+    presses_of,
     recorded,
     write_recording,
 )
@@ -47,23 +42,6 @@ def test_a_recording_gives_back_what_was_written(recording, model):
     assert_allclose(recording.time_s, 1.7421e9 + 4.25 * np.arange(len(tip)), rtol=0, atol=1e-3)
     assert_allclose(recording.tip_mm, tip, atol=1e-6)
     assert_allclose(recording.field_mt, recorded(model, tip), atol=1e-9)
-
-
-def test_symmetries_are_the_eight_of_a_square():
-    corner = np.array([2.0, 1.0])
-    assert len({tuple(matrix @ corner) for matrix in SYMMETRIES}) == 8
-    assert_allclose([abs(np.linalg.det(matrix)) for matrix in SYMMETRIES], 1)
-
-
-SWAPPED = next(k for k, matrix in enumerate(SYMMETRIES) if np.array_equal(matrix, [[0, 1], [1, 0]]))
-
-
-def test_a_pose_takes_the_machine_s_places_to_the_object_s():
-    """Against the machine's axes drawn by hand: x along the object's y, y along its x."""
-    pose = Pose(np.array([10.0, 20.0]), 0.0, 30.0, SWAPPED)
-    xy, travel = pose.in_object(np.array([[11.0, 20.0, 28.5], [10.0, 23.0, 30.0]]))
-    assert_allclose(xy, [[0, 1], [3, 0]], atol=1e-12)
-    assert_allclose(travel, [1.5, 0.0])
 
 
 def test_a_tenth_of_the_places_tells_pose_and_resting_level(model, recording):
@@ -93,7 +71,7 @@ def test_calibration_takes_up_magnets_off_their_seats(model):
     field = recorded(model, tip, magnet_mm=seats)
     twin = model.as_designed(POSE)
     field += model.resting(type(twin)(POSE, seats, twin.tilt_rad)) - RESTING_MT
-    rows = travel_of(tip, field)
+    rows = presses_of(tip, field)
     shown = drawn_places(rows, 0.2, 0)
     plain = register(model, rows.select(shown))
     better = calibrate(model, rows.select(shown), plain.twin)
@@ -101,24 +79,6 @@ def test_calibration_takes_up_magnets_off_their_seats(model):
         np.sqrt(np.mean(left_over(model, one, rows.select(~shown)) ** 2)) for one in (plain, better)
     ]
     assert left[1] < 0.7 * left[0]
-
-
-def travel_of(tip_mm, field_mt):
-    from estimator.recordings.formats.travel import TravelRecording
-
-    _, place = np.unique(tip_mm[:, :2], axis=0, return_inverse=True)
-    return TravelRecording(np.arange(len(tip_mm), dtype=float), tip_mm, field_mt, place.ravel())
-
-
-def test_figures_of_changes_worked_out_by_hand():
-    recorded_mt = np.array([[[1.0, 0.0, 0.0]], [[0.0, 2.0, 0.0]]])
-    predicted = np.array([[[2.0, 0.0, 0.0]], [[0.0, -1.0, 0.0]]])
-    found = figures(predicted, recorded_mt)
-    assert found.cosine == 0.0
-    assert_allclose(found.explained, 1 - (1 + 9) / 5)
-    assert_allclose(found.between, 1 - (1 + 9) / 2.5)
-    assert found.signs == 0.5
-    assert_allclose(found.size, (2 - 2) / 5)
 
 
 DAMAGE = {
@@ -133,21 +93,9 @@ DAMAGE = {
         "'nine' is not a number",
     ),
     "a cell is empty": (lambda f: edit(f / "sensor.csv", replaced("")), "empty in data row 4"),
-    "a cell is lost": (
-        lambda f: edit(f / "states.csv", lambda rows: [*rows[:3], "1,2", *rows[4:]]),
-        "line 4: 2 cells where 4 belong",
-    ),
     "a load in the first line alone": (
         lambda f: edit(f / "states.csv", lambda rows: [rows[0] + ",7.0", *rows[1:]]),
         "line 2: 4 cells where 5 belong",
-    ),
-    "a reading too few": (
-        lambda f: edit(f / "sensor.csv", lambda rows: [row.rsplit(",", 1)[0] for row in rows]),
-        "three readings for every chip",
-    ),
-    "a place far away": (
-        lambda f: edit(f / "states.csv", replaced("1e30")),
-        "line 4: y is 1e.30, beyond",
     ),
     "a reading of the last chip beyond any field": (
         lambda f: edit(f / "sensor.csv", replaced("-2e6", 15)),
@@ -213,35 +161,6 @@ def test_a_curved_face_is_refused():
     body = {"kind": "sphere", "size_mm": [44.0] * 3, "sensed_faces": [1]}
     with pytest.raises(InputError, match="face 1 of this sphere is curved"):
         require_comparable(ObjectSpec.model_validate({"name": "ball", "body": body}))
-
-
-def test_the_bound_of_a_right_model_is_the_scatter_of_repeats(model):
-    """Five repeats at one travel, white noise: size within sampling, order as far as can be told."""
-    tip = np.repeat(pressed_places(15, 1), 5, axis=0)
-    tip[:, 2] = 143.0
-    repeats = travel_of(tip, recorded(model, tip, noise_mt=0.01))
-    right = Fitted(model.as_designed(POSE), RESTING_MT, 0.0)
-    found = bound_test(model, right, repeats)
-    assert len(found.bound_mm) > 100
-    assert 0.9 < found.size_ratio < 1.15
-    assert found.rank_correlation > found.attainable - 0.15
-    assert found.slopes_rank_correlation > 0.9
-    assert found.null < 0.3
-    aside = replace(POSE, shift_mm=POSE.shift_mm + 12.0)
-    wrong = bound_test(model, Fitted(model.as_designed(aside), RESTING_MT, 0.0), repeats)
-    assert wrong.rank_correlation < found.rank_correlation - 0.2
-
-
-def test_a_twin_helps_to_read_places_that_nobody_pressed(model, recording):
-    shown = drawn_places(recording, 0.25, 0)
-    right = Fitted(model.as_designed(POSE), RESTING_MT, 0.0)
-    found = readers(model, right, recording.select(shown), recording.select(~shown), 0)
-    alone, process, both = (
-        found[name].place_rms_mm
-        for name in ("twin alone", "Gaussian process", "twin and Gaussian process")
-    )
-    assert both < 1.1 * alone
-    assert both < 0.7 * process < found["middle of the labelled places"].place_rms_mm
 
 
 def test_a_file_in_place_of_the_folder_is_told_so(tmp_path):

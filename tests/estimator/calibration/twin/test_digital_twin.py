@@ -9,9 +9,8 @@ from scipy.linalg import block_diag
 
 from design.errors import InputError
 from design.layout.places.contact_grid import contact_grid
-from estimator.calibration.twin import digital_twin as calibrated_twin
 from estimator.calibration.twin import unknowns
-from estimator.calibration.twin.digital_twin import calibrate, places_left_out
+from estimator.calibration.twin.digital_twin import calibrate, left_share, places_left_out
 from estimator.calibration.twin.discrepancy import Discrepancy, Prior
 from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places, within_reach
 from estimator.calibration.twin.pretraining import calibrated_frames
@@ -119,13 +118,12 @@ def test_a_prediction_of_no_object_leaves_everything(seen):
     """NaN counted as nothing left: such a twin was said to help."""
     predicted = np.zeros_like(seen.counts)
     predicted[1] = np.nan
-    share = calibrated_twin.left_share(SPEC, seen, predicted)
+    share = left_share(SPEC, seen, predicted)
     assert share[1] == 1.0
     assert np.isfinite(share).all()
 
 
-def test_places_left_out_tell_the_error_beforehand(monkeypatch, presses, seen):
-    monkeypatch.setattr(calibrated_twin, "FOLDS", 2)
+def test_places_left_out_tell_the_error_beforehand(presses, seen):
     calibrated, planned = places_left_out(SPEC, *presses, seen)
     assert calibrated.shape == planned.shape == (len(seen),)
     assert np.median(calibrated) < 0.5 * np.median(planned)

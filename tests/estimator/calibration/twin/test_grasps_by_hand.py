@@ -1,9 +1,6 @@
 """Twins of whole objects on a mechanics that is a sum: what cases leave out, keep and predict."""
 
-from dataclasses import replace
-
 import numpy as np
-import pytest
 from numpy.testing import assert_allclose
 
 from estimator.calibration.twin import grasp_twin
@@ -53,12 +50,3 @@ def test_a_case_left_out_that_is_no_object_counts_as_infinitely_wrong():
     rows = np.arange(12) != 5
     assert_allclose(left[rows], counts.reshape(12, 4)[rows] - 1)
     assert np.isneginf(left[5]).all()
-
-
-def test_errors_of_sensors_without_any_clear_change_are_the_mean():
-    seen = replace(seen_as(np.full((6, 2, 4), 100.0)), channels=np.array([0, 1, 2, 4]))
-    errors = grasp_twin.sensor_errors(seen, np.full((6, 2, 4), 30.0), 3)
-    first = np.mean((900 - Linear.noise2[..., :3]) / 1e4)
-    second = np.mean((900 - Linear.noise2[..., 3]) / 1e4)
-    assert_allclose(errors[:, 0] ** 2, [first, second, (first + second) / 2])
-    assert errors[0] != pytest.approx(errors[1], rel=1e-5)

@@ -13,7 +13,6 @@ from estimator.calibration.twin import (
     discrepancy,
     inverted_twin,
     pressed_cases,
-    pressed_places,
 )
 from estimator.calibration.twin.digital_twin import left_share, rows_of_face
 from estimator.calibration.twin.pressed_places import PressedPlaces
@@ -33,17 +32,6 @@ def test_fields_grow_with_the_force_and_its_square_over_ten_newton():
     fields = np.array([[[1.0, 2.0]], [[10.0, -4.0]]])
     found = discrepancy.scaled_by_force(fields, np.array([[0.0, 5.0, 10.0]]))
     assert_allclose(found, [[[0, 0], [0.5 + 2.5, 1 - 1], [11, -2]]])
-
-
-def test_errors_of_growing_memory_are_shared_by_what_is_remembered():
-    """Covariance of two frames' errors: the later one's variance times exp(−Δ memory)."""
-    rng = np.random.default_rng(1)
-    weight = rng.random((3, 6))
-    variance, memory = rng.uniform(1, 3, 6), np.cumsum(rng.random(6))
-    later = np.maximum.outer(np.arange(6), np.arange(6))
-    covariance = variance[later] * np.exp(-abs(np.subtract.outer(memory, memory)))
-    found = pressed_places.remembered_places(weight, variance, memory)
-    assert_allclose(found, weight @ covariance @ weight.T)
 
 
 def test_a_case_counts_the_frames_in_which_all_its_contacts_press_by_growing_force():

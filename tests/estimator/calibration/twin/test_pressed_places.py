@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError
 from design.spec.object import ObjectSpec
-from estimator.calibration.twin import digital_twin, pressed_cases
+from estimator.calibration.twin.pressed_cases import pressed_cases
 from estimator.calibration.twin.pressed_places import (
     PressedPlaces,
     drift_rate,
@@ -16,7 +16,7 @@ from estimator.calibration.twin.pressed_places import (
     zero_covariance,
 )
 from estimator.frames.press_protocol import DRIFT_TIME_S
-from tests.support.mechanics.synthetic_presses import coarse_spec
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 from tests.support.recordings.frame_sets import frame_set
 
 
@@ -105,46 +105,13 @@ def test_drift_grows_over_its_time_and_half_the_frames_that_follow_a_zero():
     assert_allclose(zero_covariance(spec, 40), 49 + rate * 2.0 / 2)
 
 
-def test_what_a_twin_leaves_is_a_share_of_the_signals_about_their_mean_less_noise():
-    """Of three levels and two channels; a place whose signals are below their noise counts as it."""
-    spec = ObjectSpec.model_validate({"name": "c", "sensors": {"noise_counts": (2.0, 3.0, 4.0)}})
-    rng = np.random.default_rng(4)
-    counts = 500 * rng.standard_normal((3, 3, 2))
-    counts[2] = 1e-3
-    zeros = np.einsum("pij,pkj->pik", *2 * [5 * rng.standard_normal((3, 3, 3))])
-    seen = PressedPlaces(
-        2, np.array([0, 4]), np.zeros((3, 2)), np.full((3, 3), 4.0), counts,
-        np.full((3, 3), 6), zeros,
-    )  # fmt: skip
-    predicted = counts + 40 * rng.standard_normal(counts.shape)
-    predicted[1] = counts[1] + 7.0  # an error of the zero alone
-    centred = np.eye(3) - 1 / 3
-    white = seen.white_counts2(spec)
-    noise = [
-        2 * np.trace(centred @ zeros[p]) + np.sum(np.diag(centred)[:, None] * white[p])
-        for p in range(3)
-    ]
-
-    def spread(values):
-        return np.sum((values - values.mean(axis=0)) ** 2)
-
-    wanted = []
-    for p in range(3):
-        wrong, size = (spread(v) - noise[p] for v in (counts[p] - predicted[p], counts[p]))
-        wanted.append(np.sqrt(max(wrong, 0) / max(size, noise[p])))
-    found = digital_twin.left_share(spec, seen, predicted)
-    assert_allclose(found, wanted)
-    assert found[0] > 0.03
-    assert found[1] == 0
-
-
-def test_a_channel_with_a_gap_in_any_frame_of_a_case_is_left_out(monkeypatch):
+def test_a_channel_with_a_gap_in_any_frame_of_a_case_is_left_out():
     """Two gaps: the second in a place of too few frames, which is no case."""
-    monkeypatch.setattr(pressed_cases, "within_reach", lambda frames, forces, face: frames)
     spec = coarse_spec(contact_grid={"count": (9, 9), "pitch_mm": 3.0})
     frames = made_frames(spec, [12, 16, 11, 12])
     frames.signal_counts[17, 1, 2, 1] = frames.signal_counts[30, 1, 0, 0] = np.nan
-    found = pressed_cases.pressed_cases.__wrapped__(spec, frames, None)
+    forces, _ = synthetic_presses(spec)
+    found = pressed_cases(spec, frames, forces)
     assert found.channels.tolist() == [9, 10, 11, 12, 13, 14, 15, 17]
     assert_allclose(found.xy_mm[:, 0], [[-6, 0], [-3, 0], [3, 0]])
     assert np.isfinite(found.counts).all()

@@ -7,8 +7,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from design.spec.object import TrainingSpec
-from estimator.calibration.twin import pretraining
-from estimator.calibration.twin.pretraining import split_twins, twin_frames
+from estimator.calibration.twin.pretraining import split_twins, twin_frames, with_presses_of_twin
 from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.press_protocol import simulate_presses
 from estimator.networks.training.face import FitSettings, fit_estimator
@@ -75,14 +74,13 @@ def test_few_presses_go_further_from_pretrained(presses, twins):
     assert errors[0] < untuned
 
 
-def test_presses_of_a_calibrated_twin_are_numbered_behind_those_of_both_parts(twins, monkeypatch):
+def test_presses_of_a_calibrated_twin_are_numbered_behind_those_of_both_parts(twins):
     """The training part alone goes with them; the part that stops training stays as it was."""
     rows = [np.flatnonzero(twins.press_id == press)[:3] for press in (0, 1, 2)]
     few = twins.select(np.concatenate(rows[:2]))
     stopping = replace(few, press_id=few.press_id + 7)
-    monkeypatch.setattr(pretraining, "calibrated_frames", lambda twin, draws, progress: few)
     for parts in ((few, stopping), (stopping, few)):
-        found = pretraining.with_calibrated_presses.__wrapped__(None, parts, 1)
+        found = with_presses_of_twin(parts, few)
         begin, added = np.split(found.press_id, [len(few)])
         assert_array_equal(begin, parts[0].press_id)
         assert_array_equal(added - added[0], few.press_id)

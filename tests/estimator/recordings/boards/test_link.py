@@ -8,7 +8,7 @@ import pytest
 from design.errors import InputError
 from estimator.recordings.boards import link
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Load, encode_header
-from estimator.recordings.table import RawTable
+from tests.support.recordings.judged_cases import raw_table
 
 FRAMES = 4
 
@@ -19,19 +19,15 @@ def recording():
     counts[:, 3, 0, 0] = [5, np.nan, 7, 8]
     tips = np.full((FRAMES, 2, 1, 2), np.nan)
     tips[:3, 1, 0] = [1.5, -2.0]
-    return RawTable(
-        kind="generic",
+    return raw_table(
+        FRAMES,
+        cells=2,
         time_s=np.array([100.0, 100.1, 107.0, 107.1]),
         force_n=np.array([[0.5, 1.0]] * FRAMES),
         counts=counts,
         face=np.where(np.isnan(tips[:, :, 0, 0]), 0, 4),
         tip_xy_mm=tips,
-        case=np.zeros(FRAMES, int),
         declared_rest=np.array([False, True, False, False]),
-        grid_x_mm=np.zeros(1),
-        grid_y_mm=np.zeros(1),
-        duplicate_columns=(),
-        digest="x",
     )
 
 

@@ -215,18 +215,15 @@ def test_a_replay_takes_every_further_hold_and_again_asks_one_anew(tmp_path):
 
 
 def test_a_further_hold_is_asked_for_before_the_second_still_recording_and_may_be_skipped(
-    tmp_path, monkeypatch
+    tmp_path,
 ):
     names = [hold.name for hold in further_holds(SMALL)[10:12]]
-    monkeypatch.setattr(
-        "instobj.bench.bringup.sources.next_hold",
-        lambda spec, recordings, left_out: next(
-            (h for h in further_holds(spec) if h.name in names and h.name not in left_out), None
-        ),
-    )
     journal, asked = open_journal(tmp_path / "bringup.csv", SMALL), []
     source = Simulated(SCENE)
     source.answer = lambda question, allowed: asked.append(question) or "s"
+    source.further = lambda spec, journal: next(
+        (h for h in further_holds(spec) if h.name in names and h.name not in journal.skipped), None
+    )
     through(SMALL, source, journal, set())
     place = [k for k, text in enumerate(asked) if "further hold" in text]
     assert place == [11, 12]

@@ -1,21 +1,19 @@
 """Further holds: asked for where gains are too uncertain, at places that narrow them, up to a limit."""
 
-from dataclasses import dataclass
-from types import SimpleNamespace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from design.layout.body import core_frames
-from instobj.bench.bringup import next_hold as chosen_holds
 from instobj.bench.bringup.asking.asked import MOST_FURTHER, STILL_AGAIN, asked_of, further_holds
 from instobj.bench.bringup.asking.hold_places import BETWEEN_MM, hold_places
-from instobj.bench.bringup.diagnosis.channels import HeldReadings
 from instobj.bench.bringup.diagnosis.chip_findings import wide_gains, widest_gain_sd
 from instobj.bench.bringup.diagnosis.chip_fit import fitted
-from instobj.bench.bringup.next_hold import information_of, next_hold
+from instobj.bench.bringup.journal import open_journal
+from instobj.bench.bringup.next_hold import chips_part, information_of, next_hold
 from instobj.bench.bringup.simulated import simulated_object
+from instobj.bench.bringup.sources import Simulated
 from instobj.bench.bringup.verdict import held_so_far, which_is_which
 from tests.support.new_objects import BOX
 
@@ -50,10 +48,13 @@ def test_holds_that_are_chosen_narrow_the_widest_gain_more_than_others(held):
     assert "F5-S2" in wide_gains(BOX, chips, None)
 
 
-def test_none_is_asked_for_at_the_limit_or_where_tolerance_alone_hides_a_gain(held):
-    _, recordings = held
+def test_none_is_asked_for_at_the_limit_or_where_tolerance_alone_hides_a_gain(tmp_path, held):
+    made, recordings = held
     names = [hold.name for hold in further_holds(BOX)]
-    assert next_hold(BOX, recordings, names[:MOST_FURTHER]) is None
+    journal = open_journal(tmp_path / "bringup.csv", BOX)
+    journal.recordings.update(recordings)
+    journal.skipped.update(names[:MOST_FURTHER])
+    assert Simulated(made).further(BOX, journal) is None
     assert (
         next_hold(BOX, recordings, names[: MOST_FURTHER - 1]).name not in names[: MOST_FURTHER - 1]
     )
@@ -92,15 +93,7 @@ def test_candidates_judged_together_tell_what_each_tells_alone(held):
     assert abs(together[0] - together[1]).max() > 0.1 * abs(together[0]).max()
 
 
-@dataclass(frozen=True)
-class Stated:
-    """An arrangement of which a hold's magnet and pose alone are asked."""
-
-    model: Any
-    pose: Any
-
-
-def test_holds_tell_of_chips_what_their_own_poses_leave_open(monkeypatch):
+def test_holds_tell_of_chips_what_their_own_poses_leave_open():
     """Of each hold by itself the block of the inverse of the whole information, inverted: six readings,
     two numbers of the pose with their prior, three of the chips; rows beyond count nothing."""
     rng = np.random.default_rng(0)
@@ -111,30 +104,24 @@ def test_holds_tell_of_chips_what_their_own_poses_leave_open(monkeypatch):
         slope[6 * k : 6 * k + 6, 2 * k : 2 * k + 2] = alone[k, :, :2]
         slope[6 * k : 6 * k + 6, 4:] = alone[k, :, 2:]
     slope[12:16, :4], slope[16:, 4:] = prior, rng.normal(size=(3, 3))
-    asked = []
-
-    class Fit:
-        poses, start = 4, np.arange(7.0)
-
-        def slopes(self, at):
-            assert at is self.start
-            return slope
-
-    monkeypatch.setattr(
-        chosen_holds,
-        "JointFit",
-        SimpleNamespace(of=lambda readings, found: asked.append(readings) or Fit()),
-    )
-    monkeypatch.setattr(chosen_holds, "held_magnet", lambda spec, parts: parts)
-    noise = np.array([[[3.0, 5, 7], [2, 9, 4]], [[4.0, 1, 8], [6, 3, 5]]])
-    readings = HeldReadings(np.ones((2, 2, 3)), noise, 0.05, 0.2)
-    known = np.array([[True, True, False], [True] * 3])
-    problem = SimpleNamespace(readings=readings, known=known, found=Stated(None, None))
-    holds = [SimpleNamespace(part=4), SimpleNamespace(part=1)]
-    told = information_of.__wrapped__(None, problem, holds)
+    told = chips_part(slope, 4, 2, 12)
     for k in range(2):
         rows = np.vstack([alone[k], np.eye(2, 5) * np.diag(prior)[2 * k : 2 * k + 2, None]])
         assert np.allclose(told[k], np.linalg.inv(np.linalg.inv(rows.T @ rows)[2:, 2:]))
-    (given,) = asked
-    assert np.array_equal(given.counts, [[[0, 0, np.nan], [0, 0, 0]]] * 2, equal_nan=True)
-    assert given.noise_counts.tolist() == [[[3, 1, 7], [2, 3, 4]]] * 2
+
+
+def test_a_hold_is_as_quiet_as_the_quietest_and_says_nothing_on_silent_channels(held):
+    _, recordings = held
+    problem = fitted(*held_so_far(BOX, recordings, drift_followed=True)).problem
+    hold = further_holds(BOX)[:1]
+    (told,) = information_of(BOX, problem, hold)
+    noise = np.tile(problem.readings.noise_counts.min(axis=0), (len(problem.readings.counts), 1, 1))
+    noise[1:] *= 10
+    noisier = replace(problem, readings=replace(problem.readings, noise_counts=noise))
+    assert np.allclose(information_of(BOX, noisier, hold), told)
+    known = problem.known.copy()
+    known[2, 1] = False
+    (silent,) = information_of(BOX, replace(problem, known=known), hold)
+    gains = slice(9 * 2 + 3, 9 * 2 + 6)
+    assert np.diag(told)[gains].min() > 0
+    assert not silent[gains].any()

@@ -223,3 +223,12 @@ def test_what_was_not_read_is_no_rest():
     watch.state()
     np.testing.assert_allclose(watch.after(0, 1)[0][0].change, 0.0, atol=6)
     assert DRIFTING not in watch.state()["health"]
+
+
+def test_a_chip_that_contacts_are_read_without_is_told():
+    told = Told(False)
+    told.feed = lambda *_: Found(np.zeros((0, 15)), True, "F3-2")
+    watch = watching(told)
+    feed(watch, range(6))
+    watch.read_next()
+    assert watch.state()["trouble"] == "F3-2: its readings fit no contact, left out"

@@ -153,6 +153,12 @@ def test_what_tolerances_leave_of_a_field_grows_with_the_cube_of_nearness():
     assert_allclose(channels.model_error(readings, model, pose), wanted)
 
 
+def as_named(model, pose):
+    """Every chip at the place that its number names, as designed."""
+    turn = np.tile(np.eye(3), (CHIPS, 1, 1))
+    return channels.Arrangement(np.arange(CHIPS), turn, model, pose, 0.0)
+
+
 def test_the_misfit_is_minus_the_logarithm_of_the_likelihood_axis_by_axis():
     readings, model, pose = made_up()
     turns = signed_permutations()[[0, 5, 30]]
@@ -167,37 +173,35 @@ def test_the_misfit_is_minus_the_logarithm_of_the_likelihood_axis_by_axis():
 
 def test_an_arrangement_costs_its_misfit_and_what_hypotheses_cost():
     readings, model, pose = made_up(range(CHIPS))
-    site, turn, cost = channels.assigned_sites(readings, model, pose)
-    assert_array_equal(site, np.arange(CHIPS))
-    assert_array_equal(turn, np.tile(np.eye(3), (CHIPS, 1, 1)))
+    found = channels.assigned_sites(readings, model, pose)
+    assert_array_equal(found.site, np.arange(CHIPS))
+    assert_array_equal(found.turn, np.tile(np.eye(3), (CHIPS, 1, 1)))
     turns = signed_permutations()
     misfit = channels.misfit_of(readings, model, pose, turns).sum(axis=0)
     own = misfit[np.arange(CHIPS), np.arange(CHIPS), 0].sum()
     prior = 0.5 * np.sum(model.off_prior(pose) ** 2)
-    assert cost == pytest.approx(own + prior)
+    assert found.cost == pytest.approx(own + prior)
     over = replace(model, polarity=-model.polarity)
-    _, mirrored, mirrored_cost = channels.assigned_sites(readings, over, pose)
-    assert np.linalg.det(mirrored).max() < 0
-    assert mirrored_cost > cost + CHIPS * 5.0
+    mirrored = channels.assigned_sites(readings, over, pose)
+    assert np.linalg.det(mirrored.turn).max() < 0
+    assert mirrored.cost > found.cost + CHIPS * 5.0
     order = np.array([1, 0, *range(2, CHIPS)])
-    swapped = replace(
+    exchanged = replace(
         readings, counts=readings.counts[:, order], noise_counts=readings.noise_counts[:, order]
     )
-    site, _, swapped_cost = channels.assigned_sites(swapped, model, pose)
-    assert_array_equal(site, order)
-    assert swapped_cost == pytest.approx(cost + 2 * 7.0)
-    turned = readings.counts.copy()
-    turned[:, 3] = turned[:, 3] @ turns[7].T
-    _, ways, turned_cost = channels.assigned_sites(replace(readings, counts=turned), model, pose)
-    assert_array_equal(ways[3], turns[7])
-    assert turned_cost == pytest.approx(cost + 7.0, abs=2.0)
-    reversed_ = readings.counts.copy()
-    reversed_[:, 3] *= -1
-    _, ways, reversed_cost = channels.assigned_sites(
-        replace(readings, counts=reversed_), model, pose
-    )
-    assert_array_equal(ways[3], -np.eye(3))
-    assert reversed_cost == pytest.approx(cost + 7.0 + 9.0)
+    swapped = channels.assigned_sites(exchanged, model, pose)
+    assert_array_equal(swapped.site, order)
+    assert swapped.cost == pytest.approx(found.cost + 2 * 7.0)
+    counts = readings.counts.copy()
+    counts[:, 3] = counts[:, 3] @ turns[7].T
+    turned = channels.assigned_sites(replace(readings, counts=counts), model, pose)
+    assert_array_equal(turned.turn[3], turns[7])
+    assert turned.cost == pytest.approx(found.cost + 7.0, abs=2.0)
+    counts = readings.counts.copy()
+    counts[:, 3] *= -1
+    reversed_ = channels.assigned_sites(replace(readings, counts=counts), model, pose)
+    assert_array_equal(reversed_.turn[3], -np.eye(3))
+    assert reversed_.cost == pytest.approx(found.cost + 7.0 + 9.0)
 
 
 def test_chips_go_where_the_magnet_moves_them_most_and_unheld_places_keep_theirs():
@@ -219,15 +223,14 @@ def test_chips_go_where_the_magnet_moves_them_most_and_unheld_places_keep_theirs
 
 def test_a_hold_is_turned_over_where_that_is_likelier_by_five():
     readings, model, pose = made_up()
-    site, turn = np.arange(CHIPS), np.tile(np.eye(3), (CHIPS, 1, 1))
     counts = readings.counts.copy()
     counts[1] = -counts[1]
-    found = channels.with_polarities(replace(readings, counts=counts), model, pose, site, turn)
+    found = channels.with_polarities(replace(readings, counts=counts), as_named(model, pose))
     uniform = pose.copy()
     uniform[:, 5:] = 0
     assert found.polarity.tolist() == [1.0, -1.0, 1.0]
     quiet = replace(readings, counts=0 * readings.counts)
-    undecided = channels.with_polarities(quiet, model, uniform, site, turn)
+    undecided = channels.with_polarities(quiet, as_named(model, uniform))
     assert undecided.polarity.tolist() == [1.0, 1.0, 1.0]
 
 
@@ -267,14 +270,13 @@ def test_gains_stand_over_their_median_and_intervals_are_of_differences_to_the_m
 
 def test_matrices_of_chips_are_those_of_least_squares_and_weak_axes_are_dead():
     readings, model, pose = made_up((0, 1, 2, 3, 4))
-    turn = np.tile(np.eye(3), (CHIPS, 1, 1))
     about = signed_permutations()[5]
     field = model.counts(pose)
     counts = np.einsum("ab,hcb->hca", about, field)
     counts[:, 0, 1] *= 0.29
     counts[:, 1, 2] *= 0.31
     counts[:3, 2, 0] = np.nan
-    found = channels.Arrangement(np.arange(CHIPS), turn, model, pose, 0.0)
+    found = as_named(model, pose)
     turns, dead = chip_fit.linear_chips(replace(readings, counts=counts), found)
     assert np.argwhere(dead).tolist() == [[0, 1], [2, 0]]
     assert_allclose(turns[3:], np.tile(about, (CHIPS - 3, 1, 1)), atol=1e-9)
@@ -300,10 +302,9 @@ def test_what_turns_a_hold_over_is_weighed_by_the_errors_of_its_readings():
     apart by five, by hand, and just before it."""
     readings, model, pose = made_up()
     pose[:, 5:] = 0  # a uniform field does not turn with the magnet
-    site, turn = np.arange(CHIPS), np.tile(np.eye(3), (CHIPS, 1, 1))
     field, hold = model.counts(pose), 2
-    error = channels.model_error(readings, model, pose)[:, site, None]
-    sigma = np.hypot(error, readings.noise_counts)[hold]
+    error = channels.model_error(readings, model, pose)[hold, :, None]
+    sigma = np.hypot(error, readings.noise_counts[hold])
 
     def apart(share):
         off = [(share - sign) * field[hold] / sigma for sign in (1.0, -1.0)]
@@ -314,5 +315,5 @@ def test_what_turns_a_hold_over_is_weighed_by_the_errors_of_its_readings():
     for share, way in ((1.01 * border, -1.0), (0.99 * border, 1.0)):
         counts = field.copy()
         counts[hold] *= share
-        found = channels.with_polarities(replace(readings, counts=counts), model, pose, site, turn)
+        found = channels.with_polarities(replace(readings, counts=counts), as_named(model, pose))
         assert found.polarity.tolist() == [1.0, 1.0, way]

@@ -5,8 +5,14 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from design.layout.places.positions import sensor_layout
+from estimator.calibration.most_probable import MostProbable
 from instobj.bench.bringup.asking.asked import POSES
-from instobj.bench.bringup.diagnosis.earth import first_field, from_earth, in_object, results_of_fit
+from instobj.bench.bringup.diagnosis.earth import (
+    first_field,
+    from_earth,
+    in_object,
+    stated_intervals,
+)
 from instobj.bench.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
 from tests.support.physics_pages import assert_page, chosen
@@ -54,27 +60,21 @@ def test_stated_intervals_hold_gains_and_offsets(found):
 
 
 def test_intervals_are_1_96_standard_deviations_each_of_its_own_unknown():
-    """Two poses, one chip; of the field the deviation along it counts, (3, 4, 0) / 5."""
-    sizes = np.cumsum([3, 6, 3, 3, 3, 3])[:-1]
-    values = np.concatenate(
-        [[3.0, 4, 0], np.zeros(6), [0.1, -0.2, 0], [9, 9, 9], [5, 6, 7], [8, 8, 8]]
-    )
-    sd = np.concatenate(
-        [[0.5, 1, 2], np.ones(6), [0.01, 0.02, 0.03], [9, 9, 9], [0.4, 0.5, 0.6], [7, 7, 7]]
-    )
-    known = np.ones((2, 1, 3), bool)
-    known[:, 0, 2] = False
-    found = results_of_fit(values, np.diag(sd**2), sizes, known, 0.4)
-    assert found.field_ut == pytest.approx(5)
-    assert found.field_interval_ut == pytest.approx(1.96 * np.hypot(0.6 * 0.5, 0.8 * 1))
-    assert np.allclose(found.gain[0, :2], np.exp([0.1, -0.2]))
-    assert np.allclose(
-        found.gain_interval[0, :2], 1.96 * np.array([0.01, 0.02]) * np.exp([0.1, -0.2])
-    )
-    assert np.allclose(found.offset[0, :2], [5, 6])
-    assert np.allclose(found.offset_interval[0, :2], 1.96 * np.array([0.4, 0.5]))
-    assert np.isnan([found.gain[0, 2], found.gain_interval[0, 2], found.offset[0, 2]]).all()
-    assert found.misfit == 0.4
+    """Of one chip; of the field the deviation along it counts, (3, 4, 0) / 5; a dead axis has none."""
+    values = {"field_ut": np.array([3.0, 4, 0]), "ln_gain": np.array([[0.1, -0.2, 0]])}
+    values["offset"] = np.array([[5.0, 6, 7]])
+    sd = np.array([0.5, 1, 2, 0.01, 0.02, 0.03, 0.4, 0.5, 0.6])
+    found = MostProbable(values, np.diag(1 / sd**2))
+    stated = stated_intervals(found, np.array([[1.0, 1, np.nan]]), 0.4)
+    assert stated.field_ut == pytest.approx(5)
+    assert stated.field_interval_ut == pytest.approx(1.96 * np.hypot(0.6 * 0.5, 0.8 * 1))
+    gain = np.exp([0.1, -0.2])
+    assert np.allclose(stated.gain[0, :2], gain)
+    assert np.allclose(stated.gain_interval[0, :2], 1.96 * np.array([0.01, 0.02]) * gain)
+    assert np.allclose(stated.offset[0, :2], [5, 6])
+    assert np.allclose(stated.offset_interval[0, :2], 1.96 * np.array([0.4, 0.5]))
+    assert np.isnan([stated.gain[0, 2], stated.gain_interval[0, 2], stated.offset[0, 2]]).all()
+    assert stated.misfit == 0.4
 
 
 def test_all_gains_together_are_told_as_a_stronger_field(means, found):

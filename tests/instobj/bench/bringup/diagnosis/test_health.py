@@ -6,7 +6,6 @@ import pytest
 from instobj.bench.bringup.asking.asked import Recording
 from instobj.bench.bringup.diagnosis.findings import ChipFound
 from instobj.bench.bringup.diagnosis.health import Health, health_findings, health_of, line_findings
-from instobj.bench.bringup.diagnosis.levenberg_marquardt import many_most_probable
 from instobj.bench.bringup.diagnosis.poles import find_magnet, magnet_findings, pocket_fields
 from tests.support.new_objects import SMALL
 
@@ -70,17 +69,8 @@ def test_what_is_wrong_with_a_line_or_a_chip_is_named():
 def test_poles_and_pockets_are_told_from_the_step(change, expected):
     fields = pocket_fields(SMALL, CHIPS)
     turned = np.einsum("cab,b->ca", fields.uniform, [30.0, -20.0, 10.0])
-    found = find_magnet(SMALL, fields, 4, change(fields.step) + turned)
+    found = find_magnet(fields, 4, change(fields.step) + turned)
     assert [finding.kind for finding in magnet_findings(SMALL, found)] == expected
-
-
-def test_linear_problems_side_by_side_have_the_least_squares_answer_and_its_cost():
-    rng = np.random.default_rng(1)
-    slope, values = rng.standard_normal((20, 3)), rng.standard_normal(20)
-    best = np.linalg.lstsq(slope, values, rcond=None)[0]
-    many, cost = many_most_probable(lambda x: x @ slope.T - values, np.zeros((4, 3)))
-    assert np.allclose(many, best, atol=1e-3)
-    assert np.allclose(cost, 0.5 * np.sum((slope @ best - values) ** 2))
 
 
 def made(rate_hz, lost=0.0, damaged=0, errors=None):

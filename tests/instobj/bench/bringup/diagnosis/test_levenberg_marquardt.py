@@ -39,7 +39,7 @@ def test_a_step_that_does_not_gain_is_not_taken_and_the_next_is_shorter():
     assert_allclose(cost, 0, atol=0.05)
 
 
-def test_it_ends_where_nothing_is_gained(monkeypatch):
+def test_it_ends_where_nothing_is_gained():
     calls = []
 
     def residuals(value):

@@ -64,7 +64,7 @@ def test_errors_of_steps_are_those_of_turns_strengths_and_seats_over_the_distanc
         size = np.linalg.norm(fields.step[pocket, chip])
         assert fields.error[pocket, chip] == pytest.approx(size * relative)
     floor = np.hypot(SPEC.sensors.zeroing_counts, max(SPEC.sensors.noise_counts) / 2)
-    sigma = poles.pocket_sigma(SPEC, fields, 4)[:, 0]
+    sigma = fields.sigma(4)[:, 0]
     assert_allclose(sigma, np.hypot(fields.error[4], floor))
 
 
@@ -73,7 +73,7 @@ def test_the_cost_is_a_robust_likelihood_at_the_best_uniform_field(fields):
     rng = np.random.default_rng(0)
     change = fields.step[4] + rng.normal(0, 30, (10, 3))
     change[2, 1] = np.nan
-    sigma = np.broadcast_to(poles.pocket_sigma(SPEC, fields, 4), change.shape)
+    sigma = np.broadcast_to(fields.sigma(4), change.shape)
     limit = 0.1 * SPEC.sensors.counts_per_mt
     for sign in (1.0, -1.0):
         left = change - sign * fields.step[4]
@@ -85,30 +85,30 @@ def test_the_cost_is_a_robust_likelihood_at_the_best_uniform_field(fields):
         best = minimize(squares, np.zeros(3)).x
         off = (left - np.einsum("cab,b->ca", fields.uniform, best)) / sigma
         wanted = np.nansum(8 * np.log1p(off**2 / 16) + np.log(sigma) * np.isfinite(off))
-        assert poles.cost_of(SPEC, fields, 4, sign, change) == pytest.approx(wanted, rel=1e-4)
+        assert poles.cost_of(fields, 4, sign, change) == pytest.approx(wanted, rel=1e-4)
 
 
 def test_the_moment_is_that_of_weighted_least_squares_beside_a_uniform_field(fields):
     turned = np.einsum("cab,b->ca", fields.uniform, [60.0, -20.0, 10.0])
     change = -0.7 * fields.step[3] + turned
     change[1, 2] = np.nan
-    assert poles.strength_of(SPEC, fields, 3, change) == pytest.approx(-0.7)
-    found = poles.find_magnet(SPEC, fields, 3, change)
+    assert poles.strength_of(fields, 3, change) == pytest.approx(-0.7)
+    found = poles.find_magnet(fields, 3, change)
     assert (found.asked, found.pocket) == (3, 3)
     assert found.strength == pytest.approx(-0.7)
-    elsewhere = poles.find_magnet(SPEC, fields, 3, fields.step[8] + turned)
+    elsewhere = poles.find_magnet(fields, 3, fields.step[8] + turned)
     assert (elsewhere.asked, elsewhere.pocket) == (3, 8)
 
 
 def test_without_any_step_the_pocket_stays_as_asked(fields):
-    assert poles.find_magnet(SPEC, fields, 5, np.full((10, 3), np.nan)).pocket == 5
-    nothing = poles.find_magnet(SPEC, fields, 2, np.zeros((10, 3)))
+    assert poles.find_magnet(fields, 5, np.full((10, 3), np.nan)).pocket == 5
+    nothing = poles.find_magnet(fields, 2, np.zeros((10, 3)))
     assert nothing.strength == pytest.approx(0.0, abs=1e-9)
 
 
 def test_fields_of_pockets_and_a_magnet_found_are_as_on_the_page(fields):
     change = 0.8 * fields.step[3] + 25 * np.sin(np.arange(30.0)).reshape(10, 3)
-    found = poles.find_magnet(SPEC, fields, 3, change)
+    found = poles.find_magnet(fields, 3, change)
     lines = chosen(fields, "step", "error", "uniform")
     lines += chosen(found, "asked", "pocket", "strength")
     assert_page("instobj/bench/bringup", lines, "poles, ")

@@ -1,23 +1,12 @@
-"""Keys that a specification once had: renamed ones still read, with a warning; removed ones are errors."""
+"""Keys that a specification once had and has no more: each is an error that says what holds in its place."""
 
 from __future__ import annotations
 
-import warnings
-from typing import Any
-
-from design.errors import SpecError
-
-_OBJECTIVES = {"cross_face_sigma": "median_false_force_n"}
-RENAMED = {
-    "training": {"members": "ensemble", "interval_cover": "coverage"},
-    "search.objectives": _OBJECTIVES,
-    "search.limits.times_start": _OBJECTIVES,
-}
-"""Table (or list) → older key → its name now; tables after the tables that hold them."""
 _OBJECTIVES_GONE = {
     "build_minutes": "search.vary counts the parts",
     "compliance_deviation": "layouts are not judged by softness",
     "cost": "search.vary counts the parts",
+    "cross_face_sigma": "take median_false_force_n",
     "edge_position_bound_mm": "take percentile_99_position_bound_mm",
     "grasp_position_bound_mm": "take worst_position_bound_mm",
     "pair_all_position_bound_mm": "take worst_position_bound_mm",
@@ -29,9 +18,12 @@ _OBJECTIVES_GONE = {
     "tolerance_place_mm": "`instobj run --to robustness` tells what tolerances cost",
 }
 REMOVED = {
+    "body.unit": "body.scale is the length of a unit of the file in mm: 10 for cm, 1000 for m, 25.4 for in",
     "collection.hysteresis": "silicone.prony makes the felt force lag",
     "core.hub_depth_mm": "the hub's recess is 0.5 mm deep",
+    "core.hub_radius_mm": "the hub's recess is as wide as the wider wire hole",
     "core.wire_diameter_mm": "wires measure 0.4 mm with their insulation",
+    "environment.magnets.recoil_permeability": "magnets nearby are taken for NdFeB, 1.05",
     "export": "triangles leave the solids by 0.05 mm at most and turn by 0.2 rad",
     "inversion.least_force_n": "contacts of 0.2 N and more are read",
     "magnets.current_a": "an electromagnet is a magnet of μ0 N I / L: study `electromagnets`",
@@ -41,12 +33,16 @@ REMOVED = {
     "mechanics.element = p1": "linear tetrahedra lock. Take taylor-hood",
     "mechanics.slip.model": "the shell follows its slipped core by finite elements",
     "mould.dowel_draft_deg": "dowels have a draft of 10°",
+    "mould.draft_deg": "pins and rods are straight, with printer.clearance_mm about them",
+    "mould.flange_mm": "flanges are 8 mm wide, or as wide as walls beside their bolts need",
+    "mould.magnet_templates": "templates to set magnets are printed of all faces",
     "mould.play_mm": "sliding parts have printer.clearance_mm between them",
     "mould.silicone_waste": "15 % more silicone is mixed than the parts hold",
     "mould.vent_mm": "vents are as wide as printer.hole_mm",
     "printer.aspect": "it is that of printer.process",
     "printer.density_g_per_cm3": "it is that of printer.process",
     "printer.draft_deg": "it is that of printer.process",
+    "printer.feature_mm": "pins and ribs are as thick as printer.wall_mm at least",
     "protocol.peak_force_spread": "peaks vary by 10 % from press to press",
     "score.hull": "δ is taken from the covariance of the signals",
     "score.hull_frames": "δ is that of 1000 frames",
@@ -70,14 +66,22 @@ REMOVED = {
     "search.vary.sensor_range_mt": "search once for each sensors.range_mt",
     "search.vary.sensor_turn_deg": "a chip turned about its Z measures as well",
     "sensors.i2c_khz": "the bus runs at 400 kHz",
+    "sensors.mount_rotation_deg": "sensors.rotations_deg turns each chip of a face",
     "sensors.offset_tolerance_mt": "offsets are drawn within tolerances.sensor_offset_ut",
+    "shell.dent_mm": "as_built.magnets names each magnet whose seal has sunk, with its dent_mm",
+    "shell.slits.end_mm": "slits end shell.thickness_mm before the corners, or where they do not meet there",
     "silicone.cure_h": "the time to demould is that of the preset silicone.name",
     "silicone.mix_ratio": "the mixing ratio is that of the preset silicone.name",
     "silicone.peel_share": "peeling may take a third of silicone.elongation_percent",
     "silicone.pot_life_min": "the pot life is that of the preset silicone.name",
+    "silicone.shore": "silicone.modulus_from takes a hardness, as A10",
+    "silicone.tensile_data": "silicone.modulus_from takes a file (.csv)",
     "training.batch_size": "512 frames a batch, fewer of small data sets",
+    "training.coverage": "intervals hold the true value in 90 % of frames",
     "training.heatmap_axes": "estimators read the normal force (studies: FitSettings.axes)",
+    "training.interval_cover": "intervals hold the true value in 90 % of frames",
     "training.learning_rate": "it begins at 0.003",
+    "training.members": "training.ensemble takes its place",
     "training.model = linear": "ridge regression is a baseline of `instobj train`",
     "training.model = paper": "the paper's network is studies/paper/network.py",
     "training.output": "estimators draw heatmaps (studies: FitSettings.continuous)",
@@ -88,40 +92,3 @@ REMOVED = {
     for key in ("search.objectives", f"search.limits.times_start.{name}.[key]")
 }
 """Key, table or `key = value` that there is no more → what holds in its place."""
-
-
-def name_now(table: str, key: str) -> str:
-    """The key's name now; warns where `key` is an older one."""
-    now = RENAMED.get(table, {}).get(key)
-    if now is None:
-        return key
-    warnings.warn(
-        f"{table}.{key} is now called {table}.{now}. Rename it",
-        FutureWarning,
-        stacklevel=2,
-    )
-    return now
-
-
-def rename_older_keys(table: str, given: Any) -> Any:
-    """The table (or list) `given` with every key under its name now; anything else comes back as it is.
-
-    Raises
-    ------
-    SpecError
-        A key is given under both names.
-    """
-    if isinstance(given, list | tuple):
-        return [
-            name_now(table, key_name) if isinstance(key_name, str) else key_name
-            for key_name in given
-        ]
-    if not isinstance(given, dict):
-        return given
-    for older, now in RENAMED[table].items():
-        if older in given and now in given:
-            raise SpecError(
-                f"{table}.{older} is the older name of {table}.{now}; got both, "
-                f"{given[older]!r} and {given[now]!r}. Keep {table}.{now}"
-            )
-    return {name_now(table, key): value for key, value in given.items()}

@@ -94,7 +94,7 @@ def _nearest(shown: np.ndarray, asked: np.ndarray) -> np.ndarray:
 
 
 def gaussian_process(
-    inputs: np.ndarray, targets: np.ndarray, asked: np.ndarray, seed: int
+    inputs: np.ndarray, targets: np.ndarray, asked: np.ndarray, seed: int, most: int = MOST_PRESSES
 ) -> Float[np.ndarray, "press 3"]:
     """Gaussian processes of all targets over the principal directions of the inputs."""
     from sklearn.exceptions import ConvergenceWarning
@@ -105,7 +105,7 @@ def gaussian_process(
     x, query = (inputs - middle) / spread, (asked - middle) / spread
     size, offset = targets.std(axis=0), targets.mean(axis=0)
     y = (targets - offset) / size
-    chosen = np.random.default_rng(seed).permutation(len(x))[:MOST_PRESSES]
+    chosen = np.random.default_rng(seed).permutation(len(x))[:most]
     kernel = ConstantKernel(1.0) * RBF(4.0) + WhiteKernel(0.01)
     with warnings.catch_warnings():  # at a bound where the twin leaves nothing but noise
         warnings.simplefilter("ignore", ConvergenceWarning)

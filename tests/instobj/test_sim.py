@@ -1,0 +1,124 @@
+"""Object in a simulator: what contacts, turning, relaxation and noise do to its counts."""
+
+import numpy as np
+import pytest
+
+from design.layout.body import face_frame
+from design.spec.silicone import PronyTermSpec
+from estimator.inversion.storage import save_inversion
+from fem.presses.viscoelastic import relaxed_force_n
+from instobj.sim import HallObject
+from tests.support.mechanics.inverted import inverted
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    target = tmp_path_factory.mktemp("sim") / "contacts.nc"
+    save_inversion(inverted(), target)
+    return target
+
+
+@pytest.fixture
+def cube(path):
+    return HallObject(path, seed=None)
+
+
+def on_face(cube, face, *places_mm):
+    frame = face_frame(cube.spec, face)
+    return np.stack([frame.to_object(np.array([*place, 0.0])) for place in places_mm])
+
+
+def change(cube, points, force_n, **how):
+    return cube.read(points, np.asarray(force_n, float), **how) - cube.rest_counts
+
+
+def relative(a, b):
+    return np.sqrt(np.mean((a - b) ** 2) / np.mean(b**2))
+
+
+def test_one_contact_gives_the_signals_of_the_stored_presses(cube):
+    model = inverted().model
+    for face, place, force in ((1, (2.0, -3.0), 4.0), (3, (-8.0, 5.0), 1.5)):
+        index = model.signals.faces.tolist().index(face)
+        contact = np.array([[[*place, force]]])
+        stored = model.singles(np.array([[index]]), contact)[0, 0, 0].reshape(-1, 3)
+        assert relative(change(cube, on_face(cube, face, place), [force]), stored) < 0.01
+
+
+def test_contacts_on_two_faces_add_up_and_interact_as_the_inversion_has_it(cube):
+    model = inverted().model
+    points = np.concatenate([on_face(cube, 1, (3.0, 3.0)), on_face(cube, 2, (-4.0, 6.0))])
+    face, contact = np.array([[0, 1]]), np.array([[[3.0, 3.0, 5.0], [-4.0, 6.0, 3.0]]])
+    summed = model.singles(face, contact)[0, :, 0].sum(axis=0) + model.interaction(face, contact)[0]
+    assert relative(change(cube, points, [5.0, 3.0]), summed.reshape(-1, 3)) < 0.01
+
+
+def test_a_contact_split_in_two_at_its_place_is_the_same_contact(cube):
+    place = on_face(cube, 1, (1.0, 2.0))
+    whole = change(cube, place, [6.0])
+    assert relative(change(cube, np.repeat(place, 2, axis=0), [2.0, 4.0]), whole) < 1e-6
+    near = on_face(cube, 1, (0.5, 2.0), (1.5, 2.0))
+    assert relative(change(cube, near, [3.0, 3.0]), whole) < 0.05
+
+
+def test_nothing_touched_and_what_touches_an_unsensed_side_change_nothing(cube):
+    assert not change(cube, np.empty((0, 3)), []).any()
+    assert not change(cube, np.array([[0.0, 0.0, -21.0], [60.0, 0.0, 0.0]]), [5.0, 5.0]).any()
+
+
+def test_the_ambient_field_turns_with_the_object(path):
+    still = HallObject(path, ambient_ut=(0.0, 0.0, 50.0), seed=None)
+    nothing = np.empty((0, 3)), np.empty(0)
+    upright = still.read(*nothing) - still.rest_counts
+    # turned by 180 degrees about x, the field comes from below: every channel changes its sign
+    upside_down = still.read(*nothing, rotation=np.diag([1.0, -1.0, -1.0])) - still.rest_counts
+    np.testing.assert_allclose(upside_down, -upright, atol=1e-9)
+    strength_mt = np.linalg.norm(upright, axis=1) / still.spec.sensors.counts_per_mt
+    np.testing.assert_allclose(strength_mt, 0.05, rtol=0.02)
+
+
+def test_noise_is_the_chips_and_a_seed_repeats_it(path):
+    nothing = np.empty((0, 3)), np.empty(0)
+    one, other = HallObject(path, seed=3), HallObject(path, seed=3)
+    frames = np.stack([one.read(*nothing) for _ in range(400)])
+    np.testing.assert_array_equal(frames[0], other.read(*nothing))
+    assert np.all(frames == np.round(frames))
+    deviation = frames.std(axis=0).mean(axis=0)
+    np.testing.assert_allclose(deviation, one.spec.sensors.noise_counts, rtol=0.05)
+
+
+def test_a_held_force_on_relaxing_silicone_moves_magnets_on_as_its_prony_series_says(tmp_path):
+    estimator = inverted()
+    terms = (PronyTermSpec(fraction=0.2, time_s=0.5),)
+    silicone = estimator.model.spec.silicone.changed(prony=terms)
+    soft = estimator.model.spec.changed(silicone=silicone)
+    object.__setattr__(estimator.model, "spec", soft)
+    save_inversion(estimator, tmp_path / "soft.nc")
+    object.__setattr__(estimator.model, "spec", soft.changed(silicone=silicone.changed(prony=())))
+    cube, elastic = HallObject(tmp_path / "soft.nc", seed=None), None
+    place, step_s, time_s = on_face(cube, 1, (0.0, 0.0)), 0.01, np.arange(150) * 0.01
+    travel = np.minimum(time_s / 0.2, 1.0) * 5.0
+    felt = relaxed_force_n(travel, time_s, terms)
+    for index, force in enumerate(felt):
+        elastic = change(cube, place, [force], step_s=step_s if index else 0.0)
+    fresh = HallObject(tmp_path / "soft.nc", seed=None)
+    expected = change(fresh, place, [travel[-1]])
+    assert felt[-1] < 0.85 * travel[-1], "the force has relaxed"
+    assert relative(elastic, expected) < 0.01, "signals follow the travel"
+
+
+def test_contacts_of_mujoco_are_felt_where_they_are(path):
+    mujoco = pytest.importorskip("mujoco", reason="the simulator is not installed")
+    cube = HallObject(path, seed=None)
+    # a cube of 42 mm and 100 g hangs still under a ball that weighs 5 N
+    scene = mujoco.MjModel.from_xml_string("""
+        <mujoco><option timestep="0.002"/><worldbody>
+          <body name="cube"><geom type="box" size="0.021 0.021 0.021"/></body>
+          <body pos="0.004 0.002 0.0259"><joint type="slide" axis="0 0 1"/>
+            <geom type="sphere" size="0.005" mass="0.5097"/></body>
+        </worldbody></mujoco>""")
+    data = mujoco.MjData(scene)
+    for _ in range(1000):
+        mujoco.mj_step(scene, data)
+    seen = cube.read_mujoco(scene, data, "cube") - cube.rest_counts
+    assert relative(seen, change(cube, on_face(cube, 1, (4.0, 2.0)), [5.0])) < 0.05
