@@ -85,8 +85,10 @@ def with_freedom(spec: ObjectSpec) -> ObjectSpec:
     if search.vary != VarySpec(layouts=layouts):
         return spec
     alone = len(spec.magnets.lists) > 1 and len(layout_groups(spec)) == 1
-    vary = VarySpec(layouts="per face" if alone else layouts, **reaches_that_fit_mm(spec))
-    return spec.changed(search=search.changed(vary=vary))
+    freed = search.vary.changed(
+        layouts="per face" if alone else layouts, **reaches_that_fit_mm(spec)
+    )
+    return spec.changed(search=search.changed(vary=freed))
 
 
 def reaches_that_fit_mm(spec: ObjectSpec) -> dict[str, float]:

@@ -98,7 +98,7 @@ def new(
     size_mm = None if size is None else size_of(size, kind)
     request = request_of(kind, size_mm, sensors, magnets, file, scale)
     written = new_specification(name, out, request)
-    typer.echo(f"wrote {written}\n{placed_text(written)}\nnext  instobj check {written}")
+    typer.echo(f"wrote {written}\n{placed_text(written, request)}\nnext  instobj check {written}")
 
 
 @app.command(rich_help_panel=KEEP)

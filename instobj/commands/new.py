@@ -36,6 +36,7 @@ from design.placement.room import narrow_heads
 from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
+from instobj.commands.outlook import next_step_text, parts_that_help, tables_of, with_edges_that_fit
 from instobj.commands.specification_file import specification_text
 from instobj.report.weak_areas import far_text
 
@@ -71,6 +72,7 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
     tables: Tables | None = None
     if request is not None:
         tables, failed = made(request)
+        tables = with_edges_that_fit(request, tables)
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
         for text in roughness_in_words(spec_of(tables)) if request.file else ():
@@ -84,10 +86,13 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
     return target
 
 
-def placed_text(path: Path) -> str:
-    """Say in two lines what a written specification holds, and whether places lie too far."""
+def placed_text(path: Path, request: Request | None = None) -> str:
+    """Say in few lines what a written specification holds, whether places lie too far, which parts would
+    bring them near where they were placed by a `request`, and what the next step takes."""
     spec = load_spec(path, [])
-    return f"{spec!r}\n{far_text(spec)}".removeprefix("ObjectSpec ")
+    helps = "" if request is None else parts_that_help(request, tables_of(spec))
+    lines = (f"{spec!r}".removeprefix("ObjectSpec "), far_text(spec), helps, next_step_text(spec))
+    return "\n".join(filter(None, lines))
 
 
 def made(request: Request) -> tuple[Tables, list[Finding]]:

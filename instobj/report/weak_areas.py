@@ -27,10 +27,15 @@ _FEW = 0.005
 """Share of contact locations that is told as none: it would read 0 %."""
 
 
+def far_share(spec: ObjectSpec) -> float:
+    """Share of contact locations whose signal path is too long for a position bound of 1.5 mm, as a rule."""
+    path_mm = place_measures(spec).path_mm
+    return float(np.mean(path_mm[np.isfinite(path_mm)] > LONGEST_PATH_MM))
+
+
 def far_text(spec: ObjectSpec) -> str:
     """Say how many contact locations lie too far from magnet and sensor; it needs no mechanics."""
-    path_mm = place_measures(spec).path_mm
-    far = float(np.mean(path_mm[np.isfinite(path_mm)] > LONGEST_PATH_MM))
+    far = far_share(spec)
     if far < _FEW:
         return "every contact location is near a magnet and a sensor"
     return (

@@ -148,7 +148,7 @@ def objections(
 
 
 def gains_in_words(start: Promoted, layout: Promoted, level: str) -> str:
-    """Return a layout's bounds beside the start's, the shares within the limit, and what got worse."""
+    """Return a layout's bounds and the start's, the shares within the limit, and what got worse."""
     limit = layout.spec.limits.position_bound_mm
     start_score, layout_score = start.levels[level], layout.levels[level]
     bounds = (

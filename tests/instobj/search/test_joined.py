@@ -4,7 +4,7 @@ import pytest
 
 from design.search.space import search_space
 from design.spec.search import SearchSpec
-from instobj.search.joined import describe_merge, fit_budget, merge_restarts
+from instobj.search.joined import describe_merge, fit_budget, merge_restarts, quick_space
 from instobj.search.loop import layouts_at_once
 from tests.support.objects.search_cases import OBJECTIVES, made_up_spec
 
@@ -75,6 +75,14 @@ def test_a_joined_run_is_shorter_where_time_is_short(generation_s, layouts, left
     space = merge_restarts(asked, 1)
     assert runs(space) == (2, 600)
     assert runs(fit_budget(asked, 600, generation_s, layouts, left_s)) == (4, steps)
+
+
+@pytest.mark.parametrize(
+    ("generation_s", "steps"), [(0.1, 100), (0.01, 600), (30.0, 1), (0.0, 600)]
+)
+def test_the_first_look_has_the_generations_that_its_time_holds(generation_s, steps):
+    space = merge_restarts(space_of(trials=4, vary=LENGTHS), 1)
+    assert runs(quick_space(space, generation_s, 10.0)) == (2, steps)
 
 
 def test_what_became_of_the_trials_is_said():

@@ -216,6 +216,26 @@ def test_structures_of_a_batch_are_scored_side_by_side_each_shared_out(at_once, 
     assert [t.params for t in kept.trials] == [drawn_start(space, k) for k in range(8)]
 
 
+def test_the_specification_s_own_layout_is_looked_at_first_and_alone(tmp_path):
+    """There is something to look at before a batch of many is done."""
+    space, sizes, kept_then = made_up_space(trials=20), [], []
+    kept = open_trials(space.spec, tmp_path / "trials.jsonl")
+    first = drawn_start(space, 7)
+
+    def score(trials, seconds):
+        sizes.append(len(trials))
+        return made_up_score(trials, seconds)
+
+    def keep_and_stop():
+        kept_then.append(len(kept.trials))
+        return False
+
+    run_search(space, kept, answering(score), lambda line: None, first, keep_and_stop)
+    assert kept_then == [1, 17, 20]
+    assert sizes[0] == 1
+    assert kept.trials[0].params == first
+
+
 def test_why_trials_have_no_result_is_said(tmp_path):
     space, said = made_up_space(trials=8), []
     kept = open_trials(space.spec, tmp_path / "trials.jsonl")

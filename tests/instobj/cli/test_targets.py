@@ -1,0 +1,14 @@
+"""Results that `instobj run --to` names."""
+
+from instobj.cli.options import TARGETS
+from instobj.report.remedies import VERDICT_STAGES
+from instobj.stages.run import with_needs
+
+
+def test_a_verdict_needs_all_that_it_is_read_from_and_no_training():
+    named = TARGETS["verdict"].split()
+    assert {*named} == VERDICT_STAGES
+    needed = {*with_needs(*named)}
+    assert "signals" in needed
+    assert not needed & {"frames", "networks", "metrics", "report"}
+    assert "metrics" in with_needs("report"), "which the report does need"
