@@ -8,8 +8,9 @@ position bound.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import cycle, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -17,19 +18,22 @@ import numpy as np
 from jaxtyping import Float
 
 from design.layout.body import face_frames
+from design.layout.places.measures import LONGEST_PATH_MM
 from design.placement.objects import Request, ShellVariant, first_fit, spec_of
 from design.placement.patterns import magnet_patterns
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from estimator.information.scores import score_places
 from estimator.information.weak_areas import weak_areas
-from instobj.figures.weak_areas import draw_paths
+from instobj.figures.saving import save_figure
+from instobj.figures.style import PALETTE
 from instobj.stages.run import Run
 from instobj.store.readers import SIGNALS
 from studies.registry import Study, StudyResult
 
 _POCKET_MM = (6.0, 3.0)
 _SENSORS = 3
+_INK = "#1a1a1a"
 _MESH = {"surface_edge_mm": 2.5, "edge_mm": 7.0}
 _CURVED_MESH = _MESH | {"envelope_mm": 0.15}
 _QUICK_MESH = {"surface_edge_mm": 4.0, "edge_mm": 9.0, "envelope_mm": 0.2}
@@ -191,3 +195,36 @@ def growth(path_mm: Float[np.ndarray, "n"], bound_mm: Float[np.ndarray, "n"]) ->
 STUDIES = (
     Study("weak-areas", "Bodies, thicknesses, magnet spacings: which places are weak.", run),
 )
+
+
+def draw_paths(
+    objects: Sequence[tuple[str, Float[np.ndarray, "_"], Float[np.ndarray, "_"]]],
+    rows: Sequence[dict[str, Any]],
+    limit_mm: float,
+    path: Path | str,
+) -> None:
+    """Position bounds of many objects' locations against their signal paths (PNG).
+
+    `objects` are kind, paths and bounds (mm) of their locations, `rows` bins of all of them.
+    """
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.4, 4.8), layout="constrained")
+    axes = figure.subplots()
+    kinds = list(dict.fromkeys(kind for kind, *_ in objects))
+    for kind, colour in zip(kinds, cycle(PALETTE), strict=False):
+        some = [(away, bound) for name, away, bound in objects if name == kind]
+        away, bound = (np.concatenate(part) for part in zip(*some, strict=True))
+        axes.plot(away, bound, ".", ms=3, alpha=0.5, color=colour, label=kind)
+    middle = [(row["from_mm"] + row["to_mm"]) / 2 for row in rows]
+    low, high = ([row[end] for row in rows] for end in ("low_mm", "high_mm"))
+    axes.fill_between(middle, low, high, color=_INK, alpha=0.15, label="10 to 90 % of locations")
+    axes.plot(middle, [row["median_mm"] for row in rows], "-o", color=_INK, ms=4, label="median")
+    axes.axhline(limit_mm, color="0.25", ls="--", lw=1, label=f"limit {limit_mm:g} mm")
+    axes.axvline(LONGEST_PATH_MM, color="0.25", ls=":", lw=1, label=f"path {LONGEST_PATH_MM:g} mm")
+    axes.set(yscale="log", xlabel="signal path over a magnet to a sensor, mm")
+    axes.set_ylabel("position bound, mm")
+    axes.yaxis.set_major_formatter(lambda number, _: f"{number:g}")
+    axes.grid(alpha=0.3)
+    figure.legend(loc="outside right upper", frameon=False, fontsize=9)
+    save_figure(figure, path)

@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from instobj.figures.saving import save_figure
+from instobj.figures.style import BLUE, PALETTE, RED, draw_equality, draw_shares_within
 
 if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet
     from estimator.inversion.readings import ContactSets
     from estimator.metrics.contacts import MatchedContacts
-
-_COLOURS = ("#777777", "#1b6ca8", "#c8553d", "#2a9d8f", "#8e6bbf")
 
 
 def draw_contacts(
@@ -37,13 +36,11 @@ def draw_contacts(
 def _draw_distances(axes: Any, matched: MatchedContacts) -> None:
     tips = matched.tips[matched.frame]
     for number in np.unique(tips).tolist():
-        away = np.sort(matched.distance_mm[tips == number])
-        share = 100 * np.arange(1, len(away) + 1) / len(away)
+        away = matched.distance_mm[tips == number]
         label = f"{number} per face: median {np.median(away):.2f} mm"
-        axes.plot(away, share, color=_COLOURS[number % len(_COLOURS)], label=label)
-    axes.set(xscale="log", xlabel="distance to the true contact (mm)", ylim=(0, 102))
+        draw_shares_within(axes, away, color=PALETTE[(number - 1) % len(PALETTE)], label=label)
+    axes.set(xscale="log", xlabel="distance to the true contact (mm)")
     axes.set_ylabel("contacts with distance ≤ x (%)")
-    axes.grid(alpha=0.3)
     if len(tips):
         axes.legend(frameon=False, fontsize=8, loc="upper left")
 
@@ -56,15 +53,8 @@ def _draw_numbers(axes: Any, matched: MatchedContacts) -> None:
     axes.imshow(share.T, origin="lower", cmap="Blues", vmin=0, vmax=100)
     for true, mine in np.argwhere(counted > 0):
         colour = "white" if share[true, mine] > 60 else "black"
-        axes.text(
-            true,
-            mine,
-            f"{share[true, mine]:.0f}",
-            ha="center",
-            va="center",
-            color=colour,
-            fontsize=9,
-        )
+        number = f"{share[true, mine]:.0f}"
+        axes.text(true, mine, number, ha="center", va="center", color=colour, fontsize=9)
     ticks = range(most)
     axes.set(xticks=ticks, yticks=ticks, xlabel="true number of contacts", ylabel="number found")
     axes.set_title("% of the frames of each true number", fontsize=9)
@@ -74,10 +64,9 @@ def _draw_forces(axes: Any, contact_sets: ContactSets, matched: MatchedContacts)
     total = np.nansum(contact_sets.force_n, axis=1)
     true = total - matched.total_error_n
     end = 1.05 * float(max(true.max(), total.max(), 1.0))
-    axes.plot([0, end], [0, end], color=_COLOURS[0], lw=0.9, label="equal")
+    draw_equality(axes, 0, end)
     is_right = matched.right
-    axes.plot(true[is_right], total[is_right], ".", color=_COLOURS[1], ms=4, label="number right")
-    axes.plot(true[~is_right], total[~is_right], ".", color=_COLOURS[2], ms=4, label="number wrong")
-    axes.set(xlim=(0, end), ylim=(0, end), aspect="equal")
+    axes.plot(true[is_right], total[is_right], ".", color=BLUE, ms=4, label="number right")
+    axes.plot(true[~is_right], total[~is_right], ".", color=RED, ms=4, label="number wrong")
     axes.set(xlabel="true total force (N)", ylabel="total force found (N)")
     axes.legend(frameon=False, fontsize=8, loc="upper left")

@@ -12,16 +12,12 @@ from design.layout.places.contact_places import contact_places
 from design.spec.object import ObjectSpec
 from estimator.information.scores import area_places
 from instobj.figures.saving import save_figure
+from instobj.figures.style import BLUE, GREEN, RED
 
 if TYPE_CHECKING:
     from estimator.signals.presses import Signals
 
-_AREA_COLOURS = {
-    "centre": "#1b6ca8",
-    "edge": "#b08900",
-    "mid_edge": "#c8553d",
-    "corner": "#6a994e",
-}
+_AREA_COLOURS = {"centre": BLUE, "edge": "#b08900", "mid_edge": RED, "corner": GREEN}
 
 
 def draw_press_curves(spec: ObjectSpec, signals: Signals, path: Path) -> None:

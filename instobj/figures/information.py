@@ -16,8 +16,10 @@ from design.spec.object import ObjectSpec
 from estimator.information.identifiability import Identifiability
 from estimator.inversion.blind_start import BlindStart
 from instobj.figures.saving import save_figure
+from instobj.figures.style import PALETTE, RED, draw_limit
 
-_COLOURS = {1: "#1b6ca8", 2: "#c8553d", 3: "#6a994e"}
+_COLOURS = dict(enumerate(PALETTE[:3], start=1))
+"""Colours by the number of contacts."""
 _PANELS = {
     "own": "reading the pressed face's own sensors",
     "all": "reading the sensors of all faces",
@@ -50,10 +52,7 @@ def draw_identifiability(
             _draw_line(axes, some, high)
             read = [b for b in blind if (b.channels, b.contacts) == (channels, contacts)]
             _draw_blind_start(axes, read, high)
-        limit = spec.limits.position_bound_mm
-        axes.axhline(limit, color="0.35", ls="--", lw=1)
-        axes.text(0.99, limit * 1.06, f"limit {limit:g} mm", ha="right", fontsize=9, color="0.35",
-                  transform=axes.get_yaxis_transform())  # fmt: skip
+        draw_limit(axes, spec.limits.position_bound_mm)
         axes.set(yscale="log", ylim=(low, high), xlabel="Hall sensors per face", title=title)
         axes.set_xticks(sorted({r.sensors for r in rows}))
         axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
@@ -135,7 +134,7 @@ def _draw_set(axes: Any, spec: ObjectSpec, row: Identifiability) -> None:
     grid = contact_grid(spec).xy_mm[contact_places(spec)[spec.body.sensed.index(worst.face)]]
     axes.plot(*grid.T, ls="", marker=".", ms=2, color="0.7")
     for xy, change in zip(worst.xy_mm, worst.direction, strict=True):
-        axes.plot(*xy, marker="o", color="#c8553d", ms=9)
+        axes.plot(*xy, marker="o", color=RED, ms=9)
         tip = xy + _ARROW_PER_MM * change[:2]
         axes.annotate("", tip, xy, arrowprops={"arrowstyle": "-|>", "color": "#1a1a1a", "lw": 1.8})
         axes.annotate(f"{change[2]:+.2f} N", xy, (0, -13), textcoords="offset points", ha="center",

@@ -11,12 +11,12 @@ import numpy as np
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
+from instobj.figures.style import BLUE, GREEN, PALETTE, RED
 
 if TYPE_CHECKING:
     from fem.presses.joint import JointPress
 
-_COLOURS = ("#1b6ca8", "#c8553d", "#6a994e", "#8d6cab", "#b08900", "#3d8f8f")
-_AXES = (("ΔX", "#1b6ca8"), ("ΔY", "#c8553d"), ("ΔZ", "#6a994e"))
+_AXES = (("ΔX", BLUE), ("ΔY", RED), ("ΔZ", GREEN))
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def _draw_travel(axes: Any, pressed: Pressed) -> None:
     """Every press of the joint load; dashed, the same press alone."""
     final = pressed.curve[-1]
     for index, tip in enumerate(final.tips):
-        colour = _COLOURS[index % len(_COLOURS)]
+        colour = PALETTE[index % len(PALETTE)]
         travel = [0.0, *(press.depth_mm[index] for press in pressed.curve)]
         force = [0.0, *(press.force_n[index] for press in pressed.curve)]
         label = f"face {tip.face} ({tip.x_mm:g}, {tip.y_mm:g}) mm"
@@ -73,9 +73,7 @@ def _draw_travel(axes: Any, pressed: Pressed) -> None:
 
 def _draw_sinks(axes: Any, pressed: Pressed) -> None:
     names = [f"face {row['face']}\n({row['x mm']:g}, {row['y mm']:g}) mm" for row in pressed.rows]
-    bars = axes.bar(
-        names, [row["mean sink mm"] for row in pressed.rows], color=_COLOURS[0], width=0.5
-    )
+    bars = axes.bar(names, [row["mean sink mm"] for row in pressed.rows], color=BLUE, width=0.5)
     axes.bar_label(bars, [f"{row['N']:.3g} N" for row in pressed.rows], fontsize=8)
     axes.set(ylabel="mean displacement inwards (mm)", title="Uniform pressure on disks")
     axes.set_xlim(-0.9, len(names) - 0.1)
@@ -89,13 +87,8 @@ def _draw_signals(axes: Any, spec: ObjectSpec, change: np.ndarray) -> None:
         axes.bar(place + 0.27 * (index - 1), change[:, index], 0.25, color=colour, label=name)
     for face in np.unique(faces):
         face_places = place[faces == face]
-        axes.text(
-            face_places.mean(),
-            1.01,
-            f"face {face}",
-            transform=axes.get_xaxis_transform(),
-            ha="center",
-        )
+        above = axes.get_xaxis_transform()
+        axes.text(face_places.mean(), 1.01, f"face {face}", transform=above, ha="center")
     numbers = [int(np.sum(faces[:index] == face)) + 1 for index, face in enumerate(faces)]
     axes.set_xticks(place, [f"S{number}" for number in numbers], fontsize=8)
     axes.axhline(0, color="black", lw=0.6)

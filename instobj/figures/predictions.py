@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from instobj.figures.saving import save_figure
+from instobj.figures.style import BLUE, GREY, RED, draw_equality, draw_shares_within
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from estimator.networks.prediction import ContactAnswers, ContactReadings, HeldOutAnswers
 
-_BLUE, _RED, _GREY, _BLACK = "#1b6ca8", "#c8553d", "#777777", "#222222"
+_BLACK = "#222222"
 _MOST_COLUMNS = 3
 _MOST_PRESSES = 12
 """Presses drawn over time; all are drawn on the face."""
@@ -51,25 +52,23 @@ def draw_predictions(
 
 def _draw_forces(axes: Any, reading: ContactReadings, end_n: float) -> None:
     error = np.median(np.abs(reading.force_n - reading.true_force_n))
-    axes.plot([0, end_n], [0, end_n], color=_GREY, lw=0.9, label="equal")
-    axes.plot(reading.true_force_n, reading.force_n, ".", color=_BLUE, ms=3, alpha=0.4)
-    axes.set(xlim=(0, end_n), ylim=(0, end_n), aspect="equal", xlabel="true total force (N)")
+    draw_equality(axes, 0, end_n)
+    axes.plot(reading.true_force_n, reading.force_n, ".", color=BLUE, ms=3, alpha=0.4)
+    axes.set(xlabel="true total force (N)")
     axes.set_title(f"Face {reading.face}: median error {error:.2f} N", fontsize=10)
     axes.legend(frameon=False, fontsize=8, loc="upper left")
 
 
 def _draw_place_errors(axes: Any, reading: ContactReadings) -> None:
-    away = np.sort(reading.away_mm)
-    share = 100 * np.arange(1, len(away) + 1) / len(away)
-    axes.plot(away, share, color=_BLUE)
+    away = reading.away_mm
+    draw_shares_within(axes, away, color=BLUE)
     for level, style in ((50, "--"), (90, ":")):
         percentile_mm = float(np.percentile(away, level))
         axes.axvline(
-            percentile_mm, color=_RED, ls=style, lw=1, label=f"{level} %: {percentile_mm:.2f} mm"
+            percentile_mm, color=RED, ls=style, lw=1, label=f"{level} %: {percentile_mm:.2f} mm"
         )
-    axes.set(xlabel="localisation error (mm)", ylim=(0, 102))
+    axes.set(xlabel="localisation error (mm)")
     axes.set_title(f"{len(away)} frames of {reading.presses} presses", fontsize=10)
-    axes.grid(alpha=0.3)
     axes.legend(frameon=False, fontsize=8, loc="lower right")
 
 
@@ -104,12 +103,12 @@ def _draw_force_over_time(
     low = np.maximum(model.force_n - held_out.force_halfwidth_n, 0)[shown]
     high = (model.force_n + held_out.force_halfwidth_n)[shown]
     for start in np.flatnonzero(np.diff(held_out.press_id[shown])) + 1:
-        axes.axvline(start - 0.5, color=_GREY, lw=0.6, ls=":")
+        axes.axvline(start - 0.5, color=GREY, lw=0.6, ls=":")
     interval = f"model's {100 * held_out.interval_cover:.0f} % interval"
-    axes.fill_between(frame, low, high, color=_BLUE, alpha=0.18, lw=0, label=interval)
+    axes.fill_between(frame, low, high, color=BLUE, alpha=0.18, lw=0, label=interval)
     axes.plot(frame, held_out.true_force_n[shown], color=_BLACK, lw=1.6, label="labelled")
-    axes.plot(frame, best.force_n[shown], color=_RED, lw=0.9, label=best.name)
-    axes.plot(frame, model.force_n[shown], color=_BLUE, lw=0.9, label="model")
+    axes.plot(frame, best.force_n[shown], color=RED, lw=0.9, label=best.name)
+    axes.plot(frame, model.force_n[shown], color=BLUE, lw=0.9, label="model")
     axes.set(xlabel="contact frame of the held-out presses", ylabel="total force (N)")
     axes.set_xlim(0, max(1, len(shown) - 1))
     axes.set_ylim(0, 1.2 * float(high.max()))
@@ -124,19 +123,11 @@ def _draw_places(
     axes: Any, held_out: HeldOutAnswers, model: ContactAnswers, best: ContactAnswers
 ) -> None:
     grid = np.meshgrid(held_out.grid_x_mm, held_out.grid_y_mm, indexing="ij")
-    axes.plot(*(axis.ravel() for axis in grid), ".", color=_GREY, ms=1.5, alpha=0.6)
-    axes.plot(*best.xy_mm.T, ".", color=_RED, ms=2.5, alpha=0.4, label=best.name)
-    axes.plot(*model.xy_mm.T, ".", color=_BLUE, ms=2.5, alpha=0.4, label="model")
-    axes.plot(
-        *held_out.true_xy_mm.T,
-        "o",
-        mfc="none",
-        mec=_BLACK,
-        ms=9,
-        mew=1.2,
-        ls="none",
-        label="labelled",
-    )
+    axes.plot(*(axis.ravel() for axis in grid), ".", color=GREY, ms=1.5, alpha=0.6)
+    axes.plot(*best.xy_mm.T, ".", color=RED, ms=2.5, alpha=0.4, label=best.name)
+    axes.plot(*model.xy_mm.T, ".", color=BLUE, ms=2.5, alpha=0.4, label="model")
+    circle = {"mfc": "none", "mec": _BLACK, "ms": 9, "mew": 1.2, "ls": "none"}
+    axes.plot(*held_out.true_xy_mm.T, "o", label="labelled", **circle)
     axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
     axes.set_title("Centre of force on the face", fontsize=10)
     axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.02, 0.5))

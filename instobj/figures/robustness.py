@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
+from instobj.figures.style import BLUE, RED
 
 if TYPE_CHECKING:
     from estimator.tolerances.result import Robustness
 
-_ALONE, _ALL, _WORST = "#1b6ca8", "#5b5b5b", "#c8553d"
+_ALL = "#5b5b5b"
 _PANELS = (
     ("false_place_mm", "false_place_worst_mm", 1.0, "localisation error (mm)"),
     ("false_force_n", "false_force_worst_n", 1.0, "false force (N)"),
@@ -49,22 +50,10 @@ def draw_robustness(spec: ObjectSpec, budget: Robustness, path: Path) -> None:
 def draw_panel(axes: Any, values: list[float], largest: list[float]) -> None:
     """Linear, but where the worst locations would leave bars of no length."""
     rows = len(values)
-    colours = [_ALONE] * (rows - 1) + [_ALL]
-    axes.barh(
-        range(rows),
-        values,
-        color=colours,
-        height=0.7,
-        label="median location (baseline: rms of channels)",
-    )
-    axes.plot(
-        largest,
-        range(rows),
-        "|",
-        color=_WORST,
-        markersize=11,
-        label="worst location (worst channel)",
-    )
+    colours = [BLUE] * (rows - 1) + [_ALL]
+    median, worst = "median location (baseline: rms of channels)", "worst location (worst channel)"
+    axes.barh(range(rows), values, color=colours, height=0.7, label=median)
+    axes.plot(largest, range(rows), "|", color=RED, markersize=11, label=worst)
     for index, (value, worst_value) in enumerate(zip(values, largest, strict=True)):
         axes.annotate(
             f"{_short(value)} / {_short(worst_value)}",

@@ -9,12 +9,12 @@ import numpy as np
 
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
+from instobj.figures.style import BLUE, draw_shares_within
 
 if TYPE_CHECKING:
     from estimator.information.slip_cost import SlipCost
 
 _SMALLEST_SHOWN = 0.03
-_COLOUR = "#1b6ca8"
 
 
 def draw_slip(spec: ObjectSpec, cost: SlipCost, path: Path, title: str) -> None:
@@ -35,7 +35,7 @@ def _draw_sensors(axes: Any, spec: ObjectSpec, cost: SlipCost) -> None:
 
     face = sensor_layout(spec).face
     place = np.arange(len(face)) + 0.6 * face
-    axes.bar(place, cost.baseline_sigma, 0.8, color=_COLOUR)
+    axes.bar(place, cost.baseline_sigma, 0.8, color=BLUE)
     axes.set_xticks(
         place, [f"{f}·{index % spec.sensors.count_per_face + 1}" for index, f in enumerate(face)]
     )
@@ -46,11 +46,9 @@ def _draw_sensors(axes: Any, spec: ObjectSpec, cost: SlipCost) -> None:
 def _draw_shares(axes: Any, cost: SlipCost, what: str, label: str) -> None:
     """Share of contact locations with an error of at most a limit, with the old and a new baseline."""
     for prefix, style, zero in (("rezeroed", "-", "new baseline"), ("false", ":", "old baseline")):
-        wrong = np.sort(getattr(cost, f"{prefix}_{what}")[cost.places])
-        share = 100 * (np.arange(len(wrong)) + 1) / len(wrong)
-        axes.plot(wrong, share, style, color=_COLOUR, label=zero)
+        errors = getattr(cost, f"{prefix}_{what}")[cost.places]
+        draw_shares_within(axes, errors, style, color=BLUE, label=zero)
     axes.set_xscale("log")
-    axes.set(xlabel=label, ylabel="contact locations with error ≤ x (%)", ylim=(0, 102))
+    axes.set(xlabel=label, ylabel="contact locations with error ≤ x (%)")
     axes.set_xlim(left=_SMALLEST_SHOWN)
-    axes.grid(alpha=0.3)
     axes.legend(frameon=False, fontsize=8, loc="upper left")

@@ -9,12 +9,12 @@ import numpy as np
 
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
+from instobj.figures.style import BLUE, draw_equality
 
 if TYPE_CHECKING:
     from estimator.calibration.recorded_presses import RecordedPresses
     from estimator.calibration.validation import Predictions
 
-_FACE_COLOURS = ("#1b6ca8", "#c8553d", "#6a994e", "#8d6cab", "#b8860b")
 _MOST_NAMED = 10
 """Colours of a figure; more contact locations have one in common, and no list of them."""
 
@@ -63,17 +63,14 @@ def draw_scatter(
         recorded = presses.signal_counts[rows][:, face_channels].mean(axis=0)
         predicted = predictions.counts[rows, case][:, face_channels].mean(axis=0)
         places = "; ".join(f"({x:g}, {y:g})" for f, x, y in presses.cases[case] if f == face)
-        look = {"label": places} if named else {"color": _FACE_COLOURS[0]}
+        look = {"label": places} if named else {"color": BLUE}
         axes.plot(predicted, recorded, "o", markersize=4, alpha=0.8 if named else 0.4, **look)
         largest = max(largest, np.nanmax(abs(recorded)), np.nanmax(abs(predicted)))
     limit = 1.08 * largest
-    axes.plot([-limit, limit], [-limit, limit], color="#777777", linewidth=0.8, label="equal")
+    draw_equality(axes, -limit, limit)
     axes.axhline(0, color="#cccccc", linewidth=0.8, zorder=0)
     axes.axvline(0, color="#cccccc", linewidth=0.8, zorder=0)
     axes.set(
-        xlim=(-limit, limit),
-        ylim=(-limit, limit),
-        aspect="equal",
         xlabel="predicted change (counts)",
         ylabel="recorded change (counts)",
         title=f"Face {face}, own channels",
@@ -109,7 +106,7 @@ def _draw_nulls(axes: Any, document: dict[str, Any]) -> None:
     ]
     for index, (_, row) in enumerate(rows):
         supported = row["p"] <= 0.05
-        axes.barh(index, row["value"], color=_FACE_COLOURS[0] if supported else "#b5b5b5")
+        axes.barh(index, row["value"], color=BLUE if supported else "#b5b5b5")
         axes.plot([row["null"]] * 2, [index - 0.4, index + 0.4], color="black", linewidth=2)
         axes.text(1.03, index, f"{row['value']:.2f}, p {row['p']:.2g}", va="center", fontsize=7.5)
     axes.set_yticks(range(len(rows)), [name for name, _ in rows], fontsize=7.5)

@@ -198,14 +198,14 @@ STAGES: dict[str, Stage] = {
         ("signals",),
         ("score", *_NUISANCES, "seed"),
         make_scores,
-        version=11,
+        version=12,
     ),
     "weak_areas": Stage(
         "sensitivity: weak areas",
         ("scores",),
         ("limits.position_bound_mm",),
         make_weak_areas,
-        version=6,
+        version=7,
     ),
     "shear": Stage(
         "mechanics: tangential forces",
@@ -226,7 +226,7 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         ("score", "limits.position_bound_mm", *_NUISANCES, "seed"),
         make_identify,
-        version=4,
+        version=5,
     ),
     "robustness": Stage(
         "robustness: tolerances",
@@ -298,7 +298,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=7,
+        version=8,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(

@@ -54,8 +54,11 @@ def draw_score_maps(
     """Write a picture for every score; that of position bounds says more."""
     for score_map in SCORE_MAPS:
         step(f"map of {score_map.title.lower()}")
+        whose = f" of a contact of {spec.score.force_n:g} N" * (
+            score_map.field != "detectable_force_n"
+        )
         face_map = FaceMap(
-            f"{score_map.title} of a contact of {spec.score.force_n:g} N",
+            f"{score_map.title}{whose}",
             unit_of(score_map, spec),
             getattr(scores, score_map.field),
             score_map.log,

@@ -92,3 +92,23 @@ def test_numbers_of_a_kind_end_at_its_limits(kind, taken, refused):
     for value in refused:
         with pytest.raises(ValidationError):
             adapter.validate_python(value)
+
+
+def keys(model, above=""):
+    """Every key by its dotted name, those in lists of tables too."""
+    for name, field in model.model_fields.items():
+        tables = list(parts(field.annotation))
+        for table in tables:
+            yield from keys(table, f"{above}{name}.")
+        if not tables:
+            yield f"{above}{name}"
+
+
+MOST_KEYS = 221
+"""Keys of a specification, at most: a new one takes the place of another. Lower it when one goes."""
+
+
+def test_a_specification_gains_no_key():
+    named = list(keys(ObjectSpec))
+    assert len(named) == len(set(named))
+    assert len(named) <= MOST_KEYS
