@@ -291,8 +291,8 @@ def fewer_places(count: tuple[int, int], pitch_mm: float, axis: int, room_mm: fl
 
 
 def _check_indenter(spec: ObjectSpec) -> Iterator[str]:
-    """Every place of the grid, half a pitch of margin and the whole path lie on the faces."""
-    from design.layout.tips import footprint_mm, path_mm, tip_shape
+    """Every place of the grid, half a pitch of margin and the tips' paths lie on the faces."""
+    from design.layout.tips import footprint_mm, path_mm, tip_places_mm, tip_shape
 
     deepest, height = spec.press.depths_mm[-1], tip_shape(spec.indenter).height_mm
     if deepest >= height:
@@ -302,8 +302,9 @@ def _check_indenter(spec: ObjectSpec) -> Iterator[str]:
         )
     footprint = footprint_mm(spec.indenter)
     size = footprint[1] - footprint[0]
-    farthest = abs(footprint + path_mm(spec.indenter, spec.press.depths_mm)[-1]).max(axis=0)
-    reach = [max(pair) for pair in zip(farthest, abs(footprint).max(axis=0), strict=True)]
+    landing = footprint if spec.shell.slits.depth_mm else tip_places_mm(spec.indenter)
+    farthest = abs(landing + path_mm(spec.indenter, spec.press.depths_mm)[-1]).max(axis=0)
+    reach = [max(pair) for pair in zip(farthest, abs(landing).max(axis=0), strict=True)]
     grid = spec.contact_grid
     yield from place_problems(spec)
     for axis, limit in enumerate(_smallest_half_extents_mm(spec)):

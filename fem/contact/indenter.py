@@ -83,8 +83,8 @@ class Border:
             image[:, :2] = middle + away * (outer / np.maximum(radius, _LEVEL_MM) - 1)
             return image
         for side in sides:
-            at = np.concatenate([self.low_mm, self.high_mm])[side]
-            image[:, side % 2] = 2 * at - image[:, side % 2]
+            position = np.concatenate([self.low_mm, self.high_mm])[side]
+            image[:, side % 2] = 2 * position - image[:, side % 2]
         return image
 
 

@@ -62,10 +62,8 @@ class RefinedFace:
         """Return where the body ends (`FaceFrame.ends`), as the shell stands, in the face's x and y."""
         if not any(self.frame.ends):
             return None
-        low, high = self.surface.xy_mm.min(axis=0), self.surface.xy_mm.max(axis=0)
-        low, high = (
-            np.where(self.frame.ends, at, far) for at, far in ((low, -_FAR_MM), (high, _FAR_MM))
-        )
+        low = np.where(self.frame.ends, self.surface.xy_mm.min(axis=0), -_FAR_MM)
+        high = np.where(self.frame.ends, self.surface.xy_mm.max(axis=0), _FAR_MM)
         return Border(low, high, self.frame.round)
 
     @cached_property

@@ -42,7 +42,7 @@ _ORDER = 6
 
 @dataclass(frozen=True)
 class EdgePlace:
-    """Where a rolled tip touches first, and axes as columns: two across its way, the last out of the
+    """The point that a rolled tip touches first, and axes as columns: two across its way, the last out of the
     body against it; in the object's frame."""
 
     tip: Tip
@@ -84,8 +84,8 @@ def edge_place(spec: ObjectSpec, tip: Tip) -> EdgePlace | None:
         )
     across = frame.axes[:, :2] @ beyond / length
     outward = np.cos(angle) * frame.normal + np.sin(angle) * across
-    along = np.cross(outward, frame.axes @ [-beyond[1] / length, beyond[0] / length, 0.0])
-    axes = np.column_stack([along, np.cross(outward, along), outward])
+    first = np.cross(outward, frame.axes @ [-beyond[1] / length, beyond[0] / length, 0.0])
+    axes = np.column_stack([first, np.cross(outward, first), outward])
     return EdgePlace(tip, np.asarray(frame.to_object(np.append(on_face, 0.0))), axes)
 
 

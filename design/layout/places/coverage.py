@@ -47,13 +47,13 @@ def covered_share(spec: ObjectSpec) -> float:
         xy, weight = _points_and_areas(frame, _SHARED_SAMPLES)
         points = frame.to_object(np.column_stack([xy, np.zeros(len(xy))]))
         patches, has_location = np.zeros(len(xy)), np.zeros(len(xy), bool)
-        for other, patch in enumerate(face_frames(spec)):
+        for number, patch in enumerate(face_frames(spec)):
             place = (
-                np.column_stack([xy, 0 * weight]) if other == index else patch.from_object(points)
+                np.column_stack([xy, 0 * weight]) if number == index else patch.from_object(points)
             )
             on_patch = (abs(place[:, 2]) < _ON_PATCH_MM) & patch.covers(place[:, :2])
             patches += on_patch
-            has_location[on_patch] |= _in_cell(spec, other, patch, place[on_patch, :2])
+            has_location[on_patch] |= _find_covered(spec, number, patch, place[on_patch, :2])
         # a point on k patches is met k times
         covered += float(np.sum(weight / patches * has_location))
         whole += float(np.sum(weight / patches))
@@ -82,7 +82,7 @@ def _covered_and_whole_mm2(spec: ObjectSpec) -> Float[np.ndarray, "2 face"]:
     areas = []
     for index, frame in enumerate(face_frames(spec)):
         xy, weight = _points_and_areas(frame, _SAMPLES)
-        within = _in_cell(spec, index, frame, xy)
+        within = _find_covered(spec, index, frame, xy)
         areas.append([float(weight[within].sum()), float(weight.sum())])
     return np.array(areas).T
 
@@ -99,7 +99,7 @@ def _points_and_areas(
     return xy, np.sqrt(1 + np.sum(slope**2, axis=-1)) * 4 * half_x * half_y / samples**2
 
 
-def _in_cell(
+def _find_covered(
     spec: ObjectSpec, index: int, frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]
 ) -> Bool[np.ndarray, "n"]:
     """Return whether points of the index-th face lie in a cell of a location that it has."""

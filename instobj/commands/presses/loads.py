@@ -15,7 +15,7 @@ from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
-from instobj.commands.presses.places import CheckedPlaces, Place, check_places, over_edge
+from instobj.commands.presses.places import CheckedPlaces, Place, check_places, lies_over_edge
 from instobj.commands.presses.press import stored_press_mesh
 from instobj.figures.loads import Pressed, draw_loads
 from instobj.stages.run import Run
@@ -62,8 +62,8 @@ def press_loads(
     run = Run(spec)
     if patch is not None:
         pressed = _patches(run, checked.good, patch)
-    elif alone and over_edge(spec, checked.good[0]):
-        pressed = _over_edge(spec, checked.good[0], force_n)
+    elif alone and lies_over_edge(spec, checked.good[0]):
+        pressed = _press_over_edge(spec, checked.good[0], force_n)
     elif spec.indenter.friction == "sticking":
         pressed = _sticking(run, checked.good, force_n)
     else:
@@ -207,7 +207,7 @@ def _frictionless(run: Run, places: Sequence[Place], force_n: float | None) -> P
     return joint_pressed(spec, response, final, step)
 
 
-def _over_edge(spec: ObjectSpec, place: Place, force_n: float | None) -> Pressed:
+def _press_over_edge(spec: ObjectSpec, place: Place, force_n: float | None) -> Pressed:
     """One press over an edge, on a mesh that is fine there."""
     from fem.presses.over_edge import edge_mesh, edge_place, edge_presser
     from fem.presses.to_force import press_to_depths

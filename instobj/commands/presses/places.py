@@ -132,7 +132,7 @@ def _require_place(
             f"a press to {place.depth_mm:g} mm on {place}: the depth must be above 0 and below the "
             f"indenter's height and the shell's thickness ({deepest:g} mm). Press less deep"
         )
-    if over_edges and over_edge(spec, place):
+    if over_edges and lies_over_edge(spec, place):
         return
     frame = frames[place.face]
     whole = whole or spec.indenter.friction == "sticking" or spec.shell.slits.depth_mm > 0
@@ -160,7 +160,7 @@ def _require_place(
         _require_on_lattice(spec, place)
 
 
-def over_edge(spec: ObjectSpec, place: Place) -> bool:
+def lies_over_edge(spec: ObjectSpec, place: Place) -> bool:
     """Return whether a place lies over an edge.
 
     Raises

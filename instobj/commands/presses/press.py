@@ -128,7 +128,7 @@ def _stored_press(
     mesh = stored_press_mesh(
         spec, face, xy_mm, lambda: tetrahedralize_for_press(spec, face, *xy_mm), progress
     )
-    where, versions = _where(spec, face, xy_mm)
+    where, versions = _stored_keys(spec, face, xy_mm)
     how = {"silicone": content["silicone"], "mechanics": content["mechanics"]}
     how |= {"depths_mm": depths_mm, "material": asdict(material), "mesh": mesh.origin}
     with progress.stage("press with large deformation"):
@@ -163,12 +163,12 @@ def stored_press_mesh(
 
     content = spec.model_dump(mode="json")
     body = {name: content[name] for name in _SHAPE_OF_BODY}
-    where, versions = _where(spec, face, xy_mm)
+    where, versions = _stored_keys(spec, face, xy_mm)
     with progress.stage("mesh of the press"):
         return stored(store_root(), "press_mesh", where | body | versions, make, progress.say)
 
 
-def _where(
+def _stored_keys(
     spec: ObjectSpec, face: int, xy_mm: tuple[float, float]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the place and indenter of a stored press, and the versions that made it."""

@@ -74,8 +74,8 @@ thick shell: press.depths_mm | [1.0, 4.99] | [1.0, 5.0] | below the indenter's h
 cuboid tip: indenter.size_mm | [42.0, 10.0] | [42.01, 10.0] | larger than the face of 42 mm
 cuboid tip: indenter.size_mm | [10.0, 42.0] | [10.0, 42.01] | larger than the face of 42 mm
 two tips: indenter.tip_spacing_mm | 10.0 | 9.99 | makes the tips overlap
-cube: contact_grid.count | [10, 4] | [11, 4] | count\\[0\\] × pitch_mm, half a pitch
-cube: contact_grid.count | [4, 10] | [4, 11] | count\\[1\\] × pitch_mm, half a pitch
+cube: contact_grid.count | [14, 4] | [15, 4] | count\\[0\\] × pitch_mm, half a pitch
+cube: contact_grid.count | [4, 14] | [4, 15] | count\\[1\\] × pitch_mm, half a pitch
 keys: core.keys.positions_mm | [[11.99, 0.0]] | [[12.01, 0.0]] | past the core's face
 keys: core.keys.positions_mm | [[0.0, 11.99]] | [[0.0, 12.01]] | past the core's face
 keys: core.keys.positions_mm | [[0.0, 3.01]] | [[0.0, 2.99]] | over the wire hole

@@ -115,7 +115,7 @@ STEEL = "environment.steel_plates=[{position_mm=[0, 0, %s], normal=[0, 0, -1]}]"
 @pytest.mark.parametrize(
     ("setting", "wrong", "pattern", "step"),
     [
-        ("contact_grid.pitch_mm=%s", 20.0, r"contact_grid\.pitch_mm of ([\d.]+), a", 0.1),
+        ("contact_grid.pitch_mm=%s", 25.0, r"contact_grid\.pitch_mm of ([\d.]+), a", 0.1),
         ("contact_grid.pitch_mm=%s", 0.3, r"Use a pitch of ([\d.]+) or more", -0.01),
         ("indenter.tip_spacing_mm=%s", 4.0, r"Space them by ([\d.]+) or more", -0.2),
         ("shell.pocket_depth_mm=%s", 0.6, r"deeper than ([\d.]+) mm", 0.0),

@@ -85,7 +85,7 @@ pad: magnets.positions_mm=[[3,-6],[-7,2],[5,-3]]
 pad: core.keys.positions_mm=[[9,9]] core.keys.size_mm=[2,2] core.keys.height_mm=1
 pad: core.bay_mm=[10,9,3.2]
 pad: core.bay_mm=[39,33,3]
-pad: mould.style=one-piece contact_grid.count=[13,12]
+pad: mould.style=one-piece contact_grid.count=[17,12]
 pad: contact_grid.count="fill" contact_grid.pitch_mm=18
 cylinder: shell.thickness_mm=20.5
 cylinder: core.recess_depth_mm=15.5
@@ -103,7 +103,7 @@ cylinder: sensors.positions_mm=[[19.8,1.5],[-2,13.6]]
 sleeve: sensors.depth_below_core_face_mm=2.65
 sleeve: sensors.package_mm=[3.8,9.9,1.2]
 sleeve: press.depths_mm=[1,4.85]
-sleeve: contact_grid.count=[19,14]
+sleeve: contact_grid.count=[22,14]
 sleeve: contact_grid.count=[4,16] indenter.tip_count=2
 cylinder: core.keys.positions_mm=[[1.2,0.6]]
 cylinder: core.keys.positions_mm=[[11,6],[12.4,6.9]]

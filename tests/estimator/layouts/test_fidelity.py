@@ -293,7 +293,7 @@ def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():
 
 def test_locations_that_a_face_has_not_are_in_no_score():
     """A box whose faces are filled: the scores are those of the locations that are there."""
-    box = {"size_mm": (60.0, 40.0, 36.0)}
+    box = {"size_mm": (44.0, 36.0, 28.0)}
     fill = {"count": "fill", "pitch_mm": 4.0}
     spec = coarse_spec(body=box, contact_grid=fill, press={"depths_mm": (0.5, 1.0, 2.0, 3.0)})
     forces, motions = synthetic_presses(spec)

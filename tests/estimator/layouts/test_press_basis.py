@@ -54,10 +54,10 @@ def test_derivatives_need_two_forces():
         check(lattice(1), forces=1)
 
 
-@pytest.mark.parametrize("grid", [{"count": (9, 10)}, {"pitch_mm": 2.9}])
+@pytest.mark.parametrize("grid", [{"count": (9, 10)}, {"pitch_mm": 2.5}])
 def test_presses_must_be_those_of_the_contact_grid(grid):
     other = CUBE.changed(contact_grid=CUBE.contact_grid.changed(**grid))
-    with pytest.raises(InputError, match=r"not on the lattice of this .* \(21, 21\)"):
+    with pytest.raises(InputError, match=r"not on the lattice of this .* \(29, 29\)"):
         check(lattice(1), spec=other)
 
 

@@ -192,7 +192,7 @@ def test_progress_is_told_face_by_face(presses, told):
 def test_saved_presses_come_back_alike_with_axes_in_order(presses, rigid_spec, tmp_path):
     forces, motions = presses
     assert forces.force_n.shape == (5, 29 * 29, 3)
-    assert motions.motion.shape == (5, 21 * 21, 3, 25, 6)
+    assert motions.motion.shape == (5, 29 * 29, 3, 25, 6)
     save_presses(forces, motions, tmp_path / "presses.nc")
     read_forces, read_motions = load_presses(tmp_path / "presses.nc")
     for saved, read in ((forces, read_forces), (motions, read_motions)):

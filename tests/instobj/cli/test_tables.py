@@ -142,8 +142,8 @@ def test_check_tells_what_of_the_surface_the_locations_cover(monkeypatch, capsys
     assert max(map(len, shown)) <= 80
     told = [line.strip() for line in shown if "contact locations cover" in line]
     assert told == [
-        "605 contact locations cover 56 % of the sensed surface, 9 to 9.36 mm² each",
-        "500 contact locations cover 51 % of the sensed surface, 9 mm² each",
+        "605 contact locations cover 76 % of the sensed surface, 9 to 9.36 mm² each",
+        "980 contact locations cover 100 % of the sensed surface, 9 mm² each",
     ]
 
 
