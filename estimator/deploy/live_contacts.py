@@ -142,10 +142,10 @@ class LiveContacts:
 
     def _read_mean(self, inversion: Inversion, change: np.ndarray, frames: int) -> StillReading:
         out = self._out | ~self._tracker.believed
-        seen = inversion.disturbances.observed(
+        frame = inversion.disturbances.observed(
             np.where(out, np.nan, change)[None], np.array([frames])
         )
-        contacts, *_ = inversion.read_once(inversion.search, seen, inversion.error_share())
+        contacts, *_ = inversion.read_once(inversion.search, frame, inversion.error_share())
         pressed = contacts.number[0] > 0
         share = contacts.odds[0] if pressed else 1 - contacts.odds[0]
         explained = bool(contacts.explained[0]) and not self._tracker.beside_magnet
@@ -163,5 +163,5 @@ def drifted(inversion: Inversion) -> Inversion:
     """Return the same estimator for all that the zero may follow before it forgets it."""
     drift = inversion.model.spec.sensors.drift_counts * math.sqrt(REMEMBERED_S / DRIFT_TIME_S)
     offset = np.hypot(inversion.disturbances.offset_counts, drift)
-    told = replace(inversion.disturbances, offset_counts=offset)
-    return replace(inversion, disturbances=told)
+    disturbances = replace(inversion.disturbances, offset_counts=offset)
+    return replace(inversion, disturbances=disturbances)

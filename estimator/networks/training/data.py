@@ -119,7 +119,7 @@ def disturbed(
 def with_nuisances(
     data: FaceData, columns: Float[np.ndarray, "face sensor 3 k"], seed: int
 ) -> FaceData:
-    """Frames with nuisances drawn anew for every press; changes over time feel none."""
+    """Frames with nuisances drawn for every press; changes over time feel none."""
     rng = np.random.default_rng(seed)
     press, index = np.unique(data.frames.press_id, return_inverse=True)
     unknowns = rng.standard_normal((len(press), columns.shape[3]))[index]
