@@ -24,6 +24,8 @@ from estimator.inversion.tracking import Tracker
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.live import is_live
 
+_MOST_DRIFT_S = 180.0
+"""Drift of so long, 27 counts by default, makes deviations 1.5 times those of a fresh zero."""
 _AT_THE_END = 0.5
 """Counts: a clipped reading is the largest of whole ones."""
 
@@ -44,7 +46,7 @@ class LiveContacts:
     leaves_out: bool = True
 
     def __post_init__(self) -> None:
-        self._drifting = drifted(self.inversion, REMEMBERED_S)
+        self._drifting = drifted(self.inversion)
         self._warm_up()
         self.rezero()
 
@@ -140,10 +142,10 @@ class LiveContacts:
 
     def _read_mean(self, inversion: Inversion, change: np.ndarray, frames: int) -> StillReading:
         out = self._out | ~self._tracker.believed
-        seen = inversion.disturbances.observed(
+        frame = inversion.disturbances.observed(
             np.where(out, np.nan, change)[None], np.array([frames])
         )
-        contacts, *_ = inversion.read_once(inversion.search, seen, inversion.error_share())
+        contacts, *_ = inversion.read_once(inversion.search, frame, inversion.error_share())
         pressed = contacts.number[0] > 0
         share = contacts.odds[0] if pressed else 1 - contacts.odds[0]
         explained = bool(contacts.explained[0]) and not self._tracker.beside_magnet
@@ -151,12 +153,15 @@ class LiveContacts:
 
 
 def drift_counts(inversion: Inversion, age_s: float) -> float:
-    """Return the drift (counts) of a channel since rest was last seen: a random walk."""
-    return inversion.model.spec.sensors.drift_counts * math.sqrt(age_s / DRIFT_TIME_S)
+    """Return the drift (counts) of a channel since rest was last seen: a random walk, of three minutes at
+    most. Contacts of longer holds would drown in what may have drifted."""
+    seconds = min(age_s, _MOST_DRIFT_S)
+    return inversion.model.spec.sensors.drift_counts * math.sqrt(seconds / DRIFT_TIME_S)
 
 
-def drifted(inversion: Inversion, age_s: float) -> Inversion:
-    """Return the same estimator for changes that hold the drift of so long a time."""
-    offset = np.hypot(inversion.disturbances.offset_counts, drift_counts(inversion, age_s))
-    told = replace(inversion.disturbances, offset_counts=offset)
-    return replace(inversion, disturbances=told)
+def drifted(inversion: Inversion) -> Inversion:
+    """Return the same estimator for all that the zero may follow before it forgets it."""
+    drift = inversion.model.spec.sensors.drift_counts * math.sqrt(REMEMBERED_S / DRIFT_TIME_S)
+    offset = np.hypot(inversion.disturbances.offset_counts, drift)
+    disturbances = replace(inversion.disturbances, offset_counts=offset)
+    return replace(inversion, disturbances=disturbances)

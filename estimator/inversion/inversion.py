@@ -161,9 +161,9 @@ class Inversion:
                     old.replaced(rows, replace(new, chip_out=chip))
                     for old, new in zip(sets, again, strict=True)
                 ]
-        return self._beside_magnet(search, seen, error, (sets[0], sets[1]), believed)
+        return self._read_beside_magnet(search, seen, error, (sets[0], sets[1]), believed)
 
-    def _beside_magnet(
+    def _read_beside_magnet(
         self,
         search: Search,
         seen: Observed,
@@ -215,9 +215,10 @@ class Inversion:
         Where nothing explains a frame, regions are as wide as what is left unexplained asks for.
         """
         p_value = error.p_of(seen, problems, error.share)
-        known = covariances(problems, self.priors) if covariance is None else covariance
+        if covariance is None:
+            covariance = covariances(problems, self.priors)
         factor = np.where(p_value < UNEXPLAINED, excess(seen, problems), 1.0)
-        covariance = widened(known, factor, self.priors)
+        covariance = widened(covariance, factor, self.priors)
         sets = contact_sets(self.model, self.priors, seen, problems, odds, p_value, covariance)
         units = self.disturbances.deviations
         # Beyond them stand the unknowns of a magnet near by, which are not told.

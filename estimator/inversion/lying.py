@@ -48,8 +48,8 @@ def lying_chip_beside(search: Search, seen: Observed, contacts: Problems, error:
     tried = seen.select(np.zeros(len(chips), int)).without(chips)
     many = contacts.select(np.zeros(len(chips), int))
     given = np.arange(len(chips)), many.face, many.contact, many.extra, 1, _STEPS
-    found = most_probable(search.model, search.priors, tried, *given).on_host()
-    p_value = error.p_of(tried, found, error.share)
+    fit = most_probable(search.model, search.priors, tried, *given).on_host()
+    p_value = error.p_of(tried, fit, error.share)
     best = int(p_value.argmax())
     return int(chips[best]) if p_value[best] >= _EXPLAINS else NONE
 

@@ -29,7 +29,7 @@ class BesideMagnet:
     @cached_property
     def wide(self) -> Observed:
         """Return the frames with the magnet's field integrated out."""
-        return self.plain.beside(self.columns)
+        return self.plain.add_nuisances(self.columns)
 
     def comparable(self, beside: Hypotheses) -> Float[np.ndarray, "set"]:
         """Return the log evidence of sets in `wide` on the scale of those in `plain`.

@@ -92,7 +92,7 @@ class Observed:
         )
         return Observed(np.where(out, 0.0, self.counts), sigma, still, strict, self.columns)
 
-    def beside(self, columns: Float[np.ndarray, "channel more"]) -> Observed:
+    def add_nuisances(self, columns: Float[np.ndarray, "channel more"]) -> Observed:
         """The same where further nuisances add to all channels."""
         return replace(self, columns=np.hstack([self._shared, columns]))
 

@@ -73,10 +73,10 @@ class Tracker:
         """The contacts of the next frame (changes of counts against rest), or of the mean of the last
         `window_frames`; `drift_counts` is the deviation of what every channel drifted since."""
         self._window.append(counts)
-        told = self.inversion.disturbances
-        fresh = np.hypot(told.noise_counts, told.offset_counts)
+        disturbances = self.inversion.disturbances
+        fresh = np.hypot(disturbances.noise_counts, disturbances.offset_counts)
         self._widened = float(np.hypot(1.0, drift_counts / np.median(fresh)))
-        plain = told.observed(
+        plain = disturbances.observed(
             np.mean(self._window, axis=0)[None], np.array([len(self._window)]), drift_counts
         )
         self._believe_again(plain)
@@ -99,19 +99,19 @@ class Tracker:
     def _seen(self, plain: Observed) -> Observed:
         """Return the frame without a chip that lies, or beside a magnet, where that is believed."""
         if self.beside_magnet:
-            return plain.beside(self.inversion.magnet_columns)
+            return plain.add_nuisances(self.inversion.magnet_columns)
         return plain if self._chip_out == NONE else plain.without(np.array([self._chip_out]))
 
     def _believe_again(self, plain: Observed) -> None:
         """Believe all once the last contacts have explained several frames in a row as they are."""
         if self._chip_out == NONE and not self.beside_magnet:
             return
-        found = self._same(plain)
-        explains = p_values(plain, found)[0] >= _STRAINED
+        refitted = self._same(plain)
+        explains = p_values(plain, refitted)[0] >= _STRAINED
         self._sound = self._sound + 1 if explains else 0
         if self._sound >= _TRUSTED_AFTER:
             self._chip_out, self.beside_magnet = NONE, False
-            self._last, self._sound = found, 0
+            self._last, self._sound = refitted, 0
 
     def _is_magnet(self, plain: Observed) -> bool:
         """Return whether a magnet and fewer contacts are more probable than the contacts found."""
@@ -134,7 +134,7 @@ class Tracker:
         By the contacts of the frame before at once; from scratch in the second, fourth, eighth, …
         frame on end.
         """
-        search, error, found = self.inversion.search, self._error, self._last
+        search, error, contacts = self.inversion.search, self._error, self._last
         before = empty(plain, np.zeros(1, int), search.priors.most) if before is None else before
         chip = lying_chip_beside(search, plain, before, error)
         if chip != NONE:
@@ -149,7 +149,7 @@ class Tracker:
         beside = self._turned(plain, None, NONE, magnet=True)
         if beside.explained[0]:
             return beside
-        self.beside_magnet, self._last = False, found
+        self.beside_magnet, self._last = False, contacts
         return sets
 
     def _turned(

@@ -104,9 +104,11 @@ def magnet_columns(spec: ObjectSpec) -> Float[np.ndarray, "channel k"]:
     moment = _MOMENT_AM2 / 3**0.5 * rng.standard_normal((_DRAWN_MAGNETS, 1, 3))
     offset_mm = sensors_mm - distance_mm * way
     far_mm = np.linalg.norm(offset_mm, axis=2, keepdims=True)
-    along = offset_mm / far_mm
+    direction = offset_mm / far_mm
     # Dipole (Jackson, Classical Electrodynamics, 3rd ed., 5.56), μ0/4π = 1e-7; mT and mm: 1e3 · 1e9
-    field_mt = 1e5 / far_mm**3 * (3 * along * (along * moment).sum(axis=2, keepdims=True) - moment)
+    field_mt = (
+        1e5 / far_mm**3 * (3 * direction * (direction * moment).sum(axis=2, keepdims=True) - moment)
+    )
     # n magnet, s sensor, a chip axis, c coordinate of the object
     axes = spec.sensors.counts_per_mt * (place.chips.matrix @ place.sensors.axes)
     counts = np.einsum("sac,nsc->nsa", axes, field_mt).reshape(_DRAWN_MAGNETS, -1)

@@ -271,13 +271,17 @@ STAGES: dict[str, Stage] = {
     "pretraining": Stage(
         "estimator: pre-training on virtual objects",
         ("presses",),
-        ("training", "seed"),
+        ("training", *_NUISANCES, "seed"),
         make_pretraining,
-        version=6,
+        version=7,
         of_others=pretraining_twins,
     ),
     "networks": Stage(
-        "estimator: training", ("frames",), ("training", "seed"), make_networks, version=13
+        "estimator: training",
+        ("frames",),
+        ("training", *_NUISANCES, "seed"),
+        make_networks,
+        version=14,
     ),
     "metrics": Stage(
         "estimator: held-out presses", ("frames", "networks"), (), make_metrics, version=5

@@ -12,7 +12,7 @@ from torch import Tensor
 
 from design.errors import InputError
 from estimator.frames.dataset import PER_FRAME_FIELDS
-from estimator.frames.face_data import Channel, FaceData, channel_counts
+from estimator.frames.face_data import HISTORY, Channel, FaceData, channel_counts
 
 NEGATIVES_PER_CONTACT = 0.3
 """Most rest frames, and most frames with other faces pressed, per contact frame."""
@@ -84,11 +84,13 @@ def batch_of(
 @dataclass(frozen=True)
 class Disturbances:
     """Parts of disturbances: white noise of each channel (counts), whether it is zeroed
-    before a press (1) or a change over time (0), and signals with only other faces pressed."""
+    before a press (1) or a change over time (0), signals with only other faces pressed, and what a
+    standard deviation of each nuisance since the zero adds (`estimator.signals.nuisances`)."""
 
     sigma_counts: Float[Tensor, "channel"]
     zeroed: Float[Tensor, "channel"]
     elsewhere: Float[Tensor, "frame channel"]
+    nuisances: Float[Tensor, "k channel"] | None = None
 
 
 def disturbed(
@@ -97,18 +99,49 @@ def disturbed(
     augmentation: Augmentation,
     generator: torch.Generator,
 ) -> Tensor:
-    """Counts with fresh offsets, noise, and presses of other faces out of `elsewhere`."""
+    """Counts with fresh offsets, noise and nuisances, and presses of other faces out of `elsewhere`."""
     noise, offset = (
         torch.randn(counts.shape, generator=generator).to(counts.device) for _ in range(2)
     )
     counts = counts + augmentation.noise_sigmas * sources.sigma_counts * noise
     counts = counts + augmentation.offset_counts * sources.zeroed * offset
+    if sources.nuisances is not None:
+        unknowns = torch.randn(len(counts), len(sources.nuisances), generator=generator)
+        counts = counts + unknowns.to(counts.device) @ sources.nuisances
     pool = sources.elsewhere
     if augmentation.other_faces and len(pool):
         chosen = torch.randint(len(pool), (len(counts),), generator=generator)
         added = torch.rand(len(counts), generator=generator) < augmentation.other_faces
         counts = counts + added.to(counts.device)[:, None] * pool[chosen.to(pool.device)]
     return counts
+
+
+def with_nuisances(
+    data: FaceData, columns: Float[np.ndarray, "face sensor 3 k"], seed: int
+) -> FaceData:
+    """Frames with nuisances drawn for every press; changes over time feel none."""
+    rng = np.random.default_rng(seed)
+    press, index = np.unique(data.frames.press_id, return_inverse=True)
+    unknowns = rng.standard_normal((len(press), columns.shape[3]))[index]
+    counts = data.frames.signal_counts.copy()
+    # n frame, k nuisance; f face, s sensor, a axis
+    counts[:, : len(columns)] += np.einsum("nk,fsak->nfsa", unknowns, columns)
+    return replace(data, frames=replace(data.frames, signal_counts=counts))
+
+
+def nuisance_rows(
+    data: FaceData,
+    channels: tuple[Channel, ...],
+    columns: Float[np.ndarray, "face sensor 3 k"],
+) -> Float[Tensor, "k channel"]:
+    """Return what each nuisance adds to the given channels; nothing to changes over time."""
+    row = {int(number): index for index, number in enumerate(data.frames.faces)}
+    none = np.zeros(columns.shape[3])
+    rows = [
+        none if face >= HISTORY else columns[row[face], sensor, axis]
+        for face, sensor, axis in channels
+    ]
+    return torch.as_tensor(np.array(rows, np.float32).T.copy())
 
 
 def elsewhere_counts(

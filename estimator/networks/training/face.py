@@ -17,6 +17,7 @@ from typing import cast
 
 import numpy as np
 import torch
+from jaxtyping import Float
 
 from design.errors import InputError
 from design.spec.object import TrainingSpec
@@ -52,9 +53,11 @@ from estimator.networks.training.data import (
     batch_of,
     elsewhere_counts,
     joined,
+    nuisance_rows,
     press_folds,
     thinned,
     with_contacts,
+    with_nuisances,
 )
 from estimator.networks.training.fitting import Progress, Schedule, fit
 
@@ -84,6 +87,9 @@ class FitSettings:
     axes : of the heatmap: 1 for the normal force, 3 for Fx, Fy, Fz
     patience_epochs : a member stops after this number of epochs without a better validation loss
     checkpoint : folder that keeps an unfinished training; it is resumed from there
+    nuisances : what a standard deviation of each change since the zero adds (counts), on the faces of
+        the data; drawn in training, and in the presses that stop and calibrate it. None: an object
+        that stands still
     """
 
     face: int
@@ -96,6 +102,7 @@ class FitSettings:
     continuous: bool = False
     axes: int = 1
     patience_epochs: int = PATIENCE_EPOCHS
+    nuisances: Float[np.ndarray, "face sensor 3 k"] | None = None
 
     @property
     def architecture(self) -> Architecture:
@@ -141,6 +148,8 @@ def fit_estimator(
     channels = start.channels if start else common_channels(parts, training)
     folds, all_folds = [], folds_of(parts, settings)
     for number, (fitted, held_out) in enumerate(all_folds):
+        if settings.nuisances is not None:
+            held_out = with_nuisances(held_out, settings.nuisances, seed)
         counted = None if progress is None else partial(_counted, progress, number, len(all_folds))
         if start is None:
             member = new_member(fitted, channels, settings.architecture, seed + _NEXT_SEED * number)
@@ -293,7 +302,9 @@ def _fit_member(
     folder = settings.checkpoint
     path = None if folder is None else folder / f"member_{number}.safetensors"
     mark = data_fingerprint(schedule, train.counts, train.maps, asdict(settings.architecture))
-    disturbances = Disturbances(sigma, zeroed, elsewhere)
+    columns = settings.nuisances
+    rows = None if columns is None else nuisance_rows(data, channels, columns).to(device)
+    disturbances = Disturbances(sigma, zeroed, elsewhere, rows)
     fit(member, train, validation, disturbances, schedule, progress, path, mark)
 
 

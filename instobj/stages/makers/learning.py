@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from design.errors import InputError
-from design.spec.object import TrainingSpec
+from design.spec.object import ObjectSpec, TrainingSpec
 from instobj.store.content import store_root
 from instobj.store.readers import HELD_OUT_PICTURE, METRICS, OVER_TIME_PICTURE, face_model_path
 from instobj.store.stage import Step, write_json
@@ -30,6 +30,7 @@ class Fitting:
     unfinished : folder that keeps what an interrupted training has reached, and is gone on from
     start : folder of estimators to begin with
     twin : adds presses of the object's calibrated twin
+    spec : of the object, where it is known: its use says what changes after the zero
     """
 
     training: TrainingSpec
@@ -38,6 +39,7 @@ class Fitting:
     unfinished: Path | None = None
     start: Path | None = None
     twin: TwinOfData | None = None
+    spec: ObjectSpec | None = None
 
 
 def train_networks(frames: FrameSet, split: Split, how: Fitting, folder: Path) -> None:
@@ -68,6 +70,7 @@ def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceMo
     from estimator.networks.defaults import filled
     from estimator.networks.face_model import load_model
     from estimator.networks.training.face import FitSettings, fit_estimator
+    from estimator.signals.nuisances import nuisance_columns
 
     def progress(epoch: int, of: int, score: float) -> None:
         if epoch % 10 == 0 or epoch == of:
@@ -75,7 +78,11 @@ def _fitted(face: int, parts: tuple[FrameSet, FrameSet], how: Fitting) -> FaceMo
 
     checkpoint = None if how.unfinished is None else how.unfinished / f"face_{face}"
     training = how.training if how.twin is None else filled(how.training)
-    settings = FitSettings(face, training, how.seed, checkpoint=checkpoint)
+    nuisances = None
+    if how.spec is not None and (columns := nuisance_columns(how.spec)).size:
+        shape = (*parts[0].signal_counts.shape[1:], columns.shape[1])
+        nuisances = columns.reshape(shape)
+    settings = FitSettings(face, training, how.seed, checkpoint=checkpoint, nuisances=nuisances)
     start = None
     if how.start is not None:
         path = face_model_path(how.start, face)

@@ -176,7 +176,7 @@ def make_pretraining(context: StageContext, folder: Path) -> None:
     spec = context.spec
     twins = pretraining_twins(spec)
     frames = joined([TWIN_FRAMES.read(context.inputs[name]) for name in twins])
-    how = Fitting(spec.training, spec.seed, context.step)
+    how = Fitting(spec.training, spec.seed, context.step, spec=spec)
     train_networks(frames, split_twins(frames), how, PRETRAINED.path(folder).parent)
 
 
@@ -187,7 +187,7 @@ def make_networks(context: StageContext, folder: Path) -> None:
 
     spec, frames = context.spec, context.read(FRAMES)
     unfinished = unfinished_folder(context.key)
-    how = Fitting(spec.training, spec.seed, context.step, unfinished)
+    how = Fitting(spec.training, spec.seed, context.step, unfinished, spec=spec)
     train_networks(frames, split_presses(frames, spec.seed), how, folder)
 
 

@@ -286,6 +286,28 @@ def test_a_zero_that_follows_rest_eats_no_hold_of_a_turning_object(number):
     assert np.mean(np.array(read) > 0.5 * force_n) > 0.98
 
 
+def test_a_hold_of_half_an_hour_keeps_its_force():
+    """Readings of the half hour between are left out; the object turns and warms up. Then it is let go."""
+    force_n, counts = held(2, np.random.default_rng(33), frames=160)
+    counts[140:] = noisy_counts(
+        inverted(),
+        np.full((20, 6), -1),
+        np.zeros((20, 6, 3)),
+        np.random.default_rng(34),
+        turned=False,
+    )
+    reader = LiveContacts(inverted())
+    time_s = np.arange(160) / 5 + 1800.0 * (np.arange(160) >= 60)
+    found = [
+        reader.feed(row.reshape(5, 3, 3), at)
+        for row, at in zip(counts, time_s.tolist(), strict=True)
+    ]
+    late = found[60:140]
+    assert np.mean([one.number[0] == 2 for one in late]) > 0.95
+    assert abs(np.mean([np.nansum(one.force_n) for one in late]) - force_n) < 0.05 * force_n
+    assert found[-1].number[0] == 0
+
+
 def test_a_magnet_that_comes_near_moves_no_zero():
     """Rest, then a magnet 60 mm away: what nothing explains is no rest, and no press either."""
     rng = np.random.default_rng(40)

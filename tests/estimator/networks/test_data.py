@@ -111,6 +111,12 @@ def test_disturbances_have_the_sizes_that_they_are_given():
     added = found(other_faces=0.25)
     assert set(np.unique(added)) == {0.0, 100.0}
     assert_allclose(added.mean(axis=0), 25, rtol=0.05)
+    warm = replace(sources, nuisances=torch.tensor([[30.0, -40.0]]))
+    changed = disturbed(
+        counts, warm, Augmentation(0.0, 0.0), torch.Generator().manual_seed(2)
+    ).numpy()
+    assert_allclose(changed.std(axis=0), [30, 40], rtol=0.03)
+    assert_allclose(changed[:, 1], -4 / 3 * changed[:, 0], rtol=1e-5)
     none = replace(sources, elsewhere=torch.zeros(0, 2))
     augmentation = Augmentation(0.0, 0.0, 0.5)
     assert_array_equal(disturbed(counts, none, augmentation, torch.Generator()), 0)

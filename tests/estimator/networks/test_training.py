@@ -17,12 +17,14 @@ from estimator.networks.face_model import (
     MODEL_FORMAT,
     description,
     load_model,
+    predict,
     predict_heatmaps,
     save_model,
 )
 from estimator.networks.network import HeadsNetwork
 from estimator.networks.tensor_file import save_tensors
 from estimator.networks.training import face as face_training
+from estimator.networks.training.data import with_nuisances
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
 
@@ -308,3 +310,21 @@ def test_errors_of_the_user(frames, split, model):
     silent.signal_counts[:] = np.nan
     with pytest.raises(InputError, match="every channel of face"):
         live_channels(FaceData(FACE, silent, np.ones((2, 3, 4, 5)), np.zeros(2) > 0))
+
+
+def test_a_network_that_knows_nuisances_reads_turned_frames_nearly_as_those_at_rest(frames, split):
+    """Two nuisances of 80 counts in all channels; one that does not know them errs far more."""
+    columns = np.random.default_rng(3).normal(0, 80, (*frames.signal_counts.shape[1:], 2))
+    training = QUICK.changed(model="whole-object")
+    still = face_data(frames.select(split.test), FACE)
+    turned = with_nuisances(still, columns, 5)
+
+    def error_n(model, data):
+        pressed = data.contact
+        force_n = data.heatmap_n.sum(axis=(1, 2))
+        return np.sqrt(np.mean((predict(model, data.frames).force_n - force_n)[pressed] ** 2))
+
+    taught = train_face(frames, FACE, training, 7, split=split, nuisances=columns)
+    ignorant = train_face(frames, FACE, training, 7, split=split)
+    assert error_n(taught, turned) < 1.2 * error_n(taught, still)
+    assert error_n(taught, turned) < 0.8 * error_n(ignorant, turned)
