@@ -133,11 +133,11 @@ class LiveContacts:
             )
 
     def read_still(self, change: Float[np.ndarray, "channel"], frames: int = 1) -> StillReading:
-        """Return what the mean of so many frames is read as, from scratch."""
+        """Return what the mean of n frames is read as, from scratch."""
         return self._read_mean(self.inversion, change, frames)
 
     def read_drift(self, followed: Float[np.ndarray, "channel"], frames: int = 1) -> StillReading:
-        """Return the same of all that the zero followed lately, beside the drift that chips may have."""
+        """Return the same of all that the zero followed lately, with the drift that chips may have."""
         return self._read_mean(self._drifting, followed, frames)
 
     def _read_mean(self, inversion: Inversion, change: np.ndarray, frames: int) -> StillReading:

@@ -46,7 +46,7 @@ class StillReading(NamedTuple):
 
 
 ReadStill = Callable[[Float[np.ndarray, "channel"], int], StillReading]
-"""Reads the mean change of so many frames."""
+"""Reads the mean change of n frames."""
 ZERO_FRAMES = 8
 STILL_RATIO = 1.3
 """Largest ratio of the variance in a window to half the mean squared step from frame to frame."""
@@ -190,7 +190,7 @@ class RestZero:
             self._follow(change, elapsed_s)
 
     def _is_from_press(self, change: Float[np.ndarray, "channel"], force_n: float) -> bool:
-        """Return whether the zero reads as a press, seen from a level that reads as so much force."""
+        """Return whether the zero reads as a press, seen from a level of that force."""
         turned = self.read(-change, len(self.window))
         return turned.explained is not False and turned.force_n > max(PRESS_FORCE_N, 2 * force_n)
 

@@ -221,7 +221,7 @@ class Inversion:
         covariance = widened(covariance, factor, self.priors)
         sets = contact_sets(self.model, self.priors, seen, problems, odds, p_value, covariance)
         units = self.disturbances.deviations
-        # Beyond them stand the unknowns of a magnet near by, which are not told.
+        # The unknowns of a magnet near by stand behind them and are left out.
         change, sigma = (
             units * one[:, : len(units)] for one in (sets.since_zero, sets.since_zero_sigma)
         )

@@ -16,7 +16,7 @@ from estimator.inversion.search import Hypotheses, Search
 _LOG_ODDS = 0.0
 """Log odds, before a frame is seen, that a magnet or steel is near: nothing is known of that."""
 _STEPS = 3
-"""Steps of fits beside a magnet, from contacts that were fitted without it."""
+"""Steps of fits with a magnet near by, from contacts that were fitted without it."""
 
 
 @dataclass(frozen=True)

@@ -97,7 +97,7 @@ class Tracker:
         return np.arange(self.inversion.model.channels) // 3 != self._chip_out
 
     def _seen(self, plain: Observed) -> Observed:
-        """Return the frame without a chip that lies, or beside a magnet, where that is believed."""
+        """Return the frame without a chip that lies, or with a magnet near by, where that is believed."""
         if self.beside_magnet:
             return plain.add_nuisances(self.inversion.magnet_columns)
         return plain if self._chip_out == NONE else plain.without(np.array([self._chip_out]))
@@ -129,7 +129,7 @@ class Tracker:
     def _diagnosed(
         self, plain: Observed, before: Problems | None, sets: ContactSets
     ) -> ContactSets:
-        """Return the contacts of a frame that nothing explains, without a chip or beside a magnet.
+        """Return the contacts of a frame that nothing explains, without a chip or with a magnet near by.
 
         By the contacts of the frame before at once; from scratch in the second, fourth, eighth, …
         frame on end.
