@@ -12,6 +12,7 @@ from instobj.cli.options import (
     HERE,
     MEASURE,
     AsJson,
+    Out,
     Overrides,
     Port,
     Sources,

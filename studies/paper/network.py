@@ -110,7 +110,9 @@ def fit_paper(
     )
     grids = train_frames.grid_x_mm, train_frames.grid_y_mm
     built = Architecture(HIDDEN_UNITS)
-    return FaceModel("paper", settings.face, channels, *grids, built, 0, coverage, presses, network)
+    return FaceModel(
+        "paper", settings.face, channels, *grids, built, 0, INTERVAL_COVER, presses, network
+    )
 
 
 def _fit(

@@ -213,7 +213,9 @@ class ContactModel:
         extra[several] = change[len(moved) :] - alone.sum(axis=1)
         return extra
 
-    def counts_of_motions(self, moved: Float[Array, "state body 6"]) -> Float[Array, "state channel"]:
+    def counts_of_motions(
+        self, moved: Float[Array, "state body 6"]
+    ) -> Float[Array, "state channel"]:
         """Counts of motions beyond those at rest; of a scene that is not plain on the processor."""
         if isinstance(moved, np.ndarray):
             return self._counts(self.rest + moved) - self._resting

@@ -13,7 +13,7 @@ from design.layout.places.contact_grid import contact_grid
 from design.netcdf import holds
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.deploy.zeroing import ReadStill, StreamZero
+from estimator.deploy.zeroing import ReadStill, StillReading, StreamZero
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.inversion import Inversion
@@ -223,11 +223,11 @@ def _stillness(estimators: Estimators, frames: FrameSet) -> ReadStill:
         return LiveContacts(estimators.inversion).read_still
     first = frames.select(np.array([0]))
 
-    def read_still(change: np.ndarray) -> tuple[float, float]:
+    def read_still(change: np.ndarray, _: int = 1) -> StillReading:
         frame = replace(first, signal_counts=change.reshape(first.signal_counts.shape))
         readings = [predict(model, frame) for model in estimators.networks.values()]
         contact = max(float(reading.contact[0]) for reading in readings)
-        return contact, sum(float(reading.force_n[0]) for reading in readings)
+        return StillReading(contact, sum(float(reading.force_n[0]) for reading in readings))
 
     return read_still
 

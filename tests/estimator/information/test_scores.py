@@ -167,7 +167,10 @@ def test_scores_survive_their_table(scores, tmp_path):
 
 
 def test_500_places_are_scored_within_two_seconds():
-    changes = {"press": {"depths_mm": (0.5, 1, 1.5, 2, 2.5, 3)}, "contact_grid": {"count": (10, 10)}}
+    changes = {
+        "press": {"depths_mm": (0.5, 1, 1.5, 2, 2.5, 3)},
+        "contact_grid": {"count": (10, 10)},
+    }
     spec = ObjectSpec.model_validate({"name": "cube", **changes})
     signals = press_signals(spec, *synthetic_presses(spec))
     start = time.process_time()

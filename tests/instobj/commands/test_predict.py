@@ -64,7 +64,9 @@ def folder(tmp_path_factory):
 
 
 def test_what_is_no_exported_estimator_or_folder_of_trained_ones_is_one_error(folder, tmp_path):
-    with pytest.raises(InputError, match=r"not exported yet\. `instobj train --export .*face_3\.safetens"):
+    with pytest.raises(
+        InputError, match=r"not exported yet\. `instobj train --export .*face_3\.safetens"
+    ):
         predict_file(folder / "face_3.safetensors", folder / "press.nc")
     with pytest.raises(InputError, match=r"holds no trained estimator \(face_<n>\.safetensors or"):
         export_models([tmp_path], tmp_path)
