@@ -80,8 +80,8 @@ def seats(spec: ObjectSpec) -> Seats:
         sources = replace(magnets, centre_mm=raised)
         each = loads_by_each(magnets, sources, spec.magnets)[..., :3]
         # t magnet at its seat, s the other one, k coordinate; none pulls itself
-        along = np.einsum("tsk,tk->ts", each, outward)
-        return np.maximum(along * ~np.eye(len(way), dtype=bool), 0.0)
+        normal_n = np.einsum("tsk,tk->ts", each, outward)
+        return np.maximum(normal_n * ~np.eye(len(way), dtype=bool), 0.0)
 
     pulls = outward_n(0.0)
     extra = np.max([outward_n(share) for share in _HEIGHTS], axis=0) - pulls
@@ -107,21 +107,21 @@ def why_unseated(spec: ObjectSpec) -> str:
     """Return which magnet is pulled most for its hold, by which, and what would do; "" where all stay."""
     if spec.arrangement == "sensors-in-shell":
         return ""
-    found = seats(spec)
-    worst = int(found.excess.argmax())
-    if found.excess[worst] <= 1:
+    seated = seats(spec)
+    worst = int(seated.excess.argmax())
+    if seated.excess[worst] <= 1:
         return ""
-    other, more = int(found.by_each_n[worst].argmax()), int((found.excess > 1).sum()) - 1
+    neighbour, more = int(seated.by_each_n[worst].argmax()), int((seated.excess > 1).sum()) - 1
     return (
         f"magnets pull each other out of their pockets while they are set: {_name(spec, worst)} is drawn out "
-        f"with {found.pull_n[worst]:.2g} N, most of it by {_name(spec, other)}. A film of cured silicone "
-        f"under it holds {found.hold_n[worst]:.2g} N, of which {found.hold_n[worst] / MARGIN:.2g} N may be "
+        f"with {seated.pull_n[worst]:.2g} N, most of it by {_name(spec, neighbour)}. A film of cured silicone "
+        f"under it holds {seated.hold_n[worst]:.2g} N, of which {seated.hold_n[worst] / MARGIN:.2g} N may be "
         f"used{f' ({more} more magnets are drawn out too)' * bool(more)}. "
-        f"To mend it, {'; or '.join(_remedies(spec, worst, other, float(found.excess[worst])))}"
+        f"To mend it, {'; or '.join(_remedies(spec, worst, neighbour, float(seated.excess[worst])))}"
     )
 
 
-def _remedies(spec: ObjectSpec, worst: int, other: int, excess: float) -> Iterator[str]:
+def _remedies(spec: ObjectSpec, worst: int, neighbour: int, excess: float) -> Iterator[str]:
     """Yield what would do: the other pole, other places, a remanence."""
     # Forces go with the square of all polarizations.
     share = np.floor(1e2 / excess**0.5) / 1e2
@@ -130,20 +130,20 @@ def _remedies(spec: ObjectSpec, worst: int, other: int, excess: float) -> Iterat
         yield weaker
         return
     turned = list(spec.magnets.north or ["outward"] * spec.magnets.count)
-    number = other % spec.magnets.count
+    number = neighbour % spec.magnets.count
     turned[number] = "inward" if turned[number] == "outward" else "outward"
     if _all_stay(spec, north=turned):
         yield f"turn magnet {number + 1} of every face over (magnets.north)"
     if len(spec.magnets.lists) == 1:
-        yield from _places(spec, worst, other)
+        yield from _places(spec, worst, neighbour)
     yield weaker
 
 
-def _places(spec: ObjectSpec, worst: int, other: int) -> Iterator[str]:
+def _places(spec: ObjectSpec, worst: int, neighbour: int) -> Iterator[str]:
     """Yield how far apart two magnets of a face must be, or magnets of two faces from their border."""
     places, count = np.array(spec.magnets.lists[0]), spec.magnets.count
-    number, second = worst % count, other % count
-    if worst // count != other // count:
+    number, second = worst % count, neighbour % count
+    if worst // count != neighbour // count:
         for percent in range(95, 0, -5):
             if _all_stay(spec, positions_mm=(percent / 100 * places).tolist()):
                 yield f"draw all magnets in to {percent / 100:g} times their magnets.positions_mm"

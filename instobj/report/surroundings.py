@@ -55,8 +55,8 @@ def jaw_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
     for jaw in row["jaws"]:
         where = f"{jaw['gap_mm']:g} mm away" if jaw["gap_mm"] else "touching"
         figures = zip((jaw["counts"], jaw["false_force_n"], jaw["pull_n"]), _NOTHING, strict=True)
-        told = (_told(value) if value >= least else "0" for value, least in figures)
-        rows.append((f"{jaw['material']}, {where}", *told))
+        texts = (_told(value) if value >= least else "0" for value, least in figures)
+        rows.append((f"{jaw['material']}, {where}", *texts))
     return rows
 
 
