@@ -3,13 +3,13 @@
 A mould's pins leave open pockets. Magnets are set into them on films of silicone that cure under a plug,
 face by face and one pole after the other (the assembly sheet says so); walls of a soft pocket count
 nothing. Silicone that cured against a magnet touches all of its base, which comes off as a flat punch
-comes off rubber: at F = √(8π E* W a³) (Kendall, J. Phys. D 4 (1971) 1186). W is that of a reversible
-contact, which is the least: in tests of studs that were cast on silicone, losses as the rubber gives
-way add most of the force (Kohl and Singer, Prog. Org. Coat. 36 (1999) 15). Beside these `MARGIN` is
+comes off rubber: at F = √(8π E* W a³) (Kendall, J. Phys. D 4 (1971) 1186). A reversible contact has
+the least W: in tests of studs that were cast on silicone, losses as the rubber gives
+way add most of the force (Kohl and Singer, Prog. Org. Coat. 36 (1999) 15). `MARGIN` is
 for films that do not reach the rim: of 0.86 of the base's radius.
 
 The pull is a bound for any order of assembly: of the others only those count that pull outwards, at
-their seats, and beside them the one that pulls most on its way into its own pocket. Magnets that are
+their seats, and in addition the one that pulls most on its way into its own pocket. Magnets that are
 glued into a rigid core need no such hold.
 """
 
@@ -113,10 +113,10 @@ def why_unseated(spec: ObjectSpec) -> str:
         return ""
     neighbour, more = int(seated.by_each_n[worst].argmax()), int((seated.excess > 1).sum()) - 1
     return (
-        f"magnets pull each other out of their pockets while they are set: {_name(spec, worst)} is drawn out "
-        f"with {seated.pull_n[worst]:.2g} N, most of it by {_name(spec, neighbour)}. A film of cured silicone "
-        f"under it holds {seated.hold_n[worst]:.2g} N, of which {seated.hold_n[worst] / MARGIN:.2g} N may be "
-        f"used{f' ({more} more magnets are drawn out too)' * bool(more)}. "
+        f"magnets pull each other out of their pockets while they are set: {_name(spec, worst)} is drawn "
+        f"out with {seated.pull_n[worst]:.2g} N, most of it by {_name(spec, neighbour)}. A film of cured "
+        f"silicone below holds {seated.hold_n[worst]:.2g} N, of which {seated.hold_n[worst] / MARGIN:.2g} N "
+        f"may be used{f' ({more} more magnets are drawn out too)' * bool(more)}. "
         f"To mend it, {'; or '.join(_remedies(spec, worst, neighbour, float(seated.excess[worst])))}"
     )
 
