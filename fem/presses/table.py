@@ -211,7 +211,7 @@ def cells_over(
         return whole
     outline = footprint_mm(indenter)
     corners = np.stack(np.meshgrid(*(xy_mm + outline).T), axis=-1)
-    if (border.beyond_mm(corners) <= _BORDER_MM).all():
+    if (border.signed_distance_mm(corners) <= _BORDER_MM).all():
         return whole
     ends = np.array([border.low_mm, border.high_mm]) - xy_mm
     if not border.round:  # a side that the tip does not reach cuts nothing
@@ -282,9 +282,9 @@ def require_landing(
     """
     if spec.shell.slits.depth_mm > 0:
         return require_on_face(face, spec.indenter, xy_mm)
-    beside = face.border is not None and face.border.beyond_mm(xy_mm) > _BORDER_MM
-    if np.any(beside):
-        x, y = xy_mm[beside][0]
+    misses = face.border is not None and face.border.signed_distance_mm(xy_mm) > _BORDER_MM
+    if np.any(misses):
+        x, y = xy_mm[misses][0]
         half = face.frame.half_extents_mm
         raise InputError(
             f"a press at ({x:g}, {y:g}) mm lands beside face {face.frame.number} (±{half[0]:.4g}, "
