@@ -276,7 +276,7 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
 def require_landing(
     face: RefinedFace, spec: ObjectSpec, xy_mm: Float[np.ndarray, "place 2"]
 ) -> None:
-    """Raise InputError for a press whose lowest point lands beside a flat face.
+    """Raise InputError for a press whose lowest point misses a flat face.
 
     Where slits cut the edges the whole indenter must stay on the face.
     """
@@ -287,7 +287,7 @@ def require_landing(
         x, y = xy_mm[misses][0]
         half = face.frame.half_extents_mm
         raise InputError(
-            f"a press at ({x:g}, {y:g}) mm lands beside face {face.frame.number} (±{half[0]:.4g}, "
+            f"a press at ({x:g}, {y:g}) mm misses face {face.frame.number} (±{half[0]:.4g}, "
             f"±{half[1]:.4g} mm). Move it inwards"
         )
     return None
