@@ -46,7 +46,7 @@ class Border:
     high_mm: Float[np.ndarray, "2"]
     round: bool = False
 
-    def beyond_mm(self, points_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
+    def signed_distance_mm(self, points_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
         """Return how far points lie outside, negative inside."""
         middle, half = (self.low_mm + self.high_mm) / 2, (self.high_mm - self.low_mm) / 2
         away = points_mm - middle
@@ -57,7 +57,7 @@ class Border:
     def side_distances_mm(self, points_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n side"]:
         """Return how far points lie beyond each side: −x, −y, +x, +y, or the circle."""
         if self.round:
-            return self.beyond_mm(points_mm)[:, None]
+            return self.signed_distance_mm(points_mm)[:, None]
         return np.concatenate([self.low_mm - points_mm, points_mm - self.high_mm], axis=1)
 
     def near_sides(
@@ -177,7 +177,7 @@ def _sampled(
     points = lower_mm[:, None] + local * size_mm[:, None]
     height = tip_heights_mm(shape, points)
     if border is not None:
-        height = np.where(border.beyond_mm(points) > 0, np.inf, height)
+        height = np.where(border.signed_distance_mm(points) > 0, np.inf, height)
     return points, height
 
 

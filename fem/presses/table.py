@@ -211,7 +211,7 @@ def cells_over(
         return whole
     outline = footprint_mm(indenter)
     corners = np.stack(np.meshgrid(*(xy_mm + outline).T), axis=-1)
-    if (border.beyond_mm(corners) <= _BORDER_MM).all():
+    if (border.signed_distance_mm(corners) <= _BORDER_MM).all():
         return whole
     ends = np.array([border.low_mm, border.high_mm]) - xy_mm
     if not border.round:  # a side that the tip does not reach cuts nothing
@@ -276,18 +276,18 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
 def require_landing(
     face: RefinedFace, spec: ObjectSpec, xy_mm: Float[np.ndarray, "place 2"]
 ) -> None:
-    """Raise InputError for a press whose lowest point lands beside a flat face.
+    """Raise InputError for a press whose lowest point misses a flat face.
 
     Where slits cut the edges the whole indenter must stay on the face.
     """
     if spec.shell.slits.depth_mm > 0:
         return require_on_face(face, spec.indenter, xy_mm)
-    beside = face.border is not None and face.border.beyond_mm(xy_mm) > _BORDER_MM
-    if np.any(beside):
-        x, y = xy_mm[beside][0]
+    misses = face.border is not None and face.border.signed_distance_mm(xy_mm) > _BORDER_MM
+    if np.any(misses):
+        x, y = xy_mm[misses][0]
         half = face.frame.half_extents_mm
         raise InputError(
-            f"a press at ({x:g}, {y:g}) mm lands beside face {face.frame.number} (±{half[0]:.4g}, "
+            f"a press at ({x:g}, {y:g}) mm misses face {face.frame.number} (±{half[0]:.4g}, "
             f"±{half[1]:.4g} mm). Move it inwards"
         )
     return None

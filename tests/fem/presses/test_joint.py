@@ -50,7 +50,7 @@ def test_a_squeeze_balances_its_jaws(rigid_spec, rigid_response):
     ("tips", "words"),
     [
         ([Tip(6, 0.0, 0.0)], "not a sensed face"),
-        ([Tip(1, 21.5, 0.0)], "lands beside face 1"),
+        ([Tip(1, 21.5, 0.0)], "misses face 1"),
         ([Tip(1, 0.0, 0.0), Tip(1, 6.0, 0.0)], "overlap"),
     ],
 )

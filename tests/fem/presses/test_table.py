@@ -132,7 +132,7 @@ def test_layer_force_without_magnets(points_spec, points_response):
 
 @pytest.mark.parametrize("xy", [(21.2, 0.0), (0.0, -21.2)])
 def test_a_tip_that_lands_beside_the_face_is_refused(rigid_spec, rigid_response, xy):
-    with pytest.raises(InputError, match="lands beside face 4"):
+    with pytest.raises(InputError, match="misses face 4"):
         press_places(rigid_spec, rigid_response, 3, np.array([[0.0, 0.0], xy]), DEPTHS)
 
 
