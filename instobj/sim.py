@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 __all__ = ["HallObject"]
 
 _MM_PER_M = 1e3
+_PYRAMIDAL = 0
+"""MuJoCo's number of a friction cone with edges, `mjCONE_PYRAMIDAL`."""
 _OFF_SURFACE_MM = 3.0
 """A contact point farther from a sensed face is on another side: bodies of a simulator sink into each
 other by a fraction of this."""
@@ -131,16 +133,13 @@ class HallObject:
         `model` and `data` are MuJoCo's; call it once a step, after `mj_step`. The body's frame is
         the object's, in metres.
         """
-        import mujoco  # pyright: ignore[reportMissingImports]  # the caller has it
-
         number = model.body(body).id
         rotation = data.xmat[number].reshape(3, 3)
-        points, forces, wrench = [], [], np.empty(6)
-        for index, contact in enumerate(data.contact[: data.ncon]):
-            if number in model.geom_bodyid[contact.geom]:
-                mujoco.mj_contactForce(model, data, index, wrench)
+        points, forces = [], []
+        for contact in data.contact[: data.ncon]:
+            if contact.efc_address >= 0 and number in model.geom_bodyid[contact.geom]:
                 points.append((contact.pos - data.xpos[number]) @ rotation)
-                forces.append(wrench[0])
+                forces.append(_normal_force_n(model, data, contact))
         points_mm = _MM_PER_M * np.reshape(points, (-1, 3))
         return self.read(points_mm, np.array(forces), rotation, model.opt.timestep)
 
@@ -185,6 +184,15 @@ class HallObject:
         # squares over x and y; a contact is its own neighbour in full
         near = np.exp(-np.square(apart).sum(axis=2) / reach_mm**2)
         return (near * (face[:, None] == face)) @ contact[:, 2]
+
+
+def _normal_force_n(model: Any, data: Any, contact: Any) -> float:
+    """Return the normal force of one contact of MuJoCo, as its `mj_contactForce` does."""
+    rows = 1
+    # Edges of a friction pyramid share the normal force; an elliptic cone has it in its first row
+    if model.opt.cone == _PYRAMIDAL and contact.dim > 1:
+        rows = 2 * (contact.dim - 1)
+    return float(data.efc_force[contact.efc_address : contact.efc_address + rows].sum())
 
 
 def _samples_mm(frame: FaceFrame) -> Float[np.ndarray, "sample 3"]:

@@ -107,12 +107,13 @@ def test_a_held_force_on_relaxing_silicone_moves_magnets_on_as_its_prony_series_
     assert relative(elastic, expected) < 0.01, "signals follow the travel"
 
 
-def test_contacts_of_mujoco_are_felt_where_they_are(path):
+@pytest.mark.parametrize("cone", ["pyramidal", "elliptic"])
+def test_contacts_of_mujoco_are_felt_where_they_are(path, cone):
     mujoco = pytest.importorskip("mujoco", reason="the simulator is not installed")
     cube = HallObject(path, seed=None)
     # a cube of 42 mm and 100 g hangs still under a ball that weighs 5 N
-    scene = mujoco.MjModel.from_xml_string("""
-        <mujoco><option timestep="0.002"/><worldbody>
+    scene = mujoco.MjModel.from_xml_string(f"""
+        <mujoco><option timestep="0.002" cone="{cone}"/><worldbody>
           <body name="cube"><geom type="box" size="0.021 0.021 0.021"/></body>
           <body pos="0.004 0.002 0.0259"><joint type="slide" axis="0 0 1"/>
             <geom type="sphere" size="0.005" mass="0.5097"/></body>
