@@ -75,13 +75,13 @@ def test_a_variant_that_does_not_fit_is_named(tmp_path):
 
 
 def test_variants_of_a_filled_object_are_pressed_at_its_own_locations(tmp_path, monkeypatch):
-    """A body 4 mm larger would be filled with 12 × 12."""
+    """A body 4 mm larger would be filled with more."""
     counts = []
     monkeypatch.setattr(layouts, "chain_score", lambda spec: counts.append(grid_count(spec)))
     monkeypatch.setattr(layouts, "score_row", lambda score: {})
     monkeypatch.setattr(layouts, "draw_variants", lambda rows, force, path: None)
     layouts.compare_variants(layouts.thicknesses, PAPER, tmp_path, quick=False)
-    assert counts == [(10, 10)] * 5
+    assert counts == [grid_count(PAPER)] * 5
 
 
 def test_the_figure_takes_any_rows(tmp_path):

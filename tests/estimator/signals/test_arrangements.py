@@ -16,6 +16,7 @@ from estimator.field.sources import magnet_source
 from estimator.signals.field_setup import counts, scene, sensed_field, zero_motion
 from estimator.signals.hall import chip_errors
 from estimator.signals.presses import press_signals, rest_counts
+from instobj.field import polarization
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 IN_CORE = {"positions_mm": [[8, 8], [-8, 8], [-8, -8], [8, -8]]}
@@ -213,7 +214,6 @@ def test_block_magnets_that_turn_take_their_sides_along(gap_mm):
 
 def test_a_moving_sensor_feels_a_stray_magnet_where_it_is():
     stray = {"position_mm": [60, -10, 20], "diameter_mm": 12, "height_mm": 6, "remanence_t": 1.3}
-    stray["recoil_permeability"] = 1.0
     spec = REVERSE.changed(environment=REVERSE.environment.changed(magnets=[stray]))
     place, bare = scene(spec), scene(REVERSE)
     model = FieldModel(magnet_source(spec.magnets), "exact")
@@ -221,7 +221,9 @@ def test_a_moving_sensor_feels_a_stray_magnet_where_it_is():
     motion[1:, :, 2] = [[0.3], [-0.5], [1.0]]
     added = sensed_field(place, motion, model) - sensed_field(bare, motion, model)
     magnet = magpylib.magnet.Cylinder(
-        polarization=(0, 0, 1.3), dimension=(12e-3, 6e-3), position=(60e-3, -10e-3, 20e-3)
+        polarization=(0, 0, float(polarization(1.3, (12.0, 6.0)))),
+        dimension=(12e-3, 6e-3),
+        position=(60e-3, -10e-3, 20e-3),
     )
     points = place.sensors.position_mm + motion[:, :, :3]
     assert_allclose(added, magnet.getB(points / 1e3), rtol=1e-6, atol=1e-12)
