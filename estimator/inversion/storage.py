@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import ValidationError
 
 from design.errors import DAMAGED_CONTENT, StoreError
 from design.netcdf import FileKind, holds, read_netcdf, write_netcdf
@@ -95,6 +96,11 @@ def load_inversion(path: Path | str) -> Inversion:
     values, attributes = read_netcdf(_KIND, path)
     try:
         return _assembled(values, attributes)
+    except ValidationError as error:
+        keys = ", ".join(".".join(map(str, fault["loc"])) for fault in error.errors()[:3])
+        raise StoreError(
+            f"{path}: its specification is of another version of instobj ({keys}). Train it anew"
+        ) from None
     except DAMAGED_CONTENT as error:
         raise StoreError(
             f"{path}: tables and description do not belong together ({error}). Train it anew"

@@ -252,15 +252,21 @@ def test_the_error_of_a_design_is_that_of_its_tolerances():
 
 
 @pytest.mark.parametrize(
-    ("name", "value"),
-    [("specification", "[" * 5000), ("priors", "[1]"), ("priors", "{}"), ("nearest_mm", "near")],
+    ("name", "value", "words"),
+    [
+        ("specification", "[" * 5000, "tables and description"),
+        ("specification", '{"name": "a", "colour": 1}', r"another version of instobj \(colour\)"),
+        ("priors", "[1]", "tables and description"),
+        ("priors", "{}", "tables and description"),
+        ("nearest_mm", "near", "tables and description"),
+    ],
 )
-def test_a_file_whose_description_is_another_is_one_error(tmp_path, name, value):
+def test_a_file_whose_description_is_another_is_one_error(tmp_path, name, value, words):
     path = tmp_path / "contacts.nc"
     save_inversion(inverted(), path)
     with h5py.File(path, "a") as file:
         file.attrs[name] = value
-    with pytest.raises(StoreError, match=r"contacts\.nc: tables and description.*Train it anew"):
+    with pytest.raises(StoreError, match=rf"contacts\.nc: .*{words}.*Train it anew"):
         load_inversion(path)
 
 
