@@ -132,13 +132,13 @@ def hemisphere_profile_mm(
 def _cells(shape: TipShape, border: Border | None = None) -> tuple[Patches, np.ndarray]:
     low, high = shape.corners_mm.min(axis=0), shape.corners_mm.max(axis=0)
     edge = min(np.sqrt(np.prod(high - low) / CELLS), _LARGEST_CELL_MM)
+    if border is not None:  # cells end at the border: a sliver of a cell makes the compliance indefinite
+        low, high = np.maximum(low, border.low_mm), np.minimum(high, border.high_mm)
     count = np.ceil((high - low) / edge).astype(int)
     size = (high - low) / count
     index = np.stack(np.meshgrid(*map(np.arange, count), indexing="ij"), axis=-1).reshape(-1, 2)
     lower = low + index * size
     size = np.broadcast_to(size, lower.shape)
-    if border is not None:
-        lower, size = _cut(lower, size, border)
     points, height = _sampled(shape, lower, size, border)
     inside = np.isfinite(height)
     lowest, highest = height.min(axis=1), np.where(inside, height, np.inf).max(axis=1)
@@ -152,17 +152,6 @@ def _cells(shape: TipShape, border: Border | None = None) -> tuple[Patches, np.n
     ]
     area, centre, variance, mean = (np.concatenate(column) for column in zip(*parts, strict=True))
     return Patches(area, centre, variance), mean
-
-
-def _cut(
-    lower_mm: Float[np.ndarray, "cell 2"], size_mm: Float[np.ndarray, "cell 2"], border: Border
-) -> tuple[Float[np.ndarray, "kept 2"], Float[np.ndarray, "kept 2"]]:
-    """Cells without what lies beyond a rectangle, those left out that have no part in it."""
-    ends = np.clip([lower_mm, lower_mm + size_mm], border.low_mm, border.high_mm)
-    size = ends[1] - ends[0]
-    # slivers thinner than this share of a cell are rounding
-    kept = (size > 1e-6 * size_mm).all(axis=1)
-    return ends[0][kept], size[kept]
 
 
 def _sampled(
