@@ -275,7 +275,11 @@ class Watched(Tracker):
     def __init__(self, p_values, numbers):
         self.given, self.numbers, self.looked = iter(p_values), iter(numbers), []
         self.window = 0
-        disturbances = SimpleNamespace(observed=lambda counts, averaged: SEEN)
+        disturbances = SimpleNamespace(
+            observed=lambda counts, averaged, drift_counts: SEEN,
+            noise_counts=np.ones(CHANNELS),
+            offset_counts=np.ones(CHANNELS),
+        )
         inversion = SimpleNamespace(
             window_frames=1,
             disturbances=disturbances,
@@ -292,6 +296,9 @@ class Watched(Tracker):
         return problems([0], [ONE], [next(self.given)])
 
     def faint_contacts(self, same):
+        return False
+
+    def _is_magnet(self, plain):
         return False
 
     def has_changed(self, seen, same):
