@@ -265,7 +265,8 @@ def test_a_summary_of_blind_starts_tells_ranks_and_their_range():
 
 EXPLAINED = ContactSets(
     np.zeros((1, 1), int), np.zeros((1, 1, 2)), np.zeros((1, 1)), np.zeros((1, 1, 3, 3)),
-    *[np.zeros((1, 1, 2))] * 2, *[np.ones(1)] * 2, np.full(1, NONE), *[np.zeros((1, 0))] * 2,
+    np.zeros((1, 1, 2)), np.zeros((1, 1, 2)), np.ones(1), np.ones(1), np.full(1, NONE),
+    np.zeros((1, 0)), np.zeros((1, 0)),
 )  # fmt: skip
 
 
