@@ -33,8 +33,6 @@ _LEARNT_EVERY = 5
 """Pressed frames of which one tells how wrong the model is."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
-_MOST_WIDENED = 2.0
-"""Deviations over those of a fresh zero up to which magnets are looked for in frames that are explained."""
 _TRUSTED_AFTER = 8
 """Frames in a row that must be explained with all chips and no magnet. A channel of ten times its
 noise agrees by chance in one of four."""
@@ -192,15 +190,19 @@ class Tracker:
     def has_changed(
         self, seen: Observed, same: Problems
     ) -> tuple[Problems, Float[np.ndarray, "1"]]:
-        """One contact more or less, or all anew, where the evidence is for it."""
+        """One contact more, or without faint ones, or all anew, where the evidence is for it."""
         search = self.inversion.search
         if search.priors.paired:  # of two jaws none changes alone
             return self._anew(seen)
         every = [search.judged(same)]
         if p_values(seen, same)[0] < _STRAINED:
             every.append(_at_a_price(search.grown(seen, same)))
-        if self.faint_contacts(same):
-            every.append(_at_a_price(search.fewer(seen, same)))
+        kept = same
+        # One after the other: a grasp that lets go leaves several at once.
+        while self.faint_contacts(kept):
+            fewer = search.fewer(seen, kept)
+            every.append(_at_a_price(fewer))
+            kept = fewer.problems.select(fewer.best())
         judged = together(every)
         best = judged.best()
         found = judged.problems.select(best), judged.odds[best]

@@ -265,7 +265,8 @@ def test_a_summary_of_blind_starts_tells_ranks_and_their_range():
 
 EXPLAINED = ContactSets(
     np.zeros((1, 1), int), np.zeros((1, 1, 2)), np.zeros((1, 1)), np.zeros((1, 1, 3, 3)),
-    *[np.zeros((1, 1, 2))] * 2, *[np.ones(1)] * 2, np.full(1, NONE), *[np.zeros((1, 0))] * 2,
+    np.zeros((1, 1, 2)), np.zeros((1, 1, 2)), np.ones(1), np.ones(1), np.full(1, NONE),
+    np.zeros((1, 0)), np.zeros((1, 0)),
 )  # fmt: skip
 
 
@@ -275,7 +276,11 @@ class Watched(Tracker):
     def __init__(self, p_values, numbers):
         self.given, self.numbers, self.looked = iter(p_values), iter(numbers), []
         self.window = 0
-        disturbances = SimpleNamespace(observed=lambda counts, averaged: SEEN)
+        disturbances = SimpleNamespace(
+            observed=lambda counts, averaged, drift_counts: SEEN,
+            noise_counts=np.ones(CHANNELS),
+            offset_counts=np.ones(CHANNELS),
+        )
         inversion = SimpleNamespace(
             window_frames=1,
             disturbances=disturbances,
@@ -292,6 +297,9 @@ class Watched(Tracker):
         return problems([0], [ONE], [next(self.given)])
 
     def faint_contacts(self, same):
+        return False
+
+    def _is_magnet(self, plain):
         return False
 
     def has_changed(self, seen, same):

@@ -92,6 +92,7 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
         def __init__(self, counts):
             self.rows = np.arange(len(counts))
             self.odds = np.concatenate([0.6 + 0 * self.rows, 0.3 + 0 * self.rows])
+            self.log_evidence = np.log(self.odds)
             self.problems = SimpleNamespace(
                 select=lambda rows: SimpleNamespace(on_host=lambda: rows)
             )
@@ -106,7 +107,10 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
         given.append(seen)
         return Found(seen[0])
 
-    monkeypatch.setattr(Inversion, "read_part", Inversion.read_once.__wrapped__)
+    monkeypatch.setattr(
+        Inversion, "read_part", lambda *given: Inversion.read_once.__wrapped__(*given)[:2]
+    )
+    monkeypatch.setattr(module, "Hypotheses", lambda problems, log_evidence: None)
     monkeypatch.setattr(Inversion, "search_for", lambda self, frames: self.search)
     monkeypatch.setattr(module, "among_sets", lambda found, best, priors: (found, best))
     monkeypatch.setattr(
