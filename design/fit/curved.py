@@ -32,6 +32,7 @@ from design.layout.pockets import (
     axis_in_object_mm,
     near_pairs,
 )
+from design.layout.tips import tip_places_mm
 
 if TYPE_CHECKING:
     from design.body.surface_chart import FaceFrame
@@ -62,11 +63,11 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
     yield from place_problems(spec)
     if spec.contact_grid.count == "fill":
         return
-    reach = touched_reach_mm(spec)
+    reach, tips = touched_reach_mm(spec), tip_places_mm(spec.indenter)
     corner = np.asarray(spec.contact_grid.count) * spec.contact_grid.pitch_mm / 2
     for frame in face_frames(spec):
-        if not _corners_stay(frame, corner, np.ones(1), reach)[0]:
-            stays = _corners_stay(frame, corner, np.linspace(0.0, 1.0, 201), reach)
+        if not _corners_stay(frame, corner, np.ones(1), reach, tips)[0]:
+            stays = _corners_stay(frame, corner, np.linspace(0.0, 1.0, 201), reach, tips)
             half, fewer = frame.half_lengths_mm, _largest_grid(spec, int(stays.argmin()))
             yield (
                 f"contact_grid.count × pitch_mm / 2 = ({corner[0]:g}, {corner[1]:g}) mm, and {reach:.3g} mm "
@@ -77,12 +78,16 @@ def check_curved_presses(spec: ObjectSpec) -> Iterator[str]:
 
 
 def _corners_stay(
-    frame: FaceFrame, corner_mm: np.ndarray, shares: np.ndarray, reach_mm: float
+    frame: FaceFrame,
+    corner_mm: np.ndarray,
+    shares: np.ndarray,
+    reach_mm: float,
+    tips_mm: np.ndarray,
 ) -> np.ndarray:
     """Return whether all four corners of a grid, drawn in to each share of the way, stay on their patch."""
     signs = np.array(list(product((1.0, -1.0), repeat=2)))
     places = shares[:, None, None] * corner_mm * signs
-    stays = stays_on_patch(frame, places.reshape(-1, 2), reach_mm)
+    stays = stays_on_patch(frame, places.reshape(-1, 2), reach_mm, tips_mm)
     return np.asarray(stays.reshape(-1, len(signs)).all(axis=1))
 
 

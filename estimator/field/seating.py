@@ -160,7 +160,11 @@ def _places(spec: ObjectSpec, worst: int, neighbour: int) -> Iterator[str]:
 
 
 def _all_stay(spec: ObjectSpec, **changes: Any) -> bool:
-    return bool(seats(spec.changed(magnets=spec.magnets.changed(**changes))).excess.max() <= 1)
+    tried = spec.changed(magnets=spec.magnets.changed(**changes))
+    # beyond a curved patch there is no surface: fields of such places would never converge
+    if not np.isfinite(magnet_layout(tried).centre_mm).all():
+        return False
+    return bool(seats(tried).excess.max() <= 1)
 
 
 def _name(spec: ObjectSpec, magnet: int) -> str:

@@ -65,7 +65,7 @@ file = "pebble.stl"
 sensed_faces = [2, 3, 4, 5]
 
 [magnets]
-positions_mm = [[0, 0], [8, 0], [-8, 0]]
+positions_mm = [[0, 0], [10, 0], [-10, 0]]
 
 [sensors]
 radius_mm = 7.0

@@ -79,7 +79,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=19,
+        version=20,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
@@ -93,7 +93,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING, "silicone"),
         make_fabrication,
-        version=16,
+        version=17,
     ),
     "mesh": Stage("mesh: tetrahedra", (), _WHAT_IS_MESHED, make_mesh, version=4),
     "response": Stage("mechanics: response operator", ("mesh",), _ELASTIC, make_response),
@@ -110,21 +110,21 @@ STAGES: dict[str, Stage] = {
             "mechanics.correction",
         ),
         make_large_strain,
-        version=3,
+        version=4,
     ),
     "shapes": Stage(
         "mechanics: shapes of presses",
         ("mesh", "response"),
         _PRESSED,
         make_shapes,
-        version=3,
+        version=4,
     ),
     "presses": Stage(
         "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
         (*_PRESSED, "mechanics.slip"),
         make_presses,
-        version=5,
+        version=6,
     ),
     "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=4),
     "plain_response": Stage(
@@ -138,7 +138,7 @@ STAGES: dict[str, Stage] = {
         ("plain_response",),
         ("contact_grid", "indenter", "press"),
         make_plain_presses,
-        version=4,
+        version=5,
     ),
     "compliance": Stage(
         "mechanics: compliance map",
@@ -159,7 +159,7 @@ STAGES: dict[str, Stage] = {
             "shell_body_cylinder",
         ),
         make_candidates,
-        version=9,
+        version=10,
     ),
     "second_fidelity": Stage(
         "search: second fidelity level",
@@ -170,7 +170,7 @@ STAGES: dict[str, Stage] = {
             *("search.forces_n", "search.baseline", "limits.position_bound_mm"),
         ),
         make_second_fidelity,
-        version=8,
+        version=9,
     ),
     "coarse_response": Stage(
         "mechanics: response on a coarser mesh",
@@ -184,7 +184,7 @@ STAGES: dict[str, Stage] = {
         ("response", "coarse_response"),
         _PRESSED,
         make_discretisation,
-        version=4,
+        version=5,
     ),
     "signals": Stage(
         "signals: Hall sensors",

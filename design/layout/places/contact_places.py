@@ -34,6 +34,7 @@ LEAST_COUNT, MOST_COUNT = 2, 100
 _ROUND_MARGIN_MM = 0.1
 """Length by which a flat round face's mesh, of straight edges, may fall short of its circle."""
 _RING_POINTS = 24
+_ONE_TIP_MM = np.zeros((1, 2))
 _FINER, _FINER_STEPS = 0.8, 16
 """Pitches that are tried where too few locations find room, each so much of the last."""
 
@@ -199,7 +200,7 @@ def tip_stays(
     path = path_mm(spec.indenter, spec.press.depths_mm)[-1]
     reach = np.maximum(abs(tips + path), abs(tips)).max(axis=0)
     if not frame.flat:
-        return stays_on_patch(frame, place_mm, touched_reach_mm(spec))
+        return stays_on_patch(frame, place_mm, touched_reach_mm(spec), tip_places_mm(spec.indenter))
     if frame.round:
         radius = min(frame.half_extents_mm) - _ROUND_MARGIN_MM
         return np.linalg.norm(place_mm, axis=1) + np.linalg.norm(reach) <= radius
@@ -216,25 +217,33 @@ def touched_reach_mm(spec: ObjectSpec) -> float:
 
 
 def stays_on_patch(
-    frame: FaceFrame, place_mm: Float[np.ndarray, "node 2"], reach_mm: float
+    frame: FaceFrame,
+    place_mm: Float[np.ndarray, "node 2"],
+    reach_mm: float,
+    tips_mm: Float[np.ndarray, "tip 2"] = _ONE_TIP_MM,
 ) -> Bool[np.ndarray, "node"]:
-    """Return whether disks that touch the surface at places stay on the patch, or reach beyond the body."""
+    """Return whether disks that touch the surface at places stay on the patch, or reach beyond the body.
+
+    The lowest point of each tip, `tips_mm` from the place, must be on the patch.
+    """
     xy_mm = frame.to_plane(place_mm)
     stays = frame.covers(xy_mm)
     if not stays.any():
         return stays
     turn = np.linspace(0, 2 * np.pi, _RING_POINTS)
     ring = reach_mm * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
+    offsets = np.vstack([ring, np.pad(tips_mm, ((0, 0), (0, 1)))])
     places = xy_mm[stays]
     axes = frame.axes_at(places)
     touching = frame.to_object(np.column_stack([places, np.zeros(len(places))]))
-    # p place, r point of the ring, j own axis (columns of `axes`), i object coordinate
-    points = touching[:, None] + np.einsum("pij,rj->pri", axes, ring)
-    normals = np.repeat(axes[:, :, 2], len(ring), axis=0)
-    rim = frame.project_along(points.reshape(-1, 3), normals)
-    # where the body itself ends a disk may hang over
+    # p place, r point of the ring or a tip, j own axis (columns of `axes`), i object coordinate
+    points = touching[:, None] + np.einsum("pij,rj->pri", axes, offsets)
+    normals = np.repeat(axes[:, :, 2], len(offsets), axis=0)
+    on_plane = frame.project_along(points.reshape(-1, 3), normals)[:, :2]
+    on_plane = on_plane.reshape(len(places), len(offsets), 2)
+    # where the body itself ends a disk may hang over, a tip not
     half = np.where(frame.ends, frame.half_extents_mm, np.inf)
-    rim = np.clip(rim[:, :2], -half, half)
-    on_patch = frame.covers(np.where(np.isfinite(rim), rim, np.inf))
+    on_plane[:, : len(ring)] = np.clip(on_plane[:, : len(ring)], -half, half)
+    on_patch = frame.covers(np.where(np.isfinite(on_plane), on_plane, np.inf).reshape(-1, 2))
     stays[stays] = on_patch.reshape(len(places), -1).all(axis=1)
     return stays

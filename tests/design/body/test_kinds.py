@@ -35,7 +35,7 @@ NAMED = {
     "design/spec/uses.py": "the indenter's shape",
     "design/layout/tips.py": "the indenter's shape",
     "design/solids/probes.py": "the indenter's shape",
-    "instobj/figures/weak_areas.py": "matplotlib's padding",
+    "instobj/figures/style.py": "matplotlib's padding",
     "instobj/commands/new.py": "everyday words for shapes, and kinds of one length",
     "design/spec_io.py": "the kind that a file's keys stand for",
 }

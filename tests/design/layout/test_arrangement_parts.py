@@ -241,15 +241,16 @@ def test_what_does_not_fit_is_refused(parts, message):
 
 
 def test_a_magnet_may_close_a_hole_that_carries_no_wires_wholly_but_not_in_part():
-    """A disk of Ø9 covers a hub of radius 0.5 up to 4 mm from the middle."""
-    core = {"hub_radius_mm": 0.5, "wire_hole_top_diameter_mm": 1, "wire_hole_side_diameter_mm": 1}
+    """A disk of Ø9 covers wire holes of Ø1, and the hub as wide as they are, up to 4 mm from the middle."""
+    core = {"wire_hole_top_diameter_mm": 1, "wire_hole_side_diameter_mm": 1}
     given = {"arrangement": "sensors-in-shell", "core": core}
     wide = {"diameter_mm": 9, "height_mm": 2}
     for place in (0.0, 3.9):
         parsed(**given, magnets={**wide, "positions_mm": [[place, 0]]})
-    for other, place in (({"hub_radius_mm": 0.5}, 4.1), ({"hub_radius_mm": 0.6}, 0.0)):
-        with pytest.raises(InputError, match="meets the hub"):
-            parsed(**given | {"core": core | other}, magnets={**wide, "positions_mm": [[place, 0]]})
+    wider = core | {"wire_hole_side_diameter_mm": 1.2}
+    for holes, place in ((core, 4.1), (wider, 0.0)):
+        with pytest.raises(InputError, match="meets the wire hole"):
+            parsed(**given | {"core": holes}, magnets={**wide, "positions_mm": [[place, 0]]})
 
 
 def test_boards_in_the_shell_are_blocks_of_their_own_size_where_they_are_seated():

@@ -35,7 +35,6 @@ def content(arrangement):
     }
     sensors = {"package_mm": [3.0, 3.0, 1.6]} if arrangement == "sensors-in-shell" else {}
     core = {
-        "hub_radius_mm": 0.5,
         "wire_hole_top_diameter_mm": 1.0,
         "wire_hole_side_diameter_mm": 1.0,
     }

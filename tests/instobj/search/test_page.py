@@ -10,6 +10,7 @@ import pytest
 
 from design.build.manifest import BuildManifest, PartManifest
 from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_places import contact_places
 from design.spec_io import parse_spec
 from estimator.information.scores import PlaceScores, save_scores_csv
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
@@ -66,9 +67,8 @@ def results(tmp_path):
 def promote(objections, levels=("1", "2", "3")):
     def promoted(label, trial, value, **content):
         spec = parse_spec({"name": "a", **content}, "a")
-        score = FidelityScore(
-            **dict.fromkeys(SCORE_NAMES, value), position_bounds_mm=(value,) * 1500
-        )
+        bounds = (value,) * (len(spec.scoring_forces_n) * int(contact_places(spec).sum()))
+        score = FidelityScore(**dict.fromkeys(SCORE_NAMES, value), position_bounds_mm=bounds)
         return Promoted(label, trial, spec, dict.fromkeys(levels, score))
 
     moved = {"positions_mm": [[0, 0], [9, 8], [-9, 8], [9, -8], [-8, -9]]}

@@ -144,6 +144,18 @@ def test_tips_hang_over_the_ends_of_a_cylinder_and_not_over_its_patches_sides():
         assert tip_stays(spec, side, places).tolist() == stays
 
 
+def test_each_of_two_tips_lands_on_a_cylinder():
+    """Along the axis the outer tip's lowest point stays on the side, however far the probe reaches."""
+    tips = {"radius_mm": 4.0, "tip_count": 2, "tip_spacing_mm": 20.0}
+    spec = body_spec("cylinder", indenter=tips)
+    side = next(frame for frame in face_frames(spec) if not frame.flat)
+    along = side.ends.index(True)
+    spec = spec.changed(indenter=spec.indenter.changed(yaw_deg=90.0 * along))
+    half, way = side.half_lengths_mm[along], np.eye(2)[along]
+    places = np.outer([0.0, half - 10.5, half - 9.5], way)
+    assert tip_stays(spec, side, places).tolist() == [True, True, False]
+
+
 def test_what_several_patches_share_counts_once():
     """Random points of a ball: those within half a pitch of a location of any patch that has them."""
     ball = body_spec("sphere", contact_grid={"count": "fill"})
