@@ -132,7 +132,9 @@ def hemisphere_profile_mm(
 def _cells(shape: TipShape, border: Border | None = None) -> tuple[Patches, np.ndarray]:
     low, high = shape.corners_mm.min(axis=0), shape.corners_mm.max(axis=0)
     edge = min(np.sqrt(np.prod(high - low) / CELLS), _LARGEST_CELL_MM)
-    if border is not None:  # cells end at the border: a sliver of a cell makes the compliance indefinite
+    if (
+        border is not None
+    ):  # cells end at the border: a sliver of a cell makes the compliance indefinite
         low, high = np.maximum(low, border.low_mm), np.minimum(high, border.high_mm)
     count = np.ceil((high - low) / edge).astype(int)
     size = (high - low) / count
