@@ -82,7 +82,8 @@ def judge(
         _saturation(spec, saturation_margin, objects),
     )
     tightest = max(checks, key=lambda check: check.ratio)
-    reason = f"{tightest.what}: {tightest.value} ({tightest.where}), limit {tightest.limit}"
+    place = tightest.where.split(". ", 1)[0]  # sentences about other locations stand in the table
+    reason = f"{tightest.what}: {tightest.value} ({place}), limit {tightest.limit}"
     area = cell_areas_mm2(spec)  # of every location, face by face
     judged = float(area[scores.judged[scores.places]].sum() / area.sum())
     return Verdict(checks, reason, judged * covered_share(spec))

@@ -1,6 +1,5 @@
 """Scores of all places: consistency with their parts, areas, files and time."""
 
-import time
 from dataclasses import fields, replace
 
 import numpy as np
@@ -9,7 +8,6 @@ from numpy.testing import assert_allclose
 
 from design.errors import InputError, StoreError
 from design.layout.places.contact_grid import PlaceGrid, contact_grid, grid_places_in_lattice
-from design.spec.object import ObjectSpec
 from estimator.information.ellipses import position_covariances_mm2
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.scores import (
@@ -164,20 +162,6 @@ def test_scores_survive_their_table(scores, tmp_path):
         load_scores_csv(tmp_path / "cut.csv")
     with pytest.raises(StoreError, match="not a table of scores"):
         load_scores_csv(tmp_path / "none.csv")
-
-
-def test_500_places_are_scored_within_two_seconds():
-    changes = {
-        "press": {"depths_mm": (0.5, 1, 1.5, 2, 2.5, 3)},
-        "contact_grid": {"count": (10, 10)},
-    }
-    spec = ObjectSpec.model_validate({"name": "cube", **changes})
-    signals = press_signals(spec, *synthetic_presses(spec))
-    start = time.process_time()
-    scores = score_places(spec, signals)
-    assert time.process_time() - start < 2
-    assert scores.delta_raw.shape == (5, 100)
-    assert np.isfinite(scores.position_bound_mm).all()
 
 
 def test_scaled_sensitivity_counts_three_sigma_on_either_side_of_a_channels_range(signals, scores):
