@@ -58,9 +58,18 @@ class ResultFile(Generic[Content]):
 
 def published_files(stage: str, folder: Path) -> list[Path]:
     """Files of a stage's folder that users get, in the order of their declaration."""
-    declared = [file for file in globals().values() if isinstance(file, ResultFile)]
-    names = [file.name for file in declared if file.stage == stage and file.published]
+    names = [file.name for file in _published() if file.stage == stage]
     return [path for name in names for path in sorted(folder.glob(name))]
+
+
+def published_tables() -> list[str]:
+    """Names of the CSV files among all that users get."""
+    return [file.name for file in _published() if file.name.endswith(".csv")]
+
+
+def _published() -> list[ResultFile[Any]]:
+    files = [file for file in globals().values() if isinstance(file, ResultFile)]
+    return [file for file in files if file.published]
 
 
 def face_model_path(folder: Path, face: int) -> Path:

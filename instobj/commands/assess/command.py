@@ -102,10 +102,9 @@ def assess(options: AssessOptions) -> dict[str, Any]:
         groups.append(Group(name, [_measured(tracks, conditions, protocol) for tracks in read]))
     if not any(group.grasps for group in groups):
         raise InputError(
-            f"no grasp in {', '.join(map(str, options.paths))}: the estimator reads less than a touch of two "
-            "jaws. Check that the recording is of this object and that it begins at rest (--zero)"
-            + " between two opposite sides"
-            * protocol.pinch
+            f"no grasp{' between two opposite sides' * protocol.pinch} in "
+            f"{', '.join(map(str, options.paths))}: the estimator reads less than a touch of two jaws. "
+            "Check that the recording is of this object and that it begins at rest (--zero)"
         )
     return _document(options, protocol, conditions, groups)
 

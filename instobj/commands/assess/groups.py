@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from design.tables import table_text
 from estimator.grasps.measures import MeasuredGrasp, Reading
 from estimator.grasps.protocols import MEASURES, Measure
 from estimator.grasps.ranking import Difference, median_interval
@@ -188,13 +187,9 @@ def full_rows(groups: list[Group]) -> list[dict[str, Any]]:
 
 def csv_text(rows: list[dict[str, Any]]) -> str:
     """Rows as CSV; what is not known is empty."""
-    stream = io.StringIO()
-    writer = csv.DictWriter(stream, list(dict.fromkeys(name for row in rows for name in row)))
-    writer.writeheader()
-    writer.writerows(
-        {name: "" if value != value else value for name, value in row.items()} for row in rows
-    )
-    return stream.getvalue()
+    header = list(dict.fromkeys(name for row in rows for name in row))
+    known = ({name: value for name, value in row.items() if value == value} for row in rows)
+    return table_text(header, ([row.get(name, "") for name in header] for row in known))
 
 
 def whole_document(document: dict[str, Any], groups: list[Group]) -> dict[str, Any]:

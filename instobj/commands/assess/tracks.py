@@ -28,14 +28,14 @@ from instobj.commands.readings import (
     zeroed_data_set,
 )
 from instobj.store.progress import ProgressLine
-from instobj.store.readers import BOM, INVERSION, ORDERS, SCORES, face_model_paths
+from instobj.store.readers import INVERSION, face_model_paths, published_tables
 
 if TYPE_CHECKING:
     from estimator.networks.face_model import FaceModel
 
 MOST_UNEXPLAINED = 0.5
 """Share of pressed frames without explanation from which networks read in the inversion's place."""
-_OTHERS = ("contacts.csv", "grasps.csv", SCORES.name, BOM.name, ORDERS.name)
+_OTHERS = ("contacts.csv", "grasps.csv", *published_tables())
 """Tables that instobj writes next to recordings."""
 _STEP = 200
 """Frames between two words of progress."""
