@@ -15,7 +15,7 @@ from scipy.optimize import least_squares
 
 from design.errors import InputError
 from estimator.adoption.convention import Convention, best_convention
-from estimator.calibration.known_travel.agreement import TravelFigures, chip_orders, figures
+from estimator.calibration.known_travel.agreement import TravelAgreement, agreement_of, figures
 from estimator.calibration.known_travel.model import SYMMETRIES, Pose, TravelModel
 from estimator.field.models import MagnetsModel
 from estimator.signals.field_setup import Scene, sensed_field, zero_motion
@@ -209,22 +209,6 @@ def _refined(start: ObjectFit, pressed: Pressed) -> tuple[float, ObjectFit]:
     return float(solution.cost), replace(start, numbers=solution.x)
 
 
-@dataclass(frozen=True)
-class FitFigures:
-    """A fit judged on places that it has not seen: all presses, those beyond `BEYOND_MM`, and nulls."""
-
-    all: TravelFigures
-    beyond: TravelFigures
-    by_travel: dict[str, TravelFigures]
-    places_exchanged: list[TravelFigures]
-    chips_permuted: list[TravelFigures]
-
-    @property
-    def order_of_chips(self) -> int:
-        """Place of the chips' order among all, by cosine: 1 is best."""
-        return 1 + sum(alternative.cosine >= self.all.cosine for alternative in self.chips_permuted)
-
-
 def halves_of_places(pressed: Pressed, seed: int) -> Bool[np.ndarray, "press"]:
     """Presses of a random half of the places."""
     places = np.unique(pressed.place)
@@ -232,26 +216,14 @@ def halves_of_places(pressed: Pressed, seed: int) -> Bool[np.ndarray, "press"]:
     return np.isin(pressed.place, chosen)
 
 
-def judged(fit: ObjectFit, pressed: Pressed, exchanges: int = 99, seed: int = 0) -> FitFigures:
+def judged(fit: ObjectFit, pressed: Pressed, exchanges: int = 99, seed: int = 0) -> TravelAgreement:
     """Judge a fit; places exchanged keep every press's travel and give it the place of another."""
     pressed = pressed.complete
     recorded, predicted = fit.recorded(pressed), fit.predicted(pressed)[0]
     _, travel = fit.shell_presses(pressed)
-    deep = travel > BEYOND_MM
     rng = np.random.default_rng((seed, 42))
     exchanged = []
     for _ in range(exchanges):
         mixed = replace(pressed, xy_mm=pressed.xy_mm[rng.permutation(len(travel))])
         exchanged.append(figures(fit.predicted(mixed)[0], recorded))
-    steps = np.arange(0, np.ceil(travel.max()))
-    return FitFigures(
-        figures(predicted, recorded),
-        figures(predicted[deep], recorded[deep]),
-        {
-            f"{low:g} to {low + 1:g} mm": figures(predicted[rows], recorded[rows])
-            for low in steps
-            if (rows := (travel >= low) & (travel < low + 1)).sum() > 1
-        },
-        exchanged,
-        [figures(predicted[:, list(order)], recorded) for order in chip_orders(predicted.shape[1])],
-    )
+    return agreement_of(predicted, recorded, travel, BEYOND_MM, exchanged, rivals={})

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tomllib
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,8 +18,9 @@ from instobj.store.readers import PRESSES
 
 if TYPE_CHECKING:
     from estimator.adoption.findings import Finding
-    from estimator.adoption.fit import FitFigures, ObjectFit, Pressed
+    from estimator.adoption.fit import ObjectFit, Pressed
     from estimator.adoption.identify import Identified, Known
+    from estimator.calibration.known_travel.agreement import TravelAgreement
 
 UNKNOWN = {
     "travel": "how much of the machine's travel the shell takes: contact height, play, the stand",
@@ -127,11 +127,11 @@ def fit_specification(
         findings += _fit_findings(face, whole, figures[str(face)], identified.chips_of_face[face])
         if not fitted:
             fitted = fitted_text(path, spec, whole)
-    return findings, {face: _summary(identified) for face, identified in figures.items()}, fitted
+    return findings, {face: agreement.summary() for face, agreement in figures.items()}, fitted
 
 
 def _fit_findings(
-    face: int, fit: ObjectFit, figures: FitFigures, chips: list[int]
+    face: int, fit: ObjectFit, figures: TravelAgreement, chips: list[int]
 ) -> list[Finding]:
     from estimator.adoption.findings import Finding, share_as_high
 
@@ -177,24 +177,6 @@ def _axes_text(turn: np.ndarray) -> str:
         names.append(("-" if row[axis] < 0 else "") + "XYZ"[axis])
     poles = "" if np.linalg.det(turn) > 0 else ", poles reversed"
     return f"their x, y, z are the design's {', '.join(names)}{poles}"
-
-
-def _summary(figures: FitFigures) -> dict[str, Any]:
-    def spread(group: list[Any]) -> dict[str, list[float]]:
-        return {
-            name: [float(np.median(values)), float(np.max(values))]
-            for name in ("cosine", "explained")
-            if (values := [getattr(item, name) for item in group])
-        }
-
-    return {
-        "all": asdict(figures.all),
-        "beyond 1 mm": asdict(figures.beyond),
-        "by travel": {name: asdict(item) for name, item in figures.by_travel.items()},
-        "places exchanged, median and best": spread(figures.places_exchanged),
-        "chips permuted, median and best": spread(figures.chips_permuted),
-        "order of chips": figures.order_of_chips,
-    }
 
 
 def fitted_text(path: Path, spec: ObjectSpec, fit: ObjectFit) -> str:

@@ -117,13 +117,25 @@ def travel_agreement(
     recorded = judged.field_mt - fitted.resting_mt
     motion = model.motion(xy, travel)
     predicted = model.change(fitted.twin, motion)
-    deep = travel > beyond_mm
     rng = np.random.default_rng((seed, 14))
     exchanged = [
         figures(model.change(fitted.twin, model.motion(rng.permutation(xy), travel)), recorded)
         for _ in range(exchanges)
     ]
-    steps = np.arange(0, np.ceil(travel.max()))
+    rivals = rival_figures(model, fitted, registered, judged)
+    return agreement_of(predicted, recorded, travel, beyond_mm, exchanged, rivals)
+
+
+def agreement_of(
+    predicted: Changes,
+    recorded: Changes,
+    travel: Float[np.ndarray, "press"],
+    beyond_mm: float,
+    places_exchanged: list[TravelFigures],
+    rivals: dict[str, TravelFigures],
+) -> TravelAgreement:
+    """Figures of changes at these travels (mm), of each millimetre, and of all orders of the chips."""
+    deep, steps = travel > beyond_mm, np.arange(0, np.ceil(travel.max()))
     return TravelAgreement(
         figures(predicted, recorded),
         beyond_mm,
@@ -133,9 +145,9 @@ def travel_agreement(
             for low in steps
             if (rows := (travel >= low) & (travel < low + 1)).sum() > 1
         },
-        exchanged,
+        places_exchanged,
         [figures(predicted[:, list(order)], recorded) for order in chip_orders(predicted.shape[1])],
-        rival_figures(model, fitted, registered, judged),
+        rivals,
     )
 
 
