@@ -145,13 +145,24 @@ def nearest_force(
     force_n: Float[np.ndarray, "place knot"],
 ) -> Float[np.ndarray, "n"]:
     """Force at the point of all the curves (straight between knots) nearest to each change."""
+    return nearest_press(change, curve, force_n)[0]
+
+
+def nearest_press(
+    change: Float[np.ndarray, "n channel"],
+    curve: Float[np.ndarray, "place knot channel"],
+    force_n: Float[np.ndarray, "place knot"],
+) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
+    """Return the same force, and the squared distance from that point."""
     start, along = curve[:, :-1], np.diff(curve, axis=1)
     length2 = np.maximum((along**2).sum(axis=-1), 1e-12)
-    nearest = np.empty(len(change))
+    force, squared = np.empty(len(change)), np.empty(len(change))
     for row, point in enumerate(change):
+        # share of each straight piece at which it is nearest: (d − a)·(b − a) / |b − a|²
         share = np.clip(((point - start) * along).sum(axis=-1) / length2, 0, 1)
         distance = ((point - start - share[..., None] * along) ** 2).sum(axis=-1)
         place, knot = np.unravel_index(int(np.argmin(distance)), distance.shape)
         low, high = force_n[place, knot], force_n[place, knot + 1]
-        nearest[row] = low + share[place, knot] * (high - low)
-    return nearest
+        force[row] = low + share[place, knot] * (high - low)
+        squared[row] = distance[place, knot]
+    return force, squared

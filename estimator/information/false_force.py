@@ -17,6 +17,7 @@ from jaxtyping import Float
 from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from estimator.field.forces import resting_loads
+from estimator.information.cross_face import nearest_press
 from estimator.information.sensitivity import channel_noise, read_channels
 from estimator.signals.field_setup import scene, zero_motion
 from estimator.signals.presses import Signals, rest_counts
@@ -85,26 +86,11 @@ def false_force_n(
         force = signals.force_n[index, pressed]
         delta = signals.delta_counts[index, pressed].reshape(*force.shape, -1)
         delta, wanted = (given[..., read] / noise[read] for given in (delta, change.ravel()))
-        best = min(best, _nearest(force, delta, wanted))
+        # from rest on
+        curve, forces = (np.insert(given, 0, 0.0, axis=1) for given in (delta, force))
+        (nearest,), (squared,) = nearest_press(wanted[None], curve, forces)
+        best = min(best, (float(squared), float(nearest)))
     return best[1]
-
-
-def _nearest(
-    force: Float[np.ndarray, "place step"],
-    delta: Float[np.ndarray, "place step channel"],
-    wanted: Float[np.ndarray, "channel"],
-) -> tuple[float, float]:
-    """Squared distance to the nearest point of the presses' curves, and its force."""
-    start, begin = np.zeros_like(delta[:, :1]), np.zeros_like(force[:, :1])
-    nodes, forces = np.concatenate([start, delta], 1), np.concatenate([begin, force], 1)
-    step, gain = np.diff(nodes, axis=1), np.diff(forces, axis=1)
-    away = wanted - nodes[:, :-1]
-    # Share of each straight piece at which it is nearest: (d − a)·(b − a) / |b − a|²
-    length = np.maximum((step**2).sum(-1), 1e-12)
-    share = np.clip((away * step).sum(-1) / length, 0.0, 1.0)
-    squared = ((away - share[..., None] * step) ** 2).sum(-1)
-    place = np.unravel_index(int(squared.argmin()), squared.shape)
-    return float(squared[place]), float((forces[:, :-1] + share * gain)[place])
 
 
 def _worst(

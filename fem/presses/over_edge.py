@@ -177,6 +177,7 @@ def _moments(
     basis = FacetBasis(mesh, ElementTetP1(), facets=facets, intorder=_ORDER)
     points = np.moveaxis(np.asarray(basis.global_coordinates()), 0, -1)
     local = (points - place.point_mm) @ place.axes
+    # cosine of surface and way: d coordinate, f facet, q point
     lean = np.einsum("dfq,d->fq", np.asarray(basis.normals), place.outward)
     shape = tip_shape(spec.indenter)
     # beside its outline the tip is as high as it may be pressed: nothing touches there
