@@ -43,7 +43,7 @@ GROUPS = {
     "strength of the magnets": REMANENCE,
     "modulus, that is depth": MODULUS,
 }
-"""What is freed by itself."""
+"""Unknowns that are freed by themselves."""
 _FLOOR_COUNTS = 20.0
 """Error of the model, at least."""
 _MODEL_ERROR = 0.2

@@ -78,7 +78,7 @@ class Judged:
 
     @property
     def penalty(self) -> Float[Tensor, "layout"]:
-        """By what share objectives grow for broken limits."""
+        """Share by which objectives grow for broken limits."""
         return PENALTY_PER_MM * self.broken.sum(dim=1)
 
     @property
@@ -278,7 +278,7 @@ class Evolution:
 
 @dataclass(frozen=True)
 class Worth:
-    """Of points of one run: weighted logarithms of the objectives, as they are and eased, penalty, and
+    """Worth of points of one run: weighted logarithms of the objectives, as they are and eased, penalty, and
     broken limits."""
 
     points: Float[Tensor, "layout variable"]

@@ -20,9 +20,9 @@ from estimator.recordings.formats.travel import TravelRecording
 
 Changes = Float[np.ndarray, "press sensor 3"]
 REGISTERED_SHARE, CALIBRATED_SHARE = 0.05, 0.1
-"""Of the places; all others are judged."""
+"""Shares of the places that are fitted; all others are judged."""
 MODEL_ERROR_MT = 0.05
-"""Of a change, rms: what registered presses leave on the eFlesh recordings."""
+"""Error of a change, rms: what registered presses leave on the eFlesh recordings."""
 RESTING_ERROR_MT = 0.1
 _POSE = {
     "shift_mm": Unknown(1.0, (2,), has_prior=False),

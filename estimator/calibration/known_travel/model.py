@@ -51,7 +51,7 @@ class Pose:
         return turned @ SYMMETRIES[self.symmetry], self.contact_mm - tip_mm[:, 2]
 
     def moved(self, values: Values) -> Pose:
-        """By `shift_mm`, `turn_rad` and `contact_mm`."""
+        """Return the pose moved by `shift_mm`, `turn_rad` and `contact_mm`."""
         return replace(
             self,
             shift_mm=self.shift_mm + values["shift_mm"],

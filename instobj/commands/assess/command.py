@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -11,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from design.errors import InputError
-from design.files import atomic_path
 from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from estimator.grasps.damage import Sphere, read_limits
@@ -25,7 +23,6 @@ from instobj.commands.assess.groups import (
     axis_of,
     cell_rows,
     compared_with_cells,
-    csv_text,
     difference_row,
     full_rows,
     grasp_rows,
@@ -33,6 +30,7 @@ from instobj.commands.assess.groups import (
     median_rows,
     risk_rows,
     whole_document,
+    write_csv,
 )
 from instobj.commands.assess.sentences import sentences, warnings_of
 from instobj.commands.assess.tracks import (
@@ -45,6 +43,7 @@ from instobj.commands.readings import Zeroing
 from instobj.figures.grasps import GroupPicture, draw_grasps
 from instobj.report.grasps import write_grasps_page
 from instobj.store.publish import file_rows, require_writable, run_folder, run_name
+from instobj.store.stage import write_json
 
 MOST_ROWS = 12
 """Rows of a table that a terminal shows."""
@@ -186,10 +185,12 @@ def _document(
     draw_grasps(
         [_picture(group, headline) for group in groups if group.grasps], axis_of(headline), figure
     )
+    whole = folder / "assess.json"
+    write_json(whole_document(document, groups), whole)
     written = [
         figure,
-        _write(folder / "grasps.csv", csv_text(full_rows(groups))),
-        _write(folder / "assess.json", json.dumps(whole_document(document, groups), indent=1)),
+        write_csv(folder / "grasps.csv", full_rows(groups)),
+        whole,
         write_grasps_page(
             folder / "assess.html", document, figure, _definitions(names, conditions)
         ),
@@ -222,9 +223,3 @@ def _picture(group: Group, headline: str) -> GroupPicture:
 
 def _file_name(name: str) -> str:
     return name.strip("/").replace("/", "_").replace("\\", "_")
-
-
-def _write(path: Path, text: str) -> Path:
-    with atomic_path(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
-    return path

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from design.tables import table_text
+from design.tables import write_table
 from estimator.grasps.measures import MeasuredGrasp, Reading
 from estimator.grasps.protocols import MEASURES, Measure
 from estimator.grasps.ranking import Difference, median_interval
@@ -27,7 +28,7 @@ class MeasuredRecording:
 
 @dataclass(frozen=True)
 class Group:
-    """What is ranked: a gripper, a policy or a pad, and its recordings."""
+    """Gripper, policy or pad that is ranked, and its recordings."""
 
     name: str
     recordings: list[MeasuredRecording]
@@ -185,11 +186,12 @@ def full_rows(groups: list[Group]) -> list[dict[str, Any]]:
     return rows
 
 
-def csv_text(rows: list[dict[str, Any]]) -> str:
-    """Rows as CSV; what is not known is empty."""
+def write_csv(path: Path, rows: list[dict[str, Any]]) -> Path:
+    """Write rows as CSV; what is not known is empty."""
     header = list(dict.fromkeys(name for row in rows for name in row))
     known = ({name: value for name, value in row.items() if value == value} for row in rows)
-    return table_text(header, ([row.get(name, "") for name in header] for row in known))
+    write_table(path, header, ([row.get(name, "") for name in header] for row in known))
+    return path
 
 
 def whole_document(document: dict[str, Any], groups: list[Group]) -> dict[str, Any]:

@@ -174,7 +174,7 @@ def lies_over_edge(spec: ObjectSpec, place: Place) -> bool:
 
 
 def _require_on_lattice(spec: ObjectSpec, place: Place) -> None:
-    """On a curved patch a press stays where the table of presses is known."""
+    """Refuse a press on a curved patch where the table of presses is not known."""
     from design.layout.places.contact_grid import press_lattice
     from design.layout.places.contact_places import pressed_nodes
     from estimator.signals.interpolation import among_pressed
