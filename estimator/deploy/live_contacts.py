@@ -112,11 +112,11 @@ class LiveContacts:
         """Counts of all channels; those left out show the zero, so that it does not follow them."""
         self._require_its_sensors(raw_counts)
         now, out = np.zeros(self.inversion.model.channels), self._unzeroed.copy()
-        now[self.inversion.told] = channel_readings(raw_counts, self.inversion.channels)
+        now[self.inversion.live_rows] = channel_readings(raw_counts, self.inversion.channels)
         if left_out is not None:
             face, sensor, axis = np.array(self.inversion.channels).T
             stands = left_out[face - 1, sensor, axis]
-            out[self.inversion.told[stands]] = True
+            out[self.inversion.live_rows[stands]] = True
             if self._zero is None:
                 self._unzeroed = out
         self._out = out

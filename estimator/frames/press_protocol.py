@@ -18,7 +18,7 @@ from design.layout.places.contact_places import contact_places, face_rows
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.frames.dataset import NO_FACE, FrameSet
-from estimator.information.scores import on_places
+from estimator.information.scores import fill_places
 from estimator.signals.hall import read_out
 from estimator.signals.interpolation import (
     Traces,
@@ -98,7 +98,7 @@ def nominal_peaks(spec: ObjectSpec, signals: Signals) -> NominalPeaks:
     wanted = np.clip(force_at_depth(traces, travel), low, high)
     force = np.minimum(wanted, traces.force_n[:, -1])
     values = force, depth_at_force(traces, force[:, None])[:, 0], wanted > force
-    return NominalPeaks(travel, *(on_places(places, [value]) for value in values))
+    return NominalPeaks(travel, *(fill_places(places, [value]) for value in values))
 
 
 def _common_travel_mm(traces: Traces, median_force_n: float) -> float:

@@ -20,10 +20,10 @@ def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
     """Contact locations spread evenly over what all faces have in common, five an axis at most."""
     shared = np.asarray(contact_places(spec).all(axis=0)).reshape(grid_count(spec))
     chosen = []
-    for other in (1, 0):
-        used = np.flatnonzero(shared.any(axis=other))
+    for across in (1, 0):
+        used = np.flatnonzero(shared.any(axis=across))
         some = np.unique(np.linspace(0, len(used) - 1, _PLACES_AN_AXIS).round()).astype(int)
-        chosen.append(np.isin(np.arange(shared.shape[1 - other]), used[some] if len(used) else []))
+        chosen.append(np.isin(np.arange(shared.shape[1 - across]), used[some] if len(used) else []))
     return np.flatnonzero(np.outer(*chosen) & shared)
 
 

@@ -19,7 +19,7 @@ from design.layout.places.contact_places import contact_places
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
-from estimator.information.scores import on_places
+from estimator.information.scores import fill_places
 from estimator.information.sensitivity import own_channels
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import counts_at_force, press_traces
@@ -59,8 +59,8 @@ class CrossFace:
         rows = np.array([r == relation for r in self.relation], bool)
         if not rows.any():
             return {}
-        there = rows[:, None] & self.places
-        size, force = self.size_sigma[there], self.false_force_n[there]
+        judged = rows[:, None] & self.places
+        size, force = self.size_sigma[judged], self.false_force_n[judged]
         return {
             "median_sigma": float(np.median(size)),
             "percentile_95_sigma": float(np.percentile(size, 95)),
@@ -83,26 +83,28 @@ def cross_face_disturbance(spec: ObjectSpec, signals: Signals, force_n: float = 
     ]
     places, live = contact_places(spec), live_channels(spec).ravel()
     pressed = [
-        _pressed_counts(spec, signals, face.number, there, force_n)
-        for face, there in zip(frames, places, strict=True)
+        _pressed_counts(spec, signals, face.number, pressed_rows, force_n)
+        for face, pressed_rows in zip(frames, places, strict=True)
     ]
     sizes, forces = [], []
     for pressed_face, read_face in pairs:
-        own = own_channels(signals, spec.sensors, frames[read_face].number)
-        own = own[live[own]]
-        sigma = disturbance_counts(spec.sensors, "fresh", live.size)[own]
-        change = pressed[pressed_face][:, own] / sigma
+        face_channels = own_channels(signals, spec.sensors, frames[read_face].number)
+        face_channels = face_channels[live[face_channels]]
+        sigma = disturbance_counts(spec.sensors, "fresh", live.size)[face_channels]
+        change = pressed[pressed_face][:, face_channels] / sigma
         sizes.append(np.linalg.norm(change, axis=1))
-        forces.append(nearest_force(change, *_own_presses(spec, signals, read_face, own, sigma)))
-    there = places[[a for a, _ in pairs]] if pairs else places[:0]
+        forces.append(
+            nearest_force(change, *_own_presses(spec, signals, read_face, face_channels, sigma))
+        )
+    pressed_rows = places[[a for a, _ in pairs]] if pairs else places[:0]
     return CrossFace(
         force_n,
         np.array([frames[a].number for a, _ in pairs], dtype=int),
         np.array([frames[b].number for _, b in pairs], dtype=int),
         tuple(relation),
-        on_places(there, sizes) if pairs else np.zeros(there.shape),
-        on_places(there, forces) if pairs else np.zeros(there.shape),
-        there,
+        fill_places(pressed_rows, sizes) if pairs else np.zeros(pressed_rows.shape),
+        fill_places(pressed_rows, forces) if pairs else np.zeros(pressed_rows.shape),
+        pressed_rows,
     )
 
 
@@ -110,10 +112,10 @@ def _pressed_counts(
     spec: ObjectSpec,
     signals: Signals,
     face: int,
-    there: Bool[np.ndarray, "every"],
+    is_place: Bool[np.ndarray, "every"],
     force_n: float,
 ) -> Float[np.ndarray, "place channel"]:
-    xy = signals.lattice.xy_mm[grid_places_in_lattice(spec)[there]]
+    xy = signals.lattice.xy_mm[grid_places_in_lattice(spec)[is_place]]
     traces = press_traces(signals, np.full(len(xy), face), xy[:, 0], xy[:, 1])
     change = counts_at_force(traces, np.full((len(xy), 1), force_n), beyond="clamp").counts[:, 0]
     rest = signals.baseline_counts.ravel()
@@ -124,7 +126,7 @@ def _own_presses(
     spec: ObjectSpec,
     signals: Signals,
     face_index: int,
-    own: Int[np.ndarray, "channel"],
+    face_channels: Int[np.ndarray, "channel"],
     sigma: Float[np.ndarray, "channel"],
 ) -> tuple[Float[np.ndarray, "place knot channel"], Float[np.ndarray, "place knot"]]:
     """Whitened signals of the face's own presses from rest on, and their forces."""
@@ -133,9 +135,9 @@ def _own_presses(
         len(places), len(signals.depth_mm), -1
     )
     rest = np.zeros((len(places), 1))
-    rest_counts = signals.baseline_counts.ravel()[own]
-    counts = read_change(rest_counts, counts[..., own], full_scale_counts(spec.sensors))
-    curve = np.concatenate([np.zeros((len(places), 1, len(own))), counts / sigma], axis=1)
+    rest_counts = signals.baseline_counts.ravel()[face_channels]
+    counts = read_change(rest_counts, counts[..., face_channels], full_scale_counts(spec.sensors))
+    curve = np.concatenate([np.zeros((len(places), 1, len(face_channels))), counts / sigma], axis=1)
     return curve, np.concatenate([rest, signals.force_n[face_index, places]], axis=1)
 
 
@@ -154,13 +156,13 @@ def nearest_press(
     force_n: Float[np.ndarray, "place knot"],
 ) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
     """Return the same force, and the squared distance from that point."""
-    start, along = curve[:, :-1], np.diff(curve, axis=1)
-    length2 = np.maximum((along**2).sum(axis=-1), 1e-12)
+    start, piece = curve[:, :-1], np.diff(curve, axis=1)
+    length2 = np.maximum((piece**2).sum(axis=-1), 1e-12)
     force, squared = np.empty(len(change)), np.empty(len(change))
     for row, point in enumerate(change):
         # share of each straight piece at which it is nearest: (d − a)·(b − a) / |b − a|²
-        share = np.clip(((point - start) * along).sum(axis=-1) / length2, 0, 1)
-        distance = ((point - start - share[..., None] * along) ** 2).sum(axis=-1)
+        share = np.clip(((point - start) * piece).sum(axis=-1) / length2, 0, 1)
+        distance = ((point - start - share[..., None] * piece) ** 2).sum(axis=-1)
         place, knot = np.unravel_index(int(np.argmin(distance)), distance.shape)
         low, high = force_n[place, knot], force_n[place, knot + 1]
         force[row] = low + share[place, knot] * (high - low)

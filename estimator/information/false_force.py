@@ -103,7 +103,7 @@ def _worst(
         if not place.sensors_move:
             motion = motions_under_loads(response, loads, (index, gap_mm))
         change = moved_counts(jaw, motion) - rest
-        own = change[place.sensors.face == frame.number]
+        face_change = change[place.sensors.face == frame.number]
         force = false_force_n(spec, signals, change)
-        rows.append((float(abs(own).max()), longest(loads), longest(motion), force))
+        rows.append((float(abs(face_change).max()), longest(loads), longest(motion), force))
     return JawEffect(material, gap_mm, *np.max(rows, axis=0).tolist())

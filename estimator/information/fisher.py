@@ -91,28 +91,28 @@ def cramer_rao_bounds(
 ) -> Bounds:
     """Bounds from ∂S/∂(x, y, F) or ∂S/∂(x, y, F, Fx, Fy) (counts per mm and N), independent
     disturbances and nuisances (counts per standard deviation)."""
-    white = _at_least_square(whitened_slopes(jacobian, sigma_counts, nuisances))
+    white = _squared_rows(whitened_slopes(jacobian, sigma_counts, nuisances))
     size = np.linalg.norm(white, axis=1)
     scale = np.where(size > 0, size, 1.0)
     _, singular, right = np.linalg.svd(white / scale[:, None], full_matrices=False)
-    seen = np.greater(singular, _RANK_TOLERANCE)
-    inverse = np.where(seen, singular, np.inf) ** -2.0
+    resolved = np.greater(singular, _RANK_TOLERANCE)
+    inverse = np.where(resolved, singular, np.inf) ** -2.0
     # Σ_k v_k v_kᵀ/σ_k² = (JᵀJ)⁻¹: p press, k singular value, i and j parameters. Values that count as 0
     # are left out (1/∞); parameters that they touch become infinite below.
     covariance = np.einsum("pk,pki,pkj->pij", inverse, right, right)
     covariance = covariance / (scale[:, :, None] * scale[:, None, :])
     variance = np.diagonal(covariance, axis1=1, axis2=2).copy()
-    blind = _touched_by_blindness(right, seen)
+    blind = _touched_by_blindness(right, resolved)
     variance[blind] = np.inf
-    known = np.asarray(~blind[:, :2].any(axis=1))[:, None, None]
+    has_position = np.asarray(~blind[:, :2].any(axis=1))[:, None, None]
     return Bounds(
         np.sqrt(variance[:, 0] + variance[:, 1]),
-        np.where(known, covariance[:, :2, :2], np.nan),
+        np.where(has_position, covariance[:, :2, :2], np.nan),
         np.sqrt(variance[:, 2]),
         _tangential_bound(variance),
-        _weakest_direction(covariance, right / scale[:, None], seen),
-        seen.sum(axis=1),
-        _blind_direction(right / scale[:, None], seen),
+        _weakest_direction(covariance, right / scale[:, None], resolved),
+        resolved.sum(axis=1),
+        _blind_direction(right / scale[:, None], resolved),
     )
 
 
@@ -126,10 +126,10 @@ def whitened_slopes(
         return jacobian / sigma_counts[:, None]
     white = np.empty_like(jacobian)
     patterns, which = np.unique(jacobian.any(axis=2), axis=0, return_inverse=True)
-    for number, seen in enumerate(patterns):
+    for number, moving in enumerate(patterns):
         some = which.ravel() == number
         rows = jacobian[some].swapaxes(1, 2)
-        white[some] = whitened(rows, sigma_counts, nuisances * seen[:, None]).swapaxes(1, 2)
+        white[some] = whitened(rows, sigma_counts, nuisances * moving[:, None]).swapaxes(1, 2)
     return white
 
 
@@ -192,7 +192,7 @@ def _dot(
     return np.einsum("pc,pc->p", a, b)
 
 
-def _at_least_square(
+def _squared_rows(
     whitened: Float[np.ndarray, "press channel parameter"],
 ) -> Float[np.ndarray, "press row parameter"]:
     """Channels that see nothing fill up what is missing to the number of parameters."""
@@ -210,29 +210,29 @@ def _tangential_bound(
 
 
 def _touched_by_blindness(
-    right: Float[np.ndarray, "press k parameter"], seen: Bool[np.ndarray, "press k"]
+    right: Float[np.ndarray, "press k parameter"], resolved: Bool[np.ndarray, "press k"]
 ) -> Bool[np.ndarray, "press parameter"]:
     """Parameters with a share in a direction that is not seen: they have no finite bound."""
-    share = np.where(seen[:, :, None], 0.0, right**2).sum(axis=1)
+    share = np.where(resolved[:, :, None], 0.0, right**2).sum(axis=1)
     return np.asarray(share > 1e-10)
 
 
 def _blind_direction(
-    right: Float[np.ndarray, "press k parameter"], seen: Bool[np.ndarray, "press k"]
+    right: Float[np.ndarray, "press k parameter"], resolved: Bool[np.ndarray, "press k"]
 ) -> Float[np.ndarray, "press parameter"]:
     last = right[:, -1] / np.linalg.norm(right[:, -1], axis=1, keepdims=True)
-    return np.where(seen.all(axis=1, keepdims=True), np.nan, last)
+    return np.where(resolved.all(axis=1, keepdims=True), np.nan, last)
 
 
 def _weakest_direction(
     covariance: Float[np.ndarray, "press k parameter"],
     right: Float[np.ndarray, "press k parameter"],
-    seen: Bool[np.ndarray, "press k"],
+    resolved: Bool[np.ndarray, "press k"],
 ) -> Float[np.ndarray, "press 2"]:
     weakest = np.linalg.eigh(covariance[:, :2, :2])[1][:, :, -1]
     blind = right[:, -1, :2]
     length = np.linalg.norm(blind, axis=1)
-    use = np.logical_not(seen[:, -1]) & (length > 1e-6 * np.linalg.norm(right[:, -1], axis=1))
+    use = np.logical_not(resolved[:, -1]) & (length > 1e-6 * np.linalg.norm(right[:, -1], axis=1))
     weakest[use] = blind[use] / length[use, None]
     return weakest
 
@@ -260,9 +260,9 @@ def detectable_force_n(
     if nuisances is not None:
         nuisances = nuisances * np.asarray(counts.any(axis=(0, 1)))[:, None]
     reached = np.linalg.norm(whitened(counts, sigma_counts, nuisances), axis=2)
-    after = np.argmax(reached >= distance, axis=1)
-    row, before = np.arange(len(force)), np.maximum(after - 1, 0)
-    rise = reached[row, after] - reached[row, before]
-    share = (distance - reached[row, before]) / np.where(rise > 0, rise, 1.0)
-    found = force[row, before] + share * (force[row, after] - force[row, before])
-    return np.where(after > 0, found, np.inf)
+    above = np.argmax(reached >= distance, axis=1)
+    row, below = np.arange(len(force)), np.maximum(above - 1, 0)
+    rise = reached[row, above] - reached[row, below]
+    share = (distance - reached[row, below]) / np.where(rise > 0, rise, 1.0)
+    detected = force[row, below] + share * (force[row, above] - force[row, below])
+    return np.where(above > 0, detected, np.inf)

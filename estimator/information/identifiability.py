@@ -120,9 +120,11 @@ def identifiability(
 
 def comparable_sensor_counts(spec: ObjectSpec) -> tuple[int, ...]:
     """Numbers of sensors per face that the stored mechanics can answer for."""
-    own = spec.sensors.count_per_face
+    count = spec.sensors.count_per_face
     return (
-        (own,) if spec.arrangement == "sensors-in-shell" else tuple(sorted({*_SENSOR_COUNTS, own}))
+        (count,)
+        if spec.arrangement == "sensors-in-shell"
+        else tuple(sorted({*_SENSOR_COUNTS, count}))
     )
 
 
@@ -136,7 +138,7 @@ class FaceJacobians:
 
     face: int
     whitened: Float[np.ndarray, "place channel 3"]
-    own: Float[np.ndarray, "place own 3"]
+    face_channels: Float[np.ndarray, "place own 3"]
 
 
 def whitened_jacobians(
@@ -147,8 +149,8 @@ def whitened_jacobians(
     sensors: int,
 ) -> tuple[FaceJacobians, ...]:
     """Derivatives at some contact locations for another number of sensors per face."""
-    other = with_sensor_count(spec, sensors)
-    return jacobians_of(other, press_signals(other, forces, motions), places)
+    variant = with_sensor_count(spec, sensors)
+    return jacobians_of(variant, press_signals(variant, forces, motions), places)
 
 
 def with_sensor_count(spec: ObjectSpec, sensors: int) -> ObjectSpec:
@@ -168,16 +170,18 @@ def jacobians_of(
     sigma = disturbance_counts(spec.sensors, "fresh", signals.baseline_counts.size)
     nuisances = nuisance_columns(spec)
     x, y = contact_grid(spec).xy_mm[places].T
-    found = []
+    jacobians = []
     for face in signals.faces.tolist():
         force = score_forces_n(spec, signals, face, places)
         slopes = live_jacobian(spec, signals, np.full(len(x), face), x, y, force).swapaxes(1, 2)
         # channels that stand still in every press tell nothing of nuisances
         shared = nuisances * np.asarray(slopes.any(axis=(0, 1)))[:, None]
         read = (np.arange(len(sigma)), own_channels(signals, spec.sensors, face))
-        white = (whitened(slopes[..., one], sigma[one], shared[one]) for one in read)
-        found.append(FaceJacobians(face, *(one.swapaxes(1, 2) for one in white)))
-    return tuple(found)
+        white = (
+            whitened(slopes[..., channels], sigma[channels], shared[channels]) for channels in read
+        )
+        jacobians.append(FaceJacobians(face, *(channels.swapaxes(1, 2) for channels in white)))
+    return tuple(jacobians)
 
 
 def score_forces_n(
@@ -194,7 +198,7 @@ class SetInformation:
     """What the whitened Jacobians of contact sets hold; parameters run contact by contact."""
 
     rank: Int[np.ndarray, "set"]
-    told: Int[np.ndarray, "set"]
+    resolved: Int[np.ndarray, "set"]
     condition: Float[np.ndarray, "set"]
     position_bound_mm: Float[np.ndarray, "set contact"]
     force_bound_n: Float[np.ndarray, "set contact"]
@@ -210,12 +214,12 @@ def set_information(whitened: Float[np.ndarray, "set channel parameter"]) -> Set
     missing = np.zeros((sets, max(0, parameters - channels), parameters))
     square = np.concatenate([whitened, missing], axis=1)
     _, singular, right = np.linalg.svd(square, full_matrices=False)
-    seen = singular > _RANK_TOLERANCE * singular[:, :1]
-    rank = seen.sum(axis=1)
+    resolved = singular > _RANK_TOLERANCE * singular[:, :1]
+    rank = resolved.sum(axis=1)
     full = rank == parameters
     with np.errstate(divide="ignore"):
         condition = np.where(full, singular[:, 0] / np.where(full, singular[:, -1], 1), np.inf)
-    inverse = np.where(seen, singular, 1.0) ** -2.0
+    inverse = np.where(resolved, singular, 1.0) ** -2.0
     # Diagonal of (JᵀJ)⁻¹ = Σ_k v_k v_kᵀ/σ_k²: s set, k singular value, i parameter
     variance = np.einsum("sk,ski->si", inverse, right**2).reshape(sets, -1, 3)
     variance[~full] = np.inf
@@ -237,10 +241,10 @@ def judge_sets(
     sensors: int,
     channels: Channels,
 ) -> Identifiability:
-    found = [set_information(stacked) for stacked in _stacked(jacobians, sets, channels)]
-    position = np.concatenate([info.position_bound_mm.max(axis=1) for info in found])
-    force = np.concatenate([info.force_bound_n.max(axis=1) for info in found])
-    rank = np.concatenate([info.rank for info in found])
+    information = [set_information(stacked) for stacked in _stacked(jacobians, sets, channels)]
+    position = np.concatenate([info.position_bound_mm.max(axis=1) for info in information])
+    force = np.concatenate([info.force_bound_n.max(axis=1) for info in information])
+    rank = np.concatenate([info.rank for info in information])
     # `inverted_cdf` picks sets that exist: no interpolation between finite and infinite bounds
     low, middle, high = np.quantile(position, (0.1, 0.5, 0.9), method="inverted_cdf")
     signals = (1 if channels == "own" else len(jacobians)) * 3 * sensors
@@ -252,14 +256,14 @@ def judge_sets(
         signals,
         len(position),
         int(rank.min()),
-        float(np.median(np.concatenate([info.told for info in found]))),
-        _middle(np.concatenate([info.condition for info in found])),
+        float(np.median(np.concatenate([info.resolved for info in information]))),
+        _middle(np.concatenate([info.condition for info in information])),
         float(low),
         float(middle),
         float(high),
         float(np.mean(position <= spec.limits.position_bound_mm)),
         _middle(force),
-        worst_set(spec, jacobians, places, sets, found),
+        worst_set(spec, jacobians, places, sets, information),
     )
 
 
@@ -268,7 +272,7 @@ def _stacked(
 ) -> Iterator[Float[np.ndarray, "set channel parameter"]]:
     """Jacobians of the sets on each face, face by face, contacts side by side."""
     for face in jacobians:
-        used = face.own if channels == "own" else face.whitened
+        used = face.face_channels if channels == "own" else face.whitened
         yield np.concatenate([used[sets[:, k]] for k in range(sets.shape[1])], axis=2)
 
 
@@ -277,13 +281,13 @@ def worst_set(
     jacobians: tuple[FaceJacobians, ...],
     places: Int[np.ndarray, "place"],
     sets: Int[np.ndarray, "set contact"],
-    found: list[SetInformation],
+    information: list[SetInformation],
 ) -> WorstSet:
-    condition = np.stack([info.condition for info in found])
+    condition = np.stack([info.condition for info in information])
     face, row = np.unravel_index(int(np.argmax(condition)), condition.shape)
     xy = contact_grid(spec).xy_mm[places[sets[row]]]
     return WorstSet(
-        jacobians[face].face, float(condition[face, row]), xy, found[face].blindest[row]
+        jacobians[face].face, float(condition[face, row]), xy, information[face].blindest[row]
     )
 
 

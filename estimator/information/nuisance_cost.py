@@ -44,15 +44,16 @@ def nuisance_costs(
 
     At the forces of the scores and from `score.channels`.
     """
-    every = nuisances(spec)
-    if not every:
+    all_nuisances = nuisances(spec)
+    if not all_nuisances:
         return ()
     slopes = [_slopes(spec, signals, scores, face) for face in scores.faces.tolist()]
     steady = _medians(spec, slopes, np.zeros((signals.baseline_counts.size, 0)))
     sets: list[tuple[str, float | None, str, Float[np.ndarray, "channel k"]]] = [
-        (one.name, one.deviation, one.unit, one.columns) for one in every
+        (nuisance.name, nuisance.deviation, nuisance.unit, nuisance.columns)
+        for nuisance in all_nuisances
     ]
-    sets.append((EVERY, None, "", np.hstack([one.columns for one in every])))
+    sets.append((EVERY, None, "", np.hstack([nuisance.columns for nuisance in all_nuisances])))
     return tuple(
         NuisanceCost(name, deviation, unit, *(_medians(spec, slopes, columns) / steady).tolist())
         for name, deviation, unit, columns in sets
@@ -79,5 +80,7 @@ def _medians(
 ) -> Float[np.ndarray, "2"]:
     """Medians of the position and the force bound over all faces."""
     sigma = disturbance_counts(spec.sensors, "fresh", len(columns))
-    bounds = [np.stack(position_and_force_bounds(one, sigma, columns)) for one in slopes]
+    bounds = [
+        np.stack(position_and_force_bounds(face_slopes, sigma, columns)) for face_slopes in slopes
+    ]
     return np.median(np.concatenate(bounds, axis=1), axis=1)

@@ -54,7 +54,7 @@ class _Optima:
 
     axes: Float[np.ndarray, "press place 2 2"]
     per_mm: Float[np.ndarray, "press place 2"]
-    along: Float[np.ndarray, "press place 2"]
+    in_plane: Float[np.ndarray, "press place 2"]
     across: Float[np.ndarray, "press place"]
 
 
@@ -74,10 +74,10 @@ def position_errors_mm(
     rivals : whitened
     xy_mm, signals, slopes : of the presses, as of `rivals`
     """
-    some = max(1, _MOST_NUMBERS // (4 * rivals.there.size))
+    some = max(1, _MOST_NUMBERS // (4 * rivals.is_pressed.size))
     parts = [slice(start, start + some) for start in range(0, len(xy_mm), some)]
     return np.concatenate(
-        [_errors_mm(rivals, xy_mm[own], signals[own], slopes[own]) for own in parts]
+        [_errors_mm(rivals, xy_mm[part], signals[part], slopes[part]) for part in parts]
     )
 
 
@@ -90,19 +90,21 @@ def _errors_mm(
     from scipy.special import log_ndtr
 
     away = rivals.xy_mm - xy_mm[:, None]
-    optima = _beside(_optima(rivals, signals), place_slopes(slopes), away, rivals.step_mm)
+    optima = _with_press_slopes(
+        _optima(rivals, signals), place_slopes(slopes), away, rivals.step_mm
+    )
     # normal density of the optimum times normal window, on each axis on its own
     window = (_WINDOW * rivals.step_mm) ** 2
     narrow = optima.per_mm**2 * window
     square = window / (1 + narrow)
-    shift = square * optima.per_mm * optima.along
+    shift = square * optima.per_mm * optima.in_plane
     with np.errstate(divide="ignore"):
-        log_mass = (np.log(narrow / (1 + narrow)) - optima.along**2 / (1 + narrow)).sum(-1) / 2
+        log_mass = (np.log(narrow / (1 + narrow)) - optima.in_plane**2 / (1 + narrow)).sum(-1) / 2
     half = optima.across / 2
     log_mass += log_ndtr(-half) - log_ndtr(half)
     top = log_mass.max(axis=1, keepdims=True)
     mass = np.exp(log_mass - np.where(np.isfinite(top), top, 0.0))
-    distance = _on_axes(optima.axes, away) + shift
+    distance = _axis_components(optima.axes, away) + shift
     square = (distance**2 + square).sum(-1)
     total = mass.sum(axis=1)
     mean = (mass * square).sum(axis=1) / np.where(total > 0, total, 1.0)
@@ -111,46 +113,50 @@ def _errors_mm(
 
 def _optima(rivals: RivalPresses, signals: Float[np.ndarray, "press channel"]) -> _Optima:
     """From the force of each place that is nearest to the signals, by one step of the force."""
-    there = rivals.place_slopes
+    slopes = rivals.place_slopes
     force, per_n = unit_vectors(rivals.slopes[..., 2])
-    probes = np.concatenate([rivals.signals[:, :, None], force[:, :, None], there.patterns], axis=2)
+    probes = np.concatenate(
+        [rivals.signals[:, :, None], force[:, :, None], slopes.patterns], axis=2
+    )
     on_itself = (probes @ rivals.signals[..., None])[..., 0]
-    told = np.tensordot(signals, probes, axes=(1, 3))
-    square = np.where(rivals.there, on_itself[..., 0], np.inf) - 2 * told[..., 0]
+    products = np.tensordot(signals, probes, axes=(1, 3))
+    square = np.where(rivals.is_pressed, on_itself[..., 0], np.inf) - 2 * products[..., 0]
     best = square.argmin(axis=2)
     press, place = np.ogrid[: len(signals), : len(rivals.xy_mm)]
     square = square[press, place, best] + (signals**2).sum(axis=1)[:, None]
-    told = told[press, place, best] - on_itself[place, best]
+    products = products[press, place, best] - on_itself[place, best]
     # not beyond the lattice's next forces
     last = len(rivals.force_n) - 1
     low, high = (rivals.force_n[np.clip(best + by, 0, last)] for by in (-1, 1))
-    own, per_n = rivals.force_n[best], per_n[place, best]
-    change = np.clip(told[..., 1], per_n * (low - own), per_n * (high - own))
-    square += change**2 - 2 * change * told[..., 1]
-    along = told[..., 2:]
-    across = np.sqrt(np.maximum(square - (along**2).sum(axis=-1), 0.0))
-    return _Optima(there.axes[place, best], there.per_mm[place, best], along, across)
+    force_of_best, per_n = rivals.force_n[best], per_n[place, best]
+    change = np.clip(
+        products[..., 1], per_n * (low - force_of_best), per_n * (high - force_of_best)
+    )
+    square += change**2 - 2 * change * products[..., 1]
+    in_plane = products[..., 2:]
+    across = np.sqrt(np.maximum(square - (in_plane**2).sum(axis=-1), 0.0))
+    return _Optima(slopes.axes[place, best], slopes.per_mm[place, best], in_plane, across)
 
 
-def _beside(
+def _with_press_slopes(
     optima: _Optima,
-    own: PlaceSlopes,
+    press_slopes: PlaceSlopes,
     away_mm: Float[np.ndarray, "press place 2"],
     step_mm: float,
 ) -> _Optima:
     """With each press's own slopes near it."""
     near = np.asarray((abs(away_mm) < _BESIDE * step_mm).all(axis=2))
-    axes, per_mm = own.axes[:, None], own.per_mm[:, None]
-    along = -per_mm * _on_axes(axes, away_mm)
+    axes, per_mm = press_slopes.axes[:, None], press_slopes.per_mm[:, None]
+    in_plane = -per_mm * _axis_components(axes, away_mm)
     return _Optima(
         np.where(near[..., None, None], axes, optima.axes),
         np.where(near[..., None], per_mm, optima.per_mm),
-        np.where(near[..., None], along, optima.along),
+        np.where(near[..., None], in_plane, optima.in_plane),
         np.where(near, 0.0, optima.across),
     )
 
 
-def _on_axes(
+def _axis_components(
     axes: Float[np.ndarray, "press _ 2 2"], away_mm: Float[np.ndarray, "press place 2"]
 ) -> Float[np.ndarray, "press place 2"]:
     """Coordinates along the axes."""

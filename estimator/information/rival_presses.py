@@ -45,8 +45,8 @@ def place_slopes(slopes: Float[np.ndarray, "*n channel 3"]) -> PlaceSlopes:
     """From the derivatives of whitened signals by x, y (per mm) and force (per N)."""
     force, _ = unit_vectors(slopes[..., 2])
     x, y = (
-        one - (one * force).sum(-1, keepdims=True) * force
-        for one in (slopes[..., 0], slopes[..., 1])
+        slope - (slope * force).sum(-1, keepdims=True) * force
+        for slope in (slopes[..., 0], slopes[..., 1])
     )
     # eigenvectors of [[xx, xy], [xy, yy]] in closed form
     xx, xy, yy = ((a * b).sum(-1) for a, b in ((x, x), (x, y), (y, y)))
@@ -81,7 +81,7 @@ class RivalPresses:
     xy_mm: Float[np.ndarray, "place 2"]
     step_mm: float
     force_n: Float[np.ndarray, "force"]
-    there: Bool[np.ndarray, "place force"]
+    is_pressed: Bool[np.ndarray, "place force"]
     signals: Float[np.ndarray, "place force channel"]
     slopes: Float[np.ndarray, "place force channel 3"]
 
@@ -93,7 +93,9 @@ class RivalPresses:
         """The same with independent disturbances of unit size (`estimator.information.fisher`)."""
         signals = whitened(self.signals, sigma_counts, nuisances)
         slopes = whitened(self.slopes.swapaxes(-1, -2), sigma_counts, nuisances).swapaxes(-1, -2)
-        return RivalPresses(self.xy_mm, self.step_mm, self.force_n, self.there, signals, slopes)
+        return RivalPresses(
+            self.xy_mm, self.step_mm, self.force_n, self.is_pressed, signals, slopes
+        )
 
     @cached_property
     def place_slopes(self) -> PlaceSlopes:
@@ -110,15 +112,15 @@ def rival_presses(
     """
     index = signals.faces.tolist().index(face)
     lattice, unresolved = signals.lattice, unresolved_presses(signals)[index]
-    there = signals.pressed[index] & ~unresolved[:, -1] & (unresolved.mean(axis=1) < 0.5)
-    x, y = lattice.xy_mm[there].T
+    usable = signals.pressed[index] & ~unresolved[:, -1] & (unresolved.mean(axis=1) < 0.5)
+    x, y = lattice.xy_mm[usable].T
     traces = press_traces(signals, np.full(len(x), face), x, y).select_channels(channels)
-    reach = np.zeros(len(there))
-    reach[there] = traces.force_n[:, -1]
+    reach = np.zeros(len(usable))
+    reach[usable] = traces.force_n[:, -1]
     force = reach.max() * (np.arange(1, _FORCES + 1) / _FORCES) ** 2
     counts, per_n = (
-        one if there.all() else continued(_on(there, one), there, lattice.shape)
-        for one in _at_forces(traces, force)
+        values if usable.all() else continued(_fill_places(usable, values), usable, lattice.shape)
+        for values in _interpolate_forces(traces, force)
     )
     rest, most = signals.baseline_counts.ravel()[channels], full_scale_counts(spec.sensors)
     slopes = np.stack([*_across(lattice, counts), per_n], axis=-1)
@@ -135,23 +137,23 @@ def rival_presses(
     )
 
 
-def _at_forces(
+def _interpolate_forces(
     traces: Traces, force_n: Float[np.ndarray, "force"]
 ) -> tuple[Float[np.ndarray, "press force channel"], Float[np.ndarray, "press force channel"]]:
     """Counts at given forces and their slopes per N; beyond the deepest press on the last slope."""
     held = np.minimum(force_n, traces.force_n[:, -1:])
-    at = traces.curves.evaluate(held + 1j * _STEP)
-    per_n = np.imag(at) / _STEP
-    return np.real(at) + (force_n - held)[..., None] * per_n, per_n
+    complex_counts = traces.curves.evaluate(held + 1j * _STEP)
+    per_n = np.imag(complex_counts) / _STEP
+    return np.real(complex_counts) + (force_n - held)[..., None] * per_n, per_n
 
 
-def _on(
-    there: Bool[np.ndarray, "place"], values: Float[np.ndarray, "some *rest"]
+def _fill_places(
+    is_place: Bool[np.ndarray, "place"], values: Float[np.ndarray, "some *rest"]
 ) -> Float[np.ndarray, "place *rest"]:
     """Values at places, NaN at the others."""
-    every = np.full((len(there), *values.shape[1:]), np.nan)
-    every[there] = values
-    return every
+    all_values = np.full((len(is_place), *values.shape[1:]), np.nan)
+    all_values[is_place] = values
+    return all_values
 
 
 def _across(
@@ -163,6 +165,6 @@ def _across(
     grid, slopes = values.reshape(*lattice.shape, -1), []
     for axis, nodes in enumerate((lattice.x_mm, lattice.y_mm)):
         by = make_interp_spline(nodes, np.eye(len(nodes)), k=3)(nodes, nu=1)
-        along = np.moveaxis(np.tensordot(by, grid, axes=(1, axis)), 0, axis)
-        slopes.append(along.reshape(values.shape))
+        axis_slopes = np.moveaxis(np.tensordot(by, grid, axes=(1, axis)), 0, axis)
+        slopes.append(axis_slopes.reshape(values.shape))
     return slopes[0], slopes[1]

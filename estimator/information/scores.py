@@ -122,7 +122,7 @@ class PlaceScores:
         return self.judged & (self.position_error_mm > BEYOND_BOUND * self.position_bound_mm)
 
     @property
-    def beyond_bound(self) -> str:
+    def exceeds_bound(self) -> str:
         """In words, where a reader does worse than the bound; empty where it does nowhere."""
         misread = self.misread
         if not misread.any():
@@ -186,11 +186,11 @@ def score_places(
     require_finite(spec, signals)
     grid, rows = contact_grid(spec), []
     places, nuisances = contact_places(spec)[face_rows(spec, signals.faces)], nuisance_columns(spec)
-    for face, there in zip(signals.faces.tolist(), places, strict=True):
+    for face, is_place in zip(signals.faces.tolist(), places, strict=True):
         if progress:
-            progress(f"face {face}: {there.sum()} places")
-        rows.append(_score_face(spec, signals, grid.xy_mm[there], face, nuisances))
-    columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
+            progress(f"face {face}: {is_place.sum()} places")
+        rows.append(_score_face(spec, signals, grid.xy_mm[is_place], face, nuisances))
+    columns = {name: fill_places(places, [row[name] for row in rows]) for name in rows[0]}
     require_reached(spec, columns["force_at_score_n"], columns["reaches_score_force"])
     for name in columns:
         if name.startswith(_AT_FORCE):
@@ -212,14 +212,14 @@ def require_reached(
         )
 
 
-def on_places(
+def fill_places(
     places: Bool[np.ndarray, "face place"], values: Sequence[Shaped[np.ndarray, "_ *rest"]]
 ) -> Shaped[np.ndarray, "face place *rest"]:
     """Values of the places that each face has, in the grid's order; NaN (or False) elsewhere."""
     kind, rest = values[0].dtype, values[0].shape[1:]
-    found = np.full((*places.shape, *rest), np.nan if kind.kind == "f" else False, kind)
-    found[places] = np.concatenate(values)
-    return found
+    filled = np.full((*places.shape, *rest), np.nan if kind.kind == "f" else False, kind)
+    filled[places] = np.concatenate(values)
+    return filled
 
 
 def _score_face(
@@ -230,24 +230,24 @@ def _score_face(
     nuisances: Float[np.ndarray, "channel k"],
 ) -> dict[str, Any]:
     live = live_channels(spec).ravel()
-    own = own_channels(signals, spec.sensors, face)
-    own, used = own[live[own]], read_channels(spec, signals, face)
-    if not len(own):
+    face_channels = own_channels(signals, spec.sensors, face)
+    face_channels, used = face_channels[live[face_channels]], read_channels(spec, signals, face)
+    if not len(face_channels):
         raise InputError(
             f"face {face} has no live channel: as_built calls all of them dead. Fix a sensor, or "
             "take the entries out"
         )
     where = (np.full(len(xy_mm), face), xy_mm[:, 0], xy_mm[:, 1])
-    every = press_traces(signals, *where)
-    traces = every.select_channels(used)
+    all_traces = press_traces(signals, *where)
+    traces = all_traces.select_channels(used)
     reach = traces.force_n[:, -1]
     force = np.minimum(spec.score.force_n, reach)
     depth = depth_at_force(traces, force[:, None])[:, 0]
     jacobian = live_jacobian(spec, signals, *where, force)[:, used]
-    noise = channel_noise(spec.sensors, live.size)[own]
+    noise = channel_noise(spec.sensors, live.size)[face_channels]
     rest, most = signals.baseline_counts.ravel(), full_scale_counts(spec.sensors)
-    press = periodic_press(every.select_channels(own), force, COVARIANCE_SAMPLES)
-    press = read_change(rest[own], press, most)
+    press = periodic_press(all_traces.select_channels(face_channels), force, COVARIANCE_SAMPLES)
+    press = read_change(rest[face_channels], press, most)
     # a chip clipped at rest tells nothing of the nuisances
     shared = nuisances[used] * (abs(rest[used]) <= most)[:, None]
     row: dict[str, Any] = sensitivities(press, force, noise)
@@ -265,13 +265,13 @@ def _score_face(
             row["weakest_direction_deg"] = np.rad2deg(np.arctan2(y, x)) % 180
             rivals = rival_presses(spec, signals, face, used).whitened(sigma, shared)
             counts = read(counts_at_force(traces, force[:, None]).counts[:, 0])
-            known = np.isfinite(bounds.position_mm)
+            bounded = np.isfinite(bounds.position_mm)
             signal, slopes = (
                 whitened(counts, sigma, shared),
                 whitened_slopes(jacobian, sigma, shared),
             )
             error = position_errors_mm(rivals, xy_mm, signal, slopes)
-            row["position_error_mm"] = np.where(known, error, np.inf)
+            row["position_error_mm"] = np.where(bounded, error, np.inf)
     return row | {
         "force_at_score_n": force,
         "reaches_score_force": reach >= spec.score.force_n,
@@ -319,26 +319,28 @@ def area_places(
     steps has no corners: all of it is edge.
     """
     whole = np.ones(len(grid), bool) if places is None else places
-    there = whole.reshape(grid.shape)
-    columns, rows = (np.flatnonzero(there.any(axis=other)) for other in (1, 0))
+    on_face = whole.reshape(grid.shape)
+    columns, rows = (np.flatnonzero(on_face.any(axis=axis)) for axis in (1, 0))
     x, y = np.meshgrid(*map(np.arange, grid.shape), indexing="ij")
-    from_x, from_y = (abs(at - (used[0] + used[-1]) / 2) for at, used in ((x, columns), (y, rows)))
-    on_x, on_y = (end_frames(there, axis) for axis in (0, 1))
+    from_x, from_y = (
+        abs(position - (used[0] + used[-1]) / 2) for position, used in ((x, columns), (y, rows))
+    )
+    on_x, on_y = (end_frames(on_face, axis) for axis in (0, 1))
     corner = on_x & on_y
-    if there.sum() < len(columns) * len(rows):
-        corner = np.zeros_like(there)
+    if on_face.sum() < len(columns) * len(rows):
+        corner = np.zeros_like(on_face)
     masks = {
         "corner": corner,
         "edge": (on_x | on_y) & ~corner,
         "mid_edge": (on_x & (from_y <= len(rows) / 6)) | (on_y & (from_x <= len(columns) / 6)),
         "centre": (from_x < 2) & (from_y < 2),
     }
-    return (masks[area] & there).ravel()
+    return (masks[area] & on_face).ravel()
 
 
-def end_frames(there: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx ny"]:
+def end_frames(on_face: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray, "nx ny"]:
     """Places that have no neighbour on one side or the other along an axis."""
-    padded = np.pad(np.moveaxis(there, axis, 0), ((1, 1), (0, 0)))
+    padded = np.pad(np.moveaxis(on_face, axis, 0), ((1, 1), (0, 0)))
     return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)
 
 
@@ -349,19 +351,27 @@ def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaS
     names += ["detectable_force_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
     medians, counts = {}, {}
     for area in AREAS:
-        there = np.stack([area_places(scores.grid, area, own) for own in scores.places[rows]])
-        there &= scores.judged[rows]
-        if there.any():
-            counts[area] = tuple(there.sum(axis=1).tolist())
+        in_area = np.stack(
+            [
+                area_places(scores.grid, area, places_of_face)
+                for places_of_face in scores.places[rows]
+            ]
+        )
+        in_area &= scores.judged[rows]
+        if in_area.any():
+            counts[area] = tuple(in_area.sum(axis=1).tolist())
             medians[area] = {
-                name: float(np.median(getattr(scores, name)[rows][there])) for name in names
+                name: float(np.median(getattr(scores, name)[rows][in_area])) for name in names
             }
     central = medians.get("centre", dict.fromkeys(names, np.nan))
     return tuple(
         AreaSummary(
-            area, counts[area], own, {name: value / central[name] for name, value in own.items()}
+            area,
+            counts[area],
+            places_of_face,
+            {name: value / central[name] for name, value in places_of_face.items()},
         )
-        for area, own in medians.items()
+        for area, places_of_face in medians.items()
     )
 
 

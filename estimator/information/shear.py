@@ -24,7 +24,7 @@ from estimator.information.fisher import (
     disturbance_counts,
     whitened_slopes,
 )
-from estimator.information.scores import on_places
+from estimator.information.scores import fill_places
 from estimator.information.sensitivity import read_channels
 from estimator.signals.field_setup import counts, min_distance_mm, scene, sensed_field
 from estimator.signals.interpolation import press_traces, signal_gradient
@@ -80,11 +80,11 @@ class ShearScores:
 def shear_signals(spec: ObjectSpec, motions: MagnetMotions, shear: ShearMotions) -> ShearSignals:
     """Derivative of every channel by the tangential forces, by central differences."""
     place = scene(spec)
-    there = contact_places(spec)[face_rows(spec, motions.faces)]
-    pressed = motions.motion[:, grid_places_in_lattice(spec)][there]
+    is_place = contact_places(spec)[face_rows(spec, motions.faces)]
+    pressed = motions.motion[:, grid_places_in_lattice(spec)][is_place]
     nearest = min_distance_mm(place, pressed.reshape(-1, place.bodies, 6))
     model = magnets_model(spec.magnets, nearest - 0.1)
-    change = _STEP_N * shear.motion_per_n[there]
+    change = _STEP_N * shear.motion_per_n[is_place]
     field_t = [
         sensed_field(
             place, (pressed[:, :, None] + side * change).reshape(-1, place.bodies, 6), model
@@ -93,7 +93,7 @@ def shear_signals(spec: ObjectSpec, motions: MagnetMotions, shear: ShearMotions)
     ]
     sides = [counts(place, field, spec) for field in field_t]
     slope = (sides[0] - sides[1]) / (2 * _STEP_N)
-    slope = on_places(there, [slope.reshape(*change.shape[:3], *slope.shape[1:])])
+    slope = fill_places(is_place, [slope.reshape(*change.shape[:3], *slope.shape[1:])])
     return ShearSignals(shear.faces, shear.grid, shear.depth_mm, slope)
 
 
@@ -104,14 +104,14 @@ def contact_jacobian(
 
     At the places that the face has.
     """
-    there = contact_places(spec)[spec.body.sensed.index(face)]
-    xy = shear.grid.xy_mm[there]
+    is_place = contact_places(spec)[spec.body.sensed.index(face)]
+    xy = shear.grid.xy_mm[is_place]
     where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
     traces = press_traces(signals, *where)
     force = np.minimum(spec.score.force_n, traces.force_n[:, -1])
     gradient = signal_gradient(signals, *where, force)
     live = live_in_press(spec, signals.baseline_counts, gradient.counts)
-    per_n = shear.counts_per_n[list(shear.faces).index(face), there]
+    per_n = shear.counts_per_n[list(shear.faces).index(face), is_place]
     rest_first = np.concatenate([per_n[:, :1], per_n], axis=1).reshape(*traces.force_n.shape, -1)
     carry_over_missing(rest_first)
     tangential = monotone_cubic(traces.force_n, rest_first, force[:, None])[:, 0]
@@ -121,8 +121,8 @@ def contact_jacobian(
 
 def _reaches(spec: ObjectSpec, signals: Signals, face: int) -> Bool[np.ndarray, "place"]:
     """Return whether a press of each place that the face has gets to `score.force_n`."""
-    there = contact_places(spec)[spec.body.sensed.index(face)]
-    x, y = contact_grid(spec).xy_mm[there].T
+    is_place = contact_places(spec)[spec.body.sensed.index(face)]
+    x, y = contact_grid(spec).xy_mm[is_place].T
     return press_traces(signals, np.full(len(x), face), x, y).force_n[:, -1] >= spec.score.force_n
 
 
@@ -153,8 +153,8 @@ def score_shear(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Shea
                 row["condition"] = np.linalg.cond(slopes)
         rows.append(row)
     places = contact_places(spec)[face_rows(spec, signals.faces)]
-    columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
-    reached = on_places(places, reaches)
+    columns = {name: fill_places(places, [row[name] for row in rows]) for name in rows[0]}
+    reached = fill_places(places, reaches)
     for values in columns.values():
         values[~reached] = np.nan
     return ShearScores(signals.faces, shear.grid, **columns)

@@ -20,7 +20,7 @@ from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, face_rows
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import disturbance_counts
-from estimator.information.scores import on_places
+from estimator.information.scores import fill_places
 from estimator.information.sensitivity import channel_noise, own_channels
 from estimator.signals.interpolation import counts_at_force, press_traces
 from estimator.signals.live import live_jacobian
@@ -74,7 +74,7 @@ def slip_cost(spec: ObjectSpec, calibrated: Signals, slipped: Signals) -> SlipCo
     noise = np.asarray(spec.sensors.noise_counts, float)
     rows = [_face_cost(spec, calibrated, slipped, int(face)) for face in calibrated.faces]
     places = contact_places(spec)[face_rows(spec, calibrated.faces)]
-    columns = {name: on_places(places, [row[name] for row in rows]) for name in rows[0]}
+    columns = {name: fill_places(places, [row[name] for row in rows]) for name in rows[0]}
     sigma = np.linalg.norm(baseline / noise, axis=1)
     return SlipCost(calibrated.faces, columns.pop("force_n"), baseline, sigma, **columns)
 
@@ -83,20 +83,23 @@ def _face_cost(
     spec: ObjectSpec, calibrated: Signals, slipped: Signals, face: int
 ) -> dict[str, np.ndarray]:
     xy = contact_grid(spec).xy_mm[contact_places(spec)[spec.body.sensed.index(face)]]
-    own = own_channels(calibrated, spec.sensors, face)
+    face_channels = own_channels(calibrated, spec.sensors, face)
     where = (np.full(len(xy), face), xy[:, 0], xy[:, 1])
-    before, after = (
-        press_traces(signals, *where).select_channels(own) for signals in (calibrated, slipped)
+    calibrated_signals, after = (
+        press_traces(signals, *where).select_channels(face_channels)
+        for signals in (calibrated, slipped)
     )
-    force = np.minimum(before.force_n[:, -1], after.force_n[:, -1])
+    force = np.minimum(calibrated_signals.force_n[:, -1], after.force_n[:, -1])
     force = np.minimum(force, spec.score.force_n)
-    old, new = (counts_at_force(trace, force[:, None]).counts[:, 0] for trace in (before, after))
-    jacobian = live_jacobian(spec, calibrated, *where, force)[:, own]
-    sigma = disturbance_counts(spec.sensors, "fresh", len(own))
-    offset = (slipped.baseline_counts - calibrated.baseline_counts).ravel()[own]
+    old, new = (
+        counts_at_force(trace, force[:, None]).counts[:, 0] for trace in (calibrated_signals, after)
+    )
+    jacobian = live_jacobian(spec, calibrated, *where, force)[:, face_channels]
+    sigma = disturbance_counts(spec.sensors, "fresh", len(face_channels))
+    offset = (slipped.baseline_counts - calibrated.baseline_counts).ravel()[face_channels]
     place, wrong_force = false_reading(jacobian, new - old + offset, sigma)
     rezeroed_place, rezeroed_force = false_reading(jacobian, new - old, sigma)
-    white = channel_noise(spec.sensors, len(own))
+    white = channel_noise(spec.sensors, len(face_channels))
     old_size, new_size = (np.linalg.norm(counts / white, axis=1) for counts in (old, new))
     return {
         "force_n": force,

@@ -69,7 +69,7 @@ class WeakAreas:
         return max(order, key=lambda name: abs(order[name])) if order else None
 
     @property
-    def beyond_rule(self) -> float:
+    def exceeds_rule(self) -> float:
         """Share of the locations whose signal path is longer than the design rule's."""
         path = self.measures.path_mm
         return float(np.mean(path[np.isfinite(path)] > LONGEST_PATH_MM))
@@ -101,16 +101,16 @@ def weak_areas(spec: ObjectSpec, scores: PlaceScores) -> WeakAreas:
     """Return which measures the position bounds of an object (fresh baseline) go with."""
     from scipy.stats import rankdata
 
-    rows, there = face_rows(spec, scores.faces), scores.judged
-    every = place_measures(spec)
-    measures = PlaceMeasures(*(getattr(every, name)[rows] for name in MEASURES))
-    bound = scores.position_bound_mm[there]
+    rows, judged = face_rows(spec, scores.faces), scores.judged
+    measures = place_measures(spec)
+    measures = PlaceMeasures(*(getattr(measures, name)[rows] for name in MEASURES))
+    bound = scores.position_bound_mm[judged]
     weakest = bound >= np.quantile(bound, 0.9, method="lower")
     correlation: dict[Measure, float] = {}
     thirds: list[Third] = []
     tenth: dict[Measure, float] = {}
     for name in MEASURES:
-        value = getattr(measures, name)[there]
+        value = getattr(measures, name)[judged]
         if len(np.unique(value.round(_DIGITS))) < 2:
             continue
         ranks = np.corrcoef(rankdata(bound), rankdata(value.round(_DIGITS)))
@@ -139,7 +139,7 @@ def thirds_of(value: Float[np.ndarray, "n"]) -> list[Bool[np.ndarray, "n"]]:
 
 def save_weak_areas_csv(areas: WeakAreas, scores: PlaceScores, path: Path | str) -> None:
     """One row for every face and location that it has; `over_median` is the bound over the median's."""
-    bound, there = scores.position_bound_mm, scores.places
+    bound, is_place = scores.position_bound_mm, scores.places
     ratio, xy = bound / np.median(bound[scores.judged]), scores.grid.xy_mm
     header = ["face", "place", "x_mm", "y_mm", *MEASURES, "position_bound_mm", "over_median"]
     rows = (
@@ -151,6 +151,6 @@ def save_weak_areas_csv(areas: WeakAreas, scores: PlaceScores, path: Path | str)
             repr(float(bound[row, place])),
             repr(float(ratio[row, place])),
         ]
-        for row, place in np.argwhere(there).tolist()
+        for row, place in np.argwhere(is_place).tolist()
     )
     write_table(Path(path), header, rows)

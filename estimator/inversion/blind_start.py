@@ -104,9 +104,9 @@ def blind_starts(
     places = spread_places(spec)
     rows = []
     for count in sensor_counts or comparable_sensor_counts(spec):
-        other = _frictionless(with_sensor_count(spec, count))
-        signals = press_signals(other, forces, motions)
-        built = _Object(other, signals, contact_model(other, forces, motions, signals))
+        variant = _frictionless(with_sensor_count(spec, count))
+        signals = press_signals(variant, forces, motions)
+        built = _Object(variant, signals, contact_model(variant, forces, motions, signals))
         for channels in ("own", "all"):
             for k in contact_counts:
                 if progress:
@@ -139,7 +139,7 @@ def _worst_distances_mm(
     for index in np.unique(face).tolist():
         rows = np.flatnonzero(face == index)
         true = _contacts(built, index, chosen[rows])
-        distance[rows] = _of_face(built, index, true, channels, noise)
+        distance[rows] = _face_distances_mm(built, index, true, channels, noise)
     return distance
 
 
@@ -152,7 +152,7 @@ def _contacts(
     return np.concatenate([xy, force.reshape(*places.shape, 1)], axis=2)
 
 
-def _of_face(
+def _face_distances_mm(
     built: _Object,
     index: int,
     true: Float[np.ndarray, "frame contact 3"],
@@ -161,18 +161,20 @@ def _of_face(
 ) -> Float[np.ndarray, "frame"]:
     """Distances in noisy frames of contacts on one face."""
     frames, contacts = true.shape[:2]
-    model, face = built.model.of_face(index), np.zeros((frames, contacts), int)
+    model, face = built.model.select_face(index), np.zeros((frames, contacts), int)
     sigma = disturbance_counts(built.spec.sensors, "fresh", model.channels)
     counts = model.singles(face, true)[:, :, 0].sum(axis=1) + model.interaction(face, true)
     counts = counts + sigma * rng.standard_normal(counts.shape)
     nuisances = nuisance_columns(built.spec)
     counts = counts + rng.standard_normal((frames, nuisances.shape[1])) @ nuisances.T
     read = _read_channels(built, index, channels)
-    told = np.broadcast_to(np.where(read, sigma, BLIND), counts.shape)
-    seen = Observed(counts, told, told, told, nuisances)
-    found = Search(model, known_number(built.spec, model, contacts)).of_number(seen, contacts)
+    sigmas = np.broadcast_to(np.where(read, sigma, BLIND), counts.shape)
+    observations = Observed(counts, sigmas, sigmas, sigmas, nuisances)
+    problems = Search(model, known_number(built.spec, model, contacts)).sets_of_number(
+        observations, contacts
+    )
     distance = np.full(frames, np.inf)
-    distance[found.frame] = worst_mm(found.contact[..., :2], true[found.frame, :, :2])
+    distance[problems.frame] = worst_mm(problems.contact[..., :2], true[problems.frame, :, :2])
     return distance
 
 
@@ -180,8 +182,8 @@ def _read_channels(built: _Object, index: int, channels: Channels) -> np.ndarray
     read = live_channels(built.spec).ravel().copy()
     if channels == "own":
         number = int(built.signals.faces[index])
-        own = own_channels(built.signals, built.spec.sensors, number)
-        read &= np.isin(np.arange(len(read)), own)
+        face_channels = own_channels(built.signals, built.spec.sensors, number)
+        read &= np.isin(np.arange(len(read)), face_channels)
     return read
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float
 
-from estimator.inversion.model.arrays import Array, diagonals, library, like, on_host
+from estimator.inversion.model.arrays import Array, diagonals, library, like, to_host
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.priors import Bounds, Priors, held_between, log_density, widths
 from estimator.inversion.problems import Problems
@@ -17,7 +17,7 @@ _AT_BOUND = 1e-6
 def log_evidence(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem"]:
     """Log of the posterior mass about each peak, priors included, but for the frame's constant."""
     curvature = bounded_curvature(problems, priors)
-    log_volume = on_host(library(curvature).linalg.slogdet(curvature)[1])
+    log_volume = to_host(library(curvature).linalg.slogdet(curvature)[1])
     mass = 0.5 * (3 * problems.number * np.log(2 * np.pi) - log_volume)
     return (
         mass
@@ -39,8 +39,8 @@ def log_inside(bounds: Bounds, priors: Priors, problems: Problems) -> Float[np.n
     curvature = bounded_curvature(problems, priors)
     shape = problems.contact.shape
     variance = diagonals(library(curvature).linalg.inv(curvature))
-    sigma = np.sqrt(on_host(variance)).reshape(shape)
-    slope = on_host(problems.slope).reshape(shape) * sigma
+    sigma = np.sqrt(to_host(variance)).reshape(shape)
+    slope = to_host(problems.slope).reshape(shape) * sigma
     low, high = held_between(bounds, priors)
     mass = np.zeros(shape)
     for room, out in ((problems.contact - low, slope), (high - problems.contact, -slope)):
@@ -53,8 +53,8 @@ def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "proble
     """Of x, y (mm) and force (N) of each contact, with the uncertainty of the others; no wider than
     the priors. Of empty slots the identity."""
     slots = problems.face.shape[1]
-    every = np.linalg.inv(bounded_curvature(problems, priors)).reshape(-1, slots, 3, slots, 3)
-    return np.moveaxis(np.diagonal(every, axis1=1, axis2=3), -1, 1)
+    covariance = np.linalg.inv(bounded_curvature(problems, priors)).reshape(-1, slots, 3, slots, 3)
+    return np.moveaxis(np.diagonal(covariance, axis1=1, axis2=3), -1, 1)
 
 
 def bounded_curvature(
@@ -62,7 +62,7 @@ def bounded_curvature(
 ) -> Float[Array, "problem parameter parameter"]:
     """With that of normal priors as wide as the even ones: it has an inverse."""
     flat = (problems.face != NONE)[..., None] * (12 / np.square(widths(priors)))
-    found = problems.curvature + 0.0
-    diagonal = diagonals(found)
-    diagonal += like(found, flat.reshape(diagonal.shape))
-    return found
+    curvature = problems.curvature + 0.0
+    diagonal = diagonals(curvature)
+    diagonal += like(curvature, flat.reshape(diagonal.shape))
+    return curvature

@@ -41,14 +41,16 @@ class ErrorShare:
     priors: Priors
     p_values: deque[np.ndarray] = field(default_factory=lambda: deque(maxlen=MOST_FRAMES))
 
-    def learn(self, seen: Observed, problems: Problems) -> None:
+    def learn(self, observations: Observed, problems: Problems) -> None:
         """Take pressed frames, one problem each; frames at rest have no error of the model."""
         rows = np.flatnonzero(problems.number)[-MOST_FRAMES:]
         if not len(rows):
             return
         pressed = problems.select(rows)
-        every = [self.p_of(seen, pressed, share) for share in _SHARES.tolist()]
-        self.p_values.extend(np.stack(every, axis=1))
+        p_values = [
+            self.refitted_p_values(observations, pressed, share) for share in _SHARES.tolist()
+        ]
+        self.p_values.extend(np.stack(p_values, axis=1))
 
     @property
     def share(self) -> float:
@@ -61,33 +63,33 @@ class ErrorShare:
         median = np.maximum.accumulate(np.median(self.p_values, axis=0))
         return float(np.interp(0.5, median, _SHARES))
 
-    def p_of(
-        self, seen: Observed, problems: Problems, share: float
+    def refitted_p_values(
+        self, observations: Observed, problems: Problems, share: float
     ) -> Float[np.ndarray, "problem"]:
         """Return p values of contacts, refitted, with a share of the model's error."""
-        strict = seen.with_error_share(share)
-        if np.array_equal(strict.sigma, seen.sigma):
-            return p_values(seen, problems)
+        strict = observations.with_error_share(share)
+        if np.array_equal(strict.sigma, observations.sigma):
+            return p_values(observations, problems)
         given = problems.frame, problems.face, problems.contact
         fit = most_probable(self.model, self.priors, strict, *given, problems.extra, 1, _STEPS)
-        return p_values(strict, fit.on_host())
+        return p_values(strict, fit.to_host())
 
 
-def p_values(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+def p_values(observations: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
     """Return the chance of a misfit as large if a problem's contacts were true."""
     from scipy.special import chdtrc
 
-    return chdtrc(_freedoms(seen, problems), 2 * problems.misfit)
+    return chdtrc(_freedoms(observations, problems), 2 * problems.misfit)
 
 
-def excess(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+def excess(observations: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
     """Return χ² over its degrees of freedom, 1 at least.
 
     By that factor an unknown disturbance is larger than those that are known, squared (Birge's ratio).
     """
-    return np.maximum(2 * problems.misfit / _freedoms(seen, problems), 1.0)
+    return np.maximum(2 * problems.misfit / _freedoms(observations, problems), 1.0)
 
 
-def _freedoms(seen: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
-    readings = np.sum(seen.sigma[problems.frame] < BLIND / 2, axis=1)
+def _freedoms(observations: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+    readings = np.sum(observations.sigma[problems.frame] < BLIND / 2, axis=1)
     return np.maximum(readings - 3.0 * problems.number, 1.0)

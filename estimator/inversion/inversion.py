@@ -60,11 +60,11 @@ class Inversion:
         """Those that say something: face number, sensor and axis counted from 0."""
         faces = self.model.signals.faces.tolist()
         sensors = self.model.channels // (3 * len(faces))
-        every = list(product(faces, range(sensors), range(3)))
-        return tuple(every[channel] for channel in self.told)
+        all_channels = list(product(faces, range(sensors), range(3)))
+        return tuple(all_channels[channel] for channel in self.live_rows)
 
     @cached_property
-    def told(self) -> Int[np.ndarray, "told"]:
+    def live_rows(self) -> Int[np.ndarray, "live_rows"]:
         """Rows of `channels` among all channels of the object."""
         return np.flatnonzero(self.disturbances.noise_counts < BLIND)
 
@@ -93,16 +93,16 @@ class Inversion:
 
     def search_for(self, frames: int) -> Search:
         """The same; for many frames on the graphics card that `INSTOBJ_DEVICE` names, if it does."""
-        there = card_tensor() if frames >= MANY_FRAMES else None
-        if there is None:
+        device = card_tensor() if frames >= MANY_FRAMES else None
+        if device is None:
             return self.search
-        card = str(there.device)
-        if card not in self._on_cards:
-            self._on_cards[card] = Search(self.model.on(there), self.priors)
-        return self._on_cards[card]
+        card = str(device.device)
+        if card not in self._card_searches:
+            self._card_searches[card] = Search(self.model.moved_to(device), self.priors)
+        return self._card_searches[card]
 
     @cached_property
-    def _on_cards(self) -> dict[str, Search]:
+    def _card_searches(self) -> dict[str, Search]:
         return {}
 
     def error_share(self) -> ErrorShare:
@@ -146,37 +146,39 @@ class Inversion:
         return ContactSets.joined(best), ContactSets.joined(second)
 
     def read_part(
-        self, search: Search, seen: Observed, error: ErrorShare
+        self, search: Search, observations: Observed, error: ErrorShare
     ) -> tuple[ContactSets, ContactSets]:
         """Some frames at once. Those that nothing explains are read again without a chip that lies, those
         that a magnet near by explains better with its field as a nuisance: no contact explains these."""
-        *sets, believed = self.read_once(search, seen, error)
+        *sets, believed = self.read_once(search, observations, error)
         strange = np.flatnonzero(~sets[0].explained)
         if len(strange):
-            chip = lying_chips(search, seen.select(strange), error)
+            chip = lying_chips(search, observations.select(strange), error)
             rows, chip = strange[chip != NONE], chip[chip != NONE]
             if len(rows):
-                *again, _ = self.read_once(search, seen.select(rows).without(chip), error)
+                *again, _ = self.read_once(search, observations.select(rows).without(chip), error)
                 sets = [
                     old.replaced(rows, replace(new, chip_out=chip))
                     for old, new in zip(sets, again, strict=True)
                 ]
-        return self._read_beside_magnet(search, seen, error, (sets[0], sets[1]), believed)
+        return self._read_beside_magnet(search, observations, error, (sets[0], sets[1]), believed)
 
     def _read_beside_magnet(
         self,
         search: Search,
-        seen: Observed,
+        observations: Observed,
         error: ErrorShare,
         sets: tuple[ContactSets, ContactSets],
         believed: Hypotheses,
     ) -> tuple[ContactSets, ContactSets]:
         """The same sets, but for frames that a magnet near by explains better than those `believed`."""
-        fewer = BesideMagnet(seen, self.magnet_columns).explains_with_fewer(search, believed)
+        fewer = BesideMagnet(observations, self.magnet_columns).explains_with_fewer(
+            search, believed
+        )
         rows = np.flatnonzero((~sets[0].explained | fewer) & (sets[0].chip_out == NONE))
         if not len(rows):
             return sets
-        frames = BesideMagnet(seen.select(rows), self.magnet_columns)
+        frames = BesideMagnet(observations.select(rows), self.magnet_columns)
         *again, wide = self.read_once(search, frames.wide, error)
         better = frames.comparable(wide) > believed.log_evidence[rows]
         best, second = (
@@ -186,25 +188,27 @@ class Inversion:
         return best, second
 
     def read_once(
-        self, search: Search, seen: Observed, error: ErrorShare
+        self, search: Search, observations: Observed, error: ErrorShare
     ) -> tuple[ContactSets, ContactSets, Hypotheses]:
         """Some frames at once, all that is seen believed; also what the best sets were read from."""
-        found = search.contacts(seen)
-        best = found.best()
-        second = found.second(best)
-        odds_of_second = np.where(second == best, 0.0, found.odds[second])
-        one, other = (found.problems.select(rows).on_host() for rows in (best, second))
-        spread = among_sets(found, best, self.priors)
-        error.learn(seen, one)
+        hypotheses = search.contacts(observations)
+        best = hypotheses.best()
+        second = hypotheses.second(best)
+        odds_of_second = np.where(second == best, 0.0, hypotheses.odds[second])
+        best_sets, second_sets = (
+            hypotheses.problems.select(rows).to_host() for rows in (best, second)
+        )
+        spread = among_sets(hypotheses, best, self.priors)
+        error.learn(observations, best_sets)
         return (
-            self.reading(seen, one, found.odds[best], error, spread),
-            self.reading(seen, other, odds_of_second, error),
-            Hypotheses(one, found.log_evidence[best]),
+            self.reading(observations, best_sets, hypotheses.odds[best], error, spread),
+            self.reading(observations, second_sets, odds_of_second, error),
+            Hypotheses(best_sets, hypotheses.log_evidence[best]),
         )
 
     def reading(
         self,
-        seen: Observed,
+        observations: Observed,
         problems: Problems,
         odds: Float[np.ndarray, "frame"],
         error: ErrorShare,
@@ -214,16 +218,18 @@ class Inversion:
 
         Where nothing explains a frame, regions are as wide as what is left unexplained asks for.
         """
-        p_value = error.p_of(seen, problems, error.share)
+        p_value = error.refitted_p_values(observations, problems, error.share)
         if covariance is None:
             covariance = covariances(problems, self.priors)
-        factor = np.where(p_value < UNEXPLAINED, excess(seen, problems), 1.0)
+        factor = np.where(p_value < UNEXPLAINED, excess(observations, problems), 1.0)
         covariance = widened(covariance, factor, self.priors)
-        sets = contact_sets(self.model, self.priors, seen, problems, odds, p_value, covariance)
+        sets = contact_sets(
+            self.model, self.priors, observations, problems, odds, p_value, covariance
+        )
         units = self.disturbances.deviations
         # The unknowns of a magnet near by stand behind them and are left out.
         change, sigma = (
-            units * one[:, : len(units)] for one in (sets.since_zero, sets.since_zero_sigma)
+            units * column[:, : len(units)] for column in (sets.since_zero, sets.since_zero_sigma)
         )
         sets = replace(sets, since_zero=change, since_zero_sigma=sigma)
         return sets.with_force_error(self.disturbances.force_error)
@@ -257,21 +263,21 @@ def inversion(
 def contact_priors(model: ContactModel) -> Priors:
     """As `[inversion]` has them: any number of contacts is as likely as any other, every place in the
     table, and every force up to the table's largest; tips of the specification's indenter stand apart."""
-    asked, (_, high) = model.spec.inversion, model.bounds
+    options, (_, high) = model.spec.inversion, model.bounds
     faces, radius = (
         len(model.signals.faces),
         float(np.ptp(footprint_mm(model.spec.indenter), axis=0).min()),
     )
-    known = asked.probes == "known"
+    known_probes = options.probes == "known"
     return Priors(
-        tuple(np.full(asked.contacts + 1, 1 / (asked.contacts + 1)).tolist()),
+        tuple(np.full(options.contacts + 1, 1 / (options.contacts + 1)).tolist()),
         faces,
         model.area_mm2,
         (LEAST_FORCE_N, float(high[2])),
         radius,
-        KNOWN_FORCE_SPREAD if known else None,
-        probe_spacing_mm(radius / 2) if known else (),
-        asked.jaws,
+        KNOWN_FORCE_SPREAD if known_probes else None,
+        probe_spacing_mm(radius / 2) if known_probes else (),
+        options.jaws,
     )
 
 

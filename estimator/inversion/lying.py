@@ -20,49 +20,53 @@ _DIAGNOSED, _SUSPECTS = 6, 2
 """Frames in which every chip is left out in turn, and chips named there that are left out of others."""
 
 
-def lying_chips(search: Search, seen: Observed, error: ErrorShare) -> Int[np.ndarray, "frame"]:
+def lying_chips(
+    search: Search, observations: Observed, error: ErrorShare
+) -> Int[np.ndarray, "frame"]:
     """Return the chip (row of sensors) to be left out of each frame, or `NONE`.
 
     One chip at most: what two chips or more feel is a magnet, steel or a slipped core.
     """
-    frames = np.arange(len(seen.counts))
+    frames = np.arange(len(observations.counts))
     few = frames[np.unique(np.linspace(0, len(frames) - 1, _DIAGNOSED).astype(int))]
-    chips = np.flatnonzero((seen.sigma[0].reshape(-1, 3) < BLIND / 2).any(axis=1))
-    p_value = _p_without(search, seen, error, few, chips)
+    chips = np.flatnonzero((observations.sigma[0].reshape(-1, 3) < BLIND / 2).any(axis=1))
+    p_value = _p_without(search, observations, error, few, chips)
     named = chips[p_value.argmax(axis=1)][p_value.max(axis=1) >= _EXPLAINS]
     suspects = np.argsort(-np.bincount(named, minlength=1), kind="stable")[:_SUSPECTS]
     suspects = suspects[np.isin(suspects, named)]
     if not len(suspects):
         return np.full(len(frames), NONE)
-    p_value = _p_without(search, seen, error, frames, suspects)
+    p_value = _p_without(search, observations, error, frames, suspects)
     best = suspects[p_value.argmax(axis=1)]
     return np.where(p_value.max(axis=1) >= _EXPLAINS, best, NONE)
 
 
-def lying_chip_beside(search: Search, seen: Observed, contacts: Problems, error: ErrorShare) -> int:
+def lying_chip_beside(
+    search: Search, observations: Observed, contacts: Problems, error: ErrorShare
+) -> int:
     """Return the chip without which contacts near those of the frame before explain a frame, or `NONE`.
 
-    Quick: no contact is looked for. `seen` and `contacts` are of one frame.
+    Quick: no contact is looked for. `observations` and `contacts` are of one frame.
     """
-    chips = np.flatnonzero((seen.sigma[0].reshape(-1, 3) < BLIND / 2).any(axis=1))
-    tried = seen.select(np.zeros(len(chips), int)).without(chips)
+    chips = np.flatnonzero((observations.sigma[0].reshape(-1, 3) < BLIND / 2).any(axis=1))
+    tried = observations.select(np.zeros(len(chips), int)).without(chips)
     many = contacts.select(np.zeros(len(chips), int))
     given = np.arange(len(chips)), many.face, many.contact, many.extra, 1, _STEPS
-    fit = most_probable(search.model, search.priors, tried, *given).on_host()
-    p_value = error.p_of(tried, fit, error.share)
+    fit = most_probable(search.model, search.priors, tried, *given).to_host()
+    p_value = error.refitted_p_values(tried, fit, error.share)
     best = int(p_value.argmax())
     return int(chips[best]) if p_value[best] >= _EXPLAINS else NONE
 
 
 def _p_without(
     search: Search,
-    seen: Observed,
+    observations: Observed,
     error: ErrorShare,
     frames: Int[np.ndarray, "frame"],
     chips: Int[np.ndarray, "chip"],
 ) -> Float[np.ndarray, "frame chip"]:
     """p values of the best contacts of frames, each read without each chip."""
-    tried = seen.select(np.repeat(frames, len(chips))).without(np.tile(chips, len(frames)))
+    tried = observations.select(np.repeat(frames, len(chips))).without(np.tile(chips, len(frames)))
     hypotheses = search.contacts(tried)
-    best = hypotheses.problems.select(hypotheses.best()).on_host()
-    return error.p_of(tried, best, error.share).reshape(len(frames), len(chips))
+    best = hypotheses.problems.select(hypotheses.best()).to_host()
+    return error.refitted_p_values(tried, best, error.share).reshape(len(frames), len(chips))

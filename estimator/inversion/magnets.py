@@ -57,7 +57,7 @@ class BesideMagnet:
         face = np.where(slot < kept[:, None], face[row], NONE)
         given = best.frame[row], face, contact[row], None, 1, _STEPS
         fewer = most_probable(
-            search.model, search.priors, self.wide.on(search.reference), *given
-        ).on_host()
+            search.model, search.priors, self.wide.moved_to(search.reference), *given
+        ).to_host()
         better = self.comparable(search.judged(fewer)) > believed.log_evidence[row]
         return np.bincount(row, better, len(best)) > 0

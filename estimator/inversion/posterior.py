@@ -22,8 +22,8 @@ from estimator.inversion.model.arrays import (
     float64,
     library,
     like,
-    on_host,
-    where_true,
+    to_host,
+    true_rows,
     zeros,
 )
 from estimator.inversion.model.forward import NONE, ContactModel
@@ -53,7 +53,7 @@ _MOST_DAMPING = 1e2
 def most_probable(
     model: ContactModel,
     priors: Priors,
-    seen: Observed,
+    observations: Observed,
     frame: Int[np.ndarray, "problem"],
     face: Int[np.ndarray, "problem contact"],
     contact: Float[np.ndarray, "problem contact 3"],
@@ -67,9 +67,9 @@ def most_probable(
     device does the work; `extra` and `curvature` stay there.
     """
     slots, used = face.shape[1], used_slots(face)
-    fit = _Fit(model, priors, seen, steps)
-    frame_at, face_at = like(seen.sigma, frame), like(seen.sigma, face[:, :used])
-    at_contact = fit.hold(face_at, like(seen.sigma, contact[:, :used]))
+    fit = _Fit(model, priors, observations, steps)
+    frame_at, face_at = like(observations.sigma, frame), like(observations.sigma, face[:, :used])
+    at_contact = fit.hold(face_at, like(observations.sigma, contact[:, :used]))
     extra = model.interaction(face_at, at_contact) if extra is None else extra
     start = _Start(frame_at, face_at, at_contact, extra)
     return widened_covariance(fit.problems(start, rounds), slots)
@@ -78,7 +78,7 @@ def most_probable(
 def refitted(
     model: ContactModel,
     priors: Priors,
-    seen: Observed,
+    observations: Observed,
     problems: Problems,
     rounds: int = _ROUNDS,
     steps: int = _STEPS,
@@ -86,15 +86,17 @@ def refitted(
     """Return `most_probable` from where one round left problems: misfit and slope are known there."""
     slots, used = problems.face.shape[1], used_slots(problems.face)
     parameters = slice(3 * used)
-    at = Quadratic(
-        like(seen.sigma, problems.misfit),
+    quadratic = Quadratic(
+        like(observations.sigma, problems.misfit),
         problems.slope[:, parameters],
         problems.curvature[:, parameters, parameters],
-        like(seen.sigma, problems.log_spread),
+        like(observations.sigma, problems.log_spread),
     )
     given = problems.frame, problems.face[:, :used], problems.contact[:, :used], problems.extra
-    start = _Start(*(like(seen.sigma, part) for part in given), at=at)
-    return widened_covariance(_Fit(model, priors, seen, steps).problems(start, rounds), slots)
+    start = _Start(*(like(observations.sigma, part) for part in given), quadratic=quadratic)
+    return widened_covariance(
+        _Fit(model, priors, observations, steps).problems(start, rounds), slots
+    )
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,7 @@ class _Start:
     face: Array
     contact: Array
     extra: Array
-    at: Quadratic | None = None
+    quadratic: Quadratic | None = None
 
 
 @dataclass(frozen=True)
@@ -114,50 +116,50 @@ class _Fit:
 
     model: ContactModel
     priors: Priors
-    seen: Observed
+    observations: Observed
     steps: int
 
     @cached_property
     def hold(self) -> HeldBounds:
-        return HeldBounds(self.model, self.priors, self.seen.sigma)
+        return HeldBounds(self.model, self.priors, self.observations.sigma)
 
     def problems(self, start: _Start, rounds: int) -> Problems:
         """The most probable contacts, in the slots of the start."""
-        contact, extra, at = self._peak(start, rounds)
+        contact, extra, quadratic = self._peak(start, rounds)
         return Problems(
-            on_host(start.frame),
-            on_host(start.face),
-            on_host(contact),
+            to_host(start.frame),
+            to_host(start.face),
+            to_host(contact),
             extra,
-            on_host(at.misfit),
-            at.slope,
-            at.curvature,
-            on_host(at.log_spread),
+            to_host(quadratic.misfit),
+            quadratic.slope,
+            quadratic.curvature,
+            to_host(quadratic.log_spread),
         )
 
     def _peak(self, start: _Start, rounds: int) -> tuple[Array, Array, Quadratic]:
         """Contacts, interaction and misfit; another round for problems whose interaction has changed, so
         that none depends on which others are fitted beside it."""
         given = start.frame, start.face, start.extra
-        posterior = _posterior(self.model, self.priors, self.seen, *given)
-        at = posterior.at(start.contact) if start.at is None else start.at
-        contact, at = _descend(posterior, self.hold, start.contact, at, self.steps)
+        posterior = _posterior(self.model, self.priors, self.observations, *given)
+        quadratic = posterior.expand(start.contact) if start.quadratic is None else start.quadratic
+        contact, quadratic = _descend(posterior, self.hold, start.contact, quadratic, self.steps)
         # One contact alone has no interaction.
         several = (start.face != NONE).sum(axis=1) > 1
         if rounds == 1 or not bool(several.any()):
-            return contact, start.extra, at
+            return contact, start.extra, quadratic
         extra = self.model.interaction(start.face, contact)
         changed = (abs(extra - start.extra) * posterior.white.weight >= _SAME_SIGMA).any(axis=1)
-        going = where_true(changed)
+        going = true_rows(changed)
         if not len(going):
-            return contact, extra, at
+            return contact, extra, quadratic
         again = _Start(*(part[going] for part in (start.frame, start.face, contact, extra)))
         later_contact, later_extra, later_at = self._peak(again, rounds - 1)
         if len(going) == len(contact):
             return later_contact, later_extra, later_at
         extra[going] = later_extra
-        contact, at = _put((contact, at), going, (later_contact, later_at))
-        return contact, extra, at
+        contact, quadratic = _put((contact, quadratic), going, (later_contact, later_at))
+        return contact, extra, quadratic
 
 
 def used_slots(face: np.ndarray) -> int:
@@ -199,36 +201,39 @@ class HeldBounds:
 
 
 def _descend(
-    posterior: _Posterior, hold: HeldBounds, contact: Array, at: Quadratic, steps: int
+    posterior: _Posterior, hold: HeldBounds, contact: Array, quadratic: Quadratic, steps: int
 ) -> tuple[Array, Quadratic]:
     """Return contacts after damped steps with the interaction held, and the misfit there."""
     xp = library(contact)
     longest = like(contact, np.tile(_LONGEST, contact.shape[1]))
     damping = zeros(contact, (len(contact),)) + _FIRST_DAMPING
-    every, rows = (contact, at), None  # of all problems; which of them still go on (None: all)
+    all_problems, rows = (
+        (contact, quadratic),
+        None,
+    )  # of all problems; which of them still go on (None: all)
     for _ in range(steps):
-        step = damped_step(at.slope, at.curvature, damping)
+        step = damped_step(quadratic.slope, quadratic.curvature, damping)
         # Linear signals hold near the contact alone: cut long steps. `hold` keeps contacts on faces.
         step = xp.minimum(xp.maximum(step, -longest), longest).reshape(contact.shape)
         trial = hold(posterior.face, contact + step)
-        at_trial = posterior.at(trial)
-        gain = at.misfit - at_trial.misfit
+        at_trial = posterior.expand(trial)
+        gain = quadratic.misfit - at_trial.misfit
         better = gain > 0
-        contact, at = _chosen_of(better, (trial, at_trial), (contact, at))
+        contact, quadratic = _chosen_of(better, (trial, at_trial), (contact, quadratic))
         # A step that gains is followed by a bolder one; one that does not is undone and shortened.
         damping = damping * xp.where(better, 1 / 8, 8.0)
         going = xp.where(better, gain > _SETTLED, damping < _MOST_DAMPING)
         if going.all():
             continue
         # Settled problems are stored and dropped, so that later steps cost less.
-        every = _put(every, rows, (contact, at))
-        going = where_true(going)
+        all_problems = _put(all_problems, rows, (contact, quadratic))
+        going = true_rows(going)
         rows = going if rows is None else rows[going]
         if not len(rows):
-            return every
-        contact, at, damping = contact[going], at.select(going), damping[going]
+            return all_problems
+        contact, quadratic, damping = contact[going], quadratic.select(going), damping[going]
         posterior = posterior.select(going)
-    return _put(every, rows, (contact, at))
+    return _put(all_problems, rows, (contact, quadratic))
 
 
 _State = tuple[Array, Quadratic]
@@ -248,14 +253,16 @@ def _chosen_of(better: Array, new: _State, old: _State) -> _State:
     return pick(new_contact, old_contact), Quadratic(*parts)
 
 
-def _put(every: _State, rows: Array | None, some: _State) -> _State:
+def _put(all_problems: _State, rows: Array | None, some: _State) -> _State:
     """Write `some` into the given rows of all problems; None stands for all rows."""
     if rows is None:
         return some
-    (contact, at), (some_contact, some_at) = every, some
-    for column, part in zip((contact, *at.parts), (some_contact, *some_at.parts), strict=True):
+    (contact, quadratic), (some_contact, some_at) = all_problems, some
+    for column, part in zip(
+        (contact, *quadratic.parts), (some_contact, *some_at.parts), strict=True
+    ):
         column[rows] = part
-    return every
+    return all_problems
 
 
 def damped_step(slope: Array, curvature: Array, damping: Array) -> Array:
@@ -304,11 +311,11 @@ class _Posterior:
             resting=tuple(part[rows] for part in self.resting),
         )
 
-    def at(self, contact: Float[Array, "problem contact 3"]) -> Quadratic:
+    def expand(self, contact: Float[Array, "problem contact 3"]) -> Quadratic:
         """Misfit and its derivatives at contacts."""
         # Rows r, J: residual and its derivatives. One product gives ½ rᵀr, the slope Jᵀr and the
         # Gauss–Newton curvature JᵀJ; second derivatives of the model are left out.
-        white = self.white(self._left(contact))
+        white = self.white(self._residual_rows(contact))
         turned = white.swapaxes(1, 2)
         gram = white @ turned
         quadratic = Quadratic(
@@ -320,7 +327,7 @@ class _Posterior:
         if self.model.shear is not None:
             pulls = self.model.pulls(self.face, contact)
             pulls = pulls.reshape(len(pulls), 2 * contact.shape[1], white.shape[2])
-            _loosen(quadratic, turned, self.white(pulls))
+            marginalise_tangential_forces(quadratic, turned, self.white(pulls))
         # Frames without contacts have a noise of their own (no error of a model of presses).
         if self.nothing is not None:
             pairs = zip((quadratic.misfit, quadratic.log_spread), self.resting, strict=True)
@@ -332,7 +339,7 @@ class _Posterior:
         diagonal += self.unused
         return quadratic
 
-    def _left(self, contact: Array) -> Float[Array, "problem row channel"]:
+    def _residual_rows(self, contact: Array) -> Float[Array, "problem row channel"]:
         """Return residuals (row 0) and their derivatives by x, y, force of each slot, counts."""
         singles = self.model.singles(self.face, contact)
         problems, slots, _, channels = singles.shape
@@ -343,7 +350,12 @@ class _Posterior:
 
 
 def _posterior(
-    model: ContactModel, priors: Priors, seen: Observed, frame: Array, face: Array, extra: Array
+    model: ContactModel,
+    priors: Priors,
+    observations: Observed,
+    frame: Array,
+    face: Array,
+    extra: Array,
 ) -> _Posterior:
     nothing = (face == NONE).all(axis=1)
     some = bool(nothing.any())
@@ -351,16 +363,16 @@ def _posterior(
         model,
         face,
         Pairs(priors, face),
-        seen.white.select(frame),
-        seen.counts[frame] - extra,
+        observations.white.select(frame),
+        observations.counts[frame] - extra,
         # (problem, 3 · contact): each slot's flag for x, y and force
         float64(chosen(face == NONE, like(face, np.arange(3 * face.shape[1]) // 3))),
         nothing if some else None,
-        seen.resting(frame) if some else (),
+        observations.resting(frame) if some else (),
     )
 
 
-def _loosen(found: Quadratic, turned: Array, pulls: Array) -> None:
+def marginalise_tangential_forces(quadratic: Quadratic, turned: Array, pulls: Array) -> None:
     """Integrate tangential forces out of the misfit, in place.
 
     They are linear in the signals, r + Pᵀ t, and normal a priori, t ~ N(0, 1): so the noise's covariance
@@ -369,17 +381,17 @@ def _loosen(found: Quadratic, turned: Array, pulls: Array) -> None:
     """
     xp = library(pulls)
     spread = pulls @ pulls.swapaxes(1, 2) + identities(pulls, len(pulls), pulls.shape[1])
-    along = pulls @ turned
-    taken = along.swapaxes(1, 2) @ xp.linalg.solve(spread, along)
-    found.misfit -= 0.5 * taken[:, 0, 0]
-    found.slope -= taken[:, 1:, 0]
-    found.curvature -= taken[:, 1:, 1:]
-    found.log_spread += 0.5 * xp.linalg.slogdet(spread)[1]
+    projection = pulls @ turned
+    taken = projection.swapaxes(1, 2) @ xp.linalg.solve(spread, projection)
+    quadratic.misfit -= 0.5 * taken[:, 0, 0]
+    quadratic.slope -= taken[:, 1:, 0]
+    quadratic.curvature -= taken[:, 1:, 1:]
+    quadratic.log_spread += 0.5 * xp.linalg.slogdet(spread)[1]
 
 
 def curvature_at(
     model: ContactModel,
-    seen: Observed,
+    observations: Observed,
     frame: Int[np.ndarray, "problem"],
     face: Int[np.ndarray, "problem contact"],
     contact: Float[np.ndarray, "problem contact 3"],
@@ -388,4 +400,4 @@ def curvature_at(
     # Without distances, spreads or jaws `Pairs` adds no term: the curvature is that of signals alone.
     nothing = Priors((1.0,), len(model.signals.faces), 1.0, (0.0, 1.0))
     extra = np.zeros((len(frame), model.channels))
-    return _posterior(model, nothing, seen, frame, face, extra).at(contact).curvature
+    return _posterior(model, nothing, observations, frame, face, extra).expand(contact).curvature

@@ -16,7 +16,7 @@ from estimator.inversion.model.arrays import (
     float64,
     library,
     like,
-    where_true,
+    true_rows,
     zeros,
 )
 from estimator.inversion.model.forward import NONE
@@ -107,62 +107,68 @@ class Pairs:
         few._both, few._alike, few._jaw = self._both[rows], self._alike[rows], self._jaw[rows]
         return few
 
-    def add(self, found: Quadratic, contact: Float[Array, "problem contact 3"]) -> None:
+    def add(self, quadratic: Quadratic, contact: Float[Array, "problem contact 3"]) -> None:
         """Add what the priors say of contacts to the misfit, with its slope and curvature."""
         if self.priors.paired:
-            self._balance(found, contact)
+            self._add_balance_prior(quadratic, contact)
         if not self._some:
             return
         if self.priors.spacing_mm:
-            self._stand(found, contact, self.priors.spacing_mm)
+            self._add_spacing_prior(quadratic, contact, self.priors.spacing_mm)
         elif self.priors.apart_mm:
-            self._keep_apart(found, contact, self.priors.apart_mm)
+            self._add_overlap_prior(quadratic, contact, self.priors.apart_mm)
         if self.priors.force_spread is not None:
-            self._bear_alike(found, contact, self.priors.force_spread)
+            self._add_alike_prior(quadratic, contact, self.priors.force_spread)
 
-    def _keep_apart(self, found: Quadratic, contact: Array, apart_mm: float) -> None:
-        between = self._between(contact)
+    def _add_overlap_prior(self, quadratic: Quadratic, contact: Array, apart_mm: float) -> None:
+        between = self._differences(contact)
         overlap = self._both & ((between * between).sum(axis=2) < apart_mm**2)
-        rows = where_true(overlap.any(axis=1))
+        rows = true_rows(overlap.any(axis=1))
         if len(rows):
-            self._hold(found, rows, between[rows], apart_mm, _OVERLAP_MM, overlap[rows])
+            self._add_distance_prior(
+                quadratic, rows, between[rows], apart_mm, _OVERLAP_MM, overlap[rows]
+            )
 
-    def _stand(self, found: Quadratic, contact: Array, spacing_mm: tuple[float, ...]) -> None:
+    def _add_spacing_prior(
+        self, quadratic: Quadratic, contact: Array, spacing_mm: tuple[float, ...]
+    ) -> None:
         wanted = like(contact, np.array([0.0, 0.0, *spacing_mm]))
-        rows = where_true(self._both.any(axis=1))
+        rows = true_rows(self._both.any(axis=1))
         alike = self._alike[rows]
-        known = self._both[rows] & (alike < len(wanted))
+        has_spacing = self._both[rows] & (alike < len(wanted))
         target = wanted[alike.clip(max=len(wanted) - 1)]
-        between = self._between(contact[rows])
-        self._hold(found, rows, between, target, SPACING_SIGMA_MM, known)
+        between = self._differences(contact[rows])
+        self._add_distance_prior(quadratic, rows, between, target, SPACING_SIGMA_MM, has_spacing)
 
-    def _bear_alike(self, found: Quadratic, contact: Array, spread: float) -> None:
-        xp, rows = library(contact), where_true(self._both.any(axis=1))
+    def _add_alike_prior(self, quadratic: Quadratic, contact: Array, spread: float) -> None:
+        xp, rows = library(contact), true_rows(self._both.any(axis=1))
         force, both = contact[rows][:, :, 2], self._both[rows]
-        one, other = (
+        first_force, second_force = (
             xp.where(both, chosen(force, slots), 1.0) for slots in (self._first, self._second)
         )
         scale = both / (spread * float64(self._alike[rows].clip(1)) ** 0.5)
-        left = scale * xp.log(one / other)
-        self._add(found, rows, left, {2: (scale / one, scale / other)})
+        residual = scale * xp.log(first_force / second_force)
+        self._add(quadratic, rows, residual, {2: (scale / first_force, scale / second_force)})
 
-    def _balance(self, found: Quadratic, contact: Array) -> None:
-        rows = where_true(self._jaw.any(axis=1))
+    def _add_balance_prior(self, quadratic: Quadratic, contact: Array) -> None:
+        rows = true_rows(self._jaw.any(axis=1))
         xp, jaw, force = library(contact), self._jaw[rows], contact[rows][:, :, 2]
-        one, other = ((force * (jaw == side)).sum(axis=1)[:, None] for side in (1, -1))
+        first_force, second_force = (
+            (force * (jaw == side)).sum(axis=1)[:, None] for side in (1, -1)
+        )
         scale = 1 / (2**0.5 * JAWS_SPREAD)
-        left = scale * xp.log(one / other)
-        by = zeros(left, (*left.shape, found.slope.shape[1]))
-        by[:, 0, 2::3] = scale * jaw / xp.where(jaw > 0, one, other)
-        _add_squares(found, rows, left, by)
+        residual = scale * xp.log(first_force / second_force)
+        by = zeros(residual, (*residual.shape, quadratic.slope.shape[1]))
+        by[:, 0, 2::3] = scale * jaw / xp.where(jaw > 0, first_force, second_force)
+        _add_squares(quadratic, rows, residual, by)
 
-    def _between(self, contact: Array) -> Float[Array, "problem pair 2"]:
+    def _differences(self, contact: Array) -> Float[Array, "problem pair 2"]:
         place = contact[:, :, :2]
         return chosen(place, self._first) - chosen(place, self._second)
 
-    def _hold(
+    def _add_distance_prior(
         self,
-        found: Quadratic,
+        quadratic: Quadratic,
         rows: Array,
         between: Array,
         wanted_mm: Array | float,
@@ -171,44 +177,48 @@ class Pairs:
     ) -> None:
         distance = ((between * between).sum(axis=2) ** 0.5).clip(1e-6)
         scale = float64(held) / sigma_mm
-        along = between * (scale / distance)[..., None]
-        both_alike = {axis: (along[..., axis], along[..., axis]) for axis in (0, 1)}
-        self._add(found, rows, scale * (distance - wanted_mm), both_alike)
+        direction = between * (scale / distance)[..., None]
+        both_alike = {axis: (direction[..., axis], direction[..., axis]) for axis in (0, 1)}
+        self._add(quadratic, rows, scale * (distance - wanted_mm), both_alike)
 
     def _add(
-        self, found: Quadratic, rows: Array, left: Array, slopes: dict[int, tuple[Array, Array]]
+        self,
+        quadratic: Quadratic,
+        rows: Array,
+        residual: Array,
+        slopes: dict[int, tuple[Array, Array]],
     ) -> None:
         """One more term ½ left² for every pair: its slope by these parameters of the first contact,
         and less that by the second's."""
-        by = zeros(left, (*left.shape, found.slope.shape[1]))
-        pair = like(left, np.arange(left.shape[1]))
+        by = zeros(residual, (*residual.shape, quadratic.slope.shape[1]))
+        pair = like(residual, np.arange(residual.shape[1]))
         for parameter, (by_first, by_second) in slopes.items():
             by[:, pair, 3 * self._first + parameter] = by_first
             by[:, pair, 3 * self._second + parameter] = -by_second
-        _add_squares(found, rows, left, by)
+        _add_squares(quadratic, rows, residual, by)
 
 
 def _add_squares(
-    found: Quadratic,
+    quadratic: Quadratic,
     rows: Array,
-    left: Float[Array, "row term"],
+    residual: Float[Array, "row term"],
     by: Float[Array, "row term parameter"],
 ) -> None:
     """Terms ½ left² of some problems, with their slopes `by` the parameters."""
     turned = by.swapaxes(1, 2)
-    found.misfit[rows] += 0.5 * (left * left).sum(axis=1)
-    found.slope[rows] += (turned @ left[..., None])[..., 0]
-    found.curvature[rows] += turned @ by
+    quadratic.misfit[rows] += 0.5 * (residual * residual).sum(axis=1)
+    quadratic.slope[rows] += (turned @ residual[..., None])[..., 0]
+    quadratic.curvature[rows] += turned @ by
 
 
 def jaw_pairs(face: Int[Array, "problem contact"]) -> Float[Array, "problem contact"]:
     """1 and −1 for the contacts of two faces where just two are pressed, else 0."""
     xp, some = library(face), face != NONE
-    one = some & (face == face[:, :1])
-    other = some & ~one
-    second = xp.amax(xp.where(other, face, NONE), 1)[:, None]
-    two = other.any(axis=1) & (~other | (face == second)).all(axis=1)
-    return (float64(one) - float64(other)) * float64(two)[:, None]
+    on_first = some & (face == face[:, :1])
+    on_second = some & ~on_first
+    second = xp.amax(xp.where(on_second, face, NONE), 1)[:, None]
+    two = on_second.any(axis=1) & (~on_second | (face == second)).all(axis=1)
+    return (float64(on_first) - float64(on_second)) * float64(two)[:, None]
 
 
 @cache
@@ -223,7 +233,7 @@ def log_density(
 ) -> Float[np.ndarray, "problem"]:
     """Log prior density of sets of contacts, whatever the order of their contacts."""
     counted = _counted(priors)[np.sum(face != NONE, axis=1)]
-    return counted + _on_each_face(priors, face, contact) + _squeezed(priors, face, contact)
+    return counted + _face_densities(priors, face, contact) + _squeezed(priors, face, contact)
 
 
 @cache
@@ -247,7 +257,7 @@ def _too_near(priors: Priors) -> float:
     return float((np.pi * t**2 - 8 / 3 * t**3 + t**4 / 2) / priors.faces)
 
 
-def _on_each_face(
+def _face_densities(
     priors: Priors, face: np.ndarray, contact: np.ndarray
 ) -> Float[np.ndarray, "problem"]:
     """Log of how much denser the prior is than that of contacts each of which bears anything alone.
@@ -260,8 +270,8 @@ def _on_each_face(
     """
     gained, orders = np.zeros(len(face)), _log_factorials(priors.most)
     pressed = np.zeros(len(face), int)
-    for one in range(priors.faces):
-        here = face == one
+    for number_of_face in range(priors.faces):
+        here = face == number_of_face
         number = here.sum(axis=1)
         more = np.maximum(number - 1, 0)
         force = np.where(here, contact[..., 2], 0.0).sum(axis=1).clip(1e-9)
@@ -305,9 +315,14 @@ def _squeezed(
     if not priors.paired:
         return 0.0
     jaw = jaw_pairs(face)
-    one, other = (np.where(jaw == side, contact[..., 2], 0.0).sum(axis=1) for side in (1, -1))
+    first_force, second_force = (
+        np.where(jaw == side, contact[..., 2], 0.0).sum(axis=1) for side in (1, -1)
+    )
     two = jaw.any(axis=1)
-    product, mean = np.where(two, one * other, 1.0), np.where(two, (one + other) / 2, 1.0)
+    product, mean = (
+        np.where(two, first_force * second_force, 1.0),
+        np.where(two, (first_force + second_force) / 2, 1.0),
+    )
     width = _ROOT * np.sqrt(2) * JAWS_SPREAD * product / mean
     return np.where(two, np.log(np.ptp(priors.force_n) / width), 0.0)
 
@@ -318,8 +333,8 @@ def fitting_sets(tips: int, spacing_mm: float, side_mm: float) -> float:
     turns = np.linspace(0, 2 * np.pi, _TURNS, endpoint=False)
     tips_mm = tip_positions_mm(tips, spacing_mm=spacing_mm) @ [1, 1j]
     turned = tips_mm * np.exp(1j * turns)[:, None]
-    along = np.real(turned), np.imag(turned)
-    room = [np.maximum(1 - np.ptp(one, axis=1) / side_mm, 0) for one in along]
+    extent = np.real(turned), np.imag(turned)
+    room = [np.maximum(1 - np.ptp(coordinate, axis=1) / side_mm, 0) for coordinate in extent]
     return max(float(np.mean(room[0] * room[1])), _TIGHTEST)
 
 
@@ -327,7 +342,7 @@ def number_on(
     priors: Priors, face: Int[np.ndarray, "problem contact"]
 ) -> Int[np.ndarray, "problem face"]:
     """Return how many contacts each face has."""
-    return np.stack([np.sum(face == one, axis=1) for one in range(priors.faces)], axis=1)
+    return np.stack([np.sum(face == index, axis=1) for index in range(priors.faces)], axis=1)
 
 
 def log_paired(

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.inversion.model.arrays import Array, diagonals, library, like, on_host, zeros
+from estimator.inversion.model.arrays import Array, diagonals, library, like, to_host, zeros
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.model.whitening import Whitening, whitening
@@ -43,9 +43,9 @@ class Problems(Columns):
     curvature: Float[Array, "problem parameter parameter"]
     log_spread: Float[np.ndarray, "problem"]
 
-    def on_host(self) -> Problems:
+    def to_host(self) -> Problems:
         """As NumPy arrays."""
-        return Problems(*map(on_host, self._columns()))
+        return Problems(*map(to_host, self._columns()))
 
     @cached_property
     def number(self) -> Int[np.ndarray, "problem"]:
@@ -72,7 +72,7 @@ class Observed:
     strict: Float[Array, "frame channel"]
     columns: Float[Array, "channel k"] | None = None
 
-    def on(self, reference: Array) -> Observed:
+    def moved_to(self, reference: Array) -> Observed:
         """The same where the reference is."""
         parts = (self.counts, self.sigma, self.still, self.strict, self._shared)
         return Observed(*(like(reference, part) for part in parts))
@@ -125,22 +125,25 @@ class Observed:
         return 0.5 * (white * white).sum(axis=2)[:, 0], spread[frame]
 
 
-def empty(seen: Observed, frame: Int[np.ndarray, "problem"], slots: int) -> Problems:
+def empty(observations: Observed, frame: Int[np.ndarray, "problem"], slots: int) -> Problems:
     """Frames explained by nothing."""
-    problems, (misfit, log_spread) = len(frame), seen.resting(like(seen.counts, frame))
+    problems, (misfit, log_spread) = (
+        len(frame),
+        observations.resting(like(observations.counts, frame)),
+    )
     return Problems(
         frame,
         np.full((problems, slots), NONE),
         np.zeros((problems, slots, 3)),
-        zeros(seen.counts, (problems, seen.counts.shape[1])),
-        on_host(misfit),
-        zeros(seen.counts, (problems, 3 * slots)),
-        identities(seen.counts, problems, 3 * slots),
-        on_host(log_spread),
+        zeros(observations.counts, (problems, observations.counts.shape[1])),
+        to_host(misfit),
+        zeros(observations.counts, (problems, 3 * slots)),
+        identities(observations.counts, problems, 3 * slots),
+        to_host(log_spread),
     )
 
 
 def identities(reference: Array, many: int, size: int) -> Float[Array, "many size size"]:
-    found = zeros(reference, (many, size, size))
-    diagonals(found)[:] = 1.0
-    return found
+    matrices = zeros(reference, (many, size, size))
+    diagonals(matrices)[:] = 1.0
+    return matrices

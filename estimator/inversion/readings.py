@@ -57,8 +57,8 @@ class ContactSets(Columns):
     def replaced(self, rows: Int[np.ndarray, "some"], others: ContactSets) -> ContactSets:
         """The same with the sets of some frames replaced."""
         columns = [column.copy() for column in self._columns()]
-        for column, other in zip(columns, others._columns(), strict=True):
-            column[rows] = other
+        for column, replacement in zip(columns, others._columns(), strict=True):
+            column[rows] = replacement
         return ContactSets(*columns)
 
     def with_force_error(self, relative: float) -> ContactSets:
@@ -106,7 +106,7 @@ class ContactSets(Columns):
 def contact_sets(
     model: ContactModel,
     priors: Priors,
-    seen: Observed,
+    observations: Observed,
     problems: Problems,
     odds: Float[np.ndarray, "frame"],
     p_value: Float[np.ndarray, "frame"],
@@ -114,35 +114,35 @@ def contact_sets(
 ) -> ContactSets:
     """Contacts of one problem per frame, in the order of the problems. Changes since the zero are in
     standard deviations of their priors."""
-    there = problems.face != NONE
-    pulls = np.full((2, *there.shape, 2), np.nan)
+    filled = problems.face != NONE
+    pulls = np.full((2, *filled.shape, 2), np.nan)
     if model.shear is not None:
-        found = np.stack(tangential_forces(model, priors, seen, problems))
-        pulls = np.where(there[..., None], found, np.nan)
+        forces = np.stack(tangential_forces(model, priors, observations, problems))
+        pulls = np.where(filled[..., None], forces, np.nan)
     return ContactSets(
-        np.where(there, model.signals.faces[problems.face], NO_FACE),
-        np.where(there[..., None], problems.contact[..., :2], np.nan),
-        np.where(there, problems.contact[..., 2], np.nan),
-        np.where(there[..., None, None], covariance, np.nan),
+        np.where(filled, model.signals.faces[problems.face], NO_FACE),
+        np.where(filled[..., None], problems.contact[..., :2], np.nan),
+        np.where(filled, problems.contact[..., 2], np.nan),
+        np.where(filled[..., None, None], covariance, np.nan),
         pulls[0],
         pulls[1],
         odds,
         p_value,
-        np.full(len(there), NONE),
-        *changes_since_zero(model, priors, seen, problems),
+        np.full(len(filled), NONE),
+        *changes_since_zero(model, priors, observations, problems),
     )
 
 
 def among_sets(
-    found: Hypotheses, best: Int[np.ndarray, "frame"], priors: Priors
+    hypotheses: Hypotheses, best: Int[np.ndarray, "frame"], priors: Priors
 ) -> Float[np.ndarray, "frame contact 3 3"]:
     """Covariances of the contacts of each frame's best set about where they are, over all sets, by share.
 
     In another set a contact is the nearest one on its face; sets without one there say nothing of it.
     """
-    rows = np.flatnonzero(found.share > _LEAST_ODDS)
-    sets, share = found.problems.select(rows).on_host(), found.share[rows]
-    of_best = found.problems.select(best[sets.frame])
+    rows = np.flatnonzero(hypotheses.share > _LEAST_ODDS)
+    sets, share = hypotheses.problems.select(rows).to_host(), hypotheses.share[rows]
+    of_best = hypotheses.problems.select(best[sets.frame])
     face, contact = of_best.face[:, :, None], of_best.contact[:, :, None]
     away = np.linalg.norm((sets.contact[:, None] - contact)[..., :2], axis=3)
     away[(face == NONE) | (face != sets.face[:, None])] = np.inf
@@ -172,18 +172,24 @@ def widened(
 
 
 def changes_since_zero(
-    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
+    model: ContactModel, priors: Priors, observations: Observed, problems: Problems
 ) -> tuple[Float[np.ndarray, "problem k"], Float[np.ndarray, "problem k"]]:
     """Nuisances of each frame in standard deviations of their priors: posterior mean at the contacts
     found, and its standard deviation with what is uncertain of the contacts."""
-    face, contact, white = problems.face, problems.contact, seen.white.select(problems.frame)
-    columns = np.zeros((model.channels, 0)) if seen.columns is None else seen.columns
+    face, contact, white = (
+        problems.face,
+        problems.contact,
+        observations.white.select(problems.frame),
+    )
+    columns = (
+        np.zeros((model.channels, 0)) if observations.columns is None else observations.columns
+    )
     singles = model.singles(face, contact)
-    left = seen.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
+    residual = observations.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
     jacobian = singles[:, :, 1:].reshape(len(face), 3 * face.shape[1], model.channels)
     # With r = A t + noise and t ~ N(0, 1) the mean is AᵀΣ⁻¹r, the covariance 1 − AᵀΣ⁻¹A; Σ⁻¹ = WᵀW.
     each = white(np.broadcast_to(columns.T, (len(face), *columns.T.shape)))
-    mean = (each @ white(left[:, None]).transpose(0, 2, 1))[..., 0]
+    mean = (each @ white(residual[:, None]).transpose(0, 2, 1))[..., 0]
     carried = each @ white(jacobian).transpose(0, 2, 1)
     contacts = np.linalg.inv(bounded_curvature(problems, priors))
     unseen = np.eye(columns.shape[1]) - each @ each.transpose(0, 2, 1)
@@ -194,7 +200,7 @@ def changes_since_zero(
 
 
 def tangential_forces(
-    model: ContactModel, priors: Priors, seen: Observed, problems: Problems
+    model: ContactModel, priors: Priors, observations: Observed, problems: Problems
 ) -> tuple[Float[np.ndarray, "problem contact 2"], Float[np.ndarray, "problem contact 2"]]:
     """Along x and y of each contact's face, N, and their standard deviations.
 
@@ -202,16 +208,20 @@ def tangential_forces(
     of simulated presses are 1.15 times the deviations (rms; 300 presses of a synthetic object).
     """
     slots = problems.face.shape[1]
-    face, contact, white = problems.face, problems.contact, seen.white.select(problems.frame)
+    face, contact, white = (
+        problems.face,
+        problems.contact,
+        observations.white.select(problems.frame),
+    )
     singles = model.singles(face, contact)
     pulls = white(model.pulls(face, contact).reshape(len(face), 2 * slots, model.channels))
-    left = seen.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
+    residual = observations.counts[problems.frame] - problems.extra - singles[:, :, 0].sum(axis=1)
     jacobian = white(singles[:, :, 1:].reshape(len(face), 3 * slots, model.channels))
-    own = np.linalg.inv(np.eye(2 * slots) + pulls @ pulls.transpose(0, 2, 1))
-    mean = (own @ (pulls @ white(left[:, None]).transpose(0, 2, 1)))[..., 0]
-    carried = own @ pulls @ jacobian.transpose(0, 2, 1)
+    posterior_covariance = np.linalg.inv(np.eye(2 * slots) + pulls @ pulls.transpose(0, 2, 1))
+    mean = (posterior_covariance @ (pulls @ white(residual[:, None]).transpose(0, 2, 1)))[..., 0]
+    carried = posterior_covariance @ pulls @ jacobian.transpose(0, 2, 1)
     contacts = np.linalg.inv(bounded_curvature(problems, priors))
-    covariance = own + carried @ contacts @ carried.transpose(0, 2, 1)
+    covariance = posterior_covariance + carried @ contacts @ carried.transpose(0, 2, 1)
     deviation = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
     scale = model.pull_sigma_n(contact)[..., None]
     shape = (*face.shape, 2)

@@ -82,8 +82,8 @@ class Hypotheses:
     def _answer(self) -> Int[np.ndarray, "problem"]:
         """Equal for sets of one frame with as many contacts on each face."""
         faces = np.sort(self.problems.face, axis=1)
-        told = np.column_stack([self.problems.frame, faces])
-        return np.unique(told, axis=0, return_inverse=True)[1].reshape(-1)
+        answers = np.column_stack([self.problems.frame, faces])
+        return np.unique(answers, axis=0, return_inverse=True)[1].reshape(-1)
 
     def best(self) -> Int[np.ndarray, "frame"]:
         """Row of each frame's most probable set of its most probable numbers of contacts."""
@@ -91,12 +91,16 @@ class Hypotheses:
 
     def second(self, best: Int[np.ndarray, "frame"]) -> Int[np.ndarray, "frame"]:
         """Row of each frame's next answer, of other numbers; that of the best where none was found."""
-        (left,) = np.nonzero(self._answer != self._answer[best][self.problems.frame])
-        costs = -self.odds[left], -self.log_evidence[left]
-        rows = left[first_of_frame(self.problems.frame[left], *costs)]
-        found = best.copy()
-        found[self.problems.frame[rows]] = rows
-        return found
+        (rows_of_other_answers,) = np.nonzero(
+            self._answer != self._answer[best][self.problems.frame]
+        )
+        costs = -self.odds[rows_of_other_answers], -self.log_evidence[rows_of_other_answers]
+        rows = rows_of_other_answers[
+            first_of_frame(self.problems.frame[rows_of_other_answers], *costs)
+        ]
+        row_of_second = best.copy()
+        row_of_second[self.problems.frame[rows]] = rows
+        return row_of_second
 
 
 @dataclass(frozen=True)
@@ -122,39 +126,43 @@ class Search:
         return bool(self.priors.spacing_mm)
 
     @property
-    def _on_the_way(self) -> tuple[int, ...]:
+    def _rough_effort(self) -> tuple[int, ...]:
         return _NEAR if self.model.shear is None else ()
 
-    def contacts(self, seen: Observed) -> Hypotheses:
+    def contacts(self, observations: Observed) -> Hypotheses:
         """Every frame's sets of contacts with their evidence."""
-        seen = seen.on(self.reference)
-        level = empty(seen, np.arange(len(seen.counts)), self.priors.most)
-        found = [self.judged(level)]
-        best = found[0].log_evidence.copy()
+        observations = observations.moved_to(self.reference)
+        level = empty(observations, np.arange(len(observations.counts)), self.priors.most)
+        levels = [self.judged(level)]
+        best = levels[0].log_evidence.copy()
         while len(level):
-            effort = self._on_the_way if int(level.number.max()) >= _FEW else ()
-            judged = self.judged(self._grown(seen, level, effort))
-            found.append(judged)
+            effort = self._rough_effort if int(level.number.max()) >= _FEW else ()
+            judged = self.judged(self._grown(observations, level, effort))
+            levels.append(judged)
             np.maximum.at(best, judged.problems.frame, judged.log_evidence)
-            level = judged.problems.select(self.hopeful(judged, best))
-        near = self.revisited(seen, together(found)).distinct()
-        return self._settled(seen, self._believed(near))
+            level = judged.problems.select(self.worth_extending(judged, best))
+        near = self.revisited(observations, together(levels)).distinct()
+        return self._settled(observations, self._believed(near))
 
-    def of_number(self, seen: Observed, number: int) -> Problems:
+    def sets_of_number(self, observations: Observed, number: int) -> Problems:
         """The most probable set of so many contacts of every frame that has one."""
-        sets = empty(seen, np.arange(len(seen.counts)), self.priors.most)
+        sets = empty(observations, np.arange(len(observations.counts)), self.priors.most)
         for _ in range(number):
-            sets = self._grown(seen, sets)
+            sets = self._grown(observations, sets)
         if number > 1:
-            fewer = self.fewer(seen, sets.select(best_of_frame(sets, 1))).problems
-            sets = Problems.joined([sets, self._grown(seen, fewer)])
+            fewer = self.fewer(observations, sets.select(best_of_frame(sets, 1))).problems
+            sets = Problems.joined([sets, self._grown(observations, fewer)])
         return sets.select(first_of_frame(sets.frame, sets.misfit))
 
-    def grown(self, seen: Observed, sets: Problems, effort: tuple[int, ...] = ()) -> Hypotheses:
+    def grown(
+        self, observations: Observed, sets: Problems, effort: tuple[int, ...] = ()
+    ) -> Hypotheses:
         """The best sets of one contact more; `effort` is rounds and steps."""
-        return self.judged(self._grown(seen, sets, effort))
+        return self.judged(self._grown(observations, sets, effort))
 
-    def fewer(self, seen: Observed, sets: Problems, effort: tuple[int, ...] = ()) -> Hypotheses:
+    def fewer(
+        self, observations: Observed, sets: Problems, effort: tuple[int, ...] = ()
+    ) -> Hypotheses:
         """Each set without each of its contacts (or probes); `effort` is rounds and steps."""
         parts = []
         groups = range(self.priors.faces) if self.probes else range(self.priors.most)
@@ -169,35 +177,37 @@ class Search:
             parts.append((sets.frame[rows], face, contact))
         frame, face, contact = (np.concatenate(column) for column in zip(*parts, strict=True))
         given = frame, face, contact, None
-        return self.judged(most_probable(self.model, self.priors, seen, *given, *effort))
+        return self.judged(most_probable(self.model, self.priors, observations, *given, *effort))
 
     def judged(self, problems: Problems) -> Hypotheses:
         """Sets with their evidence under these priors."""
         inside = log_inside(self.model.bounds, self.priors, problems)
         return Hypotheses(problems, log_evidence(problems, self.priors) + inside)
 
-    def _believed(self, found: Hypotheses) -> Hypotheses:
+    def _believed(self, hypotheses: Hypotheses) -> Hypotheses:
         """Sets with what is known of two jaws. Not on the way, which goes contact by contact."""
-        paired = log_paired(self.priors, found.problems.face)
-        return Hypotheses(found.problems, found.log_evidence + paired)
+        paired = log_paired(self.priors, hypotheses.problems.face)
+        return Hypotheses(hypotheses.problems, hypotheses.log_evidence + paired)
 
-    def revisited(self, seen: Observed, found: Hypotheses) -> Hypotheses:
+    def revisited(self, observations: Observed, hypotheses: Hypotheses) -> Hypotheses:
         """All sets, with those of one contact more than the best and those with a contact of the best looked
         for anew; again where these are better."""
-        reached = np.full(len(seen.counts), -np.inf)
+        reached = np.full(len(observations.counts), -np.inf)
         for _ in range(_VISITS):
-            best = found.best()
-            evidence = found.log_evidence[best]
-            better = (evidence > reached + _BETTER) & (found.problems.number[best] > 1)
+            best = hypotheses.best()
+            evidence = hypotheses.log_evidence[best]
+            better = (evidence > reached + _BETTER) & (hypotheses.problems.number[best] > 1)
             if not better.any():
                 break
-            reached, sets = evidence, found.problems.select(best[better])
-            fewer = self.fewer(seen, sets, self._on_the_way)
-            starts = Problems.joined([fewer.problems, sets.select(self.bears_more(sets))])
-            found = together([found, fewer, self.grown(seen, starts, self._on_the_way)])
-        return found
+            reached, sets = evidence, hypotheses.problems.select(best[better])
+            fewer = self.fewer(observations, sets, self._rough_effort)
+            starts = Problems.joined([fewer.problems, sets.select(self.may_add_contact(sets))])
+            hypotheses = together(
+                [hypotheses, fewer, self.grown(observations, starts, self._rough_effort)]
+            )
+        return hypotheses
 
-    def _settled(self, seen: Observed, near: Hypotheses) -> Hypotheses:
+    def _settled(self, observations: Observed, near: Hypotheses) -> Hypotheses:
         """The best sets of each frame, fitted to the end."""
         problems, evidence = near.problems, near.log_evidence
         order = np.lexsort((-evidence, problems.frame))
@@ -207,13 +217,15 @@ class Search:
         kept = (np.arange(len(order)) - first < _SETTLED) & (behind < _OUT_OF_THE_RACE)
         sets, others = problems.select(order[kept]), order[~kept]
         given = sets.frame, sets.face, sets.contact, sets.extra
-        settled = self.judged(most_probable(self.model, self.priors, seen, *given))
+        settled = self.judged(most_probable(self.model, self.priors, observations, *given))
         settled = self._believed(settled)
-        left = Hypotheses(problems.select(others), evidence[others])
-        return together([settled, left]).distinct()
+        rest = Hypotheses(problems.select(others), evidence[others])
+        return together([settled, rest]).distinct()
 
-    def _grown(self, seen: Observed, level: Problems, effort: tuple[int, ...] = ()) -> Problems:
-        rows, face, contact = self.dictionary.added(self.model, seen, level, self.probes)
+    def _grown(
+        self, observations: Observed, level: Problems, effort: tuple[int, ...] = ()
+    ) -> Problems:
+        rows, face, contact = self.dictionary.added(self.model, observations, level, self.probes)
         frame, extra = level.frame[rows], rows_of(level.extra, rows)
         if not self.probes:
             halved = half_contacts(level.select(best_of_frame(level, 1)))
@@ -222,22 +234,22 @@ class Search:
                 for pair in zip((frame, face, contact, extra), halved, strict=True)
             )
         if not len(frame):
-            return empty(seen, frame, self.priors.most)
+            return empty(observations, frame, self.priors.most)
         rough = most_probable(
-            self.model, self.priors, seen, frame, face, contact, extra, 1, _ROUGH_STEPS
+            self.model, self.priors, observations, frame, face, contact, extra, 1, _ROUGH_STEPS
         )
         going_on = _KEPT if level.number.max() < _MANY else _KEPT_OF_MANY
         kept = rough.select(best_of_frame(rough, 2 * going_on))
-        found = refitted(self.model, self.priors, seen, kept, *effort)
-        return found.select(best_of_frame(found, going_on))
+        refined = refitted(self.model, self.priors, observations, kept, *effort)
+        return refined.select(best_of_frame(refined, going_on))
 
-    def hopeful(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
+    def worth_extending(self, judged: Hypotheses, best: np.ndarray) -> np.ndarray:
         """Sets that a further contact may still bring beyond the best so far."""
         problems = judged.problems
         better = judged.log_evidence + self._possible(problems) > best[problems.frame]
-        return better & self.bears_more(problems)
+        return better & self.may_add_contact(problems)
 
-    def bears_more(self, problems: Problems) -> Bool[np.ndarray, "problem"]:
+    def may_add_contact(self, problems: Problems) -> Bool[np.ndarray, "problem"]:
         """Return whether misfit, slots and jaws leave room for a further contact (or probe)."""
         room = (self._possible(problems) > _HOPELESS) & (problems.number < self.priors.most)
         if self.probes and self.priors.paired:
@@ -247,8 +259,8 @@ class Search:
     def _possible(self, problems: Problems) -> Float[np.ndarray, "problem"]:
         """By how much further contacts may raise the evidence: by the misfit, and where one of two jaws lacks
         them by the odds of that."""
-        left = problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
-        return left - log_paired(self.priors, problems.face)
+        unexplained = problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
+        return unexplained - log_paired(self.priors, problems.face)
 
 
 def together(parts: list[Hypotheses]) -> Hypotheses:

@@ -54,7 +54,7 @@ _KIND = FileKind(
 def save_inversion(inversion: Inversion, path: Path | str) -> None:
     """Write an estimator as NetCDF with checksums; `load_inversion` reads it."""
     model, table = inversion.model, inversion.model.signals
-    shear, told = model.shear, inversion.disturbances
+    shear, disturbances = model.shear, inversion.disturbances
     values = {
         "shear": None if shear is None else shear.coefficients,
         "shear_x_mm": None if shear is None else shear.x.nodes,
@@ -66,17 +66,20 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
         "root_n": table.root.nodes,
         "faces": table.faces,
         "rest": model.rest,
-        "noise_counts": told.noise_counts,
-        "offset_counts": told.offset_counts,
-        "model_error": told.model_error,
-        "nuisances": told.columns if told.nuisances else None,
+        "noise_counts": disturbances.noise_counts,
+        "offset_counts": disturbances.offset_counts,
+        "model_error": disturbances.model_error,
+        "nuisances": disturbances.columns if disturbances.nuisances else None,
     }
     attributes = {
         "specification": json.dumps(model.spec.model_dump(mode="json")),
         "priors": json.dumps(asdict(inversion.priors)),
-        "force_error": told.force_error,
+        "force_error": disturbances.force_error,
         "nuisances": json.dumps(
-            [(one.name, one.unit, one.deviation, one.columns.shape[1]) for one in told.nuisances]
+            [
+                (nuisance.name, nuisance.unit, nuisance.deviation, nuisance.columns.shape[1])
+                for nuisance in disturbances.nuisances
+            ]
         ),
         "nearest_mm": model.nearest_mm,
     }
@@ -116,8 +119,8 @@ def _nuisances(values: dict[str, np.ndarray], described: list[list[Any]]) -> tup
     ends = np.cumsum([size for *_, size in described])[:-1]
     columns = np.split(values["nuisances"], ends, axis=1) if described else []
     return tuple(
-        Nuisance(name, unit, deviation, own)
-        for (name, unit, deviation, _), own in zip(described, columns, strict=True)
+        Nuisance(name, unit, deviation, nuisance_columns)
+        for (name, unit, deviation, _), nuisance_columns in zip(described, columns, strict=True)
     )
 
 

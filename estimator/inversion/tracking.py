@@ -78,11 +78,11 @@ class Tracker:
             np.mean(self._window, axis=0)[None], np.array([len(self._window)]), drift_counts
         )
         self._believe_again(plain)
-        before = self._last
+        last = self._last
         sets = self._followed(self._seen(plain))
         self._strange = 0 if sets.explained[0] else self._strange + 1
         if self._strange:
-            sets = self._diagnosed(plain, before, sets)
+            sets = self._diagnosed(plain, last, sets)
         elif self._is_magnet(plain):
             sets = self._turned(plain, None, NONE, magnet=True)
         if self.beside_magnet:
@@ -125,7 +125,7 @@ class Tracker:
         return bool(beside.explains_with_fewer(search, search.judged(self._last))[0])
 
     def _diagnosed(
-        self, plain: Observed, before: Problems | None, sets: ContactSets
+        self, plain: Observed, previous: Problems | None, sets: ContactSets
     ) -> ContactSets:
         """Return the contacts of a frame that nothing explains, without a chip or with a magnet near by.
 
@@ -133,10 +133,12 @@ class Tracker:
         frame on end.
         """
         search, error, contacts = self.inversion.search, self._error, self._last
-        before = empty(plain, np.zeros(1, int), search.priors.most) if before is None else before
-        chip = lying_chip_beside(search, plain, before, error)
+        previous = (
+            empty(plain, np.zeros(1, int), search.priors.most) if previous is None else previous
+        )
+        chip = lying_chip_beside(search, plain, previous, error)
         if chip != NONE:
-            return self._turned(plain, before, chip, magnet=False)
+            return self._turned(plain, previous, chip, magnet=False)
         if self._is_magnet(plain):
             return self._turned(plain, None, NONE, magnet=True)
         if self._strange < 2 or self._strange & (self._strange - 1):
@@ -158,61 +160,61 @@ class Tracker:
         self._last, self._sound = contacts, 0
         return self._followed(self._seen(plain))
 
-    def _followed(self, seen: Observed) -> ContactSets:
+    def _followed(self, observations: Observed) -> ContactSets:
         """The next frame's contacts, of channels that are believed."""
-        found = self._same(seen)
-        p_value = float(p_values(seen, found)[0])
-        if p_value >= _STRAINED and not self.faint_contacts(found):
+        problems = self._same(observations)
+        p_value = float(p_values(observations, problems)[0])
+        if p_value >= _STRAINED and not self.faint_contacts(problems):
             self._wait, self._pause, self._odds = 0, 1, np.ones(1)
         elif self._wait and p_value > _WORSE * self._tried_p:
             self._wait -= 1
         else:
-            before, self._tried_p = found.number[0], p_value
-            found, self._odds = self.has_changed(seen, found)
-            if found.number[0] == before:
+            number_of_last, self._tried_p = problems.number[0], p_value
+            problems, self._odds = self.has_changed(observations, problems)
+            if problems.number[0] == number_of_last:
                 self._pause = min(2 * self._pause, _LONGEST_PAUSE)
                 self._wait = self._pause - 1
-        self._last = found
-        self._pressed += int(found.number[0] > 0)
-        if found.number[0] and self._pressed % _LEARNT_EVERY == 0:
-            self._error.learn(seen, found)
-        return self.inversion.reading(seen, found, self._odds, self._error)
+        self._last = problems
+        self._pressed += int(problems.number[0] > 0)
+        if problems.number[0] and self._pressed % _LEARNT_EVERY == 0:
+            self._error.learn(observations, problems)
+        return self.inversion.reading(observations, problems, self._odds, self._error)
 
-    def _same(self, seen: Observed) -> Problems:
+    def _same(self, observations: Observed) -> Problems:
         """The last contacts refitted."""
         search, last = self.inversion.search, self._last
         if last is None or not last.number[0]:
-            return empty(seen, np.zeros(1, int), search.priors.most)
+            return empty(observations, np.zeros(1, int), search.priors.most)
         extra = search.model.interaction(last.face, last.contact)
         start = last.frame, last.face, last.contact
-        return most_probable(search.model, search.priors, seen, *start, extra, 1, _STEPS)
+        return most_probable(search.model, search.priors, observations, *start, extra, 1, _STEPS)
 
     def has_changed(
-        self, seen: Observed, same: Problems
+        self, observations: Observed, same: Problems
     ) -> tuple[Problems, Float[np.ndarray, "1"]]:
         """One contact more, or without faint ones, or all anew, where the evidence is for it."""
         search = self.inversion.search
         if search.priors.paired:  # of two jaws none changes alone
-            return self._anew(seen)
-        every = [search.judged(same)]
-        if p_values(seen, same)[0] < _STRAINED:
-            every.append(_at_a_price(search.grown(seen, same)))
+            return self._anew(observations)
+        hypotheses = [search.judged(same)]
+        if p_values(observations, same)[0] < _STRAINED:
+            hypotheses.append(_penalised(search.grown(observations, same)))
         kept = same
         # One after the other: a grasp that lets go leaves several at once.
         while self.faint_contacts(kept):
-            fewer = search.fewer(seen, kept)
-            every.append(_at_a_price(fewer))
+            fewer = search.fewer(observations, kept)
+            hypotheses.append(_penalised(fewer))
             kept = fewer.problems.select(fewer.best())
-        judged = together(every)
+        judged = together(hypotheses)
         best = judged.best()
-        found = judged.problems.select(best), judged.odds[best]
-        if p_values(seen, found[0])[0] >= UNEXPLAINED:
-            return found
-        return min(found, self._anew(seen), key=lambda one: one[0].misfit[0])
+        changed = judged.problems.select(best), judged.odds[best]
+        if p_values(observations, changed[0])[0] >= UNEXPLAINED:
+            return changed
+        return min(changed, self._anew(observations), key=lambda candidate: candidate[0].misfit[0])
 
-    def _anew(self, seen: Observed) -> tuple[Problems, Float[np.ndarray, "1"]]:
+    def _anew(self, observations: Observed) -> tuple[Problems, Float[np.ndarray, "1"]]:
         self.seen_anew += 1
-        judged = self.inversion.search.contacts(seen)
+        judged = self.inversion.search.contacts(observations)
         best = judged.best()
         return judged.problems.select(best), judged.odds[best]
 
@@ -220,11 +222,11 @@ class Tracker:
         number = int(same.number[0])
         if not number:
             return False
-        own = covariances(same, self.inversion.priors)[0, :number]
-        sigma = np.sqrt(own[:, 2, 2])
+        covariance = covariances(same, self.inversion.priors)[0, :number]
+        sigma = np.sqrt(covariance[:, 2, 2])
         # By the deviations of a fresh zero: drift makes a hold less certain, and does not end it.
         return bool(np.any(same.contact[0, :number, 2] < _FAINT * sigma / self._widened))
 
 
-def _at_a_price(judged: Hypotheses) -> Hypotheses:
+def _penalised(judged: Hypotheses) -> Hypotheses:
     return Hypotheses(judged.problems, judged.log_evidence + _CHANGE)

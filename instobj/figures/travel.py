@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from estimator.calibration.known_travel.fit import Fitted
     from estimator.calibration.known_travel.model import TravelModel
-    from estimator.calibration.known_travel.suspects import Suspect
+    from estimator.calibration.known_travel.suspects import FreedAssumption
     from estimator.recordings.formats.travel import TravelRecording
 
 _HALF_BAND_MM = 0.5
@@ -33,7 +33,7 @@ def draw_travel(
     """Maps of all channels, recorded above predicted, of presses about the middle travel (PNG)."""
     from matplotlib.figure import Figure
 
-    xy, travel = fitted.twin.pose.in_object(recording.tip_mm)
+    xy, travel = fitted.twin.pose.locate_tips(recording.tip_mm)
     middle = float(np.quantile(travel, 0.75))
     rows = abs(travel - middle) < _HALF_BAND_MM
     maps = {
@@ -74,13 +74,13 @@ def draw_residuals(
     model: TravelModel,
     fitted: Fitted,
     judged: TravelRecording,
-    suspects: list[Suspect],
+    suspects: list[FreedAssumption],
     path: Path,
 ) -> Figure:
     """Return where the residuals of the judged presses lie, chip by chip, and what they point to (PNG)."""
     from matplotlib.figure import Figure
 
-    xy = fitted.twin.pose.in_object(judged.tip_mm)[0]
+    xy = fitted.twin.pose.locate_tips(judged.tip_mm)[0]
     recorded = judged.field_mt - fitted.resting_mt
     residual = recorded - model.pressed(fitted.twin, judged.tip_mm)
     place = judged.place_id
@@ -109,7 +109,7 @@ def draw_residuals(
     panels[0].set_ylabel("y, mm")
     figure.colorbar(shown, ax=panels, label="left over, mT (rms)")
     axes = figure.add_subplot(grid[1, :])
-    names = [f"{suspect.name} ({suspect.numbers}): {suspect.found}" for suspect in suspects][::-1]
+    names = [f"{suspect.name} ({suspect.numbers}): {suspect.finding}" for suspect in suspects][::-1]
     gains = np.array(
         [
             [suspect.gained, suspect.gained - suspect.low, suspect.high - suspect.gained]

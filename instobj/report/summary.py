@@ -191,7 +191,7 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
 
 def _beyond_bound(result: StoredResult) -> dict[str, str]:
     """Nothing where a reader reaches the bound everywhere."""
-    told = SCORES.read(result.folder).beyond_bound
+    told = SCORES.read(result.folder).exceeds_bound
     return {"place": told} if told else {}
 
 

@@ -100,7 +100,7 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
         weakest.position_bound_mm / limit,
         f"face {weakest.face} at ({weakest.x_mm:g}, {weakest.y_mm:g}) mm, worst along "
         f"{weakest.direction_deg:.0f}° from x"
-        + "".join(f". {told}" for told in (scores.beyond_bound, scores.unreached) if told),
+        + "".join(f". {told}" for told in (scores.exceeds_bound, scores.unreached) if told),
     )
 
 

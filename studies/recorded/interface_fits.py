@@ -85,7 +85,7 @@ class Preference:
     better: int
     cases: int
 
-    def p_of(self, tried: int) -> float:
+    def corrected_p(self, tried: int) -> float:
         """The larger p, corrected for so many interfaces that were tried (Bonferroni)."""
         return min(1.0, tried * max(self.p_places, self.p_cases))
 

@@ -26,7 +26,7 @@ class FaceReader:
 
     def __init__(self, spec, signals, face):
         index = signals.faces.tolist().index(face)
-        self.table = signal_table(signals).of_face(index)
+        self.table = signal_table(signals).select_face(index)
         self.own = own_channels(signals, spec.sensors, face)
         self.sigma = disturbance_counts(spec.sensors, "fresh", signals.baseline_counts.size)[
             self.own

@@ -37,7 +37,7 @@ def zeros(reference: Array, shape: tuple[int, ...]) -> Array:
     return reference.new_zeros(shape)
 
 
-def on_host(array: Array) -> np.ndarray:
+def to_host(array: Array) -> np.ndarray:
     """As a NumPy array."""
     return array if isinstance(array, np.ndarray) else array.cpu().numpy()
 
@@ -50,7 +50,7 @@ def diagonals(matrices: Array) -> Array:
     return matrices.diagonal(dim1=1, dim2=2)
 
 
-def where_true(mask: Array) -> Array:
+def true_rows(mask: Array) -> Array:
     """Indices of what is true along the one dimension."""
     return library(mask).where(mask)[0]
 

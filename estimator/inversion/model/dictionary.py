@@ -16,8 +16,8 @@ from estimator.inversion.model.arrays import (
     float32,
     library,
     like,
-    on_host,
-    where_true,
+    to_host,
+    true_rows,
 )
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.priors import Priors
@@ -60,7 +60,7 @@ class Dictionary:
     counts: Float[Array, "press channel"]
 
     def added(
-        self, model: ContactModel, seen: Observed, level: Problems, probes: bool
+        self, model: ContactModel, observations: Observed, level: Problems, probes: bool
     ) -> tuple[
         Int[np.ndarray, "new"], Int[np.ndarray, "new slot"], Float[np.ndarray, "new slot 3"]
     ]:
@@ -71,7 +71,7 @@ class Dictionary:
         Of probes, one a face, the best few of each number of tips; of tips, the best few that stand
         apart.
         """
-        gain, scale = self.gains_of(model, seen, level)
+        gain, scale = self.gains_of(model, observations, level)
         xp = library(gain)
         room = level.face.shape[1] - level.number
         gain[like(gain, self.tips > room[:, None])] = -np.inf
@@ -80,17 +80,17 @@ class Dictionary:
                 [np.any(level.face == f, axis=1) for f in range(self.face.max() + 1)], axis=1
             )
             gain[like(gain, used[:, self.face])] = -np.inf
-        found, each = [], like(gain, np.arange(len(level)))
+        sets, each = [], like(gain, np.arange(len(level)))
         for number in np.unique(self.tips):
             of_number = xp.where(like(gain, self.tips == number), gain, -np.inf)
             for _ in range(_CHOSEN_PROBES if probes else _CHOSEN):
                 press = of_number.argmax(axis=1)
-                rows = where_true(of_number[each, press] > 0)
+                rows = true_rows(of_number[each, press] > 0)
                 few = press[rows]
-                told = (on_host(part) for part in (rows, few, scale[rows, few]))
-                found.append(self.placed_sets(level, *told))
+                starts = (to_host(part) for part in (rows, few, scale[rows, few]))
+                sets.append(self.placed_sets(level, *starts))
                 of_number[self.near_rows(press)] = -np.inf
-        rows, faces, contacts = zip(*found, strict=True)
+        rows, faces, contacts = zip(*sets, strict=True)
         return np.concatenate(rows), np.concatenate(faces), np.concatenate(contacts)
 
     def placed_sets(
@@ -107,36 +107,40 @@ class Dictionary:
         return rows, face, contact
 
     def gains_of(
-        self, model: ContactModel, seen: Observed, level: Problems
+        self, model: ContactModel, observations: Observed, level: Problems
     ) -> tuple[Float[Array, "problem press"], Float[Array, "problem press"]]:
         """By how much each press would lower the misfit, and its force over the dictionary's."""
-        frame = like(seen.sigma, level.frame)
-        white = seen.white.select(frame)
+        frame = like(observations.sigma, level.frame)
+        white = observations.white.select(frame)
         slots = int(level.number.max(initial=0))
-        counts, squared = self._both
-        left = seen.counts[frame] - level.extra
+        counts, squared = self._squared_counts
+        residual = observations.counts[frame] - level.extra
         length = float32(white.weight**2) @ squared
         # Rows whose products with a press, squared, are what its length loses: to nuisances, contacts
         rows = [white.taken()]
         if slots:
-            face, contact = (like(left, part[:, :slots]) for part in (level.face, level.contact))
+            face, contact = (
+                like(residual, part[:, :slots]) for part in (level.face, level.contact)
+            )
             singles = model.singles(face, contact)
-            left = white((left - singles[:, :, 0].sum(axis=1))[:, None])
+            residual = white((residual - singles[:, :, 0].sum(axis=1))[:, None])
             jacobian = singles[:, :, 1:].reshape(len(level), 3 * slots, model.channels)
             basis = _basis(white(jacobian))
-            left = left - (left @ basis.swapaxes(1, 2)) @ basis
+            residual = residual - (residual @ basis.swapaxes(1, 2)) @ basis
             rows.append(white.transposed(basis))
         else:
-            left = white(left[:, None])
+            residual = white(residual[:, None])
         for part in rows:
             shared = float32(part) @ counts
             length = library(length).maximum(length - (shared * shared).sum(axis=1), 1e-3 * length)
-        along = float32(white.transposed(left)[:, 0]) @ counts
-        scale = (along / length).clip(*_SCALES)
-        return scale * along - 0.5 * scale * scale * length, scale
+        projection = float32(white.transposed(residual)[:, 0]) @ counts
+        scale = (projection / length).clip(*_SCALES)
+        return scale * projection - 0.5 * scale * scale * length, scale
 
     @cached_property
-    def _both(self) -> tuple[Float[Array, "channel press"], Float[Array, "channel press"]]:
+    def _squared_counts(
+        self,
+    ) -> tuple[Float[Array, "channel press"], Float[Array, "channel press"]]:
         """Counts and their squares."""
         counts = self.counts.swapaxes(0, 1)
         return counts, counts * counts
@@ -189,22 +193,22 @@ def dictionary(model: ContactModel, priors: Priors) -> Dictionary:
             tips_mm = offsets + np.array(centre)
             if np.any((tips_mm < low - 1e-6) | (tips_mm > high + 1e-6)):
                 continue
-            if not _on_face(model, face, tips_mm[:number]):
+            if not _fits_on_face(model, face, tips_mm[:number]):
                 continue
             for force in forces:
                 faces.append(face)
                 tips.append(number)
                 contacts.append(np.column_stack([tips_mm, np.full(most, force)]))
     face, number, contact = np.array(faces), np.array(tips), np.array(contacts)
-    there = np.arange(most) < number[:, None]
-    tables, singles = model.signals, np.zeros((*there.shape, model.channels))
-    given = (like(tables.coefficients, part) for part in (np.repeat(face, number), contact[there]))
-    singles[there] = on_host(tables.values(*given)[:, 0])
+    is_tip = np.arange(most) < number[:, None]
+    tables, singles = model.signals, np.zeros((*is_tip.shape, model.channels))
+    given = (like(tables.coefficients, part) for part in (np.repeat(face, number), contact[is_tip]))
+    singles[is_tip] = to_host(tables.values(*given)[:, 0])
     counts = like(tables.coefficients, singles.sum(axis=1).astype(np.float32))
     return Dictionary(face, number, contact, counts)
 
 
-def _on_face(model: ContactModel, face: int, tips_mm: Float[np.ndarray, "tip 2"]) -> bool:
+def _fits_on_face(model: ContactModel, face: int, tips_mm: Float[np.ndarray, "tip 2"]) -> bool:
     contact = np.column_stack([tips_mm, np.zeros(len(tips_mm))])[None]
     stays = model.select_faces(np.full((1, len(tips_mm)), face), contact)
     return bool(np.allclose(stays, contact, atol=1e-6))

@@ -30,8 +30,8 @@ from estimator.inversion.model.arrays import (
     float64,
     library,
     like,
-    on_host,
-    where_true,
+    to_host,
+    true_rows,
     zeros,
 )
 from estimator.inversion.model.table import PressTable, motion_table, shear_table, signal_table
@@ -70,20 +70,20 @@ class ContactModel:
     nearest_mm: float
     shear: PressTable | None = None
 
-    def of_face(self, index: int) -> ContactModel:
+    def select_face(self, index: int) -> ContactModel:
         """The same object pressed on one face only, which then is face 0."""
-        shear = None if self.shear is None else self.shear.of_face(index)
+        shear = None if self.shear is None else self.shear.select_face(index)
         return replace(
             self,
-            signals=self.signals.of_face(index),
-            motions=self.motions.of_face(index),
+            signals=self.signals.select_face(index),
+            motions=self.motions.select_face(index),
             shear=shear,
         )
 
-    def on(self, reference: Array) -> ContactModel:
+    def moved_to(self, reference: Array) -> ContactModel:
         """The same for contacts that are arrays of the reference's kind, on its device."""
-        shear = None if self.shear is None else self.shear.on(reference)
-        tables = self.signals.on(reference), self.motions.on(reference)
+        shear = None if self.shear is None else self.shear.moved_to(reference)
+        tables = self.signals.moved_to(reference), self.motions.moved_to(reference)
         return replace(self, signals=tables[0], motions=tables[1], shear=shear)
 
     @cached_property
@@ -114,7 +114,9 @@ class ContactModel:
         pressed = pressed_nodes(self.spec)[face_rows(self.spec, self.signals.faces)]
         x, y = ((nodes[1:] + nodes[:-1]) / 2 for nodes in (lattice.x_mm, lattice.y_mm))
         middles = PlaceGrid(x, y).xy_mm
-        return tuple(middles[among_pressed(lattice, there, *middles.T)] for there in pressed)
+        return tuple(
+            middles[among_pressed(lattice, pressed_row, *middles.T)] for pressed_row in pressed
+        )
 
     @cached_property
     def whole(self) -> bool:
@@ -141,12 +143,12 @@ class ContactModel:
             return contact
         from scipy.spatial import KDTree
 
-        on, at = on_host(face), on_host(contact)
-        moved, half = at.copy(), self.spec.contact_grid.pitch_mm / 4
+        face_row, place = to_host(face), to_host(contact)
+        moved, half = place.copy(), self.spec.contact_grid.pitch_mm / 4
         for index, middles in enumerate(self.cells):
-            here = on == index
-            nearest = middles[KDTree(middles).query(at[here, :2])[1]]
-            moved[here, :2] = np.clip(at[here, :2], nearest - half, nearest + half)
+            here = face_row == index
+            nearest = middles[KDTree(middles).query(place[here, :2])[1]]
+            moved[here, :2] = np.clip(place[here, :2], nearest - half, nearest + half)
         return like(contact, moved)
 
     def singles(
@@ -155,7 +157,7 @@ class ContactModel:
         contact: Float[Array, "problem contact 3"],
     ) -> Float[Array, "problem contact 4 channel"]:
         """Counts of each contact alone and their derivatives by x, y and force; 0 where empty."""
-        return self._of_filled(face, contact, self.signals.values)
+        return self._fill_slots(face, contact, self.signals.values)
 
     def pulls(
         self,
@@ -173,20 +175,20 @@ class ContactModel:
             sigma = self.pull_sigma_n(contact)[:, None, None]
             return sigma * per_n.reshape(-1, 2, self.channels)
 
-        return self._of_filled(face, contact, pulled)
+        return self._fill_slots(face, contact, pulled)
 
-    def _of_filled(
+    def _fill_slots(
         self, face: Array, contact: Array, values: Callable[[Array, Array], Array]
     ) -> Float[Array, "problem contact _ channel"]:
         """Return what the filled slots give, at their place among the empty ones."""
-        there = face != NONE
-        if there.all():
-            found = values(face.reshape(-1), contact.reshape(-1, 3))
-            return found.reshape(*face.shape, *found.shape[1:])
-        found = values(face[there], contact[there])
-        every = zeros(found, (*face.shape, *found.shape[1:]))
-        every[there] = found
-        return every
+        filled = face != NONE
+        if filled.all():
+            results = values(face.reshape(-1), contact.reshape(-1, 3))
+            return results.reshape(*face.shape, *results.shape[1:])
+        results = values(face[filled], contact[filled])
+        all_slots = zeros(results, (*face.shape, *results.shape[1:]))
+        all_slots[filled] = results
+        return all_slots
 
     def pull_sigma_n(self, contact: Float[Array, "*n 3"]) -> Float[Array, "*n"]:
         """Standard deviation of a contact's tangential force along each axis before a frame is seen."""
@@ -198,18 +200,18 @@ class ContactModel:
         contact: Float[Array, "problem contact 3"],
     ) -> Float[Array, "problem channel"]:
         """Return what contacts together give beyond the sum of each alone, counts."""
-        there: Bool[Array, "problem contact"] = face != NONE
+        filled: Bool[Array, "problem contact"] = face != NONE
         extra = zeros(contact, (len(face), self.channels))
-        several = where_true(there.sum(axis=1) > 1)
+        several = true_rows(filled.sum(axis=1) > 1)
         if not len(several):
             return extra
-        there, face, contact = there[several], face[several], contact[several]
+        filled, face, contact = filled[several], face[several], contact[several]
         single = zeros(contact, (*face.shape, *self.rest.shape))
-        moved = float64(self.motions.values(face[there], contact[there])[:, 0])
-        single[there] = moved.reshape(-1, *self.rest.shape)
-        change = self.counts_of_motions(concatenated([single[there], single.sum(axis=1)]))
+        moved = float64(self.motions.values(face[filled], contact[filled])[:, 0])
+        single[filled] = moved.reshape(-1, *self.rest.shape)
+        change = self.counts_of_motions(concatenated([single[filled], single.sum(axis=1)]))
         alone = zeros(contact, (*face.shape, self.channels))
-        alone[there] = change[: len(moved)]
+        alone[filled] = change[: len(moved)]
         extra[several] = change[len(moved) :] - alone.sum(axis=1)
         return extra
 
@@ -220,7 +222,7 @@ class ContactModel:
         if isinstance(moved, np.ndarray):
             return self._counts(self.rest + moved) - self._resting
         if not self.plain:
-            return like(moved, self.counts_of_motions(on_host(moved)))
+            return like(moved, self.counts_of_motions(to_host(moved)))
         xp, rest = library(moved), like(moved, self.rest)
         field = self._field_of(rest + moved) - self._field_of(rest[None])
         axes = like(moved, self.scene.chips.matrix @ self.scene.sensors.axes)

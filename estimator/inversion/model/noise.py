@@ -51,13 +51,15 @@ class Disturbances:
     def columns(self) -> Float[np.ndarray, "channel k"]:
         """Counts of the nuisances, a standard deviation of each."""
         none = np.zeros((len(self.noise_counts), 0))
-        return np.hstack([none, *(one.columns for one in self.nuisances)])
+        return np.hstack([none, *(nuisance.columns for nuisance in self.nuisances)])
 
     @cached_property
     def deviations(self) -> Float[np.ndarray, "k"]:
         """Standard deviation of each unknown of the nuisances, in its unit."""
-        every = [np.full(one.columns.shape[1], one.deviation) for one in self.nuisances]
-        return np.concatenate([np.zeros(0), *every])
+        deviations = [
+            np.full(nuisance.columns.shape[1], nuisance.deviation) for nuisance in self.nuisances
+        ]
+        return np.concatenate([np.zeros(0), *deviations])
 
     def observed(
         self,
@@ -72,14 +74,18 @@ class Disturbances:
         """
         white = self.noise_counts**2 + _ROUNDING**2
         readings = np.ones(len(counts)) if averaged is None else averaged
-        own = np.sqrt(white / readings[:, None] + self.offset_counts**2 + drift_counts**2)
+        plain_sigma = np.sqrt(white / readings[:, None] + self.offset_counts**2 + drift_counts**2)
         missing = np.isnan(counts)
         counts = np.where(missing, 0.0, counts)
         change = np.linalg.norm(counts.reshape(len(counts), -1, 3), axis=2) / np.sqrt(3)
         change = np.repeat(change, 3, axis=1)
         strict = np.minimum(self.model_error, MOST_ERROR)
-        sigmas = own, np.hypot(own, self.model_error * change), np.hypot(own, strict * change)
-        still, sigma, strict = (np.where(missing, BLIND, one) for one in sigmas)
+        sigmas = (
+            plain_sigma,
+            np.hypot(plain_sigma, self.model_error * change),
+            np.hypot(plain_sigma, strict * change),
+        )
+        still, sigma, strict = (np.where(missing, BLIND, sigma) for sigma in sigmas)
         return Observed(counts, sigma, still, strict, self.columns)
 
 
@@ -107,14 +113,14 @@ def design_error(
     Root mean square over the presses of three virtual objects at equal travel, with what meshes of
     one design differ by.
     """
-    there = signals.pressed
-    size = np.mean(signals.delta_counts[there] ** 2)
+    pressed = signals.pressed
+    size = np.mean(signals.delta_counts[pressed] ** 2)
     drawn = (
         twin_signals(spec, drawn_assembly(spec, spec.seed + number), forces, motions)
         for number in range(_OBJECTS)
     )
     differ = [
-        np.mean((one.delta_counts[there] - signals.delta_counts[there]) ** 2) / size
-        for one in drawn
+        np.mean((variant.delta_counts[pressed] - signals.delta_counts[pressed]) ** 2) / size
+        for variant in drawn
     ]
     return float(np.sqrt(np.mean(differ) + MESH_ERROR**2))

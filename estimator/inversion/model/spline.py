@@ -47,13 +47,13 @@ class CubicAxes:
     reference: Array = field(default_factory=lambda: np.empty(0))
 
     def weights(
-        self, at: tuple[Float[Array, "n"], ...]
+        self, points: tuple[Float[Array, "n"], ...]
     ) -> tuple[Int[Array, "axis n"], Float[Array, "axis n 4 2"]]:
         """Of points on every axis: first of the four coefficients that count, their weights and the
         weights' derivatives."""
-        first = _stacked([_interval(*one) for one in zip(self._inner, at, strict=True)])
+        first = _stacked([_interval(*pair) for pair in zip(self._inner, points, strict=True)])
         rows = first + self._begin
-        u = (_stacked(at) - self._lower[rows])[..., None]
+        u = (_stacked(points) - self._lower[rows])[..., None]
         power = self._power[rows]
         weights = power[:, :, 3] * u
         for lower in (2, 1):
@@ -91,11 +91,11 @@ def _stacked(parts: Any) -> Array:
     return np.array(parts) if isinstance(first, np.ndarray) else library(first).stack(list(parts))
 
 
-def _interval(inner: Array, at: Array) -> Int[Array, "n"]:
+def _interval(inner: Array, points: Array) -> Int[Array, "n"]:
     """In which interval points lie."""
-    if isinstance(at, np.ndarray):
-        return inner.searchsorted(at, "right")
-    return library(at).searchsorted(inner, at.contiguous(), right=True)
+    if isinstance(points, np.ndarray):
+        return inner.searchsorted(points, "right")
+    return library(points).searchsorted(inner, points.contiguous(), right=True)
 
 
 def cubic_axis(nodes: Float[np.ndarray, "node"]) -> CubicAxis:
@@ -119,7 +119,7 @@ def spline_coefficients(
     """Coefficients of the splines that pass through values on a grid of nodes."""
     from scipy.interpolate import make_interp_spline
 
-    for axis, at in enumerate(nodes):
-        of_values = make_interp_spline(at, np.eye(len(at)), k=_ORDER).c
+    for axis, axis_nodes in enumerate(nodes):
+        of_values = make_interp_spline(axis_nodes, np.eye(len(axis_nodes)), k=_ORDER).c
         values = np.moveaxis(np.tensordot(of_values, values, axes=(1, axis)), 0, axis)
     return values

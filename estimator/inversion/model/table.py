@@ -60,12 +60,12 @@ class PressTable:
     root: CubicAxis
     coefficients: Float[Array, "face nx ny nf channel"]
 
-    def of_face(self, index: int) -> PressTable:
+    def select_face(self, index: int) -> PressTable:
         """Presses of one face, which then is face 0."""
         only = slice(index, index + 1)
         return replace(self, faces=self.faces[only], coefficients=self.coefficients[only])
 
-    def on(self, reference: Array) -> PressTable:
+    def moved_to(self, reference: Array) -> PressTable:
         """The same where the reference is."""
         return replace(self, coefficients=like(reference, self.coefficients))
 
@@ -97,10 +97,10 @@ class PressTable:
     def _weights(self, face: Array, contact: Array) -> tuple[tuple[Array, ...], Array]:
         """Return where each contact's 64 coefficients begin, and their weights for value and derivatives."""
         shifted_root = (contact[:, 2].clip(0.0) + _NEAR_ZERO_N) ** 0.5
-        at = contact[:, 0], contact[:, 1], shifted_root - _FIRST_ROOT
-        first, along = self._axes.weights(at)
-        along[2, :, :, 1] /= (2 * shifted_root)[:, None]
-        of_x, of_y, of_force = float32(along).reshape(3, len(face), 8)
+        point = contact[:, 0], contact[:, 1], shifted_root - _FIRST_ROOT
+        first, axis_weights = self._axes.weights(point)
+        axis_weights[2, :, :, 1] /= (2 * shifted_root)[:, None]
+        of_x, of_y, of_force = float32(axis_weights).reshape(3, len(face), 8)
         take_x, take_y, take_force, _, _ = self._places
         weights = chosen(of_y, take_y)
         weights *= chosen(of_force, take_force)
@@ -138,24 +138,24 @@ def signal_table(signals: Signals) -> PressTable:
     """Changes of counts (channel = sensor · 3 + axis) of every press of the lattice."""
     nodes = force_nodes(signals)
     values = []
-    for face, there in zip(signals.faces.tolist(), signals.pressed, strict=True):
-        x, y = signals.lattice.xy_mm[there].T
+    for face, pressed in zip(signals.faces.tolist(), signals.pressed, strict=True):
+        x, y = signals.lattice.xy_mm[pressed].T
         traces = press_traces(signals, np.full(len(x), face), x, y)
-        values.append(_on_lattice(at_forces(traces, nodes), there, signals.lattice))
+        values.append(_fill_lattice(interpolate_forces(traces, nodes), pressed, signals.lattice))
     return force_table(signals.faces, signals.lattice, nodes, np.stack(values))
 
 
-def _on_lattice(
+def _fill_lattice(
     values: Float[np.ndarray, "place node channel"],
-    there: Bool[np.ndarray, "every"],
+    pressed: Bool[np.ndarray, "every"],
     lattice: PlaceGrid,
 ) -> Float[np.ndarray, "every node channel"]:
     """Values of the places that a face has, continued smoothly to those that it has not."""
-    if there.all():
+    if pressed.all():
         return values
-    every = np.full((len(there), *values.shape[1:]), np.nan)
-    every[there] = values
-    return continued(every, there, lattice.shape)
+    all_values = np.full((len(pressed), *values.shape[1:]), np.nan)
+    all_values[pressed] = values
+    return continued(all_values, pressed, lattice.shape)
 
 
 def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
@@ -167,11 +167,11 @@ def shear_table(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Pres
     """Change of counts per newton along x, then along y (2 · channels), at the contact locations."""
     nodes, values = force_nodes(signals), []
     places = contact_places(spec)[face_rows(spec, shear.faces)]
-    for face, there in zip(shear.faces.tolist(), places, strict=True):
-        xy = shear.grid.xy_mm[there]
+    for face, pressed in zip(shear.faces.tolist(), places, strict=True):
+        xy = shear.grid.xy_mm[pressed]
         slopes = slope_traces(spec, signals, shear, np.full(len(xy), face), xy)
-        found = np.concatenate([at_forces(one, nodes) for one in slopes], axis=2)
-        values.append(_on_lattice(found, there, shear.grid))
+        face_values = np.concatenate([interpolate_forces(slope, nodes) for slope in slopes], axis=2)
+        values.append(_fill_lattice(face_values, pressed, shear.grid))
     return force_table(shear.faces, shear.grid, nodes, np.stack(values))
 
 
@@ -182,16 +182,16 @@ def force_nodes(signals: Signals) -> Float[np.ndarray, "node"]:
     return np.linspace(_FIRST_ROOT, last, FORCE_NODES) ** 2 - _NEAR_ZERO_N
 
 
-def at_forces(
+def interpolate_forces(
     traces: Traces, force_n: Float[np.ndarray, "node"]
 ) -> Float[np.ndarray, "press node channel"]:
     """Channels at the given forces, beyond the deepest press along its last slope."""
     reach = traces.force_n[:, -1:]
     wanted = np.broadcast_to(force_n, (len(reach), len(force_n)))
     inside = monotone_cubic(traces.force_n, traces.counts, np.minimum(wanted, reach))
-    before = monotone_cubic(traces.force_n, traces.counts, 0.98 * reach)
+    near_last = monotone_cubic(traces.force_n, traces.counts, 0.98 * reach)
     last = traces.counts[:, -1:]
-    slope = (last - before) / (0.02 * reach)[..., None]
+    slope = (last - near_last) / (0.02 * reach)[..., None]
     return inside + np.maximum(wanted - reach, 0.0)[..., None] * slope
 
 
@@ -202,5 +202,5 @@ def force_table(
     root = np.sqrt(force_n + _NEAR_ZERO_N) - _FIRST_ROOT
     nodes = (lattice.x_mm, lattice.y_mm, root)
     coefficients = np.stack([spline_coefficients(nodes, face) for face in grid])
-    x, y, root = (cubic_axis(at) for at in nodes)
+    x, y, root = (cubic_axis(axis_nodes) for axis_nodes in nodes)
     return PressTable(faces, x, y, root, coefficients.astype(np.float32))

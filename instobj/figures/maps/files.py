@@ -76,7 +76,7 @@ def _with_position_notes(spec: ObjectSpec, scores: PlaceScores, face_map: FaceMa
         f"Cramér–Rao bound √(σx² + σy²) from {whose} sensors, fresh baseline. Weakest: "
         f"{weakest.position_bound_mm:.2f} mm on face {weakest.face} at "
         f"({weakest.x_mm:g}, {weakest.y_mm:g}) mm."
-        + (f" {scores.beyond_bound} (framed)." if scores.beyond_bound else "")
+        + (f" {scores.exceeds_bound} (framed)." if scores.exceeds_bound else "")
         + (f" {scores.unreached}." if scores.unreached else "")
     )
     directions, marked = scores.weakest_direction_deg, scores.misread

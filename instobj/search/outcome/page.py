@@ -16,7 +16,7 @@ from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import SUFFIXES
-from estimator.information.scores import on_places
+from estimator.information.scores import fill_places
 from estimator.layouts.fidelity import MARGINS, SCORE_NAMES, bounds_by_press
 from instobj.report.pages import render, shown
 from instobj.search.fidelity import METRIC_LABELS
@@ -157,7 +157,7 @@ def _forces(promotion: Promotion, folder: Path) -> dict[str, Any]:
             row += [f"{pair[0]:.3g} → {pair[1]:.3g}", f"{pair[0] / pair[1]:.2f}"]
         rows.append([*row, f"{100 * np.mean(over[~np.isnan(over)] > 1):.1f} %"])
     path = folder / "position_bound_over_start.png"
-    largest = on_places(
+    largest = fill_places(
         contact_places(spec),
         [np.fmax.reduce([ratio[force, face] for force in forces]) for face in faces],
     )

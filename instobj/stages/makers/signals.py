@@ -77,7 +77,7 @@ def make_weak_areas(context: StageContext, folder: Path) -> None:
         "told_by": areas.told_by,
         "edge_ratio": areas.edge_ratio,
         "edge_paths_mm": areas.edge_paths_mm,
-        "beyond_rule": areas.beyond_rule,
+        "beyond_rule": areas.exceeds_rule,
         "rank_correlation": areas.rank_correlation,
         "weakest_tenth": areas.weakest_tenth,
         "thirds": [asdict(third) for third in areas.thirds],

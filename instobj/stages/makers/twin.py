@@ -112,10 +112,10 @@ class TwinOfData:
         """A face's twin, and what it leaves of the signals at places left out in turn (rms share, at
         least what meshes of one design differ by); None, and a row that says so, with too few places."""
         from estimator.calibration.twin.digital_twin import calibrate, places_left_out
-        from estimator.calibration.twin.pressed_places import pressed_places, within_reach
+        from estimator.calibration.twin.pressed_places import pressed_places, invalidate_hard_presses
 
         try:
-            places = pressed_places(self.spec, within_reach(frames, self.presses[0], face), face)
+            places = pressed_places(self.spec, invalidate_hard_presses(frames, self.presses[0], face), face)
         except InputError as error:
             self.rows.append({"face": face, "places": 0, "helps": f"not used: {error}"})
             return None
@@ -263,7 +263,7 @@ def _row(
     twin: CalibratedTwin, places: PressedPlaces, calibrated: np.ndarray, planned: np.ndarray
 ) -> dict[str, Any]:
     """Return what was found, and residual signals at held-out locations."""
-    from estimator.calibration.twin.unknowns import at_limits
+    from estimator.calibration.twin.unknowns import count_at_limits
 
     unknowns = twin.unknowns
     correction = unknowns.correction(twin.numbers)
@@ -273,7 +273,7 @@ def _row(
     most, most_by_design = (
         100 * float(np.quantile(shares, _SHARE)) for shares in (calibrated, planned)
     )
-    strained = at_limits(twin.numbers)
+    strained = count_at_limits(twin.numbers)
     return {
         "face": places.face,
         "places": len(places),

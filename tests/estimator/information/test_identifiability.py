@@ -102,7 +102,7 @@ def test_two_contacts_at_one_place_are_blind_to_what_they_exchange():
 def test_whitening_uses_the_fresh_zero_and_every_face(presses):
     jacobians = whitened_jacobians(SPEC, *presses, spread_places(SPEC), 3)
     assert [face.face for face in jacobians] == [1, 2, 3, 4, 5]
-    assert_allclose(jacobians[3].own, jacobians[3].whitened[:, 27:36])
+    assert_allclose(jacobians[3].face_channels, jacobians[3].whitened[:, 27:36])
     sigma = disturbance_counts(SPEC.sensors, "fresh", 45)
     noisier = SPEC.model_copy(
         update={"sensors": SPEC.sensors.model_copy(update={"zeroing_counts": 100.0})}

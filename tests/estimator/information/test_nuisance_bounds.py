@@ -87,7 +87,7 @@ def test_scores_and_contact_sets_of_a_turned_and_warmed_object(signals, channels
     assert scores.position_bound_mm[face - 1, place] == pytest.approx(position)
     assert scores.force_bound_n[face - 1, place] == pytest.approx(newton)
     of_face = jacobians_of(spec, signals, np.array([place]))[face - 1]
-    white = of_face.whitened[0] if channels == "all" else of_face.own[0]
+    white = of_face.whitened[0] if channels == "all" else of_face.face_channels[0]
     variance = np.diag(np.linalg.inv(white.T @ white))
     assert np.sqrt(variance[:2].sum()) == pytest.approx(position)
     steady = score_places(spec.changed(limits=spec.limits.changed(use="bench")), signals)

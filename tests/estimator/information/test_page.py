@@ -47,8 +47,8 @@ def of_bounds():
     sets = contact_sets(TIPS, places, 2)
     yield "places, sets", [len(spread_places(TIPS)), len(sets)]
     face = jacobians_of(TIPS, signals(), places)[1]
-    told = set_information(face.own[sets].swapaxes(1, 2).reshape(len(sets), -1, 6))
-    yield from chosen(told, "told", "condition", "position_bound_mm", "force_bound_n")
+    resolved = set_information(face.face_channels[sets].swapaxes(1, 2).reshape(len(sets), -1, 6))
+    yield from chosen(resolved, "resolved", "condition", "position_bound_mm", "force_bound_n")
 
 
 def of_false_readings():

@@ -75,7 +75,7 @@ def test_columns_of_information_are_contact_by_contact():
         assert_allclose(found.force_bound_n[row], np.sqrt(variance[:, 2]))
         singular = np.linalg.svd(whitened[row], compute_uv=False)
         assert found.condition[row] == pytest.approx(singular[0] / singular[-1])
-        assert found.told[row] == np.sum(singular > 1)
+        assert found.resolved[row] == np.sum(singular > 1)
     assert found.rank.tolist() == [6, 6]
 
 

@@ -216,13 +216,13 @@ def test_scores_say_where_the_bound_is_too_good(spec, signals):
         np.argmax(np.where(beyond, scores.position_error_mm, 0)), beyond.shape
     )
     x, y = scores.grid.xy_mm[place]
-    said = scores.beyond_bound
+    said = scores.exceeds_bound
     assert said.startswith(f"At {beyond.sum()} of 320 contact locations")
     assert f"most on face {scores.faces[row]} at ({x:g}, {y:g}) mm: " in said
     assert f"{scores.position_error_mm[row, place]:.2g} mm, bound " in said
     few = coarse_spec(score={"force_n": 8.0})
     nowhere = score_places(few, press_signals(few, *synthetic_presses(few)))
-    assert not nowhere.beyond_bound
+    assert not nowhere.exceeds_bound
     ratio = nowhere.position_error_mm / nowhere.position_bound_mm
     assert 0.9 < ratio.min() < ratio.max() < 1.03  # lobes narrower than the lattice among them
 

@@ -27,7 +27,7 @@ def test_signals_and_slopes_are_the_interpolants(signals):
     x, y = press_lattice(SPEC).xy_mm.T
     for level in (1, 4):
         force = np.full(len(x), rivals.force_n[level])
-        assert rivals.there[:, level].all()
+        assert rivals.is_pressed[:, level].all()
         gradient = signal_gradient(signals, np.full(len(x), 3), x, y, force)
         assert_allclose(rivals.signals[:, level], gradient.counts[:, OWN], atol=1e-6)
         size = abs(gradient.jacobian[:, OWN]).max(axis=(0, 1))
@@ -38,9 +38,9 @@ def test_signals_and_slopes_are_the_interpolants(signals):
 def test_presses_are_there_up_to_the_deepest_of_each_place(signals):
     rivals = rival_presses(SPEC, signals, 3, OWN)
     reach = signals.force_n[2, :, -1]
-    assert_array_equal(rivals.there, rivals.force_n <= reach[:, None])
+    assert_array_equal(rivals.is_pressed, rivals.force_n <= reach[:, None])
     assert_allclose(rivals.force_n[-1], reach.max())
-    assert 0 < rivals.there[:, -1].sum() < 10
+    assert 0 < rivals.is_pressed[:, -1].sum() < 10
 
 
 def test_places_whose_force_does_not_grow_are_left_out_and_continued(signals):

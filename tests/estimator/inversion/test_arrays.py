@@ -75,12 +75,12 @@ def test_one_fit_is_the_same_to_rounding(probes):
     seen = inverted().disturbances.observed(noisy_counts(inverted(), face, contact, rng))
     given = np.arange(6), face, contact
     by_numpy, by_torch = (
-        most_probable(model.on(kind), priors, seen.on(kind), *given, rounds=2, steps=2)
+        most_probable(model.moved_to(kind), priors, seen.moved_to(kind), *given, rounds=2, steps=2)
         for kind in (seen.sigma, TENSOR)
     )
     assert isinstance(by_torch.curvature, torch.Tensor)
     evidence = log_evidence(by_torch, priors)
-    by_torch = by_torch.on_host()
+    by_torch = by_torch.to_host()
     for name in ("face", "contact", "extra", "misfit", "slope", "curvature", "log_spread"):
         one, other = getattr(by_numpy, name), getattr(by_torch, name)
         assert_allclose(other, one, rtol=1e-4, atol=1e-4 * np.abs(one).max(initial=1e-9))
@@ -101,7 +101,7 @@ def test_what_contacts_do_to_each_other_is_the_same(changes, plain):
     model = replace(inverted().model, spec=SPEC.changed(**changes))
     face, contact = contacts(np.random.default_rng(6), 4, 3)
     wanted = model.interaction(face, contact)
-    there = model.on(TENSOR)
+    there = model.moved_to(TENSOR)
     assert there.plain == plain
     found = there.interaction(torch.as_tensor(face), torch.as_tensor(contact))
     assert isinstance(found, torch.Tensor)
@@ -112,13 +112,13 @@ def test_presses_to_begin_with_are_the_same(frames):
     estimator = inverted()
     seen, searches = estimator.disturbances.observed(frames), []
     for kind in (seen.sigma, TENSOR):
-        search = Search(estimator.model.on(kind), estimator.priors)
+        search = Search(estimator.model.moved_to(kind), estimator.priors)
         start = most_probable(
-            search.model, search.priors, seen.on(kind), np.arange(2),
+            search.model, search.priors, seen.moved_to(kind), np.arange(2),
             np.array([[0, -1, -1], [1, 2, -1]]), np.full((2, 3, 3), 2.0), rounds=1, steps=1,
         )  # fmt: skip
-        gain, scale = search.dictionary.gains_of(search.model, seen.on(kind), start)
-        added = search.dictionary.added(search.model, seen.on(kind), start, False)
+        gain, scale = search.dictionary.gains_of(search.model, seen.moved_to(kind), start)
+        added = search.dictionary.added(search.model, seen.moved_to(kind), start, False)
         searches.append([np.asarray(part) for part in (gain, scale, *added)])
     for one, other in zip(*searches, strict=True):
         assert_allclose(other, one, rtol=1e-3, atol=1e-3)

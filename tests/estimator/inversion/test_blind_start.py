@@ -103,7 +103,7 @@ def test_bounds_and_blind_starts_share_one_table(presses, rows, tmp_path):
 def test_the_search_for_a_known_number_explains_frames_as_descent_from_the_truth_does(number):
     """From nine channels, where many sets of places are alike."""
     estimator = inverted()
-    model = estimator.model.of_face(2)
+    model = estimator.model.select_face(2)
     priors = replace(estimator.priors, number=(*number * [0.0], 1.0), faces=1)
     rng, frames = np.random.default_rng(3), 40
     grid = np.array([(x, y) for x in (-11.0, 0.0, 11.0) for y in (-11.0, 0.0, 11.0)])
@@ -115,7 +115,7 @@ def test_the_search_for_a_known_number_explains_frames_as_descent_from_the_truth
     of_the_face = np.arange(45) // 9 == 2
     told = np.broadcast_to(np.where(of_the_face, sigma, BLIND), counts.shape)
     seen = Observed(counts, told, told, told)
-    found = Search(model, priors).of_number(seen, number)
+    found = Search(model, priors).sets_of_number(seen, number)
     assert found.frame.tolist() == list(range(frames))
     assert (found.number == number).all()
     best = most_probable(model, priors, seen, np.arange(frames), face, true)
@@ -124,7 +124,7 @@ def test_the_search_for_a_known_number_explains_frames_as_descent_from_the_truth
 
 def test_presses_of_one_face_are_those_of_the_object():
     model = inverted().model
-    one = model.of_face(3)
+    one = model.select_face(3)
     contact = np.array([[[3.0, -4.0, 5.0], [-7.0, 6.0, 3.0]]])
     whole = expected_counts(model, np.full((1, 2), 3), contact)
     assert_allclose(expected_counts(one, np.zeros((1, 2), int), contact), whole, rtol=1e-12)

@@ -114,5 +114,5 @@ def test_contacts_may_be_on_the_cells_whose_corners_are_all_pressed():
     for k, axis, sign in ((0, 0, 1), (1, 1, -1)):
         assert_allclose(moved[k, 0, axis], sign * (abs(model.cells[k][:, axis]).max() + 1.25))
         assert abs(moved[k, 0, 1 - axis]) < 2.5
-    one = model.of_face(1)
+    one = model.select_face(1)
     assert_allclose(one.area_mm2, cells[1].sum() * 2.5**2)

@@ -124,10 +124,20 @@ def test_sets_go_on_while_more_is_left_than_noise_and_a_contact_could_gain():
     given.__dict__.update(model=model, priors=PRIORS)
     level = problems([0, 0, 0, 1], [ONE, ONE, TWO, [0, 1, 0]], [23.4, 23.3, 22.3, 900.0])
     judged = Hypotheses(level, np.array([0.0, 0.0, 0.0, 0.0]))
-    assert given.hopeful(judged, np.array([0.0, 0.0])).tolist() == [True, False, True, False]
+    assert given.worth_extending(judged, np.array([0.0, 0.0])).tolist() == [
+        True,
+        False,
+        True,
+        False,
+    ]
     # the second frame's set is full; evidence far below the best cannot be made good
-    assert not given.hopeful(judged, np.array([2.1, 0.0])).any()
-    assert given.hopeful(judged, np.array([2.03, 0.0])).tolist() == [False, False, True, False]
+    assert not given.worth_extending(judged, np.array([2.1, 0.0])).any()
+    assert given.worth_extending(judged, np.array([2.03, 0.0])).tolist() == [
+        False,
+        False,
+        True,
+        False,
+    ]
 
 
 def test_of_two_jaws_with_known_probes_none_looks_for_a_third_face():
@@ -141,7 +151,7 @@ def test_of_two_jaws_with_known_probes_none_looks_for_a_third_face():
         (jaws, [True, True]),
     ):
         given.__dict__.update(model=SimpleNamespace(channels=60), priors=priors)
-        assert given.bears_more(level).tolist() == grow
+        assert given.may_add_contact(level).tolist() == grow
 
 
 def test_slots_are_cut_and_widened_with_ones_on_the_diagonal():

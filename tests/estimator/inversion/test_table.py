@@ -43,7 +43,7 @@ def test_values_and_slopes_of_polynomials_are_exact_on_every_face():
     found = made().values(face, contact)
     wanted = (1 + face)[:, None, None] * polynomial(*contact.T)
     assert_allclose(found, wanted, atol=2e-5 * abs(wanted).max(), rtol=1e-4)
-    only = made().of_face(1)
+    only = made().select_face(1)
     assert only.faces.tolist() == [5]
     assert_allclose(only.values(np.zeros(300, int), contact)[face == 1], found[face == 1])
     pulled = np.array([[0.0, 0.0, -1.0]])
@@ -65,7 +65,7 @@ def test_beyond_its_deepest_press_a_place_goes_on_along_the_slope_at_its_end():
     force = np.array([[0.0, 1.0, 2.0, 4.0]])
     counts = np.stack([3 * force, force**2], axis=-1)
     traces = Traces(np.arange(4.0), force, counts, np.zeros((1, 4), bool))
-    found = table.at_forces(traces, np.array([0.0, 2.0, 4.0, 6.0]))
+    found = table.interpolate_forces(traces, np.array([0.0, 2.0, 4.0, 6.0]))
     assert_allclose(found[0, :, 0], [0, 6, 12, 18], atol=1e-9)
     slope = (16 - found_at(traces, 3.92)) / 0.08
     assert_allclose(found[0, :, 1], [0, 4, 16, 16 + 2 * slope], atol=1e-6)

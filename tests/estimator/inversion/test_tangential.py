@@ -102,14 +102,16 @@ def test_torch_fits_pulled_contacts_alike(pulling, pulled):
     face, contact, counts = (part[:10] for part in (pulled[0], pulled[1], pulled[3]))
     seen, given = pulling.disturbances.observed(counts), (np.arange(10), face, contact)
     one, other = (
-        most_probable(pulling.model.on(kind), pulling.priors, seen.on(kind), *given, steps=2)
+        most_probable(
+            pulling.model.moved_to(kind), pulling.priors, seen.moved_to(kind), *given, steps=2
+        )
         for kind in (counts, torch.empty(0, dtype=torch.float64))
     )
     assert isinstance(other.slope, torch.Tensor)
     for name in ("contact", "misfit", "log_spread", "curvature"):
         wanted = getattr(one, name)
         near = 1e-4 * np.abs(wanted).max()
-        assert_allclose(getattr(other.on_host(), name), wanted, rtol=1e-4, atol=near)
+        assert_allclose(getattr(other.to_host(), name), wanted, rtol=1e-4, atol=near)
 
 
 def test_mean_and_deviation_are_those_of_the_joint_posterior(pulling, pulled):

@@ -80,7 +80,7 @@ def test_channels_are_named_face_by_face_and_blind_ones_left_out():
     found = made(noise)
     every = [(face, sensor, axis) for face in (1, 3, 4) for sensor in (0, 1) for axis in range(3)]
     told = [k for k in range(18) if k not in (2, 5, 7, 17)]
-    assert found.told.tolist() == told
+    assert found.live_rows.tolist() == told
     assert list(found.channels) == [every[k] for k in told]
 
 
@@ -94,7 +94,7 @@ def test_frames_are_read_a_hundred_at_a_time_in_order_with_their_own_means(monke
             self.odds = np.concatenate([0.6 + 0 * self.rows, 0.3 + 0 * self.rows])
             self.log_evidence = np.log(self.odds)
             self.problems = SimpleNamespace(
-                select=lambda rows: SimpleNamespace(on_host=lambda: rows)
+                select=lambda rows: SimpleNamespace(to_host=lambda: rows)
             )
 
         def best(self):

@@ -43,7 +43,7 @@ def test_the_verdict_on_the_place_says_where_readers_do_worse_than_the_bound():
     scores = score_places(spec, press_signals(spec, *synthetic_presses(spec)))
     objects = Saturation(200, (0.0, 4.0), (0.0, 0.0), (0.5, 0.3))
     place, *others = verdict.judge(spec, scores, 0.4, objects).checks
-    assert scores.beyond_bound
+    assert scores.exceeds_bound
     assert f". {scores.beyond_bound}" in place.where
     assert not any("maximum likelihood" in check.where for check in others)
 
