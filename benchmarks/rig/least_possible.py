@@ -15,7 +15,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.linalg import cho_factor, cho_solve, solve_triangular
 
-from estimator.calibration.twin.least_known import Doubt
+from estimator.calibration.twin.least_known import PosteriorVariance
 
 _POWER = 0.6
 
@@ -75,7 +75,7 @@ class PressChoices:
         return float(np.sum(self.judged.T * spread)) / len(self.judged), spread
 
 
-def choices_of(doubt: Doubt) -> PressChoices:
+def choices_of(doubt: PosteriorVariance) -> PressChoices:
     """The places of a doubt, with all their signals judged."""
     places, signals, *_ = doubt.covariance_counts2.shape
     flat = doubt.covariance_counts2.reshape(places * signals, -1)

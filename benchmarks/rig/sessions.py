@@ -15,7 +15,11 @@ from jaxtyping import Float, Int
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from estimator.calibration.twin.discrepancy import Discrepancy, Prior
-from estimator.calibration.twin.pressed_places import PressedPlaces, drift_rate, within_reach
+from estimator.calibration.twin.pressed_places import (
+    PressedPlaces,
+    drift_rate,
+    invalidate_hard_presses,
+)
 from estimator.calibration.twin.unknowns import Unknowns
 from estimator.frames.dataset import FrameSet
 from estimator.frames.press_protocol import simulated_frames
@@ -140,7 +144,7 @@ def recorded(hidden: HiddenObject, plan: PressPlan, forces: PressForces, seed: i
         session_id=np.zeros(len(readings), int),
     )  # fmt: skip
     frames = replace(frames, source="recorded", time_s=time_s[used], zero_error=levels.error[used])
-    return within_reach(frames, forces, hidden.face)
+    return invalidate_hard_presses(frames, forces, hidden.face)
 
 
 def _session(

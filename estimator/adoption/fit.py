@@ -128,7 +128,7 @@ class ObjectFit:
     def shell_presses(self, pressed: Pressed) -> tuple[np.ndarray, Float[np.ndarray, "press"]]:
         """Places in the face's frame and travel of the shell beyond the first contact, mm."""
         tip = np.column_stack([pressed.xy_mm, -pressed.travel_mm])
-        xy, travel = self.pose.in_object(tip)
+        xy, travel = self.pose.locate_tips(tip)
         return xy, self.travel_scale * np.maximum(travel, 0.0)
 
     def predicted(

@@ -53,8 +53,8 @@ class MostProbable:
         """Return the covariance of the numbers of one unknown, all others unknown too."""
         sizes = {key: value.size for key, value in self.values.items()}
         first = sum(list(sizes.values())[: list(sizes).index(name)])
-        own = slice(first, first + sizes[name])
-        return np.linalg.inv(self.precision)[own, own]
+        numbers = slice(first, first + sizes[name])
+        return np.linalg.inv(self.precision)[numbers, numbers]
 
     def sd(self, name: str) -> Float[np.ndarray, "*any"]:
         """Return the standard deviation of every number of one unknown."""
@@ -82,7 +82,7 @@ def most_probable(
 
     def values_at(scaled: Float[np.ndarray, "number"]) -> Values:
         parts = zip(unknowns.items(), np.split(scaled * sd, ends), strict=True)
-        return {name: one.mean + part.reshape(one.shape) for (name, one), part in parts}
+        return {name: unknown.mean + part.reshape(unknown.shape) for (name, unknown), part in parts}
 
     def residual(scaled: Float[np.ndarray, "number"]) -> Float[np.ndarray, "residual"]:
         return np.concatenate([np.ravel(misfit(values_at(scaled))), scaled[has_prior]])

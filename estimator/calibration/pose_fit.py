@@ -62,7 +62,7 @@ class Calibration:
     modulus_scale: float
 
     @staticmethod
-    def of(values: Values) -> Calibration:
+    def from_values(values: Values) -> Calibration:
         """Return the nuisances of unknowns of `ALL`; what is not among them is as designed."""
         x, y, z, a, b, c = np.concatenate([values.get(name, np.zeros(3)) for name in CORE]).tolist()
         scales = (float(np.exp(values.get(name, 0.0))) for name in REMANENCE | MODULUS)
@@ -86,7 +86,7 @@ class Judged:
 
     own_cosine: float
     all_cosine: float
-    left: float
+    left_share: float
 
 
 @dataclass(frozen=True)
@@ -98,11 +98,11 @@ class CalibrationTest:
     """
 
     unseen: str
-    before: Judged
+    design: Judged
     after: Judged
     null: Judged
     p_own_cosine: float
-    p_left: float
+    p_left_share: float
     permutations: int
 
 
@@ -122,7 +122,7 @@ class Problem:
     ) -> Float[np.ndarray, "some channel"]:
         """Change of counts of some presses, each as a case."""
         ratio = float(np.clip(assembly.modulus_ratio, 0.2, 3.0))
-        motion = self.moving.at(case, ratio)[rows]
+        motion = self.moving.motion_of_cases(case, ratio)[rows]
         still = counts_of(self.spec, assembly.scene, self.rest[None], self.model)
         return (counts_of(self.spec, assembly.scene, motion, self.model) - still).reshape(
             len(rows), -1
@@ -140,24 +140,24 @@ def fit(
     What is not `free` stays at the design.
     """
     first, recorded, sigma = means_of_cases(problem, rows)
-    known = np.isfinite(recorded)
+    is_recorded = np.isfinite(recorded)
 
     def misfit(values: Values) -> Float[np.ndarray, "residual"]:
-        assembly = Calibration.of(values).applied(problem.design)
-        return ((recorded - problem.predicted(assembly, first, case)) / sigma)[known]
+        assembly = Calibration.from_values(values).applied(problem.design)
+        return ((recorded - problem.predicted(assembly, first, case)) / sigma)[is_recorded]
 
-    found = most_probable(misfit, free, max_nfev=_EVALUATIONS, diff_step=1e-4)
-    return Calibration.of(found.values)
+    solution = most_probable(misfit, free, max_nfev=_EVALUATIONS, diff_step=1e-4)
+    return Calibration.from_values(solution.values)
 
 
 def groups_freed(problem: Problem) -> dict[str, Judged]:
     """Each group of numbers fitted by itself to all sets of places but one and judged on that one, in
     turn; that which leaves least first, beside the design."""
     presses = problem.presses
-    found = {"the design": judged_pose(problem, folds_by_case(presses), presses.case, {})}
+    judged = {"the design": judged_pose(problem, folds_by_case(presses), presses.case, {})}
     for name, free in GROUPS.items():
-        found[name] = judged_pose(problem, folds_by_case(presses), presses.case, free)
-    return dict(sorted(found.items(), key=lambda item: item[1].left))
+        judged[name] = judged_pose(problem, folds_by_case(presses), presses.case, free)
+    return dict(sorted(judged.items(), key=lambda item: item[1].left_share))
 
 
 def means_of_cases(
@@ -205,14 +205,14 @@ def calibration_test(
         null.append(judged_pose(problem, folds, order[problem.presses.case], ALL))
     medians = [float(np.median([getattr(n, f) for n in null])) for f in Judged.__annotations__]
     cosine = [after.own_cosine, *(n.own_cosine for n in null)]
-    left = [after.left, *(n.left for n in null)]
+    left_shares = [after.left_share, *(n.left for n in null)]
     return CalibrationTest(
         unseen,
         judged_pose(problem, folds, problem.presses.case, {}),
         after,
         Judged(*medians),
         float(np.mean(np.array(cosine) >= after.own_cosine)),
-        float(np.mean(np.array(left) <= after.left)),
+        float(np.mean(np.array(left_shares) <= after.left_share)),
         len(exchanged),
     )
 
@@ -234,11 +234,11 @@ def judged_pose(
     recorded = presses.signal_counts
     predicted = np.where(np.isfinite(recorded), predicted, 0.0)
     recorded = np.nan_to_num(recorded)
-    left = np.sum((recorded - predicted) ** 2) / np.sum(recorded**2)
+    square_share = np.sum((recorded - predicted) ** 2) / np.sum(recorded**2)
     return Judged(
         mean_own_cosine(problem, recorded, predicted),
         float(np.mean(case_cosines(recorded, predicted))),
-        float(np.sqrt(left)),
+        float(np.sqrt(square_share)),
     )
 
 
@@ -251,8 +251,10 @@ def mean_own_cosine(
     values = []
     for face in pressed_faces(problem.presses):
         rows = problem.presses.face_of_case(face)[problem.presses.case]
-        own = own_channels(problem.spec, face)
-        values.append(case_cosines(recorded[rows][:, own], predicted[rows][:, own]))
+        face_channels = own_channels(problem.spec, face)
+        values.append(
+            case_cosines(recorded[rows][:, face_channels], predicted[rows][:, face_channels])
+        )
     return float(np.mean(np.concatenate(values)))
 
 

@@ -115,10 +115,12 @@ def sensors_not_recorded(
     InputError
         A face is pressed of which no sensor was recorded.
     """
-    read = np.any([np.isfinite(one.rest_counts).any(axis=(0, 3)) for one in recordings], axis=0)
+    read = np.any(
+        [np.isfinite(recording.rest_counts).any(axis=(0, 3)) for recording in recordings], axis=0
+    )
     read = read[:, : spec.sensors.count_per_face]
     faces = [face for face in spec.body.sensed if face <= RECORDED_FACES]
-    pressed = {int(face) for one in recordings for face in one.report.faces_pressed}
+    pressed = {int(face) for recording in recordings for face in recording.report.faces_pressed}
     blind = [face for face in faces if face in pressed and not read[face - 1].any()]
     if blind:
         raise InputError(
@@ -128,7 +130,7 @@ def sensors_not_recorded(
     return [(face, int(n) + 1) for face in faces for n in np.flatnonzero(~read[face - 1])]
 
 
-def on_sensed_faces(spec: ObjectSpec, presses: RecordedPresses) -> RecordedPresses:
+def keep_sensed_faces(spec: ObjectSpec, presses: RecordedPresses) -> RecordedPresses:
     """Channels of the object's sensed faces alone, where recordings have room for all of a cube's and
     the others never spoke; as they are where that is not so."""
     count, faces = 3 * spec.sensors.count_per_face, np.asarray(spec.body.sensed)
@@ -182,7 +184,7 @@ def recorded_presses(recordings: Sequence[Recording]) -> RecordedPresses:
     return RecordedPresses(
         signals,
         np.stack(force),
-        np.array([cases.index(one) for one in case]),
+        np.array([cases.index(contacts) for contacts in case]),
         np.array(number),
         np.array(frames),
         cases,
@@ -194,7 +196,7 @@ def presses_in_frames(
     frames: FrameSet,
 ) -> list[tuple[np.ndarray, np.ndarray, tuple[Contact, ...], int]]:
     touching = np.any(frames.contact_face != NO_FACE, axis=1) & frames.valid
-    found = []
+    presses = []
     for press in np.unique(frames.press_id):
         rows = np.flatnonzero((frames.press_id == press) & touching)
         if not len(rows):
@@ -206,8 +208,8 @@ def presses_in_frames(
             continue
         part = frames.select(loaded)
         signal = part.signal_counts.mean(axis=0).reshape(-1)
-        found.append((signal, _face_force(part), _contacts(part), len(loaded)))
-    return found
+        presses.append((signal, _face_force(part), _contacts(part), len(loaded)))
+    return presses
 
 
 def _face_force(part: FrameSet) -> Float[np.ndarray, "6"]:
@@ -234,7 +236,9 @@ class PredictedMotions:
     motion: Float[np.ndarray, "press case ratio body 6"]
     beyond: Bool[np.ndarray, "press case ratio"]
 
-    def at(self, case: Int[np.ndarray, "press"], ratio: float) -> Float[np.ndarray, "press body 6"]:
+    def motion_of_cases(
+        self, case: Int[np.ndarray, "press"], ratio: float
+    ) -> Float[np.ndarray, "press body 6"]:
         """Motions of each press as the given case, linear in the logarithm of the modulus."""
         place = np.interp(np.log(ratio), np.log(MODULUS_RATIOS), np.arange(len(MODULUS_RATIOS)))
         low = min(int(place), len(MODULUS_RATIOS) - 2)
@@ -270,6 +274,6 @@ def predicted_motions(
             beyond[:, number] |= reached.clamped.reshape(shape[0], -1)
         pressed = np.zeros(presses.face_force_n.shape[1], bool)
         pressed[np.array(faces) - 1] = True
-        other = np.any((presses.face_force_n > 0) != pressed, axis=1)
-        total[other, number] = np.nan
+        presses_elsewhere = np.any((presses.face_force_n > 0) != pressed, axis=1)
+        total[presses_elsewhere, number] = np.nan
     return PredictedMotions(rest + total, beyond)

@@ -45,8 +45,8 @@ def read_resting(path: Path, spec: ObjectSpec) -> Resting:
     with path.open(newline="", encoding="utf-8-sig", errors="replace") as file:
         header = [cell.strip() for cell in next(csv.reader(file), [])]
     if not header or not _CHANNEL.fullmatch(header[0]):
-        return _of_recording(path, spec)
-    return _of_table(path, spec, header)
+        return _recording_counts(path, spec)
+    return _table_counts(path, spec, header)
 
 
 def channel_names(spec: ObjectSpec) -> list[str]:
@@ -55,7 +55,7 @@ def channel_names(spec: ObjectSpec) -> list[str]:
     return [f"F{face}-{axis}{k}" for face in spec.body.sensed for k in sensors for axis in "XYZ"]
 
 
-def _of_recording(path: Path, spec: ObjectSpec) -> Resting:
+def _recording_counts(path: Path, spec: ObjectSpec) -> Resting:
     from estimator.calibration.recorded_presses import with_all_sensors
     from estimator.recordings.reading import read_recording
 
@@ -78,7 +78,7 @@ def _of_recording(path: Path, spec: ObjectSpec) -> Resting:
     return _with_silent(spec, counts.ravel(), recording.report.rest_frames, silent)
 
 
-def _of_table(path: Path, spec: ObjectSpec, header: list[str]) -> Resting:
+def _table_counts(path: Path, spec: ObjectSpec, header: list[str]) -> Resting:
     names = channel_names(spec)
     unknown = [name for name in header if name not in names]
     missing = [name for name in names if name not in header]
@@ -92,13 +92,13 @@ def _of_table(path: Path, spec: ObjectSpec, header: list[str]) -> Resting:
         rows, _ = csv_rows(read_bytes(path))
         values = numbers(rows[1:], header, first_line=2)
     values = values[:, [header.index(name) for name in names]]
-    known = np.isfinite(values)
-    silent = {names[c]: "no reading" for c in np.flatnonzero(~known.any(axis=0))}
-    low = np.min(values, axis=0, where=known, initial=np.inf)
-    high = np.max(values, axis=0, where=known, initial=-np.inf)
+    has_value = np.isfinite(values)
+    silent = {names[c]: "no reading" for c in np.flatnonzero(~has_value.any(axis=0))}
+    low = np.min(values, axis=0, where=has_value, initial=np.inf)
+    high = np.max(values, axis=0, where=has_value, initial=-np.inf)
     if len(values) >= 3:
         silent |= {names[c]: f"stuck at {low[c]:g}" for c in np.flatnonzero(low == high)}
-    counts = np.where(known, values, 0.0).sum(axis=0) / np.maximum(known.sum(axis=0), 1)
+    counts = np.where(has_value, values, 0.0).sum(axis=0) / np.maximum(has_value.sum(axis=0), 1)
     return _with_silent(spec, counts, len(values), silent)
 
 

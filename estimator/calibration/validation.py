@@ -120,8 +120,8 @@ def predict(
     zero = counts_of(spec, assembly.scene, rest[None], model)[0]
 
     def change(ratio: float) -> Float[np.ndarray, "press case channel"]:
-        every = [moving.at(np.full(presses, case), ratio) for case in range(cases)]
-        motion = np.stack(every, axis=1).reshape(presses * cases, *rest.shape)
+        motions = [moving.motion_of_cases(np.full(presses, case), ratio) for case in range(cases)]
+        motion = np.stack(motions, axis=1).reshape(presses * cases, *rest.shape)
         counts = counts_of(spec, assembly.scene, motion, model) - zero
         return counts.reshape(presses, cases, -1)
 
@@ -144,30 +144,30 @@ def agreement(
     """Figures of merit on a face's own channels (and the presses on it), or on all."""
     rows, channels = _chosen(spec, presses, face)
     recorded = presses.signal_counts[rows][:, channels]
-    known = np.isfinite(recorded)
-    recorded = np.where(known, recorded, 0.0)
-    predicted = np.where(known[:, None], predictions.counts[rows][:, :, channels], 0.0)
-    by_ratio = np.where(known[:, None], predictions.by_ratio[:, rows][..., channels], 0.0)
+    is_recorded = np.isfinite(recorded)
+    recorded = np.where(is_recorded, recorded, 0.0)
+    predicted = np.where(is_recorded[:, None], predictions.counts[rows][:, :, channels], 0.0)
+    by_ratio = np.where(is_recorded[:, None], predictions.by_ratio[:, rows][..., channels], 0.0)
     sizes = np.linalg.norm(by_ratio, axis=-1)
-    clear = clear_changes(spec, presses, rows, channels) & known
+    clear = clear_changes(spec, presses, rows, channels) & is_recorded
     moduli, bounded = effective_ratios(np.linalg.norm(recorded, axis=1), sizes)
     case = presses.case[rows]
     used, number = np.unique(case, return_inverse=True)
     order = case_permutations(predicted[:, used], number, seed)
-    cosine, signs, log_size = per_press(recorded, predicted[:, used], clear)
+    cosine, signs, log_size = score_presses(recorded, predicted[:, used], clear)
     log_modulus = np.log(moduli[:, used] * spec.silicone.youngs_modulus_mpa)
-    own = np.arange(len(case)), number
+    true_cases = np.arange(len(case)), number
     return Agreement(
         "all channels" if face is None else f"face {face}",
         len(case),
         len(used),
         mean_figure(cosine, number, order),
         mean_figure(signs, number, order),
-        float(np.exp(log_size[own].mean())),
+        float(np.exp(log_size[true_cases].mean())),
         spread_figure(log_size, number, order),
-        float(np.exp(log_modulus[own].mean())),
+        float(np.exp(log_modulus[true_cases].mean())),
         spread_figure(log_modulus, number, order),
-        float(bounded[:, used][own].mean()),
+        float(bounded[:, used][true_cases].mean()),
     )
 
 
@@ -189,19 +189,19 @@ def clear_changes(
         return abs(presses.signal_counts[rows][:, channels]) > _SIGN_SIGMAS * sigma
 
 
-def per_press(
+def score_presses(
     recorded: Float[np.ndarray, "press channel"],
     predicted: Float[np.ndarray, "press case channel"],
     clear: Bool[np.ndarray, "press channel"],
 ) -> tuple[Float[np.ndarray, "press case"], ...]:
     """Cosine, share of right signs, and ln(recorded size / predicted size)."""
     size = np.linalg.norm(recorded, axis=1)[:, None]
-    other = np.linalg.norm(predicted, axis=2)
+    predicted_size = np.linalg.norm(predicted, axis=2)
     # p press, k case, c channel
-    cosine = np.einsum("pc,pkc->pk", recorded, predicted) / (size * other)
+    cosine = np.einsum("pc,pkc->pk", recorded, predicted) / (size * predicted_size)
     right = (recorded[:, None] * predicted > 0) & clear[:, None]
     signs = right.sum(axis=2) / np.maximum(clear.sum(axis=1), 1)[:, None]
-    return cosine, signs, np.log(size / other)
+    return cosine, signs, np.log(size / predicted_size)
 
 
 def effective_ratios(
@@ -223,12 +223,14 @@ def case_permutations(
 ) -> Int[np.ndarray, "permutation case"]:
     """Exchanges of cases that press the same faces, the true order first."""
     count = predicted.shape[1]
-    allowed = np.array([np.isfinite(predicted[case == own]).all((0, 2)) for own in range(count)])
+    allowed = np.array(
+        [np.isfinite(predicted[case == number]).all((0, 2)) for number in range(count)]
+    )
     if factorial(count) <= factorial(_LARGEST_ENUMERATED):
-        every = np.array(list(permutations(range(count))))
+        orders = np.array(list(permutations(range(count))))
     else:
-        every = sampled_exchanges(np.unique(allowed, axis=0, return_inverse=True)[1].ravel(), seed)
-    return every[allowed[np.arange(count), every].all(axis=1)]
+        orders = sampled_exchanges(np.unique(allowed, axis=0, return_inverse=True)[1].ravel(), seed)
+    return orders[allowed[np.arange(count), orders].all(axis=1)]
 
 
 def sampled_exchanges(
@@ -236,11 +238,11 @@ def sampled_exchanges(
 ) -> Int[np.ndarray, "permutation case"]:
     """The true order, then random exchanges within groups of cases that the same presses predict."""
     rng = np.random.default_rng((seed, 8))
-    every = np.tile(np.arange(len(group)), (1 + _SAMPLED_PERMUTATIONS, 1))
+    orders = np.tile(np.arange(len(group)), (1 + _SAMPLED_PERMUTATIONS, 1))
     for number in range(group.max() + 1):
         same = np.flatnonzero(group == number)
-        every[1:, same] = rng.permuted(every[1:, same], axis=1)
-    return every
+        orders[1:, same] = rng.permuted(orders[1:, same], axis=1)
+    return orders
 
 
 def mean_figure(
@@ -304,27 +306,27 @@ def rank_correlation(recorded: np.ndarray, model: np.ndarray) -> float | None:
     return float(np.corrcoef(recorded, model)[0, 1])
 
 
-def verdict(spec: ObjectSpec, found: Agreement) -> str:
+def verdict(spec: ObjectSpec, result: Agreement) -> str:
     """In words: what the recordings support of the model, and what not."""
     low, high = spec.silicone.youngs_modulus_range_mpa or (spec.silicone.youngs_modulus_mpa,) * 2
-    inside = low <= found.modulus_mpa <= high
-    near = 1 / SIZE_BAND <= found.size_ratio <= SIZE_BAND
-    sized = found.size_spread.judgement if near else "not supported"
-    scatter = _scatter_text(found.modulus_spread)
+    inside = low <= result.modulus_mpa <= high
+    near = 1 / SIZE_BAND <= result.size_ratio <= SIZE_BAND
+    sized = result.size_spread.judgement if near else "not supported"
+    scatter = _scatter_text(result.modulus_spread)
     return (
-        f"{found.what}: pattern {found.cosine.judgement} (cosine {found.cosine.value:.2f}, null "
-        f"{found.cosine.null:.2f}, p {found.cosine.p:.3g}); signs right in "
-        f"{100 * found.signs.value:.0f} % (null {100 * found.signs.null:.0f} %, p "
-        f"{found.signs.p:.3g}); absolute size {sized} (recorded "
-        f"{found.size_ratio:.2f} of predicted, scatter ×/÷ {found.size_spread.value:.2f}, null "
-        f"{found.size_spread.null:.2f}); effective modulus {found.modulus_mpa:.2f} MPa ×/÷ "
-        f"{found.modulus_spread.value:.2f}, {'inside' if inside else 'outside'} "
+        f"{result.what}: pattern {result.cosine.judgement} (cosine {result.cosine.value:.2f}, null "
+        f"{result.cosine.null:.2f}, p {result.cosine.p:.3g}); signs right in "
+        f"{100 * result.signs.value:.0f} % (null {100 * result.signs.null:.0f} %, p "
+        f"{result.signs.p:.3g}); absolute size {sized} (recorded "
+        f"{result.size_ratio:.2f} of predicted, scatter ×/÷ {result.size_spread.value:.2f}, null "
+        f"{result.size_spread.null:.2f}); effective modulus {result.modulus_mpa:.2f} MPa ×/÷ "
+        f"{result.modulus_spread.value:.2f}, {'inside' if inside else 'outside'} "
         f"{low:g} to {high:g} MPa, {scatter}"
     )
 
 
-def _scatter_text(found: Figure) -> str:
-    if untold := cannot_be_told(found.exchanges):
+def _scatter_text(figure: Figure) -> str:
+    if untold := cannot_be_told(figure.exchanges):
         return f"whether its scatter is smaller than that of places exchanged {untold}"
-    how = "smaller" if found.significant else "no smaller"
-    return f"its scatter {how} than that of places exchanged (p {found.p:.3g})"
+    how = "smaller" if figure.significant else "no smaller"
+    return f"its scatter {how} than that of places exchanged (p {figure.p:.3g})"

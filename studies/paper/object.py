@@ -173,10 +173,10 @@ def calibrated_parts(
     The twin is calibrated on the training frames alone.
     """
     from estimator.calibration.twin.digital_twin import calibrate
-    from estimator.calibration.twin.pressed_places import pressed_places, within_reach
+    from estimator.calibration.twin.pressed_places import invalidate_hard_presses, pressed_places
     from estimator.calibration.twin.pretraining import calibrated_frames, with_presses_of_twin
 
-    reached = within_reach(parts[0], recorded.design_presses[0], face)
+    reached = invalidate_hard_presses(parts[0], recorded.design_presses[0], face)
     seen = pressed_places(recorded.design, reached, face)
     twin = calibrate(recorded.design, *recorded.design_presses, seen)
     return with_presses_of_twin(parts, calibrated_frames(twin, draws)), parts[1]

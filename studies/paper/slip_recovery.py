@@ -60,12 +60,15 @@ def slip_from_rest(
     sigma = np.hypot(noise_counts, _MODEL_ERROR * rms)
 
     def missing(values: Values) -> Float[np.ndarray, "known"]:
-        moved = Calibration.of(values).applied(design).scene
+        moved = Calibration.from_values(values).applied(design).scene
         found = counts_of(spec, moved, rest, model)[0] - before
         return (change_counts - found)[known]
 
     values = most_probable(lambda v: missing(v) / sigma, CORE, diff_step=1e-4).values
-    slip, left = Calibration.of(values), float(np.sqrt(np.mean(missing(values) ** 2))) / rms
+    slip, left = (
+        Calibration.from_values(values),
+        float(np.sqrt(np.mean(missing(values) ** 2))) / rms,
+    )
     return FoundSlip(slip.shift_mm, slip.rotation_deg, left)
 
 

@@ -66,7 +66,9 @@ def predicted_changes(
             tips = [Tip(face, *(symmetry @ np.array([x, y])).tolist()) for face, x, y in case]
             curves.append(press_path(spec, response, tips, depths * np.ones(len(tips))))
         moving = motions_on_curves(presses, curves)
-        every = np.stack([moving.at(np.full(count, case), 1.0) for case in range(cases)], axis=1)
+        every = np.stack(
+            [moving.motion_of_cases(np.full(count, case), 1.0) for case in range(cases)], axis=1
+        )
         every = every.reshape(count * cases, *every.shape[2:])
         if model is None:
             nearest = min_distance_mm(design.scene, np.nan_to_num(every))

@@ -29,7 +29,7 @@ def conventions_of(
         A bad specification, other than two recordings, or recordings of another object.
     """
     from estimator.calibration.recorded_presses import (
-        on_sensed_faces,
+        keep_sensed_faces,
         pressed_faces,
         recorded_presses,
         require_presses_of,
@@ -46,7 +46,7 @@ def conventions_of(
         )
     spec = load_spec(path, overrides, table=False)
     read = with_all_sensors(spec, [read_recording(one) for one in recordings])
-    presses = on_sensed_faces(spec, recorded_presses(read))
+    presses = keep_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
     absent = sensors_not_recorded(spec, read)
     run = Run(spec)

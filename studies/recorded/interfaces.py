@@ -29,7 +29,7 @@ def interfaces_on(
         A bad specification, recordings of another object, or a core that is no plain box.
     """
     from estimator.calibration.recorded_presses import (
-        on_sensed_faces,
+        keep_sensed_faces,
         recorded_presses,
         require_presses_of,
         sensors_not_recorded,
@@ -45,7 +45,7 @@ def interfaces_on(
     run = Run(spec)
     with run.progress.stage("reading recordings"):
         read = with_all_sensors(spec, [read_recording(file) for file in recordings])
-        presses = on_sensed_faces(spec, recorded_presses(read))
+        presses = keep_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
     absent = sensors_not_recorded(spec, read)
     mesh = run.read(MESH)
@@ -65,7 +65,7 @@ def interfaces_on(
         "sensors_not_recorded": absent,
         "interfaces": [_stored(one) for one in found],
         "preferences": [
-            asdict(one) | {"p_corrected": one.p_of(len(preferred))} for one in preferred
+            asdict(one) | {"p_corrected": one.corrected_p(len(preferred))} for one in preferred
         ],
     }
     write_json(document, target / "interfaces.json")
@@ -124,7 +124,7 @@ def preference_row(one: Preference, tried: int) -> dict[str, Any]:
         "null ±": round(one.null_spread, 4),
         "p, places": round(one.p_places, 4),
         "p, cases": round(one.p_cases, 4),
-        "p, corrected": round(one.p_of(tried), 4),
+        "p, corrected": round(one.corrected_p(tried), 4),
         "cases better": f"{one.better} of {one.cases}",
     }
 
@@ -134,10 +134,10 @@ def preference_text(one: Preference, tried: int) -> str:
     from estimator.calibration.validation import SIGNIFICANCE
 
     told = "preferred to" if one.difference > 0 else "worse than"
-    if one.p_of(tried) > SIGNIFICANCE:
+    if one.corrected_p(tried) > SIGNIFICANCE:
         told = "not told from"
     return (
         f"{one.name}: {told} {one.other} (cosine of own faces {one.difference:+.3f}, exchanged places "
         f"±{one.null_spread:.3f}, p {one.p_places:.2g}; better in {one.better} of {one.cases} cases, p "
-        f"{one.p_cases:.2g}; corrected for {tried} interfaces {one.p_of(tried):.2g})"
+        f"{one.p_cases:.2g}; corrected for {tried} interfaces {one.corrected_p(tried):.2g})"
     )

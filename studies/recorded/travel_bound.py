@@ -62,7 +62,7 @@ def bound_test(
     left = [flat[rows] - mean for rows, mean in zip(groups, level, strict=True)]
     spare = sum(len(rows) - 1 for rows in groups)
     precision = np.linalg.inv(sum(part.T @ part for part in left) / spare)
-    xy, travel = fitted.twin.pose.in_object(tip)
+    xy, travel = fitted.twin.pose.locate_tips(tip)
     recorded = recorded_slopes(xy, level)
     predicted = _predicted_slopes(model, fitted, xy, travel)
     recorded[~model.covers(xy)] = np.nan

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from scipy.linalg import cho_solve
 
 from benchmarks.rig.least_possible import PressChoices, choices_of, least_possible
-from estimator.calibration.twin.least_known import doubt_beforehand, press_order
+from estimator.calibration.twin.least_known import press_order, prior_variance
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 PRESSES, UNKNOWNS = 6, 8
@@ -81,7 +81,7 @@ def test_no_choice_of_a_third_of_a_twins_presses_tells_what_all_of_them_tell():
     spec = coarse_spec(
         contact_grid={"count": (3, 3), "pitch_mm": 6.0}, press={"depths_mm": (1.0, 3.0)}
     )
-    doubt = doubt_beforehand(spec, *synthetic_presses(spec), 3, 6.0)
+    doubt = prior_variance(spec, *synthetic_presses(spec), 3, 6.0)
     choices = choices_of(doubt)
     assert_allclose(choices.left(np.zeros(9)), doubt.rms_counts, rtol=1e-6)
     left = press_order(doubt, 9)[1]

@@ -44,4 +44,4 @@ def test_cosines_are_over_the_live_channels_of_the_pressed_faces():
     [(0.02, 0.05, 3, 0.15), (0.3, 0.1, 5, 1.0), (0.02, 0.01, 1, 0.02)],
 )
 def test_a_preference_s_p_is_the_larger_times_the_interfaces_tried(places, cases, tried, p):
-    assert_allclose(Preference("a", "b", 0.1, 0.1, places, cases, 3, 4).p_of(tried), p)
+    assert_allclose(Preference("a", "b", 0.1, 0.1, places, cases, 3, 4).corrected_p(tried), p)

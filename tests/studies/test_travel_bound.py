@@ -149,7 +149,7 @@ def test_the_bound_of_a_right_model_is_the_scatter_of_repeats(model):
     tip = np.repeat(pressed_places(15, 1), 5, axis=0)
     tip[:, 2] = 143.0
     repeats = presses_of(tip, recorded(model, tip, noise_mt=0.01))
-    right = Fitted(model.as_designed(POSE), travel_cases.RESTING_MT, 0.0)
+    right = Fitted(model.design_twin(POSE), travel_cases.RESTING_MT, 0.0)
     found = bound_test(model, right, repeats)
     assert len(found.bound_mm) > 100
     assert 0.9 < found.size_ratio < 1.15
@@ -158,6 +158,6 @@ def test_the_bound_of_a_right_model_is_the_scatter_of_repeats(model):
     assert found.null < 0.3
     aside = replace(POSE, shift_mm=POSE.shift_mm + 12.0)
     wrong = bound_test(
-        model, Fitted(model.as_designed(aside), travel_cases.RESTING_MT, 0.0), repeats
+        model, Fitted(model.design_twin(aside), travel_cases.RESTING_MT, 0.0), repeats
     )
     assert wrong.rank_correlation < found.rank_correlation - 0.2

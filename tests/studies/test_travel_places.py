@@ -29,7 +29,7 @@ def test_a_twin_helps_to_read_places_that_nobody_pressed():
     model, tip = pad_model(), pressed_places()
     recording = presses_of(tip, recorded(model, tip))
     shown = drawn_places(recording, 0.25, 0)
-    right = Fitted(model.as_designed(POSE), RESTING_MT, 0.0)
+    right = Fitted(model.design_twin(POSE), RESTING_MT, 0.0)
     found = readers(model, right, recording.select(shown), recording.select(~shown), 0)
     alone, process, both = (
         found[name].place_rms_mm

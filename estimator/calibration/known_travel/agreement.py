@@ -56,7 +56,7 @@ class TravelAgreement:
     @property
     def order_of_chips(self) -> int:
         """Place of the true order of chips among all, by cosine: 1 is best."""
-        return 1 + sum(other.cosine >= self.all.cosine for other in self.chips_permuted)
+        return 1 + sum(permuted.cosine >= self.all.cosine for permuted in self.chips_permuted)
 
     def summary(self) -> dict[str, Any]:
         """Ready for JSON: nulls by median and best."""
@@ -64,7 +64,7 @@ class TravelAgreement:
             name: {
                 figure: [float(np.median(values)), float(np.max(values))]
                 for figure in ("cosine", "explained", "between", "signs")
-                if (values := [getattr(one, figure) for one in group])
+                if (values := [getattr(figures_of_null, figure) for figures_of_null in group])
             }
             for name, group in (
                 ("places exchanged", self.places_exchanged),
@@ -74,10 +74,14 @@ class TravelAgreement:
         return {
             "all": asdict(self.all),
             f"beyond {self.beyond_mm:g} mm": asdict(self.beyond),
-            "by travel": {name: asdict(one) for name, one in self.by_travel.items()},
+            "by travel": {
+                name: asdict(figures_of_null) for name, figures_of_null in self.by_travel.items()
+            },
             "nulls, median and best": nulls,
             "order of chips": self.order_of_chips,
-            "rivals": {name: asdict(one) for name, one in self.rivals.items()},
+            "rivals": {
+                name: asdict(figures_of_null) for name, figures_of_null in self.rivals.items()
+            },
         }
 
 
@@ -87,13 +91,13 @@ def figures(predicted: Changes, recorded: Changes) -> TravelFigures:
     dots = np.sum(p * m, axis=1)
     lengths = np.linalg.norm(p, axis=1) * np.linalg.norm(m, axis=1)
     cosine = np.divide(dots, lengths, out=np.zeros(len(p)), where=lengths > 0)
-    left = np.sum((m - p) ** 2)
+    residual = np.sum((m - p) ** 2)
     signed = np.abs(m) > SMALLEST_MT
     return TravelFigures(
         len(p),
         float(np.median(cosine)),
-        float(1 - left / np.sum(m**2)),
-        float(1 - left / np.sum((m - m.mean(axis=0)) ** 2)),
+        float(1 - residual / np.sum(m**2)),
+        float(1 - residual / np.sum((m - m.mean(axis=0)) ** 2)),
         float(np.mean(np.sign(p[signed]) == np.sign(m[signed]))),
         float(np.sum(p * m) / max(np.sum(p**2), 1e-30)),
     )
@@ -113,7 +117,7 @@ def travel_agreement(
     The null of exchanged places keeps every press's travel and resting level and gives it the place
     of another; that of permuted chips tries all other orders of the chips.
     """
-    xy, travel = fitted.twin.pose.in_object(judged.tip_mm)
+    xy, travel = fitted.twin.pose.locate_tips(judged.tip_mm)
     recorded = judged.field_mt - fitted.resting_mt
     motion = model.motion(xy, travel)
     predicted = model.change(fitted.twin, motion)
@@ -172,13 +176,15 @@ def rival_figures(
     registered presses" fifteen, the change of every channel per travel.
     """
     pose, recorded = fitted.twin.pose, judged.field_mt - fitted.resting_mt
-    known = registered.field_mt - fitted.resting_mt
-    shown, travel = pose.in_object(registered.tip_mm)[1], pose.in_object(judged.tip_mm)[1]
+    registered_change = registered.field_mt - fitted.resting_mt
+    shown, travel = pose.locate_tips(registered.tip_mm)[1], pose.locate_tips(judged.tip_mm)[1]
     # Least squares through 0 of each channel over the travel: n press, s sensor, i axis
-    slope = np.einsum("n,nsi->si", shown, known) / np.sum(shown**2)
+    slope = np.einsum("n,nsi->si", shown, registered_change) / np.sum(shown**2)
     share = [k / 20 for k in range(1, 21)]
     sunk = [_sunk(model, fitted, ratio * shown) for ratio in share]
-    best = share[int(np.argmin([np.sum((known - one) ** 2) for one in sunk]))]
+    best = share[
+        int(np.argmin([np.sum((registered_change - sunk_change) ** 2) for sunk_change in sunk]))
+    ]
     return {
         "all magnets sink alike": figures(_sunk(model, fitted, best * travel), recorded),
         "mean of the registered presses": figures(travel[:, None, None] * slope, recorded),

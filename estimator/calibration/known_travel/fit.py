@@ -65,25 +65,25 @@ def fits_and_judged(
 ) -> dict[str, tuple[Fitted, TravelRecording, TravelRecording]]:
     """Registered on few of the places and calibrated on some more; each with the presses that it was
     made on and all others, by which it is judged."""
-    found = {}
+    fits = {}
     for name, share in (("registered", REGISTERED_SHARE), ("calibrated", CALIBRATED_SHARE)):
         shown = drawn_places(recording, share, seed)
         part, judged = recording.select(shown), recording.select(~shown)
         fitted = register(model, part)
         if name == "calibrated":
             fitted = calibrate(model, part, fitted.twin)
-        found[name] = fitted, part, judged
-    return found
+        fits[name] = fitted, part, judged
+    return fits
 
 
 def register(model: TravelModel, recording: TravelRecording) -> Fitted:
     """Pose of the designed object, of all symmetries that which leaves least."""
     middle = (recording.tip_mm[:, :2].min(axis=0) + recording.tip_mm[:, :2].max(axis=0)) / 2
     contact = float(recording.tip_mm[:, 2].max()) + _START_ABOVE_MM
-    starts = [model.as_designed(Pose(middle, 0.0, contact, k)) for k in range(len(SYMMETRIES))]
-    found = [fit_pose(model, recording, start, _FIRST_ROUNDS) for start in starts]
-    found.sort(key=lambda fitted: fitted.left_mt)
-    better = [fit_pose(model, recording, one.twin) for one in found[:_STARTS_KEPT]]
+    starts = [model.design_twin(Pose(middle, 0.0, contact, k)) for k in range(len(SYMMETRIES))]
+    fits = [fit_pose(model, recording, start, _FIRST_ROUNDS) for start in starts]
+    fits.sort(key=lambda fitted: fitted.left_mt)
+    better = [fit_pose(model, recording, fit.twin) for fit in fits[:_STARTS_KEPT]]
     return min(better, key=lambda fitted: fitted.left_mt)
 
 
@@ -128,15 +128,17 @@ def fit_beside_pose(
     `resting` predicts the level at rest, where that is to be met as well.
     """
 
-    def fitted_and_left(values: Values) -> tuple[Fitted, Changes]:
+    def fit_with_residual(values: Values) -> tuple[Fitted, Changes]:
         twin = start.moved(values)
-        left = recording.field_mt - freed.change(twin, values, recording.tip_mm)
-        level = left.mean(axis=0)
-        return Fitted(twin, level, float(np.sqrt(np.mean((left - level) ** 2)))), left - level
+        residual = recording.field_mt - freed.change(twin, values, recording.tip_mm)
+        level = residual.mean(axis=0)
+        return Fitted(
+            twin, level, float(np.sqrt(np.mean((residual - level) ** 2)))
+        ), residual - level
 
     def misfit(values: Values) -> Float[np.ndarray, "residual"]:
-        fitted, left = fitted_and_left(values)
-        parts = [left.ravel() / MODEL_ERROR_MT]
+        fitted, residual = fit_with_residual(values)
+        parts = [residual.ravel() / MODEL_ERROR_MT]
         if resting is not None:
             off = fitted.resting_mt - resting(fitted.twin)
             parts.append(off.ravel() / RESTING_ERROR_MT)
@@ -145,4 +147,4 @@ def fit_beside_pose(
     values = most_probable(
         misfit, _POSE | dict(freed.unknowns), max_nfev=rounds, diff_step=1e-3
     ).values
-    return fitted_and_left(values)[0], values
+    return fit_with_residual(values)[0], values

@@ -42,7 +42,7 @@ class Pose:
     contact_mm: float
     symmetry: int
 
-    def in_object(
+    def locate_tips(
         self, tip_mm: Float[np.ndarray, "press 3"]
     ) -> tuple[Float[np.ndarray, "press 2"], Float[np.ndarray, "press"]]:
         """Place in the face's frame and travel beyond the first contact, mm."""
@@ -99,7 +99,7 @@ class TravelModel:
     travel_mm: Float[np.ndarray, "step"]
     coefficients: Float[np.ndarray, "component nx ny step"]
 
-    def as_designed(self, pose: Pose) -> Twin:
+    def design_twin(self, pose: Pose) -> Twin:
         """The object of the drawing."""
         count = len(self.scene.magnets.face)
         return Twin(pose, np.zeros((count, 3)), np.zeros((count, 2)))
@@ -118,8 +118,10 @@ class TravelModel:
         index = [
             np.interp(v, node, np.arange(len(node))) for v, node in zip(given, nodes, strict=True)
         ]
-        found = [map_coordinates(c, index, order=3, prefilter=False) for c in self.coefficients]
-        return np.stack(found, axis=-1).reshape(len(travel_mm), -1, 6)
+        components = [
+            map_coordinates(c, index, order=3, prefilter=False) for c in self.coefficients
+        ]
+        return np.stack(components, axis=-1).reshape(len(travel_mm), -1, 6)
 
     def change(
         self, twin: Twin, motion: Float[np.ndarray, "press magnet 6"]
@@ -138,7 +140,7 @@ class TravelModel:
         self, twin: Twin, tip_mm: Float[np.ndarray, "press 3"]
     ) -> Float[np.ndarray, "press sensor 3"]:
         """Change (mT) in presses at the machine's places and heights."""
-        return self.change(twin, self.motion(*twin.pose.in_object(tip_mm)))
+        return self.change(twin, self.motion(*twin.pose.locate_tips(tip_mm)))
 
     def _along_chips(self, field_t: np.ndarray) -> np.ndarray:
         # T → mT along each chip's axes: s sensor, j coordinate, i chip axis, n press
@@ -191,10 +193,10 @@ def _placed(designed: Scene, twin: Twin) -> Scene:
     tilt = np.column_stack([twin.tilt_rad, np.zeros(len(twin.tilt_rad))])
     axis = magnets.axis + np.cross(tilt, magnets.axis)
     axis = axis / np.linalg.norm(axis, axis=1, keepdims=True)
-    found = replace(
+    moved_magnets = replace(
         magnets,
         centre_mm=magnets.centre_mm + twin.magnet_mm,
         axis=axis,
         strength=magnets.strength * twin.strength,
     )
-    return replace(designed, magnets=found)
+    return replace(designed, magnets=moved_magnets)

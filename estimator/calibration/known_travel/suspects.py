@@ -35,7 +35,7 @@ _ROUNDS = 15
 
 
 @dataclass(frozen=True)
-class Suspect:
+class FreedAssumption:
     """One assumption freed.
 
     Attributes
@@ -53,7 +53,7 @@ class Suspect:
     gained: float
     low: float
     high: float
-    found: str
+    finding: str
 
 
 def ranked_suspects(
@@ -63,7 +63,7 @@ def ranked_suspects(
     judged: TravelRecording,
     others: Mapping[str, tuple[TravelModel, Callable[[float], str]]],
     seed: int = 0,
-) -> list[Suspect]:
+) -> list[FreedAssumption]:
     """Every assumption, that which explains most first; `fitted` is the registration to the same
     presses.
 
@@ -71,22 +71,22 @@ def ranked_suspects(
     one number mixes their motions (1) with those of `model` (0), and the function says what it means.
     """
     freed = _freed(model, fitted) | {
-        name: (_mixed(model, other), lambda values, words=words: words(float(values["share"])))
-        for name, (other, words) in others.items()
+        name: (_mixed(model, rival), lambda values, words=words: words(float(values["share"])))
+        for name, (rival, words) in others.items()
     }
     alone = squares_left(left_over(model, fitted, judged))
     size = squares_left(judged.field_mt - fitted.resting_mt)
     rng = np.random.default_rng((seed, 15))
-    found = []
-    for name, (one, words) in freed.items():
-        fit, values = fit_beside_pose(fitted.twin, one, registered, _ROUNDS)
-        changes = one.change(fit.twin, values, judged.tip_mm)
-        left = squares_left(judged.field_mt - fit.resting_mt - changes)
-        gained, low, high = gain_of_suspect(alone, left, size, judged.place_id, rng)
-        explained = float(1 - left.sum() / size.sum())
-        numbers = sum(unknown.size for unknown in one.unknowns.values())
-        found.append(Suspect(name, numbers, explained, gained, low, high, words(values)))
-    return sorted(found, key=lambda suspect: -suspect.gained)
+    suspects = []
+    for name, (assumption, words) in freed.items():
+        fit, values = fit_beside_pose(fitted.twin, assumption, registered, _ROUNDS)
+        changes = assumption.change(fit.twin, values, judged.tip_mm)
+        residual_squares = squares_left(judged.field_mt - fit.resting_mt - changes)
+        gained, low, high = gain_of_suspect(alone, residual_squares, size, judged.place_id, rng)
+        explained = float(1 - residual_squares.sum() / size.sum())
+        numbers = sum(unknown.size for unknown in assumption.unknowns.values())
+        suspects.append(FreedAssumption(name, numbers, explained, gained, low, high, words(values)))
+    return sorted(suspects, key=lambda suspect: -suspect.gained)
 
 
 def _freed(model: TravelModel, fitted: Fitted) -> dict[str, tuple[Freed, Callable[[Values], str]]]:
@@ -99,7 +99,7 @@ def _freed(model: TravelModel, fitted: Fitted) -> dict[str, tuple[Freed, Callabl
         return model.pressed(twin, lower)
 
     def deeper(twin: Twin, values: Values, tip: np.ndarray) -> Changes:
-        xy, travel = twin.pose.in_object(tip)
+        xy, travel = twin.pose.locate_tips(tip)
         return model.change(twin, model.motion(xy, travel * np.exp(values["ln_travel"])))
 
     def read(twin: Twin, values: Values, tip: np.ndarray) -> Changes:
@@ -129,12 +129,12 @@ def _freed(model: TravelModel, fitted: Fitted) -> dict[str, tuple[Freed, Callabl
     }
 
 
-def _mixed(model: TravelModel, other: TravelModel) -> Freed:
+def _mixed(model: TravelModel, rival: TravelModel) -> Freed:
     """Motions of both models mixed: a `share` of 0 is the first, of 1 the other."""
 
     def change(twin: Twin, values: Values, tip: np.ndarray) -> Changes:
-        given, share = twin.pose.in_object(tip), values["share"]
-        motion = (1 - share) * model.motion(*given) + share * other.motion(*given)
+        given, share = twin.pose.locate_tips(tip), values["share"]
+        motion = (1 - share) * model.motion(*given) + share * rival.motion(*given)
         return model.change(twin, motion)
 
     return Freed({"share": Unknown(1.0)}, change)
@@ -146,14 +146,16 @@ def squares_left(field_mt: Changes) -> Float[np.ndarray, "press"]:
 
 def gain_of_suspect(
     alone: Float[np.ndarray, "press"],
-    left: Float[np.ndarray, "press"],
+    residual_squares: Float[np.ndarray, "press"],
     size: Float[np.ndarray, "press"],
     place: np.ndarray,
     rng: np.random.Generator,
 ) -> tuple[float, float, float]:
     """Share gained, and 90 % of the shares with places drawn anew."""
     _, number = np.unique(place, return_inverse=True)
-    less, all_of = (np.bincount(number, weights=given) for given in (alone - left, size))
+    less, all_of = (
+        np.bincount(number, weights=given) for given in (alone - residual_squares, size)
+    )
     drawn = rng.integers(len(less), size=(_DRAWS, len(less)))
     shares = less[drawn].sum(axis=1) / all_of[drawn].sum(axis=1)
     low, high = np.percentile(shares, (5, 95))

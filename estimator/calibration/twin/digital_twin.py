@@ -52,35 +52,39 @@ class PlaceMechanics:
     """The design's presses at some places, and a little beside them for magnets that sit aside."""
 
     def __init__(
-        self, unknowns: Unknowns, forces: PressForces, motions: MagnetMotions, seen: PressedPlaces
+        self,
+        unknowns: Unknowns,
+        forces: PressForces,
+        motions: MagnetMotions,
+        pressed: PressedPlaces,
     ) -> None:
-        self.unknowns, self.seen = unknowns, seen
-        self.shape = seen.force_n.size, len(seen.channels)
-        self.presses = traced_presses(unknowns.spec, forces, motions, seen.face, seen.xy_mm)
-        if (seen.force_n > self.presses.force_n[0][:, -1:]).any():
+        self.unknowns, self.seen = unknowns, pressed
+        self.shape = pressed.force_n.size, len(pressed.channels)
+        self.presses = traced_presses(unknowns.spec, forces, motions, pressed.face, pressed.xy_mm)
+        if (pressed.force_n > self.presses.force_n[0][:, -1:]).any():
             raise InputError(
-                f"labelled forces on face {seen.face} reach {seen.force_n.max():.3g} N, beyond the "
+                f"labelled forces on face {pressed.face} reach {pressed.force_n.max():.3g} N, beyond the "
                 "deepest simulated press. Add to press.depths_mm, or leave them out (`within_reach`)"
             )
 
     def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
         """Changes of counts of all means, at their labelled forces; NaN where forces would not grow
         with depth."""
-        spec, seen = self.unknowns.spec, self.seen
+        spec, pressed = self.unknowns.spec, self.seen
         assembly, rest = self.unknowns.assembly(numbers), self.presses.rest
-        force, motion = self.presses.of(assembly, self.unknowns.correction(numbers))
+        force, motion = self.presses.assembled(assembly, self.unknowns.correction(numbers))
         place, motion = assembly.scene, motion.reshape(-1, *rest.shape)
         model = twin_model(spec, assembly, motion)
-        still = counts_of(spec, place, rest[None], model, seen.face)
-        change = counts_of(spec, place, motion, model, seen.face) - still
-        change = change.reshape(*force.shape, -1)[..., seen.channels]
+        still = counts_of(spec, place, rest[None], model, pressed.face)
+        change = counts_of(spec, place, motion, model, pressed.face) - still
+        change = change.reshape(*force.shape, -1)[..., pressed.channels]
         force, change = (
             np.concatenate([np.zeros_like(values[:, :1]), values], axis=1)
             for values in (force, change)
         )
         if np.diff(force, axis=1).min() <= 0:  # no object: a step that goes there is too long
             return np.full(self.shape, np.nan)
-        held = np.minimum(seen.force_n, force[:, -1:])
+        held = np.minimum(pressed.force_n, force[:, -1:])
         return monotone_cubic(force, change, held).reshape(self.shape)
 
 
@@ -99,7 +103,7 @@ class CalibratedTwin:
     numbers: Float[np.ndarray, "number"]
     factor: Float[np.ndarray, "number number"]
     discrepancy: Discrepancy
-    left: Float[np.ndarray, "row channel"]
+    residual: Float[np.ndarray, "row channel"]
     jacobian: Float[np.ndarray, "row channel number"]
 
     @property
@@ -111,8 +115,8 @@ class CalibratedTwin:
                 self.factor @ np.random.default_rng(0).standard_normal((len(self.numbers), _DRAWS))
             ).T
         )
-        found = [self.unknowns.assembly(numbers).modulus_ratio for numbers in draws]
-        return float(np.std(found) / np.mean(found))
+        ratios = [self.unknowns.assembly(numbers).modulus_ratio for numbers in draws]
+        return float(np.std(ratios) / np.mean(ratios))
 
     def signals(self, rng: np.random.Generator | None = None) -> Signals:
         """Signals of every press of the face's lattice: the most probable ones, or a draw of what
@@ -142,23 +146,23 @@ class CalibratedTwin:
         rng: np.random.Generator | None,
     ) -> Signals:
         """Return what these numbers leave over, spread over the lattice, with a draw of the doubt."""
-        there = signals.pressed[0]
-        xy, force = signals.lattice.xy_mm[there], signals.force_n[0, there]
-        left = self.left - self.jacobian @ (numbers - self.numbers)
-        added = self.discrepancy.mean(left, xy, force)
+        lattice_rows = signals.pressed[0]
+        xy, force = signals.lattice.xy_mm[lattice_rows], signals.force_n[0, lattice_rows]
+        residual = self.residual - self.jacobian @ (numbers - self.numbers)
+        added = self.discrepancy.mean(residual, xy, force)
         if rng is not None:
             added = added + self.discrepancy.doubt(xy, force, rng)
         on_face = self.unknowns.design.scene.sensors.face == self.discrepancy.seen.face
-        own = np.flatnonzero(np.repeat(on_face, 3))[self.discrepancy.seen.channels]
+        face_channels = np.flatnonzero(np.repeat(on_face, 3))[self.discrepancy.seen.channels]
         delta = signals.delta_counts.reshape(*signals.force_n.shape, -1).copy()
-        pressed = delta[0, there]
-        pressed[..., own] += added
-        delta[0, there] = pressed
+        pressed = delta[0, lattice_rows]
+        pressed[..., face_channels] += added
+        delta[0, lattice_rows] = pressed
         return replace(signals, delta_counts=delta.reshape(signals.delta_counts.shape))
 
 
 def calibrate(
-    spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, seen: PressedPlaces
+    spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, pressed: PressedPlaces
 ) -> CalibratedTwin:
     """Fit a twin to labelled presses; `forces` and `motions` are the design's table.
 
@@ -172,22 +176,23 @@ def calibrate(
             "a twin is calibrated on the shell as it was cast; mechanics.slip says that the core "
             "slipped. Set it to 0"
         )
-    unknowns = Unknowns(spec, (seen.face,))
-    mechanics = PlaceMechanics(unknowns, forces, motions, seen)
-    counts = seen.counts.reshape(-1, len(seen.channels))
-    first = Discrepancy(spec, _FIRST, seen)
+    unknowns = Unknowns(spec, (pressed.face,))
+    mechanics = PlaceMechanics(unknowns, forces, motions, pressed)
+    counts = pressed.counts.reshape(-1, len(pressed.channels))
+    first = Discrepancy(spec, _FIRST, pressed)
     numbers, here, jacobian = most_probable(mechanics, first, counts, np.zeros(len(unknowns)))
     right = counts - here + jacobian @ numbers
     choices = (
-        Discrepancy(spec, Prior(size, length), seen) for size, length in product(SIZES, LENGTHS_MM)
+        Discrepancy(spec, Prior(size, length), pressed)
+        for size, length in product(SIZES, LENGTHS_MM)
     )
-    chosen = max(choices, key=lambda one: _log_evidence(one, jacobian, right))
+    chosen = max(choices, key=lambda choice: _log_evidence(choice, jacobian, right))
     numbers, here, jacobian = most_probable(mechanics, chosen, counts, numbers)
     precision, _ = normal_equations(chosen, jacobian, counts - here)
     factor = np.linalg.inv(np.linalg.cholesky(precision)).T
-    left = counts - here
-    table = rows_of_face(forces, motions, seen.face)
-    return CalibratedTwin(unknowns, *table, numbers, factor, chosen, left, jacobian)
+    residual = counts - here
+    table = rows_of_face(forces, motions, pressed.face)
+    return CalibratedTwin(unknowns, *table, numbers, factor, chosen, residual, jacobian)
 
 
 def _log_evidence(
@@ -204,7 +209,7 @@ def places_left_out(
     spec: ObjectSpec,
     forces: PressForces,
     motions: MagnetMotions,
-    seen: PressedPlaces,
+    pressed: PressedPlaces,
     progress: Callable[[str], None] = lambda _: None,
 ) -> tuple[Float[np.ndarray, "place"], Float[np.ndarray, "place"]]:
     """Share of each place's signals (rms; noise and errors of the zero taken off) that a twin
@@ -212,33 +217,33 @@ def places_left_out(
 
     Five folds at random. Each channel counts about its mean at a place: zeros are uncertain.
     """
-    calibrated, planned = np.empty(len(seen)), np.empty(len(seen))
-    folds, order = min(FOLDS, len(seen)), np.random.default_rng(0).permutation(len(seen))
+    calibrated, planned = np.empty(len(pressed)), np.empty(len(pressed))
+    folds, order = min(FOLDS, len(pressed)), np.random.default_rng(0).permutation(len(pressed))
     for fold in range(folds):
         progress(f"places left out, {fold + 1} of {folds}")
         out = order % folds == fold
-        twin = calibrate(spec, forces, motions, seen.at(~out))
-        rest = seen.at(out)
+        twin = calibrate(spec, forces, motions, pressed.select_places(~out))
+        rest = pressed.select_places(out)
         mechanics = PlaceMechanics(twin.unknowns, forces, motions, rest)
-        added = twin.discrepancy.mean(twin.left, rest.xy_mm, rest.force_n)
-        found = mechanics.expected(twin.numbers).reshape(rest.counts.shape) + added
+        added = twin.discrepancy.mean(twin.residual, rest.xy_mm, rest.force_n)
+        fitted = mechanics.expected(twin.numbers).reshape(rest.counts.shape) + added
         plain = mechanics.expected(0 * twin.numbers).reshape(rest.counts.shape)
-        calibrated[out], planned[out] = (left_share(spec, rest, wrong) for wrong in (found, plain))
+        calibrated[out], planned[out] = (left_share(spec, rest, wrong) for wrong in (fitted, plain))
     return calibrated, planned
 
 
 def left_share(
-    spec: ObjectSpec, seen: PressedPlaces, predicted: np.ndarray
+    spec: ObjectSpec, pressed: PressedPlaces, predicted: np.ndarray
 ) -> Float[np.ndarray, "place"]:
     """Rms over levels and channels, each about its mean, noise taken off; all of it where the
     prediction is of no object (NaN)."""
-    centring = np.eye(seen.force_n.shape[1]) - 1 / seen.force_n.shape[1]
+    centring = np.eye(pressed.force_n.shape[1]) - 1 / pressed.force_n.shape[1]
     # Noise that centring leaves: trace(C Σ) of each place p, i and j levels; c channel
-    zeros = np.einsum("ij,pji->p", centring, seen.zero_counts2) * len(seen.channels)
-    noise = zeros + np.einsum("ii,pic->p", centring, seen.white_counts2(spec))
+    zeros = np.einsum("ij,pji->p", centring, pressed.zero_counts2) * len(pressed.channels)
+    noise = zeros + np.einsum("ii,pic->p", centring, pressed.white_counts2(spec))
     wrong, size = (
         np.sum((centring @ values) ** 2, axis=(1, 2)) - noise
-        for values in (seen.counts - predicted, seen.counts)
+        for values in (pressed.counts - predicted, pressed.counts)
     )
     share = np.sqrt(np.maximum(wrong, 0.0) / np.maximum(size, noise))
     return np.where(np.isnan(share), 1.0, share)

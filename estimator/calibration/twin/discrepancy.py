@@ -43,12 +43,15 @@ class Prior:
 class Discrepancy:
     """Covariances of all means of some places, and what they tell of others."""
 
-    def __init__(self, spec: ObjectSpec, prior: Prior, seen: PressedPlaces) -> None:
-        self.prior, self.seen = prior, seen
-        self.scale = np.sqrt(np.mean(seen.counts**2, axis=(0, 1)))
-        white = seen.white_counts2(spec) + _FLOOR_COUNTS**2
-        self.white_of = white.reshape(-1, len(seen.channels))
-        kernel, zeros = self.kernel_of(seen.xy_mm, seen.force_n), block_diag(*seen.zero_counts2)
+    def __init__(self, spec: ObjectSpec, prior: Prior, pressed: PressedPlaces) -> None:
+        self.prior, self.seen = prior, pressed
+        self.scale = np.sqrt(np.mean(pressed.counts**2, axis=(0, 1)))
+        white = pressed.white_counts2(spec) + _FLOOR_COUNTS**2
+        self.white_of = white.reshape(-1, len(pressed.channels))
+        kernel, zeros = (
+            self.kernel_of(pressed.xy_mm, pressed.force_n),
+            block_diag(*pressed.zero_counts2),
+        )
         self._factors = [
             cho_factor((prior.size * scale) ** 2 * kernel + zeros + np.diag(variance), lower=True)
             for scale, variance in zip(self.scale, self.white_of.T, strict=True)
@@ -58,10 +61,10 @@ class Discrepancy:
         self, xy_mm: Float[np.ndarray, "place 2"], force_n: Float[np.ndarray, "place step"]
     ) -> Float[np.ndarray, "point row"]:
         """Between all steps of some places and all means, for size and scale 1."""
-        seen = self.seen
-        steps, levels = force_n.shape[1], seen.force_n.shape[1]
-        near = np.repeat(np.repeat(self.matern(xy_mm, seen.xy_mm), steps, 0), levels, 1)
-        product = np.outer(force_n.ravel(), seen.force_n.ravel()) / _FORCE_SCALE_N**2
+        means = self.seen
+        steps, levels = force_n.shape[1], means.force_n.shape[1]
+        near = np.repeat(np.repeat(self.matern(xy_mm, means.xy_mm), steps, 0), levels, 1)
+        product = np.outer(force_n.ravel(), means.force_n.ravel()) / _FORCE_SCALE_N**2
         return near * (product + product**2)
 
     def matern(
@@ -71,11 +74,11 @@ class Discrepancy:
         return (1 + away + away**2 / 3) * np.exp(-away)
 
     def weighed(
-        self, left: Float[np.ndarray, "row channel *any"]
+        self, residual: Float[np.ndarray, "row channel *any"]
     ) -> Float[np.ndarray, "row channel *any"]:
         """Inverse covariance times values of all means, channel by channel."""
         parts = [
-            cho_solve(factor, left[:, channel]) for channel, factor in enumerate(self._factors)
+            cho_solve(factor, residual[:, channel]) for channel, factor in enumerate(self._factors)
         ]
         return np.stack(parts, axis=1)
 
@@ -86,13 +89,13 @@ class Discrepancy:
 
     def mean(
         self,
-        left: Float[np.ndarray, "row channel"],
+        residual: Float[np.ndarray, "row channel"],
         xy_mm: Float[np.ndarray, "place 2"],
         force_n: Float[np.ndarray, "place step"],
     ) -> Float[np.ndarray, "place step channel"]:
         """Expected rest at other places and forces, from that of all means."""
-        found = self.kernel_of(xy_mm, force_n) @ self.weighed(left)
-        return (found * (self.prior.size * self.scale) ** 2).reshape(*force_n.shape, -1)
+        kernel_values = self.kernel_of(xy_mm, force_n) @ self.weighed(residual)
+        return (kernel_values * (self.prior.size * self.scale) ** 2).reshape(*force_n.shape, -1)
 
     def covariance(
         self, xy_mm: Float[np.ndarray, "place 2"], force_n: Float[np.ndarray, "place step"]
@@ -111,18 +114,18 @@ class Discrepancy:
     ) -> Float[np.ndarray, "place step channel"]:
         """A draw of what the means leave open (Matheron's rule: a draw of the prior less what its own
         means, with noise, would tell)."""
-        seen = self.seen
-        both = np.concatenate([xy_mm, seen.xy_mm])
+        means = self.seen
+        both = np.concatenate([xy_mm, means.xy_mm])
         prior = self.matern(both, both) + _JITTER * np.eye(len(both))
         fields = np.linalg.cholesky(prior) @ rng.standard_normal((2, len(both), len(self.scale)))
         fields = fields * self.prior.size * self.scale
         here = scaled_by_force(fields[:, : len(xy_mm)], force_n)
-        told = scaled_by_force(fields[:, len(xy_mm) :], seen.force_n)
-        roots = np.linalg.cholesky(seen.zero_counts2 + _JITTER * np.eye(told.shape[1]))
-        told = told + roots @ rng.standard_normal(told.shape)
-        told = told.reshape(-1, len(self.scale))
-        told = told + np.sqrt(self.white_of) * rng.standard_normal(told.shape)
-        return here - self.mean(told, xy_mm, force_n)
+        draw = scaled_by_force(fields[:, len(xy_mm) :], means.force_n)
+        roots = np.linalg.cholesky(means.zero_counts2 + _JITTER * np.eye(draw.shape[1]))
+        draw = draw + roots @ rng.standard_normal(draw.shape)
+        draw = draw.reshape(-1, len(self.scale))
+        draw = draw + np.sqrt(self.white_of) * rng.standard_normal(draw.shape)
+        return here - self.mean(draw, xy_mm, force_n)
 
 
 def scaled_by_force(

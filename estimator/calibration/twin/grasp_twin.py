@@ -24,7 +24,7 @@ from estimator.calibration.twin.unknowns import (
     FARTHEST,
     STIFFENING,
     Unknowns,
-    at_limits,
+    count_at_limits,
     most_probable,
     normal_equations,
 )
@@ -57,7 +57,7 @@ class GraspTwin:
     unknowns: Unknowns
     numbers: Float[np.ndarray, "number"]
     modulus_error: float
-    left: Float[np.ndarray, "case level channel"]
+    residual: Float[np.ndarray, "case level channel"]
     left_share: Float[np.ndarray, "case"]
     design_share: Float[np.ndarray, "case"]
 
@@ -69,7 +69,7 @@ class GraspTwin:
     @property
     def strained(self) -> int:
         """Return how many numbers are at their limits."""
-        return at_limits(self.numbers)
+        return count_at_limits(self.numbers)
 
     def signals(self, forces: PressForces, motions: MagnetMotions) -> Signals:
         """Of every press of the design's table, done by this object.
@@ -79,47 +79,47 @@ class GraspTwin:
         InputError
             Forces that would fall with depth.
         """
-        found = self.unknowns.signals(self.numbers, forces, motions)
-        if found is None:
+        signals_of_table = self.unknowns.signals(self.numbers, forces, motions)
+        if signals_of_table is None:
             raise self.unknowns.no_object("the labelled presses")
-        return found
+        return signals_of_table
 
 
 class GraspMechanics:
     """The contacts of all cases."""
 
     def __init__(
-        self, unknowns: Unknowns, forces: PressForces, motions: MagnetMotions, seen: PressedCases
+        self, unknowns: Unknowns, forces: PressForces, motions: MagnetMotions, pressed: PressedCases
     ) -> None:
-        self.unknowns, self.seen, self.rest = unknowns, seen, rest_motion(motions)
+        self.unknowns, self.seen, self.rest = unknowns, pressed, rest_motion(motions)
         self.parts: list[tuple[np.ndarray, np.ndarray, TracedPresses]] = []
-        for face in seen.faces:
-            case, slot = np.nonzero(seen.face == face)
-            places = traced_presses(unknowns.spec, forces, motions, face, seen.xy_mm[case, slot])
+        for face in pressed.faces:
+            case, slot = np.nonzero(pressed.face == face)
+            places = traced_presses(unknowns.spec, forces, motions, face, pressed.xy_mm[case, slot])
             self.parts.append((case, slot, places))
 
     def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
         """Changes of counts of all means, motions of the contacts added up; NaN where forces would
         not grow with depth."""
-        spec, seen = self.unknowns.spec, self.seen
-        cases, levels = seen.counts.shape[:2]
+        spec, pressed = self.unknowns.spec, self.seen
+        cases, levels = pressed.counts.shape[:2]
         assembly, correction = self.unknowns.assembly(numbers), self.unknowns.correction(numbers)
         moved = np.zeros((cases, levels, self.rest.size))
         for case, slot, places in self.parts:
-            force, motion = places.of(assembly, correction)
+            force, motion = places.assembled(assembly, correction)
             force = np.pad(force, ((0, 0), (1, 0)))
             if np.diff(force, axis=1).min() <= 0:  # no object: a step that goes there is too long
-                return np.full((cases * levels, len(seen.channels)), np.nan)
+                return np.full((cases * levels, len(pressed.channels)), np.nan)
             motion = np.pad(
                 (motion - self.rest).reshape(*motion.shape[:2], -1), ((0, 0), (1, 0), (0, 0))
             )
-            held = np.minimum(seen.force_n[case, :, slot], force[:, -1:])
+            held = np.minimum(pressed.force_n[case, :, slot], force[:, -1:])
             np.add.at(moved, case, monotone_cubic(force, motion, held))
         states = self.rest + moved.reshape(-1, *self.rest.shape)
         model = twin_model(spec, assembly, states)
         still = counts_of(spec, assembly.scene, self.rest[None], model)
         change = counts_of(spec, assembly.scene, states, model) - still
-        return change.reshape(len(states), -1)[:, seen.channels]
+        return change.reshape(len(states), -1)[:, pressed.channels]
 
 
 @dataclass(frozen=True)
@@ -129,54 +129,54 @@ class _LeftOver:
     variance: Float[np.ndarray, "row channel"]
 
     def weighed(
-        self, left: Float[np.ndarray, "row channel *any"]
+        self, residual: Float[np.ndarray, "row channel *any"]
     ) -> Float[np.ndarray, "row channel *any"]:
-        return left / self.variance.reshape(*self.variance.shape, *[1] * (left.ndim - 2))
+        return residual / self.variance.reshape(*self.variance.shape, *[1] * (residual.ndim - 2))
 
 
-def left_over_of(seen: PressedCases, size: float) -> _LeftOver:
-    levels = seen.counts.shape[1]
-    variance = seen.noise_counts2 + levels * (size * seen.chip_counts) ** 2
-    return _LeftOver(variance.reshape(-1, len(seen.channels)))
+def left_over_of(pressed: PressedCases, size: float) -> _LeftOver:
+    levels = pressed.counts.shape[1]
+    variance = pressed.noise_counts2 + levels * (size * pressed.chip_counts) ** 2
+    return _LeftOver(variance.reshape(-1, len(pressed.channels)))
 
 
 def calibrate_on_cases(
     spec: ObjectSpec,
     forces: PressForces,
     motions: MagnetMotions,
-    seen: PressedCases,
+    pressed: PressedCases,
     progress: Callable[[str], None] = lambda _: None,
 ) -> GraspTwin:
     """Fit the numbers of all pressed faces to labelled presses of one or several contacts.
 
     Cases are left out one by one about the linearization at the numbers of all; predictions are exact.
     """
-    unknowns = Unknowns(spec, seen.faces)
-    mechanics = GraspMechanics(unknowns, forces, motions, seen)
-    counts = seen.counts.reshape(-1, len(seen.channels))
+    unknowns = Unknowns(spec, pressed.faces)
+    mechanics = GraspMechanics(unknowns, forces, motions, pressed)
+    counts = pressed.counts.reshape(-1, len(pressed.channels))
     nothing = np.zeros(len(unknowns))
-    design_motion = left_share(seen, counts - mechanics.expected(nothing))
+    design_motion = left_share(pressed, counts - mechanics.expected(nothing))
     first = float(np.clip(np.sqrt(np.mean(design_motion**2)) / 2, SIZES[0], SIZES[-1]))
-    progress(f"fitting {len(seen)} cases")
-    fitted, here, jacobian = most_probable(mechanics, left_over_of(seen, first), counts, nothing)
+    progress(f"fitting {len(pressed)} cases")
+    fitted, here, jacobian = most_probable(mechanics, left_over_of(pressed, first), counts, nothing)
     right = counts - here + jacobian @ fitted
     progress("cases left out")
     tried = [
-        (cases_left_out(mechanics, left_over_of(seen, size), jacobian, right), size)
+        (cases_left_out(mechanics, left_over_of(pressed, size), jacobian, right), size)
         for size in SIZES
     ]
-    left, size = min(tried, key=lambda one: np.mean(left_share(seen, one[0]) ** 2))
-    shares = left_share(seen, left)
-    numbers, covariance = _solved(left_over_of(seen, size), jacobian, right)
+    residual, size = min(tried, key=lambda attempt: np.mean(left_share(pressed, attempt[0]) ** 2))
+    shares = left_share(pressed, residual)
+    numbers, covariance = _solved(left_over_of(pressed, size), jacobian, right)
     numbers, modulus = (
         np.clip(numbers, -FARTHEST, FARTHEST),
         np.sqrt(covariance[_MODULUS, _MODULUS]),
     )
     if not np.mean(shares**2) < np.mean(design_motion**2):
-        numbers, modulus, left = nothing, 1.0, counts - mechanics.expected(nothing)
+        numbers, modulus, residual = nothing, 1.0, counts - mechanics.expected(nothing)
     error = spec.tolerances.modulus_relative * float(modulus)
     return GraspTwin(
-        unknowns, numbers, error, left.reshape(seen.counts.shape), shares, design_motion
+        unknowns, numbers, error, residual.reshape(pressed.counts.shape), shares, design_motion
     )
 
 
@@ -193,41 +193,41 @@ def cases_left_out(
     mechanics: GraspMechanics, left_over: _LeftOver, jacobian: np.ndarray, right: np.ndarray
 ) -> Float[np.ndarray, "row channel"]:
     """Return what the twin of all other cases leaves of each; infinite where it is no object."""
-    seen = mechanics.seen
-    case = np.repeat(np.arange(len(seen)), seen.counts.shape[1])
-    left = seen.counts.reshape(len(case), -1).copy()
-    for out in range(len(seen)):
+    pressed = mechanics.seen
+    case = np.repeat(np.arange(len(pressed)), pressed.counts.shape[1])
+    residual = pressed.counts.reshape(len(case), -1).copy()
+    for out in range(len(pressed)):
         others = case != out
         part = _LeftOver(left_over.variance[others])
         numbers, _ = _solved(part, jacobian[others], right[others])
-        found = mechanics.expected(np.clip(numbers, -FARTHEST, FARTHEST))
-        left[~others] -= np.where(np.isfinite(found[~others]), found[~others], np.inf)
-    return left
+        expected = mechanics.expected(np.clip(numbers, -FARTHEST, FARTHEST))
+        residual[~others] -= np.where(np.isfinite(expected[~others]), expected[~others], np.inf)
+    return residual
 
 
 def left_share(
-    seen: PressedCases, left: Float[np.ndarray, "row channel"]
+    pressed: PressedCases, residual: Float[np.ndarray, "row channel"]
 ) -> Float[np.ndarray, "case"]:
     """Rms of what is left over of each case's signals, noise taken off both."""
-    noise = seen.noise_counts2.sum(axis=(1, 2))
+    noise = pressed.noise_counts2.sum(axis=(1, 2))
     wrong, size = (
-        np.sum(values.reshape(seen.counts.shape) ** 2, axis=(1, 2)) - noise
-        for values in (left, seen.counts)
+        np.sum(values.reshape(pressed.counts.shape) ** 2, axis=(1, 2)) - noise
+        for values in (residual, pressed.counts)
     )
     return np.sqrt(np.maximum(wrong, 0.0) / np.maximum(size, noise))
 
 
 def sensor_errors(
-    seen: PressedCases, left: Float[np.ndarray, "case level channel"], sensors: int
+    pressed: PressedCases, residual: Float[np.ndarray, "case level channel"], sensors: int
 ) -> Float[np.ndarray, "sensor 1"]:
     """Relative errors of the model at each sensor, as `estimator.inversion.model.noise` has them: rms over
     cases and levels of what is left over, over what the chip shows. Sensors that never show a clear
     change get the mean of the others."""
-    clear = seen.chip_counts**2 > _CLEAR * seen.noise_counts2
-    share = (left**2 - seen.noise_counts2) / np.maximum(seen.chip_counts**2, 1e-12)
-    sensor, squares = seen.channels // 3, np.full(sensors, np.nan)
+    clear = pressed.chip_counts**2 > _CLEAR * pressed.noise_counts2
+    share = (residual**2 - pressed.noise_counts2) / np.maximum(pressed.chip_counts**2, 1e-12)
+    sensor, squares = pressed.channels // 3, np.full(sensors, np.nan)
     for number in np.unique(sensor):
-        own = share[..., sensor == number][clear[..., sensor == number]]
-        if len(own):
-            squares[number] = max(own.mean(), 0.0)
+        sensor_shares = share[..., sensor == number][clear[..., sensor == number]]
+        if len(sensor_shares):
+            squares[number] = max(sensor_shares.mean(), 0.0)
     return np.sqrt(np.where(np.isnan(squares), np.nanmean(squares), squares))[:, None]

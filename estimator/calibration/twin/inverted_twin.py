@@ -38,7 +38,7 @@ def inverted_twin(
     forces: PressForces,
     motions: MagnetMotions,
     twins: Mapping[int, FaceTwin],
-    left: Mapping[int, float],
+    left_share: Mapping[int, float],
     shear: ShearSignals | None = None,
     noise_counts: Float[np.ndarray, "3"] | None = None,
 ) -> Inversion:
@@ -59,16 +59,16 @@ def inverted_twin(
     signals = design
     for face, twin in twins.items():
         signals = _with_face(signals, twin.signals(), face)
-    errors = _errors(spec, design_error(spec, forces, motions, design), left)
-    found = inversion(spec, forces, motions, signals, errors, _force_error(spec, twins), shear)
-    return found if noise_counts is None else _with_noise(found, noise_counts)
+    errors = _errors(spec, design_error(spec, forces, motions, design), left_share)
+    estimator = inversion(spec, forces, motions, signals, errors, _force_error(spec, twins), shear)
+    return estimator if noise_counts is None else _with_noise(estimator, noise_counts)
 
 
 def inverted_grasps(
     spec: ObjectSpec,
     presses: tuple[PressForces, MagnetMotions],
     twin: GraspTwin,
-    seen: PressedCases,
+    pressed: PressedCases,
     shear: ShearSignals | None = None,
 ) -> Inversion:
     """An estimator of the object that presses of several contacts together show.
@@ -84,58 +84,60 @@ def inverted_grasps(
         Labelled presses that fit no object of the specification.
     """
     sensors = len(sensor_layout(spec).face)
-    errors = np.maximum(sensor_errors(seen, twin.left, sensors), MESH_ERROR)
-    found = inversion(spec, *presses, twin.signals(*presses), errors, twin.modulus_error, shear)
-    found = _with_noise(found, seen.noise_counts)
-    wider = max(1.0, beyond_regions(found, twin, seen))
-    told = found.disturbances
-    blind = np.full(len(told.noise_counts), BLIND)
-    blind[seen.channels] = told.noise_counts[seen.channels]
-    told = replace(told, noise_counts=blind, model_error=told.model_error * wider)
-    return replace(found, disturbances=told)
+    errors = np.maximum(sensor_errors(pressed, twin.residual, sensors), MESH_ERROR)
+    estimator = inversion(spec, *presses, twin.signals(*presses), errors, twin.modulus_error, shear)
+    estimator = _with_noise(estimator, pressed.noise_counts)
+    wider = max(1.0, region_excess(estimator, twin, pressed))
+    disturbances = estimator.disturbances
+    blind = np.full(len(disturbances.noise_counts), BLIND)
+    blind[pressed.channels] = disturbances.noise_counts[pressed.channels]
+    disturbances = replace(
+        disturbances, noise_counts=blind, model_error=disturbances.model_error * wider
+    )
+    return replace(estimator, disturbances=disturbances)
 
 
 def _with_noise(inversion: Inversion, noise_counts: Float[np.ndarray, "3"]) -> Inversion:
     """White noise as the labelled presses show it, in all channels that are read."""
-    told = inversion.disturbances
-    noise = np.tile(noise_counts, len(told.noise_counts) // 3)
-    noise = np.where(told.noise_counts < BLIND, noise, told.noise_counts)
-    return replace(inversion, disturbances=replace(told, noise_counts=noise))
+    disturbances = inversion.disturbances
+    noise = np.tile(noise_counts, len(disturbances.noise_counts) // 3)
+    noise = np.where(disturbances.noise_counts < BLIND, noise, disturbances.noise_counts)
+    return replace(inversion, disturbances=replace(disturbances, noise_counts=noise))
 
 
-def beyond_regions(inversion: Inversion, twin: GraspTwin, seen: PressedCases) -> float:
+def region_excess(inversion: Inversion, twin: GraspTwin, pressed: PressedCases) -> float:
     """Return how many times further than the regions say cases left out move the labelled contacts: rms over
     all of them, in standard deviations (Gauss–Newton step of the labelled contacts)."""
     model = inversion.model
     index = {int(face): row for row, face in enumerate(model.signals.faces)} | {NO_FACE: NONE}
-    cases, levels, contacts = seen.force_n.shape
-    face = np.vectorize(index.__getitem__, otypes=[int])(seen.face).repeat(levels, axis=0)
-    xy = seen.xy_mm.repeat(levels, axis=0)
-    contact = np.concatenate([xy, seen.force_n.reshape(-1, contacts, 1)], axis=2)
-    counts, left = np.full((2, cases * levels, model.channels), np.nan)
-    counts[:, seen.channels] = seen.counts.reshape(cases * levels, -1)
-    left[:, seen.channels] = twin.left.reshape(cases * levels, -1)
+    cases, levels, contacts = pressed.force_n.shape
+    face = np.vectorize(index.__getitem__, otypes=[int])(pressed.face).repeat(levels, axis=0)
+    xy = pressed.xy_mm.repeat(levels, axis=0)
+    contact = np.concatenate([xy, pressed.force_n.reshape(-1, contacts, 1)], axis=2)
+    counts, residual = np.full((2, cases * levels, model.channels), np.nan)
+    counts[:, pressed.channels] = pressed.counts.reshape(cases * levels, -1)
+    residual[:, pressed.channels] = twin.residual.reshape(cases * levels, -1)
     white = inversion.disturbances.observed(counts).white
     slopes = white(model.singles(face, contact)[:, :, 1:].reshape(len(face), -1, model.channels))
     # Jᵀr of what is left over: r row (case and level), p parameter, c channel. Then pullᵀ (JᵀJ)⁻¹ pull is
     # the squared shift of the parameters in standard deviations.
-    pull = np.einsum("rpc,rc->rp", slopes, white(np.nan_to_num(left)[:, None])[:, 0])
+    pull = np.einsum("rpc,rc->rp", slopes, white(np.nan_to_num(residual)[:, None])[:, 0])
     inverse = np.linalg.pinv(slopes @ slopes.transpose(0, 2, 1), rcond=1e-9, hermitian=True)
     square = np.einsum("rp,rpq,rq->r", pull, inverse, pull)
     return float(np.sqrt(np.mean(square / (3 * np.sum(face != NONE, axis=1)))))
 
 
-def _with_face(whole: Signals, one: Signals, face: int) -> Signals:
+def _with_face(whole: Signals, replacement: Signals, face: int) -> Signals:
     row = int(np.flatnonzero(whole.faces == face)[0])
     force, delta = whole.force_n.copy(), whole.delta_counts.copy()
-    force[row], delta[row] = one.force_n[0], one.delta_counts[0]
+    force[row], delta[row] = replacement.force_n[0], replacement.delta_counts[0]
     return replace(whole, force_n=force, delta_counts=delta)
 
 
 def _errors(
-    spec: ObjectSpec, design_motion: float, left: Mapping[int, float]
+    spec: ObjectSpec, design_motion: float, left_share: Mapping[int, float]
 ) -> Float[np.ndarray, "sensor 1"]:
-    of_face = [left.get(face, design_motion) for face in sensor_layout(spec).face.tolist()]
+    of_face = [left_share.get(face, design_motion) for face in sensor_layout(spec).face.tolist()]
     return np.array(of_face)[:, None]
 
 

@@ -46,7 +46,7 @@ class PressErrors:
 
 
 @dataclass(frozen=True)
-class Doubt:
+class PosteriorVariance:
     """Covariance (counts²) of all signals at all places, and that of one press's errors at each."""
 
     covariance_counts2: Float[np.ndarray, "place signal place signal"]
@@ -62,24 +62,26 @@ class Doubt:
     def gains_counts2(self) -> Float[np.ndarray, "place"]:
         """By how much a press at each place would lower the sum of all variances."""
         return np.array(
-            [np.sum(self._told(place) ** 2) for place in range(len(self.noise_counts2))]
+            [np.sum(self._gained_root(place) ** 2) for place in range(len(self.noise_counts2))]
         )
 
-    def after(self, place: int) -> Doubt:
+    def condition_on(self, place: int) -> PosteriorVariance:
         """Return what is left after a press."""
-        told = self._told(place)
-        left = self.covariance_counts2 - np.tensordot(told, told, axes=([0], [0]))
-        return replace(self, covariance_counts2=left)
+        gained = self._gained_root(place)
+        remaining = self.covariance_counts2 - np.tensordot(gained, gained, axes=([0], [0]))
+        return replace(self, covariance_counts2=remaining)
 
-    def _told(self, place: int) -> Float[np.ndarray, "signal place signal"]:
+    def _gained_root(self, place: int) -> Float[np.ndarray, "signal place signal"]:
         """Return what a press tells of all signals: a root of the covariance that it takes away."""
-        own = self.covariance_counts2[place]
-        size = len(own)
-        root = cholesky(own[:, place] + self.noise_counts2[place], lower=True)
-        return solve_triangular(root, own.reshape(size, -1), lower=True).reshape(own.shape)
+        covariance = self.covariance_counts2[place]
+        size = len(covariance)
+        root = cholesky(covariance[:, place] + self.noise_counts2[place], lower=True)
+        return solve_triangular(root, covariance.reshape(size, -1), lower=True).reshape(
+            covariance.shape
+        )
 
 
-def doubt_beforehand(
+def prior_variance(
     spec: ObjectSpec,
     forces: PressForces,
     motions: MagnetMotions,
@@ -88,60 +90,60 @@ def doubt_beforehand(
     errors: PressErrors | None = None,
     prior: Prior = PRIOR,
     numbers: Float[np.ndarray, "number"] | None = None,
-) -> Doubt:
+) -> PosteriorVariance:
     """Of the contact locations of a face before any press of up to `force_n`, at the design or at an
     object of other numbers; forces end where those of the table do. `errors` are those of one press (by
     default 8 frames at each force after a zero of their own)."""
     unknowns = Unknowns(spec, (face,))
-    at = np.zeros(len(unknowns)) if numbers is None else numbers
+    point = np.zeros(len(unknowns)) if numbers is None else numbers
     errors = errors or PressErrors(8, zero_covariance(spec, 8 * len(SHARES)))
-    seen = _all_places(spec, forces, face, force_n, errors)
-    mechanics = PlaceMechanics(unknowns, forces, motions, seen)
-    here = mechanics.expected(at)
-    jacobian = jacobian_of(mechanics, at, here)
-    seen = replace(seen, counts=here.reshape(seen.counts.shape))
-    process = Discrepancy(spec, prior, seen).covariance(seen.xy_mm, seen.force_n)
-    flat = jacobian.reshape(-1, len(at))
-    places, levels = seen.force_n.shape
+    pressed = _all_places(spec, forces, face, force_n, errors)
+    mechanics = PlaceMechanics(unknowns, forces, motions, pressed)
+    here = mechanics.expected(point)
+    jacobian = jacobian_of(mechanics, point, here)
+    pressed = replace(pressed, counts=here.reshape(pressed.counts.shape))
+    process = Discrepancy(spec, prior, pressed).covariance(pressed.xy_mm, pressed.force_n)
+    flat = jacobian.reshape(-1, len(point))
+    places, levels = pressed.force_n.shape
     covariance = flat @ flat.T
     rows = covariance.reshape(places * levels, here.shape[1], places * levels, here.shape[1])
-    for channel, own in enumerate(process):
-        rows[:, channel, :, channel] += own
+    for channel, channel_covariance in enumerate(process):
+        rows[:, channel, :, channel] += channel_covariance
     signals = levels * here.shape[1]
     shape = (places, signals, places, signals)
-    return Doubt(
-        covariance.reshape(shape), _press_noise(spec, seen).reshape(places, signals, signals)
+    return PosteriorVariance(
+        covariance.reshape(shape), _press_noise(spec, pressed).reshape(places, signals, signals)
     )
 
 
 def _press_noise(
-    spec: ObjectSpec, seen: PressedPlaces
+    spec: ObjectSpec, pressed: PressedPlaces
 ) -> Float[np.ndarray, "place level channel level channel"]:
     """Noise of every mean, and the error of the zero that a press's levels share."""
-    white, channels = seen.white_counts2(spec), len(seen.channels)
+    white, channels = pressed.white_counts2(spec), len(pressed.channels)
     # p place, i and j levels, c and d channels: a zero's error is shared by levels, not by channels
-    noise = np.einsum("pij,cd->picjd", seen.zero_counts2, np.eye(channels))
+    noise = np.einsum("pij,cd->picjd", pressed.zero_counts2, np.eye(channels))
     level, channel = np.indices(white.shape[1:])
     noise[:, level, channel, level, channel] += white
     return noise
 
 
 def press_order(
-    doubt: Doubt, presses: int, pressed: Sequence[int] = ()
+    doubt: PosteriorVariance, presses: int, pressed: Sequence[int] = ()
 ) -> tuple[Int[np.ndarray, "press"], list[float]]:
     """Places in the order in which each press tells most, none twice before all, and the doubt (rms
     counts) that is left after each; places of `pressed` are pressed anyway."""
-    order, left = [], []
+    order, deviations = [], []
     for place in pressed:
-        doubt = doubt.after(place)
+        doubt = doubt.condition_on(place)
     for number in range(presses):
         gains = doubt.gains_counts2()
         gains[order[len(order) - number % len(gains) :]] = -np.inf
         place = int(gains.argmax())
-        doubt = doubt.after(place)
+        doubt = doubt.condition_on(place)
         order.append(place)
-        left.append(doubt.rms_counts)
-    return np.array(order, int), left
+        deviations.append(doubt.rms_counts)
+    return np.array(order, int), deviations
 
 
 def _all_places(

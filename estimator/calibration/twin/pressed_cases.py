@@ -11,9 +11,9 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.calibration.twin.pressed_places import (
     LEAST_FRAMES,
+    invalidate_hard_presses,
+    is_in_table,
     recorded_noise_counts,
-    within_reach,
-    within_table,
 )
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.frames.heatmap import faces_pressed
@@ -71,9 +71,9 @@ def pressed_cases(spec: ObjectSpec, frames: FrameSet, forces: PressForces) -> Pr
     touched = frames.contact_face != NO_FACE
     inside = ~touched
     for face in faces_pressed(frames):
-        frames = within_reach(frames, forces, face)
+        frames = invalidate_hard_presses(frames, forces, face)
         here = frames.contact_face == face
-        inside[here] = within_table(spec, face, frames.contact_xy_mm[here])
+        inside[here] = is_in_table(spec, face, frames.contact_xy_mm[here])
     usable = frames.valid & touched.any(axis=1) & inside.all(axis=1) & (frames.place_id >= 0)
     cases = [
         whole_case(frames, usable, case) for case in np.unique(frames.place_id[usable]).tolist()

@@ -62,7 +62,9 @@ class PressedPlaces:
     def __len__(self) -> int:
         return len(self.xy_mm)
 
-    def at(self, places: Int[np.ndarray, "some"] | Bool[np.ndarray, "place"]) -> PressedPlaces:
+    def select_places(
+        self, places: Int[np.ndarray, "some"] | Bool[np.ndarray, "place"]
+    ) -> PressedPlaces:
         """Some of the places."""
         names = ("xy_mm", "force_n", "counts", "frames", "zero_counts2")
         return replace(self, **{name: getattr(self, name)[places] for name in names})
@@ -89,7 +91,7 @@ def recorded_noise_counts(spec: ObjectSpec, frames: FrameSet) -> Float[np.ndarra
     return white_noise_counts(spec, frames.noise_counts if frames.source == "recorded" else None)
 
 
-def within_table(
+def is_in_table(
     spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "press 2"]
 ) -> Bool[np.ndarray, "press"]:
     """Return which presses of a face, and those a little beside them, lie within the table."""
@@ -100,7 +102,7 @@ def within_table(
     return within
 
 
-def within_reach(frames: FrameSet, forces: PressForces, face: int) -> FrameSet:
+def invalidate_hard_presses(frames: FrameSet, forces: PressForces, face: int) -> FrameSet:
     """The frames, of which those are invalid that press the face harder than 0.8 of the deepest
     simulated press there: an object may be so much softer than its design."""
     from scipy.interpolate import RegularGridInterpolator
@@ -127,16 +129,18 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
         Fewer than four places with 12 such frames each, or no channel of the face without gaps.
     """
     touched = frames.contact_face != NO_FACE
-    slot, every = touched.argmax(axis=1), np.arange(len(frames))
-    force, xy = frames.force_n[every, slot], frames.contact_xy_mm[every, slot]
-    own = frames.signal_counts[:, np.flatnonzero(frames.faces == face)]
-    own = own.reshape(len(frames), 3 * spec.sensors.count_per_face)
+    slot, frame = touched.argmax(axis=1), np.arange(len(frames))
+    force, xy = frames.force_n[frame, slot], frames.contact_xy_mm[frame, slot]
+    face_counts = frames.signal_counts[:, np.flatnonzero(frames.faces == face)]
+    face_counts = face_counts.reshape(len(frames), 3 * spec.sensors.count_per_face)
     straight = np.hypot(force[:, 0], force[:, 1]) <= _STRAIGHT_NOISES * spec.protocol.force_noise_n
-    alone = frames.valid & (touched.sum(axis=1) == 1) & (frames.contact_face[every, slot] == face)
-    alone &= straight & np.isfinite(own).any(axis=1) & within_table(spec, face, xy)
-    force, xy, own = force[alone, 2], xy[alone], own[alone]
+    alone = frames.valid & (touched.sum(axis=1) == 1) & (frames.contact_face[frame, slot] == face)
+    alone &= straight & np.isfinite(face_counts).any(axis=1) & is_in_table(spec, face, xy)
+    force, xy, face_counts = force[alone, 2], xy[alone], face_counts[alone]
     zeroed = (frames.press_id if frames.source == "recorded" else frames.session_id)[alone]
-    channels = np.flatnonzero(np.isfinite(own).all(axis=0)) if len(own) else np.arange(0)
+    channels = (
+        np.flatnonzero(np.isfinite(face_counts).all(axis=0)) if len(face_counts) else np.arange(0)
+    )
     which, press, time_s = (
         values[alone] for values in (frames.place_id, frames.press_id, frames.time_s)
     )
@@ -163,7 +167,9 @@ def pressed_places(spec: ObjectSpec, frames: FrameSet, face: int) -> PressedPlac
         channels,
         np.array([np.median(xy[row], axis=0) for row in rows]),
         np.maximum([[force[level].mean() for level in place] for place in levels], 0.0),
-        np.array([[own[level][:, channels].mean(axis=0) for level in place] for place in levels]),
+        np.array(
+            [[face_counts[level][:, channels].mean(axis=0) for level in place] for place in levels]
+        ),
         np.array([[len(level) for level in place] for place in levels]),
         np.array([drifting_zeros(spec, zeroed, time_s, place, error) for place in levels]),
         frames.noise_counts if frames.source == "recorded" else None,
@@ -183,21 +189,25 @@ def drifting_zeros(
     of a zero: levels far apart in time have less of it in common.
     """
     frames = np.concatenate(levels)
-    level = np.repeat(np.arange(len(levels)), [len(one) for one in levels])
-    weight = (level == np.arange(len(levels))[:, None]) / [[len(one)] for one in levels]
-    found = np.zeros((len(levels), len(levels)))
+    level = np.repeat(np.arange(len(levels)), [len(rows_of_level) for rows_of_level in levels])
+    weight = (level == np.arange(len(levels))[:, None]) / [
+        [len(rows_of_level)] for rows_of_level in levels
+    ]
+    covariance = np.zeros((len(levels), len(levels)))
     for name in np.unique(zeroed[frames]):
         mine = np.flatnonzero(zeroed[frames] == name)
         mine = mine[np.argsort(time_s[frames[mine]])]
-        own, rows = weight[:, mine], frames[mine]
+        frame_weights, rows = weight[:, mine], frames[mine]
         if error is not None:
-            found += remembered_places(own, *error[rows].T)
+            covariance += remembered_places(frame_weights, *error[rows].T)
             continue
-        later = np.cumsum(own[:, ::-1], axis=1)[:, ::-1]
+        later = np.cumsum(frame_weights[:, ::-1], axis=1)[:, ::-1]
         since_s = time_s[rows] - time_s[rows[0]]
-        found += drift_rate(spec) * (later * np.diff(since_s, prepend=0.0)) @ later.T
-        found += spec.sensors.zeroing_counts**2 * np.outer(own.sum(axis=1), own.sum(axis=1))
-    return found
+        covariance += drift_rate(spec) * (later * np.diff(since_s, prepend=0.0)) @ later.T
+        covariance += spec.sensors.zeroing_counts**2 * np.outer(
+            frame_weights.sum(axis=1), frame_weights.sum(axis=1)
+        )
+    return covariance
 
 
 def remembered_places(
@@ -208,10 +218,10 @@ def remembered_places(
     """Covariance of weighted sums of errors of growing memory."""
     half = np.zeros((len(weight), len(weight)))
     earlier, kept = np.zeros(len(weight)), np.exp(-np.diff(memory, prepend=memory[0]))
-    for own, one, share in zip(weight.T, variance, kept, strict=True):
-        earlier = earlier * share + own / 2
-        half += one * np.outer(earlier, own)
-        earlier = earlier + own / 2
+    for frame_weights, frame_variance, share in zip(weight.T, variance, kept, strict=True):
+        earlier = earlier * share + frame_weights / 2
+        half += frame_variance * np.outer(earlier, frame_weights)
+        earlier = earlier + frame_weights / 2
     return half + half.T
 
 

@@ -27,24 +27,24 @@ class TracedPresses:
     """
 
     depth_mm: Float[np.ndarray, "step"]
-    own: Bool[np.ndarray, "body"]
+    on_face: Bool[np.ndarray, "body"]
     normal: Float[np.ndarray, "3"]
     rest: Float[np.ndarray, "body 6"]
     force_n: Float[np.ndarray, "side place step"]
     motion: Float[np.ndarray, "side place step body 6"]
 
-    def of(
+    def assembled(
         self, assembly: Assembly, correction: StrainCorrection
     ) -> tuple[Float[np.ndarray, "place step"], Float[np.ndarray, "place step body 6"]]:
         """Forces and motions of an assembled object with this departure from small strain."""
         forces, motions = corrected_presses(
-            correction, self.depth_mm, self.force_n, self.motion, self.own, self.normal
+            correction, self.depth_mm, self.force_n, self.motion, self.on_face, self.normal
         )
         motion = motions[0]
-        slopes = (motions[1::2] - motions[2::2])[..., self.own, :] / (2 * ASIDE_MM)
-        aside = assembly.aside_mm[self.own]
+        slopes = (motions[1::2] - motions[2::2])[..., self.on_face, :] / (2 * ASIDE_MM)
+        aside = assembly.aside_mm[self.on_face]
         # b body, a direction (x, y), p place, s step, k of 6 motions
-        motion[..., self.own, :] -= np.einsum("ba,apsbk->psbk", aside, slopes)
+        motion[..., self.on_face, :] -= np.einsum("ba,apsbk->psbk", aside, slopes)
         return forces[0] * assembly.modulus_ratio, motion
 
 

@@ -79,10 +79,11 @@ class Unknowns:
         """Of every press of a table of the design, done by the object of these numbers; None where
         its forces would fall with depth and the design's do not."""
         table = corrected_table(self.spec, forces, motions, self.correction(numbers))
-        before, after = (
-            unresolved_presses(motions_as_signals(*one)) for one in ((forces, motions), table)
+        unresolved_in_design, unresolved = (
+            unresolved_presses(motions_as_signals(*presses))
+            for presses in ((forces, motions), table)
         )
-        if np.any(after & ~before):
+        if np.any(unresolved & ~unresolved_in_design):
             return None
         return twin_signals(self.spec, self.assembly(numbers), *table)
 
@@ -94,7 +95,7 @@ class Unknowns:
         )
 
 
-def at_limits(numbers: Float[np.ndarray, "number"]) -> int:
+def count_at_limits(numbers: Float[np.ndarray, "number"]) -> int:
     """Return how many numbers went as far as they may."""
     return int(np.sum(abs(numbers) >= FARTHEST - 1e-6))
 
@@ -113,7 +114,7 @@ class LeftOver(Protocol):
     """Covariance of what no numbers explain."""
 
     def weighed(
-        self, left: Float[np.ndarray, "row channel *any"]
+        self, residual: Float[np.ndarray, "row channel *any"]
     ) -> Float[np.ndarray, "row channel *any"]:
         """Its inverse times values."""
         ...
@@ -130,39 +131,39 @@ def most_probable(
     Steps are halved until the posterior grows.
     """
 
-    def cost(left: np.ndarray, at: np.ndarray) -> float:
-        if not np.isfinite(left).all():
+    def cost(residual: np.ndarray, point: np.ndarray) -> float:
+        if not np.isfinite(residual).all():
             return np.inf
-        return float(np.sum(left * left_over.weighed(left)) + at @ at)
+        return float(np.sum(residual * left_over.weighed(residual)) + point @ point)
 
     here = mechanics.expected(numbers)
     for _ in range(ITERATIONS):
         jacobian = jacobian_of(mechanics, numbers, here)
         precision, pull = normal_equations(left_over, jacobian, counts - here)
         step = np.linalg.solve(precision, pull - numbers)
-        before = cost(counts - here, numbers)
+        last_cost = cost(counts - here, numbers)
         for _ in range(6):
             trial = np.clip(numbers + step, -FARTHEST, FARTHEST)
-            there = mechanics.expected(trial)
-            if cost(counts - there, trial) <= before:
+            trial_counts = mechanics.expected(trial)
+            if cost(counts - trial_counts, trial) <= last_cost:
                 break
             step = step / 2
         else:
             return numbers, here, jacobian
-        numbers, here = trial, there
+        numbers, here = trial, trial_counts
         if np.abs(step).max() < _SETTLED:
             break
     return numbers, here, jacobian_of(mechanics, numbers, here)
 
 
 def normal_equations(
-    left_over: LeftOver, jacobian: np.ndarray, left: np.ndarray
+    left_over: LeftOver, jacobian: np.ndarray, residual: np.ndarray
 ) -> tuple[Float[np.ndarray, "number number"], Float[np.ndarray, "number"]]:
     """Precision of the numbers, their prior included, and the pull of what is left over."""
     weighed = left_over.weighed(jacobian)
     # 1 + Jᵀ W J, priors being standard normal: r row, c channel, n and m numbers of the twin
     precision = np.eye(jacobian.shape[-1]) + np.einsum("rcn,rcm->nm", jacobian, weighed)
-    return precision, np.einsum("rcn,rc->n", weighed, left)
+    return precision, np.einsum("rcn,rc->n", weighed, residual)
 
 
 def jacobian_of(
@@ -174,9 +175,9 @@ def jacobian_of(
     possible; 0 where neither way is."""
     columns = []
     for step in np.diag(np.where(numbers < FARTHEST - _STEP, _STEP, -_STEP)):
-        there = mechanics.expected(numbers + step)
-        if not np.isfinite(there).all():
+        stepped = mechanics.expected(numbers + step)
+        if not np.isfinite(stepped).all():
             step = -step
-            there = mechanics.expected(numbers + step)
-        columns.append((there - here) / step.sum())
+            stepped = mechanics.expected(numbers + step)
+        columns.append((stepped - here) / step.sum())
     return np.nan_to_num(np.stack(columns, axis=-1))  # hemmed in both ways: it stays

@@ -9,8 +9,8 @@ from design.spec.object import ObjectSpec
 from estimator.calibration.twin.least_known import (
     SHARES,
     PressErrors,
-    doubt_beforehand,
     press_order,
+    prior_variance,
 )
 from estimator.calibration.twin.pressed_places import drift_rate
 from fem.presses.results import MagnetMotions, PressForces
@@ -39,8 +39,6 @@ def adaptive_order(
 ) -> Int[np.ndarray, "press"]:
     """Places of a face for so many presses, returns to the middle included, each next one where the most
     is told after all before."""
-    doubt = doubt_beforehand(
-        spec, forces, motions, face, settings.full_n, errors_of(spec, settings)
-    )
+    doubt = prior_variance(spec, forces, motions, face, settings.full_n, errors_of(spec, settings))
     returns = [middle_place(face_places(spec, face))] if reference_every else []
     return press_order(doubt, places_among(presses, reference_every), returns)[0]

@@ -93,7 +93,7 @@ def validate_on(
     Results go to `runs/<name>/validation.{json,png}`.
     """
     from estimator.calibration.recorded_presses import (
-        on_sensed_faces,
+        keep_sensed_faces,
         recorded_presses,
         require_presses_of,
         sensors_not_recorded,
@@ -123,7 +123,7 @@ def validate_on(
     run = Run(spec)
     with run.progress.stage("reading recordings"):
         read = with_all_sensors(spec, [read_recording(file) for file in recordings])
-        presses = on_sensed_faces(spec, recorded_presses(read))
+        presses = keep_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
     absent = sensors_not_recorded(spec, read)
     problem, agreements, predictions = _compare(run, presses)
@@ -321,9 +321,11 @@ def calibration_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
         for title, key, p in (
             ("cosine, own faces", "own_cosine", test["p_own_cosine"]),
             ("cosine, all channels", "all_cosine", None),
-            ("share of the change left", "left", test["p_left"]),
+            ("share of the change left", "left_share", test["p_left_share"]),
         ):
-            values = {when: test[when][key] for when in ("before", "after", "null")}
+            values = {"before": test["design"][key]} | {
+                when: test[when][key] for when in ("after", "null")
+            }
             rows.append({"unseen": test["unseen"], "figure": title, **values, "p": p})
     return rows
 
@@ -343,12 +345,12 @@ def calibration_text(test: dict[str, Any]) -> str:
     """One kind of unseen presses."""
     from estimator.calibration.validation import SIGNIFICANCE, cannot_be_told
 
-    before, after, null = (test[key]["own_cosine"] for key in ("before", "after", "null"))
+    before, after, null = (test[key]["own_cosine"] for key in ("design", "after", "null"))
     helps = after - before >= _WORTHWHILE_GAIN and test["p_own_cosine"] <= SIGNIFICANCE
     worth = "it helps there" if helps else "it is worth little there"
     if untold := cannot_be_told(1 + test["permutations"]):
         worth = f"whether it helps there {untold}"
-    left_percent = 100 * test["before"]["left"]
+    left_percent = 100 * test["design"]["left_share"]
     if not helps and left_percent <= TRUSTED_PERCENT:
         worth = (
             f"nothing to gain, the object is as drawn within {left_percent:.2g} % of the change, noise "
@@ -357,5 +359,5 @@ def calibration_text(test: dict[str, Any]) -> str:
     return (
         f"calibration judged on {test['unseen']}: own-face cosine {before:.2f} → {after:.2f} (null of the "
         f"same fit {null:.2f}, p {test['p_own_cosine']:.2g}), share of the change left "
-        f"{test['before']['left']:.2f} → {test['after']['left']:.2f}: {worth}"
+        f"{test['design']['left_share']:.2f} → {test['after']['left_share']:.2f}: {worth}"
     )

@@ -191,7 +191,7 @@ def suspect_rows(suspects: list[dict[str, Any]]) -> list[dict[str, Any]]:
             "gained": round(one["gained"], 3),
             "90 % from": round(one["low"], 3),
             "to": round(one["high"], 3),
-            "found": one["found"],
+            "finding": one["finding"],
         }
         for one in suspects
     ]

@@ -67,8 +67,8 @@ def test_cases_channels_and_faces_are_told_by_number():
     only = whole.signal_counts.copy().reshape(2, 5, count)
     only[:, [0, 2, 4]] = np.nan
     sparse = replace(whole, signal_counts=only.reshape(2, -1))
-    assert recorded_presses.on_sensed_faces(two, whole) is whole
-    kept = recorded_presses.on_sensed_faces(two, sparse).signal_counts
+    assert recorded_presses.keep_sensed_faces(two, whole) is whole
+    kept = recorded_presses.keep_sensed_faces(two, sparse).signal_counts
     assert_array_equal(kept, only[:, [1, 3]].reshape(2, -1))
 
 
@@ -79,7 +79,7 @@ def test_motions_between_tabulated_moduli_are_straight_in_their_logarithm():
         motion * [[[[[1.0]]], [[[2.0]]], [[[3.0]]]]], np.zeros((2, 3, 13), bool)
     )
     for ratio in (0.2, 0.33, 1.0, 2.9, 3.0):
-        found = motions.at(np.array([0, 2]), ratio)[:, 0, 0]
+        found = motions.motion_of_cases(np.array([0, 2]), ratio)[:, 0, 0]
         assert_allclose(found, np.log(ratio) * np.array([1.0, 3.0]), atol=1e-12)
 
 
@@ -155,7 +155,7 @@ def test_cosines_signs_sizes_and_moduli_of_single_presses():
     measured = np.array([[3.0, 4.0, 1.0]])
     predicted = np.array([[[3.0, -4.0, 0.0], [6.0, 8.0, 2.0]]])
     clear = np.array([[True, True, False]])
-    cosine, signs, size = validation.per_press(measured, predicted, clear)
+    cosine, signs, size = validation.score_presses(measured, predicted, clear)
     assert_allclose(cosine, [[-7 / (5 * np.sqrt(26)), 1.0]])
     assert_allclose(signs, [[0.5, 1.0]])
     assert_allclose(size, [[np.log(np.sqrt(26) / 5), np.log(0.5)]])

@@ -19,7 +19,7 @@ from estimator.calibration.pose_fit import (
 from estimator.calibration.recorded_presses import (
     MODULUS_RATIOS,
     RecordedPresses,
-    on_sensed_faces,
+    keep_sensed_faces,
     own_channels,
     predicted_motions,
     pressed_faces,
@@ -185,11 +185,11 @@ def test_every_press_is_unseen_once(problem, folds):
 def test_calibration_is_judged_on_unseen_presses(problem):
     exchanged = np.array([[2, 3, 4, 0, 1]])
     result = calibration_test(problem, "unseen", folds_by_press(problem.presses), exchanged)
-    assert result.after.own_cosine > max(0.98, result.before.own_cosine)
-    assert result.after.left < 0.15 < 0.2 < result.before.left
+    assert result.after.own_cosine > max(0.98, result.design.own_cosine)
+    assert result.after.left_share < 0.15 < 0.2 < result.design.left_share
     assert result.null.own_cosine < 0.9
-    assert result.null.left > 0.3
-    assert (result.p_own_cosine, result.p_left, result.permutations) == (0.5, 0.5, 1)
+    assert result.null.left_share > 0.3
+    assert (result.p_own_cosine, result.p_left_share, result.permutations) == (0.5, 0.5, 1)
 
 
 def motions_of(case, force_n):
@@ -198,7 +198,9 @@ def motions_of(case, force_n):
     force = np.zeros((20, 5))
     force[:, [2, 4]] = force_n
     presses = replace(presses_of(), face_force_n=force, cases=(case, *CASES[1:]))
-    return predicted_motions(SPEC, forces, motions, presses).at(np.zeros(20, int), 1.0)[0]
+    return predicted_motions(SPEC, forces, motions, presses).motion_of_cases(
+        np.zeros(20, int), 1.0
+    )[0]
 
 
 def test_motions_superpose_over_tips_and_faces():
@@ -223,7 +225,10 @@ def test_a_softer_silicone_moves_as_under_more_force():
     harder = replace(presses, face_force_n=presses.face_force_n / ratio)
     same = predicted_motions(SPEC, forces, motions, harder)
     assert_allclose(
-        moving.at(presses.case, ratio), same.at(presses.case, 1.0), rtol=0.01, atol=1e-4
+        moving.motion_of_cases(presses.case, ratio),
+        same.motion_of_cases(presses.case, 1.0),
+        rtol=0.01,
+        atol=1e-4,
     )
 
 
@@ -283,12 +288,12 @@ def test_channels_of_faces_that_an_object_does_not_sense_are_left_out():
     force = np.zeros((2, 6))
     cases = (((3, 0.0, 0.0),),)
     presses = RecordedPresses(signal, force, case, one, one + 9, cases, np.ones(3))
-    kept = on_sensed_faces(spec, presses)
+    kept = keep_sensed_faces(spec, presses)
     np.testing.assert_array_equal(kept.signal_counts, signal[:, 9:27])
     require_presses_of(spec, kept)
     foreign = replace(presses, signal_counts=np.zeros((2, 45)))
     with pytest.raises(InputError, match="45 channels"):
-        require_presses_of(spec, on_sensed_faces(spec, foreign))
+        require_presses_of(spec, keep_sensed_faces(spec, foreign))
 
 
 @pytest.fixture(scope="module")
@@ -349,14 +354,14 @@ def test_what_is_wrong_leaves_least_where_it_is_freed(problem, true, first):
     signal = problem.predicted(true.applied(problem.design), np.arange(20), presses.case)
     wrong = groups_freed(replace(problem, presses=presses_of(signal)))
     assert next(iter(wrong)) == first
-    assert wrong[first].left < 0.5 * wrong["the design"].left
+    assert wrong[first].left_share < 0.5 * wrong["the design"].left_share
     right = groups_freed(
         replace(
             problem,
             presses=presses_of(problem.predicted(problem.design, np.arange(20), presses.case)),
         )
     )
-    assert right["the design"].left == pytest.approx(0, abs=1e-12)
+    assert right["the design"].left_share == pytest.approx(0, abs=1e-12)
 
 
 def test_figures_of_merit_are_as_on_the_page(problem):

@@ -146,10 +146,10 @@ def test_exchanges_of_places_differ_and_keep_the_faces(faces, possible):
 
 def calibrated(permutations):
     """A calibration that helps, and beats every exchange of places."""
-    before, after = {"own_cosine": 0.5, "left": 0.9}, {"own_cosine": 0.95, "left": 0.2}
+    before, after = {"own_cosine": 0.5, "left_share": 0.9}, {"own_cosine": 0.95, "left_share": 0.2}
     return {
         "unseen": "other places",
-        "before": before,
+        "design": before,
         "after": after,
         "null": before,
         "p_own_cosine": 1 / (1 + permutations),
@@ -171,11 +171,11 @@ def test_calibration_on_few_places_cannot_be_told(permutations, said):
 
 @pytest.mark.parametrize("permutations", [19, 5])
 def test_an_object_that_is_the_drawing_is_called_so(permutations):
-    found = {"own_cosine": 0.999, "left": 0.042}
-    test = calibrated(permutations) | {"before": found, "after": found}
+    found = {"own_cosine": 0.999, "left_share": 0.042}
+    test = calibrated(permutations) | {"design": found, "after": found}
     said = calibration_texts({"cases": [[]] * 3, "calibration_tests": [test]})[0]
     assert said.endswith("the object is as drawn within 4.2 % of the change, noise included")
-    worse = test | {"before": {"own_cosine": 0.9, "left": 0.3}}
+    worse = test | {"design": {"own_cosine": 0.9, "left_share": 0.3}}
     (said,) = calibration_texts({"cases": [[]] * 3, "calibration_tests": [worse]})
     assert "as drawn" not in said
 

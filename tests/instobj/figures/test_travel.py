@@ -4,7 +4,7 @@ import numpy as np
 
 from design.spec_io import load_spec
 from estimator.calibration.known_travel.fit import Fitted
-from estimator.calibration.known_travel.suspects import Suspect
+from estimator.calibration.known_travel.suspects import FreedAssumption
 from estimator.recordings.formats.travel import TravelRecording
 from instobj.figures import travel
 from tests.support.recordings.travel_cases import PAD, POSE, RESTING_MT, pad_model, pressed_places
@@ -12,13 +12,13 @@ from tests.support.recordings.travel_cases import PAD, POSE, RESTING_MT, pad_mod
 
 def test_residuals_say_how_much_of_each_chip_is_unexplained(tmp_path):
     model, tip = pad_model(), pressed_places(5)
-    fitted = Fitted(model.as_designed(POSE), RESTING_MT, 0.0)
+    fitted = Fitted(model.design_twin(POSE), RESTING_MT, 0.0)
     change = model.pressed(fitted.twin, tip)
     change[:, 2] *= 2
     place = np.repeat(np.arange(len(tip) // 2), 2)
     judged = TravelRecording(np.arange(50.0), tip, RESTING_MT + change, place)
     suspects = [
-        Suspect(name, 1, 0.9, gained, gained - 0.01, gained + 0.01, "0.2")
+        FreedAssumption(name, 1, 0.9, gained, gained - 0.01, gained + 0.01, "0.2")
         for name, gained in (("chips", 0.2), ("scale of travel", 0.0))
     ]
     figure = travel.draw_residuals(

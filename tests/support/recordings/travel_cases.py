@@ -55,7 +55,7 @@ def write_recording(folder, tip_mm, field_mt):
 
 def recorded(model, tip_mm, noise_mt=0.005, **off):
     """Field of the object as it lies, `off` from its design, with noise."""
-    twin = replace(model.as_designed(POSE), **off)
+    twin = replace(model.design_twin(POSE), **off)
     noise = noise_mt * np.random.default_rng(0).standard_normal((len(tip_mm), 5, 3))
     return RESTING_MT + model.pressed(twin, tip_mm) + noise
 

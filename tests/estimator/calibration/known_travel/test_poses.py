@@ -15,7 +15,7 @@ def test_a_machine_that_goes_to_a_place_of_the_object_finds_that_place(symmetry)
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     xy = [10.0, -4.0] + place @ SYMMETRIES[symmetry].T @ turn.T
     tip = np.column_stack([xy, [6.5, 7.5]])
-    found, travel = Pose(np.array([10.0, -4.0]), angle, 7.0, symmetry).in_object(tip)
+    found, travel = Pose(np.array([10.0, -4.0]), angle, 7.0, symmetry).locate_tips(tip)
     assert_allclose(found, place, atol=1e-12)
     assert_allclose(travel, [0.5, -0.5], atol=1e-12)
 

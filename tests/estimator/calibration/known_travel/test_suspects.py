@@ -37,7 +37,7 @@ def ranked(model, bulging, field_mt, tip, seed=0):
     shown = drawn_places(recording, 0.4, seed)
     parts = recording.select(shown), recording.select(~shown)
     near = replace(POSE, shift_mm=POSE.shift_mm + 0.3, contact_mm=POSE.contact_mm - 0.2)
-    registered = fit_pose(model, parts[0], model.as_designed(near))
+    registered = fit_pose(model, parts[0], model.design_twin(near))
     others = {"bulging": (bulging, lambda share: f"{share:.2f}")}
     return ranked_suspects(model, registered, *parts, others, seed)
 
@@ -58,7 +58,7 @@ def test_nothing_gains_where_the_model_is_right(model, bulging):
 def test_chips_that_read_otherwise_come_first(model, bulging):
     tip = pressed_places(7)
     matrix = np.eye(3) + 0.25 * np.random.default_rng(2).standard_normal((5, 3, 3))
-    change = np.einsum("sij,nsj->nsi", matrix, model.pressed(model.as_designed(POSE), tip))
+    change = np.einsum("sij,nsj->nsi", matrix, model.pressed(model.design_twin(POSE), tip))
     first, second, *_ = ranked(model, bulging, noisy(model, change), tip)
     assert first.name == "chips"
     assert first.numbers == 45
@@ -71,29 +71,29 @@ def test_a_machine_that_leans_comes_first(model, bulging):
     tip = pressed_places(7)
     lower = tip.copy()
     lower[:, 2] += (tip[:, :2] - POSE.shift_mm) @ np.array([0.06, -0.03])
-    change = model.pressed(model.as_designed(POSE), lower)
+    change = model.pressed(model.design_twin(POSE), lower)
     first = ranked(model, bulging, noisy(model, change), tip)[0]
     assert first.name == "machine leans"
-    assert float(first.found.rstrip("°")) == pytest.approx(
+    assert float(first.finding.rstrip("°")) == pytest.approx(
         np.rad2deg(np.hypot(0.06, 0.03)), rel=0.1
     )
 
 
 def test_another_mechanics_comes_first_with_its_share(model, bulging):
     tip = pressed_places(7)
-    given = POSE.in_object(tip)
+    given = POSE.locate_tips(tip)
     motion = 0.3 * model.motion(*given) + 0.7 * bulging.motion(*given)
-    change = model.change(model.as_designed(POSE), motion)
+    change = model.change(model.design_twin(POSE), motion)
     first = ranked(model, bulging, noisy(model, change), tip)[0]
     assert first.name == "bulging"
-    assert float(first.found) == pytest.approx(0.7, abs=0.1)
+    assert float(first.finding) == pytest.approx(0.7, abs=0.1)
 
 
 def test_weak_magnets_come_first_with_their_strength(model, bulging):
     tip = pressed_places(7)
-    weak = model.pressed(replace(model.as_designed(POSE), strength=0.7), tip)
+    weak = model.pressed(replace(model.design_twin(POSE), strength=0.7), tip)
     first = ranked(model, bulging, noisy(model, weak), tip)[0]
     assert first.name == "magnets"
     assert first.low > 0.002
     assert first.explained > 0.99
-    assert float(first.found.split("×")[1]) == pytest.approx(0.7, abs=0.08)
+    assert float(first.finding.split("×")[1]) == pytest.approx(0.7, abs=0.08)

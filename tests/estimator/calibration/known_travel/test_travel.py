@@ -69,7 +69,7 @@ def test_calibration_takes_up_magnets_off_their_seats(model):
     tip = pressed_places(7, 2)
     seats = 0.6 * rng.standard_normal((4, 3))
     field = recorded(model, tip, magnet_mm=seats)
-    twin = model.as_designed(POSE)
+    twin = model.design_twin(POSE)
     field += model.resting(type(twin)(POSE, seats, twin.tilt_rad)) - RESTING_MT
     rows = presses_of(tip, field)
     shown = drawn_places(rows, 0.2, 0)

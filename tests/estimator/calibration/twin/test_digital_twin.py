@@ -12,7 +12,11 @@ from design.layout.places.contact_grid import contact_grid
 from estimator.calibration.twin import unknowns
 from estimator.calibration.twin.digital_twin import calibrate, left_share, places_left_out
 from estimator.calibration.twin.discrepancy import Discrepancy, Prior
-from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places, within_reach
+from estimator.calibration.twin.pressed_places import (
+    PressedPlaces,
+    invalidate_hard_presses,
+    pressed_places,
+)
 from estimator.calibration.twin.pretraining import calibrated_frames
 from estimator.frames.collection import with_slots
 from estimator.frames.press_protocol import simulate_presses
@@ -74,7 +78,9 @@ def quiet(presses, truth):
     sensors = {"noise_counts": (2.0, 2.0, 2.0), "zeroing_counts": 2.0}
     spec = SPEC.model_copy(update={"sensors": SPEC.sensors.model_copy(update=sensors)})
     frames = simulate_presses(spec, truth, "quiet")
-    return calibrate(spec, *presses, pressed_places(spec, frames, FACE).at(np.arange(0, 49, 5)))
+    return calibrate(
+        spec, *presses, pressed_places(spec, frames, FACE).select_places(np.arange(0, 49, 5))
+    )
 
 
 def left_over(signals, truth, seen):
@@ -154,7 +160,7 @@ def joint_doubt(twin):
     """Posterior standard deviation (row, channel) of the means' expected values, by one dense matrix
     over all channels, for linear numbers with the process."""
     process, (rows, channels, _) = twin.discrepancy, twin.jacobian.shape
-    seen, flat = process.seen, twin.jacobian.transpose(1, 0, 2).reshape(rows * channels, -1)
+    seen, flat = process.pressed, twin.jacobian.transpose(1, 0, 2).reshape(rows * channels, -1)
     kernel = process.kernel_of(seen.xy_mm, seen.force_n)
     scales = (process.prior.size * process.scale) ** 2
     signal = flat @ flat.T + block_diag(*[scale * kernel for scale in scales])
@@ -172,7 +178,7 @@ def test_numbers_and_process_are_drawn_together(quiet, fault):
     wanted = joint_doubt(quiet)
     if fault:
         quiet = replace(quiet, jacobian=0 * quiet.jacobian)
-    seen, own = quiet.discrepancy.seen, slice((FACE - 1) * 9, FACE * 9)
+    seen, own = quiet.discrepancy.pressed, slice((FACE - 1) * 9, FACE * 9)
     face = np.full(len(seen), FACE)
     draws = [
         counts_at_force(
@@ -242,7 +248,7 @@ def test_forces_beyond_the_simulated_presses_are_left_out_or_refused(presses, fr
     shallow = replace(forces, **depth, **pressed)
     with pytest.raises(InputError, match="beyond the deepest simulated press"):
         calibrate(SPEC, shallow, replace(motions, **depth, motion=motions.motion[:, :, half]), seen)
-    reached = within_reach(frames, shallow, FACE)
+    reached = invalidate_hard_presses(frames, shallow, FACE)
     assert 0.2 < reached.valid.mean() / frames.valid.mean() < 0.9
     i, j = 4, 9  # the lattice has half the grid's pitch
     place = frames.contact_xy_mm[:, 0] == [shallow.lattice.x_mm[i + 1], shallow.lattice.y_mm[j]]
@@ -302,8 +308,8 @@ def conditioned():
     white = (2.0**2 + (0.1 * slope) ** 2) / seen.frames + 1.0
     noise = np.diag(white.ravel()) + 36.0 * np.kron(np.eye(3), np.ones((2, 2)))
     gain = np.linalg.solve(whole[2:, 2:] + noise, whole[2:, :2]).T
-    left = seen.counts[..., channel].ravel()
-    return seen, new_xy, new_force[:, None], gain @ left, whole[:2, :2] - gain @ whole[2:, :2]
+    residual = seen.counts[..., channel].ravel()
+    return seen, new_xy, new_force[:, None], gain @ residual, whole[:2, :2] - gain @ whole[2:, :2]
 
 
 def test_the_process_is_conditioned_as_dense_matrices_do_it(conditioned):

@@ -124,8 +124,8 @@ def test_an_object_that_is_not_the_drawing_is_told(built, trained, twin):
 
     other = otherwise(trained)
     seen = pressed_cases(SPEC, other, presses()[0])
-    design = replace(twin, numbers=0 * twin.numbers, left=seen.counts - predicted(seen, twin))
-    assert left_share(seen, design.left.reshape(-1, len(seen.channels))).min() > 0.7
+    design = replace(twin, numbers=0 * twin.numbers, residual=seen.counts - predicted(seen, twin))
+    assert left_share(seen, design.residual.reshape(-1, len(seen.channels))).min() > 0.7
     frames = otherwise(held_out(built))
     found, _ = inverted_grasps(SPEC, presses()[:2], design, seen).read(all_counts(frames))
     assert not found.explained.any()
@@ -145,7 +145,9 @@ def test_a_channel_that_was_dead_in_training_is_not_read_others_with_its_noise(s
     }
     noise = np.array([3.0, 50.0, 70.0])
     without = replace(seen, channels=seen.channels[kept], noise_counts=noise, **part)
-    found = inverted_grasps(SPEC, presses()[:2], replace(twin, left=twin.left[..., kept]), without)
+    found = inverted_grasps(
+        SPEC, presses()[:2], replace(twin, residual=twin.residual[..., kept]), without
+    )
     assert (1, 0, 0) not in found.channels
     assert len(found.channels) == 44
     assert_allclose(found.disturbances.noise_counts[1:], np.tile(noise, 15)[1:])
@@ -167,9 +169,9 @@ def test_the_share_left_is_of_signals_without_their_noise():
     """5 noise² of 30 left, of 130: √(25 / 125); signals lost in noise are measured by the noise."""
     counts = np.array([[[3.0, 11.0]], [[1.0, 1.0]], [[7.0, 9.0]]])
     noise = np.array([[[1.0, 4.0]], [[2.0, 6.0]], [[3.0, 2.0]]])
-    left = np.array([[1.0, np.sqrt(29)], [4.0, np.sqrt(24)], [1.0, 0.5]])
+    residual = np.array([[1.0, np.sqrt(29)], [4.0, np.sqrt(24)], [1.0, 0.5]])
     seen = SimpleNamespace(counts=counts, noise_counts2=noise)
-    found = left_share.__wrapped__(seen, left)
+    found = left_share.__wrapped__(seen, residual)
     assert_allclose(found, [np.sqrt(25 / 125), np.sqrt(32 / 8), 0.0])
 
 
@@ -188,7 +190,7 @@ def test_presses_whose_forces_do_not_grow_are_of_no_object(force):
     seen = SimpleNamespace(counts=np.zeros((2, 3, 4)), channels=np.arange(4))
     guess = SimpleNamespace(spec=None, assembly=lambda _: None, correction=lambda _: None)
     one = SimpleNamespace(
-        unknowns=guess, seen=seen, rest=np.zeros((1, 6)), parts=[([0], [0], places)]
+        unknowns=guess, pressed=seen, rest=np.zeros((1, 6)), parts=[([0], [0], places)]
     )
     found = GraspMechanics.expected.__wrapped__(one, np.zeros(2))
     assert found.shape == (6, 4)

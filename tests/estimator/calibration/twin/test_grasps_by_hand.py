@@ -23,7 +23,7 @@ class Linear:
     strange = rng.normal(0, 25, (6, 2, 4))
 
     def __init__(self, seen):
-        self.seen = seen
+        self.pressed = seen
 
     def expected(self, numbers):
         return self.design + self.slopes @ numbers
@@ -44,9 +44,9 @@ def test_a_case_left_out_that_is_no_object_counts_as_infinitely_wrong():
     mechanics.expected = lambda numbers: (
         np.where(np.arange(12)[:, None] == 5, np.nan, 1.0) * np.ones(4)
     )
-    left_over = grasp_twin.left_over_of(mechanics.seen, 0.1)
+    left_over = grasp_twin.left_over_of(mechanics.pressed, 0.1)
     off = counts.reshape(12, 4) - Linear.design
-    left = grasp_twin.cases_left_out.__wrapped__(mechanics, left_over, Linear.slopes, off)
+    residual = grasp_twin.cases_left_out.__wrapped__(mechanics, left_over, Linear.slopes, off)
     rows = np.arange(12) != 5
-    assert_allclose(left[rows], counts.reshape(12, 4)[rows] - 1)
-    assert np.isneginf(left[5]).all()
+    assert_allclose(residual[rows], counts.reshape(12, 4)[rows] - 1)
+    assert np.isneginf(residual[5]).all()

@@ -78,8 +78,8 @@ def test_without_a_twin_of_every_face_forces_are_as_uncertain_as_the_modulus(est
     forces, motions, _ = presses()
     known = dict.fromkeys(range(1, 6), Known(built))
     noise = np.array([3.0, 50.0, 70.0])
-    left = dict.fromkeys(range(1, 6), 0.03)
-    every = inverted_twin(SPEC, forces, motions, known, left, noise_counts=noise)
+    residual = dict.fromkeys(range(1, 6), 0.03)
+    every = inverted_twin(SPEC, forces, motions, known, residual, noise_counts=noise)
     assert every.disturbances.force_error == 0.02
     assert_allclose(every.disturbances.noise_counts, np.tile(noise, 15))
     assert_allclose(

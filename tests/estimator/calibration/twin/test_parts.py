@@ -89,7 +89,7 @@ def test_cases_left_out_move_labelled_contacts_by_the_weighted_least_squares_ste
         channels=np.array([0, 1, 2, 4]),
         counts=rng.normal(size=(1, 2, 4)),
     )
-    left = rng.normal(size=(1, 2, 4))
+    residual = rng.normal(size=(1, 2, 4))
     sigma = np.array([1.0, 2.0, 0.5, 1e9, 3.0])
     columns = rng.normal(size=(5, 1))
 
@@ -99,13 +99,15 @@ def test_cases_left_out_move_labelled_contacts_by_the_weighted_least_squares_ste
         return SimpleNamespace(white=whitening(np.tile(sigma, (2, 1)), columns))
 
     inversion = SimpleNamespace(model=model, disturbances=SimpleNamespace(observed=observed))
-    found = inverted_twin.beyond_regions.__wrapped__(inversion, SimpleNamespace(left=left), seen)
+    found = inverted_twin.region_excess.__wrapped__(
+        inversion, SimpleNamespace(residual=residual), seen
+    )
     squares, told = [], [0, 1, 2, 4]
     covariance = np.diag(sigma[told] ** 2) + columns[told] @ columns[told].T
     unit = np.linalg.inv(np.linalg.cholesky(covariance))
     for level, force in enumerate((1.0, 3.0)):
         jacobian = unit @ (model.slopes * (1 + force))[:, told].T
-        wrong = unit @ left[0, level]
+        wrong = unit @ residual[0, level]
         step, *_ = np.linalg.lstsq(jacobian, wrong, rcond=None)
         squares.append(step @ jacobian.T @ jacobian @ step / 3)
     assert_allclose(found, np.sqrt(np.mean(squares)), rtol=1e-6)
@@ -165,7 +167,7 @@ def test_an_object_is_drawn_twenty_times_at_most(impossible, drawn):
         unknowns=SimpleNamespace(signals=signals, no_object=no_object),
         forces=None,
         motions=None,
-        discrepancy=SimpleNamespace(seen=SimpleNamespace(face=4)),
+        discrepancy=SimpleNamespace(pressed=SimpleNamespace(face=4)),
         _with_discrepancy=lambda made, numbers, rng: (made, numbers),
     )
     told = digital_twin.CalibratedTwin.signals.__wrapped__

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 from estimator.calibration.twin.unknowns import (
     FARTHEST,
     Unknowns,
-    at_limits,
+    count_at_limits,
     jacobian_of,
     most_probable,
     normal_equations,
@@ -62,7 +62,7 @@ def test_the_last_five_numbers_are_how_the_silicone_departs_from_small_strain():
 
 
 def test_numbers_at_their_limit_are_counted():
-    assert at_limits(np.array([FARTHEST, -FARTHEST, FARTHEST - 1e-5, 0.0])) == 2
+    assert count_at_limits(np.array([FARTHEST, -FARTHEST, FARTHEST - 1e-5, 0.0])) == 2
     assert "fit no object of 'synthetic'" in str(FACE.no_object("The presses"))
 
 
@@ -94,8 +94,8 @@ class Linear:
 
 
 class White:
-    def weighed(self, left):
-        return left / 0.04
+    def weighed(self, residual):
+        return residual / 0.04
 
 
 def test_of_linear_mechanics_the_most_probable_numbers_are_the_posterior_mean():
