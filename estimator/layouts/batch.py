@@ -59,7 +59,7 @@ class Layouts:
             self.turn_rad[rows],
             self.polarity[rows],
             self.sensor_mm[rows],
-            {face: one[rows] for face, one in self.by_face.items()},
+            {face: layouts[rows] for face, layouts in self.by_face.items()},
             self.face,
         )
 
@@ -71,18 +71,18 @@ class Layouts:
             magnet_mm=self.magnet_mm[:, some],
             turn_rad=self.turn_rad[:, some],
             polarity=self.polarity[:, some],
-            by_face={face: one.magnets(which) for face, one in self.by_face.items()},
+            by_face={face: layouts.magnets(which) for face, layouts in self.by_face.items()},
         )
 
-    def of(self, face: int) -> Layouts:
+    def layouts_of_face(self, face: int) -> Layouts:
         """The layouts of another face."""
         return self.by_face.get(face, self)
 
-    def each(self, change: Callable[[Layouts, int | None], Layouts]) -> Layouts:
+    def map_faces(self, change: Callable[[Layouts, int | None], Layouts]) -> Layouts:
         """With a change made to the layouts of every face: by its number, or None of one for all."""
         if self.face is None:
             return change(self, None)
-        changed = {face: change(one, face) for face, one in self.by_face.items()}
+        changed = {face: change(layouts, face) for face, layouts in self.by_face.items()}
         return layouts_by_face(changed, self.face)
 
 
@@ -96,7 +96,9 @@ def layouts_of(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) 
     specification places magnets face by face."""
     if len(spec.magnets.lists) == 1:
         return _own_layout(spec, face, dtype)
-    return layouts_by_face({one: _own_layout(spec, one, dtype) for one in spec.body.sensed}, face)
+    return layouts_by_face(
+        {number: _own_layout(spec, number, dtype) for number in spec.body.sensed}, face
+    )
 
 
 def _own_layout(spec: ObjectSpec, face: int, dtype: torch.dtype) -> Layouts:
@@ -139,7 +141,7 @@ def chip_axes(
     centred = squared == 0
     length = torch.where(centred, 1.0, squared).sqrt()
     cosine, sine = torch.where(centred, 1.0, x / length), y / length
-    zero, one = torch.zeros_like(x), torch.ones_like(x)
-    rows = torch.stack([sine, cosine, zero, -cosine, sine, zero, zero, zero, one], dim=-1)
+    zeros, ones = torch.zeros_like(x), torch.ones_like(x)
+    rows = torch.stack([sine, cosine, zeros, -cosine, sine, zeros, zeros, zeros, ones], dim=-1)
     board = rows.reshape(*x.shape, 3, 3)
     return (board @ on_board).transpose(-1, -2)

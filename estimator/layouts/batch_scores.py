@@ -23,7 +23,7 @@ def all_faces(
 ) -> Float[Tensor, "layout press"]:
     """Values of the pressed faces, as often as there are faces that they stand for."""
     return torch.cat(
-        [v.repeat(1, one.faces) for one, v in zip(scorers, values, strict=True)], dim=1
+        [v.repeat(1, scorer.faces) for scorer, v in zip(scorers, values, strict=True)], dim=1
     )
 
 
@@ -56,22 +56,22 @@ def batch_scores(
     each: list[dict[str, Tensor]] = []
     for force in forces:
         here = [k for k, scorer in enumerate(scorers) if scorer.presses.force_n == force]
-        asked = named if force == of_cross_face else ()
+        names = named if force == of_cross_face else ()
         each.append(
             scores_at_one_force(
                 [scorers[k] for k in here],
                 [layouts[k] for k in here],
                 [places[k] for k in here],
-                asked,
+                names,
             )
         )
-    found = {}
+    scores_of_batch = {}
     for name in each[forces.index(of_cross_face)]:
         values = torch.stack([scores[name] for scores in each if name in scores])
-        found[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
+        scores_of_batch[name] = values[0] if len(values) == 1 else values.log().mean(dim=0).exp()
     for name in ("largest_counts", "kept_counts"):
-        found[name] = torch.stack([getattr(face, name) for face in places]).amax(dim=0)
-    return found
+        scores_of_batch[name] = torch.stack([getattr(face, name) for face in places]).amax(dim=0)
+    return scores_of_batch
 
 
 def position_bounds(
@@ -93,7 +93,7 @@ def scores_at_one_force(
     )
     least, most = limits_mm(scorers[0].spec)
     ordered, sorted_mm = sensitivity.sort(dim=1).values, position.sort(dim=1).values
-    found = {
+    scores = {
         "worst_position_bound_mm": sorted_mm[:, -1],
         "percentile_99_position_bound_mm": percentile(sorted_mm, 99.0),
         "percentile_95_position_bound_mm": percentile(sorted_mm, 95.0),
@@ -104,16 +104,16 @@ def scores_at_one_force(
     }
     if not any(scorer.presses.neighbours for scorer in scorers):
         # one sensed face: no press on another disturbs it, at no level of the search
-        found |= {
+        scores |= {
             name: torch.full_like(position[:, 0], torch.nan) for name in DEARER if name in named
         }
     elif {*DEARER} & {*named}:
         pairs = zip(scorers, layouts, strict=True)
         by_face = [false_forces_n(*pair).flatten(1) for pair in pairs]
         false_n = all_faces(scorers, by_face).clamp(min=LEAST_FALSE_FORCE_N).sort(dim=1).values
-        found |= {
+        scores |= {
             name: percentile(false_n, percent)
             for name, percent in zip(DEARER, (50.0, 95.0), strict=True)
             if name in named
         }
-    return found
+    return scores

@@ -25,16 +25,16 @@ def bounds(
     xx, yy, ff = ((a * a).sum(0) + 1e-20 for a in (x, y, f))
     xy, xf, yf = ((a * b).sum(0) for a, b in ((x, y), (x, f), (y, f)))
     xx_f, yy_f, xy_f = xx - xf * xf / ff, yy - yf * yf / ff, xy - xf * yf / ff
-    left = xx_f * yy_f - xy_f * xy_f
-    left = torch.maximum(left, _SMALLEST * xx * yy)
-    position = (torch.maximum(xx_f + yy_f, _SMALLEST * (xx + yy)) / left).sqrt()
+    determinant = xx_f * yy_f - xy_f * xy_f
+    determinant = torch.maximum(determinant, _SMALLEST * xx * yy)
+    position = (torch.maximum(xx_f + yy_f, _SMALLEST * (xx + yy)) / determinant).sqrt()
     across = torch.maximum(xx * yy - xy * xy, _SMALLEST * xx * yy)
-    force = (across / (ff * left)).sqrt()
+    force = (across / (ff * determinant)).sqrt()
     return position, force
 
 
 def percentile(ordered: Float[Tensor, "layout place"], percent: float) -> Float[Tensor, "layout"]:
     """Linear between the two nearest ranks, as NumPy's."""
-    at = percent / 100 * (ordered.shape[1] - 1)
-    below = min(int(at), ordered.shape[1] - 2)
-    return torch.lerp(ordered[:, below], ordered[:, below + 1], at - below)
+    rank = percent / 100 * (ordered.shape[1] - 1)
+    below = min(int(rank), ordered.shape[1] - 2)
+    return torch.lerp(ordered[:, below], ordered[:, below + 1], rank - below)

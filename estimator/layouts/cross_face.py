@@ -18,12 +18,12 @@ from estimator.layouts.batch import Layouts
 from estimator.layouts.near_field import OTHER, OWN, Reach, field_of_size
 from estimator.layouts.placed import chips, other_magnets, own_magnets
 from estimator.layouts.presses.changes import (
-    by_motion_of_sensors,
     counts_of_field,
     field_at,
     press_changes,
+    sensor_motion_changes,
 )
-from estimator.layouts.presses.mixed_rows import mixed_rows
+from estimator.layouts.presses.mixed_rows import interpolate_motion_rows
 from estimator.layouts.scorer import LayoutScorer, moving_bodies
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.live import is_live
@@ -62,26 +62,26 @@ def false_forces_n(
     motion = torch.arange(3 * places, 4 * places)
     share = CROSS_FACE_FORCE_N / presses.force_n
     change = share * neighbour_changes(scorer, layouts, motion).transpose(2, 3)
-    own = press_changes(scorer, layouts).by_parameter[:, :, 3].permute(1, 2, 0)
+    by_force = press_changes(scorer, layouts).by_parameter[:, :, 3].permute(1, 2, 0)
     together = _TOGETHER if change.device.type == "cpu" else len(change)
     with torch.no_grad():
-        parts = zip(change.split(together), own.split(together), strict=True)
+        parts = zip(change.split(together), by_force.split(together), strict=True)
         nearest = torch.cat([_nearest(*part) for part in parts])
-    each = torch.arange(len(own))[:, None, None]
-    chosen = own[each, nearest]
+    each = torch.arange(len(by_force))[:, None, None]
+    chosen = by_force[each, nearest]
     part = (change * chosen).sum(-1) / (chosen.square().sum(-1) + 1e-20)
     return presses.force_n * part.clamp(0.0, _MOST_SHARE)
 
 
 def _nearest(
     change: Float[Tensor, "layout neighbour place channel"],
-    own: Float[Tensor, "layout own_place channel"],
+    by_force: Float[Tensor, "layout own_place channel"],
 ) -> Int[Tensor, "layout neighbour place"]:
     """Own place some share of whose signals is nearest to a change."""
-    along = change.flatten(1, 2) @ own.transpose(1, 2)
-    squared = own.square().sum(-1)[:, None] + 1e-20
-    part = torch.minimum(along.clamp(min=0.0), _MOST_SHARE * squared)
-    worth = along.mul_(-2).add_(part).mul_(part).div_(squared)
+    products = change.flatten(1, 2) @ by_force.transpose(1, 2)
+    squared = by_force.square().sum(-1)[:, None] + 1e-20
+    part = torch.minimum(products.clamp(min=0.0), _MOST_SHARE * squared)
+    worth = products.mul_(-2).add_(part).mul_(part).div_(squared)
     return worth.argmin(dim=-1).unflatten(1, change.shape[1:3])
 
 
@@ -94,10 +94,10 @@ def neighbour_changes(
     Channels that are clipped at rest tell nothing; what the press adds there is small.
     """
     if scorer.sensors_move:
-        return _of_moving_sensors(scorer, layouts, columns)
+        return _moving_sensor_changes(scorer, layouts, columns)
     moving = _moving_faces(scorer, layouts, columns)
     scale = (scorer.counts_per_t / scorer.sigma_counts)[:, None]
-    found = []
+    changes = []
     for number in range(len(scorer.presses.neighbours)):
         sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip, number)
         parts = [
@@ -105,20 +105,20 @@ def neighbour_changes(
         ]
         change, field = (torch.stack(of_faces).sum(0) for of_faces in zip(*parts, strict=True))
         live = _live_at_rest(scorer, axes, field)
-        found.append((axes * scale @ change).flatten(1, 2) * live)
-    return torch.stack(found, dim=1)
+        changes.append((axes * scale @ change).flatten(1, 2) * live)
+    return torch.stack(changes, dim=1)
 
 
-def _of_moving_sensors(
+def _moving_sensor_changes(
     scorer: LayoutScorer, layouts: Layouts, columns: Int[Tensor, "column"]
 ) -> Float[Tensor, "layout neighbour channel column"]:
     presses = scorer.presses
-    _, rows = mixed_rows(presses, moving_bodies(scorer, layouts))
+    _, rows = interpolate_motion_rows(presses, moving_bodies(scorer, layouts))
     rows = rows.reshape(*layouts.sensor_mm.shape[:2], len(presses.neighbours), 6, -1)
-    basis, scale = presses.other.basis[:, columns], scorer.counts_per_t / scorer.sigma_counts
+    basis, scale = presses.other_table.basis[:, columns], scorer.counts_per_t / scorer.sigma_counts
     others = (parts.unbind(-1) for parts in other_magnets(presses, layouts))
     faces = [own_magnets(presses, layouts), *zip(*others, strict=True)]
-    found = []
+    changes = []
     for number in range(len(presses.neighbours)):
         sensor, axes = chips(presses, layouts, scorer.sensor_depth_mm, scorer.chip, number)
         fields = [
@@ -127,11 +127,11 @@ def _of_moving_sensors(
             )
             for index, magnets in enumerate(faces)
         ]
-        felt = axes * scale[:, None] @ by_motion_of_sensors(*fields)
-        field = torch.stack([one.field.sum(-1) for one in fields]).sum(0)
+        felt = axes * scale[:, None] @ sensor_motion_changes(*fields)
+        field = torch.stack([field_of_face.field.sum(-1) for field_of_face in fields]).sum(0)
         live = _live_at_rest(scorer, axes, field)
-        found.append((felt @ rows[:, :, number] @ basis).flatten(1, 2) * live)
-    return torch.stack(found, dim=1)
+        changes.append((felt @ rows[:, :, number] @ basis).flatten(1, 2) * live)
+    return torch.stack(changes, dim=1)
 
 
 def _live_at_rest(
@@ -147,24 +147,24 @@ def _moving_faces(
     scorer: LayoutScorer, layouts: Layouts, columns: Int[Tensor, "column"]
 ) -> list[_MovingFace]:
     """The pressed face, then its neighbours, size by size."""
-    found = []
+    faces_of_sizes = []
     for source, (presses, some, _) in zip(scorer.sizes, scorer.size_variants(layouts), strict=True):
         shape = some.magnet_mm.shape[:2]
-        own, other = mixed_rows(presses, some)
-        rows = other.reshape(*shape, len(presses.neighbours), 6, -1).unbind(2)
+        own_rows, other_rows = interpolate_motion_rows(presses, some)
+        rows = other_rows.reshape(*shape, len(presses.neighbours), 6, -1).unbind(2)
         placed = (parts.unbind(-1) for parts in other_magnets(presses, some))
         faces = [
-            (*own_magnets(presses, some), own.reshape(*shape, 6, -1), presses.own),
+            (*own_magnets(presses, some), own_rows.reshape(*shape, 6, -1), presses.own_table),
             *(
-                (centre, axis, row, presses.other)
+                (centre, axis, row, presses.other_table)
                 for row, centre, axis in zip(rows, *placed, strict=False)
             ),
         ]
-        found += [
+        faces_of_sizes += [
             _MovingFace(index, source, some.polarity, centre, axis, row, table.basis[:, columns])
             for index, (centre, axis, row, table) in enumerate(faces)
         ]
-    return found
+    return faces_of_sizes
 
 
 def _signals(

@@ -95,17 +95,19 @@ def lowest_fidelity_score(spec: ObjectSpec, scorers: Sequence[LayoutScorer]) -> 
     `estimator.layouts.scoring` says what is left out. Of 34 layouts of the paper's cube the second
     level had 0.94 to 1.22 times the median position bound and 0.87 to 1.67 times the worst one.
     """
-    layouts = [layouts_of(spec, one.presses.face, one.presses.first_mm.dtype) for one in scorers]
+    layouts = [
+        layouts_of(spec, scorer.presses.face, scorer.presses.first_mm.dtype) for scorer in scorers
+    ]
     with torch.no_grad():
         scores = batch_scores(scorers, layouts, DEARER)
-    found = {name: float(values) for name, values in scores.items()}
+    mean_scores = {name: float(values) for name, values in scores.items()}
     range_counts = full_scale_counts(spec.sensors)
     margins = {
-        margin: 1 - found.pop(name) / range_counts
+        margin: 1 - mean_scores.pop(name) / range_counts
         for margin, name in zip(MARGINS, ("largest_counts", "kept_counts"), strict=True)
     }
     return FidelityScore(
-        **found,
+        **mean_scores,
         position_bounds_mm=_flat(position_bounds(scorers, layouts)),
         **margins,
     )
@@ -142,7 +144,7 @@ def score_signals(
     """
     spec = spec.for_scoring
     each = [
-        _at_force(spec.changed(score=spec.score.changed(force_n=force)), signals)
+        _score_at_force(spec.changed(score=spec.score.changed(force_n=force)), signals)
         for force in spec.scoring_forces_n
     ]
     places = [scores.pop("places") for scores in each]
@@ -154,23 +156,23 @@ def score_signals(
         **_false_forces(spec, signals),
         saturation_margin=saturation_margin(signals, spec),
         objects_margin=saturation(spec, signals, motions, deepest_alone=True).margin[-1],
-        position_bounds_mm=_flat(one.position_bound_mm[one.places] for one in places),
+        position_bounds_mm=_flat(scored.position_bound_mm[scored.places] for scored in places),
     )
 
 
-def _at_force(spec: ObjectSpec, signals: Signals) -> dict[str, Any]:
+def _score_at_force(spec: ObjectSpec, signals: Signals) -> dict[str, Any]:
     """Scores of presses to `score.force_n`."""
     scores = score_places(spec, signals)
-    there = scores.judged
-    bound = scores.position_bound_mm[there]
-    low, middle = np.percentile(scores.delta_raw[there], [5.0, 50.0])
+    judged = scores.judged
+    bound = scores.position_bound_mm[judged]
+    low, middle = np.percentile(scores.delta_raw[judged], [5.0, 50.0])
     return {
         "worst_position_bound_mm": float(bound.max()),
         "percentile_99_position_bound_mm": float(np.percentile(bound, 99.0)),
         "percentile_95_position_bound_mm": float(np.percentile(bound, 95.0)),
         "median_position_bound_mm": float(np.median(bound)),
-        OVER_LIMIT: over_limit(spec, bound),
-        "worst_force_bound_n": float(scores.force_bound_n[there].max()),
+        OVER_LIMIT: excess_over_limit(spec, bound),
+        "worst_force_bound_n": float(scores.force_bound_n[judged].max()),
         "sensitivity_ratio": float(low / middle),
         "places": scores,
     }
@@ -186,42 +188,42 @@ def bounds_by_press(
     return dict(zip(keys, np.split(np.array(score.position_bounds_mm), ends), strict=True))
 
 
-def over_limit(spec: ObjectSpec, bounds_mm: Float[np.ndarray, "*press"]) -> Any:
+def excess_over_limit(spec: ObjectSpec, bounds_mm: Float[np.ndarray, "*press"]) -> Any:
     """`FidelityScore.position_over_limit` of bounds at one force, over the last axis; NaN is left out."""
     least, most = limits_mm(spec)
     return np.exp(np.nanmean(np.log(np.clip(bounds_mm, least, most) / least), axis=-1))
 
 
-def worse_share(start: FidelityScore, found: FidelityScore, limit_mm: float = 0.0) -> float:
+def regressed_share(start: FidelityScore, score: FidelityScore, limit_mm: float = 0.0) -> float:
     """Share of (force, face, location) whose position bound is larger than the start's and than a limit, of
     those where both reach the force."""
-    before, after = np.array(start.position_bounds_mm), np.array(found.position_bounds_mm)
-    both = ~np.isnan(before + after)
-    return float(np.mean(after[both] > np.maximum(before[both], limit_mm)))
+    start_bounds, bounds = np.array(start.position_bounds_mm), np.array(score.position_bounds_mm)
+    both = ~np.isnan(start_bounds + bounds)
+    return float(np.mean(bounds[both] > np.maximum(start_bounds[both], limit_mm)))
 
 
 def _flat(bounds_mm: Iterable[Any]) -> tuple[float, ...]:
     """Arrays of one force after the other, as one list of numbers that JSON keeps."""
-    return tuple(np.concatenate([np.ravel(one) for one in bounds_mm]).tolist())
+    return tuple(np.concatenate([np.ravel(bounds) for bounds in bounds_mm]).tolist())
 
 
 def _false_forces(spec: ObjectSpec, signals: Signals) -> dict[str, float]:
     cross = cross_face_disturbance(spec, signals, CROSS_FACE_FORCE_N).summary("adjacent")
     names = ("median_false_force_n", "percentile_95_false_force_n")
-    found = {name: np.maximum(cross.get(name, np.nan), LEAST_FALSE_FORCE_N) for name in names}
-    return {name: float(force_n) for name, force_n in found.items()}
+    forces = {name: np.maximum(cross.get(name, np.nan), LEAST_FALSE_FORCE_N) for name in names}
+    return {name: float(force_n) for name, force_n in forces.items()}
 
 
-def gains(start: FidelityScore, found: FidelityScore) -> dict[str, float]:
+def gains(start: FidelityScore, score: FidelityScore) -> dict[str, float]:
     """Return how many times better each score is than the start's: above 1 is better.
 
     Of `MARGINS` the differences, as these may be negative.
     """
     better = {}
     for name in SCORE_NAMES:
-        before, after = getattr(start, name), getattr(found, name)
-        ratio = after / before if name in LARGER_IS_BETTER else before / after
-        better[name] = after - before if name in MARGINS else ratio
+        start_value, value = getattr(start, name), getattr(score, name)
+        ratio = value / start_value if name in LARGER_IS_BETTER else start_value / value
+        better[name] = value - start_value if name in MARGINS else ratio
     return better
 
 
@@ -233,13 +235,13 @@ def rank_correlations(
     NaN where one of the levels gives all layouts the same value or one that is not finite, or with
     fewer than three layouts.
     """
-    found = {}
+    correlations = {}
     for name in SCORE_NAMES:
         pairs = np.array(
             [[getattr(a, name), getattr(b, name)] for a, b in zip(lower, upper, strict=True)]
         )
-        found[name] = _spearman(pairs)
-    return found
+        correlations[name] = _spearman(pairs)
+    return correlations
 
 
 def _spearman(pairs: Float[np.ndarray, "layout 2"]) -> float:

@@ -68,11 +68,11 @@ def field_of_size(
     centre, axis = (part[:, :, None] for part in magnets)
     offset, axis = torch.broadcast_tensors(sensor_mm[..., None] - centre, axis)
     kept = reach.kept_off(offset, magnet)
-    found = field_change(kept, axis, magnet, reach.order)
-    field = found.field
+    change = field_change(kept, axis, magnet, reach.order)
+    field = change.field
     if reach.straight_on:
-        field = field + (found.by_motion[:, :3] * (kept - offset)).sum(1)
-    return FieldChange(field * polarity[:, None], found.by_motion * polarity[:, None])
+        field = field + (change.by_motion[:, :3] * (kept - offset)).sum(1)
+    return FieldChange(field * polarity[:, None], change.by_motion * polarity[:, None])
 
 
 def field_of_magnets(

@@ -21,7 +21,7 @@ Chips = tuple[Float[Tensor, "3 layout sensor"], Float[Tensor, "layout sensor 3 3
 def own_magnets(presses: PressBasis, layouts: Layouts) -> Magnets:
     """Of the pressed face."""
     if presses.patches:
-        return _under(presses, presses.patches[0], layouts)
+        return _magnets_of_patch(presses, presses.patches[0], layouts)
     xyd = layouts.magnet_mm
     centre = torch.stack([xyd[..., 0], xyd[..., 1], -xyd[..., 2]])
     return centre, magnet_axes(layouts)
@@ -32,7 +32,7 @@ def other_magnets(
 ) -> tuple[Float[Tensor, "3 layout magnet face"], Float[Tensor, "3 layout magnet face"]]:
     """Of the other faces, in their order."""
     if presses.patches:
-        each = [_under(presses, patch, layouts) for patch in presses.patches[1:]]
+        each = [_magnets_of_patch(presses, patch, layouts) for patch in presses.patches[1:]]
         none = layouts.magnet_mm.permute(2, 0, 1)[..., None][..., :0]
         centre, axis = (
             torch.cat([none, *(parts[k][..., None] for parts in each)], dim=-1) for k in (0, 1)
@@ -50,23 +50,23 @@ def chips(
     layouts: Layouts,
     depth_mm: float,
     on_board: Float[Tensor, "3 3"],
-    other: int | None = None,
+    neighbour: int | None = None,
 ) -> Chips:
     """Of the pressed face, or of the other one of that index; `depth_mm` is that of chips below a flat
     face, `on_board` their axes as columns on the board."""
-    index = 0 if other is None else 1 + other
+    index = 0 if neighbour is None else 1 + neighbour
     if presses.patches:
         frame, surface = presses.patches[0].surface.frame, presses.patches[index].surface
-        point, axes = surface.chips(layouts.of(surface.number).sensor_mm)
+        point, axes = surface.chips(layouts.layouts_of_face(surface.number).sensor_mm)
         turn = torch.as_tensor(frame.axes.copy(), dtype=point.dtype)
         centre = torch.as_tensor(frame.centre_mm.copy(), dtype=point.dtype)
         return ((point - centre) @ turn).permute(2, 0, 1), axes @ turn
     depth = torch.full_like(layouts.sensor_mm[..., :1], -depth_mm)
     local = torch.cat([layouts.sensor_mm, depth], dim=-1)
     axes = chip_axes(layouts.sensor_mm, on_board)
-    if other is None:
+    if neighbour is None:
         return local.permute(2, 0, 1), axes
-    turn, shift = presses.turn[other], presses.shift_mm[other]
+    turn, shift = presses.turn[neighbour], presses.shift_mm[neighbour]
     return (local @ turn.T + shift).permute(2, 0, 1), axes @ turn.T
 
 
@@ -74,12 +74,12 @@ def magnets_under(
     patch: Patch, layouts: Layouts
 ) -> tuple[Float[Tensor, "layout magnet 3"], Float[Tensor, "layout magnet 3 3"]]:
     """Centres and axes of a patch's magnets as its surface tells them, in the object's frame."""
-    surface, own = patch.surface, layouts.of(patch.surface.number)
-    return own.kept("under", (surface,), lambda: surface.magnets(own.magnet_mm))
+    surface, face_layouts = patch.surface, layouts.layouts_of_face(patch.surface.number)
+    return face_layouts.kept("under", (surface,), lambda: surface.magnets(face_layouts.magnet_mm))
 
 
-def _under(presses: PressBasis, patch: Patch, layouts: Layouts) -> Magnets:
-    frame, layouts = presses.patches[0].surface.frame, layouts.of(patch.surface.number)
+def _magnets_of_patch(presses: PressBasis, patch: Patch, layouts: Layouts) -> Magnets:
+    frame, layouts = presses.patches[0].surface.frame, layouts.layouts_of_face(patch.surface.number)
     centre, axes = magnets_under(patch, layouts)
     turn = torch.as_tensor(frame.axes.copy(), dtype=centre.dtype)
     middle = torch.as_tensor(frame.centre_mm.copy(), dtype=centre.dtype)

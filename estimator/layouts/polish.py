@@ -19,8 +19,8 @@ from torch import Tensor
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE
 from estimator.field.device import one_thread
 from estimator.layouts.batch_scores import batch_scores
-from estimator.layouts.limits.rules import broken_limits_mm
-from estimator.layouts.scorer import LayoutScorer, within_candidates
+from estimator.layouts.limits.rules import constraint_violations_mm
+from estimator.layouts.scorer import LayoutScorer, clamp_to_candidates
 from estimator.layouts.vectors import LayoutSpace, layouts_at
 
 PENALTY_PER_MM = 10.0
@@ -114,7 +114,10 @@ def judge(
     """Score layouts at points of the unit cube; differentiable."""
     of_face = {scorer.presses.face: scorer for scorer in lowest.scorers}
     laid = {face: layouts_at(lowest.space, unit, polarity, face) for face in of_face}
-    near = {face: within_candidates(of_face[face], one) for face, one in laid.items()}
+    near = {
+        face: clamp_to_candidates(of_face[face], layouts_of_face)
+        for face, layouts_of_face in laid.items()
+    }
     named = {*objectives, *lowest.at_most}
     scores = batch_scores(
         lowest.scorers,
@@ -123,12 +126,19 @@ def judge(
     )
     told_at_once = bool(lowest.space.sensors)  # sensors that move: limits hold of all faces
     checked = list(laid.items())[: 1 if told_at_once else None]
-    of_places = torch.stack([broken_limits_mm(lowest.space, one, face) for face, one in checked])
+    of_places = torch.stack(
+        [
+            constraint_violations_mm(lowest.space, layouts_of_face, face)
+            for face, layouts_of_face in checked
+        ]
+    )
     of_scores = [
         MM_PER_EXCESS * torch.relu(_to_minimize(name, scores) / most - 1)
         for name, most in lowest.at_most.items()
     ]
-    broken = torch.cat([of_places.amax(dim=0), *(one[:, None] for one in of_scores)], dim=1)
+    broken = torch.cat(
+        [of_places.amax(dim=0), *(layouts_of_face[:, None] for layouts_of_face in of_scores)], dim=1
+    )
     worth, eased = (
         torch.stack([_to_minimize(name, scores) for name in names], dim=1).clamp(min=1e-9)
         for names in (objectives, [_EASED.get(name, name) for name in objectives])
@@ -212,11 +222,11 @@ class Generations(CMA):
                 break
         return np.clip(points, low, high)
 
-    def of(self, size: int) -> Generations:
+    def resize(self, size: int) -> Generations:
         """The same distribution, to be followed by generations of so many points."""
         if size == self.population_size:
             return self
-        other = Generations(
+        generations = Generations(
             self._mean.copy(),
             self._sigma,
             bounds=self._bounds,
@@ -224,8 +234,8 @@ class Generations(CMA):
             population_size=size,
             cov=self._C.copy(),
         )
-        other._p_sigma, other._pc = self._p_sigma, self._pc
-        return other
+        generations._p_sigma, generations._pc = self._p_sigma, self._pc
+        return generations
 
 
 class Evolution:
@@ -250,16 +260,16 @@ class Evolution:
 
     def ask(self, size: int) -> Float[Tensor, "layout variable"]:
         """The next generation."""
-        self.search = self.search.of(size)
+        self.search = self.search.resize(size)
         self._asked = self.search.ask_all()
         points = self._asked[:, : len(self.begin)]
         return torch.as_tensor(points, dtype=self.begin.dtype, device=self.begin.device)
 
     def tell(self, worth: Worth, progress: float) -> None:
         """Tell what the generation is worth, eased and with a share of the penalty."""
-        own, share = share_of_objective(progress), share_of_penalty(progress)
+        objective_share, share = share_of_objective(progress), share_of_penalty(progress)
         with np.errstate(invalid="ignore"):  # no share of what is infinite
-            value = own * worth.value + (1 - own) * worth.eased
+            value = objective_share * worth.value + (1 - objective_share) * worth.eased
         value = np.where(np.isfinite(worth.value) & np.isfinite(worth.eased), value, np.inf)
         now = value + self.whole * np.log1p(share * worth.penalty)
         self.search.tell(list(zip(self._asked, now.tolist(), strict=True)))
@@ -294,12 +304,12 @@ def _evolve(judge_at: Judge, runs: Sequence[Evolution], sizes: Sequence[int]) ->
         run.keep_best(worth)
     begun = np.cumsum([0, *sizes])
     plain = bool(runs) and max(sizes, default=0) <= _default_population(len(runs[0].begin))
-    for size, before in zip(sizes, begun[:-1], strict=True):
+    for size, evaluated in zip(sizes, begun[:-1], strict=True):
         going = [run for run in runs if not run.search.should_stop()]
         if not going:
             break
         for run, worth in _judged(judge_at, going, [run.ask(size) for run in going]):
-            run.tell(worth, 1.0 if plain else float(before / begun[-1]))
+            run.tell(worth, 1.0 if plain else float(evaluated / begun[-1]))
             run.keep_best(worth)
 
 
@@ -313,9 +323,9 @@ def _judged(
         judged = judge_at(torch.cat(list(points)), rows)
     parts = judged.objectives.log(), judged.eased.log(), judged.penalty.double(), judged.broken
     of_runs = (part.cpu().split(counts) for part in parts)
-    for run, at, *logs, penalty, broken in zip(runs, points, *of_runs, strict=True):
+    for run, trial_points, *logs, penalty, broken in zip(runs, points, *of_runs, strict=True):
         value, eased = ((log @ run.weights).double().nan_to_num(torch.inf).numpy() for log in logs)
-        yield run, Worth(at, value, eased, penalty.numpy(), broken)
+        yield run, Worth(trial_points, value, eased, penalty.numpy(), broken)
 
 
 def share_of_penalty(progress: float) -> float:

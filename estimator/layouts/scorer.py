@@ -135,17 +135,22 @@ def require_scorable(spec: ObjectSpec) -> None:
         raise InputError("δ needs white noise on every axis. Set sensors.noise_counts above 0")
 
 
-def within_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
+def clamp_to_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
     """Magnets, or boards in the silicone, beyond the candidates at the nearest of their places."""
 
-    def nearest(one: Layouts, face: int | None) -> Layouts:
+    def nearest(layouts_of_face: Layouts, face: int | None) -> Layouts:
         first, last = _ends_of_bodies_mm(scorer, face)
         if scorer.sensors_move:
-            xy = torch.maximum(torch.minimum(one.sensor_mm, last[..., :2]), first[..., :2])
-            return replace(one, sensor_mm=xy)
-        return replace(one, magnet_mm=torch.maximum(torch.minimum(one.magnet_mm, last), first))
+            xy = torch.maximum(
+                torch.minimum(layouts_of_face.sensor_mm, last[..., :2]), first[..., :2]
+            )
+            return replace(layouts_of_face, sensor_mm=xy)
+        return replace(
+            layouts_of_face,
+            magnet_mm=torch.maximum(torch.minimum(layouts_of_face.magnet_mm, last), first),
+        )
 
-    return layouts.each(nearest)
+    return layouts.map_faces(nearest)
 
 
 def _ends_of_bodies_mm(scorer: LayoutScorer, face: int | None) -> tuple[Tensor, Tensor]:
@@ -163,9 +168,14 @@ def moving_bodies(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
     if not scorer.sensors_move:
         return layouts
 
-    def boards(one: Layouts, _: int | None) -> Layouts:
-        depth = torch.full_like(one.sensor_mm[..., :1], scorer.sensor_depth_mm)
-        flat, at = torch.zeros_like(one.sensor_mm), torch.cat([one.sensor_mm, depth], dim=-1)
-        return replace(one, magnet_mm=at, turn_rad=flat, polarity=torch.ones_like(flat[..., 0]))
+    def boards(layouts_of_face: Layouts, _: int | None) -> Layouts:
+        depth = torch.full_like(layouts_of_face.sensor_mm[..., :1], scorer.sensor_depth_mm)
+        flat, place = (
+            torch.zeros_like(layouts_of_face.sensor_mm),
+            torch.cat([layouts_of_face.sensor_mm, depth], dim=-1),
+        )
+        return replace(
+            layouts_of_face, magnet_mm=place, turn_rad=flat, polarity=torch.ones_like(flat[..., 0])
+        )
 
-    return layouts.each(boards)
+    return layouts.map_faces(boards)

@@ -97,20 +97,20 @@ def places_information(
 ) -> list[PlaceInformation]:
     """The same of several scorers."""
     largest_n = max(scorer.presses.force_n for scorer in scorers)
-    found = []
-    for scorer, one in zip(scorers, layouts, strict=True):
-        changes = press_changes(scorer, one)
+    information = []
+    for scorer, batch in zip(scorers, layouts, strict=True):
+        changes = press_changes(scorer, batch)
         counts = changes.resting_counts.flatten(1).abs().amax(dim=1)
         kept = torch.zeros_like(counts)
         if scorer.presses.force_n == largest_n:
-            pressed = counts_when_pressed(scorer, one, changes)
+            pressed = counts_when_pressed(scorer, batch, changes)
             counts = torch.maximum(counts, pressed.counts.abs().amax(dim=1))
             kept = counts_kept(pressed.counts, pressed.sigma, len(scorer.spec.body.sensed))
         by_parameter = changes.by_parameter
         position, force = bounds(by_parameter[:, :, :3])
         sensitivity = press_sensitivity(scorer, by_parameter)
-        found.append(PlaceInformation(position, force, sensitivity, counts, kept))
-    return found
+        information.append(PlaceInformation(position, force, sensitivity, counts, kept))
+    return information
 
 
 def press_sensitivity(
@@ -122,12 +122,14 @@ def press_sensitivity(
     at_peak = by_parameter[:, :, 3] * white
     curve = by_parameter[:, :, 2] * white * scorer.presses.force_n - at_peak
     straight, both, bent = (
-        (one * other).sum(0)
-        for one, other in ((at_peak, at_peak), (at_peak, curve), (curve, curve))
+        (first * second).sum(0)
+        for first, second in ((at_peak, at_peak), (at_peak, curve), (curve, curve))
     )
-    along = 1 + _FORCE_VARIANCE * straight
-    across = 1 + _CURVE_VARIANCE * torch.relu(bent - _FORCE_VARIANCE * both.square() / along)
-    return (along * across).sqrt()
+    straight_variance = 1 + _FORCE_VARIANCE * straight
+    bent_variance = 1 + _CURVE_VARIANCE * torch.relu(
+        bent - _FORCE_VARIANCE * both.square() / straight_variance
+    )
+    return (straight_variance * bent_variance).sqrt()
 
 
 def _summary(places: PlaceInformation) -> LayoutScore:

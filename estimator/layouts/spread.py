@@ -49,8 +49,8 @@ def counts_kept(
         over = faces * _log_kept((size, sigma, field), middle) < np.log(KEPT_BY)
         low, high = torch.where(over, middle, low), torch.where(over, high, middle)
     with torch.enable_grad():
-        at = high.clone().requires_grad_()
-        (slope,) = torch.autograd.grad(_log_kept((size, sigma, field), at).sum(), at)
+        limit = high.clone().requires_grad_()
+        (slope,) = torch.autograd.grad(_log_kept((size, sigma, field), limit).sum(), limit)
     kept = _log_kept(channels, high)
     return high + (np.log(KEPT_BY) / faces - kept) / slope.clamp(min=1e-9)
 
@@ -75,7 +75,7 @@ def channel_spread(
     scorer: LayoutScorer,
     sensor_mm: Float[Tensor, "3 layout sensor"],
     axes: Float[Tensor, "layout sensor 3 3"],
-    own: FieldChange,
+    own_change: FieldChange,
     others: FieldChange,
 ) -> Float[Tensor, "layout channel"]:
     """Standard deviation of every channel (counts) to first order, from fields of single magnets.
@@ -84,24 +84,24 @@ def channel_spread(
     """
     sizes = scorer.spec.tolerances
     # Change of channel a of sensor s with motion j of magnet m, in layout l; i is the field's coordinate.
-    of_own = torch.einsum("lsai,ijlsm->lsajm", axes, own.by_motion)
-    by_magnet = torch.einsum("lsai,ilsm->lsam", axes, own.field)
+    of_own = torch.einsum("lsai,ijlsm->lsajm", axes, own_change.by_motion)
+    by_magnet = torch.einsum("lsai,ilsm->lsam", axes, own_change.field)
     seat, tilt = sizes.magnet_seat_mm, float(np.deg2rad(sizes.magnet_tilt_deg))
     weights = axes.new_tensor([seat, seat, sizes.magnet_seat_depth_mm, tilt, tilt, 0.0])
     square = (of_own * weights[:, None]).square().sum((-1, -2))
     square = square + (sizes.remanence_relative * by_magnet).square().sum(-1)
-    field = (own.field.sum(-1) + others.field.sum(-1)).permute(1, 2, 0)
+    field = (own_change.field.sum(-1) + others.field.sum(-1)).permute(1, 2, 0)
     of_others = torch.einsum("lsai,ijls->lsaj", axes, others.by_motion[:, :3].sum(-1))
     slope = -(of_own[..., :3, :].sum(-1) + of_others)  # a chip moves as magnets move the other way
     across = torch.linalg.cross(axes, field[:, :, None].expand_as(axes), dim=-1)
-    square = square + _of_chips(sizes, slope, across, (axes @ field[..., None])[..., 0])
-    square = square + _of_yaw(scorer, sensor_mm, slope, across)
+    square = square + _chip_variance(sizes, slope, across, (axes @ field[..., None])[..., 0])
+    square = square + _yaw_variance(scorer, sensor_mm, slope, across)
     # offsets, and one component of a field of random direction
     uniform_t = 1e-6 * np.hypot(sizes.sensor_offset_ut, sizes.earth_field_ut / np.sqrt(3))
     return scorer.counts_per_t * (square + uniform_t**2).sqrt().flatten(1)
 
 
-def _of_chips(
+def _chip_variance(
     sizes: TolerancesSpec,
     slope: Float[Tensor, "layout sensor 3 3"],
     across: Float[Tensor, "layout sensor 3 3"],
@@ -115,7 +115,7 @@ def _of_chips(
     return parts[0] + parts[1] + (scale * felt).square()
 
 
-def _of_yaw(
+def _yaw_variance(
     scorer: LayoutScorer,
     sensor_mm: Float[Tensor, "3 layout sensor"],
     slope: Float[Tensor, "layout sensor 3 3"],

@@ -57,26 +57,26 @@ class Surface:
     ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"]]:
         """Centres of magnets at (x, y, depth), mm, and axes as columns of the surface over them (the
         third its normal), in the object's frame."""
-        found = pointwise(self._magnets, xyd_mm)
-        return found[..., :3], found[..., 3:].unflatten(-1, (3, 3))
+        values = pointwise(self._magnets, xyd_mm)
+        return values[..., :3], values[..., 3:].unflatten(-1, (3, 3))
 
     def chips(
         self, xy_mm: Float[Tensor, "*n 2"]
     ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"]]:
         """Sensing points (mm) and chips' axes as rows, in the object's frame."""
-        found = pointwise(self._chips, xy_mm)
-        return found[..., :3], found[..., 3:].unflatten(-1, (3, 3))
+        values = pointwise(self._chips, xy_mm)
+        return values[..., :3], values[..., 3:].unflatten(-1, (3, 3))
 
     def boards(
         self, xy_mm: Float[Tensor, "*n 2"]
     ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"], Float[Tensor, "*n"]]:
         """Points of the core's surface over sensors (mm); radial, tangential and normal direction as
         rows, in the object's frame; and by how much boards lie deeper than on a flat core (mm)."""
-        found = pointwise(self._boards, xy_mm)
-        return found[..., :3], found[..., 3:12].unflatten(-1, (3, 3)), found[..., 12]
+        values = pointwise(self._boards, xy_mm)
+        return values[..., :3], values[..., 3:12].unflatten(-1, (3, 3)), values[..., 12]
 
     def _magnets(self, xyd_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 12"]:
-        xy = onto_patch_mm(self.frame, xyd_mm[:, :2])
+        xy = clamp_to_patch_mm(self.frame, xyd_mm[:, :2])
         centre = self.frame.to_object(np.column_stack([xy, -xyd_mm[:, 2]]))
         return np.concatenate([centre, self.frame.axes_at(xy).reshape(-1, 9)], axis=1)
 
@@ -84,19 +84,19 @@ class Surface:
         frame, depth = self.core, self.spec.sensors.depth_below_core_face_mm + self.sinks_mm(xy_mm)
         if self.spec.arrangement == "sensors-in-shell":
             frame, depth = self.frame, np.full(len(xy_mm), boards_depth_mm(self.spec))
-        xy = onto_patch_mm(frame, xy_mm)
+        xy = clamp_to_patch_mm(frame, xy_mm)
         point = frame.to_object(np.column_stack([xy, -depth]))
         board = board_frame(_azimuths(xy_mm))
         axes = frame.axes_at(xy) @ board @ chip_on_board(self.spec.sensors)
         return np.concatenate([point, axes.transpose(0, 2, 1).reshape(-1, 9)], axis=1)
 
     def _boards(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 13"]:
-        xy, azimuth = onto_patch_mm(self.core, xy_mm), _azimuths(xy_mm)
+        xy, azimuth = clamp_to_patch_mm(self.core, xy_mm), _azimuths(xy_mm)
         point = self.core.to_object(np.column_stack([xy, 0 * azimuth]))
         axes = self.core.axes_at(xy)
-        along, across, normal = axes.transpose(2, 0, 1)
+        tangent, across, normal = axes.transpose(2, 0, 1)
         cosine, sine = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
-        radial, tangential = cosine * along + sine * across, cosine * across - sine * along
+        radial, tangential = cosine * tangent + sine * across, cosine * across - sine * tangent
         sink = self.sinks_mm(xy_mm)[:, None]
         return np.concatenate([point, radial, tangential, normal, sink], axis=1)
 
@@ -137,7 +137,7 @@ class Surface:
 
 def surfaces(spec: ObjectSpec) -> dict[int, Surface]:
     """Of all sensed faces, by number."""
-    return {one.number: one for one in _surfaces(spec)}
+    return {surface.number: surface for surface in _surfaces(spec)}
 
 
 @cached_geometry
@@ -146,7 +146,9 @@ def _surfaces(spec: ObjectSpec) -> tuple[Surface, ...]:
     return tuple(Surface(frame, core, spec) for frame, core in pairs)
 
 
-def onto_patch_mm(frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 2"]:
+def clamp_to_patch_mm(
+    frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]
+) -> Float[np.ndarray, "n 2"]:
     """Places beside a patch drawn towards its middle until they lie on it."""
     share = np.asarray(xy_mm) / np.asarray(frame.half_extents_mm)
     size = np.linalg.norm(share, axis=1) if frame.round else abs(share).max(axis=1)
@@ -161,25 +163,27 @@ def _radii(xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
     return np.maximum(np.linalg.norm(xy_mm, axis=1), 1e-9)
 
 
-def pointwise(function: _Function, at: Float[Tensor, "*n inputs"]) -> Float[Tensor, "*n outputs"]:
+def pointwise(
+    function: _Function, points: Float[Tensor, "*n inputs"]
+) -> Float[Tensor, "*n outputs"]:
     """A function of a few numbers of each point, given in NumPy; gradients are central differences."""
-    found: Any = _Pointwise.apply(at.reshape(-1, at.shape[-1]), function)
-    return found.reshape(*at.shape[:-1], -1)
+    values: Any = _Pointwise.apply(points.reshape(-1, points.shape[-1]), function)
+    return values.reshape(*points.shape[:-1], -1)
 
 
 class _Pointwise(torch.autograd.Function):
     @staticmethod
-    def forward(ctx: Any, at: Tensor, function: _Function) -> Tensor:
-        values = at.detach().double().cpu().numpy()
+    def forward(ctx: Any, points: Tensor, function: _Function) -> Tensor:
+        values = points.detach().double().cpu().numpy()
         if not ctx.needs_input_grad[0]:
-            return torch.as_tensor(function(values), dtype=at.dtype, device=at.device)
-        points, inputs = values.shape
+            return torch.as_tensor(function(values), dtype=points.dtype, device=points.device)
+        count, inputs = values.shape
         steps = _STEP * np.eye(inputs)
         places = values + np.concatenate([np.zeros((1, inputs)), steps, -steps])[:, None]
-        found = function(places.reshape(-1, inputs)).reshape(1 + 2 * inputs, points, -1)
-        slopes = (found[1 : 1 + inputs] - found[1 + inputs :]) / (2 * _STEP)
-        ctx.save_for_backward(torch.as_tensor(slopes, device=at.device))
-        return torch.as_tensor(found[0], dtype=at.dtype, device=at.device)
+        values_at_places = function(places.reshape(-1, inputs)).reshape(1 + 2 * inputs, count, -1)
+        slopes = (values_at_places[1 : 1 + inputs] - values_at_places[1 + inputs :]) / (2 * _STEP)
+        ctx.save_for_backward(torch.as_tensor(slopes, device=points.device))
+        return torch.as_tensor(values_at_places[0], dtype=points.dtype, device=points.device)
 
     @staticmethod
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor, None]:

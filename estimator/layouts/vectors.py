@@ -65,12 +65,12 @@ def layouts_at(
     values = space.low + unit * space.span
     if len(space.groups) == 1:
         return _layouts(space, values, polarity, face, 0)
-    every = {
-        one: _layouts(space, values, polarity, one, index)
+    layouts_of_faces = {
+        number: _layouts(space, values, polarity, number, index)
         for index, group in enumerate(space.groups)
-        for one in group
+        for number in group
     }
-    return layouts_by_face(every, face)
+    return layouts_by_face(layouts_of_faces, face)
 
 
 def _layouts(

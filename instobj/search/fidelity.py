@@ -10,7 +10,7 @@ from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
 from design.spec.search import OVER_LIMIT
-from estimator.layouts.fidelity import FidelityScore, over_limit, score_signals
+from estimator.layouts.fidelity import FidelityScore, excess_over_limit, score_signals
 from instobj.stages.run import Run
 from instobj.store.readers import METRICS, PRESSES, SECOND_FIDELITY, SIGNALS
 
@@ -124,7 +124,7 @@ def _summaries(spec: ObjectSpec, bounds: list[Bounds]) -> dict[str, Float[np.nda
                 "percentile_99_position_bound_mm": np.nanpercentile(position, 99, axis=1),
                 "percentile_95_position_bound_mm": np.nanpercentile(position, 95, axis=1),
                 "median_position_bound_mm": np.nanmedian(position, axis=1),
-                OVER_LIMIT: over_limit(spec, position),
+                OVER_LIMIT: excess_over_limit(spec, position),
                 "worst_force_bound_n": np.nanmax(force, axis=1),
             }
         )

@@ -29,7 +29,7 @@ from design.search.space import (
 )
 from design.search.structure import with_structure
 from design.spec.object import ObjectSpec
-from estimator.layouts.limits.rules import RULES, broken_limits_mm
+from estimator.layouts.limits.rules import RULES, constraint_violations_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.scorer import require_scorable
 from estimator.layouts.vectors import layout_space, layouts_at
@@ -195,7 +195,7 @@ def _nearest(
 
     def broken(point: Tensor) -> Tensor:
         face = structured.body.sensed[0]
-        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, face), face)
+        return constraint_violations_mm(tensors, layouts_at(tensors, point, poles, face), face)
 
     point = torch.as_tensor(units[:, flags], dtype=torch.float32)
     rules = broken(point)

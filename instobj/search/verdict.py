@@ -8,7 +8,7 @@ import numpy as np
 
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, OVER_LIMIT, SearchSpec
-from estimator.layouts.fidelity import FidelityScore, worse_share
+from estimator.layouts.fidelity import FidelityScore, regressed_share
 from instobj.search.fidelity import TwinRatio
 
 FIRST, SECOND, LAST = "1", "2", "3"
@@ -159,8 +159,8 @@ def gains_in_words(start: Promoted, layout: Promoted, level: str) -> str:
         100 * np.nanmean(np.array(s.position_bounds_mm) <= limit)
         for s in (layout_score, start_score)
     )
-    worse = 100 * worse_share(start_score, layout_score)
-    beyond = 100 * worse_share(start_score, layout_score, limit)
+    worse = 100 * regressed_share(start_score, layout_score)
+    beyond = 100 * regressed_share(start_score, layout_score, limit)
     return (
         f"{', '.join(bounds)}; within the limit of {limit:g} mm lie "
         f"{' instead of '.join(f'{share:.0f} %' for share in within)} of locations and forces; "

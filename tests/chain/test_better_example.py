@@ -8,7 +8,7 @@ import pytest
 from design.fabrication.layout import failures, layout_findings
 from design.spec_io import load_spec
 from estimator.field.models import exact_model
-from estimator.layouts.fidelity import gains, worse_share
+from estimator.layouts.fidelity import gains, regressed_share
 from estimator.signals.field_setup import zero_motion
 from estimator.signals.hall import full_scale_counts
 from estimator.tolerances.assembly import counts_of, designed, draw
@@ -69,4 +69,4 @@ def test_it_is_better_on_a_coarse_mesh_too(tmp_path, monkeypatch):
     assert gain["median_position_bound_mm"] > 1.8
     assert gain["worst_force_bound_n"] > 2
     assert gain["median_false_force_n"] > 2
-    assert worse_share(paper, better) <= 0.02
+    assert regressed_share(paper, better) <= 0.02

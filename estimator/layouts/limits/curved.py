@@ -35,7 +35,7 @@ from estimator.layouts.limits.parts import (
     pockets_of,
     worst_of_faces,
 )
-from estimator.layouts.surfaces import Surface, onto_patch_mm, pointwise, surfaces
+from estimator.layouts.surfaces import Surface, clamp_to_patch_mm, pointwise, surfaces
 
 _COVER_STEP_MM, _RIM_POINTS = 1.0, 24
 """Step of the nodes of the cover's splines along a face, about, and points on a magnet's rim."""
@@ -51,7 +51,7 @@ def broken_on_surfaces_mm(
     Rules of boards are left out where the search does not move the sensors.
     """
     by_number = surfaces(spec)
-    laid = {number: layouts.of(number) for number in by_number}
+    laid = {number: layouts.layouts_of_face(number) for number in by_number}
     pockets = {number: pockets_of(spec, layout) for number, layout in laid.items()}
     turned = {n: surface.magnets(laid[n].magnet_mm) for n, surface in by_number.items()}
     placed = {n: _placed(turned[n], laid[n], pockets[n]) for n in by_number}
@@ -147,7 +147,7 @@ def unsealed_mm(surface: Surface, layouts: Layouts, pockets: Pockets) -> Float[T
     else:
         covers, which = covers_of(spec)[surface.number], spec.magnets.numbers_by_size
         parts = [
-            pointwise(size_cover.at, layouts.magnet_mm[:, magnets])[..., 0]
+            pointwise(size_cover.wall_over, layouts.magnet_mm[:, magnets])[..., 0]
             for size_cover, magnets in zip(covers, which, strict=True)
         ]
         # Covers come size by size: back to the order of the magnets.
@@ -169,8 +169,8 @@ class _Cover:
     depths_mm: tuple[float, float]
     splines: tuple[RectBivariateSpline, RectBivariateSpline]
 
-    def at(self, xyd_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 1"]:
-        x, y = onto_patch_mm(self.frame, xyd_mm[:, :2]).T
+    def wall_over(self, xyd_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 1"]:
+        x, y = clamp_to_patch_mm(self.frame, xyd_mm[:, :2]).T
         shallow, deep = (spline(x, y, grid=False) for spline in self.splines)
         first, last = self.depths_mm
         share = (xyd_mm[:, 2] - first) / (last - first)
@@ -193,7 +193,7 @@ def _cover(spec: ObjectSpec, frame: FaceFrame, size: MagnetSize) -> _Cover:
         np.linspace(-h, h, max(_FEWEST_NODES, int(np.ceil(2 * h / _COVER_STEP_MM)))) for h in half
     ]
     x, y = np.meshgrid(*nodes, indexing="ij")
-    xy = onto_patch_mm(frame, np.column_stack([x.ravel(), y.ravel()]))
+    xy = clamp_to_patch_mm(frame, np.column_stack([x.ravel(), y.ravel()]))
     # Least silicone over a magnet is over some point of its upper rim: take the highest one.
     turn = np.linspace(0, 2 * np.pi, _RIM_POINTS, endpoint=False)
     rim = size.diameter_mm / 2 * np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=-1)
@@ -214,8 +214,8 @@ def _highest(heights_mm: Float[np.ndarray, "place rim"]) -> Float[np.ndarray, "p
 
     A spline needs a finite value at every node; layouts off the patch break `past_border` anyway.
     """
-    known = np.where(np.isfinite(heights_mm), heights_mm, -np.inf).max(axis=1)
-    return np.where(np.isfinite(known), known, np.median(known[np.isfinite(known)]))
+    heights = np.where(np.isfinite(heights_mm), heights_mm, -np.inf).max(axis=1)
+    return np.where(np.isfinite(heights), heights, np.median(heights[np.isfinite(heights)]))
 
 
 _Boxes = tuple[
@@ -250,18 +250,18 @@ def boards_beside_hole(surface: Surface, recesses: _Boxes) -> Float[Tensor, "lay
         for part in (surface.core.centre_mm, surface.core.axes[:, :2])
     )
     # Centres from the hole's middle, and half edges, in the plane across the hole.
-    seen, edges = (centre - middle) @ plane, (half[..., None] * axes) @ plane
+    from_hole, edges = (centre - middle) @ plane, (half[..., None] * axes) @ plane
     signs = torch.cartesian_prod(*3 * [torch.tensor([-1.0, 1.0])]).to(centre)
     # Directions to try: the normals of the three edges, and those from the hole to the eight corners
     # (the nearest point of a polygon lies on an edge or is a corner).
     across = torch.stack([-edges[..., 1], edges[..., 0]], dim=-1)
-    ways = torch.cat([across, seen[..., None, :] + signs @ edges], dim=-2)
+    ways = torch.cat([across, from_hole[..., None, :] + signs @ edges], dim=-2)
     # 1e-9 avoids 0/0 for an edge along the hole, which is seen as a point; left out below.
     length = ways.norm(dim=-1, keepdim=True)
     ways = ways / length.clamp(min=1e-9)
     # Gap along a direction: distance of the centre less the half width Σ |edge · direction|.
     reach = (ways @ edges.transpose(-1, -2)).abs().sum(-1)
-    apart = (ways * seen[..., None, :]).sum(-1).abs() - reach
+    apart = (ways * from_hole[..., None, :]).sum(-1).abs() - reach
     along_the_hole = length[..., 0] < 1e-6
     away = apart.where(~along_the_hole, -torch.inf).amax(dim=-1)
     return missing_beside_hole_mm(surface.spec, away)

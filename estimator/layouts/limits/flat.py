@@ -19,12 +19,12 @@ from estimator.layouts.limits.parts import (
     Pockets,
     boards_of,
     chips_near_magnets_mm,
-    in_object,
     outlines_mm,
     placed_pockets,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
+    to_object,
     worst_of_faces,
 )
 
@@ -36,7 +36,7 @@ def broken_on_flat_faces_mm(
     pockets = pockets_of(spec, layouts)
     placed = {frame.number: placed_pockets(frame, pockets) for frame in face_frames(spec)}
     moving = spec.search.vary.sensor_reach_mm is not None
-    found = {
+    missing = {
         "pocket gap": pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, pocket_gap_mm),
         "pockets near the edge": past_edges(spec, pockets),
         "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, pockets.radius),
@@ -47,9 +47,9 @@ def broken_on_flat_faces_mm(
     }
     if moving:
         boards = boards_of(spec, layouts)
-        found["board gap"] = _board_gaps(spec, boards, board_gap_mm)
-        found["boards near the edge"] = boards_past_edges(spec, boards)
-    return found
+        missing["board gap"] = _board_gaps(spec, boards, board_gap_mm)
+        missing["boards near the edge"] = boards_past_edges(spec, boards)
+    return missing
 
 
 def _chips_near_magnets(
@@ -60,10 +60,10 @@ def _chips_near_magnets(
     below = torch.full_like(place[..., :1], -spec.sensors.depth_below_core_face_mm)
     chip = torch.cat([place, below], dim=-1)
     centre = layouts.magnet_mm * torch.tensor([1.0, 1.0, -1.0], dtype=place.dtype)
-    centres = {frame.number: in_object(frame, centre) for frame in face_frames(spec)}
+    centres = {frame.number: to_object(frame, centre) for frame in face_frames(spec)}
     return worst_of_faces(
         [
-            chips_near_magnets_mm(spec, core.number, in_object(core, chip), centres)
+            chips_near_magnets_mm(spec, core.number, to_object(core, chip), centres)
             for core in core_frames(spec)
             if core.number in faces
         ]
@@ -122,7 +122,7 @@ def recess_boxes(
     centres, axes = [], []
     for frame in core_frames(spec):
         turn = torch.as_tensor(frame.axes.T.copy(), dtype=radial.dtype)
-        centres.append(in_object(frame, local))
+        centres.append(to_object(frame, local))
         axes.append(box @ turn)
     return torch.cat(centres, dim=1), torch.cat(axes, dim=1)
 

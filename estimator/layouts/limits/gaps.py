@@ -15,30 +15,30 @@ def length(vector: Tensor) -> Tensor:
     return (vector**2).sum(0).clamp(min=1e-12).sqrt()
 
 
-def between_segments(p: Tensor, p_end: Tensor, q: Tensor, q_end: Tensor) -> Tensor:
+def shortest_way(p: Tensor, p_end: Tensor, q: Tensor, q_end: Tensor) -> Tensor:
     """Shortest way from the second of two segments to the first, coordinates first, as
     `design.layout.pockets` has it."""
-    along, other, between = p_end - p, q_end - q, p - q
-    aa, bb, ab = ((u * v).sum(0) for u, v in ((along, along), (other, other), (along, other)))
-    pa, pb = (along * between).sum(0), (other * between).sum(0)
+    first, second, gap = p_end - p, q_end - q, p - q
+    aa, bb, ab = ((u * v).sum(0) for u, v in ((first, first), (second, second), (first, second)))
+    pa, pb = (first * gap).sum(0), (second * gap).sum(0)
     determinant = aa * bb - ab * ab
     parallel = determinant < 1e-6 * aa * bb
     s = (ab * pb - bb * pa) / torch.where(parallel, 1.0, determinant)
     s = torch.where(parallel, 0.0, s).clamp(0, 1)
     t = ((ab * s + pb) / bb).clamp(0, 1)
     s = ((ab * t - pa) / aa).clamp(0, 1)
-    return between + s * along - t * other
+    return gap + s * first - t * second
 
 
 def missing_between_prisms_mm(
-    one: Prisms, other: Prisms, radius: Float[Tensor, "magnet"], least: float
+    first: Prisms, second: Prisms, radius: Float[Tensor, "magnet"], least: float
 ) -> Float[Tensor, "edge layout magnet other"]:
     """What the gap of every two prisms lacks; worked out in full only where spheres round them lack it.
 
     `radius` is that of the prisms of either side, in their order.
     """
-    p, p_end, u = (part[..., :, None] for part in one)
-    q, q_end, v = (part[..., None, :] for part in other)
+    p, p_end, u = (part[..., :, None] for part in first)
+    q, q_end, v = (part[..., None, :] for part in second)
     parts = torch.broadcast_tensors(p, p_end, u, q, q_end, v)
     p, p_end, _, q, q_end, _ = (part.detach() for part in parts)
     apart = ((p + p_end - q - q_end) / 2).norm(dim=0)
@@ -50,11 +50,11 @@ def missing_between_prisms_mm(
 
 
 def _gap_of_prisms(
-    one: Prisms, other: Prisms, radii: tuple[Float[Tensor, "pair"], Float[Tensor, "pair"]]
+    first: Prisms, second: Prisms, radii: tuple[Float[Tensor, "pair"], Float[Tensor, "pair"]]
 ) -> Float[Tensor, "pair"]:
     """Largest gap along either axis and along the shortest way between the axes."""
-    (p, p_end, u), (q, q_end, v) = one, other
-    way = between_segments(p, p_end, q, q_end)
+    (p, p_end, u), (q, q_end, v) = first, second
+    way = shortest_way(p, p_end, q, q_end)
     gaps = []
     for d in (way / length(way), u, v):
         a, a_end, b, b_end = ((d * end).sum(0) for end in (p, p_end, q, q_end))
@@ -88,22 +88,22 @@ def missing_between_boxes_mm(
         way = (centre[:, i] - centre[:, j])[..., None]
         beside = [
             ((axes[:, k] @ way)[..., 0].abs() - half[:, k]).amax(dim=-1)
-            - half[:, other].norm(dim=-1)
-            for k, other in ((i, j), (j, i))
+            - half[:, neighbour].norm(dim=-1)
+            for k, neighbour in ((i, j), (j, i))
         ]
         close = torch.maximum(*beside) < least_mm
     layout, pair = close.nonzero(as_tuple=True)
-    at, to = (layout, i[pair]), (layout, j[pair])
-    a, b = axes[at], axes[to]
+    first, second = (layout, i[pair]), (layout, j[pair])
+    a, b = axes[first], axes[second]
     crossed = torch.linalg.cross(a[..., :, None, :], b[..., None, :, :]).flatten(-3, -2)
     directions = torch.cat([a, b, crossed], dim=-2)
     length = (directions * directions).sum(-1, keepdim=True)
     parallel = length[..., 0] < 1e-6
     directions = directions / length.clamp(min=1e-6).sqrt()
-    apart = (directions @ (centre[at] - centre[to])[..., None])[..., 0].abs()
+    apart = (directions @ (centre[first] - centre[second])[..., None])[..., 0].abs()
     reach = sum(
         ((directions @ box.transpose(-1, -2)).abs() @ edges[..., None])[..., 0]
-        for box, edges in ((a, half[at]), (b, half[to]))
+        for box, edges in ((a, half[first]), (b, half[second]))
     )
     gap = (apart - reach).masked_fill(parallel, -torch.inf).amax(dim=-1)
     missing = torch.relu(least_mm - gap)

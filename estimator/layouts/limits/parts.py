@@ -18,9 +18,9 @@ from estimator.field.sources import magnet_sources
 from estimator.layouts.batch import Layouts, magnet_axes, magnets_below_mm
 from estimator.layouts.limits.gaps import (
     Prisms,
-    between_segments,
     length,
     missing_between_prisms_mm,
+    shortest_way,
 )
 from estimator.layouts.near_field import OTHER, OWN
 
@@ -85,7 +85,7 @@ def pocket_gaps_mm(
     """Silicone missing between the pockets of a face; floors and tops in any one frame."""
     magnets = floor.shape[2]
     i, j = torch.triu_indices(magnets, magnets, offset=1)
-    between = between_segments(*((ends[..., k]) for k in (i, j) for ends in (floor, top)))
+    between = shortest_way(*((ends[..., k]) for k in (i, j) for ends in (floor, top)))
     return torch.relu(radius[i] + radius[j] + gap_mm + SLACK_MM - length(between)).sum(dim=1)
 
 
@@ -102,8 +102,8 @@ def boards_of(spec: ObjectSpec, layouts: Layouts) -> Boards:
     """Recesses move along with their sensors and turn with their azimuth."""
     core, place = spec.core, layouts.sensor_mm
     radius = place.norm(dim=-1, keepdim=True)
-    along = torch.tensor([1.0, 0.0], dtype=place.dtype)
-    radial = torch.where(radius > 1e-6, place / radius.clamp(min=1e-6), along)
+    x_axis = torch.tensor([1.0, 0.0], dtype=place.dtype)
+    radial = torch.where(radius > 1e-6, place / radius.clamp(min=1e-6), x_axis)
     middle = (core.recess_inner_radius_mm + core.recess_outer_radius_mm) / 2
     half = (core.recess_outer_radius_mm - core.recess_inner_radius_mm) / 2
     ahead = middle - spec.sensors.radius_mm
@@ -136,23 +136,23 @@ def pocket_gaps_across_edges_mm(
     spec: ObjectSpec, placed: dict[int, Prisms], radius: Float[Tensor, "magnet"]
 ) -> Float[Tensor, "layout"]:
     """Silicone missing between the pockets of two faces beside each other, where most is missing."""
-    pairs = [(one.number, other.number) for one, other in neighbours(face_frames(spec))]
-    first = next(iter(placed.values()))[0]
+    pairs = [(first.number, second.number) for first, second in neighbours(face_frames(spec))]
+    floors = next(iter(placed.values()))[0]
     if not pairs:
-        return torch.zeros_like(first[0, :, 0])
+        return torch.zeros_like(floors[0, :, 0])
 
-    def of_side(side: int) -> Prisms:
+    def prisms_of_side(side: int) -> Prisms:
         floor, top, axis = (
             torch.stack([placed[pair[side]][part] for pair in pairs], dim=1) for part in range(3)
         )
         return floor, top, axis
 
-    one, other = of_side(0), of_side(1)
+    first, second = prisms_of_side(0), prisms_of_side(1)
     least = spec.silicone.thinnest_wall_mm + SLACK_MM
-    return missing_between_prisms_mm(one, other, radius, least).sum(dim=(2, 3)).amax(dim=0)
+    return missing_between_prisms_mm(first, second, radius, least).sum(dim=(2, 3)).amax(dim=0)
 
 
-def in_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
+def to_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
     turn = torch.as_tensor(frame.axes.T.copy(), dtype=local_mm.dtype)
     return local_mm @ turn + torch.as_tensor(frame.centre_mm.copy(), dtype=local_mm.dtype)
 

@@ -17,11 +17,11 @@ from estimator.layouts.limits.parts import (
     SLACK_MM,
     Pockets,
     chips_near_magnets_mm,
-    in_object,
     placed_pockets,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
+    to_object,
     worst_of_faces,
 )
 
@@ -30,16 +30,24 @@ def broken_in_reverse_mm(
     spec: ObjectSpec, layouts: Layouts, pocket_gap_mm: float
 ) -> dict[str, Float[Tensor, "layout"]]:
     """By how much each rule is broken, on the face where it is most."""
-    laid = {frame.number: layouts.of(frame.number) for frame in face_frames(spec)}
-    boards = {number: _pockets_of_boards(spec, one) for number, one in laid.items()}
-    magnets = {number: pockets_of(spec, one) for number, one in laid.items()}
+    laid = {frame.number: layouts.layouts_of_face(frame.number) for frame in face_frames(spec)}
+    boards = {
+        number: _pockets_of_boards(spec, layouts_of_face)
+        for number, layouts_of_face in laid.items()
+    }
+    magnets = {
+        number: pockets_of(spec, layouts_of_face) for number, layouts_of_face in laid.items()
+    }
     placed = {
         frame.number: placed_pockets(frame, boards[frame.number]) for frame in face_frames(spec)
     }
     radius = boards[spec.body.sensed[0]].radius
     return {
         "pocket gap": worst_of_faces(
-            [pocket_gaps_mm(one.floor, one.top, radius, pocket_gap_mm) for one in boards.values()]
+            [
+                pocket_gaps_mm(layouts_of_face.floor, layouts_of_face.top, radius, pocket_gap_mm)
+                for layouts_of_face in boards.values()
+            ]
         ),
         "pockets near the edge": worst_of_faces(
             [_past_edges(frame, boards[frame.number], SLACK_MM) for frame in face_frames(spec)]
@@ -57,8 +65,8 @@ def _pockets_of_boards(spec: ObjectSpec, layouts: Layouts) -> Pockets:
     outline: Outline = sensor_boards(spec)[0][0].outline
     place = layouts.sensor_mm
     radius = place.norm(dim=-1, keepdim=True)
-    along = torch.tensor([1.0, 0.0], dtype=place.dtype)
-    radial = torch.where(radius > 1e-6, place / radius.clamp(min=1e-6), along).abs()
+    x_axis = torch.tensor([1.0, 0.0], dtype=place.dtype)
+    radial = torch.where(radius > 1e-6, place / radius.clamp(min=1e-6), x_axis).abs()
     across, ahead = outline.half_mm
     reach = place.abs() + across * radial.flip(-1) + ahead * radial
     x, y = place.unbind(-1)
@@ -102,11 +110,11 @@ def _chips_near_magnets(spec: ObjectSpec, laid: dict[int, Layouts]) -> Float[Ten
     frames, depth = face_frames(spec), boards_depth_mm(spec)
     down = torch.tensor([1.0, 1.0, -1.0], dtype=laid[frames[0].number].magnet_mm.dtype)
     centres = {
-        frame.number: in_object(frame, laid[frame.number].magnet_mm * down) for frame in frames
+        frame.number: to_object(frame, laid[frame.number].magnet_mm * down) for frame in frames
     }
     missing = []
     for frame in frames:
         place = laid[frame.number].sensor_mm
         chips = torch.cat([place, torch.full_like(place[..., :1], -depth)], dim=-1)
-        missing.append(chips_near_magnets_mm(spec, frame.number, in_object(frame, chips), centres))
+        missing.append(chips_near_magnets_mm(spec, frame.number, to_object(frame, chips), centres))
     return worst_of_faces(missing)

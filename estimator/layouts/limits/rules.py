@@ -31,7 +31,7 @@ RULES = (
 )
 
 
-def broken_limits_mm(
+def constraint_violations_mm(
     space: LayoutSpace, layouts: Layouts, face: int
 ) -> Float[Tensor, "layout rule"]:
     """By how much each of `RULES` is broken, mm summed over the parts; 0 where it is kept.
@@ -40,17 +40,20 @@ def broken_limits_mm(
     differ, on the face that breaks a rule most.
     """
     spec = space.structured
-    every = list(layouts.by_face.values()) or [layouts]
+    all_layouts = list(layouts.by_face.values()) or [layouts]
     pocket_gap, board_gap = spec.silicone.thinnest_wall_mm, spec.printer.wall_mm
     in_core = spec.arrangement == "sensors-in-core"
     broken = broken_on_surfaces_mm if faces_differ(spec) else broken_on_flat_faces_mm
     if in_core:
-        found = broken(spec, layouts, face, pocket_gap, board_gap)
+        missing = broken(spec, layouts, face, pocket_gap, board_gap)
     else:
-        found = broken_in_reverse_mm(spec, layouts, pocket_gap)
+        missing = broken_in_reverse_mm(spec, layouts, pocket_gap)
     nothing = torch.zeros_like(layouts.sensor_mm[:, 0, 0])
     if space.sensors and in_core:
-        beside = [boards_beside_hole_mm(spec, boards_of(spec, one)) for one in every]
+        beside = [
+            boards_beside_hole_mm(spec, boards_of(spec, layouts_of_face))
+            for layouts_of_face in all_layouts
+        ]
         rule = "board beside the wire hole"
-        found[rule] = torch.stack([*beside, found.get(rule, nothing)]).amax(dim=0)
-    return torch.stack([found.get(rule, nothing) for rule in RULES], dim=1)
+        missing[rule] = torch.stack([*beside, missing.get(rule, nothing)]).amax(dim=0)
+    return torch.stack([missing.get(rule, nothing) for rule in RULES], dim=1)

@@ -74,14 +74,14 @@ class RowTable:
     rows: Float[Tensor, "node column"]
     basis: Float[Tensor, "rank quantity"]
 
-    def of_force(self, index: int, count: int) -> RowTable:
+    def select_force(self, index: int, count: int) -> RowTable:
         """The same rows for one of several forces, whose quantities follow each other."""
         width = self.basis.shape[1] // count
         return RowTable(self.rows, self.basis[:, index * width : (index + 1) * width].contiguous())
 
 
 @dataclass(frozen=True)
-class Held:
+class StrainCoupling:
     """What magnets of the pressed face take from each other as they resist strain.
 
     `strain` (node, 5 · `STRAIN_RANK` or less): rows of the strain round each, on the first vectors of the
@@ -127,23 +127,23 @@ class PressBasis:
     opposite: int | None
     force_n: float
     places: PlaceGrid
-    there: Bool[np.ndarray, "grid_place"]
+    on_face: Bool[np.ndarray, "grid_place"]
     first_mm: Float[Tensor, "3"]
     step_mm: Float[Tensor, "3"]
     nodes: tuple[int, int, int]
-    own: RowTable
-    other: RowTable
+    own_table: RowTable
+    other_table: RowTable
     turn: Float[Tensor, "face 3 3"]
     shift_mm: Float[Tensor, "face 3"]
     deepest_n: Float[Tensor, "place"]
     mm_per_n: Float[np.ndarray, "place"]
-    held: Held
+    held: StrainCoupling
     patches: tuple[Patch, ...] = ()
 
     @property
     def count(self) -> int:
         """Contact locations that the face has."""
-        return int(self.there.sum())
+        return int(self.on_face.sum())
 
 
 def press_basis(
@@ -236,8 +236,8 @@ def press_bases(
         replace(
             shared,
             force_n=force,
-            own=whole.of_force(index, len(forces_n)),
-            other=adjoining.of_force(index, len(forces_n)),
+            own_table=whole.select_force(index, len(forces_n)),
+            other_table=adjoining.select_force(index, len(forces_n)),
             mm_per_n=surface_compliance(motions, face, force)[located],
         )
         for index, force in enumerate(forces_n)
@@ -252,14 +252,14 @@ def _tables(
     of_modes: Float[np.ndarray, "mode quantity place"],
     ranks: tuple[int, int],
     dtype: torch.dtype,
-) -> tuple[RowTable, RowTable, Held]:
+) -> tuple[RowTable, RowTable, StrainCoupling]:
     """Return the tables of the pressed face and of its neighbours, and how its magnets move each other."""
     face, differ = here.number, faces_differ(spec)
     lattices = {lattice.face: lattice for lattice in motions.candidates}
     row = motions.faces.tolist().index(face)
     # Quantities have different units: each is divided by its rms, so that one rank suits all of them.
-    own, *moving = (modes_of(motions, number, row, here.axes) for number in (face, *adjacent))
-    scale = rms(own, of_modes)
+    own_modes, *moving = (modes_of(motions, number, row, here.axes) for number in (face, *adjacent))
+    scale = rms(own_modes, of_modes)
     widths = np.repeat(scale, of_modes.shape[2])
 
     def table(numbers: Sequence[int], rows: list[np.ndarray], basis: np.ndarray) -> RowTable:
@@ -271,7 +271,7 @@ def _tables(
             padded = with_ghosts(np.concatenate(rows, axis=1), motions.candidates[0].shape)
         return RowTable(torch.as_tensor(padded, dtype=dtype), torch.as_tensor(basis, dtype=dtype))
 
-    rows, basis = compressed([own], of_modes, scale, ranks[0])
+    rows, basis = compressed([own_modes], of_modes, scale, ranks[0])
     if here.flat:
         rows = [with_turns(rows[0], lattices[face], motions.jeffery_parameter)]
     adjoining = _nothing(of_modes, dtype)
@@ -412,7 +412,7 @@ def _held(
     vectors: Float[np.ndarray, "rank column"],
     scale: Float[np.ndarray, "column"],
     dtype: torch.dtype,
-) -> Held:
+) -> StrainCoupling:
     """Return how magnets of the pressed face move each other, on its own basis.
 
     `vectors` are the basis for quantities divided by `scale`: orthonormal, so that a product with
@@ -430,7 +430,7 @@ def _held(
     # ends in the order distance, own depth, the other's depth. Both depths have the same nodes.
     ends = np.array([between.first_mm, *2 * [between.depth_mm[0]]])
     span = [between.step_mm * (values.shape[3] - 1), *2 * [np.ptp(between.depth_mm)]]
-    return Held(
+    return StrainCoupling(
         torch.as_tensor(with_ghosts(rows.reshape(len(rows), -1), lattice.shape), dtype=dtype),
         torch.as_tensor(values, dtype=dtype),
         torch.as_tensor(ends, dtype=dtype),

@@ -19,7 +19,7 @@ from estimator.layouts.batch import Layouts
 from estimator.layouts.near_field import OTHER, OWN, Magnets, Reach, field_of_magnets
 from estimator.layouts.placed import chips, other_magnets, own_magnets
 from estimator.layouts.presses.basis import PressBasis
-from estimator.layouts.presses.mixed_rows import mixed_rows
+from estimator.layouts.presses.mixed_rows import interpolate_motion_rows
 from estimator.layouts.scorer import LayoutScorer
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.live import is_live
@@ -73,7 +73,7 @@ def press_changes(
     if sensor_shift_mm is not None:
         return _press_changes(scorer, layouts, _channel_changes(scorer, layouts, sensor_shift_mm))
     presses = scorer.presses
-    made_of = scorer.spec, presses.own.rows, presses.turn, presses.patches
+    made_of = scorer.spec, presses.own_table.rows, presses.turn, presses.patches
     channels = layouts.kept("channels", made_of, lambda: _channel_changes(scorer, layouts))
     return layouts.kept("presses", (scorer,), lambda: _press_changes(scorer, layouts, channels))
 
@@ -86,21 +86,24 @@ def _channel_changes(
     sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip)
     if sensor_shift_mm is not None:
         sensor = sensor + sensor_shift_mm.permute(2, 0, 1)
-    own, other = field_changes(scorer, layouts, sensor)
+    own_field, other_field = field_changes(scorer, layouts, sensor)
     # Fields of magnets add (superposition): sum over own magnets and over those of other faces.
-    field = own.field.sum(-1) + other.field.sum(-1)
+    field = own_field.field.sum(-1) + other_field.field.sum(-1)
     counts = counts_of_field(scorer, axes, field).unflatten(1, (-1, 3))
-    at_chips = sensor, axes, other
+    at_chips = sensor, axes, other_field
     # Rows are chip axes: field (T) → counts → standard deviations of each channel's noise.
     whitened = axes * (scorer.counts_per_t / scorer.sigma_counts)[:, None]
     if scorer.sensors_move:
-        by_own = _each_its_own(whitened @ by_motion_of_sensors(own, other))
+        by_own = _block_diagonal(whitened @ sensor_motion_changes(own_field, other_field))
         return ChannelChanges(counts, by_own, by_own[..., :0], *at_chips)
-    moving = _of_moving_faces(
-        other.by_motion, layouts.magnet_mm.shape[1], len(scorer.presses.neighbours)
+    moving = _moving_face_changes(
+        other_field.by_motion, layouts.magnet_mm.shape[1], len(scorer.presses.neighbours)
     )
     return ChannelChanges(
-        counts, _by_channel(whitened, own.by_motion), _by_channel(whitened, moving), *at_chips
+        counts,
+        _channel_motion_changes(whitened, own_field.by_motion),
+        _channel_motion_changes(whitened, moving),
+        *at_chips,
     )
 
 
@@ -109,10 +112,15 @@ def _press_changes(
 ) -> PressChanges:
     moving, motions = [], []
     for presses, bodies, which in scorer.size_variants(layouts):
-        rows, tables = mixed_rows(presses, bodies), (presses.own, presses.other)
+        rows, tables = (
+            interpolate_motion_rows(presses, bodies),
+            (presses.own_table, presses.other_table),
+        )
         count = bodies.magnet_mm.shape[1]
         motions.append((which, presses, rows[0].reshape(len(layouts), count, 6, -1)))
-        some = (_of_bodies(each, which, layouts) for each in (channels.by_own, channels.by_other))
+        some = (
+            _body_columns(each, which, layouts) for each in (channels.by_own, channels.by_other)
+        )
         # ∂S/∂(motion) · ∂(motion)/∂(basis vector): (layout, channel, motion) @ (layout, motion, rank)
         moving += [
             (by_channel @ row.reshape(len(layouts), by_channel.shape[2], -1), table.basis)
@@ -147,7 +155,7 @@ def _reported(
     return torch.cat([unclipped[:, :, :3] * live[:, :, None], read[:, :, None]], dim=2)
 
 
-def _of_bodies(
+def _body_columns(
     by_channel: Float[Tensor, "layout channel motion"],
     which: tuple[int, ...] | None,
     layouts: Layouts,
@@ -159,7 +167,7 @@ def _of_bodies(
     return by_channel.unflatten(-1, (count, -1))[..., list(which), :].flatten(-2)
 
 
-def by_motion_of_sensors(*of_magnets: FieldChange) -> Float[Tensor, "layout sensor 3 6"]:
+def sensor_motion_changes(*of_magnets: FieldChange) -> Float[Tensor, "layout sensor 3 6"]:
     """Return the change of the field that sensors feel with their own motions, from that with magnets'.
 
     A sensor moved one way sees magnets moved the other way; one that turns feels the field turned back.
@@ -174,13 +182,13 @@ def by_motion_of_sensors(*of_magnets: FieldChange) -> Float[Tensor, "layout sens
     return torch.cat([shift, turn.transpose(-1, -2)], dim=-1)
 
 
-def _each_its_own(
+def _block_diagonal(
     by_motion: Float[Tensor, "layout sensor 3 6"],
 ) -> Float[Tensor, "layout channel motion"]:
     """Return a block for each sensor on the diagonal: a board's motion changes its own chip alone."""
     layouts, sensors = by_motion.shape[:2]
-    own = torch.eye(sensors, dtype=by_motion.dtype)[:, None, :, None]
-    return (by_motion[:, :, :, None] * own).reshape(layouts, 3 * sensors, -1)
+    diagonal = torch.eye(sensors, dtype=by_motion.dtype)[:, None, :, None]
+    return (by_motion[:, :, :, None] * diagonal).reshape(layouts, 3 * sensors, -1)
 
 
 def field_changes(
@@ -222,7 +230,7 @@ def counts_of_field(
     return scorer.counts_per_t * (axes @ field_t.permute(1, 2, 0)[..., None]).flatten(1)
 
 
-def _of_moving_faces(
+def _moving_face_changes(
     by_motion: Float[Tensor, "3 6 layout sensor other"], magnets: int, faces: int
 ) -> Float[Tensor, "3 6 layout sensor moving"]:
     """Return the changes without those of the opposite face, the last one, where there is one."""
@@ -230,7 +238,7 @@ def _of_moving_faces(
     return by_face[..., :faces].flatten(-2)
 
 
-def _by_channel(
+def _channel_motion_changes(
     whitened: Float[Tensor, "layout sensor 3 3"],
     by_motion: Float[Tensor, "3 6 layout sensor magnet"],
 ) -> Float[Tensor, "layout channel motion"]:

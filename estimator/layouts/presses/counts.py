@@ -34,7 +34,7 @@ def counts_when_pressed(
     _, _, by_force, in_press = changes.unclipped.unbind(2)
     sigma = scorer.sigma_counts.repeat(len(by_force) // 3)[:, None, None]
     resting = changes.resting_counts.flatten(1).T[..., None]
-    linear = resting + sigma * (in_press + by_force * _beyond_n(scorer))
+    linear = resting + sigma * (in_press + by_force * _deepest_excess_n(scorer))
     place = linear.abs().unflatten(0, (-1, 3)).amax(dim=1).argmax(dim=-1).T
     counts = _counts_of_pressed_boards if scorer.sensors_move else _counts_of_pressed_magnets
     return counts(scorer, layouts, changes, place)
@@ -59,25 +59,25 @@ def _counts_of_pressed_magnets(
     turned = axis + torch.linalg.cross(turn, axis.expand_as(turn), dim=0)
     magnets = (centre + shift).flatten(1, 2), (turned / turned.norm(dim=0)).flatten(1, 2)
     polarity = layouts.polarity.repeat_interleave(sensors, dim=0)
-    found = field_at(scorer, channels.sensor_mm.flatten(1)[..., None], magnets, polarity, PRESSED)
-    own = FieldChange(
-        found.field[:, :, 0].unflatten(1, place.shape),
-        found.by_motion[:, :, :, 0].unflatten(2, place.shape),
+    change = field_at(scorer, channels.sensor_mm.flatten(1)[..., None], magnets, polarity, PRESSED)
+    own_change = FieldChange(
+        change.field[:, :, 0].unflatten(1, place.shape),
+        change.by_motion[:, :, :, 0].unflatten(2, place.shape),
     )
-    field = own.field.sum(-1) + channels.others.field.sum(-1)
+    field = own_change.field.sum(-1) + channels.others.field.sum(-1)
     return PressedCounts(
         counts_of_field(scorer, channels.axes, field),
-        channel_spread(scorer, channels.sensor_mm, channels.axes, own, channels.others),
+        channel_spread(scorer, channels.sensor_mm, channels.axes, own_change, channels.others),
     )
 
 
 def _deepest(scorer: LayoutScorer, presses: PressBasis) -> Float[Tensor, "rank place"]:
     """Basis of the pressed face's motions in the deepest presses."""
-    table = presses.own.basis.unflatten(1, (4, -1))
-    return table[:, 3] + table[:, 2] * _beyond_n(scorer)
+    table = presses.own_table.basis.unflatten(1, (4, -1))
+    return table[:, 3] + table[:, 2] * _deepest_excess_n(scorer)
 
 
-def _beyond_n(scorer: LayoutScorer) -> Float[Tensor, "place"]:
+def _deepest_excess_n(scorer: LayoutScorer) -> Float[Tensor, "place"]:
     """From the basis's force to that of the deepest press."""
     return scorer.presses.deepest_n - scorer.presses.force_n
 
@@ -94,13 +94,13 @@ def _counts_of_pressed_boards(
     # l layout, s sensor (its board, in the press at its own place), k of 6 motions, r vector
     motion = torch.einsum("lskr,rls->lsk", rows, _deepest(scorer, presses)[:, place])
     moved = changes.channels.sensor_mm + motion[..., :3].permute(2, 0, 1)
-    own, other = field_changes(scorer, layouts, moved)
-    field = (own.field.sum(-1) + other.field.sum(-1)).permute(1, 2, 0)
+    own_field, other_field = field_changes(scorer, layouts, moved)
+    field = (own_field.field.sum(-1) + other_field.field.sum(-1)).permute(1, 2, 0)
     felt = _turned_back(field, motion[..., 3:])
     axes = changes.channels.axes
     return PressedCounts(
         counts_of_field(scorer, axes, felt.permute(2, 0, 1)),
-        channel_spread(scorer, moved, axes, own, other),
+        channel_spread(scorer, moved, axes, own_field, other_field),
     )
 
 

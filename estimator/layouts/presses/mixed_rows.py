@@ -10,7 +10,7 @@ from torch.nn.functional import embedding_bag, grid_sample, pad
 from design.errors import InputError
 from estimator.layouts.batch import Layouts
 from estimator.layouts.placed import magnets_under
-from estimator.layouts.presses.basis import Held, Patch, PressBasis
+from estimator.layouts.presses.basis import Patch, PressBasis, StrainCoupling
 
 _BEYOND = 1e-4
 """Share of a lattice step that a magnet may lie beyond the last candidate.
@@ -19,7 +19,7 @@ Layouts stand in float32: a magnet on the border may seem to lie outside by roun
 """
 
 
-def mixed_rows(
+def interpolate_motion_rows(
     basis: PressBasis, layouts: Layouts
 ) -> tuple[Float[Tensor, "magnet own"], Float[Tensor, "magnet other"]]:
     """Return the rows of magnets that lie between candidates, as `CandidateMotions.at` does.
@@ -33,8 +33,8 @@ def mixed_rows(
         A place outside the candidates.
     """
     made_of = (
-        basis.own.rows,
-        basis.other.rows,
+        basis.own_table.rows,
+        basis.other_table.rows,
         basis.first_mm,
         basis.step_mm,
         basis.held,
@@ -50,15 +50,15 @@ def _mixed_rows(
     # Flat faces that are alike share one lattice: neighbours and weights serve both tables.
     if not basis.patches:
         near = rows_around(basis, (xyd_mm - basis.first_mm) / basis.step_mm, xyd_mm)
-        own = _turned(_weighted(basis.own.rows, *near), basis, layouts)
-        return own + _moved_by_others(basis, layouts, xyd_mm, near), _weighted(
-            basis.other.rows, *near
+        own_rows = _turned(_weighted(basis.own_table.rows, *near), basis, layouts)
+        return own_rows + _moved_by_others(basis, layouts, xyd_mm, near), _weighted(
+            basis.other_table.rows, *near
         )
     # Faces that differ have a lattice each: the pressed face first, then its neighbours.
     # The opposite face is left out: its magnets hardly move (`PressBasis`).
     pressed, *adjacent = basis.patches[: 1 + len(basis.neighbours)]
     lengths_mm = _along(pressed, layouts)
-    own, *others = (
+    own_rows, *others = (
         rows_around(patch, (place - patch.first_mm) / patch.step_mm, xyd_mm)
         for patch, place in [
             (pressed, lengths_mm),
@@ -66,19 +66,19 @@ def _mixed_rows(
         ]
     )
     moving = [
-        _weighted(basis.other.rows, patch.start + index, weight)
+        _weighted(basis.other_table.rows, patch.start + index, weight)
         for patch, (index, weight) in zip(basis.patches[1 : 1 + len(others)], others, strict=True)
     ]
-    other = torch.cat(moving, dim=1) if moving else torch.zeros_like(xyd_mm[:, :0])
-    rows = _turned(_weighted(basis.own.rows, *own), basis, layouts)
-    return rows + _moved_by_others(basis, layouts, lengths_mm, own), other
+    other_rows = torch.cat(moving, dim=1) if moving else torch.zeros_like(xyd_mm[:, :0])
+    rows = _turned(_weighted(basis.own_table.rows, *own_rows), basis, layouts)
+    return rows + _moved_by_others(basis, layouts, lengths_mm, own_rows), other_rows
 
 
 def _turned(
     rows: Float[Tensor, "magnet column"], basis: PressBasis, layouts: Layouts
 ) -> Float[Tensor, "magnet own"]:
     """Return the rows of magnets that are tilted as their layouts say, to first order in the tilt."""
-    rank = len(basis.own.basis)
+    rank = len(basis.own_table.basis)
     if rows.shape[1] == 6 * rank:
         return rows
     # Columns: 6 · rank of the magnet as it lies flat; then what its 3 rotations gain with each
@@ -116,7 +116,7 @@ def candidate_ends_mm(
 
 def _along(patch: Patch, layouts: Layouts) -> Float[Tensor, "magnet 3"]:
     """Lengths along a patch's surface, and depths, of its magnets, as its candidates are told."""
-    xyd = layouts.of(patch.surface.number).magnet_mm.reshape(-1, 3)
+    xyd = layouts.layouts_of_face(patch.surface.number).magnet_mm.reshape(-1, 3)
     return torch.cat([patch.surface.lengths_mm(xyd[:, :2]), xyd[:, 2:]], dim=1)
 
 
@@ -173,7 +173,7 @@ def _moved_by_others(
 
     These are rigid: each resists the strain round it, and so moves the silicone (`fem.candidates.influence`).
     """
-    count, rank = layouts.magnet_mm.shape[1], len(basis.own.basis)
+    count, rank = layouts.magnet_mm.shape[1], len(basis.own_table.basis)
     if count == 1:
         return torch.zeros_like(layouts.magnet_mm[:, 0, :1])
     strain = _weighted(basis.held.strain, *near).reshape(len(layouts), count, 5, -1)
@@ -190,7 +190,7 @@ def _moved_by_others(
 
 
 def influences(
-    held: Held, along_mm: Float[Tensor, "layout magnet 3"]
+    held: StrainCoupling, along_mm: Float[Tensor, "layout magnet 3"]
 ) -> Float[Tensor, "layout magnet magnet 6 5"]:
     """Return the motion of each magnet of a face, in its own frame, for each strain round each other one.
 
@@ -203,8 +203,8 @@ def influences(
     # A magnet is no pair with itself: any length, here (1, 1) mm, avoids 0/0; its row becomes 0 below.
     # 1e-6 mm² (a distance of 1 µm) keeps the root's derivative finite for two magnets at one place.
     distance = (away.masked_fill(itself, 1.0).square().sum(-1) + 1e-6).sqrt()
-    own, other = torch.broadcast_tensors(depth[:, :, None], depth[:, None])
-    share = (torch.stack([distance, own, other], dim=-1) - held.first_mm) / held.span_mm
+    own_depth, other_depth = torch.broadcast_tensors(depth[:, :, None], depth[:, None])
+    share = (torch.stack([distance, own_depth, other_depth], dim=-1) - held.first_mm) / held.span_mm
     # `grid_sample` takes places from −1 to 1, the table's last axis (distance) first. Beyond the
     # border its end counts: the first distance for nearer pairs, and 0, the last entry, further off.
     table = grid_sample(

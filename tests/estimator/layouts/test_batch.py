@@ -39,20 +39,20 @@ def test_rows_and_changes_reach_the_layouts_of_all_faces():
     one, two = random_layouts(3, seed=1), random_layouts(3, seed=2)
     both = layouts_by_face({1: one, 4: two}, 4)
     assert (both.face, len(both)) == (4, 3)
-    assert both.of(1) is one
-    assert both.of(2) is both
+    assert both.layouts_of_face(1) is one
+    assert both.layouts_of_face(2) is both
     some = both[1:]
-    assert (some.face, len(some), len(some.of(1))) == (4, 2, 2)
+    assert (some.face, len(some), len(some.layouts_of_face(1))) == (4, 2, 2)
     for name in ("magnet_mm", "turn_rad", "polarity", "sensor_mm"):
         assert_array_equal(getattr(some, name), getattr(two, name)[1:])
-        assert_array_equal(getattr(some.of(1), name), getattr(one, name)[1:])
+        assert_array_equal(getattr(some.layouts_of_face(1), name), getattr(one, name)[1:])
     seen = []
 
     def change(layouts, face):
         seen.append(face)
         return layouts[:1]
 
-    changed = both.each(change)
-    assert (seen, len(changed), len(changed.of(1)), changed.face) == ([1, 4], 1, 1, 4)
-    assert len(one.each(change)) == 1
+    changed = both.map_faces(change)
+    assert (seen, len(changed), len(changed.layouts_of_face(1)), changed.face) == ([1, 4], 1, 1, 4)
+    assert len(one.map_faces(change)) == 1
     assert seen[-1] is None

@@ -24,8 +24,8 @@ from estimator.layouts.fidelity import (
     gains,
     lowest_fidelity_score,
     rank_correlations,
+    regressed_share,
     score_signals,
-    worse_share,
 )
 from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.presses.changes import press_changes
@@ -197,9 +197,9 @@ def test_a_range_of_forces_is_judged_by_geometric_means():
     assert_allclose(found.percentile_99_position_bound_mm, wanted, rtol=1e-12)
     assert_allclose(found.worst_position_bound_mm, np.prod(bounds.max((1, 2))) ** 0.5, rtol=1e-12)
     better = replace(found, position_bounds_mm=tuple((0.5 * bounds.ravel()).tolist()))
-    assert worse_share(better, found) == 1
+    assert regressed_share(better, found) == 1
     limit, edge = spec.limits.position_bound_mm, max(spec.body.size_mm)
-    assert worse_share(better, found, limit) == np.mean(bounds > limit)
+    assert regressed_share(better, found, limit) == np.mean(bounds > limit)
     assert_allclose(found.position_over_limit, gmean(np.clip(bounds, limit, edge).ravel() / limit))
 
 

@@ -8,7 +8,7 @@ import torch
 from numpy.testing import assert_allclose
 
 from estimator.layouts.presses.basis import press_basis
-from estimator.layouts.presses.mixed_rows import influences, mixed_rows
+from estimator.layouts.presses.mixed_rows import influences, interpolate_motion_rows
 from fem.candidates.influence import strains_turned
 from fem.candidates.motions import Influence
 from tests.support.mechanics.candidate_cases import FACE, at_contacts, random_layouts
@@ -68,9 +68,10 @@ def test_rows_have_what_the_other_magnets_strain_adds(spec, motions, held, fault
         for given in (told, motions)
     )
     rows, plain = (
-        mixed_rows(one, random_layouts(COUNT, dtype=torch.float64))[0] for one in (with_it, without)
+        interpolate_motion_rows(one, random_layouts(COUNT, dtype=torch.float64))[0]
+        for one in (with_it, without)
     )
-    added = (rows - plain).reshape(COUNT, 5, 6, -1) @ with_it.own.basis
+    added = (rows - plain).reshape(COUNT, 5, 6, -1) @ with_it.own_table.basis
     added = added.unflatten(3, (4, -1))[..., 3, :].numpy()
     node, weight = told.weights(FACE, layouts.magnet_mm.reshape(-1, 3).numpy())
     lattice = np.einsum("mk,mkrs->mrs", weight, told.strain[node]).reshape(COUNT, 5, -1, 5)

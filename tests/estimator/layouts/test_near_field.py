@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from estimator.field.gradient import field_change
 from estimator.field.sources import DiskMagnet, magnet_source
 from estimator.layouts.limits.parts import SLACK_MM
-from estimator.layouts.limits.rules import RULES, broken_limits_mm
+from estimator.layouts.limits.rules import RULES, constraint_violations_mm
 from estimator.layouts.near_field import OTHER, OWN, PRESSED, field_of_size
 from estimator.layouts.vectors import layouts_at
 from tests.support.objects.layout_batches import batch
@@ -120,7 +120,7 @@ def test_nearer_chips_break_a_limit_and_see_the_field_at_the_least_distance():
     _, space, _, poles, units = batch(seed=3, wall_mm=0.4)
     laid = layouts_at(space, units, poles, 1)
     spec = space.structured
-    told = broken_limits_mm(space, laid, 1)[:, RULES.index("chip near a magnet")]
+    told = constraint_violations_mm(space, laid, 1)[:, RULES.index("chip near a magnet")]
     magnet = magnet_source(spec.magnets)
     depth = spec.shell.thickness_mm + spec.sensors.depth_below_core_face_mm
     for row, missing in enumerate(told):

@@ -218,8 +218,8 @@ def test_narrower_generations_come_from_the_same_distribution():
     for _ in range(20):
         points = search.ask_all()
         search.tell([(at, float((at[0] - 0.6) ** 2 + 9 * (at.sum() - 1) ** 2)) for at in points])
-    narrow = search.of(4000)
-    assert search.of(40) is search
+    narrow = search.resize(4000)
+    assert search.resize(40) is search
     spread = narrow.ask_all(), np.concatenate([search.ask_all() for _ in range(100)])
     means = [points.mean(axis=0) for points in spread]
     covariances = [np.cov(points.T) for points in spread]

@@ -112,7 +112,7 @@ def test_columns_are_scaled_by_the_rms_of_their_quantity(spec, motions, presses)
     own = np.einsum("cvr,rqp->cvqp", modes, of_modes)
     assert own.shape[2] == 4
     scale = np.repeat(np.sqrt(np.mean(own**2, axis=(0, 1, 3))), own.shape[3])
-    for table in (presses.own, presses.other):
+    for table in (presses.own_table, presses.other_table):
         unit = table.basis.double().numpy() / scale
         assert_allclose(unit @ unit.T, np.eye(len(unit)), atol=1e-4)
 
@@ -165,7 +165,9 @@ def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
     assert_allclose(most, wanted)
     inside = torch.stack([least, most])
     last = torch.tensor(presses.nodes) - 1.0
-    index, weight = mixed_rows.rows_around(presses, torch.stack([0 * last, last]), inside)
+    index, weight = mixed_rows.rows_around(
+        presses, torch.stack([0 * last, last]), inside
+    )
     ny, nz = (n + 2 for n in presses.nodes[1:])
     for row, node in ((0, torch.ones(3)), (1, last + 1)):
         at = int(node @ torch.tensor([float(ny * nz), float(nz), 1.0]))

@@ -20,7 +20,7 @@ from estimator.field.environment import environment
 from estimator.field.models import FieldModel
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.cross_face import neighbour_changes
-from estimator.layouts.limits.rules import RULES, broken_limits_mm
+from estimator.layouts.limits.rules import RULES, constraint_violations_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.presses.basis import press_basis
 from estimator.layouts.presses.changes import press_changes
@@ -186,7 +186,9 @@ def test_layouts_within_all_limits_pass_the_specification_s_own_check(body):
     spec, space, tensors, poles, point = broken_of_random_layouts(body=body)
 
     def broken(point):
-        return broken_limits_mm(tensors, layouts_at(tensors, point, poles, FACE), FACE).sum(dim=1)
+        return constraint_violations_mm(tensors, layouts_at(tensors, point, poles, FACE), FACE).sum(
+            dim=1
+        )
 
     point = torch.cat([point, descend(broken, point, 60)])
     poles, accepted, walls = torch.cat([poles, poles]), [], []
@@ -225,7 +227,7 @@ def test_walls_in_the_core_by_hand(diameter_mm, place, missing_mm):
     magnets = spec.magnets.changed(positions_mm=places, north=(), diameter_mm=diameter_mm)
     spec = spec.changed(magnets=magnets)
     space = layout_space(search_space(spec), spec, torch.float64)
-    found = broken_limits_mm(space, layouts_of(spec, FACE, torch.float64), FACE)
+    found = constraint_violations_mm(space, layouts_of(spec, FACE, torch.float64), FACE)
     told = float(found[0, RULES.index("magnets in the core")])
     assert told == pytest.approx(missing_mm + 0.02 * (missing_mm > 0), abs=2e-5)
 
@@ -239,7 +241,7 @@ def test_gradients_of_limits_are_those_of_differences(rule):
 
     def broken(point):
         laid = layouts_at(tensors, point, poles, FACE)
-        return broken_limits_mm(tensors, laid, FACE)[:, RULES.index(rule)]
+        return constraint_violations_mm(tensors, laid, FACE)[:, RULES.index(rule)]
 
     point = units.clone().requires_grad_()
     (slope,) = torch.autograd.grad(broken(point).sum(), point)

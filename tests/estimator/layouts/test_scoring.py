@@ -14,7 +14,7 @@ from estimator.layouts import scoring
 from estimator.layouts.batch import Layouts, layouts_of
 from estimator.layouts.presses.basis import press_basis, surface_compliance
 from estimator.layouts.presses.changes import press_changes
-from estimator.layouts.presses.mixed_rows import mixed_rows
+from estimator.layouts.presses.mixed_rows import interpolate_motion_rows
 from estimator.layouts.scorer import layout_scorer
 from estimator.layouts.scoring import place_information, score_layouts
 from tests.support.mechanics.candidate_cases import (
@@ -197,8 +197,8 @@ def test_stored_forces_between_the_least_and_the_largest_change_nothing(spec, mo
         "presses": np.insert(motions.presses, 1, np.float32(7.0), axis=2),
     }
     found, wanted = (press_basis(spec, m, FACE) for m in (replace(motions, **between), motions))
-    torch.testing.assert_close(found.own.rows, wanted.own.rows)
-    torch.testing.assert_close(found.own.basis, wanted.own.basis)
+    torch.testing.assert_close(found.own_table.rows, wanted.own_table.rows)
+    torch.testing.assert_close(found.own_table.basis, wanted.own_table.basis)
     torch.testing.assert_close(found.mm_per_n, wanted.mm_per_n)
 
 
@@ -207,8 +207,10 @@ def test_rows_are_the_motions_of_the_table(spec, motions, layouts):
     presses = press_basis(spec, motions, FACE)
     xyd = layouts.magnet_mm.reshape(-1, 3).clone()
     xyd[0], xyd[1] = torch.tensor([18.0, -18.0, 1.5]), torch.tensor([-18.0, 3.3, 6.5])
-    own, _ = mixed_rows(presses, replace(layouts, magnet_mm=xyd.reshape(layouts.magnet_mm.shape)))
-    unfolded = own.reshape(len(xyd), 6, -1) @ presses.own.basis
+    own, _ = interpolate_motion_rows(
+        presses, replace(layouts, magnet_mm=xyd.reshape(layouts.magnet_mm.shape))
+    )
+    unfolded = own.reshape(len(xyd), 6, -1) @ presses.own_table.basis
     found = unfolded.reshape(len(xyd), 2, 3, 4, -1)[:, :, :, 3]
     at = xyd.double().numpy()
     stored = at_contacts(spec, motions.motions_at(FACE, at[:, :2], at[:, 2])[FACE - 1]).mean(axis=1)

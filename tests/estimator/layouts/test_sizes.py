@@ -15,7 +15,7 @@ from estimator.layouts.batch import layouts_by_face, layouts_of
 from estimator.layouts.batch_scores import DEARER, batch_scores
 from estimator.layouts.limits.parts import chips_near_magnets_mm, pockets_of
 from estimator.layouts.presses.basis import press_basis
-from estimator.layouts.scorer import layout_scorer, within_candidates
+from estimator.layouts.scorer import clamp_to_candidates, layout_scorer
 from estimator.layouts.scoring import place_information
 from tests.support.mechanics.candidate_cases import (
     FACE,
@@ -129,7 +129,7 @@ def test_scores_of_sizes_that_are_nearly_one_are_those_of_one(layouts, own):
 def test_magnets_stay_within_the_candidates_of_their_own_size(spec, motions, layouts):
     scorer = scorer_of(spec, motions)
     wide = replace(layouts, magnet_mm=layouts.magnet_mm + torch.tensor([40.0, -40.0, 0.0]))
-    found = within_candidates(scorer, wide).magnet_mm
+    found = clamp_to_candidates(scorer, wide).magnet_mm
     pockets = np.array(SIZES["diameter_mm"]) / 2 + 0.1
     assert_allclose(found[:, :, 0], np.tile(21 - pockets, (COUNT, 1)), atol=1e-4)
     assert_allclose(found[:, :, 1], np.tile(pockets - 21, (COUNT, 1)), atol=1e-4)

@@ -55,9 +55,9 @@ def kept_by_drawn_objects(spec):
 
 def at_rest(presses):
     """Presses that move nothing: the deepest press is rest."""
-    tables = (presses.own, presses.other)
+    tables = (presses.own_table, presses.other_table)
     own, other = (type(t)(0 * t.rows, t.basis) for t in tables)
-    return replace(presses, own=own, other=other)
+    return replace(presses, own_table=own, other_table=other)
 
 
 @pytest.mark.parametrize("chip", CHIPS)

@@ -12,7 +12,7 @@ from design.layout.places.positions import (
     sinks_of_boards_mm,
 )
 from design.layout.pockets import magnet_bodies, sensor_places
-from estimator.layouts.surfaces import onto_patch_mm, pointwise, surfaces
+from estimator.layouts.surfaces import clamp_to_patch_mm, pointwise, surfaces
 from tests.support.objects.body_cases import body_spec
 
 BODIES = ("capsule", "ellipsoid", "cylinder", "dome_on_core")
@@ -74,7 +74,7 @@ def test_beside_its_patch_a_part_lies_at_the_border(spec):
     for surface in surfaces(spec).values():
         for far in ([[90.0, 40.0]], [[-3.0, -80.0]]):
             xy = np.array(far)
-            near = onto_patch_mm(surface.frame, xy)
+            near = clamp_to_patch_mm(surface.frame, xy)
             assert surface.frame.covers(near).all()
             assert not surface.frame.covers(1.001 * near).any()
             assert_allclose(near[0, 0] * xy[0, 1], near[0, 1] * xy[0, 0], atol=1e-9)

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from design.layout.body import face_frames
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.presses.basis import press_basis
-from estimator.layouts.presses.mixed_rows import mixed_rows
+from estimator.layouts.presses.mixed_rows import interpolate_motion_rows
 from tests.support.mechanics.candidate_cases import at_contacts, made_up_motions
 from tests.support.objects.search_cases import made_up_spec
 
@@ -64,8 +64,10 @@ def test_in_even_strain_a_tilted_magnet_turns_by_jefferys_law(spec, share):
     layouts = layouts_of(spec, FACE, torch.float64)
     turns = np.deg2rad([[0, 0], [0.06, 0], [0, 0.06], [-0.05, 0.07], [0.08, 0.04]])
     layouts = replace(layouts, turn_rad=torch.as_tensor(turns[None]))
-    own, _ = mixed_rows(presses, layouts)
-    unfolded = (own.reshape(len(turns), 6, -1) @ presses.own.basis).reshape(len(turns), 6, 4, -1)
+    own, _ = interpolate_motion_rows(presses, layouts)
+    unfolded = (own.reshape(len(turns), 6, -1) @ presses.own_table.basis).reshape(
+        len(turns), 6, 4, -1
+    )
     found = (unfolded[:, 3:, 3] / torch.as_tensor(size.mean(axis=1))).mean(dim=2).numpy()
     wanted = np.array([turned(SLOPES, turn, share) for turn in turns])
     assert_allclose(found[0], wanted[0], rtol=0, atol=1e-5 * np.linalg.norm(SLOPES))

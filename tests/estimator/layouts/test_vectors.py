@@ -15,7 +15,7 @@ from design.search.space import params_at, search_space, with_layout
 from design.search.structure import with_structure
 from design.spec_io import parse_spec
 from estimator.layouts.batch import layouts_of
-from estimator.layouts.limits.rules import RULES, broken_limits_mm
+from estimator.layouts.limits.rules import RULES, constraint_violations_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.vectors import layout_space, layouts_at
 from tests.support.objects.layout_batches import VARY, batch
@@ -52,20 +52,20 @@ def test_faces_of_each_size_have_a_layout_of_their_own(monkeypatch):
     poles = torch.tensor([polarities(spec, one) for one in params], dtype=torch.float64)
     flags = [not v.choices for v in space.variables]
     found = layouts_at(tensors, torch.as_tensor(units[:, flags]), poles, 3)
-    assert not torch.equal(found.of(1).magnet_mm, found.magnet_mm)
-    assert torch.equal(found.of(5).magnet_mm, found.magnet_mm)
+    assert not torch.equal(found.layouts_of_face(1).magnet_mm, found.magnet_mm)
+    assert torch.equal(found.layouts_of_face(5).magnet_mm, found.magnet_mm)
     for row, one in enumerate(params):
         laid = layouts_of(unchecked(spec, one, monkeypatch), 3, torch.float64)
         for face in spec.body.sensed:
             for name in ("magnet_mm", "polarity", "sensor_mm"):
-                wanted, told = (getattr(each.of(face), name) for each in (laid, found))
+                wanted, told = (getattr(each.layouts_of_face(face), name) for each in (laid, found))
                 assert_allclose(told[row], wanted[0], rtol=0, atol=0.0051)
     one = found[1:2]
     assert one.face == 3
-    assert torch.equal(one.of(2).sensor_mm[0], found.of(2).sensor_mm[1])
-    moved = found.each(lambda each, face: replace(each, magnet_mm=each.magnet_mm + face))
+    assert torch.equal(one.layouts_of_face(2).sensor_mm[0], found.layouts_of_face(2).sensor_mm[1])
+    moved = found.map_faces(lambda each, face: replace(each, magnet_mm=each.magnet_mm + face))
     assert torch.equal(moved.magnet_mm, found.magnet_mm + 3)
-    assert torch.equal(moved.of(4).magnet_mm, found.of(4).magnet_mm + 4)
+    assert torch.equal(moved.layouts_of_face(4).magnet_mm, found.layouts_of_face(4).magnet_mm + 4)
 
 
 WORDS = {
@@ -82,7 +82,7 @@ def verdicts(seed):
     variables = search_space(spec).continuous
 
     def broken(point):
-        return broken_limits_mm(space, layouts_at(space, point, poles, 1), 1)
+        return constraint_violations_mm(space, layouts_at(space, point, poles, 1), 1)
 
     for steps in (8, 120):
         point = descend(lambda u: broken(u).sum(dim=1), units, steps)
@@ -115,7 +115,7 @@ def test_limits_agree_with_the_specifications_check():
 
 def test_walls_between_recesses_are_those_of_the_core(monkeypatch):
     spec, space, params, poles, units = batch(5, 60, wall_mm=0.1)
-    missing = broken_limits_mm(space, layouts_at(space, units, poles, 1), 1)[
+    missing = constraint_violations_mm(space, layouts_at(space, units, poles, 1), 1)[
         :, RULES.index("board gap")
     ]
     walls = np.array([smallest_recess_wall_mm(unchecked(spec, one, monkeypatch)) for one in params])
@@ -133,7 +133,7 @@ def test_gradients_of_limits_are_those_of_differences(rule):
     _, space, _, poles, units = batch(7, 40)
 
     def broken(point):
-        return broken_limits_mm(space, layouts_at(space, point, poles, 1), 1)[:, rule]
+        return constraint_violations_mm(space, layouts_at(space, point, poles, 1), 1)[:, rule]
 
     point = units.clone().requires_grad_()
     (slope,) = torch.autograd.grad(broken(point).sum(), point)
@@ -155,7 +155,7 @@ FABRICATION = {
 def test_limits_of_fabrication_have_its_figures(monkeypatch):
     """What fails breaks the limit of that name, and nothing is refused that is clear of it."""
     spec, space, params, poles, units = batch(11, 30)
-    broken = broken_limits_mm(space, layouts_at(space, units, poles, 1), 1)
+    broken = constraint_violations_mm(space, layouts_at(space, units, poles, 1), 1)
     seen = dict.fromkeys((*FABRICATION, "seal"), 0)
     for row, one in enumerate(params):
         found = {f.check: f for f in layout_findings(unchecked(spec, one, monkeypatch))}

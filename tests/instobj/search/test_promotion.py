@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from design.spec.object import ObjectSpec
-from estimator.layouts.fidelity import over_limit
+from estimator.layouts.fidelity import excess_over_limit
 from instobj.search.fidelity import TwinRatio
 from instobj.search.verdict import LAST, Promoted, excess, gains_in_words, merit, objections
 from tests.support.objects.fidelity_scores import START
@@ -50,7 +50,7 @@ def box_sharp_in_its_middle(blind_mm, middle_mm):
     return replace(
         START,
         worst_position_bound_mm=blind_mm,
-        position_over_limit=float(over_limit(ObjectSpec(name="box"), bounds)),
+        position_over_limit=float(excess_over_limit(ObjectSpec(name="box"), bounds)),
         position_bounds_mm=tuple(bounds.tolist()),
     )
 

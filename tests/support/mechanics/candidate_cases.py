@@ -21,7 +21,7 @@ from estimator.field.environment import environment
 from estimator.field.models import exact_model
 from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.layouts.batch import Layouts
-from estimator.layouts.surfaces import onto_patch_mm
+from estimator.layouts.surfaces import clamp_to_patch_mm
 from estimator.signals.field_setup import Scene, sensed_field
 from estimator.signals.hall import chip_errors, counts_of_field
 from estimator.signals.interpolation import signal_gradient
@@ -127,7 +127,7 @@ def motion_of(table):
 
 def in_object(frame, lattice):
     """Candidates of a face; those beyond a round patch go on as its ends do."""
-    xy = onto_patch_mm(frame, frame.to_plane(lattice.xyd_mm[:, :2]))
+    xy = clamp_to_patch_mm(frame, frame.to_plane(lattice.xyd_mm[:, :2]))
     return frame.to_object(np.column_stack([xy, -lattice.xyd_mm[:, 2]]))
 
 

@@ -24,7 +24,7 @@ from design.spec_io import parse_spec
 from estimator.field.sources import magnet_source
 from estimator.layouts.limits import curved
 from estimator.layouts.limits.parts import boards_of, chips_near_magnets_mm
-from estimator.layouts.limits.rules import RULES, broken_limits_mm
+from estimator.layouts.limits.rules import RULES, constraint_violations_mm
 from estimator.layouts.polish import descend
 from estimator.layouts.surfaces import surfaces
 from estimator.layouts.vectors import layout_space, layouts_at
@@ -92,7 +92,7 @@ FABRICATION = {
 def told_and_missing(body, monkeypatch, count=16):
     """Of every rule of fabrication: what the limit says, and what its figure lacks."""
     spec, space, params, poles, units = batch(body, count, 11)
-    broken = broken_limits_mm(space, layouts_at(space, units, poles, 3), 3)
+    broken = constraint_violations_mm(space, layouts_at(space, units, poles, 3), 3)
     for row, one in enumerate(params):
         laid = unchecked(spec, one, monkeypatch)
         found = {f.check: f for f in layout_findings(laid)}
@@ -124,7 +124,7 @@ def test_layouts_within_all_limits_fit_and_can_be_made(body):
     variables = search_space(spec).continuous
 
     def broken(point):
-        return broken_limits_mm(space, layouts_at(space, point, poles, 3), 3)
+        return constraint_violations_mm(space, layouts_at(space, point, poles, 3), 3)
 
     point = descend(lambda u: broken(u).sum(dim=1), units, 25, 0.08)
     kept = 0
@@ -147,7 +147,7 @@ def test_gradients_of_limits_are_those_of_differences():
     _, space, _, poles, units = batch("capsule", 4, 7)
 
     def broken(point):
-        return broken_limits_mm(space, layouts_at(space, point, poles, 3), 3)
+        return constraint_violations_mm(space, layouts_at(space, point, poles, 3), 3)
 
     point = units.clone().requires_grad_()
     found = broken(point).sum(dim=0)
@@ -171,7 +171,7 @@ def test_silicone_over_magnets_is_that_of_their_rims():
                 if not frame.covers(1.2 * np.array([x, y])):
                     continue
                 wanted = cover_mm(frame, replace(body, centre_mm=np.array([x, y, -depth])))
-                found = float(covers[frame.number].at(np.array([[x, y, depth]]))[0, 0])
+                found = float(covers[frame.number].wall_over(np.array([[x, y, depth]]))[0, 0])
                 assert found == pytest.approx(wanted, abs=0.02)
 
 
@@ -183,7 +183,7 @@ def test_a_recess_leaves_a_wall_round_the_wire_hole_as_it_is_turned(body):
     known, layouts = surfaces(space.structured), layouts_at(space, units, poles, 3)
     least, seen = passage_radius_mm(spec) + spec.printer.wall_mm + curved.SLACK_MM, []
     for number, surface in known.items():
-        laid, core = layouts.of(number), surface.core
+        laid, core = layouts.layouts_of_face(number), surface.core
         recesses = curved.recess_boxes(surface, laid, boards_of(spec, laid))
         found = curved.boards_beside_hole(surface, recesses)
         centre, axes, half = (part.numpy() for part in recesses)

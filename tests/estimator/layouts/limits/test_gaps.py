@@ -19,9 +19,9 @@ from design.layout.pockets import (
     tilted_frame,
 )
 from estimator.layouts.limits.gaps import (
-    between_segments,
     missing_between_boxes_mm,
     missing_between_prisms_mm,
+    shortest_way,
 )
 from tests.support.objects.pocket_gaps import gap_across_edge_mm
 
@@ -32,7 +32,7 @@ def test_ways_between_segments_are_the_design_s():
     rng = np.random.default_rng(1)
     ends = rng.uniform(-1, 1, (4, 3, 50))
     ends[:, :, 0] = [[0, 0, 0], [2, 0, 0], [1, 3, 0], [5, 3, 0]]  # parallel
-    way = between_segments(*torch.as_tensor(ends)).numpy()
+    way = shortest_way(*torch.as_tensor(ends)).numpy()
     wanted = [distance_of_segments_mm(ends[:2, :, k], ends[2:, :, k]) for k in range(ends.shape[2])]
     assert_allclose(np.linalg.norm(way, axis=0), wanted, atol=1e-9)
 
