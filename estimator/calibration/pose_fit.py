@@ -27,7 +27,7 @@ from estimator.field.models import MagnetsModel
 from estimator.tolerances.assembly import Assembly, counts_of
 
 LARGEST_SHIFT_MM = 3.0
-"""Of each coordinate that a fit may take; sensors come no nearer to magnets than by about this."""
+"""Largest shift of each coordinate in a fit; sensors come nearer to magnets by about this at most."""
 CORE = {
     "shift_mm": Unknown(1.0, (3,), bound=LARGEST_SHIFT_MM),
     "rotation_deg": Unknown(3.0, (3,), bound=10.0),
@@ -91,9 +91,9 @@ class Judged:
 
 @dataclass(frozen=True)
 class CalibrationTest:
-    """What calibration gains on unseen presses.
+    """Gain of calibration on unseen presses.
 
-    `before` and `after` are without and with it; `null` the medians of the same procedure with the
+    `design` and `after` are without and with it; `null` the medians of the same procedure with the
     places exchanged (training and test alike), `p_*` the shares of these that do at least as well.
     """
 
@@ -108,7 +108,7 @@ class CalibrationTest:
 
 @dataclass(frozen=True)
 class Problem:
-    """What fits and tests share."""
+    """Inputs that fits and tests share."""
 
     spec: ObjectSpec
     design: Assembly
@@ -152,7 +152,7 @@ def fit(
 
 def groups_freed(problem: Problem) -> dict[str, Judged]:
     """Each group of numbers fitted by itself to all sets of places but one and judged on that one, in
-    turn; that which leaves least first, beside the design."""
+    turn; that which leaves least first, with the design."""
     presses = problem.presses
     judged = {"the design": judged_pose(problem, folds_by_case(presses), presses.case, {})}
     for name, free in GROUPS.items():

@@ -69,7 +69,7 @@ def cannot_be_told(exchanges: int) -> str:
 
 @dataclass(frozen=True)
 class Agreement:
-    """How predictions agree with recordings on some channels.
+    """Agreement of predictions with recordings on some channels.
 
     Attributes
     ----------

@@ -30,7 +30,7 @@ def spread_places(spec: ObjectSpec) -> Int[np.ndarray, "place"]:
 def contact_sets(
     spec: ObjectSpec, places: Int[np.ndarray, "place"], contacts: int
 ) -> Int[np.ndarray, "set contact"]:
-    """All sets of so many of the places (as rows into `places`) whose tips do not touch.
+    """All sets of k of the places (as rows into `places`) whose tips do not touch.
 
     Raises
     ------

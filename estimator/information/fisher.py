@@ -8,7 +8,7 @@ position bound, and position of the force bound.
 
 Σ = diag(σ²) + A Aᵀ: independent disturbances, and nuisances with unit normal priors that add the
 columns of A to all channels (`estimator.signals.nuisances`). A channel whose row of J is 0 stands
-still and drops out: it tells nothing of the nuisances either.
+still and drops out: it says nothing of the nuisances either.
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ class Bounds:
     force_n : σF of the normal force
     tangential_force_n : √(σFx² + σFy²); NaN where tangential forces are not asked
     weakest_direction : unit vector in the face's plane along which the place is least certain
-    rank : 3 (5 with tangential forces) where all parameters can be told
+    rank : 3 (5 with tangential forces) where all parameters are resolved
     blind_direction : unit vector in the parameters (mm and N) that leaves the signals unchanged;
-        NaN where all can be told
+        NaN where all are resolved
     """
 
     position_mm: Float[np.ndarray, "press"]
@@ -145,8 +145,8 @@ def whitened(
     white = counts / sigma_counts
     if nuisances is None or not nuisances.shape[1]:
         return white
-    left, size, _ = np.linalg.svd(nuisances / sigma_counts[:, None], full_matrices=False)
-    return white - ((white @ left) * (1 - 1 / np.hypot(1, size))) @ left.T
+    basis, size, _ = np.linalg.svd(nuisances / sigma_counts[:, None], full_matrices=False)
+    return white - ((white @ basis) * (1 - 1 / np.hypot(1, size))) @ basis.T
 
 
 def position_and_force_bounds(

@@ -39,7 +39,7 @@ _RANK_TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class WorstSet:
-    """The contact set that is told worst, and its blindest direction.
+    """The contact set that is resolved worst, and its blindest direction.
 
     `direction` (contact, 3): unit change of (x, y, F) in mm and N that moves the signals least.
     """
@@ -195,7 +195,7 @@ def score_forces_n(
 
 @dataclass(frozen=True)
 class SetInformation:
-    """What the whitened Jacobians of contact sets hold; parameters run contact by contact."""
+    """Information in the whitened Jacobians of contact sets; parameters run contact by contact."""
 
     rank: Int[np.ndarray, "set"]
     resolved: Int[np.ndarray, "set"]

@@ -1,6 +1,6 @@
 """Error of the place as maximum likelihood reads it, where signals are not linear in the place.
 
-The Cramér–Rao bound holds beside the truth. A reader also meets folds, where signals turn round, and
+The Cramér–Rao bound holds near the truth. A reader also meets folds, where signals turn round, and
 rivals: places far away that give nearly the same signals. The likelihood has an optimum where the
 misfit has no part along the slopes T of the signals. With Δ the signals of the true press less those
 of place q at its best force, in standard deviations of noise, optima lie at q with the density
@@ -36,9 +36,9 @@ window is 1 at its own place. They share out the plane between the places; their
 so that errors of linear signals are within 4 % of the bound."""
 _BESIDE = 2.5
 """Steps of the lattice round a press within which its own slopes hold: lobes of the likelihood narrower
-than the lattice are not told by its places, and the bound serves there."""
+than the lattice are missed by its places, and the bound serves there."""
 _MOST_NUMBERS = 1 << 22
-"""Of presses times rivals held at a time."""
+"""Most numbers (presses times rivals) held in memory at a time."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class _Optima:
     ----------
     axes, per_mm : as of `PlaceSlopes`
     along : how far the signals lie along the slopes there, in standard deviations of noise
-    across : how far beside them
+    across : distance across them
     """
 
     axes: Float[np.ndarray, "press place 2 2"]

@@ -18,7 +18,7 @@ from estimator.signals.live import is_live, read_change
 from estimator.signals.presses import Signals
 
 _FORCES = 10
-"""Of the lattice, evenly in their root."""
+"""Number of forces of the lattice, evenly spaced in their root."""
 _STEP = 1e-30
 """Imaginary step of complex-step differentiation."""
 

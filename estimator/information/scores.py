@@ -51,7 +51,7 @@ COVARIANCE_SAMPLES = 64
 _AT_FORCE = ("delta", "position", "force_bound", "weakest")
 """Beginnings of the names of scores that hold at `score.force_n` alone."""
 BEYOND_BOUND = 1.2
-"""Times the position bound from which on a position error is told."""
+"""Ratio to the position bound from which on a position error is reported."""
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class PlaceScores:
 
     @property
     def misread(self) -> Bool[np.ndarray, "face place"]:
-        """Where maximum likelihood errs by more than `BEYOND_BOUND` times the bound, fresh baseline."""
+        """Locations where maximum likelihood errs by more than `BEYOND_BOUND` times the bound (fresh)."""
         return self.judged & (self.position_error_mm > BEYOND_BOUND * self.position_bound_mm)
 
     @property
@@ -315,7 +315,7 @@ def area_places(
     """Places of an area of one face: corners; edge, the outermost ring without corners; mid_edge, the
     middle third of each side; centre, the inner 4 × 4.
 
-    `places` are those that the face has, by default all. Where they are no rectangle, a border of
+    `places` are the face's, by default all. Where they are no rectangle, a border of
     steps has no corners: all of it is edge.
     """
     whole = np.ones(len(grid), bool) if places is None else places

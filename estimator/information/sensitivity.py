@@ -4,7 +4,7 @@
 frames of one place. The volume exists only because of noise: a noise-free press traces a curve.
 It also grows with N, 60-fold from 50 to 600 frames, so a δ is given with its N and its noise.
 Here δ_N = c(N, d) √det cov(S) / range(F), where c is the mean hull volume of N standard normal points.
-Presses are not normal: beside exact hulls of noisy presses sizes agree within 45 % place by place
+Presses are not normal: compared with exact hulls of noisy presses sizes agree within 45 % place by place
 (median ratio 0.92 to 1.05 at N = 30 to 100), ranks within what one noisy hull repeats. Rank
 correlations: ≥ 0.95 with mean hulls of a synthetic object, N = 30 and 100 (tested); for the simulated
 cube 0.97 with the mean of six hulls at N = 40 and 0.92 with single hulls at N = 100.

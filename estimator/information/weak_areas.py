@@ -27,7 +27,7 @@ from design.tables import write_table
 from estimator.information.scores import PlaceScores
 
 _DIGITS = 5
-"""Decimals of a measure to which locations are told apart."""
+"""Decimals of a measure to which locations count as different."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Third:
 
 @dataclass(frozen=True)
 class WeakAreas:
-    """What weak locations have in common.
+    """Properties that weak locations have in common.
 
     `rank_correlation` is Spearman's, of the position bound with each measure that varies over the
     object: above 0, larger is weaker. `thirds` holds the same measures. `weakest_tenth` holds, for

@@ -1,4 +1,4 @@
-"""Contacts as maximum likelihood reads them from a blind start, beside their Cramér–Rao bound.
+"""Contacts as maximum likelihood reads them from a blind start, with their Cramér–Rao bound.
 
 The bound holds near the truth; an estimator that starts blind also meets places far away that give
 nearly the same signals, and faces end, which the bound does not know. Frames are simulated from the
@@ -50,7 +50,7 @@ _RESAMPLED = 1000
 
 @dataclass(frozen=True)
 class BlindStart:
-    """What maximum likelihood from a blind start reads of k contacts on one face.
+    """Contacts that maximum likelihood reads from a blind start, k of them on one face.
 
     Attributes
     ----------
@@ -117,7 +117,7 @@ def blind_starts(
 
 
 def _frictionless(spec: ObjectSpec) -> ObjectSpec:
-    """Contacts that push straight down only, as those of the bound."""
+    """Return the object with contacts that push straight down only, as those of the bound."""
     return spec.changed(inversion=spec.inversion.changed(tangential_share=0.0))
 
 
@@ -159,7 +159,7 @@ def _face_distances_mm(
     channels: Channels,
     rng: np.random.Generator,
 ) -> Float[np.ndarray, "frame"]:
-    """Distances in noisy frames of contacts on one face."""
+    """Return distances (mm) of contacts on one face, read from noisy frames."""
     frames, contacts = true.shape[:2]
     model, face = built.model.select_face(index), np.zeros((frames, contacts), int)
     sigma = disturbance_counts(built.spec.sensors, "fresh", model.channels)
@@ -188,7 +188,7 @@ def _read_channels(built: _Object, index: int, channels: Channels) -> np.ndarray
 
 
 def known_number(spec: ObjectSpec, model: ContactModel, contacts: int) -> Priors:
-    """So many contacts anywhere on one face, tips apart; forces from 0.1 N to the table's largest."""
+    """Return priors of n contacts anywhere on one face, tips apart; 0.1 N to the table's largest force."""
     _, high = model.bounds
     return Priors(
         (*np.zeros(contacts).tolist(), 1.0),

@@ -50,8 +50,10 @@ def log_inside(bounds: Bounds, priors: Priors, problems: Problems) -> Float[np.n
 
 
 def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "problem contact 3 3"]:
-    """Of x, y (mm) and force (N) of each contact, with the uncertainty of the others; no wider than
-    the priors. Of empty slots the identity."""
+    """Return covariances of x, y (mm) and force (N) of each contact, that of the others included.
+
+    They are no wider than the priors; empty slots have the identity.
+    """
     slots = problems.face.shape[1]
     covariance = np.linalg.inv(bounded_curvature(problems, priors)).reshape(-1, slots, 3, slots, 3)
     return np.moveaxis(np.diagonal(covariance, axis1=1, axis2=3), -1, 1)
@@ -60,7 +62,7 @@ def covariances(problems: Problems, priors: Priors) -> Float[np.ndarray, "proble
 def bounded_curvature(
     problems: Problems, priors: Priors
 ) -> Float[Array, "problem parameter parameter"]:
-    """With that of normal priors as wide as the even ones: it has an inverse."""
+    """Return the curvature with that of normal priors as wide as the even ones: it has an inverse."""
     flat = (problems.face != NONE)[..., None] * (12 / np.square(widths(priors)))
     curvature = problems.curvature + 0.0
     diagonal = diagonals(curvature)

@@ -85,7 +85,7 @@ def p_values(observations: Observed, problems: Problems) -> Float[np.ndarray, "p
 def excess(observations: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
     """Return χ² over its degrees of freedom, 1 at least.
 
-    By that factor an unknown disturbance is larger than those that are known, squared (Birge's ratio).
+    An unknown disturbance is larger than the known ones by that factor, squared (Birge's ratio).
     """
     return np.maximum(2 * problems.misfit / _freedoms(observations, problems), 1.0)
 

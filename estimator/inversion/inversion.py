@@ -33,9 +33,9 @@ from fem.presses.results import MagnetMotions, PressForces
 _FRAMES_AT_ONCE, FRAMES_ON_A_CARD = 100, 1000
 """Frames inverted together, on the processor and on a graphics card."""
 LEAST_FORCE_N = 0.2
-"""Of a contact that is read: about what the paper's cube just detects."""
+"""Smallest force of a contact that is read: about the least that the paper's cube detects."""
 MANY_FRAMES = 100
-"""Frames from which on a graphics card is worth its calls."""
+"""Fewest frames for which a graphics card saves time."""
 KNOWN_FORCE_SPREAD = 0.3
 """Relative standard deviation of the forces of one probe's tips."""
 
@@ -57,7 +57,7 @@ class Inversion:
 
     @cached_property
     def channels(self) -> tuple[Channel, ...]:
-        """Those that say something: face number, sensor and axis counted from 0."""
+        """Return the live channels: face number, sensor and axis counted from 0."""
         faces = self.model.signals.faces.tolist()
         sensors = self.model.channels // (3 * len(faces))
         all_channels = list(product(faces, range(sensors), range(3)))
@@ -88,11 +88,11 @@ class Inversion:
 
     @cached_property
     def search(self) -> Search:
-        """From scratch."""
+        """Return the search from scratch."""
         return Search(self.model, self.priors)
 
     def search_for(self, frames: int) -> Search:
-        """The same; for many frames on the graphics card that `INSTOBJ_DEVICE` names, if it does."""
+        """Return the search; many frames use the graphics card of `INSTOBJ_DEVICE`, where it names one."""
         device = card_tensor() if frames >= MANY_FRAMES else None
         if device is None:
             return self.search
@@ -121,8 +121,8 @@ class Inversion:
         Parameters
         ----------
         counts : changes against rest; NaN where a channel has no reading
-        averaged : how many frames of a hold each is the mean of; one, if left out
-        progress : is told how many frames are done
+        averaged : number of frames of a hold that each is the mean of; 1 by default
+        progress : takes the number of frames done
 
         Raises
         ------
@@ -246,8 +246,8 @@ def inversion(
 ) -> Inversion:
     """The estimator of an object whose single presses give `signals` on the design's mechanics.
 
-    `model_error` counts where `inversion.model_error` is left out; `force_error` is that of the
-    modulus. Both are relative. `shear` is what tangential forces add.
+    `model_error` counts where `inversion.model_error` is left out; `force_error` comes from the
+    modulus. `shear` holds the signals of tangential forces.
 
     Raises
     ------
@@ -261,8 +261,11 @@ def inversion(
 
 
 def contact_priors(model: ContactModel) -> Priors:
-    """As `[inversion]` has them: any number of contacts is as likely as any other, every place in the
-    table, and every force up to the table's largest; tips of the specification's indenter stand apart."""
+    """Return the priors that `[inversion]` asks for.
+
+    Every number of contacts is equally likely, and so is every location of the table and every force
+    up to the table's largest. Tips of the specification's indenter stand apart.
+    """
     options, (_, high) = model.spec.inversion, model.bounds
     faces, radius = (
         len(model.signals.faces),
@@ -282,6 +285,6 @@ def contact_priors(model: ContactModel) -> Priors:
 
 
 def probe_spacing_mm(tip_radius_mm: float) -> tuple[float, ...]:
-    """Between the tips of the paper's probes of two and three."""
+    """Return the distances (mm) between the tips of the paper's probes of two and three."""
     places = (tip_positions_mm(tips, tip_radius_mm) for tips in (2, 3))
     return tuple(float(np.linalg.norm(xy[1] - xy[0])) for xy in places)

@@ -13,7 +13,7 @@ from estimator.inversion.search import Search
 
 _EXPLAINS = 0.02
 """Least p value of a frame without the chip: of some fifteen tries on a frame that no contact explains
-one reaches it in a third of the frames at p = 0.001, and in none of those that are far off."""
+one reaches it in a third of the frames at p = 0.001, and in none of those far off."""
 _STEPS = 3
 """Steps from the frame before: contacts have moved little."""
 _DIAGNOSED, _SUSPECTS = 6, 2

@@ -101,7 +101,7 @@ def refitted(
 
 @dataclass(frozen=True)
 class _Start:
-    """Where a fit begins: as of `Problems`, and the misfit there if it is known."""
+    """Start of a fit: fields of `Problems`, and the misfit there if it is known."""
 
     frame: Array
     face: Array
@@ -112,7 +112,7 @@ class _Start:
 
 @dataclass(frozen=True)
 class _Fit:
-    """What a fit is of, and its steps in a round."""
+    """Model, priors and frames of a fit, and its steps in a round."""
 
     model: ContactModel
     priors: Priors
@@ -138,8 +138,11 @@ class _Fit:
         )
 
     def _peak(self, start: _Start, rounds: int) -> tuple[Array, Array, Quadratic]:
-        """Contacts, interaction and misfit; another round for problems whose interaction has changed, so
-        that none depends on which others are fitted beside it."""
+        """Return contacts, interaction and misfit.
+
+        Problems whose interaction has changed get another round: none depends on the others fitted
+        with it.
+        """
         given = start.frame, start.face, start.extra
         posterior = _posterior(self.model, self.priors, self.observations, *given)
         quadratic = posterior.expand(start.contact) if start.quadratic is None else start.quadratic
@@ -376,8 +379,8 @@ def marginalise_tangential_forces(quadratic: Quadratic, turned: Array, pulls: Ar
     """Integrate tangential forces out of the misfit, in place.
 
     They are linear in the signals, r + Pᵀ t, and normal a priori, t ~ N(0, 1): so the noise's covariance
-    is 1 + PᵀP with P = `pulls`. By Woodbury's identity its inverse is 1 − Pᵀ (1 + PPᵀ)⁻¹ P, and by
-    Sylvester's its determinant is that of 1 + PPᵀ: small matrices, two rows for each contact.
+    is 1 + PᵀP with P = `pulls`. Its inverse is 1 − Pᵀ (1 + PPᵀ)⁻¹ P (Woodbury), and its determinant
+    equals det(1 + PPᵀ) (Sylvester): small matrices, two rows for each contact.
     """
     xp = library(pulls)
     spread = pulls @ pulls.swapaxes(1, 2) + identities(pulls, len(pulls), pulls.shape[1])

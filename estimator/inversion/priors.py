@@ -36,7 +36,7 @@ _UNPAIRED = np.log(1e-3)
 
 @dataclass(frozen=True)
 class Priors:
-    """What is believed of contacts before a frame is seen.
+    """Beliefs about contacts before a frame is seen.
 
     Attributes
     ----------
@@ -238,8 +238,10 @@ def log_density(
 
 @cache
 def _counted(priors: Priors) -> Float[np.ndarray, "number"]:
-    """Log density of so many contacts anywhere, apart from each other; of known probes, whose tips are apart,
-    of contacts in one order."""
+    """Return the log density of n contacts anywhere, apart from each other.
+
+    For known probes, whose tips are apart, contacts have one order.
+    """
     number = np.arange(priors.most + 1)
     each = -np.log(priors.area_mm2 * np.ptp(priors.force_n))
     of_number = np.log(np.maximum(np.asarray(priors.number), 1e-300))
@@ -359,7 +361,7 @@ def log_paired(
 
 
 def widths(priors: Priors) -> Float[np.ndarray, "3"]:
-    """Of the priors of x, y and force on one face: no posterior is wider."""
+    """Return the widths of the priors of x, y and force on one face: no posterior is wider."""
     side = np.sqrt(priors.area_mm2 / priors.faces)
     return np.array([side, side, np.ptp(priors.force_n)])
 

@@ -44,12 +44,12 @@ class Problems(Columns):
     log_spread: Float[np.ndarray, "problem"]
 
     def to_host(self) -> Problems:
-        """As NumPy arrays."""
+        """Return the problems as NumPy arrays."""
         return Problems(*map(to_host, self._columns()))
 
     @cached_property
     def number(self) -> Int[np.ndarray, "problem"]:
-        """Return how many contacts."""
+        """Return the number of contacts."""
         return np.sum(self.face != NONE, axis=1)
 
 

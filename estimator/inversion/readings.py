@@ -62,7 +62,7 @@ class ContactSets(Columns):
         return ContactSets(*columns)
 
     def with_force_error(self, relative: float) -> ContactSets:
-        """The same with forces also wrong by so much, all together."""
+        """Return the sets with forces also wrong by a common relative error."""
         covariance = self.covariance.copy()
         covariance[..., 2, 2] += (relative * self.force_n) ** 2
         return replace(self, covariance=covariance)
@@ -74,15 +74,15 @@ class ContactSets(Columns):
 
     @property
     def number(self) -> Int[np.ndarray, "frame"]:
-        """Of contacts."""
+        """Return the number of contacts."""
         return np.sum(self.face != NO_FACE, axis=1)
 
     @property
     def position_radius_mm(self) -> Float[np.ndarray, "frame contact"]:
-        """Of the circle that holds the place with a probability of 90 %.
+        """Return the radius of the circle that holds the contact location with a probability of 90 %.
 
-        Of a normal error with the larger standard deviation σ1 and the smaller σ2; between the line
-        (σ2 = 0: 1.645 σ1) and the circle (2.146 σ1) within 1 %.
+        The error is normal with standard deviations σ1 ≥ σ2. Between the line (σ2 = 0: 1.645 σ1) and
+        the circle (2.146 σ1) the radius is right within 1 %.
         """
         from scipy.stats import chi2, norm
 

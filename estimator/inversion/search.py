@@ -2,7 +2,7 @@
 
 The next contact (or probe, where probes are known) comes from a coarse dictionary, or by halving one
 that is there. The best few sets of each number go on; then every contact of the best set is taken
-away and looked for anew, and one more is looked for. On the way sets are fitted by a few steps, the
+away and sought again, and one more is sought. On the way sets are fitted by a few steps, the
 best of all numbers together to the end: half of the time of fitting each, with as many frames right.
 """
 
@@ -23,11 +23,11 @@ from estimator.inversion.priors import Priors, log_paired, number_on
 from estimator.inversion.problems import Observed, Problems, empty
 
 _KEPT, _KEPT_OF_MANY, _MANY = 3, 8, 4
-"""Sets of one number that go on, and beyond so many contacts: there more of them are nearly as good."""
+"""Sets of one number that go on: usual, and from `_MANY` contacts on, where more are nearly as good."""
 _ROUGH_STEPS = 2
 """Steps of fits that only choose among sets."""
 _NEAR, _FEW = (1, 3), 2
-"""Rounds and steps of sets on the way beyond so many contacts, of which most frames have no more;
+"""Rounds and steps of sets on the way from `_FEW` contacts on: most frames have no more;
 tangential forces, which make the posterior flat, need all steps."""
 _SETTLED, _OUT_OF_THE_RACE = 4, 20.0
 """Sets of a frame that are fitted to the end, and by how much the log evidence of others is less."""
@@ -35,9 +35,9 @@ _QUIET, _HOPELESS = 0.75, 2.0
 """Sets go on while their misfit exceeds the first times what noise gives by more than the second: the
 evidence asks four to eight of a further contact, but where noise is small there is more to explain."""
 _EQUAL = 0.05
-"""Of misfits and log evidences: sets that differ by less are the same."""
+"""Difference of misfit or log evidence below which two sets are the same."""
 _VISITS, _BETTER = 2, 1.0
-"""How often the best set of a frame is revisited, and the log evidence that it must have gained since."""
+"""Most visits to the best set of a frame, and the log evidence that it must have gained since."""
 _HALF_MM = 6.0
 """Half the distance of two contacts that replace one."""
 _HALVED_BY = _HALF_MM * np.array(
@@ -53,7 +53,7 @@ class Hypotheses:
     log_evidence: Float[np.ndarray, "problem"]
 
     def distinct(self) -> Hypotheses:
-        """Sets reached twice, told by number and evidence, once."""
+        """Return the sets without repeats; equal number and evidence mark a repeat."""
         number, frame = self.problems.number, self.problems.frame
         order = np.lexsort((self.log_evidence, number, frame))
         again = (
@@ -145,7 +145,7 @@ class Search:
         return self._settled(observations, self._believed(near))
 
     def sets_of_number(self, observations: Observed, number: int) -> Problems:
-        """The most probable set of so many contacts of every frame that has one."""
+        """Return the most probable set of `number` contacts of every frame that has one."""
         sets = empty(observations, np.arange(len(observations.counts)), self.priors.most)
         for _ in range(number):
             sets = self._grown(observations, sets)
@@ -190,8 +190,10 @@ class Search:
         return Hypotheses(hypotheses.problems, hypotheses.log_evidence + paired)
 
     def revisited(self, observations: Observed, hypotheses: Hypotheses) -> Hypotheses:
-        """All sets, with those of one contact more than the best and those with a contact of the best looked
-        for anew; again where these are better."""
+        """Return all sets, more of one contact more than the best, and more with a contact sought again.
+
+        The visit is repeated where these are better.
+        """
         reached = np.full(len(observations.counts), -np.inf)
         for _ in range(_VISITS):
             best = hypotheses.best()
@@ -257,8 +259,8 @@ class Search:
         return room
 
     def _possible(self, problems: Problems) -> Float[np.ndarray, "problem"]:
-        """By how much further contacts may raise the evidence: by the misfit, and where one of two jaws lacks
-        them by the odds of that."""
+        """Return how much further contacts may raise the evidence: the misfit, and the odds of a second jaw
+        where one of two has no contact."""
         unexplained = problems.misfit - _QUIET * 0.5 * (self.model.channels - 3 * problems.number)
         return unexplained - log_paired(self.priors, problems.face)
 

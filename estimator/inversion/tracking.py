@@ -24,13 +24,13 @@ _STEPS = 3
 _CHANGE = np.log(0.1)
 """Log prior odds that a frame has another number of contacts than the last."""
 _FAINT = 3.0
-"""Contacts below so many standard deviations of their force may have gone."""
+"""Standard deviations of its force below which a contact may have gone."""
 _LONGEST_PAUSE = 8
 """Frames after which a further contact is tried again, at most; the pause doubles up to it."""
 _WORSE = 0.1
 """A p value that falls by more than this ends the wait."""
 _LEARNT_EVERY = 5
-"""Pressed frames of which one tells how wrong the model is."""
+"""Interval, in pressed frames, at which the error of the model is learnt."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
 _TRUSTED_AFTER = 8
@@ -43,7 +43,7 @@ class Tracker:
 
     A number of contacts that changes costs evidence, so that noise does not make it flicker. Where
     the contacts of the last frame no longer explain what is seen, one more is tried, then all are
-    looked for anew; after a vain try only every second frame, every fourth, every eighth, unless the
+    sought again; after a vain try only every second frame, every fourth, every eighth, unless the
     misfit grows: meanwhile the odds of the last try stand. `seen_anew` counts the frames in which all
     were looked for. A chip without which a frame is explained that is not with it is left out, and
     the field of a magnet near by is a nuisance where that is more probable than contacts: until
@@ -192,7 +192,7 @@ class Tracker:
     def has_changed(
         self, observations: Observed, same: Problems
     ) -> tuple[Problems, Float[np.ndarray, "1"]]:
-        """One contact more, or without faint ones, or all anew, where the evidence is for it."""
+        """Return one contact more, or without faint ones, or all sought again, as the evidence says."""
         search = self.inversion.search
         if search.priors.paired:  # of two jaws none changes alone
             return self._anew(observations)

@@ -43,7 +43,7 @@ class Layouts:
     )
 
     def kept(self, name: Hashable, made_of: tuple[Any, ...], make: Callable[[], _Made]) -> _Made:
-        """Return what is worked out once of these layouts and of these very objects, with its graph of
+        """Return what is computed once of these layouts and of these very objects, with its graph of
         gradients: scorers of several forces share most of it."""
         key = name, *map(id, made_of)
         if key not in self._kept:
@@ -119,8 +119,8 @@ def _own_layout(spec: ObjectSpec, face: int, dtype: torch.dtype) -> Layouts:
 
 
 def magnets_below_mm(spec: ObjectSpec) -> float:
-    """How deep below a face the plane lies that its magnets' depths count from: the core's where they rest
-    in it."""
+    """Return the depth below a face of the plane from which its magnets' depths count: the core's where
+    they rest in it."""
     return 0.0 if spec.arrangement == "sensors-in-core" else spec.shell.thickness_mm
 
 

@@ -28,7 +28,7 @@ def all_faces(
 
 
 DEARER = ("median_false_force_n", "percentile_95_false_force_n")
-"""Scores that are worked out only where they are named: they cost as much as all others or more."""
+"""Scores that are computed only where they are named: they cost as much as all others or more."""
 
 
 def limits_mm(spec: ObjectSpec) -> tuple[float, float]:
@@ -47,7 +47,7 @@ def batch_scores(
 
     Scorers of several forces: the geometric mean over them of the scores at each, so that every
     force counts alike; false forces from presses nearest to
-    `CROSS_FACE_FORCE_N`, the largest counts and those that virtual objects keep to from those of the
+    `CROSS_FACE_FORCE_N`, the largest counts and the ones that virtual objects keep to from those of the
     largest force.
     """
     places = places_information(scorers, layouts)

@@ -29,11 +29,11 @@ from estimator.signals.hall import full_scale_counts
 from estimator.signals.live import is_live
 
 CROSS_FACE_FORCE_N = 10.0
-"""Of the presses whose disturbance is scored, as in `estimator.information.cross_face`."""
+"""Force of the presses whose disturbance is scored, as in `estimator.information.cross_face`."""
 _TOGETHER = 4
 """Layouts whose pairs of places a processor's cache holds."""
 _MOST_SHARE = 2.0
-"""Of the score's force, that a false force may reach."""
+"""Largest false force, as a share of the score's force."""
 
 
 @dataclass(frozen=True)

@@ -46,7 +46,7 @@ from fem.presses.table import simulate_lattice
 
 @dataclass(frozen=True)
 class FidelityScore:
-    """What a layout is judged by, at every level the same.
+    """Scores by which a layout is judged, the same at every level.
 
     Attributes
     ----------

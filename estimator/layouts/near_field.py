@@ -35,7 +35,7 @@ class Reach:
     def kept_off(
         self, offset_mm: Float[Tensor, "3 *pair"], magnet: Magnet
     ) -> Float[Tensor, "3 *pair"]:
-        """Offsets from magnet to chip, those that are too short at the least distance."""
+        """Offsets from magnet to chip; too short ones at the least distance."""
         distance = (offset_mm * offset_mm).sum(0).clamp(min=1e-12).sqrt()
         return offset_mm * (self.least_mm(magnet) / distance).clamp(min=1)
 
@@ -51,7 +51,7 @@ distance to the power of order + 2.
 PRESSED = Reach(order=21, least=1.15, straight_on=True)
 """A face's own magnets in deep presses, which no limit keeps off: the field is 0.97 to 1.02 of the true one
 at the least distance and 0.92 to 1.03 at 1.1 times the radius; at the radius 0.97 in the median and
-0.63 or more in 95 % of the poses, least beside a disk's rim."""
+0.63 or more in 95 % of the poses, least near a disk's rim."""
 
 Magnets = tuple[Float[Tensor, "3 layout magnet"], Float[Tensor, "3 layout magnet"]]
 """Centres (mm) and unit axes, coordinates first."""

@@ -19,7 +19,7 @@ Chips = tuple[Float[Tensor, "3 layout sensor"], Float[Tensor, "layout sensor 3 3
 
 
 def own_magnets(presses: PressBasis, layouts: Layouts) -> Magnets:
-    """Of the pressed face."""
+    """Return the magnets of the pressed face."""
     if presses.patches:
         return _magnets_of_patch(presses, presses.patches[0], layouts)
     xyd = layouts.magnet_mm
@@ -30,7 +30,7 @@ def own_magnets(presses: PressBasis, layouts: Layouts) -> Magnets:
 def other_magnets(
     presses: PressBasis, layouts: Layouts
 ) -> tuple[Float[Tensor, "3 layout magnet face"], Float[Tensor, "3 layout magnet face"]]:
-    """Of the other faces, in their order."""
+    """Return the magnets of the other faces, in their order."""
     if presses.patches:
         each = [_magnets_of_patch(presses, patch, layouts) for patch in presses.patches[1:]]
         none = layouts.magnet_mm.permute(2, 0, 1)[..., None][..., :0]
@@ -52,8 +52,9 @@ def chips(
     on_board: Float[Tensor, "3 3"],
     neighbour: int | None = None,
 ) -> Chips:
-    """Of the pressed face, or of the other one of that index; `depth_mm` is that of chips below a flat
-    face, `on_board` their axes as columns on the board."""
+    """Return the chips of the pressed face, or of the other face of that index.
+
+    `depth_mm` is their depth below a flat face, `on_board` their axes as columns on the board."""
     index = 0 if neighbour is None else 1 + neighbour
     if presses.patches:
         frame, surface = presses.patches[0].surface.frame, presses.patches[index].surface
@@ -73,7 +74,7 @@ def chips(
 def magnets_under(
     patch: Patch, layouts: Layouts
 ) -> tuple[Float[Tensor, "layout magnet 3"], Float[Tensor, "layout magnet 3 3"]]:
-    """Centres and axes of a patch's magnets as its surface tells them, in the object's frame."""
+    """Centres and axes of a patch's magnets as its surface places them, in the object's frame."""
     surface, face_layouts = patch.surface, layouts.layouts_of_face(patch.surface.number)
     return face_layouts.kept("under", (surface,), lambda: surface.magnets(face_layouts.magnet_mm))
 

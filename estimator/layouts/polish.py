@@ -1,6 +1,6 @@
 """Lowest fidelity of a layout search: value of a batch of layouts, and better ones from these.
 
-A layout repeated on all faces is pressed on several of them; its score is that of the worst. Limits
+A layout repeated on all faces is pressed on several of them; the worst gives its score. Limits
 that a layout breaks make it worth less, smoothly, so that every engine is led back inside.
 """
 
@@ -30,12 +30,12 @@ MM_PER_EXCESS = 10.0
 _AFTER_ALL = 100.0
 """More than logarithms of bounds differ by; it has no slope."""
 ROUNDING_MM = 2e-3
-"""What breaks a limit by less is called to keep it. Walks and runs keep limits to the last bit; in another
+"""Excess over a limit below which it counts as kept. Walks and runs keep limits to the last bit; in another
 batch the same layout's places differ by 1e-5 mm, its position bounds by up to 1.2e-4 of themselves
 (`estimator.layouts.bounds`), which counts tenfold. Rules of places keep ten times as much free, `SLACK_MM`;
 scores and prices exceed their limits by 0.02 % at most."""
 _LEARNING_RATE = 0.03
-"""Of the unit cube: 1 mm in a range of 30."""
+"""Learning rate in the unit cube: 1 mm in a range of 30."""
 
 SPREAD = 0.3
 """Standard deviation of a run's first generation, of the unit cube."""
@@ -43,13 +43,13 @@ _MEAN, _NARROW = 8, 4
 """Layouts of a generation in the mean of a run, and at most in its second half, over CMA-ES's default
 (Hansen, arXiv:1604.00772)."""
 _GENERATIONS = 200
-"""Of each half of a run, at least, unless generations would be smaller than CMA-ES's default. Limits
+"""Least generations of each half of a run, unless generations would be smaller than CMA-ES's default. Limits
 leave many local optima: broad generations choose among them, if there are enough to learn from."""
 _EASED: Mapping[str, str] = dict.fromkeys(
     ("worst_position_bound_mm", "percentile_99_position_bound_mm"),
     "percentile_95_position_bound_mm",
 )
-"""What early generations seek instead of objectives that a few places decide."""
+"""Objectives of early generations instead of the ones that a few places decide."""
 _LAYOUTS_OF_A_CARD = 8192
 """Judged at once on a graphics card: at two faces and three forces 5 GB of its memory."""
 
@@ -59,11 +59,11 @@ Judge = Callable[[Float[Tensor, "layout variable"], Int[Tensor, "layout"]], "Jud
 
 @dataclass(frozen=True)
 class Judged:
-    """What layouts are worth: every objective as something to minimise, above 0.
+    """Worth of layouts: every objective as something to minimise, above 0.
 
-    `broken` tells of every limit (`RULES`, those of scores) by how much, 0 where it is kept to
-    the last bit. `scores` are those of the lowest fidelity level. `eased`:
-    the objectives, with the 95th percentile for those that fewer places decide.
+    `broken` holds the excess over every limit (`RULES`, then scores), 0 where it is kept to the last
+    bit. `scores` are those of the lowest fidelity level. `eased`:
+    the objectives, with the 95th percentile where few places decide.
     """
 
     objectives: Float[Tensor, "layout objective"]
@@ -73,7 +73,7 @@ class Judged:
 
     @property
     def broken_mm(self) -> Float[Tensor, "layout"]:
-        """By how much limits are broken, all together; 0 where all are kept, as far as rounding lets tell."""
+        """Return the sum of all excesses over limits; 0 where all are kept, within rounding."""
         return torch.where(self.broken > ROUNDING_MM, self.broken, 0).sum(dim=1)
 
     @property
@@ -96,7 +96,7 @@ class Judged:
 class LowestFidelity:
     """Scorers of the pressed faces for one structure.
 
-    `at_most` bounds what `batch_scores` tells (`sensitivity_ratio` from below).
+    `at_most` bounds what `batch_scores` gives (`sensitivity_ratio` from below).
     """
 
     space: LayoutSpace
@@ -176,7 +176,7 @@ def polish(
 
 
 def population(variables: int) -> int:
-    """Layouts of a generation in the mean: as many generations of so many are one run."""
+    """Layouts of a generation in the mean: as many generations of this size are one run."""
     return _MEAN * _default_population(variables)
 
 
@@ -195,15 +195,17 @@ def _default_population(variables: int) -> int:
 
 
 def runs_together(device: torch.device, generation: int) -> int:
-    """Runs whose generations, of at most so many layouts, are judged in one batch: one on a processor, whose
-    caches that fills."""
+    """Return how many runs are judged in one batch, with generations of at most this many layouts.
+
+    One on a processor, whose caches that fills.
+    """
     return 1 if device.type == "cpu" else max(1, _LAYOUTS_OF_A_CARD // generation)
 
 
 class Generations(CMA):
     """CMA-ES of the package whose generations are drawn at once.
 
-    A point out of bounds is drawn anew up to a hundred times, then moved to the bounds, as in the
+    A point out of bounds is drawn again up to a hundred times, then moved to the bounds, as in the
     package; there one after the other, which took as long as judging a tenth of the points.
     """
 
@@ -223,7 +225,7 @@ class Generations(CMA):
         return np.clip(points, low, high)
 
     def resize(self, size: int) -> Generations:
-        """The same distribution, to be followed by generations of so many points."""
+        """Return the same distribution for generations of `size` points."""
         if size == self.population_size:
             return self
         generations = Generations(
@@ -275,8 +277,8 @@ class Evolution:
         self.search.tell(list(zip(self._asked, now.tolist(), strict=True)))
 
     def keep_best(self, worth: Worth) -> None:
-        """The best so far of those that keep all limits, before others, with all of the penalty; none
-        that breaks a limit more than the run's own point, which is the first that is told."""
+        """The best so far that keeps all limits, before others, with all of the penalty; none
+        that breaks a limit more than the run's own point, which is the first to be judged."""
         self.begun = worth.broken if self.begun is None else self.begun
         finally_worth = worth.value + self.whole * np.log1p(worth.penalty)
         finally_worth += _AFTER_ALL * (worth.penalty > 0)
@@ -353,7 +355,7 @@ def walk(
     rate: float,
     over: Callable[[], bool] = lambda: False,
 ) -> Float[Tensor, "layout variable"]:
-    """As `descend`, by what layouts are worth; no point breaks a limit more than where its walk began.
+    """Return points as `descend`, by what layouts are worth; none breaks a limit more than its start.
 
     The way may lead through broken limits. Where nothing on it keeps what the beginning kept, the beginning
     is the end, however sums are rounded.

@@ -55,8 +55,8 @@ class LayoutScorer:
     def size_variants(
         self, layouts: Layouts
     ) -> list[tuple[PressBasis, Layouts, tuple[int, ...] | None]]:
-        """What moves with the silicone, size by size: its presses, its bodies alone, and which of a face's
-        they are; None for all."""
+        """Return bodies that move with the silicone, size by size: presses, the bodies alone, and which of
+        a face's they are; None for all."""
         bodies = layouts
         if self.sensors_move:
             bodies = layouts.kept("boards", (self.spec,), lambda: moving_bodies(self, layouts))

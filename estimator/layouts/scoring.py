@@ -25,7 +25,7 @@ from estimator.layouts.spread import counts_kept
 
 _CHUNK = 512
 _FORCE_VARIANCE, _CURVE_VARIANCE = 1 / 8, 1 / 128
-"""Of c and of c² − c, which do not correlate, in a press whose force is c of its peak, a raised cosine."""
+"""Variances of c and c² − c, which do not correlate; c is the force over its peak, a raised cosine."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class PlaceInformation:
     magnitude of any own channel in counts, at rest and in the deepest simulated presses; and the counts
     there that virtual objects keep to (`estimator.layouts.spread`), with all sensed faces like this one.
 
-    Counts are told by scorers of the largest force among those worked out together, the others tell those at
+    Counts come from scorers of the largest force among those computed together, the others give those at
     rest and 0. The shell without magnets is pressed as deep, by the change with force at the basis's, and the
     pressed face's magnets are where that moves them. The second fidelity level, whose presses reach the same
     depth with more force, had 1.02 to 1.11 times as many (fourteen layouts of the paper's cube) and 1.17

@@ -23,11 +23,11 @@ from estimator.layouts.scorer import LayoutScorer
 from estimator.tolerances.saturation import KEPT_BY
 
 _HALVINGS = 24
-"""Of an interval of up to 20 standard deviations: to a millionth of it, which float32 holds."""
+"""Halvings of an interval of up to 20 standard deviations: to a millionth, which float32 holds."""
 _MOST_SIGMAS = 8.0
 """That a channel is followed beyond its design's counts; z there is 5 or more."""
 _LEAST_COUNTS = 1.0
-"""Of fields and spreads: no division by nothing."""
+"""Least fields and spreads (counts): no division by zero."""
 
 
 def counts_kept(
@@ -35,7 +35,7 @@ def counts_kept(
     sigma_counts: Float[Tensor, "layout channel"],
     faces: int,
 ) -> Float[Tensor, "layout"]:
-    """Counts that no channel of so many alike faces exceeds in `KEPT_BY` of the virtual objects.
+    """Counts that no channel of `faces` alike faces exceeds in `KEPT_BY` of the virtual objects.
 
     Found by bisection, then by one step of Newton's, through which gradients go.
     """

@@ -1,6 +1,6 @@
 """Surfaces of body and core under layouts in batches: where parts lie and how they turn, with gradients.
 
-All geometry is that of `design`, in double precision; its slopes are central differences, worked out
+All geometry comes from `design`, in double precision; its slopes are central differences, computed
 where they are asked for. Beside its patch a part is taken to lie at the patch's nearest place on the way
 to its middle, so that everything is finite: limits of their own keep parts on their patches.
 """
@@ -25,7 +25,7 @@ from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
 
 _STEP = 1e-4
-"""Of central differences, mm: in double precision good to 1e-8 mm."""
+"""Step of central differences, mm: in double precision good to 1e-8 mm."""
 _WITHIN, _WELL_WITHIN = 1 - 1e-6, 0.98
 """Shares of a patch, and of a board's reach, that still count as inside."""
 _AZIMUTHS, _BISECTIONS = 64, 20
@@ -49,7 +49,7 @@ class Surface:
         return self.frame.number
 
     def lengths_mm(self, xy_mm: Float[Tensor, "*n 2"]) -> Float[Tensor, "*n 2"]:
-        """Places of the frame's plane as lengths along the surface, as candidates are told."""
+        """Places of the frame's plane as lengths along the surface, as candidates have them."""
         return pointwise(self.frame.from_plane, xy_mm)
 
     def magnets(
@@ -101,7 +101,7 @@ class Surface:
         return np.concatenate([point, radial, tangential, normal, sink], axis=1)
 
     def sinks_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
-        """By how much boards lie deeper than on a flat core; beyond `reach_mm` as just within it."""
+        """Return how much deeper boards lie than on a flat core; beyond `reach_mm` as just within it."""
         if self.core.flat:
             return np.zeros(len(xy_mm))
         azimuth = _azimuths(xy_mm)
@@ -110,7 +110,7 @@ class Surface:
         return np.nan_to_num(sinks_of_boards_mm(self.spec, self.core, places))
 
     def reach_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
-        """How far from the middle a board in the direction of a place finds room in the core's patch."""
+        """Return how far from the middle a board towards a place has room in the core's patch."""
         if self.core.flat:
             return np.full(len(xy_mm), _BEYOND_ALL_MM)
         turn = 2 * np.pi * np.arange(_AZIMUTHS + 1) / _AZIMUTHS
@@ -120,7 +120,7 @@ class Surface:
 
     @cached_property
     def _reach(self) -> Float[np.ndarray, "azimuth"]:
-        """Of azimuths in equal steps from 0, by bisection."""
+        """Return reaches of azimuths in equal steps from 0, by bisection."""
         turn = 2 * np.pi * np.arange(_AZIMUTHS) / _AZIMUTHS
         way = np.stack([np.cos(turn), np.sin(turn)], axis=-1)
         low, high = np.zeros(_AZIMUTHS), np.full(_AZIMUTHS, max(self.core.half_extents_mm))
@@ -136,7 +136,7 @@ class Surface:
 
 
 def surfaces(spec: ObjectSpec) -> dict[int, Surface]:
-    """Of all sensed faces, by number."""
+    """Return the surfaces of all sensed faces, by number."""
     return {surface.number: surface for surface in _surfaces(spec)}
 
 
@@ -149,7 +149,7 @@ def _surfaces(spec: ObjectSpec) -> tuple[Surface, ...]:
 def clamp_to_patch_mm(
     frame: FaceFrame, xy_mm: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n 2"]:
-    """Places beside a patch drawn towards its middle until they lie on it."""
+    """Return places; those outside a patch move towards its middle until they lie on it."""
     share = np.asarray(xy_mm) / np.asarray(frame.half_extents_mm)
     size = np.linalg.norm(share, axis=1) if frame.round else abs(share).max(axis=1)
     return xy_mm * np.minimum(1.0, _WITHIN / np.maximum(size, 1e-12))[:, None]

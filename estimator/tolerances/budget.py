@@ -90,7 +90,7 @@ class Setting:
     reached: Bool[np.ndarray, "place"]
 
     @property
-    def at_less(self) -> int:
+    def reduced_places(self) -> int:
         """Return how many of the reached locations are judged at less, to leave room for softer silicone."""
         return sum(int(np.sum(s.force_n < self.spec.score.force_n)) for s in self.states)
 
@@ -159,7 +159,7 @@ def robustness(
         _summary("monte_carlo", setting, nominal, deviations),
         draws,
         spec.score.force_n,
-        setting.at_less,
+        setting.reduced_places,
         *bound_ranges(nominal, objects),
         saturation=saturation(spec, press_signals(spec, forces, motions), motions, draws),
     )

@@ -67,8 +67,8 @@ class Robustness:
     `contributions` are each alone, to first order, in the order of their shares in the variances of
     false place and false force. `together` is their root sum of squares, `monte_carlo` all at once
     by `draws` objects. Bounds (mm, N) are freshly zeroed ones: that of the median place and that of
-    the worst. `at_less` locations are judged at less than `force_n` (`REACH_SHARE`); locations that never
-    reach it are left out. `saturation` is how many of as many objects leave the range of a chip.
+    the worst. `reduced_places` locations are judged at less than `force_n` (`REACH_SHARE`); locations that
+    never reach it are left out. `saturation` is how many of as many objects leave the range of a chip.
     """
 
     contributions: tuple[Spread, ...]
@@ -76,7 +76,7 @@ class Robustness:
     monte_carlo: Spread
     draws: int
     force_n: float
-    at_less: int
+    reduced_places: int
     position_median_mm: BoundRange
     position_worst_mm: BoundRange
     force_median_n: BoundRange

@@ -192,7 +192,7 @@ def bringup(
     from instobj.bench.bringup.command import BringupOptions, bring_up
 
     serial_port, baud = port_and_baud(port)
-    faults = None if simulated is None else tuple(one for one in simulated if one != "none")
+    faults = None if simulated is None else tuple(name for name in simulated if name != "none")
     result = bring_up(
         BringupOptions(
             spec, out, serial_port, replay, faults, tuple(again or ()), baud, tuple(overrides or ())

@@ -49,7 +49,7 @@ def assembly_sheet(
     orders: Sequence[OrderLine] = (),
     demoulding_png: Path | None = None,
 ) -> str:
-    """The page as HTML without any file beside it; print it to get a PDF.
+    """The page as HTML in a single file; print it to get a PDF.
 
     `pins` are the loose pins of a split mould (`design.mould.pins.pins_by_kind`), `plan` is how the
     paper's board reads the sensors, `orders` are the parts to buy for both.
@@ -201,8 +201,8 @@ def _sockets(
     return [
         {"x": x, "y": y, "pin": f"P{number}"}
         for number, kind in enumerate(pins, start=1)
-        for at, x, y in kind.places
-        if at == face and all(abs(x - a) + abs(y - b) > _SAME_MM for a, b in magnets)
+        for number_of_face, x, y in kind.places
+        if number_of_face == face and all(abs(x - a) + abs(y - b) > _SAME_MM for a, b in magnets)
     ]
 
 
@@ -232,9 +232,9 @@ def _sensors(spec: ObjectSpec, plan: BusPlan | None) -> list[list[str]]:
             turn = f"{degrees(azimuth) % 360:.0f}°"
             length = f"{5 * ceil(lengths[number] / 5)}"
             number += 1
-            at = f"{round(x, 2) + 0.0:.2f}, {round(y, 2) + 0.0:.2f}"
+            place = f"{round(x, 2) + 0.0:.2f}, {round(y, 2) + 0.0:.2f}"
             route = routes.get((frame.number, index), "")
-            row = [f"{number}", f"{frame.number}", f"{index}", at, turn, ends, length]
+            row = [f"{number}", f"{frame.number}", f"{index}", place, turn, ends, length]
             rows.append(row if plan is None else [*row, route])
     return rows
 

@@ -28,9 +28,9 @@ def _casting_steps(spec: ObjectSpec) -> list[str]:
         return [f"Print the shell in {silicone.name}."]
     if why_no_mould(spec) is not None:
         return [f"No mould was built, so nothing can be cast: {why_no_mould(spec)}."]
-    known = silicone.casting
-    pot = _told(known and known.pot_life_min, "min")
-    cure = _told(known and known.cure_h, "h")
+    casting = silicone.casting
+    pot = _duration_text(casting and casting.pot_life_min, "min")
+    cure = _duration_text(casting and casting.cure_h, "h")
     return [
         *_core_first(spec),
         "Spray release agent thinly, on all that the silicone touches but the core"
@@ -44,7 +44,7 @@ def _casting_steps(spec: ObjectSpec) -> list[str]:
     ]
 
 
-def _told(duration: float | None, unit: str) -> str:
+def _duration_text(duration: float | None, unit: str) -> str:
     return "see the maker's sheet" if duration is None else f"{duration:g} {unit}"
 
 
@@ -174,8 +174,8 @@ def _kinds(spec: ObjectSpec) -> str:
     kinds = spec.magnets.numbers_by_kind
     if len(kinds) == 1:
         return ""
-    told = "; ".join(f"{numbered(which)} {kind}" for kind, which in kinds.items())
-    return f" Magnets of several kinds look alike: keep them apart. On every face: {told}."
+    kinds_text = "; ".join(f"{numbered(which)} {kind}" for kind, which in kinds.items())
+    return f" Magnets of several kinds look alike: keep them apart. On every face: {kinds_text}."
 
 
 def _sealed(spec: ObjectSpec) -> list[str]:

@@ -29,7 +29,7 @@ _ROWS = {
 }
 
 FIGURES = tuple(_ROWS.values())
-"""Names of the figures of a slip that tables show, of those that the stage stores."""
+"""Names of the figures of a slip that tables show, chosen from what the stage stores."""
 
 
 def core_section(spec: ObjectSpec, presses: Path, slip: Path) -> str:

@@ -26,7 +26,7 @@ from instobj.report.uncertainty import (
     error_rows,
     error_text,
     force_spread_text,
-    forces_told,
+    forces_text,
     modulus_text,
     travel_text,
 )
@@ -54,7 +54,7 @@ _PAPER_PARTS = ("arrangement", "body", "shell", "core", "magnets", "sensors", "s
 
 @dataclass(frozen=True)
 class Link:
-    """A file beside the page."""
+    """A file next to the page."""
 
     name: str
     href: str
@@ -178,11 +178,11 @@ def _nuisances(inputs: Inputs) -> list[list[str]]:
     """Rows of what changes after the zero: its size, and times that it makes the median bounds."""
     return [
         [
-            one["name"],
-            f"{one['deviation']:.3g} {one['unit']}" if one["unit"] else "",
-            *(f"{one[bound]:.2f} times" for bound in ("position", "force")),
+            cost["name"],
+            f"{cost['deviation']:.3g} {cost['unit']}" if cost["unit"] else "",
+            *(f"{cost[bound]:.2f} times" for bound in ("position", "force")),
         ]
-        for one in readers.NUISANCE_COSTS.read(inputs["scores"])["costs"]
+        for cost in readers.NUISANCE_COSTS.read(inputs["scores"])["costs"]
     ]
 
 
@@ -209,7 +209,7 @@ def _robustness(inputs: Inputs) -> dict[str, Any]:
         ],
         "draws": budget.draws,
         "saturation": f"{objects_text(budget.saturation).capitalize()}.",
-        "budget_forces": forces_told(budget),
+        "budget_forces": forces_text(budget),
         "seat_error": SEAT_ERROR,
     }
 
@@ -248,7 +248,7 @@ def _discretisation(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
 
 
 def _estimators(inputs: Inputs) -> list[dict[str, Any]]:
-    """Figures of every face, each beside the paper's."""
+    """Figures of every face, each next to the paper's."""
     keys = ("similarity", "location_error_px", "force_error_percent", "force_error_n")
     rows = []
     for face in readers.METRICS.read(inputs["metrics"])["faces"]:
@@ -274,7 +274,7 @@ def _parts(inputs: Inputs) -> list[list[str]]:
 
 
 def files_beside(inputs: Inputs) -> list[tuple[str, list[Link]]]:
-    """Files that lie beside the page once all are published, by stage."""
+    """Files that lie next to the page once all are published, by stage."""
     files = []
     for stage, folder in inputs.items():
         names = [path.relative_to(folder).as_posix() for path in published_files(stage, folder)]

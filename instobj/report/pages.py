@@ -56,8 +56,8 @@ def embedded(path: Path) -> str:
 def policy() -> str:
     """Return what a page with the viewer may do: run that program, show its own pictures, ask no network."""
     digest = base64.b64encode(hashlib.sha256(program().encode()).digest()).decode()
-    own = "img-src data:; style-src 'unsafe-inline'"
-    return f"default-src 'none'; {own}; script-src 'sha256-{digest}'"
+    sources = "img-src data:; style-src 'unsafe-inline'"
+    return f"default-src 'none'; {sources}; script-src 'sha256-{digest}'"
 
 
 @lru_cache(maxsize=1)

@@ -1,6 +1,6 @@
 """Remedies for a no-go: changes and sets of them against the limits, with their price.
 
-Price is that of magnets and sensors, build time that of setting and wiring them by hand:
+Price covers magnets and sensors, build time that of setting and wiring them by hand:
 what the changes differ in.
 """
 
@@ -12,14 +12,14 @@ from operator import mul
 from typing import Any
 
 from design.spec.object import ObjectSpec
-from instobj.report.verdict import beside_limit, judge, worst_ratio
+from instobj.report.verdict import judge, shown_against_limit, worst_ratio
 from instobj.report.weak_areas import edge_text
 from instobj.store.content import StoredResult
 from instobj.store.readers import ALTERNATIVES, PRESS_CURVES, ROBUSTNESS, SCORES, WEAK_AREAS
 
 PRICES_EUR, MINUTES = (0.2, 3.0), (2.0, 15.0)
-"""Of a magnet and of a sensor on its board. A magnet's pole is found and it is pressed in; a sensor gets
-five wires and is tested and glued. Estimates, to compare changes by."""
+"""Price and time by hand of a magnet and of a sensor on its board. A magnet's pole is found and it is
+pressed in; a sensor gets five wires and is tested and glued. Estimates, to compare changes by."""
 _BEST = 7
 """Remedies in the table."""
 
@@ -43,42 +43,52 @@ class Remedy:
         return self.ratio <= 1
 
     @property
-    def told(self) -> str:
+    def text(self) -> str:
         """Changes with their price and build time."""
         more = f"+{self.price:.0f} € for parts, +{self.minutes:.0f} min by hand"
         return f"{_joined(self.changes)} ({'no more parts' if not self.price else more})"
 
 
 def remedies(spec: ObjectSpec, rows: list[dict[str, Any]]) -> list[Remedy]:
-    """Every change and set of them of the stage `alternatives`; those that turn it first, cheapest first,
-    then those that come nearest: by the weakest position bound where locations stay blind.
+    """Every change and set of them of the stage `alternatives`; first the ones that turn it, cheapest first,
+    then the nearest: by the weakest position bound where locations stay blind.
 
     A set that holds a change which is enough by itself is left out.
     """
-    found = [_remedy(spec, rows[0], row) for row in rows[1:]]
-    enough = {one.changes[0] for one in found if one.turns and len(one.changes) == 1}
-    found = [one for one in found if len(one.changes) == 1 or not enough & {*one.changes}]
-    return sorted(found, key=_order)
+    candidates = [_remedy(spec, rows[0], row) for row in rows[1:]]
+    enough = {
+        remedy.changes[0] for remedy in candidates if remedy.turns and len(remedy.changes) == 1
+    }
+    candidates = [
+        remedy
+        for remedy in candidates
+        if len(remedy.changes) == 1 or not enough & {*remedy.changes}
+    ]
+    return sorted(candidates, key=_order)
 
 
-def _order(one: Remedy) -> tuple[float, ...]:
-    bound = 0.0 if isfinite(one.ratio) else one.bound_mm
-    return max(one.ratio, 1), bound, one.price, one.minutes, one.ratio
+def _order(remedy: Remedy) -> tuple[float, ...]:
+    bound = 0.0 if isfinite(remedy.ratio) else remedy.bound_mm
+    return max(remedy.ratio, 1), bound, remedy.price, remedy.minutes, remedy.ratio
 
 
 def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dict[str, Any]:
     """Return the change that helps most, its lines to copy and a table of the best, for the page."""
     rows = content["alternatives"]
-    found = remedies(spec, rows)
+    candidates = remedies(spec, rows)
     figures = {tuple(row["changes"]): _figures(spec, row) for row in rows}
     price, minutes = price_and_minutes(rows[0]["magnets"], rows[0]["sensors"])
     table = [["as specified", *figures[()], f"{price:.0f}", f"{minutes:.0f}", ""]]
-    for one in found[:_BEST]:
-        more = [f"+{one.price:.0f}", f"+{one.minutes:.0f}", "pass" if one.turns else "FAIL"]
-        table.append([_joined(one.changes), *figures[one.changes], *more])
-    first = None if go else first_change(found)
+    for remedy in candidates[:_BEST]:
+        more = [
+            f"+{remedy.price:.0f}",
+            f"+{remedy.minutes:.0f}",
+            "pass" if remedy.turns else "FAIL",
+        ]
+        table.append([_joined(remedy.changes), *figures[remedy.changes], *more])
+    first = None if go else first_change(candidates)
     return {
-        "decision": decision(found, go),
+        "decision": decision(candidates, go),
         "settings": first.settings if first else (),
         "alternatives": table,
     }
@@ -110,22 +120,22 @@ def _above(ratio: float) -> str:
     return f"{100 * (ratio - 1):.2g} % above"
 
 
-def first_change(found: list[Remedy]) -> Remedy | None:
+def first_change(candidates: list[Remedy]) -> Remedy | None:
     """Return the cheapest remedy that is enough, else the single change that helps most."""
-    singles = [one for one in found if one.turns or len(one.changes) == 1]
+    singles = [remedy for remedy in candidates if remedy.turns or len(remedy.changes) == 1]
     return min(singles, key=_order, default=None)
 
 
-def decision(found: list[Remedy], go: bool) -> str:
+def decision(candidates: list[Remedy], go: bool) -> str:
     """Return what to do, in one to three sentences."""
     if go:
         return "Every limit is kept; nothing has to change"
-    first = first_change(found)
+    first = first_change(candidates)
     if first is None:
         return "None of the changes tried here fits"
     if first.turns:
-        return f"Turns it into a go: {first.told}"
-    helps = f"Helps most alone: {first.told}"
+        return f"Turns it into a go: {first.text}"
+    helps = f"Helps most alone: {first.text}"
     if isfinite(first.ratio):
         helps += f", with a figure still {_above(first.ratio)} its limit"
     elif isfinite(first.bound_mm):
@@ -147,7 +157,7 @@ def _joined(changes: tuple[str, ...]) -> str:
 
 
 def price_and_minutes(magnets: int, sensors: int) -> tuple[float, float]:
-    """Of so many magnets and sensors: price and time by hand."""
+    """Return price and time by hand of numbers of magnets and sensors."""
     parts = (magnets, sensors)
     return sum(map(mul, PRICES_EUR, parts)), sum(map(mul, MINUTES, parts))
 
@@ -173,7 +183,7 @@ def _figures(spec: ObjectSpec, row: dict[str, Any]) -> list[str]:
         "worst_detectable_n": spec.limits.detectable_force_n,
     }
     shown = (
-        beside_limit(row[name], limit) if isfinite(row[name]) else "∞"
+        shown_against_limit(row[name], limit) if isfinite(row[name]) else "∞"
         for name, limit in limits.items()
     )
     return [*shown, f"{100 * row['saturation_margin']:.0f} %"]

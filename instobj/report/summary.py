@@ -44,7 +44,7 @@ AREAS_TITLE = "bounds by area (medians over all faces, fresh zero)"
 def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) -> dict[str, Any]:
     """Title → numbers (or rows of numbers) for the stages that have results. NaN becomes None.
 
-    `spec` is that of the chain, None for a data set.
+    `spec` belongs to the chain, None for a data set.
     """
     makers = (
         ("build", "parts", _parts),
@@ -53,7 +53,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
         ("discretisation", "discretisation error", _discretisation),
         ("scores", AREAS_TITLE, _areas),
-        ("scores", "read worse than the bound", _beyond_bound),
+        ("scores", "read worse than the bound", _bound_text),
         ("scores", "not judged", _unreached),
         ("weak_areas", WEAK_TITLE, weak_rows),
         ("scores", "10 N on another face, in this face's own channels", _cross_face),
@@ -127,7 +127,7 @@ def _calibration(result: StoredResult) -> list[dict[str, Any]]:
 
 
 def _inverted_twin(result: StoredResult) -> list[dict[str, Any]]:
-    """As `_calibration`."""
+    """Return rows as `_calibration`."""
     return _calibrated_faces(INVERTED_TWIN.read(result.folder))
 
 
@@ -147,8 +147,8 @@ def _simple_contacts(result: StoredResult) -> list[dict[str, Any]]:
 
 def _calibrated_faces(content: dict[str, Any] | None) -> list[dict[str, Any]]:
     rows = content["faces"] if content else []
-    every = [(name, value) for row in rows for name, value in row.items()]
-    names = dict.fromkeys(name for name, value in every if not isinstance(value, list))
+    values = [(name, value) for row in rows for name, value in row.items()]
+    names = dict.fromkeys(name for name, value in values if not isinstance(value, list))
     return [{name: row.get(name) for name in names} for row in rows]
 
 
@@ -189,16 +189,16 @@ def _areas(result: StoredResult) -> list[dict[str, Any]]:
     ]
 
 
-def _beyond_bound(result: StoredResult) -> dict[str, str]:
+def _bound_text(result: StoredResult) -> dict[str, str]:
     """Nothing where a reader reaches the bound everywhere."""
-    told = SCORES.read(result.folder).exceeds_bound
-    return {"place": told} if told else {}
+    text = SCORES.read(result.folder).exceeds_bound
+    return {"place": text} if text else {}
 
 
 def _unreached(result: StoredResult) -> dict[str, str]:
     """Nothing where every location reaches the force."""
-    told = SCORES.read(result.folder).unreached
-    return {"force": told} if told else {}
+    text = SCORES.read(result.folder).unreached
+    return {"force": text} if text else {}
 
 
 def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
@@ -221,8 +221,8 @@ def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
 def _shear(result: StoredResult) -> list[dict[str, Any]]:
     from estimator.information.fisher import SUFFIXES
 
-    every = SHEAR_SCORES.read(result.folder)
-    rows = [row for row in every if not math.isnan(float(row["position_bound_mm"]))]
+    all_rows = SHEAR_SCORES.read(result.folder)
+    rows = [row for row in all_rows if not math.isnan(float(row["position_bound_mm"]))]
     return [
         {
             "zero": state,
@@ -306,10 +306,10 @@ def _baselines(result: StoredResult) -> list[dict[str, Any]]:
 
 def difference_row(row: dict[str, Any], name: str, unit: str) -> dict[str, str]:
     """Mean difference over presses and half of its 90 % range, which one press does not have."""
-    found, is_model, alone = row[name], row["name"] == "model", row["presses"] < 2
-    half = (found["high"] - found["low"]) / 2
+    difference, is_model, alone = row[name], row["name"] == "model", row["presses"] < 2
+    half = (difference["high"] - difference["low"]) / 2
     return {
-        f"Δ {unit}": "–" if is_model else f"{found['mean']:+.2f}",
+        f"Δ {unit}": "–" if is_model else f"{difference['mean']:+.2f}",
         f"± {unit}": "–" if is_model or alone else f"{half:.2f}",
     }
 

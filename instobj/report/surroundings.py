@@ -16,23 +16,23 @@ def surroundings_lines(row: dict[str, Any]) -> list[str]:
     """Lines for people of `surroundings_row`, and of the stage `surroundings`, which has more."""
     lines = [
         f"Earth's field of {row['earth_field_ut']:g} µT: turning the object changes a channel by up to "
-        f"{_told(row['turning_largest_counts'])} counts ({_told(row['turning_rms_counts'])} rms)"
+        f"{_rounded(row['turning_largest_counts'])} counts ({_rounded(row['turning_rms_counts'])} rms)"
     ]
     if "jaws" not in row:
         lines.append(_steel_line(row))
     lines.append(
         f"Warming by 1 K: signals {100 * abs(NDFEB_REMANENCE_PER_KELVIN):.2f} % smaller, zero shifted by "
-        f"up to {_told(abs(row['baseline_counts_per_kelvin']))} counts"
+        f"up to {_rounded(abs(row['baseline_counts_per_kelvin']))} counts"
     )
     if row.get("resting"):
         resting = row["resting"]
         lines.append(
-            f"Magnets push and pull each other with up to {_told(resting['force_n'])} N. In the silicone "
-            f"this moves them by up to {_told(1e3 * resting['moved_mm'])} µm and the zero by up to "
-            f"{_told(resting['counts'])} counts; zeroing takes that out"
+            f"Magnets push and pull each other with up to {_rounded(resting['force_n'])} N. In the silicone "
+            f"this moves them by up to {_rounded(1e3 * resting['moved_mm'])} µm and the zero by up to "
+            f"{_rounded(resting['counts'])} counts; zeroing takes that out"
         )
     lines.append(
-        f"Sensors can be read at up to {_told(row['fastest_frame_rate_hz'])} Hz over the bus"
+        f"Sensors can be read at up to {_rounded(row['fastest_frame_rate_hz'])} Hz over the bus"
     )
     return lines
 
@@ -42,10 +42,10 @@ def _steel_line(row: dict[str, Any]) -> str:
         row[f"jaw_{whose}_counts"] for whose in ("own_face", "other_faces")
     )
     return (
-        f"A steel gripper that touches shifts the zero of its face by up to {_told(touching)} counts and "
-        f"of others by {_told(touching_others)}, and pulls a magnet with up to "
-        f"{_told(row['jaw_pull_n'][0])} N; {row['jaw_gap_mm'][1]:g} mm away by {_told(near)} and "
-        f"{_told(near_others)} (thick wide plate, an upper bound)"
+        f"A steel gripper that touches shifts the zero of its face by up to {_rounded(touching)} counts and "
+        f"of others by {_rounded(touching_others)}, and pulls a magnet with up to "
+        f"{_rounded(row['jaw_pull_n'][0])} N; {row['jaw_gap_mm'][1]:g} mm away by {_rounded(near)} and "
+        f"{_rounded(near_others)} (thick wide plate, an upper bound)"
     )
 
 
@@ -55,12 +55,12 @@ def jaw_rows(row: dict[str, Any]) -> list[tuple[str, ...]]:
     for jaw in row["jaws"]:
         where = f"{jaw['gap_mm']:g} mm away" if jaw["gap_mm"] else "touching"
         figures = zip((jaw["counts"], jaw["false_force_n"], jaw["pull_n"]), _NOTHING, strict=True)
-        texts = (_told(value) if value >= least else "0" for value, least in figures)
+        texts = (_rounded(value) if value >= least else "0" for value, least in figures)
         rows.append((f"{jaw['material']}, {where}", *texts))
     return rows
 
 
-def _told(value: float) -> str:
+def _rounded(value: float) -> str:
     """Three figures, without an exponent."""
     return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 HEADER = ["depth, mm", "force, rms", "force, largest", "motions, rms", "motions, largest"]
 _FIGURES = ("force_rms", "force_worst", "motion_rms", "motion_worst")
 _DECIMALS = 4
-"""Of mm, N, % and counts: what lies below is rounding, and reads as 0."""
+"""Least value in mm, N, % and counts: what lies below is rounding, and reads as 0."""
 
 
 def error_text(content: dict[str, Any]) -> str:
@@ -89,11 +89,11 @@ def travel_text(curves: dict[str, Any]) -> str:
     if spread is None:
         return "not known"
     deepest = f"more than {curves['deepest_press_mm']:g} mm"
-    at, least, most = (
+    nominal, least, most = (
         deepest if spread[name] is None else f"{spread[name]:.2f} mm"
         for name in ("nominal_mm", "stiffest_mm", "softest_mm")
     )
-    return f"{at} ({least} to {most}) to {spread['force_n']:g} N at the median location"
+    return f"{nominal} ({least} to {most}) to {spread['force_n']:g} N at the median location"
 
 
 def robustness_summary(spec: ObjectSpec, folder: Path) -> dict[str, list[dict[str, Any]]]:
@@ -104,7 +104,7 @@ def robustness_summary(spec: ObjectSpec, folder: Path) -> dict[str, list[dict[st
         f"what one standard deviation does, {budget.force_n:g} N, median place": budget_rows(
             spec, budget
         ),
-        f"bounds within tolerance, fresh zero, at {forces_told(budget)}": bound_rows(budget),
+        f"bounds within tolerance, fresh zero, at {forces_text(budget)}": bound_rows(budget),
     }
 
 
@@ -127,11 +127,13 @@ def budget_rows(spec: ObjectSpec, budget: Robustness) -> list[dict[str, Any]]:
     ]
 
 
-def forces_told(budget: Robustness) -> str:
+def forces_text(budget: Robustness) -> str:
     """The force of a budget, and at how many locations it is less as these hardly reach it."""
     from estimator.tolerances.result import REACH_SHARE
 
-    less = f", {budget.at_less} places at {REACH_SHARE:g} of deepest press" * bool(budget.at_less)
+    less = f", {budget.reduced_places} places at {REACH_SHARE:g} of deepest press" * bool(
+        budget.reduced_places
+    )
     return f"{budget.force_n:g} N{less}"
 
 

@@ -100,14 +100,14 @@ def _position(spec: ObjectSpec, scores: PlaceScores) -> Check:
         weakest.position_bound_mm / limit,
         f"face {weakest.face} at ({weakest.x_mm:g}, {weakest.y_mm:g}) mm, worst along "
         f"{weakest.direction_deg:.0f}° from x"
-        + "".join(f". {told}" for told in (scores.exceeds_bound, scores.unreached) if told),
+        + "".join(f". {text}" for text in (scores.exceeds_bound, scores.unreached) if text),
     )
 
 
 def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
-    every = np.where(scores.places, scores.detectable_force_n, -np.inf)
-    face, place = np.unravel_index(np.argmax(every), every.shape)
-    force = every[scores.places]
+    forces = np.where(scores.places, scores.detectable_force_n, -np.inf)
+    face, place = np.unravel_index(np.argmax(forces), forces.shape)
+    force = forces[scores.places]
     x, y = scores.grid.xy_mm[place]
     limit = spec.limits.detectable_force_n
     return Check(
@@ -120,7 +120,7 @@ def _detection(spec: ObjectSpec, scores: PlaceScores) -> Check:
     )
 
 
-def beside_limit(value: float, limit: float) -> str:
+def shown_against_limit(value: float, limit: float) -> str:
     """Two decimals, or as many as keep the figure on its side of the limit."""
     for decimals in range(2, 6):
         text = f"{value:.{decimals}f}"
@@ -130,7 +130,7 @@ def beside_limit(value: float, limit: float) -> str:
 
 
 def _shown(value: float, limit: float, unit: str, unknown: str) -> str:
-    return f"{beside_limit(value, limit)} {unit}" if np.isfinite(value) else unknown
+    return f"{shown_against_limit(value, limit)} {unit}" if np.isfinite(value) else unknown
 
 
 def _saturation(spec: ObjectSpec, margin: float, objects: Saturation) -> Check:

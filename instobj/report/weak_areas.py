@@ -24,7 +24,7 @@ _NAMES = {
 _CLEAR = 0.5
 """Rank correlation from which on weak locations are said to go with a measure."""
 _FEW = 0.005
-"""Share of contact locations that is told as none: it would read 0 %."""
+"""Share of contact locations that is reported as none: it would read 0 %."""
 
 
 def far_share(spec: ObjectSpec) -> float:

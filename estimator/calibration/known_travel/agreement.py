@@ -1,4 +1,4 @@
-"""Predicted against recorded changes of presses of known travel, beside nulls and simple rivals."""
+"""Predicted against recorded changes of presses of known travel, against nulls and simple rivals."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Registration and calibration of an object under a machine, from a few of the places pressed.
 
 The resting level was never recorded (every reading is one of a press), so it is what the readings of
-the registered places leave on average over the model's changes. Registration is four numbers beside it:
+the registered places leave on average over the model's changes. Registration adds four numbers:
 shift (two), turn, height of the first contact. Calibration moves and tilts the magnets too, with
 Gaussian priors, and their field at rest then has to be that level.
 """
@@ -38,7 +38,7 @@ _ROUNDS, _FIRST_ROUNDS, _STARTS_KEPT = 30, 6, 2
 
 @dataclass(frozen=True)
 class Freed:
-    """Assumptions freed beside the pose: their numbers, and the changes (mT) of presses with them."""
+    """Assumptions freed together with the pose: their numbers, and the changes (mT) of presses with them."""
 
     unknowns: Mapping[str, Unknown]
     change: Callable[[Twin, Values, np.ndarray], Changes]

@@ -30,12 +30,12 @@ SYMMETRIES = tuple(
 """Axes of the machine in the object's, as rows: right-handed and mirrored ones."""
 _MARGIN_MM = 0.2
 _PLAY_MM = 3.0
-"""By which magnets may be found nearer to the chips than in the design."""
+"""Distance by which magnets may lie nearer to the chips than in the design."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Of the object under the machine; `symmetry` is one of `SYMMETRIES`."""
+    """Pose of the object under the machine; `symmetry` is one of `SYMMETRIES`."""
 
     shift_mm: Float[np.ndarray, "2"]
     turn_rad: float
@@ -62,7 +62,7 @@ class Pose:
 
 @dataclass(frozen=True)
 class Twin:
-    """What is registered or calibrated: pose, and how far each magnet is off the design.
+    """Registered or calibrated object: pose, and how far each magnet is off the design.
 
     `strength` multiplies the polarization of all magnets.
     """

@@ -1,9 +1,9 @@
 """Assumptions that residuals point to: each freed by itself, ranked by what that explains elsewhere.
 
-Each assumption is a few numbers with Gaussian priors, fitted beside the pose to the registered
+Each assumption is a few numbers with Gaussian priors, fitted with the pose to the registered
 presses and judged on all others. Numbers that stand for nothing gain nothing there, or lose. A group
 that gains need not be the cause: what looks alike in the field (height and strength of a magnet, travel
-and Poisson's ratio) cannot be told apart.
+and Poisson's ratio) cannot be separated.
 """
 
 from __future__ import annotations
@@ -40,10 +40,10 @@ class FreedAssumption:
 
     Attributes
     ----------
-    numbers : how many were fitted beside the pose
+    numbers : count of those fitted with the pose
     explained : share of the change of the judged presses (about the resting level of the pose alone)
     gained : over the pose alone, which was fitted to the same presses
-    low, high : 90 % of what is gained with the judged places drawn anew
+    low, high : 90 % of what is gained with the judged places drawn again
     found : what was found, in words
     """
 
@@ -151,7 +151,7 @@ def gain_of_suspect(
     place: np.ndarray,
     rng: np.random.Generator,
 ) -> tuple[float, float, float]:
-    """Share gained, and 90 % of the shares with places drawn anew."""
+    """Share gained, and 90 % of the shares with places drawn again."""
     _, number = np.unique(place, return_inverse=True)
     less, all_of = (
         np.bincount(number, weights=given) for given in (alone - residual_squares, size)

@@ -38,7 +38,7 @@ from estimator.tolerances.virtual_object import twin_model
 from fem.presses.results import MagnetMotions, PressForces
 
 SIZES = (0.02, 0.05, 0.1, 0.2)
-"""Of the process; meshes of one design differ by the least of them."""
+"""Relative sizes of the process; meshes of one design differ by the least of them."""
 LENGTHS_MM = (6.0, 10.0, 16.0)
 """Lengths of the discrepancy among which the evidence chooses."""
 _FIRST = Prior(0.02, 10.0)
@@ -49,7 +49,7 @@ FOLDS = 5
 
 
 class PlaceMechanics:
-    """The design's presses at some places, and a little beside them for magnets that sit aside."""
+    """The design's presses at some places, and a little aside for magnets that sit off-centre."""
 
     def __init__(
         self,
@@ -58,7 +58,7 @@ class PlaceMechanics:
         motions: MagnetMotions,
         pressed: PressedPlaces,
     ) -> None:
-        self.unknowns, self.seen = unknowns, pressed
+        self.unknowns, self.pressed = unknowns, pressed
         self.shape = pressed.force_n.size, len(pressed.channels)
         self.presses = traced_presses(unknowns.spec, forces, motions, pressed.face, pressed.xy_mm)
         if (pressed.force_n > self.presses.force_n[0][:, -1:]).any():
@@ -70,7 +70,7 @@ class PlaceMechanics:
     def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
         """Changes of counts of all means, at their labelled forces; NaN where forces would not grow
         with depth."""
-        spec, pressed = self.unknowns.spec, self.seen
+        spec, pressed = self.unknowns.spec, self.pressed
         assembly, rest = self.unknowns.assembly(numbers), self.presses.rest
         force, motion = self.presses.assembled(assembly, self.unknowns.correction(numbers))
         place, motion = assembly.scene, motion.reshape(-1, *rest.shape)
@@ -137,7 +137,9 @@ class CalibratedTwin:
             signals = self.unknowns.signals(numbers, self.forces, self.motions)
             if signals is not None:
                 return self._with_discrepancy(signals, numbers, rng)
-        raise self.unknowns.no_object(f"the labelled presses of face {self.discrepancy.seen.face}")
+        raise self.unknowns.no_object(
+            f"the labelled presses of face {self.discrepancy.pressed.face}"
+        )
 
     def _with_discrepancy(
         self,
@@ -152,8 +154,8 @@ class CalibratedTwin:
         added = self.discrepancy.mean(residual, xy, force)
         if rng is not None:
             added = added + self.discrepancy.doubt(xy, force, rng)
-        on_face = self.unknowns.design.scene.sensors.face == self.discrepancy.seen.face
-        face_channels = np.flatnonzero(np.repeat(on_face, 3))[self.discrepancy.seen.channels]
+        on_face = self.unknowns.design.scene.sensors.face == self.discrepancy.pressed.face
+        face_channels = np.flatnonzero(np.repeat(on_face, 3))[self.discrepancy.pressed.channels]
         delta = signals.delta_counts.reshape(*signals.force_n.shape, -1).copy()
         pressed = delta[0, lattice_rows]
         pressed[..., face_channels] += added
@@ -198,7 +200,7 @@ def calibrate(
 def _log_evidence(
     discrepancy: Discrepancy, jacobian: np.ndarray, right: Float[np.ndarray, "row channel"]
 ) -> float:
-    """Of `right` under linear numbers and the process, but for a constant."""
+    """Return the log evidence of `right` under linear numbers and the process, but for a constant."""
     precision, pull = normal_equations(discrepancy, jacobian, right)
     fitted = np.sum(right * discrepancy.weighed(right)) - pull @ np.linalg.solve(precision, pull)
     determinant = discrepancy.log_determinant + np.linalg.slogdet(precision)[1]

@@ -44,7 +44,7 @@ class Discrepancy:
     """Covariances of all means of some places, and what they tell of others."""
 
     def __init__(self, spec: ObjectSpec, prior: Prior, pressed: PressedPlaces) -> None:
-        self.prior, self.seen = prior, pressed
+        self.prior, self.pressed = prior, pressed
         self.scale = np.sqrt(np.mean(pressed.counts**2, axis=(0, 1)))
         white = pressed.white_counts2(spec) + _FLOOR_COUNTS**2
         self.white_of = white.reshape(-1, len(pressed.channels))
@@ -61,7 +61,7 @@ class Discrepancy:
         self, xy_mm: Float[np.ndarray, "place 2"], force_n: Float[np.ndarray, "place step"]
     ) -> Float[np.ndarray, "point row"]:
         """Between all steps of some places and all means, for size and scale 1."""
-        means = self.seen
+        means = self.pressed
         steps, levels = force_n.shape[1], means.force_n.shape[1]
         near = np.repeat(np.repeat(self.matern(xy_mm, means.xy_mm), steps, 0), levels, 1)
         product = np.outer(force_n.ravel(), means.force_n.ravel()) / _FORCE_SCALE_N**2
@@ -84,7 +84,7 @@ class Discrepancy:
 
     @cached_property
     def log_determinant(self) -> float:
-        """Of all channels' covariances."""
+        """Return the log determinant of all channels' covariances."""
         return float(sum(2 * np.log(np.diag(factor)).sum() for factor, _ in self._factors))
 
     def mean(
@@ -114,7 +114,7 @@ class Discrepancy:
     ) -> Float[np.ndarray, "place step channel"]:
         """A draw of what the means leave open (Matheron's rule: a draw of the prior less what its own
         means, with noise, would tell)."""
-        means = self.seen
+        means = self.pressed
         both = np.concatenate([xy_mm, means.xy_mm])
         prior = self.matern(both, both) + _JITTER * np.eye(len(both))
         fields = np.linalg.cholesky(prior) @ rng.standard_normal((2, len(both), len(self.scale)))

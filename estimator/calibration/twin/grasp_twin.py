@@ -3,7 +3,7 @@
 Unknown are the same numbers as of `estimator.calibration.twin.digital_twin`, of all pressed faces together:
 what a press of one jaw does to the other's sensors is seen as well. The motions of the contacts add
 up and the field is exact, as in the inversion. What the numbers leave over is taken as independent
-between cases, a share of what each chip shows: a case tells a sum over its contacts alone, and
+between cases, a share of what each chip shows: a case shows a sum over its contacts alone, and
 carried to other places by a Gaussian process it made predictions of the public recordings worse
 (docs/measured/validation.md). The share is the one that predicts cases left out best, and whether the
 numbers help at all is judged there as well.
@@ -36,10 +36,10 @@ from estimator.tolerances.virtual_object import twin_model
 from fem.presses.results import MagnetMotions, PressForces
 
 SIZES = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
-"""Of what is left over, as a share of what a chip shows."""
+"""Sizes of what is left over, as shares of what a chip shows."""
 _MODULUS = -len(STIFFENING) - 1
 _CLEAR = 25.0
-"""Changes of a chip whose square is below so many variances of its noise say nothing of shares."""
+"""Changes of a chip whose square is below this many variances of its noise say nothing of shares."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class GraspTwin:
         return count_at_limits(self.numbers)
 
     def signals(self, forces: PressForces, motions: MagnetMotions) -> Signals:
-        """Of every press of the design's table, done by this object.
+        """Return the signals of every press of the design's table, done by this object.
 
         Raises
         ------
@@ -91,7 +91,7 @@ class GraspMechanics:
     def __init__(
         self, unknowns: Unknowns, forces: PressForces, motions: MagnetMotions, pressed: PressedCases
     ) -> None:
-        self.unknowns, self.seen, self.rest = unknowns, pressed, rest_motion(motions)
+        self.unknowns, self.pressed, self.rest = unknowns, pressed, rest_motion(motions)
         self.parts: list[tuple[np.ndarray, np.ndarray, TracedPresses]] = []
         for face in pressed.faces:
             case, slot = np.nonzero(pressed.face == face)
@@ -101,7 +101,7 @@ class GraspMechanics:
     def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
         """Changes of counts of all means, motions of the contacts added up; NaN where forces would
         not grow with depth."""
-        spec, pressed = self.unknowns.spec, self.seen
+        spec, pressed = self.unknowns.spec, self.pressed
         cases, levels = pressed.counts.shape[:2]
         assembly, correction = self.unknowns.assembly(numbers), self.unknowns.correction(numbers)
         moved = np.zeros((cases, levels, self.rest.size))
@@ -193,7 +193,7 @@ def cases_left_out(
     mechanics: GraspMechanics, left_over: _LeftOver, jacobian: np.ndarray, right: np.ndarray
 ) -> Float[np.ndarray, "row channel"]:
     """Return what the twin of all other cases leaves of each; infinite where it is no object."""
-    pressed = mechanics.seen
+    pressed = mechanics.pressed
     case = np.repeat(np.arange(len(pressed)), pressed.counts.shape[1])
     residual = pressed.counts.reshape(len(case), -1).copy()
     for out in range(len(pressed)):

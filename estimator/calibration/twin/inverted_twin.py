@@ -25,7 +25,7 @@ from fem.presses.results import MagnetMotions, PressForces
 
 @runtime_checkable
 class FaceTwin(Protocol):
-    """What is known of one face, as `estimator.calibration.twin.digital_twin.CalibratedTwin` has it."""
+    """Knowledge of one face, as `estimator.calibration.twin.digital_twin.CalibratedTwin` has it."""
 
     @property
     def modulus_error(self) -> float: ...
@@ -74,8 +74,8 @@ def inverted_grasps(
     """An estimator of the object that presses of several contacts together show.
 
     It is as wrong at each sensor as it was in cases left out, and at all of them so much more as makes
-    its regions hold the labelled contacts: errors of sensors that go together (a label beside its
-    place, a core beside its seat) move contacts further than independent ones would. Channels with gaps in
+    its regions hold the labelled contacts: errors of sensors that go together (a label off its
+    place, a core off its seat) move contacts further than independent ones would. Channels with gaps in
     the labelled presses are not read.
 
     Raises

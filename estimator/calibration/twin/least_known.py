@@ -1,4 +1,4 @@
-"""Places at which a calibrated twin knows least: which press tells most of all signals.
+"""Places at which a calibrated twin knows least: which press says most of all signals.
 
 Signals at all places are jointly Gaussian: the numbers of the object through the Jacobian of its
 signals, and the process of what they leave over (`discrepancy`). Every press is chosen to leave the
@@ -27,13 +27,13 @@ from estimator.calibration.twin.unknowns import Unknowns, jacobian_of
 from fem.presses.results import MagnetMotions, PressForces
 
 SHARES = (0.5, 1.0)
-"""Of the force of a press, at which its signals count."""
+"""Shares of the force of a press at which its signals count."""
 PRIOR = Prior(0.05, 10.0)
 
 
 @dataclass(frozen=True)
 class PressErrors:
-    """Of the signals of one press.
+    """Errors of the signals of one press.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class PosteriorVariance:
         return float(np.sqrt(np.trace(flat) / len(flat)))
 
     def gains_counts2(self) -> Float[np.ndarray, "place"]:
-        """By how much a press at each place would lower the sum of all variances."""
+        """Return how much a press at each place would lower the sum of all variances."""
         return np.array(
             [np.sum(self._gained_root(place) ** 2) for place in range(len(self.noise_counts2))]
         )
@@ -72,7 +72,7 @@ class PosteriorVariance:
         return replace(self, covariance_counts2=remaining)
 
     def _gained_root(self, place: int) -> Float[np.ndarray, "signal place signal"]:
-        """Return what a press tells of all signals: a root of the covariance that it takes away."""
+        """Return what a press says of all signals: a root of the covariance that it takes away."""
         covariance = self.covariance_counts2[place]
         size = len(covariance)
         root = cholesky(covariance[:, place] + self.noise_counts2[place], lower=True)
@@ -91,8 +91,11 @@ def prior_variance(
     prior: Prior = PRIOR,
     numbers: Float[np.ndarray, "number"] | None = None,
 ) -> PosteriorVariance:
-    """Of the contact locations of a face before any press of up to `force_n`, at the design or at an
-    object of other numbers; forces end where those of the table do. `errors` are those of one press (by
+    """Return the variance at the contact locations of a face before any press of up to `force_n`.
+
+
+    It is that at the design or at an object of other numbers; forces end where those of the table
+    do. `errors` are those of one press (by
     default 8 frames at each force after a zero of their own)."""
     unknowns = Unknowns(spec, (face,))
     point = np.zeros(len(unknowns)) if numbers is None else numbers
@@ -131,7 +134,7 @@ def _press_noise(
 def press_order(
     doubt: PosteriorVariance, presses: int, pressed: Sequence[int] = ()
 ) -> tuple[Int[np.ndarray, "press"], list[float]]:
-    """Places in the order in which each press tells most, none twice before all, and the doubt (rms
+    """Return places in the order in which each press says most, none twice before all, and the doubt (rms
     counts) that is left after each; places of `pressed` are pressed anyway."""
     order, deviations = [], []
     for place in pressed:

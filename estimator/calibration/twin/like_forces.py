@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 STEADY_NOISES = 3.0
-"""A stretch is steady while no label is farther from its mean than so many noises of a label."""
+"""A stretch is steady while no label is farther from its mean than this many noises of a label."""
 
 
 def steady_pieces(
@@ -44,7 +44,7 @@ def levels_of_like_force(
     noise_n: float,
     levels: int,
 ) -> list[Int[np.ndarray, "_"]]:
-    """Frames, in order of time, in so many levels by growing mean label, with about equal numbers."""
+    """Frames, in order of time, in `count` levels by growing mean label, with about equal numbers."""
     pieces = steady_pieces(force_n, press, noise_n, max(len(force_n) // levels, 1))
     pieces.sort(key=lambda piece: float(force_n[piece].mean()))
     ends = np.cumsum([len(piece) for piece in pieces])

@@ -25,9 +25,9 @@ LEAST_PLACES = 4
 LEAST_FRAMES = 12
 """Frames of a place, below which it is left out."""
 MOST_PLACES = 150
-"""Of more, every second, third, … is used: costs grow with the cube of their number."""
+"""Most places; of more, every second, third, … is used: costs grow with the cube of their number."""
 REACH = 0.8
-"""Of the deepest simulated force, up to which labelled ones are used."""
+"""Share of the deepest simulated force up to which labelled ones are used."""
 _STRAIGHT_NOISES = 4.0
 """Sideways force, over the load cell's noise, up to which a press counts as straight."""
 
@@ -81,7 +81,7 @@ class PressedPlaces:
 def white_noise_counts(
     spec: ObjectSpec, recorded: Float[np.ndarray, "3"] | None
 ) -> Float[np.ndarray, "3"]:
-    """Of a reading, as the recording shows it, or the specification's where none was recorded."""
+    """Return the white noise of a reading as recorded, or the specification's where none was."""
     noise = np.asarray(spec.sensors.noise_counts, float)
     return noise if recorded is None else np.where(np.isfinite(recorded), recorded, noise)
 
@@ -94,7 +94,7 @@ def recorded_noise_counts(spec: ObjectSpec, frames: FrameSet) -> Float[np.ndarra
 def is_in_table(
     spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "press 2"]
 ) -> Bool[np.ndarray, "press"]:
-    """Return which presses of a face, and those a little beside them, lie within the table."""
+    """Return which presses of a face, and those a little aside, lie within the table."""
     lattice, pressed = press_lattice(spec), pressed_nodes(spec)[spec.body.sensed.index(face)]
     within = (abs(xy_mm) <= -lattice.xy_mm.min(axis=0) - ASIDE_MM).all(axis=1)
     for side in SIDES_MM:
@@ -226,7 +226,7 @@ def remembered_places(
 
 
 def drift_rate(spec: ObjectSpec) -> float:
-    """By how much the variance of the drift grows (counts² per second)."""
+    """Return the growth of the variance of the drift (counts² per second)."""
     return spec.sensors.drift_counts**2 / DRIFT_TIME_S
 
 

@@ -17,7 +17,7 @@ from fem.presses.results import MagnetMotions, PressForces
 
 @dataclass(frozen=True)
 class TracedPresses:
-    """Presses at some places, and a little beside them for magnets that sit aside.
+    """Presses at some places, and a little aside for magnets that sit off-centre.
 
     Attributes
     ----------

@@ -37,7 +37,7 @@ FARTHEST = 5.0
 
 @dataclass(frozen=True)
 class Unknowns:
-    """What is unknown of an object, as standard normal numbers one after the other."""
+    """Unknowns of an object, as standard normal numbers one after the other."""
 
     spec: ObjectSpec
     faces: tuple[int, ...]
@@ -76,8 +76,10 @@ class Unknowns:
     def signals(
         self, numbers: Float[np.ndarray, "number"], forces: PressForces, motions: MagnetMotions
     ) -> Signals | None:
-        """Of every press of a table of the design, done by the object of these numbers; None where
-        its forces would fall with depth and the design's do not."""
+        """Return signals of every press of the design's table, done by the object of these numbers.
+
+        None where its forces would fall with depth and the design's do not.
+        """
         table = corrected_table(self.spec, forces, motions, self.correction(numbers))
         unresolved_in_design, unresolved = (
             unresolved_presses(motions_as_signals(*presses))
@@ -102,7 +104,7 @@ def count_at_limits(numbers: Float[np.ndarray, "number"]) -> int:
 
 @runtime_checkable
 class Mechanics(Protocol):
-    """What an object of given numbers would show in labelled presses."""
+    """Signals that an object of given numbers would show in labelled presses."""
 
     def expected(self, numbers: Float[np.ndarray, "number"]) -> Float[np.ndarray, "row channel"]:
         """NaN where there is no such object."""
@@ -171,8 +173,10 @@ def jacobian_of(
     numbers: Float[np.ndarray, "number"],
     here: Float[np.ndarray, "row channel"],
 ) -> Float[np.ndarray, "row channel number"]:
-    """By differences of a twentieth of each number's standard deviation, forward where that is
-    possible; 0 where neither way is."""
+    """Return the Jacobian by differences of a twentieth of each number's standard deviation.
+
+    Differences are forward where that is possible; 0 where neither way is.
+    """
     columns = []
     for step in np.diag(np.where(numbers < FARTHEST - _STEP, _STEP, -_STEP)):
         stepped = mechanics.expected(numbers + step)

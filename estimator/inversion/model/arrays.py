@@ -17,12 +17,12 @@ Array = Any
 
 
 def library(array: Array) -> Any:
-    """`numpy` or `torch`."""
+    """Return the module of an array: `numpy` or `torch`."""
     return np if isinstance(array, np.ndarray) else sys.modules["torch"]
 
 
 def like(reference: Array, values: Any) -> Array:
-    """Values as an array of the reference's kind, on its device."""
+    """Return values as an array of the reference's kind, on its device."""
     if isinstance(reference, np.ndarray):
         return np.asarray(values)
     if isinstance(values, np.ndarray) and not values.flags.writeable:
@@ -31,14 +31,14 @@ def like(reference: Array, values: Any) -> Array:
 
 
 def zeros(reference: Array, shape: tuple[int, ...]) -> Array:
-    """Zeros of the reference's kind and type, on its device."""
+    """Return zeros of the reference's kind and type, on its device."""
     if isinstance(reference, np.ndarray):
         return np.zeros(shape, reference.dtype)
     return reference.new_zeros(shape)
 
 
 def to_host(array: Array) -> np.ndarray:
-    """As a NumPy array."""
+    """Return the array as NumPy's."""
     return array if isinstance(array, np.ndarray) else array.cpu().numpy()
 
 
@@ -56,25 +56,25 @@ def true_rows(mask: Array) -> Array:
 
 
 def float32(array: Array) -> Array:
-    """In single precision."""
+    """Return the array in single precision."""
     return array.astype(np.float32) if isinstance(array, np.ndarray) else array.float()
 
 
 def float64(array: Array) -> Array:
-    """In double precision."""
+    """Return the array in double precision."""
     return array.astype(np.float64) if isinstance(array, np.ndarray) else array.double()
 
 
 def rows_of(array: Array, rows: Array) -> Array:
-    """Rows that are told by an array of the host, or of the array's own device."""
+    """Return rows; their indices are NumPy's or on the array's device."""
     return array[rows if isinstance(array, np.ndarray) else like(array, rows)]
 
 
 def chosen(array: Array, index: Array) -> Array:
-    """Entries of the second dimension."""
+    """Return entries of the second dimension."""
     return array.take(index, axis=1) if isinstance(array, np.ndarray) else array[:, index]
 
 
 def concatenated(parts: Sequence[Array]) -> Array:
-    """One after the other."""
+    """Return the parts joined along the first dimension."""
     return library(parts[0]).concatenate(parts)

@@ -39,7 +39,7 @@ _ANGLES = 8
 """Turns of a probe that are tried, over its symmetry."""
 _SEEN, _ALIKE = 1e-6, 1e-9
 """Signals of a contact that shifts, in standard deviations, below which it shows nothing, and the share
-of them by which contacts that look alike are told apart."""
+of them by which contacts that look alike are separated."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ class Dictionary:
     def gains_of(
         self, model: ContactModel, observations: Observed, level: Problems
     ) -> tuple[Float[Array, "problem press"], Float[Array, "problem press"]]:
-        """By how much each press would lower the misfit, and its force over the dictionary's."""
+        """Return how much each press would lower the misfit, and its force over the dictionary's."""
         frame = like(observations.sigma, level.frame)
         white = observations.white.select(frame)
         slots = int(level.number.max(initial=0))

@@ -45,7 +45,7 @@ from fem.presses.results import MagnetMotions, PressForces
 NONE = -1
 """`face` of an empty contact slot."""
 _NEARER_MM = 1.0
-"""By which several contacts may bring magnet and sensor nearer than one."""
+"""Distance by which several contacts may bring magnet and sensor nearer than one."""
 
 
 @dataclass(frozen=True)
@@ -125,7 +125,7 @@ class ContactModel:
 
     @property
     def area_mm2(self) -> float:
-        """Of all faces, where a contact may be."""
+        """Return the area of all faces where a contact may be."""
         (low, high), faces = self.bounds, len(self.signals.faces)
         rectangles = float(faces * np.prod(high[:2] - low[:2]))
         if self.whole:
@@ -138,7 +138,7 @@ class ContactModel:
         face: Int[Array, "problem contact"],
         contact: Float[Array, "problem contact 3"],
     ) -> Float[Array, "problem contact 3"]:
-        """Contacts beside what their face has moved to its border."""
+        """Return the contacts; those outside their face are moved to its border."""
         if self.whole:
             return contact
         from scipy.spatial import KDTree

@@ -19,12 +19,13 @@ from fem.presses.results import MagnetMotions, PressForces
 _ROUNDING = 12**-0.5
 """Standard deviation of rounding to whole counts."""
 SUM_ERROR, MESH_ERROR = 0.006, 0.02
-"""Of the signals: what summing the motions of contacts costs, and what meshes of one design do."""
+"""Relative errors of the signals: by adding up the motions of contacts, and by the mesh."""
 _OBJECTS = 3
 """Virtual objects from which the model's error is taken."""
 MOST_ERROR = 0.25
-"""Of a forward model that explains anything: signals off by more are not explained by it, however
-wrong it is known to be. Objects within the default tolerances differ by 0.17 from the design."""
+"""Largest relative error of a forward model that explains a frame: it explains no signals off by
+more, however wrong it is known to be. Objects within the default tolerances
+differ by 0.17 from the design."""
 
 
 @dataclass(frozen=True)
@@ -67,8 +68,9 @@ class Disturbances:
         averaged: Int[np.ndarray, "frame"] | None = None,
         drift_counts: float = 0.0,
     ) -> Observed:
-        """Frames, each the mean of so many readings (or one), with their standard deviations, in which
-        every channel has drifted by `drift_counts` (rms).
+        """Return frames with their standard deviations, each the mean of `averaged` readings (default 1).
+
+        Every channel has drifted by `drift_counts` (rms).
 
         A channel without a reading (NaN) says nothing.
         """
@@ -108,7 +110,7 @@ def disturbances(
 def design_error(
     spec: ObjectSpec, forces: PressForces, motions: MagnetMotions, signals: Signals
 ) -> float:
-    """By how much objects within `[tolerances]` differ from the design, relative to its signals.
+    """Return the relative difference of signals between objects within `[tolerances]` and the design.
 
     Root mean square over the presses of three virtual objects at equal travel, with what meshes of
     one design differ by.

@@ -49,8 +49,8 @@ class CubicAxes:
     def weights(
         self, points: tuple[Float[Array, "n"], ...]
     ) -> tuple[Int[Array, "axis n"], Float[Array, "axis n 4 2"]]:
-        """Of points on every axis: first of the four coefficients that count, their weights and the
-        weights' derivatives."""
+        """Return, for points on every axis, the first of their four coefficients and the weights of these
+        with their derivatives."""
         first = _stacked([_interval(*pair) for pair in zip(self._inner, points, strict=True)])
         rows = first + self._begin
         u = (_stacked(points) - self._lower[rows])[..., None]
@@ -78,7 +78,7 @@ class CubicAxes:
 
     @cached_property
     def _power(self) -> Float[Array, "row 4 8"]:
-        """By growing powers: the polynomial of each spline and, after it, that of its derivative."""
+        """Return polynomials by growing powers: of each spline and, after it, of its derivative."""
         power = np.concatenate([axis.power for axis in self.axes]).swapaxes(1, 2)
         slopes = np.zeros_like(power)
         slopes[:, :3] = power[:, 1:] * [[1.0], [2.0], [3.0]]
@@ -92,7 +92,7 @@ def _stacked(parts: Any) -> Array:
 
 
 def _interval(inner: Array, points: Array) -> Int[Array, "n"]:
-    """In which interval points lie."""
+    """Return the interval in which each point lies."""
     if isinstance(points, np.ndarray):
         return inner.searchsorted(points, "right")
     return library(points).searchsorted(inner, points.contiguous(), right=True)

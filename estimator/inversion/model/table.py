@@ -31,14 +31,14 @@ _NEAR_ZERO_N = 0.5
 """Nodes stand evenly in the root of the force beyond this."""
 _FIRST_ROOT = np.sqrt(_NEAR_ZERO_N)
 _DERIVED = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])[..., None]
-"""Whether value and derivatives by x, y and force take an axis's weights or their derivatives."""
+"""1 where the value or a derivative by x, y or force takes an axis's derivative weights, else 0."""
 _OF_X, _OF_Y, _OF_FORCE = (
     2 * node + by
     for node, by in zip(
         (np.arange(4), np.repeat(np.arange(4), 4), np.tile(np.arange(4), 4)), _DERIVED, strict=True
     )
 )
-"""Where an axis's (node, derivative) stands for x, and for every pair of y and force."""
+"""Index of an axis's (node, derivative) for x, and for every pair of y and force."""
 _CHUNK, _DEVICE_CHUNK = 128, 1 << 14
 """Contacts at a time: their coefficients fit a second-level cache, or a device's memory."""
 _STEP_X, _STEP_Y = (step.ravel() for step in np.meshgrid(range(4), range(4), indexing="ij"))
@@ -150,7 +150,7 @@ def _fill_lattice(
     pressed: Bool[np.ndarray, "every"],
     lattice: PlaceGrid,
 ) -> Float[np.ndarray, "every node channel"]:
-    """Values of the places that a face has, continued smoothly to those that it has not."""
+    """Return values of a face's places, continued smoothly to the places outside it."""
     if pressed.all():
         return values
     all_values = np.full((len(pressed), *values.shape[1:]), np.nan)

@@ -32,7 +32,7 @@ from estimator.layouts.limits.parts import (
 def broken_on_flat_faces_mm(
     spec: ObjectSpec, layouts: Layouts, face: int, pocket_gap_mm: float, board_gap_mm: float
 ) -> dict[str, Float[Tensor, "layout"]]:
-    """By how much each rule of pockets, boards and chips is broken; of sensors that stay, boards not."""
+    """Return how much each rule of pockets, boards and chips is broken; sensors that stay break none."""
     pockets = pockets_of(spec, layouts)
     placed = {frame.number: placed_pockets(frame, pockets) for frame in face_frames(spec)}
     moving = spec.search.vary.sensor_reach_mm is not None

@@ -11,7 +11,7 @@ Prisms = tuple[Tensor, Tensor, Tensor]
 
 
 def length(vector: Tensor) -> Tensor:
-    """Of vectors, coordinates first."""
+    """Return lengths of vectors, coordinates first."""
     return (vector**2).sum(0).clamp(min=1e-12).sqrt()
 
 
@@ -33,9 +33,9 @@ def shortest_way(p: Tensor, p_end: Tensor, q: Tensor, q_end: Tensor) -> Tensor:
 def missing_between_prisms_mm(
     first: Prisms, second: Prisms, radius: Float[Tensor, "magnet"], least: float
 ) -> Float[Tensor, "edge layout magnet other"]:
-    """What the gap of every two prisms lacks; worked out in full only where spheres round them lack it.
+    """Return what the gap of every two prisms lacks; in full only where spheres round them lack it.
 
-    `radius` is that of the prisms of either side, in their order.
+    `radius` holds that of the prisms, which both sides share in this order.
     """
     p, p_end, u = (part[..., :, None] for part in first)
     q, q_end, v = (part[..., None, :] for part in second)

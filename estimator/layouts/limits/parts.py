@@ -30,7 +30,7 @@ SLACK_MM = 0.02
 
 @dataclass(frozen=True)
 class Pockets:
-    """Of every magnet: axis, floor, top of the mouth's axis, reach and lowest point (mm)."""
+    """Pockets of every magnet: axis, floor, top of the mouth's axis, reach and lowest point (mm)."""
 
     axis: Float[Tensor, "3 layout magnet"]
     floor: Float[Tensor, "3 layout magnet"]
@@ -41,8 +41,8 @@ class Pockets:
 
 
 def pockets_of(spec: ObjectSpec, layouts: Layouts) -> Pockets:
-    """As `design.layout.pockets.Pocket`, of round magnets; heights above the core's face where they rest
-    in it, in pockets as wide as they are."""
+    """Return pockets as `design.layout.pockets.Pocket`, of round magnets; heights count from the core's
+    face where they rest in it, in pockets as wide as they are."""
     pockets = shell_pockets if spec.arrangement == "sensors-in-core" else core_pockets
     of_face = pockets(spec)[0]
     radius, half = (
@@ -127,7 +127,7 @@ def boards_beside_hole_mm(spec: ObjectSpec, boards: Boards) -> Float[Tensor, "la
 def missing_beside_hole_mm(
     spec: ObjectSpec, away_mm: Float[Tensor, "layout recess"]
 ) -> Float[Tensor, "layout"]:
-    """Of recesses that far from the hole's axis, negative where they hold it."""
+    """Return the wall missing at recesses that far from the hole's axis; negative distances hold it."""
     missing = torch.relu(passage_radius_mm(spec) + spec.printer.wall_mm + SLACK_MM - away_mm)
     return torch.minimum(missing, torch.relu(away_mm + SLACK_MM)).sum(dim=1)
 
@@ -135,7 +135,7 @@ def missing_beside_hole_mm(
 def pocket_gaps_across_edges_mm(
     spec: ObjectSpec, placed: dict[int, Prisms], radius: Float[Tensor, "magnet"]
 ) -> Float[Tensor, "layout"]:
-    """Silicone missing between the pockets of two faces beside each other, where most is missing."""
+    """Silicone missing between the pockets of two adjacent faces, where most is missing."""
     pairs = [(first.number, second.number) for first, second in neighbours(face_frames(spec))]
     floors = next(iter(placed.values()))[0]
     if not pairs:

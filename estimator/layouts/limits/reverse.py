@@ -29,7 +29,7 @@ from estimator.layouts.limits.parts import (
 def broken_in_reverse_mm(
     spec: ObjectSpec, layouts: Layouts, pocket_gap_mm: float
 ) -> dict[str, Float[Tensor, "layout"]]:
-    """By how much each rule is broken, on the face where it is most."""
+    """Return how much each rule is broken, on the face where it is most."""
     laid = {frame.number: layouts.layouts_of_face(frame.number) for frame in face_frames(spec)}
     boards = {
         number: _pockets_of_boards(spec, layouts_of_face)
@@ -61,7 +61,7 @@ def broken_in_reverse_mm(
 
 
 def _pockets_of_boards(spec: ObjectSpec, layouts: Layouts) -> Pockets:
-    """Of one face; as wide as the circle round a board, but towards the edges as the board turned."""
+    """Return pockets of one face: circles round the boards, but turned boards towards the edges."""
     outline: Outline = sensor_boards(spec)[0][0].outline
     place = layouts.sensor_mm
     radius = place.norm(dim=-1, keepdim=True)
@@ -93,7 +93,7 @@ def _past_edges(frame: FaceFrame, pockets: Pockets, wall_mm: float) -> Float[Ten
 
 def _magnets(spec: ObjectSpec, core: FaceFrame, pockets: Pockets) -> Float[Tensor, "layout"]:
     """Walls that pockets in the core lack: to the next side, round the wire hole and below; and in their
-    template, whose holes have their play, between each other and beside its cut corner."""
+    template, whose holes have their play, between each other and at its cut corner."""
     wall, play = spec.printer.wall_mm, spec.printer.clearance_mm
     between = pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, wall + 2 * play)
     to_corner = sum(core.half_extents_mm) - CORNER_MM - pockets.top[:2].sum(0)

@@ -1,6 +1,6 @@
 """Limits that a batch of layouts breaks, as distances with gradients.
 
-The rules are those that a specification is checked by, those of `check --fabrication` that layouts
+The rules are the same that check a specification, those of `check --fabrication` that layouts
 decide (`design.fabrication.layout`, with its figures), and the search's own.
 """
 
@@ -34,7 +34,7 @@ RULES = (
 def constraint_violations_mm(
     space: LayoutSpace, layouts: Layouts, face: int
 ) -> Float[Tensor, "layout rule"]:
-    """By how much each of `RULES` is broken, mm summed over the parts; 0 where it is kept.
+    """Return how much each of `RULES` is broken, mm summed over the parts; 0 where it is kept.
 
     The layouts are those of one face; magnets, and sensors that move, lie alike on all. Where faces
     differ, on the face that breaks a rule most.

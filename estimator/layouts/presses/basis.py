@@ -48,7 +48,7 @@ OTHER_RANK = 40
 With 40 those bounds are off by 0.2 % (1.4 % at most; the worst one by 0.4 %), with 60 by 0.1 %.
 """
 MORE_RANK = 1.2
-"""How many times as many vectors serve several forces at once.
+"""Factor of the number of vectors that serve several forces at once.
 
 On that cube 156 and 48. Measured there at 2, 5 and 12 N: with 150 and 56 vectors the bounds are off by
 0.5 % (6 % at most; the worst one by 1.5 %), with 182 and 56 by 0.3 % (3 %; 0.7 %).
@@ -82,7 +82,7 @@ class RowTable:
 
 @dataclass(frozen=True)
 class StrainCoupling:
-    """What magnets of the pressed face take from each other as they resist strain.
+    """Strain that magnets of the pressed face take from each other as they resist it.
 
     `strain` (node, 5 · `STRAIN_RANK` or less): rows of the strain round each, on the first vectors of the
     face's own basis. `values`: `Influence`, of depths of the other and of its own and of distances, motion by
@@ -97,7 +97,7 @@ class StrainCoupling:
 
 @dataclass(frozen=True)
 class Patch:
-    """One face of those that differ: its surface, its candidates' lattice along it, ghosts left out, and
+    """One of several unequal faces: its surface, its candidates' lattice along it, ghosts left out, and
     where its rows begin in the table."""
 
     surface: Surface
@@ -112,7 +112,7 @@ class PressBasis:
     """Presses of one face to `force_n` (N), as motions in the face's own frame (z outward).
 
     `first_mm`, `step_mm`, `nodes`: the candidates' lattice in (x, y, depth), ghosts left out. `there`:
-    which places of the contact grid the face has; all that is told by places is told of these.
+    which places of the contact grid the face has; all that goes by places goes by these.
     Where faces are curved or differ in size, `patches` are this face, then the others in their order;
     else there are none, and one lattice serves all faces.
     `turn`, `shift_mm` take the other faces' frames to this one's: first those of `neighbours`

@@ -30,7 +30,7 @@ class ChannelChanges:
     """Counts of own channels at rest, and their change with the motion of each body in the silicone.
 
     The change is whitened: in standard deviations of a channel per mm and per rad. It does not depend
-    on the press. `by_own` is that of the face's own bodies; `by_other` that of magnets of the other
+    on the press. `by_own` is the share of the face's own bodies; `by_other` that of magnets of the other
     faces that move. A board changes its own channels alone. Besides: where the chips are (mm), their
     axes as rows, and the fields of the other faces' magnets there (T).
     """
@@ -48,7 +48,7 @@ class PressChanges:
     """Whitened derivatives of own channels by x, y and force, and their change in the press itself.
 
     `by_parameter` is what chips report: 0 of channels that are not live (`estimator.signals.live`).
-    `unclipped` is that of chips whose range has no end. `motions`, for each size of body: which of a
+    `unclipped` holds chips whose range has no end. `motions`, for each size of body: which of a
     face's bodies have it (None: all), its presses, and the rows of these bodies' motions.
     """
 

@@ -29,8 +29,7 @@ class PressedCounts:
 def counts_when_pressed(
     scorer: LayoutScorer, layouts: Layouts, changes: PressChanges
 ) -> PressedCounts:
-    """Of each sensor in the deepest press at the place where signals that are linear in the motions have
-    most."""
+    """Return counts of each sensor in the deepest press, at the place where linear signals are largest."""
     _, _, by_force, in_press = changes.unclipped.unbind(2)
     sigma = scorer.sigma_counts.repeat(len(by_force) // 3)[:, None, None]
     resting = changes.resting_counts.flatten(1).T[..., None]
@@ -46,7 +45,7 @@ def _counts_of_pressed_magnets(
     changes: PressChanges,
     place: Int[Tensor, "layout sensor"],
 ) -> PressedCounts:
-    """Of every sensor, the pressed face's magnets where its own press has moved them: their fields grow
+    """Return counts of every sensor with the face's magnets moved by its own press: their fields grow
     faster than their motions."""
     channels, sensors = changes.channels, place.shape[1]
     motion = layouts.magnet_mm.new_zeros(*place.shape, layouts.magnet_mm.shape[1], 6)
@@ -88,8 +87,8 @@ def _counts_of_pressed_boards(
     changes: PressChanges,
     place: Int[Tensor, "layout sensor"],
 ) -> PressedCounts:
-    """Of each board in the deepest press at a place of its own: signals of boards that come near magnets are
-    far from linear."""
+    """Return counts of each board in the deepest press at its own place: near magnets the signals of
+    boards are far from linear."""
     ((_, presses, rows),) = changes.motions
     # l layout, s sensor (its board, in the press at its own place), k of 6 motions, r vector
     motion = torch.einsum("lskr,rls->lsk", rows, _deepest(scorer, presses)[:, place])
@@ -107,7 +106,7 @@ def _counts_of_pressed_boards(
 def _turned_back(
     field: Float[Tensor, "layout sensor 3"], turn_rad: Float[Tensor, "layout sensor 3"]
 ) -> Float[Tensor, "layout sensor 3"]:
-    """As a body feels it that has turned by a rotation vector (Rodrigues)."""
+    """Return the field in the frame of a body turned by a rotation vector (Rodrigues)."""
     angle = (turn_rad.square().sum(-1, keepdim=True) + 1e-14).sqrt()
     once = torch.linalg.cross(turn_rad, field, dim=-1)
     twice = torch.linalg.cross(turn_rad, once, dim=-1)

@@ -115,7 +115,7 @@ def candidate_ends_mm(
 
 
 def _along(patch: Patch, layouts: Layouts) -> Float[Tensor, "magnet 3"]:
-    """Lengths along a patch's surface, and depths, of its magnets, as its candidates are told."""
+    """Lengths along a patch's surface, and depths, of its magnets, as its candidates have them."""
     xyd = layouts.layouts_of_face(patch.surface.number).magnet_mm.reshape(-1, 3)
     return torch.cat([patch.surface.lengths_mm(xyd[:, :2]), xyd[:, 2:]], dim=1)
 

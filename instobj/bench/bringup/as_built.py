@@ -23,25 +23,25 @@ from instobj.bench.bringup.verdict import Verdict
 _SENSOR_KEYS = ("position_mm", "rotation_deg", "dead")
 
 
-def found_as_built(spec: ObjectSpec, verdict: Verdict, before: AsBuiltSpec) -> AsBuiltSpec:
+def merge_as_built(spec: ObjectSpec, verdict: Verdict, earlier: AsBuiltSpec) -> AsBuiltSpec:
     """Return what was measured before, with what this bring-up found in its place.
 
     Of chips it says turns beyond tolerance, exchanges within one face and dead axes; of magnets which
     are flipped. Chips that are mirrored or sit on another face than their channels' name have no
     place in this format: they must be put right.
     """
-    magnets = {(m.face, m.magnet): m.model_dump(exclude_unset=True) for m in before.magnets}
-    for found in verdict.magnets:
-        face, number = _place(found.asked, spec.magnets.count, spec)
+    magnets = {(m.face, m.magnet): m.model_dump(exclude_unset=True) for m in earlier.magnets}
+    for magnet in verdict.magnets:
+        face, number = _place(magnet.expected_pocket, spec.magnets.count, spec)
         entry = magnets.setdefault((face, number), {"face": face, "magnet": number})
-        entry["flipped"] = found.strength < -ABSENT
-    sensors = {(s.face, s.sensor): s.model_dump(exclude_unset=True) for s in before.sensors}
+        entry["flipped"] = magnet.strength < -ABSENT
+    sensors = {(s.face, s.sensor): s.model_dump(exclude_unset=True) for s in earlier.sensors}
     for index, chip in enumerate(verdict.chips or ()):
         face, number = _place(index, spec.sensors.count_per_face, spec)
         entry = sensors.setdefault((face, number), {"face": face, "sensor": number})
         for key in _SENSOR_KEYS:
             entry.pop(key, None)
-        entry |= _of_chip(spec, index, chip)
+        entry |= _chip_entry(spec, index, chip)
     return AsBuiltSpec.model_validate(
         {
             "magnets": [magnets[key] for key in sorted(magnets) if _says_more(magnets[key])],
@@ -61,7 +61,7 @@ def _place(index: int, per_face: int, spec: ObjectSpec) -> tuple[int, int]:
     return spec.body.sensed[index // per_face], index % per_face + 1
 
 
-def _of_chip(spec: ObjectSpec, index: int, chip: ChipFound) -> dict[str, Any]:
+def _chip_entry(spec: ObjectSpec, index: int, chip: ChipFound) -> dict[str, Any]:
     layout = sensor_layout(spec)
     dead = [axis for axis, is_dead in zip("XYZ", chip.dead, strict=True) if is_dead]
     entry: dict[str, Any] = {"dead": dead} if dead else {}
@@ -82,11 +82,11 @@ def _rounded(values: Sequence[float] | np.ndarray) -> list[float]:
     return [round(float(value), 3) + 0.0 for value in values]
 
 
-def write_as_built(found: AsBuiltSpec, path: Path, remarks: Sequence[str]) -> Path:
+def write_as_built(as_built: AsBuiltSpec, path: Path, remarks: Sequence[str]) -> Path:
     """The file, with remarks on what it cannot say."""
     lines = ["# Written by `instobj bench bringup`: measured deviations of one built object"]
     lines += [f"# {remark}" for remark in remarks]
-    for table, entries in (("magnets", found.magnets), ("sensors", found.sensors)):
+    for table, entries in (("magnets", as_built.magnets), ("sensors", as_built.sensors)):
         for entry in entries:
             lines += ["", f"[[{table}]]"]
             lines += [

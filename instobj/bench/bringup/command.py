@@ -16,11 +16,11 @@ from design.spec.assembly import AsBuiltSpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.recordings.boards.link import BAUD, serial_chunks
-from instobj.bench.bringup.as_built import found_as_built, write_as_built
-from instobj.bench.bringup.asking.asked import STEPS, Asked, asked_of, further_holds
+from instobj.bench.bringup.as_built import merge_as_built, write_as_built
+from instobj.bench.bringup.asking.asked import STEPS, Question, asked_of, further_holds
 from instobj.bench.bringup.diagnosis.chip_findings import GAIN_TO_TELL, wide_gains
 from instobj.bench.bringup.diagnosis.findings import Finding
-from instobj.bench.bringup.dialogue import left_of, recorded_further, through
+from instobj.bench.bringup.dialogue import ask_questions, open_questions, recorded_further
 from instobj.bench.bringup.journal import Journal, open_journal, read_journal
 from instobj.bench.bringup.page import bringup_page
 from instobj.bench.bringup.simulated import parse_fault, simulated_object
@@ -35,7 +35,7 @@ _DESIGN_ALONE = "as_built={magnets=[],sensors=[]}"
 
 @dataclass(frozen=True)
 class BringupOptions:
-    """What the command line says; `again` names steps or recordings to take once more."""
+    """Options of the command line; `again` names steps or recordings to take once more."""
 
     spec: Path
     out: Path
@@ -58,19 +58,19 @@ def bring_up(options: BringupOptions) -> dict[str, Any]:
     """
     _require_one_source(options)
     design = load_spec(options.spec, [*options.overrides, _DESIGN_ALONE])
-    asked = asked_of(design)
-    again = _to_repeat(asked, further_holds(design), options.again)
+    questions = asked_of(design)
+    again = _to_repeat(questions, further_holds(design), options.again)
     journal = _journal(options, design)
     if "held" in options.again:
         again |= {hold.name for hold in recorded_further(design, journal)}
     _ask(options, design, journal, again)
-    left = left_of(asked, journal)
+    unanswered = open_questions(questions, journal)
     progress = ProgressLine()
     with progress.stage("bringup"):
         progress.step("judging all recordings")
         verdict = judge(design, journal.recordings)
-    files = _write(options, design, journal, verdict, left)
-    return _document(design, journal, verdict, left, files)
+    files = _write(options, design, journal, verdict, unanswered)
+    return _document(design, journal, verdict, unanswered, files)
 
 
 def _require_one_source(options: BringupOptions) -> None:
@@ -82,7 +82,7 @@ def _require_one_source(options: BringupOptions) -> None:
 
 
 def _journal(options: BringupOptions, design: ObjectSpec) -> Journal:
-    """That of the object's board goes on; replays and simulated objects begin anew beside it."""
+    """That of the object's board goes on; replays and simulated objects begin a new one next to it."""
     ending = "_simulated" if options.faults is not None else "_replayed" if options.replay else ""
     path = run_folder(options.out, design.name) / f"bringup{ending}" / JOURNAL
     if options.replay is not None and options.replay.resolve() == path.resolve():
@@ -93,11 +93,11 @@ def _journal(options: BringupOptions, design: ObjectSpec) -> Journal:
 
 
 def _to_repeat(
-    asked: tuple[Asked, ...], further: tuple[Asked, ...], again: tuple[str, ...]
+    questions: tuple[Question, ...], further: tuple[Question, ...], again: tuple[str, ...]
 ) -> set[str]:
-    names = {question.name for question in asked if {question.name, question.step} & set(again)}
+    names = {question.name for question in questions if {question.name, question.step} & set(again)}
     names |= {hold.name for hold in further if hold.name in again}
-    unknown = set(again) - names - {question.step for question in asked}
+    unknown = set(again) - names - {question.step for question in questions}
     if unknown:
         raise InputError(
             f"--again {', '.join(sorted(unknown))}: no such step or recording. Give one of "
@@ -119,7 +119,7 @@ def _ask(options: BringupOptions, design: ObjectSpec, journal: Journal, again: s
         source = Simulated(simulated_object(design, design.seed, faults))
     with closing(chunks) if chunks is not None else nullcontext():
         try:
-            through(design, source, journal, again)
+            ask_questions(design, source, journal, again)
         except (InputError, StoreError) as error:
             kept = f"{len(journal.recordings)} recordings are kept in {journal.path}"
             raise InputError(f"{error}. {kept}") from None
@@ -130,25 +130,25 @@ def _write(
     design: ObjectSpec,
     journal: Journal,
     verdict: Verdict,
-    left: list[Asked],
+    open_questions: list[Question],
 ) -> list[Path]:
     folder = journal.path.parent
     written = [journal.path]
-    page = bringup_page(design, journal.recordings, journal.skipped, verdict, left)
+    page = bringup_page(design, journal.recordings, journal.skipped, verdict, open_questions)
     for name, text in ((RESULT, json.dumps(_figures(verdict), indent=1)), (PAGE, page)):
         with atomic_path(folder / name) as temporary:
             temporary.write_text(text, encoding="utf-8")
         written.append(folder / name)
-    if left:
+    if open_questions:
         return written
-    beside = options.spec.with_name(f"{options.spec.stem}.as_built.toml")
-    before = AsBuiltSpec()
-    if beside.is_file():
-        before = load_spec(options.spec, options.overrides).as_built
-    target = folder / beside.name if options.faults is not None else beside
-    found = found_as_built(design, verdict, before)
+    as_built_path = options.spec.with_name(f"{options.spec.stem}.as_built.toml")
+    earlier = AsBuiltSpec()
+    if as_built_path.is_file():
+        earlier = load_spec(options.spec, options.overrides).as_built
+    target = folder / as_built_path.name if options.faults is not None else as_built_path
+    as_built = merge_as_built(design, verdict, earlier)
     remarks = [str(finding) for finding in verdict.findings]
-    return [*written, write_as_built(found, target, remarks)]
+    return [*written, write_as_built(as_built, target, remarks)]
 
 
 def _figures(verdict: Verdict) -> dict[str, Any]:
@@ -196,17 +196,22 @@ def _finding_row(finding: Finding) -> dict[str, str]:
 
 
 def _document(
-    design: ObjectSpec, journal: Journal, verdict: Verdict, left: list[Asked], files: list[Path]
+    design: ObjectSpec,
+    journal: Journal,
+    verdict: Verdict,
+    open_questions: list[Question],
+    files: list[Path],
 ) -> dict[str, Any]:
     texts = []
     if journal.cut_bytes:
         texts.append(f"an unfinished recording of {journal.cut_bytes} bytes was cut off")
-    if left:
+    if open_questions:
         texts.append(
-            f"{len(left)} recordings are open, the next one: {left[0].name}. Repeat the command"
+            f"{len(open_questions)} recordings are open, the next one: {open_questions[0].name}. "
+            "Repeat the command"
         )
     wide = wide_gains(design, verdict.chips, verdict.earth) if verdict.chips else []
-    if wide and not left:
+    if wide and not open_questions:
         texts.append(
             f"gains of {', '.join(wide)} are not known well enough to tell {GAIN_TO_TELL:.0%} surely"
         )
@@ -218,9 +223,9 @@ def _document(
         "command": "bringup",
         "object": design.name,
         "recorded": len(journal.recordings),
-        "left": [asked.name for asked in left],
+        "left": [question.name for question in open_questions],
         "texts": texts,
         "tables": {"what to put right": [_finding_row(finding) for finding in verdict.findings]},
         "files": file_rows(files),
-        "passed": not verdict.findings and not left,
+        "passed": not verdict.findings and not open_questions,
     }

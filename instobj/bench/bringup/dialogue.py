@@ -15,7 +15,7 @@ from instobj.bench.bringup.asking.asked import (
     MOST_FURTHER,
     STEPS,
     STILL_AGAIN,
-    Asked,
+    Question,
     Recording,
     asked_of,
     further_holds,
@@ -24,7 +24,7 @@ from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
 from instobj.bench.bringup.diagnosis.poles import PocketFields, magnet_findings, pocket_fields
 from instobj.bench.bringup.journal import Journal
 from instobj.bench.bringup.sources import KEEP, QUIT, SKIP, Source
-from instobj.bench.bringup.verdict import as_drawn, magnet_found, which_is_which
+from instobj.bench.bringup.verdict import drawn_chips, identified_chips, magnet_found
 from instobj.store.progress import ProgressLine
 
 _LEAST_RESPONSE_COUNTS = 300.0
@@ -33,30 +33,33 @@ _LEAST_RESPONSE_COUNTS = 300.0
 
 @dataclass
 class _Checks:
-    """What can be said of a recording as soon as it is there."""
+    """Checks of a recording as soon as it is there."""
 
     design: ObjectSpec
     journal: Journal
 
     @cached_property
     def chips(self) -> tuple[ChipFound, ...]:
-        """As found, once the first magnet is in."""
-        return which_is_which(self.design, self.journal.recordings) or as_drawn(self.design)
+        """Return the chips as found, once the first magnet is in."""
+        return identified_chips(self.design, self.journal.recordings) or drawn_chips(self.design)
 
     @cached_property
     def fields(self) -> PocketFields:
         """Steps that magnets make, as these chips read them."""
         return pocket_fields(self.design, self.chips)
 
-    def doubts(self, asked: Asked, recording: Recording) -> list[str]:
+    def doubts(self, question: Question, recording: Recording) -> list[str]:
         """Return why the recording should be repeated; nothing where it is as it should be."""
-        if asked.step == "held":
-            return self._of_hold(recording)
-        if asked.step == "magnet":
-            return [f"{found}. {found.remedy}" for found in self._of_magnet(asked, recording)]
+        if question.step == "held":
+            return self._hold_doubts(recording)
+        if question.step == "magnet":
+            return [
+                f"{finding}. {finding.remedy}"
+                for finding in self._magnet_findings(question, recording)
+            ]
         return []
 
-    def _of_hold(self, recording: Recording) -> list[str]:
+    def _hold_doubts(self, recording: Recording) -> list[str]:
         limit = full_scale_counts(self.design.sensors)
         if np.nanmax(abs(recording.counts), initial=0.0) >= limit:
             return [f"a chip is at full scale ({limit:.0f} counts): hold the magnet higher"]
@@ -68,28 +71,28 @@ class _Checks:
             return []
         return [f"the largest change is {change:.0f} counts: hold the magnet nearer"]
 
-    def _of_magnet(self, asked: Asked, recording: Recording) -> list[Finding]:
-        recordings = self.journal.recordings | {asked.name: recording}
-        found = magnet_found(self.design, recordings, self.chips, self.fields, asked)
-        return [] if found is None else magnet_findings(self.design, found)
+    def _magnet_findings(self, question: Question, recording: Recording) -> list[Finding]:
+        recordings = self.journal.recordings | {question.name: recording}
+        magnet = magnet_found(self.design, recordings, self.chips, self.fields, question)
+        return [] if magnet is None else magnet_findings(self.design, magnet)
 
 
-def left_of(asked: tuple[Asked, ...], journal: Journal) -> list[Asked]:
+def open_questions(questions: tuple[Question, ...], journal: Journal) -> list[Question]:
     """Questions without an answer, in their order."""
     done = journal.recordings.keys() | journal.skipped
-    return [question for question in asked if question.name not in done]
+    return [question for question in questions if question.name not in done]
 
 
-def through(design: ObjectSpec, source: Source, journal: Journal, again: set[str]) -> None:
+def ask_questions(design: ObjectSpec, source: Source, journal: Journal, again: set[str]) -> None:
     """Ask what is open or to be repeated, until all is answered or the user stops.
 
     Further holds come between the planned ones and the second still recording, which closes them.
     """
-    asked, progress = asked_of(design), ProgressLine()
-    open_ones = {question.name for question in left_of(asked, journal)} | again
+    questions, progress = asked_of(design), ProgressLine()
+    open_ones = {question.name for question in open_questions(questions, journal)} | again
     checks = _Checks(design, journal)
     repeated = [hold for hold in further_holds(design) if hold.name in again]
-    for number, question in enumerate(asked, start=1):
+    for number, question in enumerate(questions, start=1):
         if question.name == STILL_AGAIN:
             further = _further(design, source, journal, question.name in open_ones)
             for count, hold in enumerate(chain(repeated, further), start=1):
@@ -98,12 +101,12 @@ def through(design: ObjectSpec, source: Source, journal: Journal, again: set[str
                     return
         if question.name not in open_ones:
             continue
-        title = f"{number} of {len(asked)}, {STEPS[question.step]}"
+        title = f"{number} of {len(questions)}, {STEPS[question.step]}"
         if not _answered(question, title, source, journal, checks, progress):
             return
 
 
-def recorded_further(design: ObjectSpec, journal: Journal) -> list[Asked]:
+def recorded_further(design: ObjectSpec, journal: Journal) -> list[Question]:
     """Further holds that were asked for, in the order of their places."""
     done = journal.recordings.keys() | journal.skipped
     return [hold for hold in further_holds(design) if hold.name in done]
@@ -111,14 +114,14 @@ def recorded_further(design: ObjectSpec, journal: Journal) -> list[Asked]:
 
 def _further(
     design: ObjectSpec, source: Source, journal: Journal, still_open: bool
-) -> Iterator[Asked]:
+) -> Iterator[Question]:
     """Chosen one by one from all that was recorded before."""
     while still_open and (hold := source.further(design, journal)) is not None:
         yield hold
 
 
 def _answered(
-    asked: Asked,
+    question: Question,
     title: str,
     source: Source,
     journal: Journal,
@@ -126,7 +129,7 @@ def _answered(
     progress: ProgressLine,
 ) -> bool:
     """Return whether to go on: False where the user stops."""
-    text = f"[{title}] {asked.question}, then press Enter (s skips, q stops)"
+    text = f"[{title}] {question.question}, then press Enter (s skips, q stops)"
     allowed = SKIP + QUIT
     while True:
         answer = source.answer(text, allowed)
@@ -135,15 +138,15 @@ def _answered(
         if answer == KEEP:
             return True
         if answer == SKIP:
-            journal.skip(asked.name)
+            journal.skip(question.name)
             return True
-        recording = source.record(asked)
+        recording = source.record(question)
         if recording is None:
             return True
-        doubts = checks.doubts(asked, recording)
+        doubts = checks.doubts(question, recording)
         journal.append(recording)
         if not doubts:
             return True
-        progress.say(f"{asked.name}: {'; '.join(doubts)}")
+        progress.say(f"{question.name}: {'; '.join(doubts)}")
         text = f"[{title}] Put it right and press Enter to record it again (k keeps it, s skips, q stops)"
         allowed = KEEP + SKIP + QUIT

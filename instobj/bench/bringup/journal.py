@@ -45,7 +45,7 @@ def identity_of(spec: ObjectSpec) -> str:
 
 @dataclass
 class Journal:
-    """What is there: recordings by name, names of skipped questions, bytes cut off at its end."""
+    """Content so far: recordings by name, names of skipped questions, bytes cut off at its end."""
 
     path: Path
     recordings: dict[str, Recording] = field(default_factory=dict)
@@ -140,27 +140,27 @@ def _read(path: Path, spec: ObjectSpec) -> tuple[Journal, int]:
     """The journal, and how many bytes of it are whole recordings."""
     lines = path.read_bytes().decode("utf-8", "replace").splitlines(keepends=True)
     _require_own(path, spec, [line.rstrip("\n") for line in lines[:2]])
-    asked = {question.name for question in (*asked_of(spec), *further_holds(spec))}
-    journal, at = Journal(path), 2
+    names = {question.name for question in (*asked_of(spec), *further_holds(spec))}
+    journal, position = Journal(path), 2
     sound = sum(len(line.encode()) for line in lines[:2])
-    while at < len(lines):
-        name, row, count, *_ = [*lines[at].rstrip("\n").split(","), "", "", ""]
-        complete = lines[at].endswith("\n")
-        if complete and (name not in asked or not count.isdigit() or row not in ("0", "1")):
+    while position < len(lines):
+        name, row, count, *_ = [*lines[position].rstrip("\n").split(","), "", "", ""]
+        complete = lines[position].endswith("\n")
+        if complete and (name not in names or not count.isdigit() or row not in ("0", "1")):
             raise InputError(
-                f"{path}, line {at + 1}: {lines[at][:40]!r}… begins no recording of {spec.name}. "
+                f"{path}, line {position + 1}: {lines[position][:40]!r}… begins no recording of {spec.name}. "
                 "Remove that line, or the file to begin anew"
             )
-        block = lines[at : at + max(int(count or 1), 1)]
+        block = lines[position : position + max(int(count or 1), 1)]
         if not complete or len(block) < int(count or 1) or not block[-1].endswith("\n"):
             break
         if row == "0":
             journal.skipped.add(name)
             journal.recordings.pop(name, None)
         else:
-            journal.recordings[name] = _recording(path, spec, at, block)
+            journal.recordings[name] = _recording(path, spec, position, block)
             journal.skipped.discard(name)
-        sound, at = sound + sum(len(line.encode()) for line in block), at + len(block)
+        sound, position = sound + sum(len(line.encode()) for line in block), position + len(block)
     return journal, sound
 
 
@@ -175,20 +175,22 @@ def _require_own(path: Path, spec: ObjectSpec, lines: list[str]) -> None:
         )
 
 
-def _recording(path: Path, spec: ObjectSpec, at: int, block: list[str]) -> Recording:
-    """One recording from its lines; `at` is the number of lines before it."""
+def _recording(path: Path, spec: ObjectSpec, position: int, block: list[str]) -> Recording:
+    """One recording from its lines; `position` is the number of lines before it."""
     rows = [line.rstrip("\n").split(",") for line in block]
     width = len(_OWN) + len(channels_of(spec))
     for k, row in enumerate(rows):
         if len(row) != width or row[:3] != [rows[0][0], str(k + 1), str(len(rows))]:
             raise InputError(
-                f"{path}, line {at + k + 1}: got {','.join(row)[:50]!r}…, expected row {k + 1} of "
+                f"{path}, line {position + k + 1}: got {','.join(row)[:50]!r}…, expected row {k + 1} of "
                 f"{len(rows)} of {rows[0][0]!r} with {width} cells. Remove the file to begin anew"
             )
     try:
         numbers = np.array([[float(cell or "nan") for cell in row[3:]] for row in rows])
     except ValueError as error:
-        raise InputError(f"{path}, lines {at + 1} to {at + len(rows)}: {error}. Fix it") from None
+        raise InputError(
+            f"{path}, lines {position + 1} to {position + len(rows)}: {error}. Fix it"
+        ) from None
     errors = numbers[0, 3]
     return Recording(
         rows[0][0],

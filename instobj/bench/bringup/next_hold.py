@@ -1,4 +1,4 @@
-"""Choice of the next hold of the magnet: the one that tells most about the least known gains."""
+"""Choice of the next hold of the magnet: the one that says most about the least known gains."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from design.spec.object import ObjectSpec
-from instobj.bench.bringup.asking.asked import MOST_FURTHER, Asked, Recordings, further_holds
+from instobj.bench.bringup.asking.asked import MOST_FURTHER, Question, Recordings, further_holds
 from instobj.bench.bringup.asking.held_magnet import held_magnet, stated_pose
 from instobj.bench.bringup.asking.hold_places import hold_places
 from instobj.bench.bringup.diagnosis.chip_findings import widest_gain_sd
@@ -23,15 +23,15 @@ _LOOKED_AT = 40
 
 def next_hold(
     spec: ObjectSpec, recordings: Recordings, left_out: Collection[str] = ()
-) -> Asked | None:
-    """The next further hold; None where a gain of 1.1 would be told of every chip, or at their limit.
+) -> Question | None:
+    """The next further hold; None where a gain of 1.1 would be noticed at every chip, or at their limit.
 
-    Intervals are those that the fit will state once drift is followed, as a second still recording does.
+    Intervals are the ones that the fit will state once drift is followed, as a second still recording does.
     A candidate's readings are predicted for the magnet exactly where it is asked for; its pose counts
     as unknown. `left_out` are names of holds that shall not be asked for; they count as asked.
     """
-    every = further_holds(spec)
-    over = {hold.name for hold in every if hold.name in recordings or hold.name in left_out}
+    holds = further_holds(spec)
+    over = {hold.name for hold in holds if hold.name in recordings or hold.name in left_out}
     if len(over) >= MOST_FURTHER:
         return None
     so_far = held_so_far(spec, recordings, drift_followed=True)
@@ -40,23 +40,26 @@ def next_hold(
     fit = fitted(*so_far)
     problem, gains = fit.problem, fit.problem.gains
     matrices, covariance = problem.matrices(fit.unknown), fit.covariance[gains, gains]
-    wide = gain_intervals(matrices, covariance, problem.known) / HALF_95
-    limits = widest_gain_sd(spec, problem.known.sum(axis=1))
+    wide = gain_intervals(matrices, covariance, problem.is_read) / HALF_95
+    limits = widest_gain_sd(spec, problem.is_read.sum(axis=1))
     if not np.any((wide > limits) & (limits > 0)):
         return None
-    own = slice(problem.poses, None)
-    known = np.linalg.inv(fit.covariance[own, own])
-    near = _nearest(spec, [h for h in every if h.name not in over], fit, int(np.nanargmax(wide)))
+    chip_entries = slice(problem.poses, None)
+    precision = np.linalg.inv(fit.covariance[chip_entries, chip_entries])
+    near = _nearest(spec, [h for h in holds if h.name not in over], fit, int(np.nanargmax(wide)))
     if not near:
         return None
-    left = [_left_wide(fit, known + told) for told in information_of(spec, problem, near)]
-    return near[int(np.argmin(left))]
+    widths = [
+        _left_wide(fit, precision + information)
+        for information in information_of(spec, problem, near)
+    ]
+    return near[int(np.argmin(widths))]
 
 
-def _nearest(spec: ObjectSpec, holds: list[Asked], fit: Fitted, chip: int) -> list[Asked]:
+def _nearest(spec: ObjectSpec, holds: list[Question], fit: Fitted, chip: int) -> list[Question]:
     places = hold_places(spec)
-    at = places[int(fit.problem.found.site[chip])].foot_mm
-    return sorted(holds, key=lambda h: float(np.linalg.norm(places[h.part].foot_mm - at)))[
+    foot_mm = places[int(fit.problem.arrangement.site[chip])].foot_mm
+    return sorted(holds, key=lambda h: float(np.linalg.norm(places[h.part].foot_mm - foot_mm)))[
         :_LOOKED_AT
     ]
 
@@ -69,22 +72,22 @@ def _left_wide(fit: Fitted, information: Float[np.ndarray, "own own"]) -> float:
     problem, after = fit.problem, np.linalg.inv(information)
     entries = slice(9 * problem.chips)
     intervals = gain_intervals(
-        problem.matrices(fit.unknown), after[entries, entries], problem.known
+        problem.matrices(fit.unknown), after[entries, entries], problem.is_read
     )
     return float(np.nansum(intervals**4))
 
 
 def information_of(
-    spec: ObjectSpec, problem: JointFit, holds: Sequence[Asked]
+    spec: ObjectSpec, problem: JointFit, holds: Sequence[Question]
 ) -> Float[np.ndarray, "hold own own"]:
-    """Of each hold by itself about the chips' matrices and seats, its own pose left unknown."""
+    """Return each hold's information about the chips' matrices and seats, its own pose left unknown."""
     given, count = problem.readings, len(holds)
-    counts = np.tile(np.where(problem.known, 0.0, np.nan), (count, 1, 1))
+    counts = np.tile(np.where(problem.is_read, 0.0, np.nan), (count, 1, 1))
     noise = np.tile(given.noise_counts.min(axis=0), (count, 1, 1))
     model = held_magnet(spec, [hold.part for hold in holds])
-    found = replace(problem.found, model=model, pose=stated_pose(count))
-    every = JointFit.of(replace(given, counts=counts, noise_counts=noise), found)
-    return chips_part(every.slopes(every.start), every.poses, count, counts.size)
+    arrangement = replace(problem.arrangement, model=model, pose=stated_pose(count))
+    fit = JointFit.start_from(replace(given, counts=counts, noise_counts=noise), arrangement)
+    return chips_part(fit.slopes(fit.start), fit.poses, count, counts.size)
 
 
 def chips_part(

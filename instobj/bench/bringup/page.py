@@ -14,7 +14,7 @@ from design.spec.object import ObjectSpec
 from estimator.tolerances.selftest import sensor_names
 from instobj.bench.bringup.asking.asked import (
     STEPS,
-    Asked,
+    Question,
     Recordings,
     asked_of,
     further_holds,
@@ -37,16 +37,16 @@ def bringup_page(
     recordings: Recordings,
     skipped: Collection[str],
     verdict: Verdict,
-    left: Sequence[Asked],
+    open_questions: Sequence[Question],
 ) -> str:
-    """The page as HTML without any file beside it."""
+    """Return the page as a single HTML file."""
     health = health_of(recordings["still"]) if "still" in recordings else None
     rows = [[f.kind, f.where, f.measured, f.remedy] for f in verdict.findings]
     return render(
         "bringup.html.j2",
         name=spec.name,
         findings=rows,
-        left=[asked.name for asked in left],
+        left=[question.name for question in open_questions],
         skipped=sorted(skipped),
         steps=_steps(spec, recordings, skipped),
         line=None if health is None else _line(spec, health),
@@ -64,7 +64,7 @@ def _steps(spec: ObjectSpec, recordings: Recordings, skipped: Collection[str]) -
     ]
     rows = []
     for step, title in STEPS.items():
-        names = [asked.name for asked in (*asked_of(spec), *taken) if asked.step == step]
+        names = [question.name for question in (*asked_of(spec), *taken) if question.step == step]
         done, over = (sum(name in given for name in names) for given in (recordings, skipped))
         rows.append([title, f"{done} of {len(names)}", f"{over} skipped" if over else ""])
     return rows
@@ -127,8 +127,8 @@ def _names_of(face: int, letter: str, count: int) -> list[str]:
 def _is_wrong(name: str, findings: Sequence[Finding]) -> bool:
     """Return whether a finding names this chip, one of its channels, or this magnet."""
     face, part = name.split("-")
-    own = {name} | ({f"{face}-{axis}{part[1:]}" for axis in "XYZ"} if part[0] == "S" else set())
-    return any(own & set(finding.where.split(" and ")) for finding in findings)
+    names = {name} | ({f"{face}-{axis}{part[1:]}" for axis in "XYZ"} if part[0] == "S" else set())
+    return any(names & set(finding.where.split(" and ")) for finding in findings)
 
 
 def _chips(spec: ObjectSpec, verdict: Verdict, health: Health | None) -> list[list[str]]:
@@ -171,4 +171,6 @@ def _field(earth: EarthFound) -> str:
 
 def _magnets(spec: ObjectSpec, verdict: Verdict) -> list[list[str]]:
     names = magnet_names(spec)
-    return [[names[m.asked], names[m.pocket], f"{m.strength:+.2f}"] for m in verdict.magnets]
+    return [
+        [names[m.expected_pocket], names[m.pocket], f"{m.strength:+.2f}"] for m in verdict.magnets
+    ]

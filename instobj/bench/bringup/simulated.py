@@ -24,19 +24,19 @@ from estimator.tolerances.selftest import sensor_names
 from instobj.bench.bringup.asking.asked import (
     POSES,
     STILL_AGAIN,
-    Asked,
+    Question,
     Recording,
     asked_of,
     magnet_names,
 )
 from instobj.bench.bringup.asking.held_magnet import held_magnet
 from instobj.bench.bringup.asking.hold_places import OVER_MM
-from instobj.bench.bringup.diagnosis.earth import in_object
+from instobj.bench.bringup.diagnosis.earth import turn_to_object
 from instobj.bench.bringup.diagnosis.findings import channel_name
 from instobj.bench.bringup.next_hold import next_hold
 
 HAND_MM, HAND_DEG, HEIGHT_MM = 3.0, 15.0, (4.0, 15.0)
-"""Of the simulated hand: sideways and tilt (standard deviations), height above the core where 10 mm
+"""Errors of the simulated hand: sideways and tilt (standard deviations), height above the core where 10 mm
 are asked for; as much higher or lower in proportion elsewhere."""
 TREMOR_MM, TREMOR_DEG, LAID_DEG = 0.3, 1.0, 5.0
 """Standard deviations of a hand: place and tilt of a held magnet, and how an object is laid."""
@@ -55,7 +55,7 @@ FAULTS = (
 
 @dataclass(frozen=True)
 class PlantedFault:
-    """What is wrong: kind, parts by name, and how much where that matters."""
+    """Planted fault: kind, parts by name, and how much where that matters."""
 
     kind: str
     where: tuple[str, ...]
@@ -89,38 +89,38 @@ class SimulatedObject:
     sequence: int = 0
     magnets_in: int = 0
 
-    def recording(self, asked: Asked) -> Recording:
+    def recording(self, question: Question) -> Recording:
         """Return what the board sends while the user does as asked."""
-        field_mt = self._field_mt(asked)
+        field_mt = self._field_mt(question)
         # c chip, b coordinate of the field, a channel; … frames
         counts = np.einsum("cab,...cb->...ca", self.matrix, field_mt) + self.offset
         step_ms = 1000 / self.spec.sensors.frame_rate_hz
-        ms = self.clock_ms + np.round(step_ms * np.arange(asked.frames)).astype(int)
+        ms = self.clock_ms + np.round(step_ms * np.arange(question.frames)).astype(int)
         drift = self.slope_per_ms * ms[:, None, None]
         counts = np.where(self.dead, self.offset, counts) + drift
         counts = read_out(counts, self.spec.sensors, self.rng)
         counts[:, self.stuck] = _STUCK_COUNTS
         counts[:, self.silent] = np.nan
-        sequence = (self.sequence + np.arange(asked.frames)) % 65536
+        sequence = (self.sequence + np.arange(question.frames)) % 65536
         self.clock_ms, self.sequence = int(ms[-1]) + 5000, int(sequence[-1]) + 50
-        return Recording(asked.name, counts, sequence, ms, 0, 0)
+        return Recording(question.name, counts, sequence, ms, 0, 0)
 
-    def _field_mt(self, asked: Asked) -> Float[np.ndarray, "frame chip 3"]:
-        if asked.step == "magnet":
-            self.magnets_in = asked.part + 1
-        elif asked.step == "rest":
+    def _field_mt(self, question: Question) -> Float[np.ndarray, "frame chip 3"]:
+        if question.step == "magnet":
+            self.magnets_in = question.part + 1
+        elif question.step == "rest":
             self.magnets_in = len(self.flipped)
-        pose = asked.part % len(POSES) if asked.step == "earth" else 0
+        pose = question.part % len(POSES) if question.step == "earth" else 0
         laid = Rotation.from_rotvec(np.deg2rad(LAID_DEG) * self.rng.standard_normal(3))
-        earth_ut = in_object(pose) @ laid.apply(self.earth_ut)
-        field = np.zeros((asked.frames, len(self.matrix), 3)) + 1e-3 * earth_ut
-        if asked.step == "held":
-            field = field + self._held_mt(asked)
+        earth_ut = turn_to_object(pose) @ laid.apply(self.earth_ut)
+        field = np.zeros((question.frames, len(self.matrix), 3)) + 1e-3 * earth_ut
+        if question.step == "held":
+            field = field + self._held_mt(question)
         return field + self._shell_mt()
 
-    def _held_mt(self, asked: Asked) -> Float[np.ndarray, "frame chip 3"]:
-        held = held_magnet(self.spec, [asked.part])
-        rng, frames = self.rng, asked.frames
+    def _held_mt(self, question: Question) -> Float[np.ndarray, "frame chip 3"]:
+        held = held_magnet(self.spec, [question.part])
+        rng, frames = self.rng, question.frames
         height = (rng.uniform(*HEIGHT_MM) / OVER_MM - 1) * held.height_mm[0]
         about = np.r_[HAND_MM * rng.standard_normal(2), height]
         tilt = np.deg2rad(HAND_DEG) * rng.standard_normal(2)
@@ -128,8 +128,8 @@ class SimulatedObject:
         pose = np.zeros((frames, 8))
         pose[:, :3] = about + TREMOR_MM * shake[:, :3]
         pose[:, 3:5] = tilt + np.deg2rad(TREMOR_DEG) * shake[:, 3:]
-        centre = np.concatenate([held.centre_mm(one[None]) for one in pose])
-        axis = np.concatenate([held.axis(one[None]) for one in pose])
+        centre = np.concatenate([held.centre_mm(frame_pose[None]) for frame_pose in pose])
+        axis = np.concatenate([held.axis(frame_pose[None]) for frame_pose in pose])
         return self.held_strength * _field_mt(
             self.position_mm, centre[:, None], axis[:, None], held.magnet
         )
@@ -139,7 +139,7 @@ class SimulatedObject:
         magnets, some = self.assembly.scene.magnets, slice(0, self.magnets_in)
         axis = np.where(self.flipped[:, None], -1.0, 1.0) * magnets.axis
         model = magnets_model(self.spec.magnets, 5.0)
-        every = _field_mt(
+        fields = _field_mt(
             self.position_mm,
             magnets.centre_mm[some, None],
             axis[some, None],
@@ -147,7 +147,7 @@ class SimulatedObject:
             magnets.side[some, None],
             magnets.size[some],
         )
-        return (magnets.strength[some, None, None] * every).sum(axis=0)
+        return (magnets.strength[some, None, None] * fields).sum(axis=0)
 
 
 def _field_mt(
@@ -169,8 +169,8 @@ def simulated_object(
 ) -> SimulatedObject:
     """An object within tolerance, always the same for one seed, with these faults."""
     rng = np.random.default_rng((seed, 19))
-    own = spec.changed(seed=int(rng.integers(2**31)))
-    assembly = draw(own, undisturbed(scene(own)), rng)
+    drawn_spec = spec.changed(seed=int(rng.integers(2**31)))
+    assembly = draw(drawn_spec, undisturbed(scene(drawn_spec)), rng)
     place, scale = assembly.scene, spec.sensors.counts_per_mt
     direction = rng.standard_normal(3)
     earth = rng.uniform(*EARTH_UT) * direction / np.linalg.norm(direction)
@@ -199,10 +199,12 @@ def simulated_object(
 def brought_up(made: SimulatedObject) -> dict[str, Recording]:
     """Readings for all questions in their order, further holds included."""
     recordings: dict[str, Recording] = {}
-    for asked in asked_of(made.spec):
-        while asked.name == STILL_AGAIN and (hold := next_hold(made.spec, recordings)) is not None:
+    for question in asked_of(made.spec):
+        while (
+            question.name == STILL_AGAIN and (hold := next_hold(made.spec, recordings)) is not None
+        ):
             recordings[hold.name] = made.recording(hold)
-        recordings[asked.name] = made.recording(asked)
+        recordings[question.name] = made.recording(question)
     return recordings
 
 

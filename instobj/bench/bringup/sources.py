@@ -14,7 +14,7 @@ from design.spec.object import ObjectSpec
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Message, Status
 from estimator.recordings.boards.link import board_messages
 from estimator.signals.hall import LARGEST_COUNT
-from instobj.bench.bringup.asking.asked import Asked, Recording, further_holds
+from instobj.bench.bringup.asking.asked import Question, Recording, further_holds
 from instobj.bench.bringup.journal import Journal, channels_of
 from instobj.bench.bringup.next_hold import next_hold
 from instobj.bench.bringup.simulated import SimulatedObject
@@ -32,12 +32,12 @@ class Source(Protocol):
         """One of the letters of `allowed`, or nothing for "done as asked"."""
         ...
 
-    def record(self, asked: Asked) -> Recording | None:
+    def record(self, question: Question) -> Recording | None:
         """The frames that follow."""
         ...
 
-    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
-        """The next hold beside the planned ones, None where gains are known well enough."""
+    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
+        """Return the next hold after the planned ones, None where gains are known well enough."""
         ...
 
 
@@ -51,10 +51,10 @@ class _Nobody:
 
 
 class _TellsMost:
-    """Asks for the further hold that tells most."""
+    """Asks for the further hold that says most."""
 
-    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
-        """The one that tells most."""
+    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
+        """Return the hold that says most."""
         return next_hold(spec, journal.recordings, journal.skipped)
 
 
@@ -64,15 +64,15 @@ class FromFile(_Nobody):
 
     journal: Journal
 
-    def record(self, asked: Asked) -> Recording | None:
+    def record(self, question: Question) -> Recording | None:
         """That recording, where the file holds it."""
-        return self.journal.recordings.get(asked.name)
+        return self.journal.recordings.get(question.name)
 
-    def further(self, spec: ObjectSpec, journal: Journal) -> Asked | None:
+    def further(self, spec: ObjectSpec, journal: Journal) -> Question | None:
         """Those that the file holds, in its order."""
         holds = {hold.name: hold for hold in further_holds(spec)}
-        left = (name for name in self.journal.recordings if name not in journal.recordings)
-        return next((holds[name] for name in left if name in holds), None)
+        names_left = (name for name in self.journal.recordings if name not in journal.recordings)
+        return next((holds[name] for name in names_left if name in holds), None)
 
 
 @dataclass
@@ -81,9 +81,9 @@ class Simulated(_Nobody, _TellsMost):
 
     made: SimulatedObject
 
-    def record(self, asked: Asked) -> Recording:
+    def record(self, question: Question) -> Recording:
         """Return what the simulated board sends."""
-        return self.made.recording(asked)
+        return self.made.recording(question)
 
 
 @dataclass
@@ -101,7 +101,7 @@ class Board(_TellsMost):
     _messages: Iterator[list[Message]] | None = None
 
     def answer(self, question: str, allowed: str) -> str:
-        """Wait for a line; anything that is not allowed is told and asked again.
+        """Wait for a line; anything that is not allowed is reported and asked again.
 
         Raises
         ------
@@ -123,7 +123,7 @@ class Board(_TellsMost):
                 break
         raise InputError("standard input ended before the answer. Repeat the command to go on")
 
-    def record(self, asked: Asked) -> Recording:
+    def record(self, question: Question) -> Recording:
         """The next frames of the board.
 
         Raises
@@ -135,10 +135,10 @@ class Board(_TellsMost):
         damaged, errors = self.decoder.statistics.damaged_lines, self.bus_errors
         for messages in self._listen():
             frames += [message for message in messages if isinstance(message, Frame)]
-            if len(frames) >= asked.frames + _STALE_FRAMES:
+            if len(frames) >= question.frames + _STALE_FRAMES:
                 break
-        frames = frames[_STALE_FRAMES : _STALE_FRAMES + asked.frames]
-        recording = self._recording(asked, frames)
+        frames = frames[_STALE_FRAMES : _STALE_FRAMES + question.frames]
+        recording = self._recording(question, frames)
         return replace(
             recording,
             damaged_lines=self.decoder.statistics.damaged_lines - damaged,
@@ -158,16 +158,16 @@ class Board(_TellsMost):
 
     def _columns(self, channels: tuple[str, ...]) -> dict[int, int]:
         """Column of the board → channel of the specification."""
-        known = {name: k for k, name in enumerate(channels_of(self.spec))}
-        foreign = [name for name in channels if name not in known]
+        column_of_name = {name: k for k, name in enumerate(channels_of(self.spec))}
+        foreign = [name for name in channels if name not in column_of_name]
         if foreign:
             raise InputError(
                 f"{self.port} sends {', '.join(foreign[:4])}, which {self.spec.name} has not: the board "
                 "of another object? Connect the right one, or build its firmware anew"
             )
-        return {column: known[name] for column, name in enumerate(channels)}
+        return {column: column_of_name[name] for column, name in enumerate(channels)}
 
-    def _recording(self, asked: Asked, frames: list[Frame]) -> Recording:
+    def _recording(self, question: Question, frames: list[Frame]) -> Recording:
         counts = np.full((len(frames), len(channels_of(self.spec))), np.nan)
         values = np.array([frame.counts for frame in frames], float)
         counts[:, list(self.columns.values())] = values[:, list(self.columns)]
@@ -179,7 +179,7 @@ class Board(_TellsMost):
                 "Check the board's firmware"
             )
         return Recording(
-            asked.name,
+            question.name,
             counts.reshape(len(frames), -1, 3),
             np.array([frame.sequence for frame in frames]),
             np.array([frame.board_ms for frame in frames]),

@@ -14,7 +14,7 @@ from estimator.tolerances.selftest import FaultKind, Hypothesis
 from instobj.bench.bringup.asking.asked import (
     STILL,
     STILL_AGAIN,
-    Asked,
+    Question,
     Recording,
     Recordings,
     asked_of,
@@ -32,7 +32,7 @@ from instobj.bench.bringup.diagnosis.chip_fit import chips_found
 from instobj.bench.bringup.diagnosis.earth import EarthFound, from_earth
 from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
 from instobj.bench.bringup.diagnosis.health import health_findings
-from instobj.bench.bringup.diagnosis.levels import in_designed_axes, judge_levels, level_findings
+from instobj.bench.bringup.diagnosis.levels import judge_levels, level_findings, turn_to_design
 from instobj.bench.bringup.diagnosis.poles import (
     MagnetFound,
     PocketFields,
@@ -50,12 +50,12 @@ _JUDGED_WITH_CHIPS: tuple[FaultKind, ...] = (
 LEAST_HOLDS = 3
 """Fewer say too little about which channel is which."""
 _BEYOND_LINEAR = 0.3
-"""Of the scatter of a zero, what is left where drift was followed."""
+"""Share of the scatter of a zero that is left where drift was followed."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What was found; None where the recordings for it are missing."""
+    """Findings of all recordings; None where the recordings for it are missing."""
 
     findings: tuple[Finding, ...]
     chips: tuple[ChipFound, ...] | None
@@ -67,27 +67,27 @@ class Verdict:
 def judge(spec: ObjectSpec, recordings: Recordings) -> Verdict:
     """Judge all recordings that are there; chips count as drawn where no magnet was held."""
     findings = list(health_findings(spec, recordings[STILL])) if STILL in recordings else []
-    chips = which_is_which(spec, recordings)
-    known = chips or as_drawn(spec)
-    earth = _earth(spec, recordings, known)
+    chips = identified_chips(spec, recordings)
+    assumed_chips = chips or drawn_chips(spec)
+    earth = _earth(spec, recordings, assumed_chips)
     if chips is not None:
         already = {finding.where for finding in findings}
         findings += [f for f in chip_findings(spec, chips, earth) if f.where not in already]
     if earth is not None:
         findings += earth_findings(spec, earth)
-    magnets = tuple(magnets_found(spec, recordings, known))
+    magnets = tuple(magnets_found(spec, recordings, assumed_chips))
     findings += [wrong for magnet in magnets for wrong in magnet_findings(spec, magnet)]
-    levels = _levels(spec, recordings, known, chips is not None, magnets)
+    levels = _levels(spec, recordings, assumed_chips, chips is not None, magnets)
     findings += [] if levels is None else level_findings(levels)
     return Verdict(tuple(findings), chips, earth, magnets, levels)
 
 
-def as_drawn(spec: ObjectSpec) -> tuple[ChipFound, ...]:
+def drawn_chips(spec: ObjectSpec) -> tuple[ChipFound, ...]:
     """Chips as the specification says."""
     return tuple(ChipFound(site, np.eye(3)) for site in range(len(sensor_layout(spec).face)))
 
 
-def which_is_which(spec: ObjectSpec, recordings: Recordings) -> tuple[ChipFound, ...] | None:
+def identified_chips(spec: ObjectSpec, recordings: Recordings) -> tuple[ChipFound, ...] | None:
     """Every chip's place, turn and gains; None without the still recording and three holds."""
     so_far = held_so_far(spec, recordings)
     return None if so_far is None else tuple(chips_found(*so_far))
@@ -100,18 +100,22 @@ def held_so_far(
 
     `drift_followed` states errors as if the second still recording were there already.
     """
-    every = (*asked_of(spec), *further_holds(spec))
-    held = [asked for asked in every if asked.step == "held" and asked.name in recordings]
+    questions = (*asked_of(spec), *further_holds(spec))
+    held = [
+        question
+        for question in questions
+        if question.step == "held" and question.name in recordings
+    ]
     if STILL not in recordings or len(held) < LEAST_HOLDS:
         return None
-    given = [recordings[asked.name] for asked in held]
+    given = [recordings[question.name] for question in held]
     still, drift_counts, share = levels_without_magnet(spec, recordings, given)
     if drift_followed:
         drift_counts = _BEYOND_LINEAR * spec.sensors.zeroing_counts
-    known = np.where(silent_findings(recordings), np.nan, 1.0)
-    counts = known * np.stack([recording.unsaturated(spec) for recording in given]) - still
+    mask = np.where(silent_findings(recordings), np.nan, 1.0)
+    counts = mask * np.stack([recording.unsaturated(spec) for recording in given]) - still
     readings = held_readings(spec, counts, share, drift_counts)
-    return readings, find_chips(spec, readings, [asked.part for asked in held])
+    return readings, find_chips(spec, readings, [question.part for question in held])
 
 
 def levels_without_magnet(
@@ -123,14 +127,16 @@ def levels_without_magnet(
     recordings before and after the holds levels are taken as linear in time.
     """
     first, last = recordings[STILL], recordings.get(STILL_AGAIN)
-    begin, *times, end = (float(np.mean(one.board_ms)) for one in (first, *given, last or first))
-    own = 1 / np.array([len(one.counts) for one in given])
+    begin, *times, end = (
+        float(np.mean(recording.board_ms)) for recording in (first, *given, last or first)
+    )
+    noise_shares = 1 / np.array([len(recording.counts) for recording in given])
     if last is None or not begin < min(times) or not max(times) < end:
         levels = np.repeat(first.mean[None], len(given), axis=0)
-        return levels, spec.sensors.zeroing_counts, own + 1 / len(first.counts)
+        return levels, spec.sensors.zeroing_counts, noise_shares + 1 / len(first.counts)
     late = (np.array(times) - begin) / (end - begin)
     levels = first.mean + late[:, None, None] * (last.mean - first.mean)
-    noise = own + (1 - late) ** 2 / len(first.counts) + late**2 / len(last.counts)
+    noise = noise_shares + (1 - late) ** 2 / len(first.counts) + late**2 / len(last.counts)
     return levels, _BEYOND_LINEAR * spec.sensors.zeroing_counts, noise
 
 
@@ -143,11 +149,11 @@ def silent_findings(recordings: Recordings) -> Bool[np.ndarray, "chip 3"]:
 def _earth(
     spec: ObjectSpec, recordings: Recordings, chips: tuple[ChipFound, ...]
 ) -> EarthFound | None:
-    poses = [asked for asked in asked_of(spec) if asked.step == "earth"]
-    if any(asked.name not in recordings for asked in poses):
+    poses = [question for question in asked_of(spec) if question.step == "earth"]
+    if any(question.name not in recordings for question in poses):
         return None
     dead = np.array([chip.dead for chip in chips])
-    given = [recordings[asked.name] for asked in poses]
+    given = [recordings[question.name] for question in poses]
     means = np.where(dead, np.nan, np.stack([recording.mean for recording in given]))
     times_s = np.array([float(np.mean(recording.board_ms)) / 1000 for recording in given])
     return from_earth(spec, chips, means, times_s, poses[0].frames)
@@ -158,11 +164,11 @@ def magnets_found(
 ) -> Iterator[MagnetFound]:
     """Pole and pocket of every magnet whose step was recorded."""
     fields = pocket_fields(spec, chips)
-    for asked in asked_of(spec):
-        if asked.step == "magnet" and (
-            found := magnet_found(spec, recordings, chips, fields, asked)
+    for question in asked_of(spec):
+        if question.step == "magnet" and (
+            magnet := magnet_found(spec, recordings, chips, fields, question)
         ):
-            yield found
+            yield magnet
 
 
 def magnet_found(
@@ -170,15 +176,17 @@ def magnet_found(
     recordings: Recordings,
     chips: tuple[ChipFound, ...],
     fields: PocketFields,
-    asked: Asked,
+    question: Question,
 ) -> MagnetFound | None:
     """One magnet from its step against the recording before it; None without both."""
-    before = f"magnet {magnet_names(spec)[asked.part - 1]}" if asked.part else "closed"
-    if before not in recordings or asked.name not in recordings:
+    earlier_name = f"magnet {magnet_names(spec)[question.part - 1]}" if question.part else "closed"
+    if earlier_name not in recordings or question.name not in recordings:
         return None
     dead = np.array([chip.dead for chip in chips])
-    change = recordings[asked.name].unsaturated(spec) - recordings[before].unsaturated(spec)
-    return find_magnet(fields, asked.part, np.where(dead, np.nan, change))
+    change = recordings[question.name].unsaturated(spec) - recordings[earlier_name].unsaturated(
+        spec
+    )
+    return find_magnet(fields, question.part, np.where(dead, np.nan, change))
 
 
 def _levels(
@@ -190,19 +198,19 @@ def _levels(
 ) -> Hypothesis | None:
     if "rest" not in recordings:
         return None
-    seen: list[FaultKind] = []
+    judged_kinds: list[FaultKind] = []
     if chips_seen:
-        seen.extend(_JUDGED_WITH_CHIPS)
+        judged_kinds.extend(_JUDGED_WITH_CHIPS)
     if len(magnets) == len(magnet_layout(spec).face):
-        seen.append("flipped magnet")
-    flipped = [magnet.asked for magnet in magnets if magnet.strength < 0]
-    counts = _at_rest(spec, recordings, chips)
-    return judge_levels(spec, flipped, counts, seen)
+        judged_kinds.append("flipped magnet")
+    flipped = [magnet.expected_pocket for magnet in magnets if magnet.strength < 0]
+    counts = _resting_counts(spec, recordings, chips)
+    return judge_levels(spec, flipped, counts, judged_kinds)
 
 
-def _at_rest(
+def _resting_counts(
     spec: ObjectSpec, recordings: Recordings, chips: tuple[ChipFound, ...]
 ) -> Float[np.ndarray, "site 3"]:
     dead = np.array([chip.dead for chip in chips])
     counts = np.where(dead, np.nan, recordings["rest"].unsaturated(spec))
-    return in_designed_axes(chips, counts)
+    return turn_to_design(chips, counts)

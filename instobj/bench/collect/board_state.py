@@ -1,4 +1,4 @@
-"""State of a board as it tells it, in words and as figures."""
+"""State of a board as it reports it, in words and as figures."""
 
 from __future__ import annotations
 
@@ -10,9 +10,13 @@ from estimator.recordings.boards.lines import Status
 
 def status_text(status: Status) -> str:
     """The board's own report: chips, supply and bus."""
-    known = [value for value in status.sensors_c if value == value]
-    chips = f"sensors {min(known):.1f} to {max(known):.1f} °C" if known else "no sensor answers"
-    silent = len(status.sensors_c) - len(known)
+    temperatures = [value for value in status.sensors_c if value == value]
+    chips = (
+        f"sensors {min(temperatures):.1f} to {max(temperatures):.1f} °C"
+        if temperatures
+        else "no sensor answers"
+    )
+    silent = len(status.sensors_c) - len(temperatures)
     supply = "" if status.supply_mv is None else f", supply {status.supply_mv / 1e3:.2f} V"
     return (
         f"board: {chips}, {silent} silent{supply}; {status.supply_errors} times too low a supply at a "

@@ -40,7 +40,7 @@ _KEYS = "z takes the baseline, q ends, FACE:X,Y sets the contact location, - non
 
 
 def collect(options: CollectOptions) -> dict[str, Any]:
-    """Collect until told to stop; the document says what came and what was lost.
+    """Collect until stopped; the document says what came and what was lost.
 
     Raises
     ------
@@ -159,8 +159,11 @@ def _obey(line: str, state: Collection, progress: ProgressLine) -> None:
 
 
 def _enough(state: Collection, growing: GrowingRecording) -> bool:
-    """By this computer's clock where a board sends: its own may be wrong, and frames may get no label. A
-    replay has the times of its recording."""
+    """Return whether enough was collected.
+
+    This computer's clock decides where a board sends: the board's may be wrong, and frames may get no
+    label. A replay has the times of its recording.
+    """
     if state.options.replay is None:
         lasted_s = time.monotonic() - state.began_s
     else:
@@ -175,10 +178,10 @@ def _rate_hz(state: Collection) -> float:
 
 
 def _counts_text(state: Collection) -> str:
-    found = state.decoder.statistics
+    statistics = state.decoder.statistics
     return (
-        f"{found.frames} frames at {_rate_hz(state):.1f}/s, {found.lost_frames} lost, "
-        f"{found.damaged_lines} damaged lines, {found.restarts} restarts, "
+        f"{statistics.frames} frames at {_rate_hz(state):.1f}/s, {statistics.lost_frames} lost, "
+        f"{statistics.damaged_lines} damaged lines, {statistics.restarts} restarts, "
         f"{state.unlabelled} without a force"
     )
 
@@ -203,9 +206,9 @@ def _pace_text(state: Collection) -> str:
 
 def _document(state: Collection, growing: GrowingRecording, frames: int) -> dict[str, Any]:
     csv_path, target = state.options.csv_path, state.options.target
-    found = state.decoder.statistics
+    statistics = state.decoder.statistics
     texts = [_counts_text(state), f"{growing.rows_added} frames added, {frames} in the recording"]
-    texts += filter(None, (found.wrapped_text, _pace_text(state)))
+    texts += filter(None, (statistics.wrapped_text, _pace_text(state)))
     if state.status is not None:
         texts.append(status_text(state.status))
     if growing.cut_bytes:
@@ -217,9 +220,9 @@ def _document(state: Collection, growing: GrowingRecording, frames: int) -> dict
         "frames": frames,
         "session": growing.session,
         "rate_hz": None if np.isnan(_rate_hz(state)) else round(_rate_hz(state), 3),
-        "lost_frames": found.lost_frames,
-        "damaged_lines": found.damaged_lines,
-        "restarts": found.restarts,
+        "lost_frames": statistics.lost_frames,
+        "damaged_lines": statistics.damaged_lines,
+        "restarts": statistics.restarts,
         "frames_without_force": state.unlabelled,
         "board": None if state.status is None else status_row(state.status),
         "texts": texts,

@@ -24,13 +24,13 @@ _READINGS_KEPT = 200
 
 
 _CLOCK_SHARE, _CLOCK_S = 0.1, 3.0
-"""Of a board's clock against this computer's: quartzes and resonators are off by less than 1 %, lines wait in
-buffers for a second or two."""
+"""Error of a board's clock against this computer's: quartzes and resonators are off by less than 1 %,
+lines wait in buffers for a second or two."""
 
 
 @dataclass
 class Pace:
-    """A board's clock beside this computer's, from its first frame on (s)."""
+    """A board's clock against this computer's, from its first frame on (s)."""
 
     here_s: float = 0.0
     board_s: float = 0.0
@@ -114,7 +114,7 @@ def take_load(load: Load, state: Collection, clock: BoardClock) -> None:
     Raises
     ------
     InputError
-        The recording has no room for that cell or for so many tips.
+        The recording has no room for that cell or for that many tips.
     """
     if load.cell > state.cells or len(load.tips_mm) > state.tips:
         raise InputError(
@@ -131,11 +131,11 @@ def take_frame(frame: Frame, time_s: float, state: Collection, growing: GrowingR
     """Append a frame of `time_s` (by `state.clock`) whose force is known; count one without."""
     zeroing = state.zero_left > 0
     labels = [_label(cell, time_s, zeroing, state) for cell in range(1, state.cells + 1)]
-    known = [label for label in labels if label is not None]
-    if len(known) < state.cells or (state.waiting and not zeroing):
+    labels_known = [label for label in labels if label is not None]
+    if len(labels_known) < state.cells or (state.waiting and not zeroing):
         state.unlabelled += 1
         return
-    flat = [value for label in known for value in label]
+    flat = [value for label in labels_known for value in label]
     growing.append([time_s, float(growing.session), float(zeroing), *frame.counts, *flat])
     state.steps_s.append(min(max(time_s - state.last_s, 0.0), PAUSE_S))
     state.first_s = time_s if state.first_s is None else state.first_s
@@ -164,9 +164,9 @@ def _label(cell: int, time_s: float, zeroing: bool, state: Collection) -> list[f
 def _force_n(
     cell: int, place: Place | None, load: Load | None, time_s: float, state: Collection
 ) -> float | None:
-    """What the load cell says at that time; else, where none ever spoke, what the command line says."""
+    """Return what the load cell says at that time, or the command line where no cell ever spoke."""
     if load is not None:
-        return _at(time_s, load, state.readings[cell])
+        return _label_at(time_s, load, state.readings[cell])
     if cell in state.loads or state.options.load_port is not None:
         return None
     given = state.options.forces_n[cell - 1 : cell]
@@ -175,7 +175,7 @@ def _force_n(
     return given[0] if given else None
 
 
-def _at(time_s: float, last: Load, readings: deque[tuple[float, float]]) -> float:
+def _label_at(time_s: float, last: Load, readings: deque[tuple[float, float]]) -> float:
     """Between the readings before and after a time (N); the last one where none is newer or they are
     far apart."""
     after = next((k for k, (read_s, _) in enumerate(readings) if read_s >= time_s), None)

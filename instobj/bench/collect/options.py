@@ -20,7 +20,7 @@ _PLACE = re.compile(r"([1-5])((?::-?\d+(?:\.\d*)?,-?\d+(?:\.\d*)?)+)")
 
 @dataclass(frozen=True)
 class CollectOptions:
-    """What the command line says; `places` and `forces_n` are those of load cells 1, 2, …"""
+    """Options of the command line; `places` and `forces_n` are those of load cells 1, 2, …"""
 
     out: Path
     port: str | None = None
@@ -59,7 +59,7 @@ class CollectOptions:
         return places + [None] * ((self.cells or 1) - len(places))
 
     def enough(self, frames: int, seconds: float) -> bool:
-        """Return whether so many frames, or so long, are what was asked for."""
+        """Return whether this many frames, or this long, are what was asked for."""
         return (self.frames is not None and frames >= self.frames) or (
             self.seconds is not None and seconds >= self.seconds
         )
@@ -159,16 +159,16 @@ class TypedLines:
 def stop_on_signals(stop: Callable[[], None]) -> Iterator[None]:
     """Ctrl-C and SIGTERM call `stop` once; the next one acts as it did before."""
     numbers = (signal.SIGINT, signal.SIGTERM)
-    before = {number: signal.getsignal(number) for number in numbers}
+    handlers = {number: signal.getsignal(number) for number in numbers}
 
     def ask(number: int, _: object) -> None:
         stop()
-        signal.signal(number, before[signal.Signals(number)])
+        signal.signal(number, handlers[signal.Signals(number)])
 
     for number in numbers:
         signal.signal(number, ask)
     try:
         yield
     finally:
-        for number, handler in before.items():
+        for number, handler in handlers.items():
             signal.signal(number, handler)

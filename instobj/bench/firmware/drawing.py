@@ -56,12 +56,12 @@ def _side(box: str) -> str:
 
 def _pins(wires: Sequence[Wire], side: str) -> dict[str, list[str]]:
     """Boxes of a column with their pins, in the order of the wires."""
-    found: dict[str, list[str]] = {}
+    boxes: dict[str, list[str]] = {}
     for wire in wires:
         for box, pin in (_box_of(wire.start), _box_of(wire.end)):
-            if _side(box) == side and pin not in found.setdefault(box, []):
-                found[box].append(pin)
-    return {box: pins for box, pins in found.items() if pins}
+            if _side(box) == side and pin not in boxes.setdefault(box, []):
+                boxes[box].append(pin)
+    return {box: pins for box, pins in boxes.items() if pins}
 
 
 def _rows(column: dict[str, list[str]]) -> int:
@@ -78,21 +78,21 @@ def _column(
 
     Pins lie whole rows apart, so that columns whose corners differ by less have no row in common.
     """
-    left, y = corner
+    x, y = corner
     spare = _LINE * ((height - y - _LINE * _rows(column)) // (_LINE * max(1, len(column))))
     shapes = []
     for box, pins in column.items():
         tall = _LINE * (len(pins) + 0.7)
         shapes.append(
-            f'<rect x="{left:g}" y="{y:g}" width="{_BOX:g}" height="{tall:g}" rx="1" fill="#f3f3f0" '
-            f'stroke="#444" stroke-width="0.25"/><text x="{left + 1:g}" y="{y + 2.6:g}" '
+            f'<rect x="{x:g}" y="{y:g}" width="{_BOX:g}" height="{tall:g}" rx="1" fill="#f3f3f0" '
+            f'stroke="#444" stroke-width="0.25"/><text x="{x + 1:g}" y="{y + 2.6:g}" '
             f'font-weight="bold">{escape(box)}</text>'
         )
         for k, pin in enumerate(pins):
             row = y + _LINE * (k + 0.85)
             places[box, pin] = row
             shapes.append(
-                f'<text x="{left + _BOX - 1:g}" y="{row + 0.8:g}" text-anchor="end">{escape(pin)}</text>'
+                f'<text x="{x + _BOX - 1:g}" y="{row + 0.8:g}" text-anchor="end">{escape(pin)}</text>'
             )
         y += tall + 0.3 * _LINE + spare
     return shapes
@@ -102,13 +102,13 @@ def _lanes(wires: Sequence[Wire]) -> list[float]:
     """Return where each wire turns (0 to 1 of its gap): wires to one pin turn together, others apart."""
     ends: dict[tuple[int, bool], dict[str, int]] = {}
     for wire in wires:
-        known = ends.setdefault(_gap(wire), {})
-        known.setdefault(wire.end, len(known))
+        pins = ends.setdefault(_gap(wire), {})
+        pins.setdefault(wire.end, len(pins))
     return [(ends[_gap(wire)][wire.end] + 0.5) / len(ends[_gap(wire)]) for wire in wires]
 
 
 def _gap(wire: Wire) -> tuple[int, bool]:
-    """The left one of a wire's columns, beside which it turns, and whether both are the same one."""
+    """The left one of a wire's columns, next to which it turns, and whether both are the same one."""
     start, end = _left_to_right(wire)
     return _order(start[0]), _order(start[0]) == _order(end[0])
 

@@ -16,7 +16,7 @@ from instobj.bench.firmware.settings import (
 
 _CLOCK_HZ = 16_000_000
 _CONVERSIONS = 256
-"""Of the analogue converter in a reading of the load cell (load_cell.c)."""
+"""Conversions of the analogue converter in a reading of the load cell (load_cell.c)."""
 
 
 def port_of(pin: str) -> tuple[str, int]:

@@ -15,7 +15,7 @@ from instobj.bench.firmware.settings import (
 )
 
 _PARTS = 256
-"""Of a step of the analogue converter, in which means are counted (load_cell.py)."""
+"""Parts of a step of the analogue converter, in which means are counted (load_cell.py)."""
 
 
 def gpio_of(pin: str) -> int:

@@ -46,7 +46,7 @@ def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
 
 
 def _bench_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
-    """Return what lies beside the soldering iron: drawing, wires in order, parts to buy."""
+    """Return what lies next to the soldering iron: drawing, wires in order, parts to buy."""
     title = f"Wiring of {spec.name} on the {plan.board.title}, seen from the pads"
     wires = [astuple(wire) for wire in wires_of(plan)]
     return {

@@ -68,7 +68,7 @@ def chip_settings(spec: ObjectSpec, plan: BusPlan) -> dict[str, int]:
 
 
 LOAD_SCALE_BITS = 24
-"""Of LOAD_SCALE behind its point."""
+"""Digits of LOAD_SCALE behind its point."""
 
 
 def load_settings(spec: ObjectSpec, plan: BusPlan, sum_of: int = 1) -> dict[str, int]:

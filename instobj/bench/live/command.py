@@ -32,7 +32,7 @@ _LAST_WORD_S = 0.5
 
 @dataclass
 class _Session:
-    """What the reader has between two chunks."""
+    """State of the reader between two chunks."""
 
     source: LiveSource
     state: Collection
@@ -40,12 +40,12 @@ class _Session:
     page: PageProcess
     arrivals_s: deque[float] = field(default_factory=lambda: deque(maxlen=400))
     labels: list[list[float]] = field(default_factory=list)
-    told: str = ""
+    message: str = ""
     news_at_s: float = 0.0
 
 
 def live(options: LiveOptions) -> dict[str, Any]:
-    """Serve the page until told to stop; the document says what came, was lost and was written.
+    """Serve the page until stopped; the document says what came, was lost and was written.
 
     Raises
     ------
@@ -84,9 +84,9 @@ def _follow(session: _Session, options: LiveOptions, progress: ProgressLine) -> 
     failure = None
     try:
         _read(session, options, until_s, progress)
-        session.told = "the readings have ended" if not session.state.stopped else ""
+        session.message = "the readings have ended" if not session.state.stopped else ""
     except InstobjError as error:
-        failure, session.told = error, str(error)
+        failure, session.message = error, str(error)
     session.recorder.switch(False)
     _tell(session)
     while failure is None and not session.state.stopped and time.monotonic() < until_s:
@@ -133,10 +133,10 @@ def _take(session: _Session, messages: list[Message], options: LiveOptions) -> N
 
 
 def _take_header(session: _Session, header: Header, options: LiveOptions) -> None:
-    state, known = session.state, channel_names(session.source.spec)
+    state, known_names = session.state, channel_names(session.source.spec)
     if state.channels and header.channels != state.channels:
         raise InputError("the board names other channels than before. Was it exchanged?")
-    foreign = [name for name in header.channels if name not in known]
+    foreign = [name for name in header.channels if name not in known_names]
     if foreign:
         raise InputError(
             f"{session.source.name} names channels that {session.source.spec.name} has not: "
@@ -172,18 +172,18 @@ def _obey(session: _Session) -> None:
 
 def _tell(session: _Session) -> None:
     session.news_at_s = time.monotonic() + _NEWS_S
-    found = session.state.decoder.statistics
+    statistics = session.state.decoder.statistics
     news = {
         "source": session.source.name,
         "rate_hz": round(_rate_hz(session.arrivals_s, time.time()), 2),
         "counted": {
-            "frames": found.frames,
-            "lost": found.lost_frames,
-            "damaged": found.damaged_lines,
-            "restarts": found.restarts,
+            "frames": statistics.frames,
+            "lost": statistics.lost_frames,
+            "damaged": statistics.damaged_lines,
+            "restarts": statistics.restarts,
         },
         "recording": session.recorder.news(),
-        "told": "; ".join(filter(None, (session.told, session.recorder.told))),
+        "told": "; ".join(filter(None, (session.message, session.recorder.message))),
         "unsent": session.page.lost,
     }
     session.page.send(NEWS + json.dumps(news).encode())
@@ -197,10 +197,11 @@ def _rate_hz(arrivals_s: deque[float], now_s: float) -> float:
 
 
 def _counts_text(session: _Session, until_s: float) -> str:
-    found, recording = session.state.decoder.statistics, session.recorder.news()
+    statistics, recording = session.state.decoder.statistics, session.recorder.news()
     return (
-        f"{found.frames} frames at {_rate_hz(session.arrivals_s, until_s):.0f}/s, {found.lost_frames} lost, "
-        f"{found.damaged_lines} damaged lines, {recording['rows']} rows recorded"
+        f"{statistics.frames} frames at {_rate_hz(session.arrivals_s, until_s):.0f}/s, "
+        f"{statistics.lost_frames} lost, {statistics.damaged_lines} damaged lines, "
+        f"{recording['rows']} rows recorded"
     )
 
 
@@ -212,18 +213,18 @@ def _ended(session: _Session, failure: InstobjError | None) -> dict[str, Any]:
         files = [options.csv_path, options.target]
     if failure is not None:
         raise InputError(f"{failure} ({rows} rows kept in {options.csv_path})") from None
-    found = session.state.decoder.statistics
+    statistics = session.state.decoder.statistics
     return {
         "command": "live",
-        "frames": found.frames,
-        "lost_frames": found.lost_frames,
-        "damaged_lines": found.damaged_lines,
+        "frames": statistics.frames,
+        "lost_frames": statistics.lost_frames,
+        "damaged_lines": statistics.damaged_lines,
         "frames_added": rows,
         "frames_without_force": session.state.unlabelled,
         # As long as frames came: the page stays for a while after the last one.
         "texts": [
             _counts_text(session, max(session.arrivals_s, default=0.0)),
-            *filter(None, [found.wrapped_text]),
+            *filter(None, [statistics.wrapped_text]),
         ],
         "files": file_rows(files),
     }

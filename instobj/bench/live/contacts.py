@@ -39,11 +39,11 @@ class Estimator(Protocol):
 
     Attributes
     ----------
-    every_frame : whether it must see all frames in their order, or may skip some
-    channels : those that it reads
+    needs_every_frame : whether it must see all frames in their order, or may skip some
+    channels : the ones that it reads
     """
 
-    every_frame: bool
+    needs_every_frame: bool
     channels: tuple[Channel, ...]
 
     def feed(
@@ -59,14 +59,14 @@ class Estimator(Protocol):
         ...
 
     def rezero(self) -> None:
-        """Take the zero anew from the frames that follow."""
+        """Take the zero again from the frames that follow."""
         ...
 
 
 class InvertedContacts:
     """Contacts of the whole object, by inversion of its forward model."""
 
-    every_frame = False
+    needs_every_frame = False
 
     def __init__(self, spec: ObjectSpec, reader: LiveContacts) -> None:
         self._spec, self._reader = spec, reader
@@ -76,21 +76,21 @@ class InvertedContacts:
         self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
         """Return what it reads in the next frame."""
-        found = self._reader.feed(raw_counts, time_s, left_out)
-        if found is None:
+        reading = self._reader.feed(raw_counts, time_s, left_out)
+        if reading is None:
             return None
-        radius, halfwidth = found.position_radius_mm[0], found.force_halfwidth_n[0]
+        radius, halfwidth = reading.position_radius_mm[0], reading.force_halfwidth_n[0]
         rows = [
             placed_contact(
                 self._spec,
-                (int(found.face[0, slot]), *found.xy_mm[0, slot].tolist()),
-                (radius[slot], found.force_n[0, slot], halfwidth[slot]),
-                np.nan_to_num(found.tangential_n[0, slot]),
+                (int(reading.face[0, slot]), *reading.xy_mm[0, slot].tolist()),
+                (radius[slot], reading.force_n[0, slot], halfwidth[slot]),
+                np.nan_to_num(reading.tangential_n[0, slot]),
             )
-            for slot in np.flatnonzero(found.face[0]).tolist()
+            for slot in np.flatnonzero(reading.face[0]).tolist()
         ]
-        chip = self._reader.inversion.chip_name(int(found.chip_out[0]))
-        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(found.explained[0]), chip)
+        chip = self._reader.inversion.chip_name(int(reading.chip_out[0]))
+        return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(reading.explained[0]), chip)
 
     def pass_by(
         self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
@@ -99,19 +99,19 @@ class InvertedContacts:
         self._reader.pass_by(raw_counts, time_s, left_out)
 
     def rezero(self) -> None:
-        """Take the zero anew from the frames that follow."""
+        """Take the zero again from the frames that follow."""
         self._reader.rezero()
 
 
 class FaceContacts:
     """One contact per face at most, by exported estimators of single faces."""
 
-    every_frame = True
+    needs_every_frame = True
 
     def __init__(self, spec: ObjectSpec, readers: list[LiveReader]) -> None:
         self._spec, self._readers = spec, readers
         self.channels = tuple(
-            dict.fromkeys(channel for one in readers for channel in one.model.channels)
+            dict.fromkeys(channel for reader in readers for channel in reader.model.channels)
         )
 
     def feed(
@@ -120,17 +120,17 @@ class FaceContacts:
         """Return what they read in the next frame."""
         rows, explained = [], True
         for reader in self._readers:
-            found = reader.feed(raw_counts, time_s, left_out)
-            if found is None:
+            reading = reader.feed(raw_counts, time_s, left_out)
+            if reading is None:
                 return None
-            explained &= not found.novel[0]
-            if found.contact[0] > _PRESENT:
+            explained &= not reading.novel[0]
+            if reading.contact[0] > _PRESENT:
                 force = (
-                    found.position_radius_mm[0],
-                    found.force_n[0],
-                    found.force_halfwidth_n[0],
+                    reading.position_radius_mm[0],
+                    reading.force_n[0],
+                    reading.force_halfwidth_n[0],
                 )
-                place = (reader.model.face, *found.xy_mm[0].tolist())
+                place = (reader.model.face, *reading.xy_mm[0].tolist())
                 rows.append(placed_contact(self._spec, place, force, np.zeros(2)))
         return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(explained))
 
@@ -140,7 +140,7 @@ class FaceContacts:
         """Leave a frame out, where too many wait."""
 
     def rezero(self) -> None:
-        """Take the zero anew from the frames that follow."""
+        """Take the zero again from the frames that follow."""
         for reader in self._readers:
             reader.rezero()
 
@@ -148,12 +148,12 @@ class FaceContacts:
 def open_estimator(
     spec: ObjectSpec, models: tuple[Path, ...], zero: ZeroMode, zero_frames: int
 ) -> Estimator | None:
-    """Of `contacts.nc`, or of one or more ONNX files of different faces; None without a file.
+    """Return the reader of `contacts.nc`, or of ONNX files of different faces; None without a file.
 
     Raises
     ------
     InputError
-        A bad file, `contacts.nc` beside others, or two models of a face or of a face that the object
+        A bad file, `contacts.nc` with others, or two models of a face or of a face that the object
         has not.
     """
     from estimator.deploy.runtime import load_deployed
@@ -170,13 +170,16 @@ def open_estimator(
             )
         return InvertedContacts(spec, LiveContacts(load_inversion(first), zero, zero_frames))
     deployed = [load_deployed(path) for path in models]
-    faces, known = [one.face for one in deployed], [frame.number for frame in face_frames(spec)]
-    if len(set(faces)) < len(faces) or not set(faces) <= set(known):
+    faces, sensed = (
+        [model.face for model in deployed],
+        [frame.number for frame in face_frames(spec)],
+    )
+    if len(set(faces)) < len(faces) or not set(faces) <= set(sensed):
         raise InputError(
-            f"the models read faces {sorted(faces)}; the object senses {known}. Give one model per "
+            f"the models read faces {sorted(faces)}; the object senses {sensed}. Give one model per "
             "sensed face, of this object"
         )
-    return FaceContacts(spec, [LiveReader(one, zero, zero_frames) for one in deployed])
+    return FaceContacts(spec, [LiveReader(model, zero, zero_frames) for model in deployed])
 
 
 def placed_contact(
@@ -187,25 +190,27 @@ def placed_contact(
 ) -> list[float]:
     """A row of `protocol.CONTACT`; `place` is face, x, y (mm), `force` radius (mm), force and
     halfwidth (N), `pull_n` the tangential force along the face's x and y."""
-    point, axes = _on_body(spec, place)
+    point, axes = _place_on_body(spec, place)
     pushed = axes @ np.append(pull_n, -force[1])
     return [*place, *force, *point, *axes[:, 2], *pushed]
 
 
 def placed_label(spec: ObjectSpec, face: int, x: float, y: float, force_n: float) -> list[float]:
     """A row of `protocol.LABEL`."""
-    point, axes = _on_body(spec, (face, x, y))
+    point, axes = _place_on_body(spec, (face, x, y))
     return [face, x, y, force_n, *point, *axes[:, 2]]
 
 
 def placed_labels(spec: ObjectSpec, labels: list[list[float]]) -> Float[np.ndarray, "label 10"]:
     """Rows of face, x, y, force on the body; faces that the object does not sense are left out."""
-    known = {frame.number for frame in face_frames(spec)}
-    rows = [placed_label(spec, int(one[0]), *one[1:]) for one in labels if int(one[0]) in known]
+    sensed = {frame.number for frame in face_frames(spec)}
+    rows = [
+        placed_label(spec, int(label[0]), *label[1:]) for label in labels if int(label[0]) in sensed
+    ]
     return np.reshape(rows, (-1, LABEL_WIDTH))
 
 
-def _on_body(
+def _place_on_body(
     spec: ObjectSpec, place: tuple[int, float, float]
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
     frame = face_frame(spec, place[0])

@@ -69,15 +69,21 @@ def touches(
     s = np.arange(int(_CYCLE_S * _KNOTS_HZ)) / _KNOTS_HZ
     (low, high), faces = model.bounds, len(model.signals.faces)
     reach, most = 0.62 * float(min(*high[:2], *-low[:2])), 0.6 * float(high[2])
-    one, other, third = 0, min(2, faces - 1), faces - 1
+    first, second, third = 0, min(2, faces - 1), faces - 1
     angle = 2 * np.pi * s / 5
     nothing = np.zeros_like(s)
     plan = (
-        (one, _held(s, 3.0, 9.0), reach * np.cos(angle), reach * np.sin(angle), most),
-        (other, _held(s, 10.5, 22.5), reach * np.sin(angle / 2), 0.4 * reach + nothing, 0.8 * most),
+        (first, _held(s, 3.0, 9.0), reach * np.cos(angle), reach * np.sin(angle), most),
+        (
+            second,
+            _held(s, 10.5, 22.5),
+            reach * np.sin(angle / 2),
+            0.4 * reach + nothing,
+            0.8 * most,
+        ),
         (third, _held(s, 10.5, 16.0), -reach * np.sin(angle / 2), nothing, 0.8 * most),
         (third, _held(s, 17.0, 22.5), 0.5 * reach + nothing, -reach * np.cos(angle / 3), most),
-        (one, _taps(s, 17.5, 22.0), -0.5 * reach + nothing, 0.5 * reach + nothing, 0.7 * most),
+        (first, _taps(s, 17.5, 22.0), -0.5 * reach + nothing, 0.5 * reach + nothing, 0.7 * most),
     )
     face = np.full((len(s), len(plan)), NONE)
     contact = np.zeros((len(s), len(plan), 3))
@@ -116,8 +122,8 @@ def hand_chunks(
 
 def hand_lines(hand: SimulatedHand, number: int, rate_hz: float, rng: np.random.Generator) -> bytes:
     """A frame between two knots, with noise; every fifth is preceded by the true contacts."""
-    at = number / rate_hz * _KNOTS_HZ % len(hand.counts)
-    knot, share = int(at), at % 1
+    position = number / rate_hz * _KNOTS_HZ % len(hand.counts)
+    knot, share = int(position), position % 1
     after = (knot + 1) % len(hand.counts)
     expected = (1 - share) * hand.counts[knot] + share * hand.counts[after]
     counts = np.round(expected + hand.noise_counts * rng.standard_normal(len(expected)))

@@ -23,7 +23,7 @@ _FULL_SCALE = 0.995
 
 @dataclass(frozen=True)
 class HealthLimits:
-    """What a channel may do: its noise, full scale and drift since the zero, in counts."""
+    """Limits of a channel: its noise, full scale and drift since the zero, in counts."""
 
     noise_counts: Float[np.ndarray, "channel"]
     full_scale_counts: float
@@ -49,7 +49,7 @@ def channel_health(
     drift: Float[np.ndarray, "channel"] | None,
     limits: HealthLimits,
 ) -> list[int]:
-    """The worst of each channel's `STATES`; those that need 50 frames stay good before.
+    """Return the worst of each channel's `STATES`; states that need 50 frames stay good before.
 
     Parameters
     ----------

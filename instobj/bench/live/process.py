@@ -33,7 +33,7 @@ _SWITCH_S = 0.001
 
 @dataclass(frozen=True)
 class PageSettings:
-    """What the page's process needs; `spec` is the specification as JSON, `scene` the archive."""
+    """Settings of the page's process; `spec` is the specification as JSON, `scene` the archive."""
 
     spec: str
     scene: bytes
@@ -75,11 +75,11 @@ class PageProcess:
 
     def commands(self) -> list[str]:
         """Return what viewers asked for since the last time."""
-        found = []
+        messages = []
         with suppress(EOFError, OSError):
             while self.connection.poll():
-                found.append(self.connection.recv_bytes().decode())
-        return found
+                messages.append(self.connection.recv_bytes().decode())
+        return messages
 
     @property
     def alive(self) -> bool:
@@ -109,19 +109,19 @@ def page_process(settings: PageSettings) -> Iterator[PageProcess]:
     """
     context = get_context("spawn")
     pipe: tuple[Connection, Connection] = context.Pipe()  # pyright: ignore[reportAssignmentType]
-    here, there = pipe
-    process = context.Process(target=serve_page, args=(there, settings), daemon=True)
+    own_end, page_end = pipe
+    process = context.Process(target=serve_page, args=(page_end, settings), daemon=True)
     process.start()
-    there.close()
+    page_end.close()
     try:
-        page = PageProcess(here, process, settings.url(_port_of(here)))
+        page = PageProcess(own_end, process, settings.url(_port_of(own_end)))
         sender = threading.Thread(target=page.run_sender, daemon=True)
         sender.start()
         yield page
         page.stop_sender()
         sender.join(timeout=1.0)
     finally:
-        here.close()
+        own_end.close()
         process.join(timeout=3.0)
         process.kill()
 
@@ -202,5 +202,5 @@ def read_frames(watch: Watch) -> None:
     while True:
         begun_s = time.monotonic()
         watch.read_next()
-        if not watch.every_frame:
+        if not watch.needs_every_frame:
             time.sleep(max(0.0, _READ_EVERY_S - (time.monotonic() - begun_s)))

@@ -35,7 +35,7 @@ CONTACT_WIDTH, LABEL_WIDTH = 15, 10
 
 @dataclass(frozen=True)
 class Head:
-    """What stands at the beginning of a message of frames."""
+    """Head of a message of frames."""
 
     number: int
     dropped_rows: int
@@ -63,10 +63,10 @@ def read_frames_message(
 ) -> tuple[Head, Sequence[Float[np.ndarray, "_ _"]]]:
     """Return what `frames_message` was given: head, and rows, contacts, labels (float32)."""
     _, rows, contacts, labels, number, dropped, *times = _HEAD.unpack_from(message)
-    values, parts, at = np.frombuffer(message, "<f4", offset=_HEAD.size), [], 0
+    values, parts, start = np.frombuffer(message, "<f4", offset=_HEAD.size), [], 0
     for count, wide in ((rows, 1 + channels), (contacts, CONTACT_WIDTH), (labels, LABEL_WIDTH)):
-        parts.append(values[at : at + count * wide].reshape(count, wide))
-        at += count * wide
+        parts.append(values[start : start + count * wide].reshape(count, wide))
+        start += count * wide
     return Head(number, dropped, *times), parts
 
 

@@ -20,13 +20,13 @@ class Recorder:
     open: ExitStack = field(default_factory=ExitStack)
     growing: GrowingRecording | None = None
     rows: int = 0
-    told: str = ""
+    message: str = ""
 
     def switch(self, on: bool) -> None:
-        """Begin or pause; what cannot be written is told, and the page goes on."""
+        """Begin or pause; what cannot be written is reported, and the page goes on."""
         self.open.close()
         self.rows += self.growing.rows_added if self.growing else 0
-        self.growing, self.told = None, ""
+        self.growing, self.message = None, ""
         if not on or not self.state.channels:
             return
         options = self.state.options
@@ -41,7 +41,7 @@ class Recorder:
                 )
             )
         except InstobjError as error:
-            self.told = f"not recording: {error}"
+            self.message = f"not recording: {error}"
 
     def take(self, frame: Frame, time_s: float) -> None:
         """Append a frame where one is open."""
@@ -51,7 +51,7 @@ class Recorder:
             take_frame(frame, time_s, self.state, self.growing)
         except InstobjError as error:
             self.switch(False)
-            self.told = f"recording ended: {error}"
+            self.message = f"recording ended: {error}"
 
     def news(self) -> dict[str, Any]:
         """For the page."""

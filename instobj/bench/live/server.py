@@ -1,4 +1,4 @@
-"""The page's server: on this machine alone unless told otherwise, one WebSocket per viewer."""
+"""The page's server: on this machine alone by default, one WebSocket per viewer."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ COMMANDS = ("zero", "record on", "record off")
 
 @dataclass
 class Page:
-    """What the server hands out, to whom, and whom it tells of commands.
+    """Content of the server, its viewers, and the receiver of their commands.
 
     Attributes
     ----------
     scene : archive of the object
     address : that the server listens on
     token : that every request must carry; empty on the loopback
-    command : is told each of `COMMANDS` that a viewer gives
+    command : called with each of `COMMANDS` that a viewer gives
     """
 
     watch: Watch
@@ -168,8 +168,8 @@ class _Viewer:
 
     def __post_init__(self) -> None:
         self._newest: Row | None = None
-        self._told: Reading | None = None
-        rows, _ = self.page.watch.after(0, 1)
+        self._last_reading: Reading | None = None
+        rows, _ = self.page.watch.rows_after(0, 1)
         self._next = rows[-1].number if rows else 0
 
     async def send_all(self) -> None:
@@ -182,8 +182,8 @@ class _Viewer:
                 self.fresh.clear()
                 if loop.time() >= state_at:
                     state_at = loop.time() + _STATE_S
-                    told = self.page.watch.state() | {"viewers": len(self.page.viewers)}
-                    await self.socket.send_bytes(state_message(told))
+                    state = self.page.watch.state() | {"viewers": len(self.page.viewers)}
+                    await self.socket.send_bytes(state_message(state))
                 if self.sent - self.answered < _UNANSWERED:
                     await self._send_frames()
                 await asyncio.sleep(_LEAST_S)
@@ -192,17 +192,17 @@ class _Viewer:
 
     async def _send_frames(self) -> None:
         watch = self.page.watch
-        reading, (rows, missed) = watch.reading, watch.after(self._next, MOST_ROWS)
+        reading, (rows, missed) = watch.reading, watch.rows_after(self._next, MOST_ROWS)
         self._newest = rows[-1] if rows else self._newest
-        if self._newest is None or (not rows and reading is self._told):
+        if self._newest is None or (not rows and reading is self._last_reading):
             return
-        newest, self._told = self._newest, reading
+        newest, self._last_reading = self._newest, reading
         self._next, self.sent = newest.number + 1, self.sent + 1
         self.dropped += missed
         self.page.dropped_rows += missed
         head = Head(self.sent, self.dropped, newest.arrived_s, reading.arrived_s, newest.time_s)
         columns = [np.append(row.time_s - newest.time_s, row.change) for row in rows]
-        contacts = reading.found.contacts
+        contacts = reading.read.contacts
         await self.socket.send_bytes(
             frames_message(
                 head,

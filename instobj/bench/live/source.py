@@ -34,7 +34,7 @@ _TRUE = (
 
 @dataclass(frozen=True)
 class LiveOptions:
-    """What the command line says; `readings` names where they come from and goes to.
+    """Options of the command line; `readings` names where they come from and goes to.
 
     Attributes
     ----------

@@ -47,10 +47,10 @@ def row_message(arrived_s: float, time_s: float, counts: tuple[float, ...]) -> b
 
 def channel_names(spec: ObjectSpec) -> list[str]:
     """Channels in the order sensor · 3 + axis, named as boards do."""
-    seen: dict[int, int] = {}
+    last_sensor: dict[int, int] = {}
     names = []
     for face in sensor_layout(spec).face.tolist():
-        sensor = seen[face] = seen.get(face, -1) + 1
+        sensor = last_sensor[face] = last_sensor.get(face, -1) + 1
         names += [channel_name(face - 1, sensor, axis) for axis in range(3)]
     return names
 
@@ -70,9 +70,9 @@ class Row:
 
 @dataclass(frozen=True)
 class Reading:
-    """What the estimator found last, and when the row that it read had arrived (0: in none)."""
+    """Last contacts of the estimator, and when the row that it read had arrived (0: in none)."""
 
-    found: Found
+    read: Found
     arrived_s: float
 
 
@@ -130,12 +130,12 @@ class Watch:
             self.news = json.loads(content)
 
     @property
-    def every_frame(self) -> bool:
+    def needs_every_frame(self) -> bool:
         """Return whether no row may be left out in reading."""
-        return self.estimator is not None and self.estimator.every_frame
+        return self.estimator is not None and self.estimator.needs_every_frame
 
     def rezero(self) -> None:
-        """Take the zero anew from the frames that follow, of channels and estimator alike."""
+        """Take the zero again from the frames that follow, of channels and estimator alike."""
         self._start_zero()
         self._rezero_asked = True
 
@@ -150,7 +150,7 @@ class Watch:
         if waiting:
             self.on_reading()
 
-    def after(self, number: int, most: int) -> tuple[list[Row], int]:
+    def rows_after(self, number: int, most: int) -> tuple[list[Row], int]:
         """Rows from that number on, `most` at most, and how many more there had been."""
         with self._fresh:
             wanted = self._next - number
@@ -158,7 +158,7 @@ class Watch:
         return rows[::-1], max(0, wanted - len(rows))
 
     def state(self) -> dict[str, Any]:
-        """Health, zero, and what the reader's process last told."""
+        """Health, zero, and the last message of the reader's process."""
         with self._fresh:
             rows = list(islice(reversed(self._rows), WINDOW))[::-1]
         raw = np.stack([row.raw for row in rows]) if rows else np.zeros((0, len(self.names)))
@@ -167,7 +167,7 @@ class Watch:
         return self.news | {
             "health": health,
             "zeroed": self._zero is not None,
-            "explained": self.reading.found.explained,
+            "explained": self.reading.read.explained,
             "trouble": self._trouble or self._doubts(),
             "read": self._read_frames,
             "now_s": time.time(),
@@ -175,7 +175,7 @@ class Watch:
 
     def _doubts(self) -> str:
         """Return which channels and chips are not believed, for people; empty if all are."""
-        chip = self.reading.found.chip_out
+        chip = self.reading.read.chip_out
         lies = f"{chip}: its readings fit no contact, left out" if chip else ""
         return "; ".join(filter(None, (self._sound.text, lies)))
 
@@ -203,10 +203,10 @@ class Watch:
         self._gathered.append(raw)
         if len(self._gathered) >= self.zero_frames:
             gathered = np.stack(self._gathered)
-            there = np.isfinite(gathered)
-            total = np.where(there, gathered, 0.0).sum(axis=0)
+            has_reading = np.isfinite(gathered)
+            total = np.where(has_reading, gathered, 0.0).sum(axis=0)
             self._zero = np.where(
-                there.any(axis=0), total / np.maximum(there.sum(axis=0), 1), np.nan
+                has_reading.any(axis=0), total / np.maximum(has_reading.sum(axis=0), 1), np.nan
             )
 
     def _read_rows(self, estimator: Estimator, waiting: list[Row]) -> None:
@@ -214,7 +214,7 @@ class Watch:
         if self._rezero_asked:
             self._rezero_asked = False
             estimator.rezero()
-        most = _MOST_BEHIND if estimator.every_frame else 1
+        most = _MOST_BEHIND if estimator.needs_every_frame else 1
         for row in reversed(waiting[most:][:_MOST_BEHIND]):
             self._pass_by(estimator, row)
         for row in reversed(waiting[:most]):
@@ -229,18 +229,18 @@ class Watch:
 
     def _read(self, estimator: Estimator, row: Row) -> None:
         try:
-            found = estimator.feed(self._counts(row), row.time_s, row.left_out)
+            contacts = estimator.feed(self._counts(row), row.time_s, row.left_out)
         except InputError as error:
             self._trouble, self.reading = str(error), NOTHING
             time.sleep(AGAIN_S)
             return
         self._trouble = ""
-        if found is not None:
+        if contacts is not None:
             self._read_frames += 1
             unseen_s = row.arrived_s - self.reading.arrived_s
-            if len(found.contacts) or unseen_s > _UNSEEN_S or math.isinf(self._pressed_s):
+            if len(contacts.contacts) or unseen_s > _UNSEEN_S or math.isinf(self._pressed_s):
                 self._pressed_s = row.arrived_s
-            self.reading = Reading(found, row.arrived_s)
+            self.reading = Reading(contacts, row.arrived_s)
 
     def _resting_drift(self, rows: list[Row]) -> Float[np.ndarray, "channel"] | None:
         """Change of the resting level since the first rest after the zero was asked for.

@@ -37,8 +37,10 @@ def adaptive_order(
     presses: int,
     reference_every: int,
 ) -> Int[np.ndarray, "press"]:
-    """Places of a face for so many presses, returns to the middle included, each next one where the most
-    is told after all before."""
+    """Return places of a face for a number of presses, returns to the middle included.
+
+    Each next one lies where a press says most after all before.
+    """
     doubt = prior_variance(spec, forces, motions, face, settings.full_n, errors_of(spec, settings))
     returns = [middle_place(face_places(spec, face))] if reference_every else []
     return press_order(doubt, places_among(presses, reference_every), returns)[0]

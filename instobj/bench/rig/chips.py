@@ -70,7 +70,7 @@ class Chips:
             self._rest.append(now)
 
     def forget(self) -> None:
-        """Frames before now are of another moment than those that come."""
+        """Frames before now are of another moment than later ones."""
         self._last.clear()
         self._run = self._stamp_run = 1
 
@@ -116,7 +116,7 @@ class Chips:
 
 def _means(frames: Float[np.ndarray, "frame channel"]) -> Float[np.ndarray, "channel"]:
     """Over the frames in which a channel speaks, NaN where it never does."""
-    there = np.isfinite(frames)
-    count = there.sum(axis=0)
-    total = np.where(there, frames, 0.0).sum(axis=0)
+    has_reading = np.isfinite(frames)
+    count = has_reading.sum(axis=0)
+    total = np.where(has_reading, frames, 0.0).sum(axis=0)
     return np.where(count > 0, total / np.maximum(count, 1), np.nan)

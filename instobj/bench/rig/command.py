@@ -35,7 +35,7 @@ ADAPTIVE_PRESSES = 40
 
 @dataclass(frozen=True)
 class RigOptions:
-    """What the command line says; None takes the default of `PressSettings` or the specification's."""
+    """Options of the command line; None takes the default of `PressSettings` or the specification's."""
 
     spec: Path
     machine: str
@@ -108,8 +108,8 @@ def _plan(spec: ObjectSpec, face: int, options: RigOptions) -> PressPlan:
         from instobj.stages.run import Run
         from instobj.store.readers import PRESSES
 
-        presses, every = presses or ADAPTIVE_PRESSES, options.reference_every
-        order = adaptive_order(spec, *Run(spec).read(PRESSES), face, settings, presses, every)
+        presses, spacing = presses or ADAPTIVE_PRESSES, options.reference_every
+        order = adaptive_order(spec, *Run(spec).read(PRESSES), face, settings, presses, spacing)
         presses = len(order)
     return press_plan(
         spec,
@@ -146,7 +146,7 @@ def _pressed(
 
 
 def _journal(spec: ObjectSpec, options: RigOptions, recording: Path) -> Journal:
-    """Of the run that goes on, or of a new one."""
+    """Return the journal of the run that goes on, or of a new one."""
     if len(options.faces) != 1:
         raise InputError(
             "give one --face: the one that lies up (only --machine poses takes several)"

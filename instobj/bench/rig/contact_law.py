@@ -23,7 +23,7 @@ _LAYER = (1.0, 1.133, 1.283, 0.769, 0.0975)
 _DEPTHS = 400
 """Steps of the law's table: the force of a power 1.5 within 0.1 %."""
 _DEEPEST_SHARE = 0.95
-"""Of the shell: nothing of this law holds nearer to the core, and no press may go there."""
+"""Share of the shell that a press may go down: nearer to the core nothing of this law holds."""
 _GRID = 201
 _UNITS = {
     1e-3: "they may be kN read as N",
@@ -35,7 +35,7 @@ _UNITS = {
     102.0: "they may be grams-force read as N",
     1e3: "they may be mN read as N",
 }
-"""What makes readings so many times too large."""
+"""Causes of readings that are too large, by their factor."""
 LARGEST_RATIO = 10**0.5
 """Between measured and expected stiffness: a modulus is known within a factor of two (0.23 to 1.1 MPa were
 found where 0.41 was drawn), this law within 1.5, and a wrong unit is off by 4.4 and more (ozf 3.6)."""
@@ -49,7 +49,7 @@ class ContactLaw:
     forces_n: Float[np.ndarray, "depth"]
 
     def force_n(self, depth_mm: float, stiffer: float = 1.0) -> float:
-        """Force at a travel, of an object so many times as stiff."""
+        """Return the force at a travel of an object `stiffer` times as stiff."""
         return stiffer * float(np.interp(depth_mm, self.depths_mm, self.forces_n))
 
     def depth_mm(self, force_n: float, stiffer: float = 1.0) -> float:
@@ -78,7 +78,7 @@ def contact_law(spec: ObjectSpec) -> ContactLaw:
 
 
 def likely_unit(ratio: float) -> str:
-    """The end of a sentence: what a load cell does whose forces are so many times those expected; empty
+    """The end of a sentence: what a load cell does whose forces are a multiple of those expected; empty
     where they may be right."""
     if ratio < 0:
         return ": pressing makes them smaller, so the sign of the scale is wrong"

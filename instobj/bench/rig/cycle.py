@@ -106,27 +106,29 @@ def settle(
     MachineFault
         It stands still and answers nothing more, by our clock and the board's: characters were lost.
     """
-    link, silent_s, seen = station.machine, _SILENT_S + dwell_s, -1
+    link, silent_s, unanswered = station.machine, _SILENT_S + dwell_s, -1
     listening = Listening(silent_s, link.clock)
     changed_s = listening.now_s, station.frame_ms / 1000
 
     def tick() -> None:
-        nonlocal changed_s, seen
+        nonlocal changed_s, unanswered
         station.tick()
         now_s = listening.look(), station.frame_ms / 1000
         idle = link.state is not None and link.state.name == "Idle"
-        if not idle or link.unanswered != seen:
-            changed_s, seen = now_s, link.unanswered
+        if not idle or link.unanswered != unanswered:
+            changed_s, unanswered = now_s, link.unanswered
         elif (
             min(now_s[0] - changed_s[0], now_s[1] - changed_s[1]) > silent_s
             or now_s[0] - changed_s[0] > _WITHOUT_BOARD * silent_s
         ):
-            raise MachineFault(f"{link.where}: {seen} lines without answer. Characters were lost")
+            raise MachineFault(
+                f"{link.where}: {unanswered} lines without answer. Characters were lost"
+            )
 
-    def over() -> bool:
+    def finished() -> bool:
         return enough() or not link.unanswered
 
-    until(link, tick, over, "the answer to every line", _MOVE_S)
+    until(link, tick, finished, "the answer to every line", _MOVE_S)
     if link.unanswered:
         return False
     first = link.states + 2
@@ -150,10 +152,10 @@ def travel(station: Station, spot: Spot) -> None:
 def require_at(station: Station, wanted_mm: tuple[float, float, float]) -> None:
     """The tip is reported where it was sent."""
     state = station.machine.state
-    there = (np.nan,) * 3 if state is None else state.position_mm
-    if not np.allclose(there, wanted_mm, atol=ARRIVED_MM, rtol=0):
+    position_mm = (np.nan,) * 3 if state is None else state.position_mm
+    if not np.allclose(position_mm, wanted_mm, atol=ARRIVED_MM, rtol=0):
         raise MachineFault(
-            f"{station.machine.where}: the tip is at {there}, not at {wanted_mm}. Characters of a line "
+            f"{station.machine.where}: the tip is at {position_mm}, not at {wanted_mm}. Characters of a line "
             "may have been lost"
         )
 
@@ -211,9 +213,9 @@ def press(
     station.surface_mm = surface_mm
     station.recording = station.resting = True
     take_tare(station, rest_frames)
-    station.resting, largest_n, left = False, 0.0, settings
-    while left is not None:
-        force_n, left = _strokes(station, surface_mm, left)
+    station.resting, largest_n, remaining = False, 0.0, settings
+    while remaining is not None:
+        force_n, remaining = _strokes(station, surface_mm, remaining)
         largest_n = max(largest_n, force_n)
     require_at(station, (*spot.machine_mm, station.safe_mm))
     return largest_n
@@ -224,10 +226,10 @@ def end_rows(station: Station) -> None:
     station.recording, listening = False, Listening(_SILENT_S, station.machine.clock)
     last_s = listening.now_s + _SILENT_S
 
-    def over() -> bool:
+    def finished() -> bool:
         return not station.rows.waiting or listening.look() > last_s
 
-    until(station.machine, station.tick, over, "the last frames' travel", _PATIENCE_S)
+    until(station.machine, station.tick, finished, "the last frames' travel", _PATIENCE_S)
 
 
 def _strokes(
@@ -259,5 +261,7 @@ def _strokes(
             f"{settings.full_n:g} N were met {reached_mm:.2f} mm below the height of touch. Does something "
             "lie on the object, or has it moved?"
         )
-    left = settings.strokes - begun
-    return largest_n, settings.after_full(reached_mm, left) if left > 0 else None
+    strokes_left = settings.strokes - begun
+    return largest_n, settings.settings_after_full(
+        reached_mm, strokes_left
+    ) if strokes_left > 0 else None

@@ -35,7 +35,7 @@ _HEIGHT = re.compile(r"Z(-?[0-9.]+)")
 
 
 class MachineFault(InputError):
-    """The machine did not do what it was told."""
+    """The machine did not do what it was sent."""
 
 
 @runtime_checkable

@@ -14,7 +14,7 @@ import numpy as np
 
 STATUS, FEED_HOLD, SOFT_RESET = b"?", b"!", b"\x18"
 RECEIVE_BYTES = 127
-"""Of its 128 bytes for lines that it has not read yet, those that are safe to fill."""
+"""Bytes that are safe to fill, of its 128 for lines that it has not read yet."""
 TRAVEL_SETTINGS = (130, 131, 132)
 PULL_OFF_SETTING = 27
 KEPT_POSITION = 2
@@ -47,7 +47,7 @@ ERRORS = {
 _STATUS_LINE = re.compile(r"<([A-Z][a-z]+)(?::(\d+))?\|(.*)>")
 _SETTING = re.compile(r"\$(\d+)=(-?\d+(?:\.\d+)?)")
 _GREETING = re.compile(r"(Grbl|GrblHAL) |.*for help\]$", re.IGNORECASE)
-"""Of Grbl and grblHAL; the end alone where the beginning was lost."""
+"""Greeting of Grbl and grblHAL; the end alone where the beginning was lost."""
 _AXES = 3
 """Machines may have more, which they report behind X, Y and Z."""
 _NUMBERED = re.compile(r"(error|ALARM):(\d+)")
@@ -87,7 +87,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class State:
-    """What the machine does, and where its tool is in the machine's frame (mm)."""
+    """State of the machine, and where its tool is in the machine's frame (mm)."""
 
     name: str
     detail: int | None
@@ -114,9 +114,9 @@ class ReplyReader:
         """Replies that `data` completes; remarks are skipped, damaged lines counted."""
         *lines, self._rest = (self._rest + data).split(b"\n")
         texts = [line.decode("ascii", "replace").strip() for line in lines]
-        found = [self._reply(text) for text in texts if text and text[0] not in "[>"]
-        self.damaged += sum(reply is None for reply in found)
-        return [reply for reply in found if reply is not None]
+        replies = [self._reply(text) for text in texts if text and text[0] not in "[>"]
+        self.damaged += sum(reply is None for reply in replies)
+        return [reply for reply in replies if reply is not None]
 
     def _reply(self, text: str) -> Reply | None:
         if text == "ok":

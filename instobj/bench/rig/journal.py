@@ -20,7 +20,7 @@ from instobj.bench.rig.plan import PressPlan, plan_of
 
 @dataclass
 class Journal:
-    """What was planned and done; `finished` are the presses that are done, with what was noted.
+    """Plan and progress; `finished` are the presses that are done, with what was noted.
 
     `session` is the recording's number for this mounting of the object.
     """
@@ -94,7 +94,7 @@ def resumed_journal(path: Path) -> Journal:
         plan, where = plan_of(first["plan"]), first["mounting"]
         x, y, z = where["middle_mm"]
         mounting = Mounting((float(x), float(y), float(z)), float(where["turn_deg"]))
-        finished = {one["press"]: one for one in rest if one["event"] == "finished"}
+        finished = {event["press"]: event for event in rest if event["event"] == "finished"}
         session = int(first["session"])
     except (ValueError, KeyError, TypeError) as error:
         raise InputError(f"{path} is damaged ({error!r}). Give another --out") from None

@@ -22,7 +22,7 @@ _STILL_MM, _STILL_READINGS = 0.2, 3
 """Against a travel under load a force that does not change is none: 0.2 mm are 0.3 N and more on the
 softest silicone with a 5 mm tip, a hundred times the last digit that a load cell may leave out."""
 _NOISE_SHARE = 0.02
-"""Of the limit, the noise of a load cell that can hold it."""
+"""Noise, as a share of the limit, of a load cell that can hold it."""
 _SURE = 8.0
 """Times the noise of a reading: what has certainly changed."""
 
@@ -30,7 +30,7 @@ _SURE = 8.0
 _HX711_MV_PER_V = 4.0
 """End of its scale at gain 128: ±20 mV of a supply of 5 V."""
 _END_SHARE = 0.95
-"""Of the end of a scale: supplies and gains are off by some per cent."""
+"""Usable share of the end of a scale: supplies and gains are off by some per cent."""
 _SUPPLY_V = 5.0
 """Supply of an analog load cell, the largest voltage that it gives."""
 
@@ -157,7 +157,7 @@ class LoadCell:
         if not self.times_s or self.times_s[-1] < time_s:
             return None
         after = next(k for k, reading_s in enumerate(self.times_s) if reading_s >= time_s)
-        before = max(after - 1, 0)
-        if self.times_s[after] - min(self.times_s[before], time_s) > _GAP_S:
+        last_before = max(after - 1, 0)
+        if self.times_s[after] - min(self.times_s[last_before], time_s) > _GAP_S:
             return float("nan")
         return float(np.interp(time_s, self.times_s, self.recent_n)) - self.tare_n

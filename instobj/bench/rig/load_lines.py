@@ -31,14 +31,14 @@ class NumberLines:
         if lines and not self._started:
             self._started = True
             lines = lines[1:]
-        found = []
+        forces_n = []
         for line in lines:
             match = _NUMBER.fullmatch(line.decode("ascii", "replace"))
             if match:
-                found.append(self._force_n(float(match[1]), match[2]))
+                forces_n.append(self._force_n(float(match[1]), match[2]))
             elif line.strip():
                 self.damaged += 1
-        return found
+        return forces_n
 
     def _force_n(self, value: float, unit: str | None) -> float:
         """NaN at the end of an integer scale, which is what amplifiers say that saturate or fail."""
@@ -61,5 +61,9 @@ def forces_on(port: str, baud: int, scale: float | None) -> Generator[list[float
         if isinstance(decoder, NumberLines):
             yield decoder.feed(chunk)
         else:
-            loads = (one for one in decoder.feed(chunk) if isinstance(one, Load) and one.cell == 1)
+            loads = (
+                message
+                for message in decoder.feed(chunk)
+                if isinstance(message, Load) and message.cell == 1
+            )
             yield [load.force_n for load in loads]

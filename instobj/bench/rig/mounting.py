@@ -27,7 +27,7 @@ _NEEDED = {22: 1, 20: 1, 13: 0}
 
 @dataclass(frozen=True)
 class Mounting:
-    """Where the middle of a face is in the machine's frame (X, Y, Z at which the tip just touches it), and
+    """Position of the middle of a face in the machine's frame (X, Y, Z at which the tip just touches it), and
     how the face is turned, seen from above."""
 
     middle_mm: tuple[float, float, float]

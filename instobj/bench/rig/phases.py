@@ -18,7 +18,7 @@ class Phase(Enum):
 
 
 DOWNWARD = (Phase.SEEKING, Phase.PRESSING)
-"""Where the tip may touch the object, so that both witnesses of contact are asked."""
+"""Phases in which the tip may touch the object, so that both witnesses of contact are asked."""
 _FOLLOWING = {
     Phase.OFF: {Phase.HOMING},
     Phase.HOMING: {Phase.ABOVE, Phase.LOST},

@@ -30,7 +30,7 @@ _LEAST_FULL_N = 1.0
 
 @dataclass(frozen=True)
 class PressSettings:
-    """How every press is done.
+    """Course of every press.
 
     Attributes
     ----------
@@ -103,7 +103,7 @@ class PressSettings:
         """At the speed of the press: the last stroke of several comes up as fast as the machine can."""
         return 2 if self.strokes == 1 else 1
 
-    def after_full(self, full_mm: float, strokes: int) -> PressSettings:
+    def settings_after_full(self, full_mm: float, strokes: int) -> PressSettings:
         """For strokes where the full force was met at a depth: they stay above that."""
         shallower = self.down_to(_SHALLOWER * full_mm)
         return replace(shallower, strokes=strokes, speed_mm_s=self.stroke_speed_mm_s)
@@ -179,15 +179,15 @@ def stops_of(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> tuple[fl
 
 
 def settings_of_few(spec: ObjectSpec, full_n: float = PressSettings.full_n) -> dict[str, Any]:
-    """How few places are pressed well: each in strokes to three quarters of the specification's deepest
-    depth, so that every load has an unloaded level within two seconds (docs/measured/rig.md)."""
+    """Return settings by which few places are pressed well: each in strokes to three quarters of the
+    deepest depth, so that every load has an unloaded level within two seconds (docs/measured/rig.md)."""
     depths, wanted = bounded_depths_mm(spec, full_n), _FEW_SHARE * spec.press.depths_mm[-1]
     deepest = depths[np.abs(depths - wanted).argmin()]
     return {"depths_mm": (float(deepest),)} | _OF_FEW
 
 
 def places_among(presses: int, reference_every: int) -> int:
-    """Return how many of so many presses are not returns to the reference place."""
+    """Return how many of a number of presses are not returns to the reference place."""
     if not reference_every:
         return presses
     rounds = -(-max(presses - 1, 1) // (reference_every + 1))
@@ -236,7 +236,11 @@ def press_plan(
     chosen = [(place, False) for place in order.tolist()[:presses]]
     if reference_every:
         back = (middle_place(places), True)
-        every = range(0, len(chosen), reference_every)
-        chosen = [one for k in every for one in (back, *chosen[k : k + reference_every])] + [back]
-    at = tuple((float(places[k, 0]), float(places[k, 1])) for k, _ in chosen)
-    return PressPlan(spec.name, face, at, tuple(is_back for _, is_back in chosen), settings, seed)
+        starts = range(0, len(chosen), reference_every)
+        chosen = [press for k in starts for press in (back, *chosen[k : k + reference_every])] + [
+            back
+        ]
+    places_of_presses = tuple((float(places[k, 0]), float(places[k, 1])) for k, _ in chosen)
+    return PressPlan(
+        spec.name, face, places_of_presses, tuple(is_back for _, is_back in chosen), settings, seed
+    )

@@ -47,33 +47,36 @@ class Pose:
 
 
 def poses(spec: ObjectSpec, plans: list[PressPlan]) -> list[Pose]:
-    """Of every press: above the place, where the press begins to be slow, every stop (of
+    """Return the poses of every press: above the place, where the press begins to be slow, every stop (of
     every stroke, clear of the surface between two), above again."""
-    found: list[Pose] = []
+    all_poses: list[Pose] = []
     for plan in plans:
-        frame, first = face_frame(spec, plan.face), found[-1].press + 1 if found else 0
+        frame, first = face_frame(spec, plan.face), all_poses[-1].press + 1 if all_poses else 0
         for number, place in enumerate(plan.places_mm):
-            found.extend(_press_poses(frame, plan, first + number, place))
-    return found
+            all_poses.extend(_press_poses(frame, plan, first + number, place))
+    return all_poses
 
 
 def _press_poses(
     frame: FaceFrame, plan: PressPlan, number: int, place_mm: tuple[float, float]
 ) -> Iterator[Pose]:
-    one = plan.settings
+    settings = plan.settings
     xy = frame.to_plane(np.array(place_mm))
     axes = frame.axes_at(xy)
     tool = np.column_stack([axes[:, 0], -axes[:, 1], -axes[:, 2]])
     qx, qy, qz, qw = np.round(Rotation.from_matrix(tool).as_quat(), 6).tolist()
-    stops = [("above", -one.clearance_mm, 0.0, one.rest_s), ("near", -one.approach_mm, 0.0, 0.0)]
-    for stroke in range(one.strokes):
-        speed = one.stroke_speed_mm_s if stroke else one.speed_mm_s
-        stops += [("press", depth, speed, one.dwell_s) for depth in one.depths_mm]
-        if one.strokes == 1:
+    stops = [
+        ("above", -settings.clearance_mm, 0.0, settings.rest_s),
+        ("near", -settings.approach_mm, 0.0, 0.0),
+    ]
+    for stroke in range(settings.strokes):
+        speed = settings.stroke_speed_mm_s if stroke else settings.speed_mm_s
+        stops += [("press", depth, speed, settings.dwell_s) for depth in settings.depths_mm]
+        if settings.strokes == 1:
             stops.append(("surface", 0.0, speed, 0.0))
-        elif stroke < one.strokes - 1:
-            stops.append(("clear", -one.lift_mm, 0.0, one.pause_s))
-    stops.append(("above", -one.clearance_mm, 0.0, 0.0))
+        elif stroke < settings.strokes - 1:
+            stops.append(("clear", -settings.lift_mm, 0.0, settings.pause_s))
+    stops.append(("above", -settings.clearance_mm, 0.0, 0.0))
     surface = frame.to_object(np.append(xy, 0.0))
     for stop, depth_mm, speed_mm_s, dwell_s in stops:
         x, y, z = np.round(surface - depth_mm * axes[:, 2], 4).tolist()
@@ -96,7 +99,10 @@ def _press_poses(
 
 
 def poses_text(listed: list[Pose], kind: str) -> str:
-    """As CSV, one row per stop, or as one JSON document that states the frames (`kind` csv or json)."""
+    """Return the poses as CSV, one row per stop, or as one JSON document that states the frames.
+
+    `kind` is csv or json.
+    """
     rows: list[dict[str, Any]] = [asdict(pose) for pose in listed]
     if kind == "json":
         return json.dumps({"frames": FRAMES, "poses": rows}, indent=1) + "\n"

@@ -20,19 +20,26 @@ def press_code(settings: PressSettings, surface_mm: float, safe_mm: float) -> li
     InputError
         A part does not fit into the machine's buffer.
     """
-    one, near = settings, f"G53G0Z{_mm(surface_mm + settings.approach_mm)}"
+    settings_of_press, near = settings, f"G53G0Z{_mm(surface_mm + settings.approach_mm)}"
     away = f"G53G0Z{_mm(safe_mm)}"
-    first = [near, *_stops(one, surface_mm, one.speed_mm_s)]
-    if one.strokes == 1:
+    first = [near, *_stops(settings_of_press, surface_mm, settings_of_press.speed_mm_s)]
+    if settings_of_press.strokes == 1:
         parts = [[*first, f"G53Z{_mm(surface_mm)}", away]]
     else:
-        again = _stops(one, surface_mm, one.stroke_speed_mm_s)
-        clear = [f"G53G0Z{_mm(surface_mm + one.lift_mm)}", f"G4P{one.pause_s:g}"]
-        parts = [[*first, *clear], *[[*again, *clear]] * (one.strokes - 2), [*again, away]]
+        again = _stops(settings_of_press, surface_mm, settings_of_press.stroke_speed_mm_s)
+        clear = [
+            f"G53G0Z{_mm(surface_mm + settings_of_press.lift_mm)}",
+            f"G4P{settings_of_press.pause_s:g}",
+        ]
+        parts = [
+            [*first, *clear],
+            *[[*again, *clear]] * (settings_of_press.strokes - 2),
+            [*again, away],
+        ]
     used = max(sum(len(line) + 1 for line in part) for part in parts)
     if used > RECEIVE_BYTES:
         raise InputError(
-            f"a press with {len(one.depths_mm)} stops takes {used} characters, and the machine "
+            f"a press with {len(settings_of_press.depths_mm)} stops takes {used} characters, and the machine "
             f"holds {RECEIVE_BYTES}: the tip would stay down if the cable came out. Give fewer --depth"
         )
     return parts

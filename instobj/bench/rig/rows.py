@@ -23,7 +23,7 @@ class _Row:
 @dataclass
 class Rows:
     """Rows wait for the machine's next report and the load cell's next reading, so that every frame has
-    its travel and its force; those that the load cell left without are counted, not written."""
+    its travel and its force; rows that the load cell left without are counted, not written."""
 
     growing: GrowingRecording | None = None
     without_force: int = 0
@@ -51,11 +51,11 @@ class Rows:
 
     def close(self) -> None:
         """Write rows whose travel never came without it; count those without a force."""
-        known = [row for row in self._waiting if row.force_n is not None]
-        self.without_force += len(self._waiting) - len(known)
-        for row in known:
+        rows_with_force = [row for row in self._waiting if row.force_n is not None]
+        self.without_force += len(self._waiting) - len(rows_with_force)
+        for row in rows_with_force:
             row.travel_mm = float("nan") if row.travel_mm is None else row.travel_mm
-        self._waiting = deque(known)
+        self._waiting = deque(rows_with_force)
         self._write()
 
     def _write(self) -> None:

@@ -58,7 +58,7 @@ _HEARD_S = 10.0
 
 @dataclass(frozen=True)
 class Ports:
-    """Where machine, board and load cell are; `load_scale` None: the load cell sends lines `L`."""
+    """Ports of machine, board and load cell; `load_scale` None: the load cell sends lines `L`."""
 
     machine: str
     board: str
@@ -145,20 +145,21 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
     lowest_mm = float(expected.min()) - BELOW_MM - plan.settings.depths_mm[-1]
     require_travel(settings, [("Z", lowest_mm), ("Z", float(expected.max()))])
     _require_bounded(contact_law(spec), plan.settings)
-    one, left, again = plan.settings, len(journal.remaining), ""
-    if one.strokes > 1:
-        again = (
-            f", {one.strokes} strokes a press, from the second at {one.stroke_speed_mm_s:g} mm/s"
+    press, presses_left, strokes_text = plan.settings, len(journal.remaining), ""
+    if press.strokes > 1:
+        strokes_text = (
+            f", {press.strokes} strokes a press, "
+            f"from the second at {press.stroke_speed_mm_s:g} mm/s"
         )
     return [
-        f"face {plan.face} of {plan.object_name}: {left} of {len(plan)} presses to do, about "
-        f"{plan.seconds * left / len(plan) / 60:.0f} minutes",
+        f"face {plan.face} of {plan.object_name}: {presses_left} of {len(plan)} presses to do, about "
+        f"{plan.seconds * presses_left / len(plan) / 60:.0f} minutes",
         f"machine's frame: X {low[0]:.1f} to {high[0]:.1f}, Y {low[1]:.1f} to {high[1]:.1f} mm, Z from "
         f"{highest_mm(settings):g} mm down to the surface at {expected.min():.1f} to {expected.max():.1f} "
         f"mm; {BELOW_MM:g} mm below it the way down ends, whatever the load cell says",
-        f"stops {', '.join(f'{depth:g}' for depth in one.depths_mm)} mm below the first touch, "
-        f"{one.speed_mm_s:g} mm/s{again}; a press ends at {one.full_n:g} N, everything stops at "
-        f"{one.limit_n:.3g} N",
+        f"stops {', '.join(f'{depth:g}' for depth in press.depths_mm)} mm below the first touch, "
+        f"{press.speed_mm_s:g} mm/s{strokes_text}; a press ends at {press.full_n:g} N, "
+        f"everything stops at {press.limit_n:.3g} N",
         "the machine homes first, upwards; keep hands away and the emergency stop near",
     ]
 

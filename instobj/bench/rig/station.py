@@ -29,7 +29,7 @@ _LATE_S = 0.5
 _MOST_CHUNKS = 1000
 """Thrown away after a stop: more than 30 s of a line at its fastest."""
 _DEAF_MM = 1.0
-"""Of a way down without a reading: twice what the tip does in a frame at the fastest strokes."""
+"""Longest way down (mm) without a reading: twice what the tip does in a frame at the fastest strokes."""
 
 
 class ForceBeyondLimit(InputError):
@@ -42,7 +42,7 @@ class Silence(InputError):
 
 @dataclass(frozen=True)
 class Spot:
-    """Where the tips are or will press: face, place and tips on it (mm), the machine's X and Y."""
+    """Spot that the tips are or will press: face, place and tips on it (mm), the machine's X and Y."""
 
     face: int
     tips_mm: tuple[tuple[float, float], ...]
@@ -252,8 +252,8 @@ class Station:
         x, y, z = state.position_mm
         if z >= self.safe_mm - BELOW_MM:
             return
-        at = (np.inf, np.inf) if self.spot is None else self.spot.machine_mm
-        aside_mm = float(np.hypot(x - at[0], y - at[1]))
+        spot_mm = (np.inf, np.inf) if self.spot is None else self.spot.machine_mm
+        aside_mm = float(np.hypot(x - spot_mm[0], y - spot_mm[1]))
         if aside_mm > ASIDE_MM or z < self.machine.floor_mm - BELOW_MM:
             self.machine.hold()
             raise MachineFault(
@@ -277,7 +277,7 @@ class Station:
             self.witnesses.require_agreement(self.surface_mm - self.height_mm)
 
     def _require_heard_on_the_way(self) -> None:
-        """Stop a tip that goes on below the surface while nobody tells what it meets."""
+        """Stop a tip that goes on below the surface while nobody knows what it meets."""
         for who, from_mm in self._deaf_mm.items():
             if min(from_mm, self.surface_mm) - self.height_mm > _DEAF_MM:
                 raise Silence(

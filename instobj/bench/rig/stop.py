@@ -18,7 +18,7 @@ _AGAIN_S = 0.3
 _STATE_S = 0.05
 _PATIENCE_S = 5.0
 _MOVE_S = 60.0
-"""Of the lift: the longest axis at the slowest speed that such machines have."""
+"""Longest time of the lift: the longest axis at the slowest speed that such machines have."""
 _TRIES, _TRYING_S = 20, 20.0
 """A line in which every eleventh character is lost comes whole now and then."""
 _STILL = 4
@@ -74,17 +74,17 @@ def halt(link: GrblLink) -> State | None:
     link.trusted = False
     still = _Still(link)
     _asked(link, link.hold, still.held)
-    before, greeted = link.state, link.greetings
+    last_state, greeted = link.state, link.greetings
     _asked(link, link.reset, lambda: link.greetings > greeted)
-    link.alarm, seen = None, link.states + 2
-    _asked(link, link.ask, lambda: link.states >= seen)
-    return before
+    link.alarm, wanted_states = None, link.states + 2
+    _asked(link, link.ask, lambda: link.states >= wanted_states)
+    return last_state
 
 
 def _lifted(link: GrblLink, safe_mm: float, alarm: int | None) -> float:
-    before = halt(link)
+    last_state = halt(link)
     state = link.state
-    if state is None or before is None or link.lost:
+    if state is None or last_state is None or link.lost:
         raise MachineFault(f"{link.where} was reset, or lost its supply")
     if state.name == "Alarm" and alarm == KEPT_POSITION:
         link.send("$X")
@@ -93,10 +93,10 @@ def _lifted(link: GrblLink, safe_mm: float, alarm: int | None) -> float:
         link.lost = True
         raise MachineFault(f"{link.where} is in an alarm ({why}) and cannot lift the tip")
     # A controller that starts anew calls the place where it is zero: an upward move from there leads down.
-    if not np.allclose(state.position_mm, before.position_mm, rtol=0, atol=ARRIVED_MM):
+    if not np.allclose(state.position_mm, last_state.position_mm, rtol=0, atol=ARRIVED_MM):
         link.lost = True
         raise MachineFault(
-            f"{link.where} reports {state.position_mm} after {before.position_mm} without a move"
+            f"{link.where} reports {state.position_mm} after {last_state.position_mm} without a move"
         )
     link.send(f"G53G0Z{safe_mm:g}")
     _wait_until_up(link, safe_mm)
@@ -110,10 +110,10 @@ def _wait_until_up(link: GrblLink, safe_mm: float) -> None:
 
     def up() -> bool:
         state = link.state
-        there = state is not None and abs(state.position_mm[2] - safe_mm) < ARRIVED_MM
-        if still.idle() and not there:
+        is_up = state is not None and abs(state.position_mm[2] - safe_mm) < ARRIVED_MM
+        if still.idle() and not is_up:
             raise MachineFault(f"{link.where}: the line that lifts the tip was lost")
-        return there and still.idle()
+        return is_up and still.idle()
 
     _asked(link, link.ask, up, _MOVE_S)
 

@@ -16,7 +16,7 @@ from instobj.bench.rig.plan import PressSettings
 from instobj.bench.rig.station import Spot, Station
 
 BELOW_MM, ABOVE_MM = 1.0, 3.0
-"""How far from where the surface is expected it is looked for: a hand that sets a height by eye or by a
+"""Distance from the expected surface within which it is sought: a hand that sets a height by eye or by a
 sheet of paper is off by some tenths, and where it was pressed in already, by up to 2 mm upwards."""
 _COARSE_MM_S = 2.0
 """Speed on the way down before the first touch."""
@@ -102,7 +102,7 @@ def felt_steps(forces_n: Float[np.ndarray, "step"], touch_n: float) -> int:
 
 
 def felt_enough(forces_n: Float[np.ndarray, "step"], touch_n: float) -> bool:
-    """Whether the last step gave three times the force of touch and two were felt: a line needs two."""
+    """Return whether the last step gave three times the force of touch and two were felt."""
     firm = len(forces_n) > 0 and forces_n[-1] >= _FIRM * touch_n
     return bool(firm and felt_steps(forces_n, touch_n) >= _FEWEST)
 

@@ -112,10 +112,15 @@ class TwinOfData:
         """A face's twin, and what it leaves of the signals at places left out in turn (rms share, at
         least what meshes of one design differ by); None, and a row that says so, with too few places."""
         from estimator.calibration.twin.digital_twin import calibrate, places_left_out
-        from estimator.calibration.twin.pressed_places import pressed_places, invalidate_hard_presses
+        from estimator.calibration.twin.pressed_places import (
+            invalidate_hard_presses,
+            pressed_places,
+        )
 
         try:
-            places = pressed_places(self.spec, invalidate_hard_presses(frames, self.presses[0], face), face)
+            places = pressed_places(
+                self.spec, invalidate_hard_presses(frames, self.presses[0], face), face
+            )
         except InputError as error:
             self.rows.append({"face": face, "places": 0, "helps": f"not used: {error}"})
             return None

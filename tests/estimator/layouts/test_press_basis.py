@@ -165,9 +165,7 @@ def test_ends_of_the_candidates_and_places_just_beyond_them(presses):
     assert_allclose(most, wanted)
     inside = torch.stack([least, most])
     last = torch.tensor(presses.nodes) - 1.0
-    index, weight = mixed_rows.rows_around(
-        presses, torch.stack([0 * last, last]), inside
-    )
+    index, weight = mixed_rows.rows_around(presses, torch.stack([0 * last, last]), inside)
     ny, nz = (n + 2 for n in presses.nodes[1:])
     for row, node in ((0, torch.ones(3)), (1, last + 1)):
         at = int(node @ torch.tensor([float(ny * nz), float(nz), 1.0]))

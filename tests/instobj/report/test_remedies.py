@@ -57,7 +57,7 @@ def test_the_cheapest_change_that_is_enough_comes_first_with_its_price_and_time(
     assert [(one.price, one.minutes) for one in found[:3]] == [(0, 0), (2, 20), (15, 75)]
     told = decision(found, go=False)
     assert told == "Turns it into a go: free and soft (no more parts)"
-    assert found[1].told == "magnets (+2 € for parts, +20 min by hand)"
+    assert found[1].text == "magnets (+2 € for parts, +20 min by hand)"
 
 
 def test_a_pair_says_nothing_new_where_half_of_it_is_enough():

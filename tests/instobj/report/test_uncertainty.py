@@ -9,7 +9,7 @@ from instobj.report.uncertainty import (
     error_rows,
     error_text,
     force_spread_text,
-    forces_told,
+    forces_text,
     modulus_text,
     summary_of,
     travel_text,
@@ -70,7 +70,7 @@ def test_bounds_within_tolerance_name_their_forces():
     lone = Spread("all", *[0.0] * 12)
     ranges = [BoundRange(design, 0.5 * design, 2 * design) for design in (1.0, 18.3, 2.0, 3.0)]
     kept = Saturation(200, (0.0,), (0.0,), (0.5,))
-    told = forces_told(Robustness((lone,), lone, lone, 200, 8.0, 3, *ranges, kept))
+    told = forces_text(Robustness((lone,), lone, lone, 200, 8.0, 3, *ranges, kept))
     assert told == "8 N, 3 places at 0.7 of deepest press"
-    assert forces_told(Robustness((lone,), lone, lone, 200, 8.0, 0, *ranges, kept)) == "8 N"
+    assert forces_text(Robustness((lone,), lone, lone, 200, 8.0, 0, *ranges, kept)) == "8 N"
     assert len(f"bounds within tolerance, fresh zero, at {told}") <= 80

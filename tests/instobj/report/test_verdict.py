@@ -15,7 +15,7 @@ from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_pre
     [(1.5, "1.50"), (1.504, "1.504"), (1.50001, "1.50001"), (1.496, "1.50"), (1.6, "1.60")],
 )
 def test_a_figure_that_fails_is_not_shown_as_its_limit(value, text):
-    assert verdict.beside_limit(value, 1.5) == text
+    assert verdict.shown_against_limit(value, 1.5) == text
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_the_verdict_on_the_place_says_where_readers_do_worse_than_the_bound():
     objects = Saturation(200, (0.0, 4.0), (0.0, 0.0), (0.5, 0.3))
     place, *others = verdict.judge(spec, scores, 0.4, objects).checks
     assert scores.exceeds_bound
-    assert f". {scores.beyond_bound}" in place.where
+    assert f". {scores.exceeds_bound}" in place.where
     assert not any("maximum likelihood" in check.where for check in others)
 
 

@@ -38,7 +38,7 @@ _FEWEST_FRAMES = 10
 
 
 @dataclass(frozen=True)
-class Asked:
+class Question:
     """One recording: its name, the question, its frames; `part` counts hold places, poses or magnets."""
 
     name: str
@@ -69,9 +69,11 @@ class Recording:
     @cached_property
     def mean(self) -> Float[np.ndarray, "sensor 3"]:
         """Mean counts; NaN where a channel misses a frame in ten or more."""
-        known = np.isfinite(self.counts)
-        mean = np.where(known, self.counts, 0).sum(axis=0) / np.maximum(known.sum(axis=0), 1)
-        return np.where(known.mean(axis=0) > 0.9, mean, np.nan)
+        has_reading = np.isfinite(self.counts)
+        mean = np.where(has_reading, self.counts, 0).sum(axis=0) / np.maximum(
+            has_reading.sum(axis=0), 1
+        )
+        return np.where(has_reading.mean(axis=0) > 0.9, mean, np.nan)
 
     def unsaturated(self, spec: ObjectSpec) -> Float[np.ndarray, "sensor 3"]:
         """Mean counts, NaN where any frame is at full scale."""
@@ -104,7 +106,7 @@ def require_bringup(spec: ObjectSpec) -> None:
         )
 
 
-def asked_of(spec: ObjectSpec) -> tuple[Asked, ...]:
+def asked_of(spec: ObjectSpec) -> tuple[Question, ...]:
     """All recordings in their order: the bare core first, then the closed object.
 
     Earth's field comes before the magnets: without them the levels are the chips' own offsets.
@@ -113,14 +115,14 @@ def asked_of(spec: ObjectSpec) -> tuple[Asked, ...]:
     return (*_bare_core(spec), *_closed_object(spec))
 
 
-def further_holds(spec: ObjectSpec) -> tuple[Asked, ...]:
-    """All holds that may be asked for beside the planned ones, where gains are not known well enough.
+def further_holds(spec: ObjectSpec) -> tuple[Question, ...]:
+    """All holds that may be asked for in addition to the planned ones, where gains are not known well enough.
 
     Over every chip once more, and half way between every two neighbours; longer than the planned ones.
     """
     frames, further = _frames(spec, FURTHER_S), []
     for part, place in enumerate(hold_places(spec)):
-        name, text = f"held {place.chips[0]} again", _over(spec, place.chips[0])
+        name, text = f"held {place.chips[0]} again", _question_over(spec, place.chips[0])
         if len(place.chips) > 1:
             name = f"held {' '.join(place.chips)}"
             text = (
@@ -128,11 +130,11 @@ def further_holds(spec: ObjectSpec) -> tuple[Asked, ...]:
                 f"half way along its surface from {place.chips[0]} to {place.chips[1]}, its north "
                 "pole towards the core, as still as you can"
             )
-        further.append(Asked(name, "held", text, frames, part))
+        further.append(Question(name, "held", text, frames, part))
     return tuple(further)
 
 
-def _over(spec: ObjectSpec, name: str) -> str:
+def _question_over(spec: ObjectSpec, name: str) -> str:
     face, number = name[1:].split("-S")
     return (
         f"Hold one {_kinds(spec)[0]}magnet about {OVER_MM:g} mm above face {face}, sensor {number}, "
@@ -144,17 +146,17 @@ def _frames(spec: ObjectSpec, seconds: float) -> int:
     return max(_FEWEST_FRAMES, round(seconds * spec.sensors.frame_rate_hz))
 
 
-def _bare_core(spec: ObjectSpec) -> Iterator[Asked]:
+def _bare_core(spec: ObjectSpec) -> Iterator[Question]:
     frames = _frames(spec, HELD_S)
-    yield Asked(
+    yield Question(
         STILL,
         "still",
         "Stand the open core still, all magnets half a metre away. Touch nothing",
         _frames(spec, STILL_S),
     )
     for part, name in enumerate(sensor_names(sensor_layout(spec).face)):
-        yield Asked(f"held {name}", "held", _over(spec, name), frames, part)
-    yield Asked(
+        yield Question(f"held {name}", "held", _question_over(spec, name), frames, part)
+    yield Question(
         STILL_AGAIN,
         "still",
         "Take the magnet half a metre away and touch nothing, as at first",
@@ -163,7 +165,7 @@ def _bare_core(spec: ObjectSpec) -> Iterator[Asked]:
     )
     for part, (up, front) in enumerate((*POSES, POSES[0])):
         again = " again, as at first" if part == len(POSES) else ""
-        yield Asked(
+        yield Question(
             f"earth {part + 1}",
             "earth",
             f"Take all magnets away. Lay the core with its {up} up and its {front} pointing away "
@@ -173,9 +175,9 @@ def _bare_core(spec: ObjectSpec) -> Iterator[Asked]:
         )
 
 
-def _closed_object(spec: ObjectSpec) -> Iterator[Asked]:
+def _closed_object(spec: ObjectSpec) -> Iterator[Question]:
     frames = _frames(spec, STEP_S)
-    yield Asked(
+    yield Question(
         "closed", "closed", "Push the core into the shell; no magnet is in its pocket yet", frames
     )
     kinds = _kinds(spec)
@@ -183,8 +185,8 @@ def _closed_object(spec: ObjectSpec) -> Iterator[Asked]:
         face, number = name[1:].split("-M")
         magnet = f"{kinds[int(number) - 1]}magnet"
         question = f"Put the {magnet} into pocket {number} of face {face}; then let go"
-        yield Asked(f"magnet {name}", "magnet", question, frames, part)
-    yield Asked(
+        yield Question(f"magnet {name}", "magnet", question, frames, part)
+    yield Question(
         "rest",
         "rest",
         "Stand the object as it will be used, nothing touching it",
@@ -193,7 +195,7 @@ def _closed_object(spec: ObjectSpec) -> Iterator[Asked]:
 
 
 def _kinds(spec: ObjectSpec) -> list[str]:
-    """Of every magnet of a face, where there are several kinds."""
+    """Kind of every magnet of a face, where there are several kinds."""
     several = len(spec.magnets.numbers_by_kind) > 1
     return [f"{kind} " if several else "" for kind in spec.magnets.kinds]
 

@@ -20,7 +20,7 @@ from estimator.field.vectors import components, rotate
 from instobj.bench.bringup.asking.hold_places import hold_places
 
 HAND_MM, HAND_RAD, TURNED_COUNTS_UT = 6.0, 0.5, 50.0
-"""How far hands are off (standard deviations), and what turning the core in Earth's field changes."""
+"""Errors of hands (standard deviations), and what turning the core in Earth's field changes."""
 _LOWEST_MM = 0.5
 """Air between a held magnet and the core, at least: it cannot be inside."""
 _UNKNOWNS = 8
@@ -61,7 +61,7 @@ class HeldMagnet:
         return np.linalg.norm(self.sensors.position_mm - self.centre_mm(pose)[:, None], axis=-1)
 
     def centre_mm(self, pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold 3"]:
-        """Of the magnet, in the object's frame; never inside the core."""
+        """Return the centre of the magnet in the object's frame; never inside the core."""
         shift = pose[:, :3].copy()
         thick = self.magnet.magnet.height_mm / 2
         shift[:, 2] = np.maximum(shift[:, 2], _LOWEST_MM + thick - self.height_mm)
@@ -69,7 +69,7 @@ class HeldMagnet:
         return self.stated_mm + np.einsum("hij,hj->hi", self.face_axes, shift)
 
     def axis(self, pose: Float[np.ndarray, "hold 8"]) -> Float[np.ndarray, "hold 3"]:
-        """Of the magnet, towards its north pole."""
+        """Return the direction of the magnet's north pole."""
         turn = np.einsum("hij,hj->hi", self.face_axes[:, :, :2], pose[:, 3:5])
         return rotate(-self.polarity[:, None] * self.face_axes[:, :, 2], turn)
 

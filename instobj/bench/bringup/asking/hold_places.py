@@ -19,14 +19,14 @@ from estimator.tolerances.selftest import sensor_names
 OVER_MM, BETWEEN_MM = 10.0, 6.0
 """Heights above the core's surface, as the questions ask: over a chip, and between two."""
 _LEAST_COSINE = -0.1
-"""Of the normals at two neighbours: chips around one edge are, those on opposite sides are not."""
+"""Least cosine of the normals at two neighbours: chips around one edge are, opposite ones are not."""
 _ONE_PLACE_MM = 1e-3
 """Distance below which two places are one."""
 
 
 @dataclass(frozen=True)
 class HoldPlace:
-    """Where the magnet is asked to be.
+    """Place at which the magnet is to be held.
 
     Attributes
     ----------
@@ -44,18 +44,18 @@ class HoldPlace:
 
     @property
     def foot_mm(self) -> Float[np.ndarray, "3"]:
-        """Of the magnet on the core's surface."""
+        """Return the foot of the magnet on the core's surface."""
         return self.stated_mm - self.height_mm * self.axes[:, 2]
 
 
 @cached_geometry
 def hold_places(spec: ObjectSpec) -> tuple[HoldPlace, ...]:
     """Over every chip in the order of the sensors, then between every two that are neighbours."""
-    over = tuple(_over_chips(spec))
-    return (*over, *_between(over))
+    over = tuple(_places_over_chips(spec))
+    return (*over, *_places_between_chips(over))
 
 
-def _over_chips(spec: ObjectSpec) -> Iterator[HoldPlace]:
+def _places_over_chips(spec: ObjectSpec) -> Iterator[HoldPlace]:
     names = iter(sensor_names(sensor_layout(spec).face))
     for frame, places in zip(core_frames(spec), sensor_places(spec), strict=True):
         for x, y, _ in places:
@@ -66,7 +66,7 @@ def _over_chips(spec: ObjectSpec) -> Iterator[HoldPlace]:
             yield HoldPlace((next(names),), frame.number, stated, OVER_MM, axes)
 
 
-def _between(over: tuple[HoldPlace, ...]) -> Iterator[HoldPlace]:
+def _places_between_chips(over: tuple[HoldPlace, ...]) -> Iterator[HoldPlace]:
     """Half way along the surface, which is taken for the planes that touch it at both chips."""
     for pair in combinations(over, 2):
         normals = np.stack([place.axes[:, 2] for place in pair])
@@ -77,10 +77,10 @@ def _between(over: tuple[HoldPlace, ...]) -> Iterator[HoldPlace]:
         below_mm = ((feet - feet.mean(axis=0)) * normals).sum(axis=1) / (normals @ out)
         nearer = pair[int(np.argmin(below_mm))]
         normal = nearer.axes[:, 2]
-        along = (feet[1] - feet[0]) - normal * (normal @ (feet[1] - feet[0]))
-        length = float(np.linalg.norm(along))
+        offset = (feet[1] - feet[0]) - normal * (normal @ (feet[1] - feet[0]))
+        length = float(np.linalg.norm(offset))
         if length < _ONE_PLACE_MM:
             continue
-        axes = np.column_stack([along / length, np.cross(normal, along / length), normal])
+        axes = np.column_stack([offset / length, np.cross(normal, offset / length), normal])
         stated = feet.mean(axis=0) + below_mm.min() * out + BETWEEN_MM * normal
         yield HoldPlace((*pair[0].chips, *pair[1].chips), nearer.face, stated, BETWEEN_MM, axes)

@@ -1,1 +1,1 @@
-"""What one kind of recording tells: chips, gains, levels, poles, and what is out of order."""
+"""Findings of one kind of recording each: chips, gains, levels, poles, and what is out of order."""

@@ -24,7 +24,7 @@ from instobj.bench.bringup.asking.held_magnet import HeldMagnet, held_magnet, st
 from instobj.bench.bringup.diagnosis.levenberg_marquardt import many_most_probable
 
 OTHER_PLACE, OTHER_TURN, MIRRORED, TURNED_OVER = 7.0, 7.0, 9.0, 5.0
-"""What hypotheses cost, −ln of their prior odds: another place, turned, mirrored axes, and a magnet
+"""Costs of hypotheses, −ln of their prior odds: another place, turned, mirrored axes, and a magnet
 held the wrong way round. Estimates."""
 _ROBUST = 4.0
 """Misfit, in standard deviations, beyond which it grows as a logarithm: outliers do not rule."""
@@ -35,13 +35,13 @@ _TREMOR_COUNTS = 0.01
 
 
 def signed_permutations() -> Float[np.ndarray, "48 3 3"]:
-    """All of them, the identity first, then rotations, then those that mirror."""
-    every = [
+    """Return all 48, the identity first, then rotations, then mirrored ones."""
+    matrices = [
         np.eye(3)[list(order)] * np.array(signs)[:, None]
         for order in permutations(range(3))
         for signs in product((1.0, -1.0), repeat=3)
     ]
-    return np.stack(sorted(every, key=lambda m: (-np.linalg.det(m), -np.trace(m))))
+    return np.stack(sorted(matrices, key=lambda m: (-np.linalg.det(m), -np.trace(m))))
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class HeldReadings:
 
 @dataclass(frozen=True)
 class Arrangement:
-    """Where each chip sits, how its axes are turned, and the poses of the magnet.
+    """Places of the chips, turns of their axes, and poses of the magnet.
 
     Attributes
     ----------
@@ -212,8 +212,8 @@ def capped_misfit(off: Float[np.ndarray, "*any"]) -> Float[np.ndarray, "*any"]:
 
     Cauchy's function; missing readings do not count.
     """
-    known = np.where(np.isnan(off), 0.0, off)
-    return np.sign(known) * _ROBUST * np.sqrt(np.log1p((known / _ROBUST) ** 2))
+    misfit = np.where(np.isnan(off), 0.0, off)
+    return np.sign(misfit) * _ROBUST * np.sqrt(np.log1p((misfit / _ROBUST) ** 2))
 
 
 def misfit_of(

@@ -16,7 +16,7 @@ from instobj.bench.bringup.diagnosis.findings import HALF_95, ChipFound, Finding
 TURNED, GAIN, OFFSET = 6.0, 4.2, 5.0
 """Standard deviations beyond tolerance and measurement at which a finding is made."""
 GAIN_TO_TELL, _SURELY = 0.1, 2.0
-"""Of a whole chip, told with that many standard deviations beyond those of the alarm."""
+"""Gain of a whole chip that is found with this many standard deviations beyond those of the alarm."""
 _EARTH_MISFIT = 3.0
 """Mean squared misfit, 1 expected, above which the room's field was not uniform or still."""
 
@@ -48,12 +48,12 @@ def is_turned(spec: ObjectSpec, chip: ChipFound) -> bool:
 
 def _order(chips: Sequence[ChipFound], names: list[str]) -> Iterator[Finding]:
     """Every closed chain of exchanged chips once."""
-    left = {c for c, chip in enumerate(chips) if chip.site != c}
-    while left:
-        chain = [min(left)]
+    open_chips = {c for c, chip in enumerate(chips) if chip.site != c}
+    while open_chips:
+        chain = [min(open_chips)]
         while (after := chips[chain[-1]].site) != chain[0]:
             chain.append(after)
-        left -= set(chain)
+        open_chips -= set(chain)
         where = " and ".join(names[c] for c in chain)
         sits = ", ".join(f"{names[c]} sits at {names[chips[c].site]}" for c in chain)
         yield Finding("swapped chips", where, sits)
@@ -91,7 +91,7 @@ def _tolerance(spec: ObjectSpec) -> float:
 
 
 def widest_gain_sd(spec: ObjectSpec, axes: Int[np.ndarray, "chip"]) -> Float[np.ndarray, "chip"]:
-    """Standard deviation of a chip's gain with which 1.1 is surely told, by its number of living axes.
+    """Standard deviation of a chip's gain with which 1.1 is surely found, by its number of living axes.
 
     0 where tolerance alone hides it.
     """

@@ -2,7 +2,7 @@
 
 Around a found arrangement everything is fitted at once: poses, and of each chip a matrix and its
 place, so that signals are (1 + G) T B(p), T the way round found before. The magnet's strength and
-all gains together cannot be told apart: gains are relative to the median channel.
+all gains together cannot be separated: gains are relative to the median channel.
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ _OPEN = 0.3
 _DEAD_SHARE = 0.3
 """An axis that answers with less than this share of what its field would give says nothing."""
 _TREMOR_SHARE = 0.004
-"""What the hand's tremor leaves of a mean field, over the field."""
+"""Error of a mean field by the hand's tremor, over the field."""
 _STEP, _SETTLED = 1e-4, 1e-6
 """Step of the difference quotients, and relative change of the unknowns at which the fit ends."""
 
 
-def chips_found(readings: HeldReadings, found: Arrangement) -> list[ChipFound]:
+def chips_found(readings: HeldReadings, arrangement: Arrangement) -> list[ChipFound]:
     """Chips by name: turned by any angle, with dead axes, gains and their intervals."""
-    fit = fitted(readings, found)
-    problem, turns, dead = fit.problem, fit.problem.found.turn, fit.dead
+    fit = fitted(readings, arrangement)
+    problem, turns, dead = fit.problem, fit.problem.arrangement.turn, fit.dead
     matrix = problem.matrices(fit.unknown)
     gain, interval = relative_gains(
-        matrix, fit.covariance[problem.gains, problem.gains], problem.known
+        matrix, fit.covariance[problem.gains, problem.gains], problem.is_read
     )
     turned = [
-        orthogonal_part(rows, dead[chip], found.turn[chip])
+        orthogonal_part(rows, dead[chip], arrangement.turn[chip])
         for chip, rows in enumerate(matrix @ turns)
     ]
     return [
@@ -49,7 +49,7 @@ def chips_found(readings: HeldReadings, found: Arrangement) -> list[ChipFound]:
             float(interval[c, 3]),
             (bool(dead[c, 0]), bool(dead[c, 1]), bool(dead[c, 2])),
         )
-        for c, site in enumerate(found.site)
+        for c, site in enumerate(arrangement.site)
     ]
 
 
@@ -63,11 +63,11 @@ class Fitted:
     dead: Bool[np.ndarray, "chip 3"]
 
 
-def fitted(readings: HeldReadings, found: Arrangement) -> Fitted:
+def fitted(readings: HeldReadings, arrangement: Arrangement) -> Fitted:
     """Poses, matrices and seats of all chips, from the arrangement on."""
-    turns, dead = linear_chips(readings, found)
+    turns, dead = linear_chips(readings, arrangement)
     alive = replace(readings, counts=np.where(dead, np.nan, readings.counts))
-    problem = JointFit.of(alive, replace(found, turn=turns))
+    problem = JointFit.start_from(alive, replace(arrangement, turn=turns))
     slopes: Any = problem.slopes  # SciPy's own default makes checkers believe that it is a text
     fit = least_squares(problem.residuals, problem.start, slopes, xtol=_SETTLED)
     return Fitted(problem, fit.x, np.linalg.inv(fit.jac.T @ fit.jac), dead)
@@ -76,31 +76,31 @@ def fitted(readings: HeldReadings, found: Arrangement) -> Fitted:
 def gain_intervals(
     matrix: Float[np.ndarray, "chip 3 3"],
     covariance: Float[np.ndarray, "entry entry"],
-    known: Bool[np.ndarray, "chip 3"],
+    is_read: Bool[np.ndarray, "chip 3"],
 ) -> Float[np.ndarray, "chip"]:
     """Half of the 95 % interval of every chip's gain, its living axes together; NaN without any."""
-    return relative_gains(matrix, covariance, known)[1][:, 3]
+    return relative_gains(matrix, covariance, is_read)[1][:, 3]
 
 
 def linear_chips(
-    readings: HeldReadings, found: Arrangement
+    readings: HeldReadings, arrangement: Arrangement
 ) -> tuple[Float[np.ndarray, "chip 3 3"], Bool[np.ndarray, "chip 3"]]:
     """Turn of every chip by weighted least squares, poses as they are; and dead axes.
 
     The turn is the nearest orthogonal matrix; a dead axis is completed from the other two. Chips
     with fewer than two living axes keep the permutation.
     """
-    fields = found.model.counts(found.pose)[:, found.site]
-    error = model_error(readings, found.model, found.pose)[:, found.site]
-    turns, dead = found.turn.copy(), np.zeros(found.turn.shape[:2], bool)
-    for chip, permutation in enumerate(found.turn):
+    fields = arrangement.model.counts(arrangement.pose)[:, arrangement.site]
+    error = model_error(readings, arrangement.model, arrangement.pose)[:, arrangement.site]
+    turns, dead = arrangement.turn.copy(), np.zeros(arrangement.turn.shape[:2], bool)
+    for chip, permutation in enumerate(arrangement.turn):
         rows = np.zeros((3, 3))
         for axis in range(3):
-            known = np.isfinite(readings.counts[:, chip, axis])
-            weight = 1 / np.hypot(error[:, chip], readings.noise_counts[:, chip, axis])[known]
-            if known.sum() >= 3:
-                slope = weight[:, None] * fields[known, chip]
-                values = weight * readings.counts[known, chip, axis]
+            has_reading = np.isfinite(readings.counts[:, chip, axis])
+            weight = 1 / np.hypot(error[:, chip], readings.noise_counts[:, chip, axis])[has_reading]
+            if has_reading.sum() >= 3:
+                slope = weight[:, None] * fields[has_reading, chip]
+                values = weight * readings.counts[has_reading, chip, axis]
                 rows[axis] = np.linalg.lstsq(slope, values, rcond=None)[0]
         dead[chip] = np.linalg.norm(rows, axis=1) < _DEAD_SHARE
         turns[chip] = orthogonal_part(rows, dead[chip], permutation)
@@ -112,7 +112,7 @@ def orthogonal_part(
     dead: Bool[np.ndarray, "3"],
     otherwise: Float[np.ndarray, "3 3"],
 ) -> Float[np.ndarray, "3 3"]:
-    """Nearest orthogonal matrix to the living rows; a dead axis tells no handedness: right-handed."""
+    """Nearest orthogonal matrix to the living rows; a dead axis shows no handedness: right-handed."""
     if dead.sum() > 1:
         return otherwise
     unit = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-9)
@@ -133,32 +133,34 @@ class JointFit:
     Attributes
     ----------
     error : standard deviation of each reading
-    known : channels that say something
+    is_read : channels that say something
     """
 
     readings: HeldReadings
-    found: Arrangement
+    arrangement: Arrangement
     error: Float[np.ndarray, "hold chip 3"]
-    known: Bool[np.ndarray, "chip 3"]
+    is_read: Bool[np.ndarray, "chip 3"]
 
     @staticmethod
-    def of(readings: HeldReadings, found: Arrangement) -> JointFit:
-        size = np.linalg.norm(found.model.counts(found.pose), axis=2)[:, found.site, None]
+    def start_from(readings: HeldReadings, arrangement: Arrangement) -> JointFit:
+        size = np.linalg.norm(arrangement.model.counts(arrangement.pose), axis=2)[
+            :, arrangement.site, None
+        ]
         error = np.hypot(_TREMOR_SHARE * size, readings.noise_counts)
-        known = np.asarray(np.isfinite(readings.counts).any(axis=0))
-        return JointFit(readings, found, error, known)
+        is_read = np.asarray(np.isfinite(readings.counts).any(axis=0))
+        return JointFit(readings, arrangement, error, is_read)
 
     @property
     def chips(self) -> int:
-        return len(self.found.site)
+        return len(self.arrangement.site)
 
     @property
     def poses(self) -> int:
-        return self.found.pose.size
+        return self.arrangement.pose.size
 
     @property
     def start(self) -> Float[np.ndarray, "unknown"]:
-        return np.concatenate([self.found.pose.ravel(), np.zeros(12 * self.chips)])
+        return np.concatenate([self.arrangement.pose.ravel(), np.zeros(12 * self.chips)])
 
     @property
     def gains(self) -> slice:
@@ -173,10 +175,10 @@ class JointFit:
         """Whitened readings (0 where there is none), then priors."""
         pose, seat = self._split(unknown)
         # h hold, c chip, b field along a chip axis, a channel
-        seen = np.einsum("cab,hcb->hca", self.matrices(unknown), self._turned(pose, seat))
-        off = (self.readings.counts - seen) / self.error
+        expected = np.einsum("cab,hcb->hca", self.matrices(unknown), self._turned(pose, seat))
+        off = (self.readings.counts - expected) / self.error
         seats = seat / self._seat_mm
-        priors = (self.found.model.off_prior(pose), unknown[self.gains] / _OPEN, seats)
+        priors = (self.arrangement.model.off_prior(pose), unknown[self.gains] / _OPEN, seats)
         return np.concatenate([np.nan_to_num(off).ravel(), *(prior.ravel() for prior in priors)])
 
     def slopes(
@@ -205,7 +207,7 @@ class JointFit:
 
     @property
     def _prior_weights(self) -> Float[np.ndarray, "unknown"]:
-        pose = self.found.model.off_prior(np.ones_like(self.found.pose)).ravel()
+        pose = self.arrangement.model.off_prior(np.ones_like(self.arrangement.pose)).ravel()
         gains, seats = (
             np.full(9 * self.chips, 1 / _OPEN),
             np.full(3 * self.chips, 1 / self._seat_mm),
@@ -226,16 +228,16 @@ class JointFit:
     ) -> Float[np.ndarray, "hold chip 3"]:
         """Field counts of every chip along its own axes, as turned, with gains of 1."""
         moved = np.zeros_like(seat)
-        moved[self.found.site] = seat
-        fields = self.found.model.counts(pose, moved)[:, self.found.site]
+        moved[self.arrangement.site] = seat
+        fields = self.arrangement.model.counts(pose, moved)[:, self.arrangement.site]
         # From designed chip axes b to those of the chip as it is turned, a
-        return np.einsum("cab,hcb->hca", self.found.turn, fields)
+        return np.einsum("cab,hcb->hca", self.arrangement.turn, fields)
 
 
 def relative_gains(
     matrix: Float[np.ndarray, "chip 3 3"],
     covariance: Float[np.ndarray, "entry entry"],
-    known: Bool[np.ndarray, "chip 3"],
+    is_read: Bool[np.ndarray, "chip 3"],
 ) -> tuple[Float[np.ndarray, "chip 4"], Float[np.ndarray, "chip 4"]]:
     """Gains over their median and half of their 95 % intervals: of every axis, then of the chip.
 
@@ -244,17 +246,17 @@ def relative_gains(
     gain = np.linalg.norm(matrix, axis=2)
     diagonal = np.flatnonzero(np.tile(np.eye(3, dtype=bool).ravel(), len(matrix)))
     covariance = covariance[np.ix_(diagonal, diagonal)]
-    alive = known.ravel() / max(known.sum(), 1)
-    shares = known / np.maximum(known.sum(axis=1, keepdims=True), 1)
+    alive = is_read.ravel() / max(is_read.sum(), 1)
+    shares = is_read / np.maximum(is_read.sum(axis=1, keepdims=True), 1)
     of_chip = (np.eye(len(gain))[:, :, None] * shares).reshape(len(gain), -1)
     value, interval = [], []
-    for rows, there in ((np.eye(gain.size), known.ravel()), (of_chip, known.any(axis=1))):
+    for rows, has_value in ((np.eye(gain.size), is_read.ravel()), (of_chip, is_read.any(axis=1))):
         less_mean = rows - alive
         # Error propagation: √(row C rowᵀ) of each row i; j and k channels
         spread = np.sqrt(np.einsum("ij,jk,ik->i", less_mean, covariance, less_mean))
-        value.append(np.where(there, rows @ np.where(known, gain, 0).ravel(), np.nan))
-        interval.append(np.where(there, HALF_95 * spread, np.nan))
-    middle = np.median(gain[known])
+        value.append(np.where(has_value, rows @ np.where(is_read, gain, 0).ravel(), np.nan))
+        interval.append(np.where(has_value, HALF_95 * spread, np.nan))
+    middle = np.median(gain[is_read])
     return tuple(  # pyright: ignore[reportReturnType]
         np.column_stack([axes.reshape(-1, 3), chip]) / middle for axes, chip in (value, interval)
     )

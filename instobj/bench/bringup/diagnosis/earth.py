@@ -7,8 +7,8 @@ Earth's field b in the room, the way asked for R_k, and how far the user was off
 
 What the readings tell, and what they do not: only the product of |b| and all gains together shows,
 so gains are relative to their common mean (prior: within tolerance of 1), and |b| is as uncertain as
-that mean. A common turn of all chips cannot be told from a turn of the object in all poses; offsets
-can be told from fields because u and its opposite both occur.
+that mean. A common turn of all chips looks like a turn of the object in all poses; offsets
+are separated from fields because u and its opposite both occur.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class EarthFound:
     misfit: float
 
 
-def in_object(pose: int) -> Float[np.ndarray, "3 3"]:
+def turn_to_object(pose: int) -> Float[np.ndarray, "3 3"]:
     """Room (ahead, left, up) to object, for the way of that number asked for."""
     up, ahead = (_axis(name) for name in POSES[pose])
     return np.column_stack([ahead, np.cross(up, ahead), up])
@@ -81,10 +81,10 @@ def from_earth(
     axes = (
         np.stack([chip.turn for chip in chips]) @ sensor_layout(spec).axes[[c.site for c in chips]]
     )
-    poses, count = np.stack([in_object(k % len(POSES)) for k in range(len(means))]), len(chips)
+    poses, count = np.stack([turn_to_object(k % len(POSES)) for k in range(len(means))]), len(chips)
     noise = np.asarray(spec.sensors.noise_counts) / np.sqrt(frames)
-    known = np.isfinite(means)
-    first = np.where(known, means, 0).sum(axis=0) / np.maximum(known.sum(axis=0), 1)
+    has_reading = np.isfinite(means)
+    first = np.where(has_reading, means, 0).sum(axis=0) / np.maximum(has_reading.sum(axis=0), 1)
     scale = 1e-3 * spec.sensors.counts_per_mt
     tolerance = float(np.hypot(spec.tolerances.sensor_gain_relative, spec.sensors.gain_tolerance))
     times = (times_s - times_s.mean())[:, None, None]
@@ -101,9 +101,13 @@ def from_earth(
         # The room's field in the object's frame, in each pose k as it was laid; then c chip, a channel
         laid = Rotation.from_rotvec(values["laid_rad"]).apply(values["field_ut"])
         field = np.einsum("kab,kb->ka", poses, laid)
-        seen = np.einsum("cab,kb->kca", axes, field)
-        seen = scale * np.exp(values["ln_gain"]) * (seen + np.cross(values["turn_rad"], seen))
-        return ((means - seen - values["offset"] - values["slope"] * times) / noise)[known]
+        expected = np.einsum("cab,kb->kca", axes, field)
+        expected = (
+            scale * np.exp(values["ln_gain"]) * (expected + np.cross(values["turn_rad"], expected))
+        )
+        return ((means - expected - values["offset"] - values["slope"] * times) / noise)[
+            has_reading
+        ]
 
     def misfit(values: Values) -> Float[np.ndarray, "residual"]:
         # The mean of all gains is within tolerance, whatever single ones are.
@@ -112,9 +116,9 @@ def from_earth(
         return np.append(off_readings(values), mean_gain)
 
     start = {"field_ut": first_field(means - first, axes, poses, scale)}
-    found = most_probable(misfit, unknowns, start, xtol=_SETTLED)
-    alive = np.where(known.any(axis=0), 1.0, np.nan)
-    return stated_intervals(found, alive, float(np.mean(off_readings(found.values) ** 2)))
+    fit = most_probable(misfit, unknowns, start, xtol=_SETTLED)
+    alive = np.where(has_reading.any(axis=0), 1.0, np.nan)
+    return stated_intervals(fit, alive, float(np.mean(off_readings(fit.values) ** 2)))
 
 
 def first_field(
@@ -127,23 +131,23 @@ def first_field(
     # Linear in the field: k pose, c chip, a channel, b object coordinate, d coordinate of the room.
     # Poses less their mean, as the changes are: offsets then drop out.
     slope = np.einsum("cab,kbd->kcad", axes, poses - poses.mean(axis=0))
-    known = np.isfinite(change)
-    return np.linalg.lstsq(scale * slope[known], change[known], rcond=None)[0]
+    has_reading = np.isfinite(change)
+    return np.linalg.lstsq(scale * slope[has_reading], change[has_reading], rcond=None)[0]
 
 
 def stated_intervals(
-    found: MostProbable, alive: Float[np.ndarray, "chip 3"], misfit: float
+    fit: MostProbable, alive: Float[np.ndarray, "chip 3"], misfit: float
 ) -> EarthFound:
     """Values with half of their 95 % intervals; `alive` is 1, NaN for a dead channel."""
-    field, gain = found.values["field_ut"], np.exp(found.values["ln_gain"])
+    field, gain = fit.values["field_ut"], np.exp(fit.values["ln_gain"])
     size = float(np.linalg.norm(field))
     direction = field / size
     return EarthFound(
         size,
-        float(HALF_95 * np.sqrt(direction @ found.covariance("field_ut") @ direction)),
-        alive * found.values["offset"],
-        alive * HALF_95 * found.sd("offset"),
+        float(HALF_95 * np.sqrt(direction @ fit.covariance("field_ut") @ direction)),
+        alive * fit.values["offset"],
+        alive * HALF_95 * fit.sd("offset"),
         alive * gain,
-        alive * HALF_95 * found.sd("ln_gain") * gain,
+        alive * HALF_95 * fit.sd("ln_gain") * gain,
         misfit,
     )

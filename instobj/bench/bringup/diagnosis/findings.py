@@ -92,7 +92,7 @@ class ChipFound:
 
     @property
     def angle_deg(self) -> float:
-        """By which it is turned; of mirrored axes after the sign of all three is changed."""
+        """Angle by which it is turned; for mirrored axes after the sign of all three is changed."""
         proper = -self.turn if self.mirrored else self.turn
         return float(np.rad2deg(np.arccos(np.clip((np.trace(proper) - 1) / 2, -1, 1))))
 

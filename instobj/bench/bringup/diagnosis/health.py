@@ -26,7 +26,7 @@ _SEQUENCES = 65536
 
 @dataclass(frozen=True)
 class Health:
-    """Of one recording: rate, lost frames, errors; noise (counts) of every channel, NaN if silent."""
+    """Health of one recording: rate, lost frames, errors; noise (counts) of every channel, NaN if silent."""
 
     rate_hz: float
     lost_share: float
@@ -36,13 +36,13 @@ class Health:
 
 
 def health_of(recording: Recording) -> Health:
-    """Noise is that of successive readings, which drift does not change."""
+    """Return the health; noise comes from successive readings, which drift does not change."""
     sent = 1 + int(np.sum(np.diff(recording.sequence) % _SEQUENCES))
     lasted_s = float(np.sum(np.maximum(np.diff(recording.board_ms), 0))) / 1000
     steps = np.diff(recording.counts, axis=0)
-    known = np.isfinite(steps)
-    squares = np.where(known, steps, 0) ** 2
-    pairs = known.sum(axis=0)
+    has_reading = np.isfinite(steps)
+    squares = np.where(has_reading, steps, 0) ** 2
+    pairs = has_reading.sum(axis=0)
     noise = np.sqrt(squares.sum(axis=0) / (2 * np.maximum(pairs, 1)))
     return Health(
         (sent - 1) / lasted_s if lasted_s else float("nan"),
@@ -75,10 +75,10 @@ def health_findings(spec: ObjectSpec, recording: Recording) -> Iterator[Finding]
 
 
 def line_findings(spec: ObjectSpec, health: Health, frames: int) -> Iterator[Finding]:
-    asked = spec.sensors.frame_rate_hz
-    if health.rate_hz < SLOW * asked:
+    wanted_hz = spec.sensors.frame_rate_hz
+    if health.rate_hz < SLOW * wanted_hz:
         yield Finding(
-            "slow frames", "board", f"{health.rate_hz:.1f} per second, {asked:g} asked for"
+            "slow frames", "board", f"{health.rate_hz:.1f} per second, {wanted_hz:g} asked for"
         )
     if health.lost_share > LOST or health.damaged_lines > LOST * frames:
         measured = f"{health.lost_share:.1%} of frames lost, {health.damaged_lines} damaged lines"

@@ -12,7 +12,7 @@ from estimator.tolerances.selftest import POOR_FIT, FaultKind, Hypothesis, rank,
 from instobj.bench.bringup.diagnosis.findings import ChipFound, Finding
 
 
-def in_designed_axes(
+def turn_to_design(
     chips: Sequence[ChipFound], counts: Float[np.ndarray, "chip 3"]
 ) -> Float[np.ndarray, "site 3"]:
     """Readings as chips would give them that sit as drawn; NaN where a needed axis is silent."""
@@ -29,14 +29,14 @@ def judge_levels(
     spec: ObjectSpec,
     flipped: Collection[int],
     counts: Float[np.ndarray, "site 3"],
-    seen: Collection[FaultKind],
+    judged_kinds: Collection[FaultKind],
 ) -> Hypothesis:
     """The likeliest none or one fault behind the resting levels; `flipped` magnets are known.
 
     Kinds of faults that other recordings have already judged (`seen`) are not looked for again.
     """
     model = rest_model(with_flips(spec, flipped), spec.sensors.drift_counts)
-    looked_for = [(), *((fault,) for fault in model.faults if fault.kind not in seen)]
+    looked_for = [(), *((fault,) for fault in model.faults if fault.kind not in judged_kinds)]
     return rank(model, counts.ravel(), looked_for)[0]
 
 
@@ -50,8 +50,8 @@ def level_findings(best: Hypothesis) -> list[Finding]:
 
 def with_flips(spec: ObjectSpec, flipped: Collection[int]) -> ObjectSpec:
     count = spec.magnets.count
-    found = [
+    flips = [
         {"face": spec.body.sensed[k // count], "magnet": k % count + 1, "flipped": True}
         for k in sorted(flipped)
     ]
-    return spec.changed(as_built={"magnets": found})
+    return spec.changed(as_built={"magnets": flips})

@@ -34,10 +34,10 @@ def many_most_probable(
         normal += damping[:, None, None] * normal * np.eye(start.shape[1])
         downhill = np.einsum("prx,pr->px", slope, here)
         tried = value - np.linalg.solve(normal, downhill[..., None])[..., 0]
-        there = residuals(tried)
-        better = _half(there) < cost
-        gained = np.where(better, cost - _half(there), 0.0)
-        value[better], here[better] = tried[better], there[better]
+        trial_residuals = residuals(tried)
+        better = _half(trial_residuals) < cost
+        gained = np.where(better, cost - _half(trial_residuals), 0.0)
+        value[better], here[better] = tried[better], trial_residuals[better]
         cost = _half(here)
         damping = np.where(better, np.maximum(damping / 5, _LEAST_DAMPING), damping * 8)
         if np.all(gained < _WORTH) and np.all(better | (damping > 1e3)):

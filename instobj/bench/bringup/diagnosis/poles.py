@@ -1,7 +1,7 @@
 """Pole and pocket of every magnet, from the step that it makes when it is put in.
 
 The change of all chips is compared with what a magnet of the specification would make in any of the
-pockets, either way round, beside a uniform field by which the hand turned the object.
+pockets, either way round, with a uniform field by which the hand turned the object.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _ROBUST = 4.0
 class MagnetFound:
     """One magnet: the pocket that it seems to be in, and its moment there over the designed one."""
 
-    asked: int
+    expected_pocket: int
     pocket: int
     strength: float
 
@@ -96,51 +96,51 @@ def _relative(
 
 
 def find_magnet(
-    fields: PocketFields, asked: int, change: Float[np.ndarray, "chip 3"]
+    fields: PocketFields, expected_pocket: int, change: Float[np.ndarray, "chip 3"]
 ) -> MagnetFound:
     """Pocket and moment that explain a step (counts, NaN where unknown) best; ties stay as asked."""
     pockets = range(len(fields.step))
     cost = np.array([[cost_of(fields, p, sign, change) for sign in (1.0, -1.0)] for p in pockets])
-    cost[np.arange(len(cost)) != asked] += _MARGIN
+    cost[np.arange(len(cost)) != expected_pocket] += _MARGIN
     pocket = int(np.unravel_index(np.argmin(cost), cost.shape)[0])
-    return MagnetFound(asked, pocket, strength_of(fields, pocket, change))
+    return MagnetFound(expected_pocket, pocket, strength_of(fields, pocket, change))
 
 
 def cost_of(
     fields: PocketFields, pocket: int, sign: float, change: Float[np.ndarray, "chip 3"]
 ) -> float:
     """−ln likelihood, up to a constant, at the best uniform field."""
-    left = change - sign * fields.step[pocket]
-    sigma = np.broadcast_to(fields.sigma(pocket), left.shape)
-    known = np.isfinite(left)
-    rows = fields.uniform[known] / sigma[known, None]
-    values = left[known] / sigma[known]
+    residual = change - sign * fields.step[pocket]
+    sigma = np.broadcast_to(fields.sigma(pocket), residual.shape)
+    has_reading = np.isfinite(residual)
+    rows = fields.uniform[has_reading] / sigma[has_reading, None]
+    values = residual[has_reading] / sigma[has_reading]
     with_prior = np.vstack([rows, np.eye(3) / fields.turned])
     uniform, *_ = np.linalg.lstsq(with_prior, np.append(values, np.zeros(3)), rcond=None)
     off = (values - rows @ uniform) / _ROBUST
-    return float(np.sum(0.5 * _ROBUST**2 * np.log1p(off**2) + np.log(sigma[known])))
+    return float(np.sum(0.5 * _ROBUST**2 * np.log1p(off**2) + np.log(sigma[has_reading])))
 
 
 def strength_of(fields: PocketFields, pocket: int, change: Float[np.ndarray, "chip 3"]) -> float:
     """Moment over the designed one, together with a uniform field, by weighted least squares."""
     weight = np.broadcast_to(1 / fields.sigma(pocket), change.shape)
-    known = np.isfinite(change)
-    rows = np.column_stack([fields.step[pocket][known], fields.uniform[known]])
-    weighted = rows * weight[known, None], change[known] * weight[known]
+    has_reading = np.isfinite(change)
+    rows = np.column_stack([fields.step[pocket][has_reading], fields.uniform[has_reading]])
+    weighted = rows * weight[has_reading, None], change[has_reading] * weight[has_reading]
     return float(np.linalg.lstsq(*weighted, rcond=None)[0][0])
 
 
-def magnet_findings(spec: ObjectSpec, found: MagnetFound) -> list[Finding]:
+def magnet_findings(spec: ObjectSpec, magnet: MagnetFound) -> list[Finding]:
     """Return what is wrong with one magnet; nothing where all is well."""
     names = magnet_names(spec)
-    name, size = names[found.asked], abs(found.strength)
-    share = f"{found.strength:+.2f} of the designed moment"
+    name, size = names[magnet.expected_pocket], abs(magnet.strength)
+    share = f"{magnet.strength:+.2f} of the designed moment"
     if size < ABSENT:
         return [Finding("weak magnet", name, f"no step was seen ({share})")]
     wrong = []
-    if found.pocket != found.asked:
-        wrong.append(Finding("misplaced magnet", name, f"it seems to be in {names[found.pocket]}"))
-    if found.strength < 0:
+    if magnet.pocket != magnet.expected_pocket:
+        wrong.append(Finding("misplaced magnet", name, f"it seems to be in {names[magnet.pocket]}"))
+    if magnet.strength < 0:
         wrong.append(Finding("flipped magnet", name, share))
     elif not WEAK < size < STRONG:
         wrong.append(Finding("weak magnet", name, share))

@@ -39,8 +39,8 @@ class Cell:
         self.waiting.append((ms, value))
 
     def take(self):
-        found, self.waiting = self.waiting, []
-        return found
+        numbers, self.waiting = self.waiting, []
+        return numbers
 
 
 class Hx711(Cell):
@@ -94,6 +94,6 @@ class Voltage(Cell):
 
 
 def load_cell():
-    """As the plan says."""
+    """Return the load cell of the plan."""
     kinds = {None: NoCell, "hx711": Hx711, "analog": Voltage}
     return kinds[plan.LOAD_CELL](*plan.LOAD_PINS)

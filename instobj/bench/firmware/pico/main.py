@@ -52,9 +52,9 @@ def frame_cells(sensors, load, sequence, values):
     for number in range(len(values)):
         values[number] = sensors.read(number)
         load.poll()
-    for found in values:
+    for value in values:
         for axis in plan.AXES:
-            cells.append("" if found is None else str(found[axis]))
+            cells.append("" if value is None else str(value[axis]))
     return cells
 
 
@@ -63,20 +63,20 @@ def status_cells(sensors, cause, values):
     for count in (sensors.supply_errors, Bus.errors, Bus.recoveries):
         cells.append(str(count))
     cells.append(cause)
-    for found in values:
-        cells.append("" if found is None else "%.1f" % celsius(found[0]))
+    for value in values:
+        cells.append("" if value is None else "%.1f" % celsius(value[0]))
     return cells
 
 
 def asked(poll):
     """Return whether a ? came."""
-    found = False
+    came = False
     while poll.poll(0):
         character = sys.stdin.read(1)
         if not character:  # nobody is there
             break
-        found = character == "?" or found
-    return found
+        came = character == "?" or came
+    return came
 
 
 def wait_until(due_us, poll, load):

@@ -1,4 +1,4 @@
-"""Sensors of the object: started, read, and started anew where one was lost."""
+"""Sensors of the object: started, read, and started again where one was lost."""
 
 import time
 
@@ -17,7 +17,7 @@ class Sensors:
         self.pins = [None if p[5] is None else Pin(p[5], Pin.OUT, value=0) for p in plan.PLACES]
         self.reset = None if plan.RESET is None else Pin(plan.RESET, Pin.OUT, value=1)
         self.open_route = {}
-        self.buses = [Bus(*bus, plan.HERTZ, self.after_recovery) for bus in plan.BUSES]
+        self.buses = [Bus(*bus, plan.HERTZ, self.recover) for bus in plan.BUSES]
         self.buffer = bytearray(RESULTS)
         self.reset_multiplexers()
         time.sleep_ms(20)  # supplies fall, so that every chip has its factory address again
@@ -32,7 +32,7 @@ class Sensors:
             time.sleep_us(2)
             self.reset.value(1)
 
-    def after_recovery(self, stuck):
+    def recover(self, stuck):
         self.reset_multiplexers()
         for number, pin in enumerate(self.pins):
             if stuck and pin is not None:
@@ -43,10 +43,14 @@ class Sensors:
         number, multiplexer, channel = place[0], place[3], place[4]
         if multiplexer is None:
             return True
-        bus, before = self.buses[number], self.open_route.get(number)
-        if before == (multiplexer, channel):
+        bus, last_route = self.buses[number], self.open_route.get(number)
+        if last_route == (multiplexer, channel):
             return True
-        if before is not None and before[0] != multiplexer and not bus.transfer(before[0], b"\x00"):
+        if (
+            last_route is not None
+            and last_route[0] != multiplexer
+            and not bus.transfer(last_route[0], b"\x00")
+        ):
             return False
         self.open_route.pop(number, None)
         if not bus.transfer(multiplexer, bytes((1 << channel,))):

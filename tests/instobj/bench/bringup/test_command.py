@@ -12,7 +12,7 @@ from design.layout.places.positions import live_channels, magnet_layout, sensor_
 from design.spec_io import load_spec
 from estimator.recordings.boards.link import serial_chunks
 from instobj.bench.bringup.asking.asked import asked_of, further_holds
-from instobj.bench.bringup.dialogue import left_of, through
+from instobj.bench.bringup.dialogue import ask_questions, open_questions
 from instobj.bench.bringup.journal import channels_of, open_journal, read_journal
 from instobj.bench.bringup.page import bringup_page
 from instobj.bench.bringup.simulated import simulated_object
@@ -107,7 +107,7 @@ def with_board(journal, lines, channels=None):
     with played_board(channels or channels_of(SMALL)) as board:
         board.show(SCENE.recording(replace(ASKED[0], frames=20)))
         source = Board(SMALL, serial_chunks(board.port), board.port, typed=Typed(board, lines))
-        through(SMALL, source, journal, set())
+        ask_questions(SMALL, source, journal, set())
 
 
 def test_a_bring_up_at_a_port_goes_on_where_the_user_stopped(tmp_path, capsys):
@@ -118,7 +118,7 @@ def test_a_bring_up_at_a_port_goes_on_where_the_user_stopped(tmp_path, capsys):
     assert list(journal.recordings) == ["still"]
     assert journal.skipped == {"held F1-S1"}
     assert journal.recordings["still"].counts.shape == (ASKED[0].frames, 10, 3)
-    assert left_of(ASKED, journal)[0].name == "held F1-S2"
+    assert open_questions(ASKED, journal)[0].name == "held F1-S2"
 
 
 def test_a_board_that_leaves_is_told_and_what_was_recorded_stays(tmp_path):
@@ -129,7 +129,7 @@ def test_a_board_that_leaves_is_told_and_what_was_recorded_stays(tmp_path):
         source = Board(SMALL, serial_chunks(board.port), board.port, typed=typed)
         typed.poll = lambda: board.leave() or [] if not typed.lines else [typed.lines.pop()]
         with pytest.raises(InputError, match="broke off"):
-            through(SMALL, source, journal, set())
+            ask_questions(SMALL, source, journal, set())
     assert list(open_journal(journal.path, SMALL).recordings) == ["still"]
 
 
@@ -205,12 +205,12 @@ def test_a_replay_takes_every_further_hold_and_again_asks_one_anew(tmp_path):
     for asked in (*ASKED[:3], *further):
         recorded.append(SCENE.recording(replace(asked, frames=20)))
     journal = open_journal(tmp_path / "bringup.csv", SMALL)
-    through(SMALL, FromFile(read_journal(recorded.path, SMALL)), journal, set())
+    ask_questions(SMALL, FromFile(read_journal(recorded.path, SMALL)), journal, set())
     assert list(journal.recordings) == [asked.name for asked in (*ASKED[:3], *further)]
     page = bringup_page(SMALL, journal.recordings, set(), judge(SMALL, {}), [])
     assert "4 of 12" in page
     del journal.recordings[further[1].name]
-    through(SMALL, FromFile(recorded), journal, {further[1].name})
+    ask_questions(SMALL, FromFile(recorded), journal, {further[1].name})
     assert further[1].name in journal.recordings
 
 
@@ -224,7 +224,7 @@ def test_a_further_hold_is_asked_for_before_the_second_still_recording_and_may_b
     source.further = lambda spec, journal: next(
         (h for h in further_holds(spec) if h.name in names and h.name not in journal.skipped), None
     )
-    through(SMALL, source, journal, set())
+    ask_questions(SMALL, source, journal, set())
     place = [k for k, text in enumerate(asked) if "further hold" in text]
     assert place == [11, 12]
     assert "half way along its surface" in asked[11]

@@ -18,10 +18,10 @@ def test_levels_are_turned_back_to_the_axes_drawn_at_the_chip_s_place(turn):
     chips = [ChipFound(1, turn), ChipFound(0, np.eye(3))]
     field = np.array([[1.0, 2, 3], [4, 5, 6]])
     counts = np.stack([turn @ field[1], field[0]])
-    assert_allclose(levels.in_designed_axes(chips, counts), field)
+    assert_allclose(levels.turn_to_design(chips, counts), field)
     lame = counts.copy()
     lame[0, 1] = np.nan
-    found = levels.in_designed_axes(chips, lame)
+    found = levels.turn_to_design(chips, lame)
     (lost,) = np.flatnonzero(abs(turn[1]) > 0.5)
     assert np.flatnonzero(np.isnan(found[1])).tolist() == [lost]
     assert_allclose(np.delete(found[1], lost), np.delete(field[1], lost))

@@ -14,7 +14,7 @@ from instobj.bench.bringup.journal import open_journal
 from instobj.bench.bringup.next_hold import chips_part, information_of, next_hold
 from instobj.bench.bringup.simulated import simulated_object
 from instobj.bench.bringup.sources import Simulated
-from instobj.bench.bringup.verdict import held_so_far, which_is_which
+from instobj.bench.bringup.verdict import held_so_far, identified_chips
 from tests.support.new_objects import BOX
 
 PLANNED = {asked.name: asked for asked in asked_of(BOX) if asked.step in ("still", "held")}
@@ -28,7 +28,7 @@ def held():
 
 
 def intervals(recordings, made):
-    chips = which_is_which(BOX, recordings | {STILL_AGAIN: made.recording(PLANNED[STILL_AGAIN])})
+    chips = identified_chips(BOX, recordings | {STILL_AGAIN: made.recording(PLANNED[STILL_AGAIN])})
     return np.array([chip.mean_gain_interval for chip in chips]), chips
 
 
@@ -119,9 +119,9 @@ def test_a_hold_is_as_quiet_as_the_quietest_and_says_nothing_on_silent_channels(
     noise[1:] *= 10
     noisier = replace(problem, readings=replace(problem.readings, noise_counts=noise))
     assert np.allclose(information_of(BOX, noisier, hold), told)
-    known = problem.known.copy()
+    known = problem.is_read.copy()
     known[2, 1] = False
-    (silent,) = information_of(BOX, replace(problem, known=known), hold)
+    (silent,) = information_of(BOX, replace(problem, is_read=known), hold)
     gains = slice(9 * 2 + 3, 9 * 2 + 6)
     assert np.diag(told)[gains].min() > 0
     assert not silent[gains].any()

@@ -22,8 +22,8 @@ class Told:
 
     channels = ()
 
-    def __init__(self, every_frame):
-        self.every_frame, self.seen, self.passed, self.zeroed = every_frame, [], [], 0
+    def __init__(self, needs_every_frame):
+        self.needs_every_frame, self.seen, self.passed, self.zeroed = needs_every_frame, [], [], 0
 
     def feed(self, raw_counts, time_s, left_out=None):
         self.seen.append(time_s)
@@ -71,7 +71,7 @@ def test_names_are_in_the_order_of_sensors_and_axes():
 def test_changes_count_from_the_mean_of_the_first_frames():
     watch = watching()
     feed(watch, [1, 3, 1, 3, 2, 50])
-    rows, missed = watch.after(0, 400)
+    rows, missed = watch.rows_after(0, 400)
     assert missed == 0
     assert np.isnan(rows[3].change).all()
     np.testing.assert_allclose(rows[5].change, 48.0)
@@ -82,16 +82,16 @@ def test_changes_count_from_the_mean_of_the_first_frames():
 def test_counts_that_are_changes_already_keep_their_values():
     watch = watching(zero_frames=0)
     feed(watch, [7.0])
-    np.testing.assert_allclose(watch.after(0, 1)[0][0].change, LEVEL + 7)
+    np.testing.assert_allclose(watch.rows_after(0, 1)[0][0].change, LEVEL + 7)
 
 
 def test_a_viewer_far_behind_gets_the_newest_and_the_number_of_the_others():
     watch = watching()
     feed(watch, range(1000))
-    rows, missed = watch.after(200, 400)
+    rows, missed = watch.rows_after(200, 400)
     assert missed == 400
     assert [row.number for row in rows] == list(range(600, 1000))
-    assert watch.after(1000, 400) == ([], 0)
+    assert watch.rows_after(1000, 400) == ([], 0)
 
 
 def test_a_slow_estimator_reads_the_newest_row_and_one_of_every_frame_all():
@@ -109,7 +109,7 @@ def test_contacts_stand_on_the_body_and_push_inwards():
     watch = watching(Told(False))
     feed(watch, [600.0] * 6)
     watch.read_next()
-    (row,) = watch.reading.found.contacts
+    (row,) = watch.reading.read.contacts
     np.testing.assert_allclose(row[6:9], [3.0, -2.0, 21.0])
     np.testing.assert_allclose(row[9:12], [0, 0, 1])
     np.testing.assert_allclose(row[12:], [0, 0, -4.0])
@@ -139,7 +139,7 @@ def test_a_reading_that_fails_is_told_and_ends_with_its_cause(monkeypatch):
     watch.take(row_message(101.0, 51.0, tuple(silent)))
     watch.read_next()
     assert watch.state()["trouble"] == "channel F2-Z1 gives no reading"
-    assert len(watch.reading.found.contacts) == 0
+    assert len(watch.reading.read.contacts) == 0
     feed(watch, [0.0], 102.0)
     watch.read_next()
     assert watch.state()["trouble"] == ""
@@ -162,7 +162,7 @@ def test_drift_is_the_change_between_rests_and_a_press_is_none():
     assert DRIFTING not in watch.state()["health"]
     state = played(watch, [100.0] * 60, 106.0)
     assert state["health"] == [DRIFTING] * 45
-    np.testing.assert_allclose(watch.after(0, 1)[0][0].change, 0.0, atol=6)
+    np.testing.assert_allclose(watch.rows_after(0, 1)[0][0].change, 0.0, atol=6)
     watch.rezero()
     assert played(watch, [100.0] * 60, 109.0)["health"] == [GOOD] * 45
     assert played(watch, [200.0] * 60, 112.0)["health"] == [DRIFTING] * 45
@@ -173,7 +173,7 @@ def test_a_zero_taken_under_a_press_heals_at_the_first_rest():
     played(watch, [900.0] * 20, 100.0)
     state = played(watch, [0.0] * 60, 101.0)
     assert state["health"] == [GOOD] * 45
-    np.testing.assert_allclose(watch.after(0, 1)[0][0].change, 0.0, atol=6)
+    np.testing.assert_allclose(watch.rows_after(0, 1)[0][0].change, 0.0, atol=6)
 
 
 def test_the_zero_button_reaches_the_estimator_between_two_frames():
@@ -203,7 +203,7 @@ def test_rows_come_in_while_viewers_ask():
     adding.start()
     seen = 0
     while adding.is_alive() or seen < 1500:
-        rows, missed = watch.after(seen, 400)
+        rows, missed = watch.rows_after(seen, 400)
         assert [row.number for row in rows] == list(range(seen + missed, seen + missed + len(rows)))
         seen += missed + len(rows)
 
@@ -217,11 +217,11 @@ def test_what_was_not_read_is_no_rest():
         at = 103.2 + number / 4
         watch.take(row_message(at, at, tuple(LEVEL + 900.0)))
     watch.state()
-    np.testing.assert_allclose(watch.after(0, 1)[0][0].change, 900.0, atol=6)
+    np.testing.assert_allclose(watch.rows_after(0, 1)[0][0].change, 900.0, atol=6)
     watch.take(row_message(106.0, 106.0, tuple(LEVEL)))
     watch.read_next()
     watch.state()
-    np.testing.assert_allclose(watch.after(0, 1)[0][0].change, 0.0, atol=6)
+    np.testing.assert_allclose(watch.rows_after(0, 1)[0][0].change, 0.0, atol=6)
     assert DRIFTING not in watch.state()["health"]
 
 

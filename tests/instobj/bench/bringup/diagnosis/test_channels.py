@@ -239,7 +239,9 @@ def test_slopes_of_the_joint_fit_are_those_of_differences():
     readings, model, pose = made_up()
     rng = np.random.default_rng(3)
     site, turn = rng.permutation(CHIPS), signed_permutations()[rng.integers(48, size=CHIPS)]
-    problem = chip_fit.JointFit.of(readings, channels.Arrangement(site, turn, model, pose, 0.0))
+    problem = chip_fit.JointFit.start_from(
+        readings, channels.Arrangement(site, turn, model, pose, 0.0)
+    )
     at = problem.start + 0.05 * rng.normal(size=len(problem.start))
     slopes = problem.slopes(at)
     way = rng.normal(size=len(at))

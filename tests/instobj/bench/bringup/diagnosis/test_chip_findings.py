@@ -140,7 +140,7 @@ def test_offsets_and_a_field_that_is_not_earths_are_named():
 
 def test_magnets_are_weak_flipped_or_misplaced():
     def kinds(**found):
-        sound = {"asked": 1, "pocket": 1, "strength": 1.0} | found
+        sound = {"expected_pocket": 1, "pocket": 1, "strength": 1.0} | found
         return [one.kind for one in magnet_findings(SMALL, MagnetFound(**sound))]
 
     assert kinds() == []

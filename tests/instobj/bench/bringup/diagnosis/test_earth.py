@@ -10,8 +10,8 @@ from instobj.bench.bringup.asking.asked import POSES
 from instobj.bench.bringup.diagnosis.earth import (
     first_field,
     from_earth,
-    in_object,
     stated_intervals,
+    turn_to_object,
 )
 from instobj.bench.bringup.diagnosis.findings import ChipFound
 from tests.support.new_objects import SMALL
@@ -29,7 +29,7 @@ TIMES_S = 25.0 * np.arange(7)
 @pytest.fixture(scope="module")
 def means():
     laid = Rotation.from_rotvec(np.deg2rad(4) * RNG.standard_normal((7, 3)))
-    fields = np.stack([in_object(k % 6) @ laid[k].apply(FIELD_UT) for k in range(7)])
+    fields = np.stack([turn_to_object(k % 6) @ laid[k].apply(FIELD_UT) for k in range(7)])
     counts = 0.82 * np.einsum("cab,kb->kca", sensor_layout(SMALL).axes, fields)
     drift = 0.05 * RNG.standard_normal((10, 3)) * TIMES_S[:, None, None]
     noise = np.array([22.0, 22.0, 11.0]) / np.sqrt(FRAMES) * RNG.standard_normal((7, 10, 3))
@@ -43,7 +43,7 @@ def found(means):
 
 def test_every_pose_is_a_rotation_that_does_what_the_question_asks():
     for pose, (up, ahead) in enumerate(POSES):
-        turn = in_object(pose)
+        turn = turn_to_object(pose)
         assert np.allclose(turn @ turn.T, np.eye(3))
         assert np.linalg.det(turn) == pytest.approx(1)
         for name, room in ((up, turn[:, 2]), (ahead, turn[:, 0])):

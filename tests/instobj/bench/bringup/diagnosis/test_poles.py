@@ -94,10 +94,10 @@ def test_the_moment_is_that_of_weighted_least_squares_beside_a_uniform_field(fie
     change[1, 2] = np.nan
     assert poles.strength_of(fields, 3, change) == pytest.approx(-0.7)
     found = poles.find_magnet(fields, 3, change)
-    assert (found.asked, found.pocket) == (3, 3)
+    assert (found.expected_pocket, found.pocket) == (3, 3)
     assert found.strength == pytest.approx(-0.7)
     elsewhere = poles.find_magnet(fields, 3, fields.step[8] + turned)
-    assert (elsewhere.asked, elsewhere.pocket) == (3, 8)
+    assert (elsewhere.expected_pocket, elsewhere.pocket) == (3, 8)
 
 
 def test_without_any_step_the_pocket_stays_as_asked(fields):
@@ -110,5 +110,5 @@ def test_fields_of_pockets_and_a_magnet_found_are_as_on_the_page(fields):
     change = 0.8 * fields.step[3] + 25 * np.sin(np.arange(30.0)).reshape(10, 3)
     found = poles.find_magnet(fields, 3, change)
     lines = chosen(fields, "step", "error", "uniform")
-    lines += chosen(found, "asked", "pocket", "strength")
+    lines += chosen(found, "expected_pocket", "pocket", "strength")
     assert_page("instobj/bench/bringup", lines, "poles, ")
