@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from design.spec.base import Angle, Coordinate, Counts, Force, SpecPart
+from design.spec.base import Angle, Coordinate, Force, SpecPart
 
 ProbePose = tuple[Coordinate, Coordinate, Angle]
 """Centre of a probe in the face's frame (x, y in mm) and its turn about the normal (degrees)."""
@@ -115,8 +115,7 @@ class InversionSpec(SpecPart):
     face, of one tip, two 15 mm or three 20 mm apart (farther for tips of more than 5 mm radius), which
     bear alike within 30 %. `jaws`: two of them press two faces alike (within 30 %), with as many tips
     each. `model_error` is the error of the forward model relative to the signals; left out, it is what
-    `[tolerances]` make of the design, or what a calibrated twin leaves over. `drift_counts` is the
-    drift since the last zero.
+    `[tolerances]` make of the design, or what a calibrated twin leaves over.
     A frame is read together with those before it, `window_frames` in all, as the mean of a hold; 1 reads
     every frame by itself. Contacts may pull sideways by up to `tangential_share` of their normal force
     (twice the standard deviation that is believed along each axis), which is then read too; 0 takes
@@ -127,7 +126,6 @@ class InversionSpec(SpecPart):
     probes: Literal["free", "known"] = "free"
     jaws: bool = False
     model_error: Annotated[float, Field(ge=0, lt=1)] | None = None
-    drift_counts: Counts = 0.0
     window_frames: Annotated[int, Field(ge=1, le=100_000)] = 1
     tangential_share: Annotated[float, Field(ge=0, le=2)] = 0.0
 

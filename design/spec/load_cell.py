@@ -11,32 +11,35 @@ from design.spec.base import SpecPart
 LoadCellKind = Literal["none", "hx711", "analog"]
 PINS_OF_KIND = {"none": 0, "hx711": 2, "analog": 1}
 """Pins of the board that a load cell of each kind takes."""
+_USUAL_SCALE_N = {"none": 1.0, "hx711": 49.03, "analog": 24.5}
+"""Newtons per mV/V of a bridge of 5 kg at 1 mV/V, and per volt of the Vernier in its ±50 N range."""
 
 
 class LoadCellSpec(SpecPart):
     """A load cell that the firmware of `instobj bench firmware` reads, for presses by hand or by a machine.
 
-    `kind` "hx711": a strain-gauge bridge on an HX711, gain 128, at `rate_sps` readings per second (its
-    pin RATE); `capacity_n` and `output_mv_per_v` (at capacity) are the bridge's. "analog": a force
-    sensor with a voltage from 0 to 5 V, `newtons_per_v` about `zero_v`; by default the Vernier
-    Dual-Range Force Sensor in its ±50 N range. `output_mv_per_v` and `newtons_per_v` are negative
-    where pressing makes the reading smaller. `pins` of the board: data and clock, or the analogue
-    input; left out, the board's usual ones.
+    `kind` "hx711": a strain-gauge bridge on an HX711, gain 128, at 80 readings per second (its pin RATE);
+    `scale_n` is the bridge's capacity over its output, N per mV/V (49.03 if left out). "analog": a
+    force sensor with a voltage from 0 to 5 V; `scale_n` is newtons per volt (24.5 if left out, the
+    Vernier Dual-Range Force Sensor in its ±50 N range), and `zero_v` the voltage without load.
+    `scale_n` is negative where pressing makes the reading smaller. `pins` of the board: data and clock,
+    or the analogue input; left out, the board's usual ones.
     """
 
     kind: LoadCellKind = "none"
     pins: tuple[str, ...] | None = None
-    rate_sps: Literal[10, 80] = 80
-    capacity_n: Annotated[float, Field(ge=0.1, le=1e4)] = 49.03
-    output_mv_per_v: Annotated[float, Field(ge=-10, le=10)] = 1.0
-    newtons_per_v: Annotated[float, Field(ge=-500, le=500)] = 24.5
+    scale_n: Annotated[float, Field(ge=-1e4, le=1e4)] | None = None
     zero_v: Annotated[float, Field(ge=0, le=5)] = 2.5
+
+    @property
+    def newtons_per_unit(self) -> float:
+        """Return newtons per mV/V of a bridge, or per volt of an analog sensor."""
+        return _USUAL_SCALE_N[self.kind] if self.scale_n is None else self.scale_n
 
     @model_validator(mode="after")
     def _can_be_read(self) -> LoadCellSpec:
-        for key in ("output_mv_per_v", "newtons_per_v"):
-            if getattr(self, key) == 0:
-                raise ValueError(f"load_cell.{key} must not be 0. Give the data sheet's figure")
+        if self.scale_n == 0:
+            raise ValueError("load_cell.scale_n must not be 0. Give the data sheet's figure")
         wanted = PINS_OF_KIND[self.kind]
         if self.pins is not None and len(self.pins) != wanted:
             raise ValueError(

@@ -11,8 +11,8 @@ from design.spec.load_cell import LoadCellSpec
 
 LINE_CHARACTERS = 28
 """Length of a line `L` with a clock of nine digits and a force of three: $L,170300123,1,-99.9999*FFFF."""
-ANALOG_LINES_HZ = 40.0
-"""At most: the firmware sends the mean of at least 25 ms."""
+LINES_HZ = {"hx711": 80.0, "analog": 40.0}
+"""Most lines a second: an HX711's fast rate, and the mean of at least 25 ms of a voltage."""
 HX711_STEPS_PER_V_PER_V = 128 * 2**24
 """Steps of an HX711 at gain 128 by bridge output over supply: ±2²³ are ±0.5 / 128."""
 DIVIDER_KOHM = (10.0, 15.0)
@@ -97,17 +97,15 @@ def load_cell_plan(cell: LoadCellSpec, board: Board) -> LoadCellPlan | None:
             f"load_cell.pins = {list(pins)}: {cell.kind} on {board.title} takes different pins of "
             f"{', '.join(room)}. Leave load_cell.pins out for {', '.join(room[: len(pins)])}"
         )
-    return LoadCellPlan(
-        cell.kind, tuple(pins), float(cell.rate_sps) if cell.kind == "hx711" else ANALOG_LINES_HZ
-    )
+    return LoadCellPlan(cell.kind, tuple(pins), LINES_HZ[cell.kind])
 
 
 def newtons_per_step(cell: LoadCellSpec, board: Board) -> float:
     """Newtons of an HX711's count, or of a step of the board's converter."""
     if cell.kind == "hx711":
-        return cell.capacity_n / (1e-3 * cell.output_mv_per_v * HX711_STEPS_PER_V_PER_V)
+        return cell.newtons_per_unit / (1e-3 * HX711_STEPS_PER_V_PER_V)
     full_v, steps, share = board.adc
-    return cell.newtons_per_v * full_v / steps / share
+    return cell.newtons_per_unit * full_v / steps / share
 
 
 def zero_steps(cell: LoadCellSpec, board: Board) -> float:

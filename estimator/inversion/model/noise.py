@@ -10,7 +10,7 @@ from jaxtyping import Float, Int
 
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
-from estimator.inversion.problems import BLIND, Observed
+from estimator.inversion.problems import BLIND, Observations
 from estimator.signals.nuisances import Nuisance, nuisances
 from estimator.signals.presses import Signals
 from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
@@ -67,7 +67,7 @@ class Disturbances:
         counts: Float[np.ndarray, "frame channel"],
         averaged: Int[np.ndarray, "frame"] | None = None,
         drift_counts: float = 0.0,
-    ) -> Observed:
+    ) -> Observations:
         """Return frames with their standard deviations, each the mean of `averaged` readings (default 1).
 
         Every channel has drifted by `drift_counts` (rms).
@@ -88,13 +88,13 @@ class Disturbances:
             np.hypot(plain_sigma, strict * change),
         )
         still, sigma, strict = (np.where(missing, BLIND, sigma) for sigma in sigmas)
-        return Observed(counts, sigma, still, strict, self.columns)
+        return Observations(counts, sigma, still, strict, self.columns)
 
 
 def disturbances(
     spec: ObjectSpec, model_error: float | Float[np.ndarray, "sensor 1"], force_error: float
 ) -> Disturbances:
-    """Return the specification's disturbances: white noise, `zeroing_counts`, `inversion.drift_counts`,
+    """Return the specification's disturbances: white noise, `zeroing_counts`
     and what its use changes after the zero.
 
     The forward model is wrong by `model_error`, of all sensors or of each, and by what adding up
@@ -102,7 +102,7 @@ def disturbances(
     """
     live = live_channels(spec)
     noise = np.where(live, np.asarray(spec.sensors.noise_counts, float), BLIND).ravel()
-    offset = np.full(live.size, np.hypot(spec.sensors.zeroing_counts, spec.inversion.drift_counts))
+    offset = np.full(live.size, spec.sensors.zeroing_counts)
     error = np.hypot(np.broadcast_to(model_error, live.shape), SUM_ERROR)
     return Disturbances(noise, offset, error.ravel(), force_error, nuisances(spec))
 

@@ -80,11 +80,11 @@ def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
         return ""
     if load.kind == "hx711":
         scale = (
-            f"for a cell of {cell.capacity_n:g} N and {cell.output_mv_per_v:g} mV/V at gain 128. Set the "
-            f"board's RATE to {cell.rate_sps} readings per second."
+            f"{cell.newtons_per_unit:g} N per mV/V at gain 128. Set the board's RATE to "
+            f"{load.lines_hz:g} readings per second."
         )
     else:
-        scale = f"{cell.newtons_per_v:g} N/V, {cell.zero_v:g} V without load."
+        scale = f"{cell.newtons_per_unit:g} N/V, {cell.zero_v:g} V without load."
     lines = "Its forces go out as lines `L`; check the scale with a weight."
     return f"\n- Load cell: {load.title}; {scale} {lines}"
 

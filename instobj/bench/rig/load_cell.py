@@ -39,8 +39,8 @@ def largest_reading_n(cell: LoadCellSpec) -> float:
     """Force (N, tare included) at the end of the scale of a cell that the board reads, infinite where the
     specification has none."""
     ends = {
-        "hx711": cell.capacity_n * _HX711_MV_PER_V / abs(cell.output_mv_per_v),
-        "analog": abs(cell.newtons_per_v) * max(cell.zero_v, _SUPPLY_V - cell.zero_v),
+        "hx711": abs(cell.newtons_per_unit) * _HX711_MV_PER_V,
+        "analog": abs(cell.newtons_per_unit) * max(cell.zero_v, _SUPPLY_V - cell.zero_v),
     }
     return _END_SHARE * ends[cell.kind] if cell.kind in ends else math.inf
 

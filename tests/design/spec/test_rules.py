@@ -87,8 +87,7 @@ indenter.fillet_mm=% | 0 | 1 | fillet_mm
 environment.magnets=[{position_mm=[90,0,0],axis=[0,0,%]}] | 1 | 0 | must not be zero
 environment.steel_plates=[{position_mm=[90,0,0],normal=[%,0,0]}] | 1 | 0 | normal
 environment.earth_direction=% | [0,1,0] | [0,0,0] | earth_direction
-load_cell.output_mv_per_v=% | -1 | 0 | must not be 0
-load_cell.newtons_per_v=% | -20 | 0 | must not be 0
+load_cell.scale_n=% | -20 | 0 | must not be 0
 load_cell.kind=hx711 load_cell.pins=% | ["D40","D41"] | ["D40"] | pins
 load_cell.kind=analog load_cell.pins=% | ["A0"] | ["A0","A1"] | pins
 as_built.magnets=[{face=2,magnet=1},{face=%,magnet=1}] | 3 | 2 | magnet 1 of face 2

@@ -183,11 +183,11 @@ def test_an_hx711_is_wired_colour_by_colour(board, supply):
 
 def test_steps_of_a_load_cell_in_newtons():
     """±2²³ steps of an HX711 are ±0.5 / 128 of its supply; a converter's are volts of the sensor."""
-    hx711 = LoadCellSpec(kind="hx711", capacity_n=49.0, output_mv_per_v=1.0)
+    hx711 = LoadCellSpec(kind="hx711", scale_n=49.0)
     full_scale = 1e-3 / (0.5 / 128) * 2**23
     assert newtons_per_step(hx711, MEGA2560) == pytest.approx(49.0 / full_scale)
     assert zero_steps(hx711, MEGA2560) == 0
-    analog = LoadCellSpec(kind="analog", newtons_per_v=-24.5, zero_v=2.5)
+    analog = LoadCellSpec(kind="analog", scale_n=-24.5, zero_v=2.5)
     assert newtons_per_step(analog, MEGA2560) == pytest.approx(-24.5 * 5 / 1024)
     assert newtons_per_step(analog, PICO) == pytest.approx(-24.5 * 3.3 / 0.6 / 65536)
     assert zero_steps(analog, MEGA2560) == pytest.approx(511.5)

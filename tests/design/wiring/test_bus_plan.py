@@ -175,7 +175,7 @@ def test_a_rate_that_the_load_cell_leaves_no_time_for_is_refused_with_its_share(
     ("cell", "words"),
     [
         ({"kind": "hx711", "pins": ["D40"]}, "takes 2"),
-        ({"kind": "hx711", "output_mv_per_v": 0}, "must not be 0"),
+        ({"kind": "hx711", "scale_n": 0}, "must not be 0"),
     ],
 )
 def test_load_cells_that_make_no_sense_are_refused(cell, words):

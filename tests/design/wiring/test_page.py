@@ -12,8 +12,8 @@ from tests.support.objects.worked_objects import worked
 from tests.support.physics_pages import assert_page
 
 CELLS = {
-    "hx711": {"kind": "hx711", "rate_sps": 10, "capacity_n": 30.0, "output_mv_per_v": -0.9},
-    "analog": {"kind": "analog", "newtons_per_v": 21.0, "zero_v": 2.2},
+    "hx711": {"kind": "hx711", "scale_n": -30.0 / 0.9},
+    "analog": {"kind": "analog", "scale_n": 21.0, "zero_v": 2.2},
 }
 
 

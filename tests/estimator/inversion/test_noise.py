@@ -31,17 +31,16 @@ def test_a_design_errs_as_objects_within_tolerance_differ_from_it(monkeypatch):
     assert found == pytest.approx(np.sqrt((0.01 + 0.04 + 0.09) / 3 + noise.MESH_ERROR**2))
 
 
-def test_white_noise_zeros_and_drift_are_those_of_the_specification():
+def test_white_noise_and_zeros_are_those_of_the_specification():
     spec = ObjectSpec.model_validate(
         {
             "name": "cube",
             "sensors": {"noise_counts": (3.0, 4.0, 5.0), "zeroing_counts": 6.0},
-            "inversion": {"drift_counts": 8.0},
         }
     )
     found = noise.disturbances(spec, 0.05, 0.02)
     assert_allclose(found.noise_counts, np.tile([3.0, 4.0, 5.0], 15))
-    assert_allclose(found.offset_counts, 10.0)
+    assert_allclose(found.offset_counts, 6.0)
     assert_allclose(found.model_error, np.hypot(0.05, noise.SUM_ERROR))
     assert found.force_error == 0.02
     each = noise.disturbances(spec, np.linspace(0, 0.1, 15)[:, None], 0.0)

@@ -114,7 +114,7 @@ def test_an_hx711_left_at_10_readings_a_second_is_read_at_that(bridge):
 
 
 def test_a_cell_that_reads_less_when_pressed_has_its_sign_turned(tmp_path):
-    plan, elf = built(object_of("hx711", capacity_n=98.07, output_mv_per_v=-2.0), tmp_path)
+    plan, elf = built(object_of("hx711", scale_n=98.07 / -2.0), tmp_path)
     loads = [(0, bridge_mv_per_v(6.0, 98.07, -2.0))]
     _, told_n = loads_of(messages(elf, world(plan, load=loads, end_ms=500))[0])
     assert told_n == pytest.approx(6.0, abs=1e-4)
@@ -133,7 +133,7 @@ def test_a_voltage_is_read_as_the_mean_of_many_conversions(voltage):
 
 def test_another_input_and_other_figures_of_a_force_sensor(tmp_path):
     """The Vernier's ±10 N range on A5."""
-    cell = {"pins": ["A5"], "newtons_per_v": -4.9, "zero_v": 2.0}
+    cell = {"pins": ["A5"], "scale_n": -4.9, "zero_v": 2.0}
     plan, elf = built(object_of("analog", **cell), tmp_path)
     _, told_n = loads_of(messages(elf, world(plan, load=[(0, 1000)], end_ms=500))[0])
     assert told_n == pytest.approx(4.9, abs=4.9 * 5 / 1024)
