@@ -91,7 +91,7 @@ def cramer_rao_bounds(
 ) -> Bounds:
     """Bounds from ∂S/∂(x, y, F) or ∂S/∂(x, y, F, Fx, Fy) (counts per mm and N), independent
     disturbances and nuisances (counts per standard deviation)."""
-    white = _squared_rows(whitened_slopes(jacobian, sigma_counts, nuisances))
+    white = squared_rows(whitened_slopes(jacobian, sigma_counts, nuisances))
     size = np.linalg.norm(white, axis=1)
     scale = np.where(size > 0, size, 1.0)
     _, singular, right = np.linalg.svd(white / scale[:, None], full_matrices=False)
@@ -192,10 +192,10 @@ def _dot(
     return np.einsum("pc,pc->p", a, b)
 
 
-def _squared_rows(
+def squared_rows(
     whitened: Float[np.ndarray, "press channel parameter"],
 ) -> Float[np.ndarray, "press row parameter"]:
-    """Channels that see nothing fill up what is missing to the number of parameters."""
+    """Return the rows, with rows of zeros up to the number of parameters."""
     presses, channels, parameters = whitened.shape
     missing = np.zeros((presses, max(0, parameters - channels), parameters))
     return np.concatenate([whitened, missing], axis=1)

@@ -20,7 +20,7 @@ from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec.sensors import fastest_frame_rate_hz
 from estimator.information.contact_sets import contact_sets, spread_places
-from estimator.information.fisher import disturbance_counts, whitened
+from estimator.information.fisher import disturbance_counts, squared_rows, whitened
 from estimator.information.sensitivity import own_channels
 from estimator.signals.interpolation import press_traces
 from estimator.signals.live import live_jacobian
@@ -210,10 +210,8 @@ def set_information(whitened: Float[np.ndarray, "set channel parameter"]) -> Set
 
     Raises no error where channels are fewer than parameters: the bounds are infinite there.
     """
-    sets, channels, parameters = whitened.shape
-    missing = np.zeros((sets, max(0, parameters - channels), parameters))
-    square = np.concatenate([whitened, missing], axis=1)
-    _, singular, right = np.linalg.svd(square, full_matrices=False)
+    sets, _, parameters = whitened.shape
+    _, singular, right = np.linalg.svd(squared_rows(whitened), full_matrices=False)
     resolved = singular > _RANK_TOLERANCE * singular[:, :1]
     rank = resolved.sum(axis=1)
     full = rank == parameters

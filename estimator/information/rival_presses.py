@@ -11,7 +11,7 @@ from jaxtyping import Bool, Float, Int
 from design.layout.places.contact_grid import PlaceGrid
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import whitened
-from estimator.signals.continuation import continued
+from estimator.signals.continuation import fill_lattice
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.interpolation import Traces, press_traces, unresolved_presses
 from estimator.signals.live import is_live, read_change
@@ -119,8 +119,7 @@ def rival_presses(
     reach[usable] = traces.force_n[:, -1]
     force = reach.max() * (np.arange(1, _FORCES + 1) / _FORCES) ** 2
     counts, per_n = (
-        values if usable.all() else continued(_fill_places(usable, values), usable, lattice.shape)
-        for values in _interpolate_forces(traces, force)
+        fill_lattice(values, usable, lattice.shape) for values in _interpolate_forces(traces, force)
     )
     rest, most = signals.baseline_counts.ravel()[channels], full_scale_counts(spec.sensors)
     slopes = np.stack([*_across(lattice, counts), per_n], axis=-1)
@@ -145,15 +144,6 @@ def _interpolate_forces(
     complex_counts = traces.curves.evaluate(held + 1j * _STEP)
     per_n = np.imag(complex_counts) / _STEP
     return np.real(complex_counts) + (force_n - held)[..., None] * per_n, per_n
-
-
-def _fill_places(
-    is_place: Bool[np.ndarray, "place"], values: Float[np.ndarray, "some *rest"]
-) -> Float[np.ndarray, "place *rest"]:
-    """Values at places, NaN at the others."""
-    all_values = np.full((len(is_place), *values.shape[1:]), np.nan)
-    all_values[is_place] = values
-    return all_values
 
 
 def _across(

@@ -344,24 +344,20 @@ def end_frames(on_face: Bool[np.ndarray, "nx ny"], axis: int) -> Bool[np.ndarray
     return np.moveaxis(padded[1:-1] & ~(padded[:-2] & padded[2:]), 0, axis)
 
 
-def summarize_areas(scores: PlaceScores, face: int | None = None) -> tuple[AreaSummary, ...]:
-    """Medians per area over all faces, or over one; areas without a contact location are left out."""
-    rows = slice(None) if face is None else scores.faces == face
+def summarize_areas(scores: PlaceScores) -> tuple[AreaSummary, ...]:
+    """Medians per area over all faces; areas without a contact location are left out."""
     names = [f.name for f in fields(scores) if f.name.startswith(("delta", "position", "force_b"))]
     names += ["detectable_force_n", "detectable_force_drifted_n", "stiffness_n_per_mm"]
     medians, counts = {}, {}
     for area in AREAS:
         in_area = np.stack(
-            [
-                area_places(scores.grid, area, places_of_face)
-                for places_of_face in scores.places[rows]
-            ]
+            [area_places(scores.grid, area, places_of_face) for places_of_face in scores.places]
         )
-        in_area &= scores.judged[rows]
+        in_area &= scores.judged
         if in_area.any():
             counts[area] = tuple(in_area.sum(axis=1).tolist())
             medians[area] = {
-                name: float(np.median(getattr(scores, name)[rows][in_area])) for name in names
+                name: float(np.median(getattr(scores, name)[in_area])) for name in names
             }
     central = medians.get("centre", dict.fromkeys(names, np.nan))
     return tuple(

@@ -34,7 +34,7 @@ from estimator.information.identifiability import (
 from estimator.information.sensitivity import own_channels
 from estimator.inversion.model.forward import ContactModel, contact_model
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import BLIND, Observed
+from estimator.inversion.problems import BLIND, Observations
 from estimator.inversion.search import Search
 from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals, press_signals
@@ -169,7 +169,7 @@ def _face_distances_mm(
     counts = counts + rng.standard_normal((frames, nuisances.shape[1])) @ nuisances.T
     read = _read_channels(built, index, channels)
     sigmas = np.broadcast_to(np.where(read, sigma, BLIND), counts.shape)
-    observations = Observed(counts, sigmas, sigmas, sigmas, nuisances)
+    observations = Observations(counts, sigmas, sigmas, sigmas, nuisances)
     problems = Search(model, known_number(built.spec, model, contacts)).sets_of_number(
         observations, contacts
     )

@@ -18,7 +18,7 @@ from jaxtyping import Float
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import BLIND, Observed, Problems
+from estimator.inversion.problems import BLIND, Observations, Problems
 
 UNEXPLAINED = 1e-3
 """p value below which no contact that the model knows explains a frame."""
@@ -41,7 +41,7 @@ class ErrorShare:
     priors: Priors
     p_values: deque[np.ndarray] = field(default_factory=lambda: deque(maxlen=MOST_FRAMES))
 
-    def learn(self, observations: Observed, problems: Problems) -> None:
+    def learn(self, observations: Observations, problems: Problems) -> None:
         """Take pressed frames, one problem each; frames at rest have no error of the model."""
         rows = np.flatnonzero(problems.number)[-MOST_FRAMES:]
         if not len(rows):
@@ -64,7 +64,7 @@ class ErrorShare:
         return float(np.interp(0.5, median, _SHARES))
 
     def refitted_p_values(
-        self, observations: Observed, problems: Problems, share: float
+        self, observations: Observations, problems: Problems, share: float
     ) -> Float[np.ndarray, "problem"]:
         """Return p values of contacts, refitted, with a share of the model's error."""
         strict = observations.with_error_share(share)
@@ -75,14 +75,14 @@ class ErrorShare:
         return p_values(strict, fit.to_host())
 
 
-def p_values(observations: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+def p_values(observations: Observations, problems: Problems) -> Float[np.ndarray, "problem"]:
     """Return the chance of a misfit as large if a problem's contacts were true."""
     from scipy.special import chdtrc
 
     return chdtrc(_freedoms(observations, problems), 2 * problems.misfit)
 
 
-def excess(observations: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+def excess(observations: Observations, problems: Problems) -> Float[np.ndarray, "problem"]:
     """Return χ² over its degrees of freedom, 1 at least.
 
     An unknown disturbance is larger than the known ones by that factor, squared (Birge's ratio).
@@ -90,6 +90,6 @@ def excess(observations: Observed, problems: Problems) -> Float[np.ndarray, "pro
     return np.maximum(2 * problems.misfit / _freedoms(observations, problems), 1.0)
 
 
-def _freedoms(observations: Observed, problems: Problems) -> Float[np.ndarray, "problem"]:
+def _freedoms(observations: Observations, problems: Problems) -> Float[np.ndarray, "problem"]:
     readings = np.sum(observations.sigma[problems.frame] < BLIND / 2, axis=1)
     return np.maximum(readings - 3.0 * problems.number, 1.0)

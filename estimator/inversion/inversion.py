@@ -23,7 +23,7 @@ from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
 from estimator.inversion.model.noise import Disturbances, disturbances
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import BLIND, Observed, Problems
+from estimator.inversion.problems import BLIND, Observations, Problems
 from estimator.inversion.readings import ContactSets, among_sets, contact_sets, widened
 from estimator.inversion.search import Hypotheses, Search
 from estimator.signals.nuisances import magnet_columns
@@ -146,7 +146,7 @@ class Inversion:
         return ContactSets.joined(best), ContactSets.joined(second)
 
     def read_part(
-        self, search: Search, observations: Observed, error: ErrorShare
+        self, search: Search, observations: Observations, error: ErrorShare
     ) -> tuple[ContactSets, ContactSets]:
         """Some frames at once. Those that nothing explains are read again without a chip that lies, those
         that a magnet near by explains better with its field as a nuisance: no contact explains these."""
@@ -166,7 +166,7 @@ class Inversion:
     def _read_beside_magnet(
         self,
         search: Search,
-        observations: Observed,
+        observations: Observations,
         error: ErrorShare,
         sets: tuple[ContactSets, ContactSets],
         believed: Hypotheses,
@@ -188,7 +188,7 @@ class Inversion:
         return best, second
 
     def read_once(
-        self, search: Search, observations: Observed, error: ErrorShare
+        self, search: Search, observations: Observations, error: ErrorShare
     ) -> tuple[ContactSets, ContactSets, Hypotheses]:
         """Some frames at once, all that is seen believed; also what the best sets were read from."""
         hypotheses = search.contacts(observations)
@@ -208,7 +208,7 @@ class Inversion:
 
     def reading(
         self,
-        observations: Observed,
+        observations: Observations,
         problems: Problems,
         odds: Float[np.ndarray, "frame"],
         error: ErrorShare,

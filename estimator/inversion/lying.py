@@ -8,7 +8,7 @@ from jaxtyping import Float, Int
 from estimator.inversion.explained import ErrorShare
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
-from estimator.inversion.problems import BLIND, Observed, Problems
+from estimator.inversion.problems import BLIND, Observations, Problems
 from estimator.inversion.search import Search
 
 _EXPLAINS = 0.02
@@ -21,7 +21,7 @@ _DIAGNOSED, _SUSPECTS = 6, 2
 
 
 def lying_chips(
-    search: Search, observations: Observed, error: ErrorShare
+    search: Search, observations: Observations, error: ErrorShare
 ) -> Int[np.ndarray, "frame"]:
     """Return the chip (row of sensors) to be left out of each frame, or `NONE`.
 
@@ -42,7 +42,7 @@ def lying_chips(
 
 
 def lying_chip_beside(
-    search: Search, observations: Observed, contacts: Problems, error: ErrorShare
+    search: Search, observations: Observations, contacts: Problems, error: ErrorShare
 ) -> int:
     """Return the chip without which contacts near those of the frame before explain a frame, or `NONE`.
 
@@ -60,7 +60,7 @@ def lying_chip_beside(
 
 def _p_without(
     search: Search,
-    observations: Observed,
+    observations: Observations,
     error: ErrorShare,
     frames: Int[np.ndarray, "frame"],
     chips: Int[np.ndarray, "chip"],

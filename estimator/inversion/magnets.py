@@ -10,7 +10,7 @@ from jaxtyping import Bool, Float
 
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
-from estimator.inversion.problems import Observed
+from estimator.inversion.problems import Observations
 from estimator.inversion.search import Hypotheses, Search
 
 _LOG_ODDS = -10.0
@@ -24,11 +24,11 @@ _STEPS = 3
 class BesideMagnet:
     """Frames seen as they are (`plain`), and with the field of a magnet near by as a nuisance (`wide`)."""
 
-    plain: Observed
+    plain: Observations
     columns: Float[np.ndarray, "channel k"]
 
     @cached_property
-    def wide(self) -> Observed:
+    def wide(self) -> Observations:
         """Return the frames with the magnet's field integrated out."""
         return self.plain.add_nuisances(self.columns)
 

@@ -29,7 +29,7 @@ from estimator.inversion.model.arrays import (
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.model.whitening import Whitening
 from estimator.inversion.priors import Pairs, Priors, Quadratic, held_between
-from estimator.inversion.problems import Observed, Problems, identities
+from estimator.inversion.problems import Observations, Problems, identities
 
 _ROUNDS = 3
 """Times, at most, that the interaction of contacts is computed again and the fit goes on."""
@@ -53,7 +53,7 @@ _MOST_DAMPING = 1e2
 def most_probable(
     model: ContactModel,
     priors: Priors,
-    observations: Observed,
+    observations: Observations,
     frame: Int[np.ndarray, "problem"],
     face: Int[np.ndarray, "problem contact"],
     contact: Float[np.ndarray, "problem contact 3"],
@@ -78,7 +78,7 @@ def most_probable(
 def refitted(
     model: ContactModel,
     priors: Priors,
-    observations: Observed,
+    observations: Observations,
     problems: Problems,
     rounds: int = _ROUNDS,
     steps: int = _STEPS,
@@ -116,7 +116,7 @@ class _Fit:
 
     model: ContactModel
     priors: Priors
-    observations: Observed
+    observations: Observations
     steps: int
 
     @cached_property
@@ -355,7 +355,7 @@ class _Posterior:
 def _posterior(
     model: ContactModel,
     priors: Priors,
-    observations: Observed,
+    observations: Observations,
     frame: Array,
     face: Array,
     extra: Array,
@@ -394,7 +394,7 @@ def marginalise_tangential_forces(quadratic: Quadratic, turned: Array, pulls: Ar
 
 def curvature_at(
     model: ContactModel,
-    observations: Observed,
+    observations: Observations,
     frame: Int[np.ndarray, "problem"],
     face: Int[np.ndarray, "problem contact"],
     contact: Float[np.ndarray, "problem contact 3"],

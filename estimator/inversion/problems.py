@@ -54,7 +54,7 @@ class Problems(Columns):
 
 
 @dataclass(frozen=True)
-class Observed:
+class Observations:
     """Frames to be explained.
 
     Attributes
@@ -72,31 +72,31 @@ class Observed:
     strict: Float[Array, "frame channel"]
     columns: Float[Array, "channel k"] | None = None
 
-    def moved_to(self, reference: Array) -> Observed:
+    def moved_to(self, reference: Array) -> Observations:
         """The same where the reference is."""
         parts = (self.counts, self.sigma, self.still, self.strict, self._shared)
-        return Observed(*(like(reference, part) for part in parts))
+        return Observations(*(like(reference, part) for part in parts))
 
-    def select(self, frames: Int[np.ndarray, "some"]) -> Observed:
+    def select(self, frames: Int[np.ndarray, "some"]) -> Observations:
         """Some of the frames, on the processor."""
         counts, sigma, still, strict = (
             part[frames] for part in (self.counts, self.sigma, self.still, self.strict)
         )
-        return Observed(counts, sigma, still, strict, self.columns)
+        return Observations(counts, sigma, still, strict, self.columns)
 
-    def without(self, chip: Int[np.ndarray, "frame"]) -> Observed:
+    def without(self, chip: Int[np.ndarray, "frame"]) -> Observations:
         """The same without what one chip shows in each frame; all of it where that is `NONE`."""
         out = np.arange(self.counts.shape[1]) // 3 == chip[:, None]
         sigma, still, strict = (
             np.where(out, BLIND, part) for part in (self.sigma, self.still, self.strict)
         )
-        return Observed(np.where(out, 0.0, self.counts), sigma, still, strict, self.columns)
+        return Observations(np.where(out, 0.0, self.counts), sigma, still, strict, self.columns)
 
-    def add_nuisances(self, columns: Float[np.ndarray, "channel more"]) -> Observed:
+    def add_nuisances(self, columns: Float[np.ndarray, "channel more"]) -> Observations:
         """The same where further nuisances add to all channels."""
         return replace(self, columns=np.hstack([self._shared, columns]))
 
-    def with_error_share(self, share: float) -> Observed:
+    def with_error_share(self, share: float) -> Observations:
         """The same around contacts of a model with that share of the strict error."""
         still, strict = self.still**2, self.strict**2
         return replace(self, sigma=(still + share**2 * (strict - still)) ** 0.5)
@@ -125,7 +125,7 @@ class Observed:
         return 0.5 * (white * white).sum(axis=2)[:, 0], spread[frame]
 
 
-def empty(observations: Observed, frame: Int[np.ndarray, "problem"], slots: int) -> Problems:
+def empty(observations: Observations, frame: Int[np.ndarray, "problem"], slots: int) -> Problems:
     """Frames explained by nothing."""
     problems, (misfit, log_spread) = (
         len(frame),

@@ -13,7 +13,7 @@ from estimator.inversion.explained import UNEXPLAINED
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.priors import Priors, widths
-from estimator.inversion.problems import Observed, Problems
+from estimator.inversion.problems import Observations, Problems
 from estimator.inversion.search import Hypotheses
 
 COVERAGE = 0.9
@@ -106,7 +106,7 @@ class ContactSets(Columns):
 def contact_sets(
     model: ContactModel,
     priors: Priors,
-    observations: Observed,
+    observations: Observations,
     problems: Problems,
     odds: Float[np.ndarray, "frame"],
     p_value: Float[np.ndarray, "frame"],
@@ -172,7 +172,7 @@ def widened(
 
 
 def changes_since_zero(
-    model: ContactModel, priors: Priors, observations: Observed, problems: Problems
+    model: ContactModel, priors: Priors, observations: Observations, problems: Problems
 ) -> tuple[Float[np.ndarray, "problem k"], Float[np.ndarray, "problem k"]]:
     """Nuisances of each frame in standard deviations of their priors: posterior mean at the contacts
     found, and its standard deviation with what is uncertain of the contacts."""
@@ -200,7 +200,7 @@ def changes_since_zero(
 
 
 def tangential_forces(
-    model: ContactModel, priors: Priors, observations: Observed, problems: Problems
+    model: ContactModel, priors: Priors, observations: Observations, problems: Problems
 ) -> tuple[Float[np.ndarray, "problem contact 2"], Float[np.ndarray, "problem contact 2"]]:
     """Along x and y of each contact's face, N, and their standard deviations.
 

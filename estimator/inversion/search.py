@@ -20,7 +20,7 @@ from estimator.inversion.model.dictionary import Dictionary, dictionary
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.posterior import most_probable, refitted
 from estimator.inversion.priors import Priors, log_paired, number_on
-from estimator.inversion.problems import Observed, Problems, empty
+from estimator.inversion.problems import Observations, Problems, empty
 
 _KEPT, _KEPT_OF_MANY, _MANY = 3, 8, 4
 """Sets of one number that go on: usual, and from `_MANY` contacts on, where more are nearly as good."""
@@ -129,7 +129,7 @@ class Search:
     def _rough_effort(self) -> tuple[int, ...]:
         return _NEAR if self.model.shear is None else ()
 
-    def contacts(self, observations: Observed) -> Hypotheses:
+    def contacts(self, observations: Observations) -> Hypotheses:
         """Every frame's sets of contacts with their evidence."""
         observations = observations.moved_to(self.reference)
         level = empty(observations, np.arange(len(observations.counts)), self.priors.most)
@@ -144,7 +144,7 @@ class Search:
         near = self.revisited(observations, together(levels)).distinct()
         return self._settled(observations, self._believed(near))
 
-    def sets_of_number(self, observations: Observed, number: int) -> Problems:
+    def sets_of_number(self, observations: Observations, number: int) -> Problems:
         """Return the most probable set of `number` contacts of every frame that has one."""
         sets = empty(observations, np.arange(len(observations.counts)), self.priors.most)
         for _ in range(number):
@@ -155,13 +155,13 @@ class Search:
         return sets.select(first_of_frame(sets.frame, sets.misfit))
 
     def grown(
-        self, observations: Observed, sets: Problems, effort: tuple[int, ...] = ()
+        self, observations: Observations, sets: Problems, effort: tuple[int, ...] = ()
     ) -> Hypotheses:
         """The best sets of one contact more; `effort` is rounds and steps."""
         return self.judged(self._grown(observations, sets, effort))
 
     def fewer(
-        self, observations: Observed, sets: Problems, effort: tuple[int, ...] = ()
+        self, observations: Observations, sets: Problems, effort: tuple[int, ...] = ()
     ) -> Hypotheses:
         """Each set without each of its contacts (or probes); `effort` is rounds and steps."""
         parts = []
@@ -189,7 +189,7 @@ class Search:
         paired = log_paired(self.priors, hypotheses.problems.face)
         return Hypotheses(hypotheses.problems, hypotheses.log_evidence + paired)
 
-    def revisited(self, observations: Observed, hypotheses: Hypotheses) -> Hypotheses:
+    def revisited(self, observations: Observations, hypotheses: Hypotheses) -> Hypotheses:
         """Return all sets, more of one contact more than the best, and more with a contact sought again.
 
         The visit is repeated where these are better.
@@ -209,7 +209,7 @@ class Search:
             )
         return hypotheses
 
-    def _settled(self, observations: Observed, near: Hypotheses) -> Hypotheses:
+    def _settled(self, observations: Observations, near: Hypotheses) -> Hypotheses:
         """The best sets of each frame, fitted to the end."""
         problems, evidence = near.problems, near.log_evidence
         order = np.lexsort((-evidence, problems.frame))
@@ -225,7 +225,7 @@ class Search:
         return together([settled, rest]).distinct()
 
     def _grown(
-        self, observations: Observed, level: Problems, effort: tuple[int, ...] = ()
+        self, observations: Observations, level: Problems, effort: tuple[int, ...] = ()
     ) -> Problems:
         rows, face, contact = self.dictionary.added(self.model, observations, level, self.probes)
         frame, extra = level.frame[rows], rows_of(level.extra, rows)

@@ -15,7 +15,7 @@ from estimator.inversion.lying import lying_chip_beside, lying_chips
 from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
-from estimator.inversion.problems import Observed, Problems, empty
+from estimator.inversion.problems import Observations, Problems, empty
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, together
 
@@ -94,13 +94,13 @@ class Tracker:
         """Return which channels are not those of a chip that is left out."""
         return np.arange(self.inversion.model.channels) // 3 != self._chip_out
 
-    def _seen(self, plain: Observed) -> Observed:
+    def _seen(self, plain: Observations) -> Observations:
         """Return the frame without a chip that lies, or with a magnet near by, where that is believed."""
         if self.beside_magnet:
             return plain.add_nuisances(self.inversion.magnet_columns)
         return plain if self._chip_out == NONE else plain.without(np.array([self._chip_out]))
 
-    def _believe_again(self, plain: Observed) -> None:
+    def _believe_again(self, plain: Observations) -> None:
         """Believe all once the last contacts have explained several frames in a row as they are."""
         if self._chip_out == NONE and not self.beside_magnet:
             return
@@ -111,7 +111,7 @@ class Tracker:
             self._chip_out, self.beside_magnet = NONE, False
             self._last, self._sound = refitted, 0
 
-    def _is_magnet(self, plain: Observed) -> bool:
+    def _is_magnet(self, plain: Observations) -> bool:
         """Return whether a magnet and fewer contacts are more probable than the contacts found."""
         if (
             self.beside_magnet
@@ -125,7 +125,7 @@ class Tracker:
         return bool(beside.explains_with_fewer(search, search.judged(self._last))[0])
 
     def _diagnosed(
-        self, plain: Observed, previous: Problems | None, sets: ContactSets
+        self, plain: Observations, previous: Problems | None, sets: ContactSets
     ) -> ContactSets:
         """Return the contacts of a frame that nothing explains, without a chip or with a magnet near by.
 
@@ -153,14 +153,14 @@ class Tracker:
         return sets
 
     def _turned(
-        self, plain: Observed, contacts: Problems | None, chip: int, magnet: bool
+        self, plain: Observations, contacts: Problems | None, chip: int, magnet: bool
     ) -> ContactSets:
         """Return contacts from given ones, or from scratch, with another belief of chips and magnets."""
         self._chip_out, self.beside_magnet = chip, magnet
         self._last, self._sound = contacts, 0
         return self._followed(self._seen(plain))
 
-    def _followed(self, observations: Observed) -> ContactSets:
+    def _followed(self, observations: Observations) -> ContactSets:
         """The next frame's contacts, of channels that are believed."""
         problems = self._same(observations)
         p_value = float(p_values(observations, problems)[0])
@@ -180,7 +180,7 @@ class Tracker:
             self._error.learn(observations, problems)
         return self.inversion.reading(observations, problems, self._odds, self._error)
 
-    def _same(self, observations: Observed) -> Problems:
+    def _same(self, observations: Observations) -> Problems:
         """The last contacts refitted."""
         search, last = self.inversion.search, self._last
         if last is None or not last.number[0]:
@@ -190,7 +190,7 @@ class Tracker:
         return most_probable(search.model, search.priors, observations, *start, extra, 1, _STEPS)
 
     def has_changed(
-        self, observations: Observed, same: Problems
+        self, observations: Observations, same: Problems
     ) -> tuple[Problems, Float[np.ndarray, "1"]]:
         """Return one contact more, or without faint ones, or all sought again, as the evidence says."""
         search = self.inversion.search
@@ -212,7 +212,7 @@ class Tracker:
             return changed
         return min(changed, self._anew(observations), key=lambda candidate: candidate[0].misfit[0])
 
-    def _anew(self, observations: Observed) -> tuple[Problems, Float[np.ndarray, "1"]]:
+    def _anew(self, observations: Observations) -> tuple[Problems, Float[np.ndarray, "1"]]:
         self.seen_anew += 1
         judged = self.inversion.search.contacts(observations)
         best = judged.best()

@@ -16,7 +16,7 @@ from design.layout.places.positions import chip_on_board
 from design.layout.pockets import boards_depth_mm
 from design.spec.object import ObjectSpec
 from estimator.field.sources import BlockMagnet, Magnet, magnet_sources
-from estimator.information.fisher import NoiseState, disturbance_counts
+from estimator.information.fisher import disturbance_counts
 from estimator.layouts.batch import Layouts
 from estimator.layouts.presses.basis import PressBasis
 from estimator.layouts.presses.mixed_rows import candidate_ends_mm
@@ -73,7 +73,6 @@ class LayoutScorer:
 def layout_scorer(
     spec: ObjectSpec,
     presses: PressBasis | Sequence[PressBasis],
-    state: NoiseState = "fresh",
     faces: int = 1,
 ) -> LayoutScorer:
     """Set up scoring of layouts of this specification's magnets and chips, with the presses at candidates of
@@ -90,7 +89,7 @@ def layout_scorer(
     require_scorable(spec)
     presses_of = (presses,) if isinstance(presses, PressBasis) else tuple(presses)
     like = presses_of[0].first_mm
-    sigma = disturbance_counts(spec.sensors, state, 3)
+    sigma = disturbance_counts(spec.sensors, "fresh", 3)
     white = np.asarray(spec.sensors.noise_counts, dtype=float)
     return LayoutScorer(
         spec,

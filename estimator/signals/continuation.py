@@ -20,12 +20,25 @@ _REACH = 6
 """Nodes beyond the pressed ones that are continued; those further off repeat the nearest."""
 
 
+def fill_lattice(
+    values: Float[np.ndarray, "some *rest"],
+    pressed: Bool[np.ndarray, "node"],
+    shape: tuple[int, int],
+) -> Float[np.ndarray, "node *rest"]:
+    """Return values of the pressed nodes of a lattice, continued smoothly to the other nodes."""
+    on_lattice = np.full((len(pressed), *values.shape[1:]), np.nan)
+    on_lattice[pressed] = values
+    return continued(on_lattice, pressed, shape)
+
+
 def continued(
     values: Float[np.ndarray, "node *rest"],
     pressed: Bool[np.ndarray, "node"],
     shape: tuple[int, int],
 ) -> Float[np.ndarray, "node *rest"]:
-    """The table of one face with all places of the lattice; values of pressed ones stay."""
+    """Return the table of one face with all places of the lattice; values of pressed ones stay."""
+    if pressed.all():
+        return values
     matrix = _continuation(pressed.tobytes(), shape)
     whole = values.copy()
     pressed_values = values[pressed].reshape(int(pressed.sum()), -1)

@@ -107,8 +107,7 @@ def aside_slopes(
 
 def _whole(motions: MagnetMotions, index: int) -> Float[np.ndarray, "place step body 6"]:
     """One face's table, continued to places that the face has not."""
-    motion, pressed = motions.motion[index], motions.pressed[index]
-    return motion if pressed.all() else continued(motion, pressed, motions.lattice.shape)
+    return continued(motions.motion[index], motions.pressed[index], motions.lattice.shape)
 
 
 def slope_along(values: np.ndarray, nodes_mm: np.ndarray, axis: int) -> np.ndarray:

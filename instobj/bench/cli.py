@@ -77,13 +77,13 @@ def collect(
 def firmware(
     spec: Spec,
     board: Annotated[str, typer.Option(help="Board that reads the sensors: mega2560 or pico.")],
-    way: Annotated[
+    topology: Annotated[
         str | None,
         typer.Option(
-            help="How I²C chips are kept apart, e.g. multiplexers (default: the cheapest way)."
+            help="How I²C chips are kept apart, e.g. multiplexers (default: the cheapest)."
         ),
     ] = None,
-    lead: Annotated[
+    cable_mm: Annotated[
         float,
         typer.Option(min=0, max=5000, help="Length of the wires from the object to the board, mm."),
     ] = 200.0,
@@ -94,7 +94,7 @@ def firmware(
     """Plan the sensors' buses on a board and write its firmware."""
     from instobj.bench.firmware.command import write_firmware
 
-    show(write_firmware(spec, board, way, lead, out, overrides or []), as_json)
+    show(write_firmware(spec, board, topology, cable_mm, out, overrides or []), as_json)
 
 
 @app.command()
@@ -180,7 +180,7 @@ def bringup(
             "without; can be repeated.",
         ),
     ] = None,
-    again: Annotated[
+    repeat: Annotated[
         list[str] | None,
         typer.Option(help="Step or recording to repeat, e.g. held or 'held F1-S2'."),
     ] = None,
@@ -195,7 +195,14 @@ def bringup(
     faults = None if simulated is None else tuple(name for name in simulated if name != "none")
     result = bring_up(
         BringupOptions(
-            spec, out, serial_port, replay, faults, tuple(again or ()), baud, tuple(overrides or ())
+            spec,
+            out,
+            serial_port,
+            replay,
+            faults,
+            tuple(repeat or ()),
+            baud,
+            tuple(overrides or ()),
         )
     )
     show(result, as_json)

@@ -88,24 +88,21 @@ def prior_variance(
     face: int,
     force_n: float,
     errors: PressErrors | None = None,
-    prior: Prior = PRIOR,
-    numbers: Float[np.ndarray, "number"] | None = None,
 ) -> PosteriorVariance:
     """Return the variance at the contact locations of a face before any press of up to `force_n`.
 
-
-    It is that at the design or at an object of other numbers; forces end where those of the table
-    do. `errors` are those of one press (by
-    default 8 frames at each force after a zero of their own)."""
+    It is that at the design; forces end where those of the table do. `errors` are those of one press
+    (by default 8 frames at each force after a zero of their own).
+    """
     unknowns = Unknowns(spec, (face,))
-    point = np.zeros(len(unknowns)) if numbers is None else numbers
+    point = np.zeros(len(unknowns))
     errors = errors or PressErrors(8, zero_covariance(spec, 8 * len(SHARES)))
     pressed = _all_places(spec, forces, face, force_n, errors)
     mechanics = PlaceMechanics(unknowns, forces, motions, pressed)
     here = mechanics.expected(point)
     jacobian = jacobian_of(mechanics, point, here)
     pressed = replace(pressed, counts=here.reshape(pressed.counts.shape))
-    process = Discrepancy(spec, prior, pressed).covariance(pressed.xy_mm, pressed.force_n)
+    process = Discrepancy(spec, PRIOR, pressed).covariance(pressed.xy_mm, pressed.force_n)
     flat = jacobian.reshape(-1, len(point))
     places, levels = pressed.force_n.shape
     covariance = flat @ flat.T

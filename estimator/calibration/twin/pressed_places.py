@@ -108,11 +108,12 @@ def invalidate_hard_presses(frames: FrameSet, forces: PressForces, face: int) ->
     from scipy.interpolate import RegularGridInterpolator
 
     lattice, deepest = forces.lattice, forces.force_n[forces.faces == face][0, :, -1]
-    shape, pressed = lattice.shape, ~np.isnan(deepest)
-    if not pressed.all():
-        deepest = continued(deepest, pressed, shape)
+    deepest = continued(deepest, ~np.isnan(deepest), lattice.shape)
     reach_n = RegularGridInterpolator(
-        (lattice.x_mm, lattice.y_mm), deepest.reshape(shape), bounds_error=False, fill_value=0.0
+        (lattice.x_mm, lattice.y_mm),
+        deepest.reshape(lattice.shape),
+        bounds_error=False,
+        fill_value=0.0,
     )
     on_face = frames.contact_face == face
     beyond = frames.force_n[..., 2] > REACH * reach_n(np.nan_to_num(frames.contact_xy_mm))

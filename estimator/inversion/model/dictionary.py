@@ -21,7 +21,7 @@ from estimator.inversion.model.arrays import (
 )
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import Observed, Problems
+from estimator.inversion.problems import Observations, Problems
 
 _PITCH_MM = 3.0
 """Distance of the places at which fits may start."""
@@ -60,7 +60,7 @@ class Dictionary:
     counts: Float[Array, "press channel"]
 
     def added(
-        self, model: ContactModel, observations: Observed, level: Problems, probes: bool
+        self, model: ContactModel, observations: Observations, level: Problems, probes: bool
     ) -> tuple[
         Int[np.ndarray, "new"], Int[np.ndarray, "new slot"], Float[np.ndarray, "new slot 3"]
     ]:
@@ -107,7 +107,7 @@ class Dictionary:
         return rows, face, contact
 
     def gains_of(
-        self, model: ContactModel, observations: Observed, level: Problems
+        self, model: ContactModel, observations: Observations, level: Problems
     ) -> tuple[Float[Array, "problem press"], Float[Array, "problem press"]]:
         """Return how much each press would lower the misfit, and its force over the dictionary's."""
         frame = like(observations.sigma, level.frame)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Float, Int
 
 from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.contact_places import contact_places, face_rows
@@ -18,7 +18,7 @@ from estimator.frames.tangential import slope_traces
 from estimator.information.shear import ShearSignals
 from estimator.inversion.model.arrays import Array, chosen, float32, like, zeros
 from estimator.inversion.model.spline import CubicAxes, CubicAxis, cubic_axis, spline_coefficients
-from estimator.signals.continuation import continued
+from estimator.signals.continuation import fill_lattice
 from estimator.signals.interpolation import Traces, press_traces
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.press_states import motions_as_signals
@@ -141,21 +141,10 @@ def signal_table(signals: Signals) -> PressTable:
     for face, pressed in zip(signals.faces.tolist(), signals.pressed, strict=True):
         x, y = signals.lattice.xy_mm[pressed].T
         traces = press_traces(signals, np.full(len(x), face), x, y)
-        values.append(_fill_lattice(interpolate_forces(traces, nodes), pressed, signals.lattice))
+        values.append(
+            fill_lattice(interpolate_forces(traces, nodes), pressed, signals.lattice.shape)
+        )
     return force_table(signals.faces, signals.lattice, nodes, np.stack(values))
-
-
-def _fill_lattice(
-    values: Float[np.ndarray, "place node channel"],
-    pressed: Bool[np.ndarray, "every"],
-    lattice: PlaceGrid,
-) -> Float[np.ndarray, "every node channel"]:
-    """Return values of a face's places, continued smoothly to the places outside it."""
-    if pressed.all():
-        return values
-    all_values = np.full((len(pressed), *values.shape[1:]), np.nan)
-    all_values[pressed] = values
-    return continued(all_values, pressed, lattice.shape)
 
 
 def motion_table(forces: PressForces, motions: MagnetMotions) -> PressTable:
@@ -171,7 +160,7 @@ def shear_table(spec: ObjectSpec, signals: Signals, shear: ShearSignals) -> Pres
         xy = shear.grid.xy_mm[pressed]
         slopes = slope_traces(spec, signals, shear, np.full(len(xy), face), xy)
         face_values = np.concatenate([interpolate_forces(slope, nodes) for slope in slopes], axis=2)
-        values.append(_fill_lattice(face_values, pressed, shear.grid))
+        values.append(fill_lattice(face_values, pressed, shear.grid.shape))
     return force_table(shear.faces, shear.grid, nodes, np.stack(values))
 
 

@@ -391,8 +391,7 @@ def press_derivatives(
     share = low + per_n * (force_n - force[:, 0])[:, None]
     shape = motions.places.shape
     # Splines run through the whole lattice: places that the face has not are continued smoothly.
-    if not pressed_there.all():
-        share = continued(share, pressed_there, shape)
+    share = continued(share, pressed_there, shape)
     # Matrices (node, node): derivatives at the nodes of the cubic splines through unit vectors.
     along_x, along_y = (
         make_interp_spline(nodes, np.eye(len(nodes)), k=3)(nodes, nu=1)

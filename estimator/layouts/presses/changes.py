@@ -64,28 +64,16 @@ class PressChanges:
         return self.channels.resting_counts
 
 
-def press_changes(
-    scorer: LayoutScorer,
-    layouts: Layouts,
-    sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
-) -> PressChanges:
-    """Return what presses change, with sensors shifted off their places (boards do not turn with it)."""
-    if sensor_shift_mm is not None:
-        return _press_changes(scorer, layouts, _channel_changes(scorer, layouts, sensor_shift_mm))
+def press_changes(scorer: LayoutScorer, layouts: Layouts) -> PressChanges:
+    """Return what presses change."""
     presses = scorer.presses
     made_of = scorer.spec, presses.own_table.rows, presses.turn, presses.patches
     channels = layouts.kept("channels", made_of, lambda: _channel_changes(scorer, layouts))
     return layouts.kept("presses", (scorer,), lambda: _press_changes(scorer, layouts, channels))
 
 
-def _channel_changes(
-    scorer: LayoutScorer,
-    layouts: Layouts,
-    sensor_shift_mm: Float[Tensor, "layout sensor 3"] | None = None,
-) -> ChannelChanges:
+def _channel_changes(scorer: LayoutScorer, layouts: Layouts) -> ChannelChanges:
     sensor, axes = chips(scorer.presses, layouts, scorer.sensor_depth_mm, scorer.chip)
-    if sensor_shift_mm is not None:
-        sensor = sensor + sensor_shift_mm.permute(2, 0, 1)
     own_field, other_field = field_changes(scorer, layouts, sensor)
     # Fields of magnets add (superposition): sum over own magnets and over those of other faces.
     field = own_field.field.sum(-1) + other_field.field.sum(-1)

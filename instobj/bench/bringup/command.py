@@ -100,7 +100,7 @@ def _to_repeat(
     unknown = set(again) - names - {question.step for question in questions}
     if unknown:
         raise InputError(
-            f"--again {', '.join(sorted(unknown))}: no such step or recording. Give one of "
+            f"--repeat {', '.join(sorted(unknown))}: no such step or recording. Give one of "
             f"{', '.join(STEPS)}, or a recording such as 'held F1-S1'"
         )
     return names
@@ -216,7 +216,7 @@ def _document(
             f"gains of {', '.join(wide)} are not known well enough to tell {GAIN_TO_TELL:.0%} surely"
         )
     if journal.skipped:
-        texts.append(f"skipped: {', '.join(sorted(journal.skipped))} (--again takes them)")
+        texts.append(f"skipped: {', '.join(sorted(journal.skipped))} (--repeat takes them)")
     if not verdict.findings:
         texts.append("nothing is out of order in what was recorded")
     return {

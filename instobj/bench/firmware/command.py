@@ -28,7 +28,7 @@ def write_firmware(
         cannot take.
     """
     if way is not None and way not in WAYS:
-        raise InputError(f"--way {way!r} is not known. Choose one of {', '.join(WAYS)}")
+        raise InputError(f"--topology {way!r} is not known. Choose one of {', '.join(WAYS)}")
     spec = load_spec(spec_path, overrides)
     plan, choice = choose_plan(spec, board_named(board), lead_mm, way)
     files = project_files(spec, plan)

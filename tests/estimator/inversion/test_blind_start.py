@@ -13,7 +13,7 @@ from estimator.information.identifiability import identifiability
 from estimator.inversion.blind_start import blind_starts, known_number, save_identifiability
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import BLIND, Observed
+from estimator.inversion.problems import BLIND, Observations
 from estimator.inversion.search import Search
 from tests.support.mechanics.inverted import expected_counts, inverted
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
@@ -114,7 +114,7 @@ def test_the_search_for_a_known_number_explains_frames_as_descent_from_the_truth
     counts = expected_counts(model, face, true) + sigma * rng.standard_normal((frames, 45))
     of_the_face = np.arange(45) // 9 == 2
     told = np.broadcast_to(np.where(of_the_face, sigma, BLIND), counts.shape)
-    seen = Observed(counts, told, told, told)
+    seen = Observations(counts, told, told, told)
     found = Search(model, priors).sets_of_number(seen, number)
     assert found.frame.tolist() == list(range(frames))
     assert (found.number == number).all()

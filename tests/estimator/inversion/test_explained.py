@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 from scipy.stats import kstest
 
 from estimator.inversion.explained import ErrorShare
-from estimator.inversion.problems import Observed
+from estimator.inversion.problems import Observations
 from estimator.inversion.tracking import Tracker
 from tests.support.mechanics.inverted import contacts, expected_counts, inverted, noisy_counts
 
@@ -89,7 +89,7 @@ def test_a_share_is_where_half_of_the_p_values_are_above_a_half():
 
 def test_a_share_of_the_error_widens_frames_by_its_square():
     still, strict = np.full((1, 3), 3.0), np.full((1, 3), 5.0)
-    seen = Observed(np.zeros((1, 3)), 2 * strict, still, strict)
+    seen = Observations(np.zeros((1, 3)), 2 * strict, still, strict)
     assert_allclose(seen.with_error_share(0.5).sigma, np.sqrt(9 + 16 / 4))
     assert_allclose(seen.with_error_share(1.0).sigma, strict)
     assert_allclose(seen.with_error_share(0.0).sigma, still)

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from estimator.inversion.evidence import log_evidence
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import SPACING_SIGMA_MM
-from estimator.inversion.problems import Observed, empty
+from estimator.inversion.problems import Observations, empty
 from tests.support.mechanics.inverted import (
     contacts,
     expected_counts,
@@ -83,7 +83,7 @@ def test_two_contacts_count_once_whatever_their_order(free):
 
 def test_a_contact_that_nothing_tells_costs_evidence(free):
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
-    seen = Observed(np.zeros((1, 45)), *[np.full((1, 45), 1e6)] * 3)
+    seen = Observations(np.zeros((1, 45)), *[np.full((1, 45), 1e6)] * 3)
     face[0, 0], contact[0, 0] = 0, [0.0, 0.0, 3.0]
     found = most_probable(free.model, free.priors, seen, np.zeros(1, int), face, contact)
     nothing = log_evidence(empty(seen, np.zeros(1, int), 6), free.priors)
@@ -119,7 +119,7 @@ def test_tips_that_bear_alike_share_their_force(free):
     face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
     face[0, :2], contact[0, :2] = 3, [[-9.0, -9.0, 2.0], [9.0, 9.0, 4.0]]
     sigma = np.full((1, 45), 200.0)
-    seen = Observed(expected_counts(free.model, face, contact), sigma, sigma, sigma)
+    seen = Observations(expected_counts(free.model, face, contact), sigma, sigma, sigma)
     loose, tied = (
         most_probable(free.model, given, seen, np.zeros(1, int), face, contact).contact[0, :2, 2]
         for given in (free.priors, priors)

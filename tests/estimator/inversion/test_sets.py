@@ -12,7 +12,7 @@ from estimator.inversion.blind_start import summary_of, worst_mm
 from estimator.inversion.evidence import bounded_curvature
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.priors import Priors, fitting_sets, standing_probes
-from estimator.inversion.problems import Observed, Problems, empty
+from estimator.inversion.problems import Observations, Problems, empty
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, Search
 from estimator.inversion.tracking import Tracker
@@ -215,7 +215,7 @@ def test_mass_beyond_bounds_of_places_and_forces_does_not_count():
     assert wanted[2] < 0.2 < wanted[1] < 0.8 < wanted[0]
 
 
-SEEN = Observed(
+SEEN = Observations(
     np.array([[1.0, -2, 0, 0, 3, 0]]), np.full((1, 6), 2.0), np.full((1, 6), 0.5), np.ones((1, 6))
 )
 

@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from estimator.inversion.model.whitening import whitening
-from estimator.inversion.problems import Observed, empty
+from estimator.inversion.problems import Observations, empty
 
 RNG = np.random.default_rng(1)
 SIGMA, COLUMNS = RNG.uniform(0.5, 3, (4, 12)), RNG.normal(0, 2, (12, 3))
@@ -51,7 +51,7 @@ def test_very_wide_priors_fit_the_nuisances():
 
 def test_rest_is_judged_by_its_own_noise_and_the_same_nuisances():
     still = 0.7 * SIGMA
-    seen = Observed(ROWS[:, 0], SIGMA, still, SIGMA, COLUMNS)
+    seen = Observations(ROWS[:, 0], SIGMA, still, SIGMA, COLUMNS)
     nothing = empty(seen, np.array([2, 0]), 1)
     for row, misfit, spread in zip((2, 0), nothing.misfit, nothing.log_spread, strict=True):
         covariance = np.diag(still[row] ** 2) + COLUMNS @ COLUMNS.T

@@ -15,7 +15,7 @@ from estimator.inversion import readings
 from estimator.inversion.inversion import Inversion, contact_priors, probe_spacing_mm
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.priors import Priors
-from estimator.inversion.problems import BLIND, Observed, Problems
+from estimator.inversion.problems import BLIND, Observations, Problems
 from estimator.inversion.readings import ContactSets
 
 CUBE = ObjectSpec(name="cube")
@@ -175,7 +175,7 @@ def test_tangential_forces_are_those_of_the_joint_normal_posterior(slots):
         pulls=lambda face, contact: pulls, pull_sigma_n=lambda contact: pull_sigma,
     )  # fmt: skip
     counts, extra = rng.normal(size=(1, channels)), rng.normal(size=(1, channels))
-    seen = Observed(counts, sigma, sigma, sigma)
+    seen = Observations(counts, sigma, sigma, sigma)
     jacobian = (singles[0, :, 1:] / sigma[0]).reshape(3 * slots, channels)
     across = (pulls[0] / sigma[0]).reshape(2 * slots, channels)
     own = np.eye(2 * slots) + across @ across.T

@@ -188,7 +188,7 @@ def test_journals_of_other_objects_and_damaged_ones_are_refused(tmp_path):
         ([], ["--port", "--replay", "--simulated"]),
         (["--simulated", "bent=F1-S1"], ["bent=F1-S1", "swap="]),
         (["--simulated", "turn=F9-S1"], ["F9-S1", "F1-S1"]),
-        (["--simulated", "none", "--again", "poles"], ["poles", "held"]),
+        (["--simulated", "none", "--repeat", "poles"], ["poles", "held"]),
         (["--replay", "none.csv"], ["no bring-up at none.csv"]),
         (["--port", "/dev/nothing"], ["/dev/nothing", "0 recordings are kept"]),
         (["--simulated", "none", "--set", 'sensors.axes=["Z"]'], ["three axes", "selftest"]),
