@@ -212,7 +212,7 @@ def _way(one: PressSettings, full_mm: float) -> tuple[list[float], list[float]]:
 
     speed, met = one.speed_mm_s, False
     for stroke in range(one.strokes):
-        for stop in one.after_full(full_mm, 1).depths_mm if met else one.depths_mm:
+        for stop in one.settings_after_full(full_mm, 1).depths_mm if met else one.depths_mm:
             met = met or stop >= full_mm
             go(min(stop, full_mm), speed, 0.0 if stop >= full_mm else one.dwell_s)
             if stop >= full_mm:

@@ -156,11 +156,11 @@ def test_ends_along_an_axis_have_no_neighbour_on_one_side():
 
 def test_values_stand_at_the_places_that_a_face_has():
     places = np.array([[True, False, True], [False, True, False]])
-    found = scores.on_places(places, [np.array([1.0, 2.0]), np.array([3.0])])
+    found = scores.fill_places(places, [np.array([1.0, 2.0]), np.array([3.0])])
     assert_array_equal(found, [[1, np.nan, 2], [np.nan, 3, np.nan]])
-    flags = scores.on_places(places, [np.array([True, False]), np.array([True])])
+    flags = scores.fill_places(places, [np.array([True, False]), np.array([True])])
     assert flags.tolist() == [[True, False, False], [False, True, False]]
-    vectors = scores.on_places(places, [np.ones((2, 4)), np.ones((1, 4))])
+    vectors = scores.fill_places(places, [np.ones((2, 4)), np.ones((1, 4))])
     assert vectors.shape == (2, 3, 4)
 
 
