@@ -136,7 +136,9 @@ def told(one: Linear, done: PressSettings) -> Told:
     order = np.random.default_rng(0).permutation(len(xy))
     plan = press_plan(spec, FACE, done, 0, 1, 0, None, order)
     seen = pressed_places(spec, recorded(hidden, plan, one.table[0], 0), FACE)
-    seen = seen.at(np.linalg.norm(seen.xy_mm[None] - xy[:, None], axis=-1).argmin(axis=1))
+    seen = seen.select_places(
+        np.linalg.norm(seen.xy_mm[None] - xy[:, None], axis=-1).argmin(axis=1)
+    )
     jacobian, slope = _jacobian(hidden, one.table, seen.xy_mm, seen.force_n)
     chip = np.tile(np.array(spec.sensors.noise_counts) ** 2, spec.sensors.count_per_face)
     found, sources = [], {"chips": [], "labels": [], "zeros and drift": []}

@@ -115,7 +115,7 @@ def left_share(
     channels = np.arange(truth.shape[2])
     at = PressedPlaces(FACE, channels, xy, levels, 0 * truth, np.ones_like(levels, int), ones)
     found = PlaceMechanics(twin.unknowns, *table, at).expected(twin.numbers).reshape(truth.shape)
-    found = found + twin.discrepancy.mean(twin.left, xy, levels)
+    found = found + twin.discrepancy.mean(twin.residual, xy, levels)
     return float(np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2)))
 
 

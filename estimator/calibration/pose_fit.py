@@ -205,7 +205,7 @@ def calibration_test(
         null.append(judged_pose(problem, folds, order[problem.presses.case], ALL))
     medians = [float(np.median([getattr(n, f) for n in null])) for f in Judged.__annotations__]
     cosine = [after.own_cosine, *(n.own_cosine for n in null)]
-    left_shares = [after.left_share, *(n.left for n in null)]
+    left_shares = [after.left_share, *(n.left_share for n in null)]
     return CalibrationTest(
         unseen,
         judged_pose(problem, folds, problem.presses.case, {}),
