@@ -337,7 +337,7 @@ def test_no_force_no_discrepancy():
 def test_the_twin_is_as_on_the_page(twin, seen):
     lines = [
         *chosen(seen, "force_n", "counts", "zero_counts2"),
-        *chosen(twin, "numbers", "modulus_error", "left", "jacobian"),
+        *chosen(twin, "numbers", "modulus_error", "residual", "jacobian"),
         ("covariance", twin.factor @ twin.factor.T),
         ("changes (counts)", twin.signals().delta_counts),
     ]

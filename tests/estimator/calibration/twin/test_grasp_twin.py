@@ -178,7 +178,7 @@ def test_the_share_left_is_of_signals_without_their_noise():
 def test_the_twin_is_as_on_the_page(twin, seen, estimator):
     lines = [
         *chosen(seen, "force_n", "counts", "noise_counts2"),
-        *chosen(twin, "numbers", "modulus_error", "left_share", "left"),
+        *chosen(twin, "numbers", "modulus_error", "left_share", "residual"),
         *chosen(estimator.disturbances, "model_error"),
     ]
     assert_page("estimator/calibration", lines, "twin of grasps, ")
@@ -186,7 +186,7 @@ def test_the_twin_is_as_on_the_page(twin, seen, estimator):
 
 @pytest.mark.parametrize("force", [[1.0, 1.0], [0.0, 2.0], [2.0, 1.5]], ids=str)
 def test_presses_whose_forces_do_not_grow_are_of_no_object(force):
-    places = SimpleNamespace(of=lambda *_: (np.array([force]), np.zeros((1, 2, 1, 6))))
+    places = SimpleNamespace(assembled=lambda *_: (np.array([force]), np.zeros((1, 2, 1, 6))))
     seen = SimpleNamespace(counts=np.zeros((2, 3, 4)), channels=np.arange(4))
     guess = SimpleNamespace(spec=None, assembly=lambda _: None, correction=lambda _: None)
     one = SimpleNamespace(
