@@ -48,7 +48,7 @@ def processor_seconds(root: int) -> dict[str, float]:
 
 def start_demo() -> tuple[subprocess.Popen[str], str]:
     """The demo, and the address of its page."""
-    command = [sys.executable, "-m", "instobj", "bench", "live", "--demo", "--page-port", "0"]
+    command = [sys.executable, "-m", "instobj", "bench", "live", "--demo", "--page", "0"]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
     assert process.stderr is not None
     for line in process.stderr:
