@@ -23,9 +23,9 @@ test: $(INSTALLED)
 test-slow: $(INSTALLED)
 	INSTOBJ_TESTS_MESHES=anew $(PYTEST) -m slow
 
-# Once per release: hours, of one core; the table is written into docs/measured/reliability.md.
+# Once per release: hours, of one core; the table goes into benchmarks/results and its measured page.
 test-rounding: $(INSTALLED)
-	$(BIN)/python -m tests.rounding
+	$(BIN)/python -m tests.rounding; status=$$?; $(BIN)/python docs/measured.py; exit $$status
 
 verify: $(INSTALLED)
 	INSTOBJ_TESTS_MESHES=anew $(BIN)/pytest -q -m "slow or not slow" tests/fem/verification/test_verification.py --verification-page docs/verification

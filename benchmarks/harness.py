@@ -10,6 +10,7 @@ import re
 import sys
 import time
 from collections.abc import Callable, Sequence
+from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
@@ -61,11 +62,20 @@ def conclude(
 ) -> None:
     """Write `name`.json, and a plot where there is one; print the report."""
     out = results_folder(options, result)
+    title = (sys.modules["__main__"].__doc__ or name).splitlines()[0].rstrip(".")
+    command = f"python benchmarks/{name}.py{' --quick' * options.quick}"
+    record = described(title, command) | {"report": report(result).splitlines()} | result
     with atomic_path(out / f"{name}.json") as temporary:
-        temporary.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+        temporary.write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
     if draw:
         draw(result, out / f"{name}.png")
     print(report(result))
+
+
+def described(title: str, command: str) -> Result:
+    """Return what every results file says of itself; docs/measured.py makes pages of them."""
+    today = datetime.now(UTC).date().isoformat()
+    return {"title": title, "command": command, "version": version("instobj"), "date": today}
 
 
 def results_folder(options: argparse.Namespace, result: Result) -> Path:

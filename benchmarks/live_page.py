@@ -48,7 +48,7 @@ def processor_seconds(root: int) -> dict[str, float]:
 
 def start_demo() -> tuple[subprocess.Popen[str], str]:
     """The demo, and the address of its page."""
-    command = [sys.executable, "-m", "instobj", "bench", "live", "--demo", "--page-port", "0"]
+    command = [sys.executable, "-m", "instobj", "bench", "live", "--demo", "--page", "0"]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
     assert process.stderr is not None
     for line in process.stderr:
@@ -84,11 +84,12 @@ def report(result: Result) -> str:
     """A few lines for each state of the page."""
     lines = []
     for name, one in result["states"].items():
-        ages = {key: round(one["latencyMs"][key]) for key in ("p50", "p90", "p99")}
+        ages = ", ".join(f"{one['latencyMs'][key]:.0f}" for key in ("p50", "p90", "p99"))
+        times = [f"{who} {ms:.1f}" for who, ms in one["processor_ms_per_picture"].items()]
         lines += [
-            f"{name}: {one['pictures_per_second']} pictures/s, ages in ms {ages}, the object drawn "
-            f"{one['objectDrawn'] - one['drawn_before']} times, load {one['load_average']:.1f}",
-            f"  processor time, ms a picture: {one['processor_ms_per_picture']}",
+            f"{name}: {one['pictures_per_second']:.0f} pictures/s, ages (median, 90, 99 %) {ages} ms, the "
+            f"object drawn {one['objectDrawn'] - one['drawn_before']} times, load {one['load_average']:.1f}",
+            f"  processor time, ms a picture: {'; '.join(times)}",
         ]
     return "\n".join(lines)
 

@@ -107,15 +107,14 @@ def report(result: Result) -> str:
         above = "more" if high is None else f"{high:g}"
         of = f"error over bound {low:g} to {above}" if low or high else "all"
         read = (
-            f"{ratio:.2f} x/÷ {spread:.2f} {what}"
+            f"read / {what} {ratio:.2f} x/÷ {spread:.2f}"
             for what in ("bound", "error")
             for ratio, spread in [row[f"read_over_{what}"]]
         )
         lines.append(
-            f"{row['case']}, {of} ({row['places']} places): read {', '.join(read)}; at most "
-            f"{row['largest_read_over_bound']:.1f} bounds; draws scatter by "
-            f"{100 * row['scatter_of_draws']:.0f} %, {100 * row['farther_than_10_mm']:.1f} % of presses "
-            "more than 10 mm off"
+            f"{row['case']}, {of}, {row['places']} places: {', '.join(read)}, at most "
+            f"{row['largest_read_over_bound']:.1f} bounds, {100 * row['farther_than_10_mm']:.1f} % "
+            f"of presses > 10 mm off, draws ± {100 * row['scatter_of_draws']:.0f} %"
         )
     return "\n".join(lines)
 

@@ -218,15 +218,14 @@ def rows(task: dict[str, Any], length: str) -> dict[str, list[float]]:
 
 
 def report(result: dict[str, Any]) -> str:
-    """The result as lines for people."""
-    lines = ["median (least to most) over seeds"]
+    """Medians over the seeds, one line for each task and length; inf: none within all limits."""
+    lines = []
     for name, task in result["figures"].items():
         lines.append(f"{name}: {task['objective']}, start {task['start']:.2f}")
         for length in task["seeds"][0]:
-            lines.append(f"  runs of {length} generations")
-            for label, values in rows(task, length).items():
-                spread = f"({min(values):.3f} to {max(values):.3f})"
-                lines.append(f"    {label:34} {np.median(values):.3f} {spread}")
+            medians = ((label, np.median(found)) for label, found in rows(task, length).items())
+            best = "; ".join(f"{label} {value:.3f}" for label, value in medians)
+            lines.append(f"  {length} generations: {best}")
     return "\n".join(lines)
 
 

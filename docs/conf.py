@@ -9,6 +9,7 @@ sys.path.insert(0, str(DOCS))
 os.environ.setdefault("MPLBACKEND", "Agg")
 os.environ.setdefault("INSTOBJ_STORE", str(DOCS.parent / ".instobj"))
 
+import measured  # noqa: E402
 from site_pages import GENERATED, write_generated_pages  # noqa: E402
 
 project = "instobj"
@@ -63,5 +64,6 @@ sphinx_gallery_conf = {
 
 
 def setup(app):
-    """Pages made from the code are written before Sphinx looks for sources."""
+    """Pages made from the code and from results files are written before Sphinx looks for sources."""
     app.connect("config-inited", lambda app, config: write_generated_pages(DOCS / GENERATED))
+    app.connect("config-inited", lambda app, config: measured.main())

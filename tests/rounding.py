@@ -6,22 +6,26 @@ on older processors; two threads split sums; inputs are disturbed by a millionth
 """
 
 import argparse
+import json
 import os
 import platform
 import re
 import subprocess
 import sys
 import time
-from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
 
+from benchmarks.harness import Result, described
 from design.processes import ONE_THREAD
 from tests.support.disturbed_inputs import SWITCH
 
 ROOT = Path(__file__).parents[1]
-PAGE = ROOT / "docs" / "measured" / "reliability.md"
-BEGIN, END = "<!-- rounding: begin -->\n", "<!-- rounding: end -->\n"
+RESULTS = ROOT / "benchmarks" / "results" / "rounding.json"
+WHAT = (
+    "The rooms where the last bit decides, with MKL and torch as on older processors, on two threads, "
+    "and with inputs disturbed by 1e-6. The last run of a part; — was not run."
+)
 _LAYOUTS, _SEARCH = "tests/estimator/layouts", "tests/instobj/search"
 ROOMS = {
     "walks": (
@@ -68,15 +72,14 @@ def outcome(room: str, setting: str, seconds: float) -> str:
     return f"{len(failed)} of {len(failed) + int(passed[1])} fail, {took:.0f} s"
 
 
-def table(outcomes: dict[tuple[str, str], str]) -> str:
-    """Rows are settings, columns rooms; "—" was not run."""
-    rows = [["setting", *ROOMS], ["---"] * (1 + len(ROOMS))]
-    rows += [[name, *(outcomes.get((room, name), "—") for room in ROOMS)] for name in SETTINGS]
-    lines = "\n".join(f"| {' | '.join(row)} |" for row in rows)
-    return (
-        f"{datetime.now(UTC):%Y-%m-%d}, instobj {version('instobj')}, {os.cpu_count()} cores of "
-        f"{processor()}, torch {version('torch')}, the last run of a part; — was not run.\n\n{lines}\n"
-    )
+def record(outcomes: dict[tuple[str, str], str]) -> Result:
+    """Return the results file: rows are settings, columns rooms; "—" was not run."""
+    rows = [[name, *(outcomes.get((room, name), "—") for room in ROOMS)] for name in SETTINGS]
+    return described("Other processors", "make test-rounding") | {
+        "what": WHAT,
+        "machine": f"{os.cpu_count()} cores of {processor()}, torch {version('torch')}",
+        "tables": [{"columns": ["setting", *ROOMS], "rows": rows}],
+    }
 
 
 def processor() -> str:
@@ -87,23 +90,21 @@ def processor() -> str:
 
 
 def written() -> dict[tuple[str, str], str]:
-    """Return the outcomes on the page: a part that is run again replaces its own alone."""
-    _, _, rest = PAGE.read_text(encoding="utf-8").partition(BEGIN)
-    lines = [line.strip("| ").split(" | ") for line in rest.partition(END)[0].splitlines()]
+    """Return the outcomes in the results file: a part that is run again replaces its own alone."""
+    (table,) = json.loads(RESULTS.read_text(encoding="utf-8"))["tables"]
     return {
         (room, setting): cell
-        for setting, *cells in lines
+        for setting, *cells in table["rows"]
         if setting in SETTINGS
         for room, cell in zip(ROOMS, cells, strict=True)
         if cell != "—"
     }
 
 
-def write(text: str) -> None:
-    """Put the table into the page."""
-    before, _, rest = PAGE.read_text(encoding="utf-8").partition(BEGIN)
-    _, _, after = rest.partition(END)
-    PAGE.write_text(before + BEGIN + text + END + after, encoding="utf-8")
+def write(outcomes: dict[tuple[str, str], str]) -> None:
+    """Write the results file; `python docs/measured.py` makes the page of it."""
+    text = json.dumps(record(outcomes), indent=1, ensure_ascii=False)
+    RESULTS.write_text(text + "\n", encoding="utf-8")
 
 
 def main() -> None:
@@ -117,7 +118,7 @@ def main() -> None:
         for setting in asked.setting or SETTINGS:
             outcomes[room, setting] = outcome(room, setting, asked.seconds)
             print(f"{room}, {setting}: {outcomes[room, setting]}", file=sys.stderr)
-            write(table(outcomes))
+            write(outcomes)
     if any(not one.startswith("0 of ") for one in outcomes.values()):
         sys.exit(1)
 

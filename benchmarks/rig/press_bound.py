@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float
 
+from benchmarks.harness import Result, described
 from benchmarks.rig.least_possible import PressChoices, least_possible
 from benchmarks.rig.press_orders import (
     EVERY,
@@ -245,10 +246,20 @@ def _compared(one: Linear, mine: Told, adaptive: np.ndarray, note) -> None:
 
 def main() -> None:
     spec = load_spec(Path(sys.argv[1]))
-    found = study(spec, table_of(spec))
-    (RESULTS / "press_bound.json").write_text(json.dumps(found, indent=1) + "\n")
-    for name, values in found.items():
-        print(f"{name}: {np.mean(values):.3f} ({min(values):.3f} to {max(values):.3f})")
+    record = record_of(study(spec, table_of(spec)))
+    (RESULTS / "press_bound.json").write_text(json.dumps(record, indent=1) + "\n")
+    print("\n".join(" | ".join(row) for row in record["tables"][0]["rows"]))
+
+
+def record_of(figures: dict[str, list[float]]) -> Result:
+    """Return the results file of figures: case → one value an object, % or shares."""
+    rows = [
+        [name, *(f"{value:.3f}" for value in (np.mean(values), min(values), max(values)))]
+        for name, values in figures.items()
+    ]
+    table = {"columns": ["% of the signals, or share", "mean", "least", "most"], "rows": rows}
+    said = described("Bound below every order", "python -m benchmarks.rig.press_bound SPEC")
+    return said | {"tables": [table], "figures": figures}
 
 
 if __name__ == "__main__":

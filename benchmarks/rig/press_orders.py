@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
+from benchmarks.harness import described
 from benchmarks.rig.sessions import LEVELS_N, HiddenObject, hidden_object, recorded
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
@@ -223,13 +224,26 @@ def main() -> None:
         for count in way.counts
     }
     bound_file = RESULTS / "press_bound.json"
-    bound = json.loads(bound_file.read_text()) if bound_file.exists() else {}
+    bound = json.loads(bound_file.read_text())["figures"] if bound_file.exists() else {}
     of_cube = spec_hash(spec) == spec_hash(load_spec(CUBE))
     draw(found, minutes, bound, FIGURE if of_cube else RESULTS / "press_orders.png")
+    write_table(RESULTS / "press_orders.json", found, minutes)
+
+
+def write_table(path: Path, found: dict[str, dict[str, float]], minutes: dict[str, float]) -> None:
+    """Add what the results file says of itself and its table: errors in %, minutes at the bench."""
+    rows = []
     for key, row in found.items():
         values = 100 * np.array(list(row.values()))
         scatter = f"{values.mean():.2f} ({values.min():.2f} to {values.max():.2f})"
-        print(f"{key}: {scatter}, {minutes[key]:.0f} minutes")
+        rows.append([*key.split(" | "), scatter, f"{minutes[key]:.0f}"])
+    columns = ["order and strokes", "presses", "error, % of the signals", "minutes"]
+    record = described("Order and strokes", "python -m benchmarks.rig.press_orders SPEC") | {
+        "tables": [{"columns": columns, "rows": rows}],
+        **json.loads(path.read_text()),
+    }
+    path.write_text(json.dumps(record, indent=1) + "\n")
+    print("\n".join(" | ".join(row) for row in rows))
 
 
 if __name__ == "__main__":

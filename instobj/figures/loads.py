@@ -11,12 +11,13 @@ import numpy as np
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from instobj.figures.saving import save_figure
-from instobj.figures.style import BLUE, GREEN, PALETTE, RED
+from instobj.figures.style import BLUE, PALETTE, RED
 
 if TYPE_CHECKING:
     from fem.presses.joint import JointPress
 
-_AXES = (("ΔX", BLUE), ("ΔY", RED), ("ΔZ", GREEN))
+# Dark, middle and light: the bars differ in grey too.
+_AXES = (("ΔX", "#0d3b66"), ("ΔY", RED), ("ΔZ", "#f4b942"))
 
 
 @dataclass(frozen=True)

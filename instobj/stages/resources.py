@@ -110,7 +110,7 @@ class SearchSeconds:
 
 
 def search_seconds(spec: ObjectSpec) -> SearchSeconds:
-    """Seconds on one core of the machine of benchmarks/README.md, rough: it took 1.1 times as long
+    """Seconds on one core of the machine of docs/measured/benchmarks.md, rough: it took 1.1 times as long
     on the paper's cube and 1.8 times on the pear, with other programs running; no other body was tried."""
     vertices = mesh_vertices(spec)
     nodes = _NODES_PER_VERTEX[spec.mechanics.element] * vertices

@@ -20,8 +20,16 @@ from instobj.store.readers import FRAMES, METRICS, PRETRAINED, SCORES
 from instobj.store.shared import URL
 from instobj.sweep.study import Study, Variant
 
-SHOWN = ("weakest place mm", "place mm", "detect N", "read place mm", "read force %")
-"""Scores that the figure draws against every changed key, where there are any."""
+SHOWN = {
+    "weakest place mm": "position bound,\nweakest (mm)",
+    "place mm": "position bound,\nmedian (mm)",
+    "detect N": "detectable force,\nmedian (N)",
+    "read place mm": "error of place,\nestimator (mm)",
+    "read force %": "error of force,\nestimator (%)",
+}
+"""Scores that the figure draws against every changed key, where there are any, and their axes' names."""
+BEST = "weakest place mm"
+"""Score by which the page names the best specification."""
 
 
 def variant_row(
@@ -92,9 +100,7 @@ def write_outcome(study: Study, rows: Sequence[dict[str, Any]], folder: Path) ->
         rows=[[_cell(row.get(name, "")) for name in header] for row in rows],
         made=len(made),
         count=len(rows),
-        best=min(
-            (row for row in made if SHOWN[0] in row), key=lambda row: row[SHOWN[0]], default=None
-        ),
+        best=min((row for row in made if BEST in row), key=lambda row: row[BEST], default=None),
         picture_path=folder / "sweep.png" if drawn else None,
     )
     with atomic_path(folder / "sweep.html") as temporary:
@@ -121,7 +127,7 @@ def draw_sweep(study: Study, rows: Sequence[dict[str, Any]], path: Path) -> bool
             axes.plot(x, y, "o", ms=4, color="#31688e", alpha=0.7)
             axes.grid(alpha=0.3)
             axes.set_ylim(0, 1.1 * y[np.isfinite(y)].max(initial=0.0) or 1)
-        panel_row[0].set_ylabel(score)
+        panel_row[0].set_ylabel(SHOWN[score])
     for axes, key in zip(panels[-1], keys, strict=True):
         axes.set_xlabel(key)
     figure.suptitle(f"{study.name}: {len(made)} objects, each one dot")

@@ -51,6 +51,7 @@ def test_there_are_the_ten_tasks_each_with_a_block_first():
     for text in SECTIONS.values():
         assert text.startswith("```sh\n")
         assert "\n**You see** " in text
+        assert re.search(r"^!\[.+\]\(.+\)$", text, re.MULTILINE)
 
 
 def answers(slow):

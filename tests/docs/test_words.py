@@ -100,6 +100,26 @@ def test_a_how_to_page_has_a_block_to_run_in_its_first_screen(name):
     assert any(line.startswith(("```sh", "```py")) for line in first)
 
 
+def pictures(page) -> list:
+    """Return the files of the pictures that a page shows."""
+    shown = re.findall(r"!\[[^\]]+\]\((\S+)\)", page.read_text())
+    return [page.parent / path for path in shown]
+
+
+@pytest.mark.parametrize("page", [*(DOCS / f"{name}.md" for name in HOW_TO), ROOT / "README.md"])
+def test_a_how_to_page_and_the_readme_show_what_is_seen(page):
+    assert any(path.is_file() for path in pictures(page))
+
+
+@pytest.mark.parametrize(
+    "path", sorted((DOCS / "pictures").glob("*.png")), ids=lambda path: path.stem
+)
+def test_a_picture_of_what_is_seen_is_small_and_shown(path):
+    assert path.stat().st_size <= 150_000
+    pages = [*PAGES, ROOT / "README.md"]
+    assert any(path == shown.resolve() for page in pages for shown in pictures(page))
+
+
 @pytest.mark.parametrize("page", PAGES, ids=name_of)
 def test_a_page_of_figures_or_keys_names_the_page_that_explains_them(page):
     name = name_of(page)
