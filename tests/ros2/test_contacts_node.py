@@ -160,7 +160,12 @@ def test_a_press_is_published_with_its_place_and_its_force(
     assert np.linalg.norm(push) == pytest.approx(best.force_n[0, 0], rel=0.2)
     assert push @ place < 0  # inwards
     wrench = node.topics["/instobj/wrench"].messages[-1]
-    for message in (layout, pressed[-1], node.topics["/instobj/frames"].messages[-1], wrench):
+    readings = node.topics["/instobj/frames"].messages[-1]
+    for name in ("counts", "valid", "labels"):  # rclpy takes lists, rosbags arrays
+        setattr(
+            readings, name, np.array(getattr(readings, name), bool if name == "valid" else float)
+        )
+    for message in (layout, pressed[-1], readings, wrench):
         name = message.__msgtype__
         again = store.deserialize_cdr(store.serialize_cdr(message, name), name)
         assert str(again.__msgtype__) == name
