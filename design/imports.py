@@ -21,6 +21,9 @@ EXTRAS = {
     "s3fs": "cluster",
     "anywidget": "notebook",
     "traitlets": "notebook",
+    "rosbags": "robot",
+    "pyarrow": "robot",
+    "foxglove": "robot",
 }
 """Module → extra of instobj that brings it; a test compares with pyproject.toml."""
 

@@ -107,16 +107,25 @@ def predict(
     out: Annotated[
         Path | None,
         typer.Option(
-            help="Folder that gets runs/<name>/ with the predictions (default: beside the file)."
+            help="Folder that gets runs/<name>/ with the predictions (default: beside the file); "
+            "NAME.mcap, or with --port foxglove[:PORT], shows contacts in Foxglove."
         ),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document per frame)."""
     from estimator.inversion.storage import is_inversion
+    from instobj.commands.contacts import shown_in_foxglove
     from instobj.commands.readings import Zeroing
+    from instobj.robot import is_foxglove
 
-    if is_inversion(model):
+    inverts = is_inversion(model)
+    if is_foxglove(out) and not inverts:
+        raise InputError(
+            f"{model} reads one face; --out {out} shows contacts of the whole object. Give contacts.nc "
+            "(training.model = 'inversion')"
+        )
+    if inverts:
         from instobj.commands.contacts import contacts_in_file as in_file
         from instobj.commands.contacts import contacts_on_port as on_port
     else:
@@ -133,7 +142,10 @@ def predict(
     if file is not None:
         show(in_file(model, file, out, zeroing), as_json)
     elif board is not None:
-        for line in on_port(model, board, zeroing, frames, baud):
+        lines = on_port(model, board, zeroing, frames, baud)
+        if out is not None and is_foxglove(out):
+            lines = shown_in_foxglove(lines, model, out)
+        for line in lines:
             typer.echo(line)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -20,6 +20,7 @@ from estimator.inversion.readings import ContactSets
 from estimator.inversion.storage import load_inversion
 from estimator.signals.nuisances import AMBIENT_FIELD
 from instobj.commands.readings import (
+    LiveFrame,
     Stream,
     Zeroing,
     is_data_set,
@@ -29,6 +30,7 @@ from instobj.commands.readings import (
     recorded_stream,
     zeroed_data_set,
 )
+from instobj.robot import foxglove_channels, is_foxglove
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 
@@ -46,7 +48,8 @@ def contacts_in_file(
 ) -> dict[str, Any]:
     """Read every frame of a file; writes `<stem>.contacts.csv` beside it, one row per contact.
 
-    With a folder `out` it is `out/runs/<name>/contacts.csv`, named as `run_name` says.
+    With a folder `out` it is `out/runs/<name>/contacts.csv`, named as `run_name` says. Where `out` is an
+    MCAP file, frames go there too (`instobj.robot.foxglove_channels`).
 
     Frames of a data set are read one by one, with the next best answer; those of a recording are
     zeroed and tracked like a board's. A data set with labels is judged too.
@@ -57,7 +60,8 @@ def contacts_in_file(
         A bad model or file, readings of another object, or no zero in the whole file.
     """
     inversion = load_inversion(model_path)
-    target = prediction_path("contacts.csv", path, out)
+    mcap = _mcap_file(out, path)
+    target = prediction_path("contacts.csv", path, None if mcap else out)
     judged: list[dict[str, Any]] = []
     texts: list[str] = []
     if is_data_set(path):
@@ -69,6 +73,12 @@ def contacts_in_file(
         second, texts = None, stream.texts
     rows = _rows(inversion, number, time_s, best, second)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
+    if mcap is not None:
+        if not np.isfinite(time_s).all():
+            raise InputError(f"{path} has no stamps, which {mcap} needs. Leave --out {mcap} out")
+        with foxglove_channels(mcap, inversion.model.spec) as send:
+            for row in range(len(best)):
+                send(_document(inversion, number[row], time_s[row], best.select(np.array([row]))))
     summary = {
         "frames": len(best),
         "frames that lack a reading": unread,
@@ -79,9 +89,10 @@ def contacts_in_file(
         "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
     }
     tables = {f"{path.name}, {model_path.name}": [summary]}
+    files = [target] if mcap is None else [target, mcap]
     if judged:
         tables["against the labels, means over frames"] = judged
-    return {"command": "predict", "texts": texts, "tables": tables, "files": file_rows([target])}
+    return {"command": "predict", "texts": texts, "tables": tables, "files": file_rows(files)}
 
 
 def contacts_on_port(
@@ -97,10 +108,30 @@ def contacts_on_port(
     inversion = load_inversion(model_path)
     reader = LiveContacts(inversion, *zeroing.of_raw)
     frames = islice(live_frames(reader, inversion.channels, port, baud), count)
-    return (
-        json.dumps(_document(inversion, frame.number, frame.time_s, frame.found) | frame.line)
-        for frame in frames
-    )
+    return (json.dumps(contacts_of(inversion, frame)) for frame in frames)
+
+
+def contacts_of(inversion: Inversion, frame: LiveFrame) -> dict[str, Any]:
+    """Return a board's frame as `instobj predict --port` prints it."""
+    return _document(inversion, frame.number, frame.time_s, frame.found) | frame.line
+
+
+def _mcap_file(out: Path | None, path: Path) -> Path | None:
+    """Return the MCAP file that frames of a recording go to; refused before any work where they cannot."""
+    if out is None or not is_foxglove(out):
+        return None
+    if out.suffix != ".mcap" or out.exists():
+        why = "exists already" if out.exists() else "shows the frames of a --port live"
+        raise InputError(f"{out} {why}. Give a new file such as --out {path.stem}_contacts.mcap")
+    return out
+
+
+def shown_in_foxglove(documents: Iterable[str], model_path: Path, out: Path) -> Iterator[str]:
+    """Yield the documents of `contacts_on_port`, each shown in Foxglove (`instobj.robot`)."""
+    with foxglove_channels(out, load_inversion(model_path).model.spec) as send:
+        for document in documents:
+            send(json.loads(document))
+            yield document
 
 
 def _in_data_set(

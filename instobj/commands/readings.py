@@ -17,6 +17,7 @@ from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
 from estimator.frames.dataset import FrameSet, load_frames
 from estimator.frames.face_data import HISTORY, Channel
 from estimator.frames.same_object import require_same_sensors
+from estimator.recordings.formats.robot import is_robot_file
 from estimator.recordings.table import FACES
 from instobj.store.publish import require_writable, require_writable_folder, run_folder, run_name
 
@@ -212,9 +213,9 @@ def prediction_path(name: str, path: Path, out: Path | None) -> Path:
         return run_folder(out, run_name(path)) / name
     if path.parent.is_dir():
         require_writable_folder(path.parent)
-    require_regular_file(
-        path, f"no recording at {path}. Give the path of a recording or a data set"
-    )
+    if not is_robot_file(path):  # a bag may be a folder
+        missing = f"no recording at {path}. Give the path of a recording or a data set"
+        require_regular_file(path, missing)
     return path.with_name(f"{path.stem}.{name}")
 
 

@@ -94,7 +94,7 @@ def test_the_extras_that_messages_name_are_those_declared():
         "optional-dependencies"
     ]
     brought = {extra: {_key(Requirement(line).name) for line in extras[extra]} for extra in extras}
-    names = {"serial": "pyserial"}
+    names = {"serial": "pyserial", "foxglove": "foxglove-sdk"}
     for module, extra in EXTRAS.items():
         assert names.get(module, module) in brought[extra]
     packages = set().union(

@@ -15,6 +15,7 @@ from jaxtyping import Float, Int
 
 from design.errors import InputError, RecordingError
 from design.files import require_regular_file
+from estimator.recordings.formats.robot import is_robot_file, robot_csv
 
 FORMATS = "`instobj docs recordings` describes the formats that are read"
 _BINARY = set(range(32)) - set(b"\t\n\r\f\v")
@@ -61,13 +62,15 @@ def csv_rows(content: bytes) -> tuple[list[list[str]], str]:
 
 
 def read_bytes(path: Path) -> bytes:
-    """The file's content.
+    """Return the file's content; of a bag or a LeRobot data set, the same as a generic CSV.
 
     Raises
     ------
     RecordingError
         It is no file that can be read to its end, is empty, or is a specification.
     """
+    if is_robot_file(path):
+        return robot_csv(path)
     if path.suffix == ".toml":
         raise RecordingError(
             f"{path} is a specification. Give recordings (CSV or NetCDF), and the specification by --spec"

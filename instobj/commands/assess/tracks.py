@@ -18,6 +18,7 @@ from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
+from estimator.recordings.formats.robot import is_robot_file
 from estimator.recordings.table import FACES
 from instobj.commands.contacts import require_read_sensors
 from instobj.commands.readings import (
@@ -114,20 +115,23 @@ def recordings_in(given: Path) -> list[Path]:
     InputError
         Nothing there, or a folder without any.
     """
-    if not given.is_dir():
-        if not given.is_file():
+    if not given.is_dir() or is_robot_file(given):
+        if not given.exists():
             raise InputError(
                 f"no recording at {given}. Give a recording, a data set, or a folder of them"
             )
         return [given]
     tables = [
         path
-        for path in sorted(given.glob("*.csv"))
-        if not path.name.endswith(_OTHERS) and "prediction_" not in path.name
+        for path in sorted(given.iterdir())
+        if (path.suffix == ".csv" or is_robot_file(path))
+        and not (path.name.endswith(_OTHERS) or "prediction_" in path.name)
     ]
     sets = [p for p in sorted(given.glob("*.nc")) if is_data_set(p) or holds(p, "counts")]
     if not tables and not sets:
-        raise InputError(f"{given} holds no recording (CSV or NetCDF). Give a folder that does")
+        raise InputError(
+            f"{given} holds no recording (CSV, NetCDF or bag). Give a folder that does"
+        )
     return sorted([*tables, *sets])
 
 

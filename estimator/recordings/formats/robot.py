@@ -1,0 +1,216 @@
+"""Recordings that robots write, read as generic CSV: rosbag2 folders, MCAP files, LeRobot data sets.
+
+A bag (a rosbag2 folder, or one `.mcap` or `.db3` file of it) has two topics. The names of all
+columns come once, as `instobj_msgs/Layout` on /instobj/layout, and numbers often, as
+`instobj_msgs/Frame` on /instobj/frames. A LeRobot data set (version 3: `meta/info.json` and Parquet
+files) names its channels in the feature `observation.hall_counts`; every episode is a session.
+Stamps are kept to 1 ns, numbers exactly.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.errors import InputError, RecordingError
+from design.files import require_regular_file
+
+LAYOUT, FRAMES = "/instobj/layout", "/instobj/frames"
+HALL_COUNTS = "observation.hall_counts"
+MESSAGES = {
+    "instobj_msgs/msg/Layout": """\
+# Names of the numbers of each Frame, sent once (transient local).
+string[] channels  # F1-X1 …, raw counts
+string[] labels    # session, rest, cell1_force_n, …; as docs/recordings.md names them
+""",
+    "instobj_msgs/msg/Frame": """\
+# Readings of all channels at one time.
+std_msgs/Header header
+float64[] counts
+bool[] valid       # false: the channel has no reading
+float64[] labels   # NaN: not known
+""",
+}
+"""Definition of each message; `ros2/instobj_msgs/msg` has the same."""
+_SUFFIXES = (".mcap", ".db3")
+_NS = 1_000_000_000
+"""Nanoseconds of a second."""
+
+
+def is_robot_file(path: Path) -> bool:
+    """Return whether a path is a bag or a LeRobot data set, by its name and its files."""
+    return path.suffix in _SUFFIXES or any(
+        (path / name).is_file() for name in ("metadata.yaml", "meta/info.json")
+    )
+
+
+def robot_csv(path: Path) -> bytes:
+    """Return a bag or a LeRobot data set as a generic CSV.
+
+    Raises
+    ------
+    RecordingError
+        Damaged, or without the topics or the feature of an instrumented object.
+    ImportError
+        The extra `instobj[robot]` is not installed.
+    """
+    rows = _lerobot_rows(path) if (path / "meta").is_dir() else _bag_rows(path)
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue().encode()
+
+
+def write_bag(recording: Path | str, bag: Path | str) -> None:
+    """Write a generic CSV as a rosbag2 folder with one MCAP file, which Foxglove opens too.
+
+    Raises
+    ------
+    InputError
+        No such file, the folder exists, or stamps (`time_s`) are missing or below 0.
+    ImportError
+        The extra `instobj[robot]` is not installed.
+    """
+    from rosbags import rosbag2
+
+    path = Path(bag)
+    if path.exists():
+        raise InputError(f"{path} exists already. Give the bag another name")
+    content = require_regular_file(Path(recording), f"no recording at {recording}").read_text()
+    header, *cells = csv.reader(content.splitlines())
+    rows = [[float(cell) if cell.strip() else math.nan for cell in row] for row in cells]
+    if "time_s" not in header or min(row[header.index("time_s")] for row in rows) < 0:
+        raise InputError(f"{recording} needs stamps from 0 on in a column time_s (s). Add them")
+    store, time = _typestore(), header.index("time_s")
+    channels = [n for n, name in enumerate(header) if name[:1] == "F"]
+    labels = [n for n in range(len(header)) if n != time and n not in channels]
+    layout, frame = (store.types[name] for name in MESSAGES)
+    header_type, stamp_type = (
+        store.types["std_msgs/msg/Header"],
+        store.types["builtin_interfaces/msg/Time"],
+    )
+    mcap = rosbag2.StoragePlugin.MCAP
+    with rosbag2.Writer(path, version=9, storage_plugin=mcap) as writer:
+        topics = [
+            writer.add_connection(topic, name, typestore=store)
+            for topic, name in zip((LAYOUT, FRAMES), MESSAGES, strict=True)
+        ]
+        names = layout([header[n] for n in channels], [header[n] for n in labels])
+        for number, row in enumerate(rows):
+            stamp_ns = round(row[time] * _NS)
+            if not number:
+                writer.write(topics[0], stamp_ns, _serialized(store, names))
+            counts = [row[n] for n in channels]
+            message = frame(
+                header_type(stamp_type(*divmod(stamp_ns, _NS)), ""),
+                np.array(counts),
+                np.array([not math.isnan(count) for count in counts]),
+                np.array([row[n] for n in labels]),
+            )
+            writer.write(topics[1], stamp_ns, _serialized(store, message))
+
+
+def _serialized(store: Any, message: Any) -> bytes:
+    return bytes(store.serialize_cdr(message, message.__msgtype__))
+
+
+def _typestore() -> Any:
+    from rosbags import typesys
+
+    store = typesys.get_typestore(typesys.Stores.ROS2_JAZZY)
+    for name, text in MESSAGES.items():
+        store.register(typesys.get_types_from_msg(text, name))
+    return store
+
+
+def _bag_rows(path: Path) -> Iterator[list[Any]]:
+    from rosbags import rosbag2
+
+    store = _typestore()
+    try:
+        with rosbag2.Reader(path) as bag:
+            yield from _rows_of_messages(bag, store)
+    except RecordingError:
+        raise
+    except Exception as error:  # a damaged file makes the library's parser fail in any way
+        raise RecordingError(f"it is no bag that can be read to its end ({error})") from None
+
+
+def _rows_of_messages(bag: Any, store: Any) -> Iterator[list[Any]]:
+    types = {connection.topic: connection.msgtype for connection in bag.connections}
+    wanted = dict(zip((LAYOUT, FRAMES), MESSAGES, strict=True))
+    if not wanted.items() <= types.items():
+        topics = ", ".join(sorted(types)) or "none"
+        raise RecordingError(
+            f"it has the topics {topics}; a bag of an instrumented object has {LAYOUT} and {FRAMES} "
+            "(`instobj docs recordings`). A foreign log is for `instobj adopt`"
+        )
+    width = None
+    for connection, _, data in bag.messages():
+        if connection.topic not in wanted:
+            continue
+        message = store.deserialize_cdr(data, connection.msgtype)
+        if connection.topic == LAYOUT:
+            if width is None:  # a second layout of the same bag is the same object's
+                width = len(message.channels), len(message.labels)
+                yield ["time_s", *message.channels, *message.labels]
+            continue
+        if width is None:
+            raise RecordingError(
+                f"frames come before their names ({LAYOUT}). Record the layout too"
+            )
+        if (len(message.counts), len(message.labels)) != width or len(message.valid) != width[0]:
+            raise RecordingError(
+                f"a frame has {len(message.counts)} counts where {width[0]} channels have names. "
+                "Record one object a bag"
+            )
+        stamp = message.header.stamp
+        yield [
+            f"{stamp.sec}.{stamp.nanosec:09d}",
+            *_cells(message.counts, message.valid),
+            *_cells(message.labels, [True] * width[1]),
+        ]
+
+
+def _cells(values: Any, valid: Any) -> list[str]:
+    """Return numbers as cells, empty where there is none."""
+    return [
+        f"{value:.17g}" if known and not math.isnan(value) else ""
+        for value, known in zip(values, valid, strict=True)
+    ]
+
+
+def lerobot_features(channels: list[str]) -> dict[str, dict[str, Any]]:
+    """Return the features of a LeRobot data set that hold raw counts of the channels, by name."""
+    return {HALL_COUNTS: {"dtype": "float32", "shape": (len(channels),), "names": list(channels)}}
+
+
+def _lerobot_rows(path: Path) -> Iterator[list[Any]]:
+    from pyarrow import parquet
+
+    try:
+        features = json.loads((path / "meta/info.json").read_text())["features"]
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise RecordingError(f"its meta/info.json cannot be read ({error})") from None
+    names = (features.get(HALL_COUNTS) or {}).get("names")
+    if not names:
+        raise RecordingError(
+            f"its features are {', '.join(features)}; raw counts belong into {HALL_COUNTS}, with the "
+            "channels' names"
+        )
+    yield ["time_s", "session", *names]
+    columns = ["timestamp", "episode_index", HALL_COUNTS]
+    for part in sorted((path / "data").rglob("*.parquet")):
+        try:
+            table = parquet.read_table(part, columns=columns).to_pydict()
+        except (OSError, ValueError, KeyError) as error:
+            raise RecordingError(f"{part.name} cannot be read ({error})") from None
+        for stamp, episode, counts in zip(*(table[name] for name in columns), strict=True):
+            cells = _cells(counts, [True] * len(names))
+            yield [f"{stamp:.9f}", str(episode + 1), *cells]

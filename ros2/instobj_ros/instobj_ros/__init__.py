@@ -1,0 +1,1 @@
+"""Contacts of an instrumented object for ROS 2."""

@@ -1,0 +1,43 @@
+"""Contacts of an instrumented object: model:=contacts.nc port:=/dev/ttyACM0 [urdf:=object.urdf]."""
+
+from pathlib import Path
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import LifecycleNode, Node
+
+
+def nodes(context):
+    """Return the reader, and the object's frames where a URDF is given."""
+    values = {
+        name: LaunchConfiguration(name).perform(context) for name in ("model", "port", "urdf")
+    }
+    parameters = [{name: values[name] for name in ("model", "port")}]
+    reader = LifecycleNode(
+        package="instobj_ros",
+        executable="contacts",
+        name="instobj",
+        namespace="",
+        parameters=parameters,
+        autostart=True,
+    )
+    if not values["urdf"]:
+        return [reader]
+    description = {"robot_description": Path(values["urdf"]).read_text()}
+    publisher = Node(
+        package="robot_state_publisher",
+        executable="robot_state_publisher",
+        parameters=[description],
+    )
+    return [reader, publisher]
+
+
+def generate_launch_description():
+    """Return the launch description."""
+    arguments = [
+        DeclareLaunchArgument("model", default_value="contacts.nc"),
+        DeclareLaunchArgument("port"),
+        DeclareLaunchArgument("urdf", default_value=""),
+    ]
+    return LaunchDescription([*arguments, OpaqueFunction(function=nodes)])

@@ -1,0 +1,129 @@
+"""Recordings that robots write: every count and stamp comes back, and what is missing is said."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_array_equal
+
+from design.errors import InputError, RecordingError
+from estimator.recordings.formats.files import read_signals, read_table
+from estimator.recordings.formats.robot import HALL_COUNTS, MESSAGES, lerobot_features, write_bag
+from tests.support.recordings.generic_csv import write_generic_csv
+
+rosbag2 = pytest.importorskip("rosbags.rosbag2")
+MESSAGE_FOLDER = Path(__file__).parents[4] / "ros2" / "instobj_msgs" / "msg"
+
+
+def same(a, b):
+    assert_array_equal(np.round(a.time_s * 1e9), np.round(b.time_s * 1e9))
+    for name in ("counts", "force_n", "face", "tip_xy_mm", "case", "declared_rest"):
+        assert_array_equal(getattr(a, name), getattr(b, name), name)
+
+
+def test_a_bag_holds_what_the_recording_holds_as_a_folder_and_as_one_file(table, tmp_path):
+    write_generic_csv(table, tmp_path / "a.csv")
+    write_bag(tmp_path / "a.csv", tmp_path / "bag")
+    written = read_table(tmp_path / "a.csv")
+    same(read_table(tmp_path / "bag"), written)
+    (mcap,) = (tmp_path / "bag").glob("*.mcap")
+    same(read_table(mcap), written)
+
+
+def test_a_channel_without_a_reading_has_none_in_the_bag(tmp_path):
+    (tmp_path / "a.csv").write_text("time_s,F1-X1,F1-Y1\n0.5,1,\n1.25,-7,3\n1.5,2,2\n")
+    write_bag(tmp_path / "a.csv", tmp_path / "bag")
+    time_s, counts = read_signals(tmp_path / "bag")
+    assert time_s.tolist() == [0.5, 1.25, 1.5]
+    assert_array_equal(counts[:, 0, 0, :2], [[1, np.nan], [-7, 3], [2, 2]])
+
+
+def test_the_names_come_once_and_are_those_of_the_ros_package(tmp_path):
+    (tmp_path / "a.csv").write_text("time_s,F1-X1\n0.5,1\n1.25,-7\n1.5,2\n")
+    write_bag(tmp_path / "a.csv", tmp_path / "bag")
+    with rosbag2.Reader(tmp_path / "bag") as bag:
+        assert {c.topic: c.msgcount for c in bag.connections} == {
+            "/instobj/layout": 1,
+            "/instobj/frames": 3,
+        }
+    for name, text in MESSAGES.items():
+        assert (MESSAGE_FOLDER / f"{name.rpartition('/')[2]}.msg").read_text() == text
+
+
+def foreign_bag(path):
+    from rosbags.typesys import Stores, get_typestore
+
+    store = get_typestore(Stores.ROS2_JAZZY)
+    name = "std_msgs/msg/String"
+    with rosbag2.Writer(path, version=9) as bag:
+        topic = bag.add_connection("/chatter", name, typestore=store)
+        bag.write(topic, 5, store.serialize_cdr(store.types[name]("hello"), name))
+
+
+def test_a_foreign_bag_is_refused_with_its_topics(tmp_path):
+    foreign_bag(tmp_path / "bag")
+    with pytest.raises(RecordingError, match=r"/chatter.*/instobj/layout.*adopt"):
+        read_signals(tmp_path / "bag")
+
+
+@pytest.mark.parametrize("content", [b"", b"\x89MCAP0\r\n", b"no bag at all"])
+def test_a_damaged_file_is_one_error(tmp_path, content):
+    (tmp_path / "a.mcap").write_bytes(content)
+    with pytest.raises(RecordingError, match="no bag that can be read"):
+        read_signals(tmp_path / "a.mcap")
+
+
+def test_a_cut_bag_is_one_error(tmp_path):
+    rows = "".join(f"{k / 10},{k},{-k}\n" for k in range(400))
+    (tmp_path / "a.csv").write_text("time_s,F1-X1,F1-Y1\n" + rows)
+    write_bag(tmp_path / "a.csv", tmp_path / "bag")
+    (mcap,) = (tmp_path / "bag").glob("*.mcap")
+    mcap.write_bytes(mcap.read_bytes()[:5000])
+    with pytest.raises(RecordingError, match="no bag that can be read"):
+        read_signals(tmp_path / "bag")
+
+
+def test_a_bag_is_not_overwritten_and_needs_stamps(tmp_path):
+    (tmp_path / "a.csv").write_text("time_s,F1-X1\n-1,1\n1.25,-7\n")
+    with pytest.raises(InputError, match="stamps from 0"):
+        write_bag(tmp_path / "a.csv", tmp_path / "bag")
+    (tmp_path / "taken").mkdir()
+    with pytest.raises(InputError, match="exists already"):
+        write_bag(tmp_path / "a.csv", tmp_path / "taken")
+
+
+def lerobot(folder, features, counts):
+    """Two episodes in the layout of a LeRobot data set, version 3."""
+    pyarrow = pytest.importorskip("pyarrow")
+    from pyarrow import parquet
+
+    (folder / "meta").mkdir(parents=True)
+    (folder / "data" / "chunk-000").mkdir(parents=True)
+    info = {"codebase_version": "v3.0", "fps": 10, "features": features}
+    (folder / "meta" / "info.json").write_text(json.dumps(info))
+    half = len(counts) // 2
+    columns = {
+        "timestamp": np.tile(np.arange(half) / 10, 2).astype("float32"),
+        "episode_index": np.repeat([0, 1], half),
+        HALL_COUNTS: list(counts.astype("float32")),
+    }
+    target = folder / "data" / "chunk-000" / "file-000.parquet"
+    parquet.write_table(pyarrow.table(columns), target)
+
+
+def test_a_lerobot_data_set_is_read_by_the_names_of_its_feature(tmp_path):
+    counts = np.random.default_rng(0).integers(-3000, 3000, (40, 2))
+    features = lerobot_features(["F2-X1", "F2-Z3"])
+    assert features[HALL_COUNTS]["shape"] == (2,)
+    lerobot(tmp_path / "set", features, counts)
+    time_s, read = read_signals(tmp_path / "set")
+    assert_array_equal(read[:, 1, 0, 0], counts[:, 0])
+    assert_array_equal(read[:, 1, 2, 2], counts[:, 1])
+    assert_array_equal(np.round(time_s, 6), np.tile(np.arange(20) / 10, 2))
+
+
+def test_a_lerobot_data_set_without_counts_says_what_it_has(tmp_path):
+    lerobot(tmp_path / "set", {"observation.state": {}}, np.zeros((4, 2)))
+    with pytest.raises(RecordingError, match=r"observation\.state.*observation\.hall_counts"):
+        read_signals(tmp_path / "set")

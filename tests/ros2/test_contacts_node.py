@@ -1,0 +1,180 @@
+"""The ROS 2 node with a stand-in for rclpy: what it publishes, as ROS messages that rosbags writes."""
+
+import importlib.util
+import sys
+import time
+from pathlib import Path
+from types import MappingProxyType, ModuleType, SimpleNamespace
+
+import numpy as np
+import pytest
+
+from estimator.inversion.storage import save_inversion
+from estimator.recordings.boards.lines import encode_frame
+from tests.support.mechanics.inverted import inverted, noisy_counts
+from tests.support.recordings.dummy_board import dummy_board
+
+typesys = pytest.importorskip("rosbags.typesys")
+ROS2 = Path(__file__).parents[2] / "ros2"
+CHANNELS = tuple(
+    f"F{face}-{axis}{chip}" for face in range(1, 6) for chip in (1, 2, 3) for axis in "XYZ"
+)
+
+
+@pytest.fixture(scope="module")
+def store():
+    """All messages that ROS 2 has, and those of the package."""
+    types = typesys.get_typestore(typesys.Stores.ROS2_JAZZY)
+    for path in sorted((ROS2 / "instobj_msgs" / "msg").glob("*.msg")):
+        name = f"instobj_msgs/msg/{path.stem}"
+        types.register(typesys.get_types_from_msg(path.read_text(), name))
+    return types
+
+
+def ros_message(store, name):
+    """A message as rclpy makes it: with a default for every field that is not given."""
+    kind = store.types[name]
+    empty = {"string": "", "bool": False, "uint8": 0, "float64": 0.0, "int32": 0, "uint32": 0}
+
+    def make(**given):
+        values = {}
+        for field, (node, detail) in store.fielddefs[name][1]:
+            if field in given:
+                values[field] = given[field]
+            elif node.name == "BASE":
+                values[field] = empty[detail[0]]
+            else:
+                values[field] = ros_message(store, detail)() if node.name == "NAME" else []
+        return kind(**values)
+
+    return make
+
+
+class Publisher:
+    def __init__(self):
+        self.messages = []
+
+    def publish(self, message):
+        self.messages.append(message)
+
+
+class Node:
+    """As much of a lifecycle node as this one uses."""
+
+    parameters = MappingProxyType({})
+
+    def __init__(self, name):
+        self.name, self.values, self.topics, self.errors = name, {}, {}, []
+
+    def declare_parameter(self, name, value):
+        self.values[name] = self.parameters.get(name, value)
+
+    def get_parameter(self, name):
+        return SimpleNamespace(value=self.values[name])
+
+    def create_lifecycle_publisher(self, kind, topic, qos):
+        self.topics[topic] = Publisher()
+        return self.topics[topic]
+
+    def get_logger(self):
+        return SimpleNamespace(error=self.errors.append)
+
+    def on_activate(self, state):
+        return "success"
+
+    on_deactivate = on_activate
+
+
+@pytest.fixture
+def contacts_node(store, monkeypatch):
+    """The node's module, with ROS in its stead."""
+    kept = SimpleNamespace(TRANSIENT_LOCAL="kept")
+    modules = {
+        "rclpy": {},
+        "rclpy.lifecycle": {
+            "LifecycleNode": Node,
+            "TransitionCallbackReturn": SimpleNamespace(SUCCESS="success", FAILURE="failure"),
+        },
+        "rclpy.qos": {"DurabilityPolicy": kept, "QoSProfile": lambda **given: given},
+        "geometry_msgs.msg": {
+            name: ros_message(store, f"geometry_msgs/msg/{name}")
+            for name in ("Point", "Vector3", "WrenchStamped")
+        },
+        "instobj_msgs.msg": {
+            name: ros_message(store, f"instobj_msgs/msg/{name}")
+            for name in ("Contact", "Contacts", "Frame", "Layout")
+        },
+    }
+    for name, content in modules.items():
+        module = ModuleType(name)
+        vars(module).update(content)
+        monkeypatch.setitem(sys.modules, name, module)
+    path = ROS2 / "instobj_ros" / "instobj_ros" / "contacts.py"
+    spec = importlib.util.spec_from_file_location("instobj_ros_contacts", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def board(counts):
+    rng = np.random.default_rng(2)
+
+    def lines(number):
+        # rest for 3 s, which gives the zero, and a press of 2 s
+        held = counts if number % 500 >= 300 else 0 * counts
+        noisy = 300 + held + rng.normal(0, 5, 45)
+        return encode_frame(number, 10 * number, [float(round(value)) for value in noisy])
+
+    return lines
+
+
+def test_a_press_is_published_with_its_place_and_its_force(
+    contacts_node, store, monkeypatch, tmp_path
+):
+    save_inversion(inverted(), tmp_path / "contacts.nc")
+    face, contact = np.full((1, 6), -1), np.zeros((1, 6, 3))
+    face[0, 0], contact[0, 0] = 2, [3.0, -2.0, 7.0]
+    counts = noisy_counts(inverted(), face, contact, np.random.default_rng(1), turned=False)[0]
+    with dummy_board(board(counts), channels=CHANNELS) as port:
+        given = {"model": str(tmp_path / "contacts.nc"), "port": port}
+        monkeypatch.setattr(Node, "parameters", given)
+        node = contacts_node.ContactNode()
+        assert node.on_configure(None) == "success"
+        node.on_activate(None)
+        until = time.monotonic() + 30
+        pressed = []
+        while not pressed and time.monotonic() < until:
+            time.sleep(0.2)
+            pressed = [m for m in list(node.topics["/instobj/contacts"].messages) if m.contacts]
+        node.on_deactivate(None)
+    assert node.errors == []
+    (layout,) = node.topics["/instobj/layout"].messages
+    assert layout.channels == list(CHANNELS)
+    read = pressed[-1].contacts[0]
+    half_mm = inverted().model.spec.body.size_mm[0] / 2
+    place = np.array([read.position.x, read.position.y, read.position.z])
+    push = np.array([read.force.x, read.force.y, read.force.z])
+    assert read.face == 3
+    assert np.abs(place).max() == pytest.approx(1e-3 * half_mm, rel=1e-6)
+    best, _ = inverted().read(counts[None])  # the same frame, read without a board
+    assert np.linalg.norm(push) == pytest.approx(best.force_n[0, 0], rel=0.2)
+    assert push @ place < 0  # inwards
+    wrench = node.topics["/instobj/wrench"].messages[-1]
+    readings = node.topics["/instobj/frames"].messages[-1]
+    for name in ("counts", "valid", "labels"):  # rclpy takes lists, rosbags arrays
+        setattr(
+            readings, name, np.array(getattr(readings, name), bool if name == "valid" else float)
+        )
+    for message in (layout, pressed[-1], readings, wrench):
+        name = message.__msgtype__
+        again = store.deserialize_cdr(store.serialize_cdr(message, name), name)
+        assert str(again.__msgtype__) == name
+
+
+def test_a_model_that_is_not_there_keeps_the_node_unconfigured(
+    contacts_node, monkeypatch, tmp_path
+):
+    monkeypatch.setattr(Node, "parameters", {"model": str(tmp_path / "none.nc")})
+    node = contacts_node.ContactNode()
+    assert node.on_configure(None) == "failure"
+    assert "none.nc" in node.errors[0]
