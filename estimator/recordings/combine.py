@@ -64,19 +64,20 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     )
 
 
-def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "5 sensor 3"]:
+def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "face sensor 3"]:
     """Channels whose rest level jumped between any two recordings: another magnet or sensor.
 
     Raises
     ------
     InputError
-        The recordings have different numbers of sensors.
+        The recordings have different numbers of faces or sensors.
     """
-    sensors = sorted({recording.rest_counts.shape[2] for recording in recordings})
-    if len(sensors) > 1:
+    layouts = sorted({recording.rest_counts.shape[1:3] for recording in recordings})
+    if len(layouts) > 1:
+        told = " and ".join(f"{faces} × {sensors}" for faces, sensors in layouts)
         raise InputError(
-            f"the recordings have up to {' and '.join(map(str, sensors))} sensors per face, so they "
-            "are of different objects. Give recordings of one"
+            f"the recordings have channels of {told} (faces × sensors of a face), so they are of "
+            "different objects. Give recordings of one"
         )
     levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]
     jumped = [jumped_channels(levels[0], level) for level in levels]
@@ -84,7 +85,7 @@ def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "5 sensor
 
 
 def _copied(
-    signal_counts: Float[np.ndarray, "frame 5 sensor 3"],
+    signal_counts: Float[np.ndarray, "frame face sensor 3"],
 ) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
     """Frames that were there before, by their whole steps from frame to frame (zeros differ)."""
     steps = np.round(np.diff(signal_counts, axis=0))

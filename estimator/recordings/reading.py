@@ -64,7 +64,7 @@ from estimator.recordings.presses import (
     tared,
 )
 from estimator.recordings.report import RecordingReport, noise_by_name
-from estimator.recordings.table import FACES, RawTable
+from estimator.recordings.table import RawTable, faces_of
 from estimator.recordings.zeros import Zeros, rest_levels
 
 NOMINAL_RATE_HZ = 10.5
@@ -90,7 +90,7 @@ class Recording:
 
     frames: FrameSet
     report: RecordingReport
-    rest_counts: Float[np.ndarray, "press 5 sensor 3"]
+    rest_counts: Float[np.ndarray, "press face sensor 3"]
 
     def __repr__(self) -> str:
         return str(self.report)
@@ -166,7 +166,7 @@ def read_recording(
 
 def _believed(
     table: RawTable, limits: Limits
-) -> tuple[RawTable, Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+) -> tuple[RawTable, Bool[np.ndarray, "face sensor 3"], list[Fault]]:
     """The table without readings that a check names, channels to leave out, and what was named."""
     raw = table.counts
     if not np.isfinite(raw).any():
@@ -261,7 +261,7 @@ def _find_presses(table: RawTable) -> tuple[Judged, Bool[np.ndarray, "frame"], l
 def _frames(
     case: Judged,
     zeros: Zeros,
-    left_out: Bool[np.ndarray, "5 sensor 3"],
+    left_out: Bool[np.ndarray, "face sensor 3"],
     hidden: Bool[np.ndarray, "frame"],
     session: Int[np.ndarray, "frame"],
     place: Int[np.ndarray, "frame"],
@@ -294,7 +294,7 @@ def _frames(
         place_id=place,
         session_id=session,
         time_s=case.time_s,
-        faces=np.array(FACES),
+        faces=faces_of(table.counts),
         grid_x_mm=table.grid_x_mm,
         grid_y_mm=table.grid_y_mm,
         noise_counts=axis_noise_counts(case.noise_counts),
@@ -306,7 +306,7 @@ def _frames(
     )
 
 
-def _recorded(table: RawTable) -> Bool[np.ndarray, "frame 5 1 1"]:
+def _recorded(table: RawTable) -> Bool[np.ndarray, "frame face 1 1"]:
     """Return which faces ought to have readings in each frame: faces that ever have, in a training file
     the one of the frame."""
     has_reading = np.any(np.isfinite(table.counts), axis=(2, 3), keepdims=True)

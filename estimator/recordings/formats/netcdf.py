@@ -10,7 +10,7 @@ from design.errors import RecordingError, StoreError
 from design.netcdf import FileKind, read_arrays, write_netcdf
 from estimator.recordings.formats.generic import content_digest, face_labels, tip_places
 from estimator.recordings.formats.text import FORMATS, check_complete, whole
-from estimator.recordings.table import FACES, RawTable
+from estimator.recordings.table import LEAST_FACES, MOST_FACES, RawTable, with_pressed_faces
 
 _FILE_NAMES = {
     "face": "cell_face",
@@ -91,10 +91,11 @@ def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
     floats = {_FIELDS[name]: array.astype(float) for name, array in in_file.items()}
     shear = floats.get("shear_n", np.zeros((frames, cells, 2)))
     shapes = floats["counts"].shape[1::2], floats["tip_xy_mm"].shape[1::2], floats["face"].shape[1]
-    right = shapes == ((len(FACES), 3), (cells, 2), cells) and shear.shape[1:] == (cells, 2)
+    right = shapes[1:] == ((cells, 2), cells) and shear.shape[1:] == (cells, 2)
+    right &= shapes[0] in ((LEAST_FACES, 3), (MOST_FACES, 3))
     if not right or not frames:
         raise RecordingError(
-            "it must hold frames with 5 faces, 3 axes, and places and shear (x, y) for each of "
+            "it must hold frames with 5 or 6 faces, 3 axes, and places and shear (x, y) for each of "
             f"its {cells} load cells; got {shapes} and {shear.shape[1:]} in {frames} frames. {FORMATS}"
         )
     for name in {"time_s", "force_n", "shear_n", "grid_x_mm", "grid_y_mm"} & set(floats):
@@ -103,19 +104,19 @@ def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
     labelled = np.concatenate(
         [floats["face"][..., None], floats["tip_xy_mm"].reshape(frames, cells, -1)], axis=2
     )
-    shear_n = floats.get("shear_n")
+    shear_n, face = floats.get("shear_n"), face_labels(floats["face"])
+    counts = with_pressed_faces(floats["counts"], face)
     case = whole(floats["case"][:, None], ["session"])[:, 0]
     return RawTable(
         kind="generic",
-        **{
-            name: floats[name] for name in ("time_s", "force_n", "counts", "grid_x_mm", "grid_y_mm")
-        },
-        face=face_labels(floats["face"]),
+        **{name: floats[name] for name in ("time_s", "force_n", "grid_x_mm", "grid_y_mm")},
+        counts=counts,
+        face=face,
         tip_xy_mm=tip_places(labelled),
         case=case,
         declared_rest=floats["declared_rest"] == 1,
         duplicate_columns=(),
-        digest=content_digest(floats["time_s"], floats["force_n"], floats["counts"], shear_n),
+        digest=content_digest(floats["time_s"], floats["force_n"], counts, shear_n),
         shear_n=shear_n,
         travel_mm=floats.get("travel_mm"),
     )
