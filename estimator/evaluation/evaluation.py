@@ -82,6 +82,43 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
     )
 
 
+def evaluate_travel(model: FaceModel, frames: FrameSet, dataset: FrameSet) -> dict[str, float]:
+    """Errors of a model's force on presses labelled by travel: as travel (mm), and in N with its interval.
+
+    The travel of a force is that at which the labels of the same place in `dataset` have it, at most the
+    deepest. `low_factor` and `high_factor` bound every force, the label's and the model's alike.
+
+    Raises
+    ------
+    InputError
+        The frames hold no contact on the face.
+    """
+    data = with_contacts(
+        face_data(with_history(frames, model.history_frames), model.face), "tested"
+    )
+    data = data.select(data.contact)
+    prediction, missed_n, _ = interval_errors(model, data)
+    tested = data.frames
+    assert tested.travel_mm is not None
+    assert dataset.travel_mm is not None
+    assert tested.force_factors is not None
+    force_n = np.nan_to_num(dataset.force_n[..., 2]).sum(axis=1)
+    missed_mm = np.zeros(len(missed_n))
+    for place in np.unique(tested.place_id):
+        known = np.flatnonzero((dataset.place_id == place) & (force_n > 0))
+        known = known[np.argsort(force_n[known])]
+        rows, curve = tested.place_id == place, (force_n[known], dataset.travel_mm[known])
+        read_mm = np.interp(prediction.force_n[rows], *curve)
+        missed_mm[rows] = np.abs(read_mm - tested.travel_mm[rows])
+    low, high = tested.force_factors.tolist()
+    return {
+        "mean_travel_error_mm": float(missed_mm.mean()),
+        "mean_force_error_n": float(missed_n.mean()),
+        "low_factor": low,
+        "high_factor": high,
+    }
+
+
 def contact_readings(model: FaceModel, frames: FrameSet) -> ContactReadings:
     """Readings of a model in frames (normally the test part) with contact on its face.
 

@@ -26,7 +26,7 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     Raises
     ------
     InputError
-        No recording, the same content twice, or recordings of objects with other sensors or grids.
+        No recording, the same content twice, or recordings with other sensors, grids or labels.
     """
     digests = [recording.frames.spec_hash for recording in recordings]
     if not recordings or len(set(digests)) < len(digests):
@@ -53,11 +53,18 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     }
     joined["valid"] = joined["valid"] & ~_copied(joined["signal_counts"])[0]
     joined["signal_counts"][:, jumped] = np.nan
+    by_travel = [part.travel_mm for part in parts if part.travel_mm is not None]
+    if by_travel and len(by_travel) < len(parts):
+        raise InputError(
+            f"{len(by_travel)} of {len(parts)} recordings are labelled by travel, the others by force. "
+            "Combine those of one label"
+        )
     errors = [part.zero_error for part in parts if part.zero_error is not None]
     return replace(
         parts[0],
         **joined,
         zero_error=np.concatenate(errors) if len(errors) == len(parts) else None,
+        travel_mm=np.concatenate(by_travel) if by_travel else None,
         noise_counts=np.median([part.noise_counts for part in parts], axis=0),
         spec_hash="+".join(digests) if len(digests) > 1 else digests[0],
         lag_frames=round(float(np.median([part.lag_frames for part in parts]))),

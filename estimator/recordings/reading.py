@@ -65,6 +65,7 @@ from estimator.recordings.presses import (
 )
 from estimator.recordings.report import RecordingReport, noise_by_name
 from estimator.recordings.table import RawTable, faces_of
+from estimator.recordings.travel_labels import TravelForces, force_text, with_forces
 from estimator.recordings.zeros import Zeros, rest_levels
 
 NOMINAL_RATE_HZ = 10.5
@@ -97,7 +98,10 @@ class Recording:
 
 
 def read_recording(
-    path: Path | str, grid_mm: Grid | None = None, limits: Limits | None = None
+    path: Path | str,
+    grid_mm: Grid | None = None,
+    limits: Limits | None = None,
+    mechanics: TravelForces | None = None,
 ) -> Recording:
     """Read a recording of any format, find and correct its faults.
 
@@ -111,6 +115,8 @@ def read_recording(
     limits : Limits, optional
         What the object's chips and faces can show, by default a chip of 16 bits and three times the
         grid's reach.
+    mechanics : TravelForces, optional
+        Mechanics of the object, needed where the label is a machine's travel and no force.
 
     Returns
     -------
@@ -128,6 +134,8 @@ def read_recording(
         table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
     limits = limits or usual_limits(table)
     with naming(path):
+        by_travel = table.labelled_by_travel
+        table = with_forces(table, mechanics) if by_travel else table
         table, left_out, unreadable = _believed(table, limits)
         case, unsure, misread = _find_presses(table)
         named, press_faults = judge_presses(case)
@@ -146,6 +154,10 @@ def read_recording(
     off, off_faults = places_off_the_body(tip_xy_mm, limits)
     wrong, place_faults = place_label_faults(frames, places)
     frames = replace(frames, valid=frames.valid & ~wrong & ~off)
+    if by_travel and mechanics is not None and case.table.travel_mm is not None:
+        late = frames.lag_frames
+        travel_mm = shifted_forces(case.table.travel_mm[:, None], case.stretch, late)[:, 0]
+        frames = replace(frames, travel_mm=travel_mm, force_factors=mechanics.spread)
     faults = (
         *stamp_faults(table),
         *unreadable,
@@ -161,6 +173,8 @@ def read_recording(
         *(mirror_faults(face, tip_xy_mm, block) if table.kind == "gripper" else ()),
     )
     report = _report(path, case, frames, places, int(np.sum(~zeros.is_before)), faults)
+    if frames.force_factors is not None:
+        report = replace(report, units=force_text(frames.force_factors))
     return Recording(frames, report, zeros.counts)
 
 

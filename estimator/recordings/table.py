@@ -31,7 +31,7 @@ class RawTable:
     ----------
     kind : "gripper", "training" or "generic"
     time_s : (frame,) stamps as written; empty where the format has none
-    force_n : (frame, cell) one column per load cell
+    force_n : (frame, cell) one column per load cell, all NaN where travel is the label
     counts : (frame, face, sensor, axis) raw counts, NaN where the file has none
     face : (frame, cell) face that the load cell is said to press, `NO_FACE` where none is said
     tip_xy_mm : (frame, cell, tip, 2) where its tips are said to be, NaN where none is said
@@ -60,6 +60,11 @@ class RawTable:
     digest: str
     shear_n: Float[np.ndarray, "frame cell 2"] | None = None
     travel_mm: Float[np.ndarray, "frame"] | None = None
+
+    @property
+    def labelled_by_travel(self) -> bool:
+        """Return whether no load cell tells a force and a machine tells its travel."""
+        return self.travel_mm is not None and bool(np.isnan(self.force_n).all())
 
 
 def faces_of(counts: Float[np.ndarray, "*frame face sensor 3"]) -> Int[np.ndarray, "face"]:

@@ -77,6 +77,11 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
             _baselines,
         ),
         ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
+        (
+            "metrics",
+            "labels of travel, held-out presses (force: between low and high times)",
+            _travel,
+        ),
         ("inversion", "calibrated twin (medians over labelled places)", _inverted_twin),
         ("contact_metrics", "frames read by inversion", _judged_frames),
         ("contact_metrics", "contacts found by inversion, means over frames", _contacts),
@@ -329,6 +334,19 @@ def _intervals(result: StoredResult) -> list[dict[str, Any]]:
         }
         for row in content["intervals"]
     ]
+
+
+def _travel(result: StoredResult) -> list[dict[str, Any]]:
+    """Rows of data sets that a machine labelled by its travel; none of others."""
+    names = {
+        "face": "face",
+        "mean_travel_error_mm": "travel mm",
+        "mean_force_error_n": "force N",
+        "low_factor": "low ×",
+        "high_factor": "high ×",
+    }
+    rows = METRICS.read(result.folder).get("travel", [])
+    return [{name: row[key] for key, name in names.items()} for row in rows]
 
 
 def _finite(values: Any) -> Any:

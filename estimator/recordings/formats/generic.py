@@ -5,7 +5,8 @@ have no reading); for each load cell n from 1: `celln_force_n`, `celln_face`, an
 tips k from 1 `celln_xk_mm`, `celln_yk_mm` (face and places empty where nothing is pressed);
 optional `celln_shear_x_n` and `celln_shear_y_n` for every load cell (three-axis cells), `session`
 (whole number, 1 throughout if absent), `rest` (1: nothing touches) and `travel_mm` (how far a machine
-has its tip below the height at which it first touched).
+has its tip below the height at which it first touched). Without a load cell leave `cell1_force_n` out:
+`travel_mm` is then the label, or `level_1.5_mm`, a number of steps of 1.5 mm.
 `celln_force_g` in place of `celln_force_n` gives grams-force. A first line `# missing = -1` says that
 this number in a channel or a face is no reading.
 `estimator.recordings.formats.netcdf` holds the same with named dimensions and units.
@@ -36,6 +37,7 @@ from estimator.recordings.table import LEAST_FACES, MOST_FACES, RawTable, with_p
 
 TRAVEL = "travel_mm"
 CHANNEL = re.compile(r"F([1-6])-([XYZ])([1-9]\d?)")
+_LEVEL = re.compile(r"level_(\d+(?:\.\d+)?)_mm")
 _GRAMS = re.compile(r"cell[1-9]_force_g")
 _NEWTON_PER_GRAM = 9.80665e-3
 """Newton per gram-force, by standard gravity."""
@@ -141,16 +143,21 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
     header = [cell.strip() for cell in rows[0]]
     grams = [bool(_GRAMS.fullmatch(name)) for name in header]
     header = [name[:-1] + "n" if gram else name for name, gram in zip(header, grams, strict=True)]
+    steps = next((float(match[1]) for match in map(_LEVEL.fullmatch, header) if match), 1.0)
+    header = [TRAVEL if _LEVEL.fullmatch(name) else name for name in header]
     cells, tips = check_header(header)
     column = _columns(rows, header, missing)
     for name in compress(header, grams):
         column[name] = _NEWTON_PER_GRAM * column[name]
+    if TRAVEL in column:
+        column[TRAVEL] = steps * column[TRAVEL]
     frames = len(column["time_s"])
     labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
     empty = np.full(frames, np.nan)
     by_cell = np.stack([column.get(name, empty) for name in labels], 1).reshape(frames, cells, -1)
     shear = _shear_columns(cells) if any(map(_SHEAR.fullmatch, header)) else []
-    needed = ["time_s", *(f"cell{cell}_force_n" for cell in range(1, cells + 1)), *shear]
+    weighed = range(1 + _is_unweighed(header), cells + 1)
+    needed = ["time_s", *(f"cell{cell}_force_n" for cell in weighed), *shear]
     check_complete(np.stack([column[name] for name in needed], axis=1), needed)
     x_mm, y_mm = label_grid_mm()
     face, force_n, shear_n = face_labels(by_cell[:, :, 1]), by_cell[:, :, 0], None
@@ -169,7 +176,9 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
         grid_x_mm=x_mm,
         grid_y_mm=y_mm,
         duplicate_columns=(),
-        digest=content_digest(column["time_s"], force_n, counts, shear_n),
+        digest=content_digest(
+            column["time_s"], column[TRAVEL] if _is_unweighed(header) else force_n, counts, shear_n
+        ),
         shear_n=shear_n,
         travel_mm=column.get(TRAVEL),
     )
@@ -213,6 +222,11 @@ def content_digest(
     return digest.hexdigest()
 
 
+def _is_unweighed(header: list[str]) -> bool:
+    """Return whether travel is the label, and no load cell a force."""
+    return TRAVEL in header and "cell1_force_n" not in header
+
+
 def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     """Number of load cells and of tips; without labels there may be none."""
     repeated = sorted({name for name in header if header.count(name) > 1})
@@ -226,6 +240,8 @@ def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     ]
     known_columns = {"time_s", "session", "rest", TRAVEL, *needed, *shear}
     known_columns |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
+    if _is_unweighed(header) and cells == 1:
+        needed.remove("cell1_force_n")
     unknown = [name for name in header if name not in known_columns and not CHANNEL.fullmatch(name)]
     missing = [name for name in ("time_s", *needed, *shear) if name not in header]
     if not any(CHANNEL.fullmatch(name) for name in header):

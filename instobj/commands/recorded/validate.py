@@ -102,6 +102,7 @@ def validate_on(
     from estimator.recordings.formats.travel import is_travel_recording
     from estimator.recordings.reading import read_recording
     from instobj.commands.recorded.validate_travel import validate_on_travel
+    from instobj.commands.training import travel_forces
 
     if any(is_travel_recording(file) for file in recordings):
         if len(recordings) > 1:
@@ -122,7 +123,9 @@ def validate_on(
     require_writable(out)
     run = Run(spec)
     with run.progress.stage("reading recordings"):
-        read = with_all_sensors(spec, [read_recording(file) for file in recordings])
+        mechanics = travel_forces(spec)
+        read = [read_recording(file, mechanics=mechanics) for file in recordings]
+        read = with_all_sensors(spec, read)
         presses = on_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
     absent = sensors_not_recorded(spec, read)
