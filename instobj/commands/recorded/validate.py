@@ -30,6 +30,10 @@ if TYPE_CHECKING:
 
 _WORTHWHILE_GAIN = 0.05
 _LEAST_CASES = 3
+_NO_MODULUS = (
+    "labelled by travel: forces follow from the specification's modulus, so that the ratio of moduli found "
+    "here tells nothing about the silicone"
+)
 """With fewer, no place is left to calibrate on beside the unseen one and one to exchange it with."""
 
 
@@ -134,6 +138,7 @@ def validate_on(
     freed = groups_freed(problem) if tests else {}
     document = _document(problem, agreements, predictions, tests, freed)
     document["sensors_not_recorded"] = absent
+    document["labelled_by_travel"] = any(one.frames.travel_mm is not None for one in read)
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "validation.json")
@@ -254,6 +259,7 @@ def _published(
     return {
         "command": "validate",
         "texts": [
+            *[_NO_MODULUS] * document["labelled_by_travel"],
             *not_recorded_texts(document["sensors_not_recorded"], len(sensor_layout(spec).face)),
             *document["verdicts"],
             *calibration_texts(document),

@@ -122,8 +122,9 @@ def test_a_data_set_labelled_by_travel_trains_and_is_judged_in_mm_and_in_newtons
 
 def test_validation_takes_travel_for_what_it_is(bench):
     """Motions at a travel do not depend on the modulus: agreement as good as with the true forces' ratio."""
-    found = done("validate", "cube.toml", "travel.csv", "--json", cwd=bench)["validation"]
-    face = found["agreement"][0]
+    document = done("validate", "cube.toml", "travel.csv", "--json", cwd=bench)
+    assert "tells nothing about the silicone" in document["texts"][0]
+    face = document["validation"]["agreement"][0]
     assert face["cosine"]["value"] > 0.98
     assert face["size_ratio"] == pytest.approx(1.0, abs=0.05)
 
