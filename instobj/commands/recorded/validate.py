@@ -30,11 +30,11 @@ if TYPE_CHECKING:
 
 _WORTHWHILE_GAIN = 0.05
 _LEAST_CASES = 3
+"""With fewer, no place is left to calibrate on beside the unseen one and one to exchange it with."""
 _NO_MODULUS = (
     "labelled by travel: forces follow from the specification's modulus, so that the ratio of moduli found "
     "here tells nothing about the silicone"
 )
-"""With fewer, no place is left to calibrate on beside the unseen one and one to exchange it with."""
 
 
 def self_test_of(path: Path, resting: Path, overrides: list[str]) -> dict[str, Any]:
