@@ -105,9 +105,9 @@ def evaluate_travel(model: FaceModel, frames: FrameSet, dataset: FrameSet) -> di
     force_n = np.nan_to_num(dataset.force_n[..., 2]).sum(axis=1)
     missed_mm = np.zeros(len(missed_n))
     for place in np.unique(tested.place_id):
-        known = np.flatnonzero((dataset.place_id == place) & (force_n > 0))
-        known = known[np.argsort(force_n[known])]
-        rows, curve = tested.place_id == place, (force_n[known], dataset.travel_mm[known])
+        rising = np.argsort(force_n)
+        rising = rising[(dataset.place_id[rising] == place) & (force_n[rising] > 0)]
+        rows, curve = tested.place_id == place, (force_n[rising], dataset.travel_mm[rising])
         read_mm = np.interp(prediction.force_n[rows], *curve)
         missed_mm[rows] = np.abs(read_mm - tested.travel_mm[rows])
     low, high = tested.force_factors.tolist()

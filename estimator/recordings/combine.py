@@ -81,9 +81,9 @@ def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "face sen
     """
     layouts = sorted({recording.rest_counts.shape[1:3] for recording in recordings})
     if len(layouts) > 1:
-        told = " and ".join(f"{faces} × {sensors}" for faces, sensors in layouts)
+        sizes = " and ".join(f"{faces} × {sensors}" for faces, sensors in layouts)
         raise InputError(
-            f"the recordings have channels of {told} (faces × sensors of a face), so they are of "
+            f"the recordings have channels of {sizes} (faces × sensors of a face), so they are of "
             "different objects. Give recordings of one"
         )
     levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]
