@@ -63,8 +63,7 @@ def _of_recording(path: Path, spec: ObjectSpec) -> Resting:
     if recording.rest_counts.shape[2] != spec.sensors.count_per_face:
         raise InputError(
             f"{path} holds {recording.rest_counts.shape[2]} sensors per face; {spec.name} has "
-            f"{spec.sensors.count_per_face}. Give a recording of this object, or a table with one column "
-            "per channel (F1-X1, …)"
+            f"{spec.sensors.count_per_face}. Give a recording of this object"
         )
     names = channel_names(spec)
     silent = {

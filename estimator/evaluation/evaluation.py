@@ -66,10 +66,7 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
     InputError
         The frames hold no contact on the face.
     """
-    data = with_contacts(
-        face_data(with_history(frames, model.history_frames), model.face), "tested"
-    )
-    data = data.select(data.contact)
+    data = _contacts_of(model, frames)
     prediction, missed_n, away_mm = interval_errors(model, data)
     return IntervalReport(
         wanted_cover=model.interval_cover,
@@ -93,10 +90,7 @@ def evaluate_travel(model: FaceModel, frames: FrameSet, dataset: FrameSet) -> di
     InputError
         The frames hold no contact on the face.
     """
-    data = with_contacts(
-        face_data(with_history(frames, model.history_frames), model.face), "tested"
-    )
-    data = data.select(data.contact)
+    data = _contacts_of(model, frames)
     prediction, missed_n, _ = interval_errors(model, data)
     tested = data.frames
     assert tested.travel_mm is not None
@@ -104,9 +98,9 @@ def evaluate_travel(model: FaceModel, frames: FrameSet, dataset: FrameSet) -> di
     assert tested.force_factors is not None
     force_n = np.nan_to_num(dataset.force_n[..., 2]).sum(axis=1)
     missed_mm = np.zeros(len(missed_n))
+    order = np.argsort(force_n)
     for place in np.unique(tested.place_id):
-        rising = np.argsort(force_n)
-        rising = rising[(dataset.place_id[rising] == place) & (force_n[rising] > 0)]
+        rising = order[(dataset.place_id[order] == place) & (force_n[order] > 0)]
         rows, curve = tested.place_id == place, (force_n[rising], dataset.travel_mm[rising])
         read_mm = np.interp(prediction.force_n[rows], *curve)
         missed_mm[rows] = np.abs(read_mm - tested.travel_mm[rows])
@@ -127,10 +121,7 @@ def contact_readings(model: FaceModel, frames: FrameSet) -> ContactReadings:
     InputError
         The frames hold no contact on the face.
     """
-    data = with_contacts(
-        face_data(with_history(frames, model.history_frames), model.face), "tested"
-    )
-    data = data.select(data.contact)
+    data = _contacts_of(model, frames)
     prediction = predict(model, data.frames)
     return ContactReadings(
         model.face,
@@ -139,6 +130,13 @@ def contact_readings(model: FaceModel, frames: FrameSet) -> ContactReadings:
         np.linalg.norm(prediction.xy_mm - data.centre_mm, axis=1),
         len(np.unique(data.frames.press_id)),
     )
+
+
+def _contacts_of(model: FaceModel, frames: FrameSet) -> FaceData:
+    """Return the frames with contact on a model's face, as it reads them."""
+    data = face_data(with_history(frames, model.history_frames), model.face)
+    data = with_contacts(data, "tested")
+    return data.select(data.contact)
 
 
 def interval_errors(

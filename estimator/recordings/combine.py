@@ -56,8 +56,7 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     by_travel = [part.travel_mm for part in parts if part.travel_mm is not None]
     if by_travel and len(by_travel) < len(parts):
         raise InputError(
-            f"{len(by_travel)} of {len(parts)} recordings are labelled by travel, the others by force. "
-            "Combine those of one label"
+            f"{len(by_travel)} of {len(parts)} recordings are labelled by travel. Combine those of one label"
         )
     errors = [part.zero_error for part in parts if part.zero_error is not None]
     return replace(

@@ -63,7 +63,7 @@ class RawTable:
 
     @property
     def labelled_by_travel(self) -> bool:
-        """Return whether no load cell tells a force and a machine tells its travel."""
+        """Return whether travel is the label, for want of a load cell."""
         return self.travel_mm is not None and bool(np.isnan(self.force_n).all())
 
 

@@ -30,7 +30,7 @@ class TravelForces:
     presses: Callable[[], PressForces]
     spread: Float[np.ndarray, "2"]
 
-    def at(
+    def press_forces(
         self,
         face: Int[np.ndarray, "frame"],
         xy_mm: Float[np.ndarray, "frame 2"],
@@ -62,11 +62,9 @@ class TravelForces:
 def force_text(factors: Float[np.ndarray, "2"]) -> str:
     """Return how far forces of travel are known, in words."""
     if np.isnan(factors).any():
-        return "labelled by travel: N at the specification's modulus, of unknown interval"
+        return "by travel: N at the specification's modulus, of unknown interval"
     low, high = factors
-    return (
-        f"labelled by travel: N at the specification's modulus, truly {low:.2f} to {high:.2f} times"
-    )
+    return f"by travel: N at the specification's modulus, truly {low:.2f} to {high:.2f} times"
 
 
 def with_forces(table: RawTable, mechanics: TravelForces | None) -> RawTable:
@@ -75,7 +73,7 @@ def with_forces(table: RawTable, mechanics: TravelForces | None) -> RawTable:
     Raises
     ------
     RecordingError
-        No mechanics, several tips, a pressed face without its travel, or as `TravelForces.at`.
+        No mechanics, several tips, a pressed face without its travel, or as `press_forces`.
     """
     if mechanics is None:
         raise RecordingError(
@@ -95,5 +93,7 @@ def with_forces(table: RawTable, mechanics: TravelForces | None) -> RawTable:
         )
     pressed = np.flatnonzero((face != NO_FACE) & (np.nan_to_num(travel) > 0))
     force = np.zeros(len(face))
-    force[pressed] = mechanics.at(face[pressed], table.tip_xy_mm[pressed, 0, 0], travel[pressed])
+    force[pressed] = mechanics.press_forces(
+        face[pressed], table.tip_xy_mm[pressed, 0, 0], travel[pressed]
+    )
     return replace(table, force_n=force[:, None])

@@ -158,10 +158,8 @@ def lacks_readings(
     """Return which frames lack a reading of one of the channels."""
     face, sensor, axis = np.array(channels).T
     row = face % HISTORY - 1
-    faces, sensors = (
-        max(0, row.max() + 1 - counts.shape[1]),
-        max(0, sensor.max() + 1 - counts.shape[2]),
-    )
+    wanted = np.array([row.max() + 1, sensor.max() + 1])
+    faces, sensors = np.maximum(wanted - counts.shape[1:3], 0)
     counts = np.pad(counts, ((0, 0), (0, faces), (0, sensors), (0, 0)), constant_values=np.nan)
     return np.any(np.isnan(counts[:, row, sensor, axis]), axis=1)
 

@@ -338,15 +338,9 @@ def _intervals(result: StoredResult) -> list[dict[str, Any]]:
 
 def _travel(result: StoredResult) -> list[dict[str, Any]]:
     """Rows of data sets that a machine labelled by its travel; none of others."""
-    names = {
-        "face": "face",
-        "mean_travel_error_mm": "travel mm",
-        "mean_force_error_n": "force N",
-        "low_factor": "low ×",
-        "high_factor": "high ×",
-    }
+    names = ("face", "travel mm", "force N", "low ×", "high ×")
     rows = METRICS.read(result.folder).get("travel", [])
-    return [{name: row[key] for key, name in names.items()} for row in rows]
+    return [dict(zip(names, row.values(), strict=True)) for row in rows]
 
 
 def _finite(values: Any) -> Any:

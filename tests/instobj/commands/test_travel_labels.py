@@ -163,13 +163,13 @@ def hertz(depths_mm, spread=(0.5, 2.0)):
 def test_the_force_at_a_travel_is_that_of_the_law():
     travel = np.array([0.3, 0.8, 1.7, 2.0])
     xy = np.array([[0.0, 0.0], [3.0, -4.0], [-11.0, 11.0], [6.0, 1.0]])
-    found = hertz((0.5, 1.0, 1.5, 2.0)).at(np.ones(4, int), xy, travel)
+    found = hertz((0.5, 1.0, 1.5, 2.0)).press_forces(np.ones(4, int), xy, travel)
     np.testing.assert_allclose(found, COEFFICIENT * travel**1.5, rtol=1e-6)
 
 
 def test_a_travel_beyond_the_simulated_presses_is_refused():
     with pytest.raises(RecordingError, match=r"reach 2.5 mm.*press.depths_mm"):
-        hertz((1.0, 2.0)).at(np.ones(1, int), np.zeros((1, 2)), np.array([2.5]))
+        hertz((1.0, 2.0)).press_forces(np.ones(1, int), np.zeros((1, 2)), np.array([2.5]))
 
 
 @pytest.mark.parametrize(
