@@ -40,7 +40,7 @@ class CollectionSpec(SpecPart):
     """
 
     kind: CollectionKind = "paper"
-    faces: Annotated[tuple[SensedFace, ...], Field(min_length=1)] = (1, 2, 3, 4, 5)
+    faces: Annotated[tuple[SensedFace, ...], Field(min_length=1)] = (1, 2, 3, 4, 5, 6)
     frames_per_case: Annotated[int, Field(ge=4, le=100_000_000)] = 1000
     non_contact_cases: Annotated[int, Field(ge=1, le=100_000)] = 3
     dual_poses: tuple[ProbePose, ...] = _ROWS + _COLUMNS

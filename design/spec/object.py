@@ -164,7 +164,10 @@ class ObjectSpec(SpecPart):
         }
         lists["magnets.positions_mm"] = magnets if len(magnets) > 1 else None
         for key, given in lists.items():
-            if given is not None and len(given) not in (FACES_OF_A_CUBE, len(faces)):
+            # Five lists that differ are those of faces 1 to 5: face 6 would have none of its own.
+            five = max(faces) <= FACES_OF_A_CUBE or len(set(given or ())) == 1
+            enough = {len(faces), FACES_OF_A_CUBE} if five else {len(faces)}
+            if given is not None and len(given) not in enough:
                 raise ValueError(
                     f"{key} holds {len(given)} lists; the body's sensed faces are "
                     f"{list(faces)}. Give one list for all of them, or one for each"

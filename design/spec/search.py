@@ -61,7 +61,7 @@ class VarySpec(SpecPart):
     magnet_north: bool = False
     magnet_grade: Annotated[tuple[str, ...], Some, Distinct] | None = None
     sensor_count: (
-        Annotated[tuple[Annotated[int, Field(ge=1, le=12)], ...], Some, Distinct] | None
+        Annotated[tuple[Annotated[int, Field(ge=1, le=24)], ...], Some, Distinct] | None
     ) = None
     sensor_reach_mm: Length | None = None
     sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some, Distinct] | None = None

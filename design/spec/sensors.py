@@ -24,8 +24,8 @@ from design.spec.base import (
 )
 
 Averaging = Literal[1, 2, 4, 8, 16, 32]
-Places = Annotated[tuple[tuple[Coordinate, Coordinate], ...], Field(min_length=1, max_length=12)]
-Turns = Annotated[tuple[tuple[Angle, Angle, Angle], ...], Field(min_length=1, max_length=12)]
+Places = Annotated[tuple[tuple[Coordinate, Coordinate], ...], Field(min_length=1, max_length=24)]
+Turns = Annotated[tuple[tuple[Angle, Angle, Angle], ...], Field(min_length=1, max_length=24)]
 Axis = Literal["X", "Y", "Z"]
 Noise = Annotated[float, Field(gt=0, le=32_768)]
 """White noise of one axis (rms counts)."""
@@ -57,7 +57,7 @@ class SensorSpec(SpecPart):
     part: str = "TMAG5273A1"
     axes: Annotated[tuple[Axis, ...], Field(min_length=1), Distinct] = ("X", "Y", "Z")
     averaging: Averaging = 16
-    count_per_face: Annotated[int, Field(ge=1, le=12)] = 3
+    count_per_face: Annotated[int, Field(ge=1, le=24)] = 3
     radius_mm: Length = 8.585
     depth_below_core_face_mm: Offset = 2.3
     first_azimuth_deg: Annotated[tuple[Angle, ...], Field(min_length=1)] = (

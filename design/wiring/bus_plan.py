@@ -133,14 +133,9 @@ def all_plans(spec: ObjectSpec, board: Board, lead_mm: float = LEAD_MM) -> Choic
     Raises
     ------
     InputError
-        A part without an I²C interface, or more faces than a recording has.
+        A part without an I²C interface.
     """
     bus_chip(spec.sensors.part)
-    if max(spec.body.sensed) > 5:
-        raise InputError(
-            f"recordings have faces 1 to 5; this object senses {list(spec.body.sensed)}. Leave face 6 "
-            "open, or give body.sensed_faces without it"
-        )
     plans, refused = [], []
     for way in WAYS:
         for buses in range(1, len(board.buses) + 1):

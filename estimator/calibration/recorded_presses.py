@@ -25,8 +25,6 @@ from fem.presses.results import MagnetMotions, PressForces
 
 LOADED_SHARE = 0.5
 LEAST_FRAMES = 5
-RECORDED_FACES = 5
-"""For which recordings have channels, whatever an object senses."""
 MODULUS_RATIOS = np.geomspace(0.2, 3.0, 13)
 """Moduli over the specification's at which motions are tabulated."""
 
@@ -72,8 +70,7 @@ def require_presses_of(spec: ObjectSpec, presses: RecordedPresses) -> None:
         raise InputError(
             f"the recordings hold {recorded} channels; {spec.name} has {channels}: "
             f"{spec.sensors.count_per_face} sensors on each of {len(faces)} faces. Give the specification "
-            f"of the recorded object (recordings have room for {RECORDED_FACES} faces, with "
-            f"{recorded // (3 * RECORDED_FACES)} sensors each here)"
+            "of the recorded object"
         )
     beyond = set(pressed_faces(presses)) - set(faces)
     if beyond:
@@ -84,23 +81,24 @@ def require_presses_of(spec: ObjectSpec, presses: RecordedPresses) -> None:
 
 
 def with_all_sensors(spec: ObjectSpec, recordings: Sequence[Recording]) -> list[Recording]:
-    """Generic recordings with room for all sensors of the object: columns that they lack are sensors
-    that were not recorded. Other formats have a fixed number of sensors, and stay as they are."""
+    """Generic recordings with room for all faces and sensors of the object: columns that they lack were
+    not recorded. Other formats have a fixed number of sensors, and stay as they are."""
     return [
-        _with_room(recording, spec.sensors.count_per_face)
+        _with_room(recording, max(spec.body.sensed), spec.sensors.count_per_face)
         if recording.report.kind == "generic"
         else recording
         for recording in recordings
     ]
 
 
-def _with_room(recording: Recording, sensors: int) -> Recording:
-    missing = max(0, sensors - recording.rest_counts.shape[2])
-    room = ((0, 0), (0, 0), (0, missing), (0, 0))
+def _with_room(recording: Recording, faces: int, sensors: int) -> Recording:
+    had_faces, had_sensors = recording.rest_counts.shape[1:3]
+    faces = max(faces, had_faces)
+    room = ((0, 0), (0, faces - had_faces), (0, max(0, sensors - had_sensors)), (0, 0))
     signals = np.pad(recording.frames.signal_counts, room, constant_values=np.nan)
     return replace(
         recording,
-        frames=replace(recording.frames, signal_counts=signals),
+        frames=replace(recording.frames, signal_counts=signals, faces=np.arange(1, faces + 1)),
         rest_counts=np.pad(recording.rest_counts, room, constant_values=np.nan),
     )
 
@@ -119,7 +117,7 @@ def sensors_not_recorded(
         [np.isfinite(recording.rest_counts).any(axis=(0, 3)) for recording in recordings], axis=0
     )
     read = read[:, : spec.sensors.count_per_face]
-    faces = [face for face in spec.body.sensed if face <= RECORDED_FACES]
+    faces = spec.body.sensed
     pressed = {int(face) for recording in recordings for face in recording.report.faces_pressed}
     blind = [face for face in faces if face in pressed and not read[face - 1].any()]
     if blind:
@@ -134,11 +132,11 @@ def keep_sensed_faces(spec: ObjectSpec, presses: RecordedPresses) -> RecordedPre
     """Channels of the object's sensed faces alone, where recordings have room for all of a cube's and
     the others never spoke; as they are where that is not so."""
     count, faces = 3 * spec.sensors.count_per_face, np.asarray(spec.body.sensed)
-    recorded = presses.signal_counts.shape[1]
-    if recorded != count * RECORDED_FACES or max(faces) > RECORDED_FACES:
+    recorded, absent = divmod(presses.signal_counts.shape[1], count)
+    if absent or max(faces) > recorded:
         return presses
-    by_face = presses.signal_counts.reshape(len(presses), RECORDED_FACES, count)
-    others = np.setdiff1d(np.arange(RECORDED_FACES), faces - 1)
+    by_face = presses.signal_counts.reshape(len(presses), recorded, count)
+    others = np.setdiff1d(np.arange(recorded), faces - 1)
     if np.isfinite(by_face[:, others]).any():
         return presses
     return replace(presses, signal_counts=by_face[:, faces - 1].reshape(len(presses), -1))

@@ -59,12 +59,12 @@ def _recording_counts(path: Path, spec: ObjectSpec) -> Resting:
     from estimator.calibration.recorded_presses import with_all_sensors
     from estimator.recordings.reading import read_recording
 
-    if spec.sensors.count_per_face != 3:
-        raise InputError(
-            f"recordings hold 3 sensors per face; {spec.name} has {spec.sensors.count_per_face}. Give "
-            "a table with one column per channel (F1-X1, …)"
-        )
     (recording,) = with_all_sensors(spec, [read_recording(path)])
+    if recording.rest_counts.shape[2] != spec.sensors.count_per_face:
+        raise InputError(
+            f"{path} holds {recording.rest_counts.shape[2]} sensors per face; {spec.name} has "
+            f"{spec.sensors.count_per_face}. Give a recording of this object"
+        )
     names = channel_names(spec)
     silent = {
         fault.where: f"{fault.kind}: {fault.detail}"

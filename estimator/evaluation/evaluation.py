@@ -66,10 +66,7 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
     InputError
         The frames hold no contact on the face.
     """
-    data = with_contacts(
-        face_data(with_history(frames, model.history_frames), model.face), "tested"
-    )
-    data = data.select(data.contact)
+    data = _contacts_of(model, frames)
     prediction, missed_n, away_mm = interval_errors(model, data)
     return IntervalReport(
         wanted_cover=model.interval_cover,
@@ -82,6 +79,40 @@ def evaluate_intervals(model: FaceModel, frames: FrameSet) -> IntervalReport:
     )
 
 
+def evaluate_travel(model: FaceModel, frames: FrameSet, dataset: FrameSet) -> dict[str, float]:
+    """Errors of a model's force on presses labelled by travel: as travel (mm), and in N with its interval.
+
+    The travel of a force is that at which the labels of the same place in `dataset` have it, at most the
+    deepest. `low_factor` and `high_factor` bound every force, the label's and the model's alike.
+
+    Raises
+    ------
+    InputError
+        The frames hold no contact on the face.
+    """
+    data = _contacts_of(model, frames)
+    prediction, missed_n, _ = interval_errors(model, data)
+    tested = data.frames
+    assert tested.travel_mm is not None
+    assert dataset.travel_mm is not None
+    assert tested.force_factors is not None
+    force_n = np.nan_to_num(dataset.force_n[..., 2]).sum(axis=1)
+    missed_mm = np.zeros(len(missed_n))
+    order = np.argsort(force_n)
+    for place in np.unique(tested.place_id):
+        rising = order[(dataset.place_id[order] == place) & (force_n[order] > 0)]
+        rows, curve = tested.place_id == place, (force_n[rising], dataset.travel_mm[rising])
+        read_mm = np.interp(prediction.force_n[rows], *curve)
+        missed_mm[rows] = np.abs(read_mm - tested.travel_mm[rows])
+    low, high = tested.force_factors.tolist()
+    return {
+        "mean_travel_error_mm": float(missed_mm.mean()),
+        "mean_force_error_n": float(missed_n.mean()),
+        "low_factor": low,
+        "high_factor": high,
+    }
+
+
 def contact_readings(model: FaceModel, frames: FrameSet) -> ContactReadings:
     """Readings of a model in frames (normally the test part) with contact on its face.
 
@@ -90,10 +121,7 @@ def contact_readings(model: FaceModel, frames: FrameSet) -> ContactReadings:
     InputError
         The frames hold no contact on the face.
     """
-    data = with_contacts(
-        face_data(with_history(frames, model.history_frames), model.face), "tested"
-    )
-    data = data.select(data.contact)
+    data = _contacts_of(model, frames)
     prediction = predict(model, data.frames)
     return ContactReadings(
         model.face,
@@ -102,6 +130,13 @@ def contact_readings(model: FaceModel, frames: FrameSet) -> ContactReadings:
         np.linalg.norm(prediction.xy_mm - data.centre_mm, axis=1),
         len(np.unique(data.frames.press_id)),
     )
+
+
+def _contacts_of(model: FaceModel, frames: FrameSet) -> FaceData:
+    """Return the frames with contact on a model's face, as it reads them."""
+    data = face_data(with_history(frames, model.history_frames), model.face)
+    data = with_contacts(data, "tested")
+    return data.select(data.contact)
 
 
 def interval_errors(

@@ -50,6 +50,10 @@ class FrameSet:
         Of the zero that was taken off: its variance, counts² (mean over channels), and its memory: errors
         of two frames of a session have the later one's variance times exp(-(difference of memory)) in
         common.
+    travel_mm : (frame,) label of a machine without a load cell; None where forces were measured
+    force_factors : (2,), or None where forces were measured
+        Factors between which every force lies, for the interval of the silicone's modulus; NaN where
+        that is not known.
     """
 
     signal_counts: Float[np.ndarray, "frame face sensor axis"]
@@ -71,6 +75,8 @@ class FrameSet:
     lag_frames: int = 0
     true_force_n: Float[np.ndarray, "frame contact 3"] | None = None
     zero_error: Float[np.ndarray, "frame 2"] | None = None
+    travel_mm: Float[np.ndarray, "frame"] | None = None
+    force_factors: Float[np.ndarray, "2"] | None = None
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -115,7 +121,7 @@ _PER_FRAME = {
     "session_id": ("frame", "1"),
     "time_s": ("frame", "s"),
 }
-_OPTIONAL = ("true_force_n", "zero_error")
+_OPTIONAL = ("true_force_n", "zero_error", "travel_mm")
 PER_FRAME_FIELDS = tuple(_PER_FRAME)
 """Names of the arrays that have one row per frame."""
 _FRAMES = FileKind(
@@ -128,8 +134,10 @@ _FRAMES = FileKind(
         "noise_counts": ("axis", "count"),
         "true_force_n": ("frame contact space", "N"),
         "zero_error": ("frame zero", "1"),
+        "travel_mm": ("frame", "mm"),
+        "force_factors": ("end", "1"),
     },
-    optional=_OPTIONAL,
+    optional=(*_OPTIONAL, "force_factors"),
     packed=("signal_counts",),
     attributes=("source", "spec_hash", "seed", "lag_frames"),
     unit_name="unit",

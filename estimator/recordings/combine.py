@@ -26,7 +26,7 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     Raises
     ------
     InputError
-        No recording, the same content twice, or recordings of objects with other sensors or grids.
+        No recording, the same content twice, or recordings with other sensors, grids or labels.
     """
     digests = [recording.frames.spec_hash for recording in recordings]
     if not recordings or len(set(digests)) < len(digests):
@@ -53,30 +53,37 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     }
     joined["valid"] = joined["valid"] & ~_copied(joined["signal_counts"])[0]
     joined["signal_counts"][:, jumped] = np.nan
+    by_travel = [part.travel_mm for part in parts if part.travel_mm is not None]
+    if by_travel and len(by_travel) < len(parts):
+        raise InputError(
+            f"{len(by_travel)} of {len(parts)} recordings are labelled by travel. Combine those of one label"
+        )
     errors = [part.zero_error for part in parts if part.zero_error is not None]
     return replace(
         parts[0],
         **joined,
         zero_error=np.concatenate(errors) if len(errors) == len(parts) else None,
+        travel_mm=np.concatenate(by_travel) if by_travel else None,
         noise_counts=np.median([part.noise_counts for part in parts], axis=0),
         spec_hash="+".join(digests) if len(digests) > 1 else digests[0],
         lag_frames=round(float(np.median([part.lag_frames for part in parts]))),
     )
 
 
-def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "5 sensor 3"]:
+def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "face sensor 3"]:
     """Channels whose rest level jumped between any two recordings: another magnet or sensor.
 
     Raises
     ------
     InputError
-        The recordings have different numbers of sensors.
+        The recordings have different numbers of faces or sensors.
     """
-    sensors = sorted({recording.rest_counts.shape[2] for recording in recordings})
-    if len(sensors) > 1:
+    layouts = sorted({recording.rest_counts.shape[1:3] for recording in recordings})
+    if len(layouts) > 1:
+        sizes = " and ".join(f"{faces} × {sensors}" for faces, sensors in layouts)
         raise InputError(
-            f"the recordings have up to {' and '.join(map(str, sensors))} sensors per face, so they "
-            "are of different objects. Give recordings of one"
+            f"the recordings have channels of {sizes} (faces × sensors of a face), so they are of "
+            "different objects. Give recordings of one"
         )
     levels = [np.median(recording.rest_counts, axis=0) for recording in recordings]
     jumped = [jumped_channels(levels[0], level) for level in levels]
@@ -84,7 +91,7 @@ def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "5 sensor
 
 
 def _copied(
-    signal_counts: Float[np.ndarray, "frame 5 sensor 3"],
+    signal_counts: Float[np.ndarray, "frame face sensor 3"],
 ) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
     """Frames that were there before, by their whole steps from frame to frame (zeros differ)."""
     steps = np.round(np.diff(signal_counts, axis=0))

@@ -49,7 +49,7 @@ class RestLevels:
     drift_counts2_s : by how much the drift's variance grows a second
     """
 
-    counts: Float[np.ndarray, "frame 5 sensor 3"]
+    counts: Float[np.ndarray, "frame face sensor 3"]
     error: Float[np.ndarray, "frame 2"]
     drift_counts2_s: float
 
@@ -67,12 +67,12 @@ class RestFrames:
 
 
 def levels_under_presses(
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
     time_s: Float[np.ndarray, "frame"],
     session: Int[np.ndarray, "frame"],
     loaded: Bool[np.ndarray, "frame"],
     rest: Bool[np.ndarray, "frame"],
-    noise_counts: Float[np.ndarray, "5 sensor 3"],
+    noise_counts: Float[np.ndarray, "face sensor 3"],
 ) -> RestLevels:
     """Levels from frames at rest, but for those next to a contact. Sessions say nothing of each other, nor
     do the two sides of a jump of a channel."""

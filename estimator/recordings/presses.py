@@ -191,7 +191,7 @@ def force_excursions(
 
 
 def estimate_lag(
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
     force_n: Float[np.ndarray, "frame cell"],
     face: Int[np.ndarray, "frame cell"],
     press: Int[np.ndarray, "frame"],

@@ -64,7 +64,8 @@ from estimator.recordings.presses import (
     tared,
 )
 from estimator.recordings.report import RecordingReport, noise_by_name
-from estimator.recordings.table import FACES, RawTable
+from estimator.recordings.table import RawTable, faces_of
+from estimator.recordings.travel_labels import TravelForces, force_text, with_forces
 from estimator.recordings.zeros import Zeros, rest_levels
 
 NOMINAL_RATE_HZ = 10.5
@@ -90,14 +91,17 @@ class Recording:
 
     frames: FrameSet
     report: RecordingReport
-    rest_counts: Float[np.ndarray, "press 5 sensor 3"]
+    rest_counts: Float[np.ndarray, "press face sensor 3"]
 
     def __repr__(self) -> str:
         return str(self.report)
 
 
 def read_recording(
-    path: Path | str, grid_mm: Grid | None = None, limits: Limits | None = None
+    path: Path | str,
+    grid_mm: Grid | None = None,
+    limits: Limits | None = None,
+    mechanics: TravelForces | None = None,
 ) -> Recording:
     """Read a recording of any format, find and correct its faults.
 
@@ -111,6 +115,8 @@ def read_recording(
     limits : Limits, optional
         What the object's chips and faces can show, by default a chip of 16 bits and three times the
         grid's reach.
+    mechanics : TravelForces, optional
+        Mechanics of the object, needed where the label is a machine's travel and no force.
 
     Returns
     -------
@@ -128,6 +134,8 @@ def read_recording(
         table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
     limits = limits or usual_limits(table)
     with naming(path):
+        by_travel = table.labelled_by_travel
+        table = with_forces(table, mechanics) if by_travel else table
         table, left_out, unreadable = _believed(table, limits)
         case, unsure, misread = _find_presses(table)
         named, press_faults = judge_presses(case)
@@ -146,6 +154,10 @@ def read_recording(
     off, off_faults = places_off_the_body(tip_xy_mm, limits)
     wrong, place_faults = place_label_faults(frames, places)
     frames = replace(frames, valid=frames.valid & ~wrong & ~off)
+    if by_travel and mechanics is not None and case.table.travel_mm is not None:
+        late = frames.lag_frames
+        travel_mm = shifted_forces(case.table.travel_mm[:, None], case.stretch, late)[:, 0]
+        frames = replace(frames, travel_mm=travel_mm, force_factors=mechanics.spread)
     faults = (
         *stamp_faults(table),
         *unreadable,
@@ -161,12 +173,14 @@ def read_recording(
         *(mirror_faults(face, tip_xy_mm, block) if table.kind == "gripper" else ()),
     )
     report = _report(path, case, frames, places, int(np.sum(~zeros.is_before)), faults)
+    if frames.force_factors is not None:
+        report = replace(report, units=force_text(frames.force_factors))
     return Recording(frames, report, zeros.counts)
 
 
 def _believed(
     table: RawTable, limits: Limits
-) -> tuple[RawTable, Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+) -> tuple[RawTable, Bool[np.ndarray, "face sensor 3"], list[Fault]]:
     """The table without readings that a check names, channels to leave out, and what was named."""
     raw = table.counts
     if not np.isfinite(raw).any():
@@ -261,7 +275,7 @@ def _find_presses(table: RawTable) -> tuple[Judged, Bool[np.ndarray, "frame"], l
 def _frames(
     case: Judged,
     zeros: Zeros,
-    left_out: Bool[np.ndarray, "5 sensor 3"],
+    left_out: Bool[np.ndarray, "face sensor 3"],
     hidden: Bool[np.ndarray, "frame"],
     session: Int[np.ndarray, "frame"],
     place: Int[np.ndarray, "frame"],
@@ -294,7 +308,7 @@ def _frames(
         place_id=place,
         session_id=session,
         time_s=case.time_s,
-        faces=np.array(FACES),
+        faces=faces_of(table.counts),
         grid_x_mm=table.grid_x_mm,
         grid_y_mm=table.grid_y_mm,
         noise_counts=axis_noise_counts(case.noise_counts),
@@ -306,7 +320,7 @@ def _frames(
     )
 
 
-def _recorded(table: RawTable) -> Bool[np.ndarray, "frame 5 1 1"]:
+def _recorded(table: RawTable) -> Bool[np.ndarray, "frame face 1 1"]:
     """Return which faces ought to have readings in each frame: faces that ever have, in a training file
     the one of the frame."""
     has_reading = np.any(np.isfinite(table.counts), axis=(2, 3), keepdims=True)

@@ -91,7 +91,7 @@ def _lag_text(lag: LagReport) -> str:
     )
 
 
-def noise_by_name(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> dict[str, float | None]:
+def noise_by_name(noise_counts: Float[np.ndarray, "face sensor 3"]) -> dict[str, float | None]:
     """White noise of every channel at rest, by the channel's name."""
     return {
         channel_name(*index): None if np.isnan(value) else round(float(value), 2)

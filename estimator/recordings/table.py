@@ -9,8 +9,8 @@ from jaxtyping import Bool, Float, Int
 
 from design.errors import RecordingError
 
-FACES = (1, 2, 3, 4, 5)
-"""Faces that recordings may have: all but the open one."""
+LEAST_FACES, MOST_FACES = 5, 6
+"""Faces along the axis of counts: the paper's, and face 6 where a channel or a label names it."""
 LARGEST_COUNT = 2.0**24
 """Largest count that may be meant: more than any converter gives."""
 LARGEST_FORCE_N = 1000.0
@@ -25,13 +25,13 @@ _SLOWEST_FRAME_S = 5.0
 
 @dataclass(frozen=True)
 class RawTable:
-    """A file's content in face order 1…5.
+    """A file's content in face order: 1 to 5, or to 6.
 
     Attributes
     ----------
     kind : "gripper", "training" or "generic"
     time_s : (frame,) stamps as written; empty where the format has none
-    force_n : (frame, cell) one column per load cell
+    force_n : (frame, cell) one column per load cell, all NaN where travel is the label
     counts : (frame, face, sensor, axis) raw counts, NaN where the file has none
     face : (frame, cell) face that the load cell is said to press, `NO_FACE` where none is said
     tip_xy_mm : (frame, cell, tip, 2) where its tips are said to be, NaN where none is said
@@ -49,7 +49,7 @@ class RawTable:
     kind: str
     time_s: Float[np.ndarray, "stamp"]
     force_n: Float[np.ndarray, "frame cell"]
-    counts: Float[np.ndarray, "frame 5 sensor 3"]
+    counts: Float[np.ndarray, "frame face sensor 3"]
     face: Int[np.ndarray, "frame cell"]
     tip_xy_mm: Float[np.ndarray, "frame cell tip 2"]
     case: Int[np.ndarray, "frame"]
@@ -61,19 +61,37 @@ class RawTable:
     shear_n: Float[np.ndarray, "frame cell 2"] | None = None
     travel_mm: Float[np.ndarray, "frame"] | None = None
 
+    @property
+    def labelled_by_travel(self) -> bool:
+        """Return whether travel is the label, for want of a load cell."""
+        return self.travel_mm is not None and bool(np.isnan(self.force_n).all())
+
+
+def faces_of(counts: Float[np.ndarray, "*frame face sensor 3"]) -> Int[np.ndarray, "face"]:
+    """Numbers of the faces along the axis of counts."""
+    return np.arange(1, counts.shape[-3] + 1)
+
+
+def with_pressed_faces(
+    counts: Float[np.ndarray, "frame face sensor 3"], pressed: Int[np.ndarray, "frame cell"]
+) -> Float[np.ndarray, "frame side sensor 3"]:
+    """Counts with empty rows for faces that labels name beyond those of the channels."""
+    absent = max(0, int(pressed.max(initial=0)) - counts.shape[1])
+    return np.pad(counts, ((0, 0), (0, absent), (0, 0), (0, 0)), constant_values=np.nan)
+
 
 def channel_name(face: int, sensor: int, axis: int) -> str:
     """Name as in the recordings' header, for example F2-Y1 (indices counted from 0)."""
-    return f"F{FACES[face]}-{'XYZ'[axis]}{sensor + 1}"
+    return f"F{face + 1}-{'XYZ'[axis]}{sensor + 1}"
 
 
-def channels_text(channels: list[tuple[int, ...]], live: Bool[np.ndarray, "5 sensor 3"]) -> str:
+def channels_text(channels: list[tuple[int, ...]], live: Bool[np.ndarray, "face sensor 3"]) -> str:
     """Several channels in a few words: all, whole chips (F2-S1), or names, four at most."""
     if len(channels) >= live.sum():
         return f"all {len(channels)} channels"
     chips = {channel[:2] for channel in channels}
     whole = [chip for chip in sorted(chips) if all((*chip, axis) in channels for axis in range(3))]
-    names = [f"F{FACES[face]}-S{sensor + 1}" for face, sensor in whole]
+    names = [f"F{face + 1}-S{sensor + 1}" for face, sensor in whole]
     names += [channel_name(*index) for index in sorted(channels) if index[:2] not in whole]
     others = f" and {len(names) - 4} others" if len(names) > 4 else ""
     return ", ".join(names[:4]) + others
@@ -104,7 +122,7 @@ def check_plausible(table: RawTable) -> None:
 
 
 def check_signals(
-    time_s: Float[np.ndarray, "stamp"], counts: Float[np.ndarray, "frame 5 sensor 3"]
+    time_s: Float[np.ndarray, "stamp"], counts: Float[np.ndarray, "frame face sensor 3"]
 ) -> None:
     """Refuse counts and stamps as `check_plausible` does.
 

@@ -21,12 +21,12 @@ class Zeros:
     """Mean counts at rest of every press (`counts`: press, face, sensor, axis); `is_before` says which
     come from the rest before their press, not after it."""
 
-    counts: Float[np.ndarray, "press 5 sensor 3"]
+    counts: Float[np.ndarray, "press face sensor 3"]
     is_before: Bool[np.ndarray, "press"]
 
 
 def rest_levels(
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
     press: Int[np.ndarray, "frame"],
     loaded: Bool[np.ndarray, "frame"],
     rest: Bool[np.ndarray, "frame"],

@@ -151,10 +151,12 @@ def depth_at_force(
     return powered[..., 0] ** (2 / 3)
 
 
-def force_at_depth(traces: Traces, depth_mm: float) -> Float[np.ndarray, "press"]:
-    """Force (N) of each press at one travel (mm, at most the deepest)."""
+def force_at_depth(
+    traces: Traces, depth_mm: float | Float[np.ndarray, "press"]
+) -> Float[np.ndarray, "press"]:
+    """Force (N) of each press at one travel for all or its own (mm, at most the deepest)."""
     powered = np.broadcast_to(traces.depth_mm**1.5, traces.force_n.shape)
-    wanted = np.full((len(powered), 1), depth_mm**1.5)
+    wanted = np.broadcast_to(np.asarray(depth_mm) ** 1.5, len(powered))[:, None]
     return monotone_cubic(powered, traces.force_n[..., None], wanted)[:, 0, 0]
 
 

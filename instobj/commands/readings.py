@@ -18,7 +18,7 @@ from estimator.frames.dataset import FrameSet, load_frames
 from estimator.frames.face_data import HISTORY, Channel
 from estimator.frames.same_object import require_same_sensors
 from estimator.recordings.formats.robot import is_robot_file
-from estimator.recordings.table import FACES
+from estimator.recordings.table import faces_of
 from instobj.store.publish import require_writable, require_writable_folder, run_folder, run_name
 
 
@@ -55,9 +55,9 @@ class Reader(Protocol):
 
     def feed(
         self,
-        raw_counts: Float[np.ndarray, "5 sensor 3"],
+        raw_counts: Float[np.ndarray, "face sensor 3"],
         time_s: float,
-        left_out: Bool[np.ndarray, "5 sensor 3"] | None,
+        left_out: Bool[np.ndarray, "face sensor 3"] | None,
     ) -> Any: ...
 
     def miss(self) -> None: ...
@@ -96,8 +96,8 @@ class Stream:
 
     path: Path
     time_s: Float[np.ndarray, "stamp"]
-    raw: Float[np.ndarray, "frame 5 sensor 3"]
-    left_out: Bool[np.ndarray, "frame 5 sensor 3"]
+    raw: Float[np.ndarray, "frame face sensor 3"]
+    left_out: Bool[np.ndarray, "frame face sensor 3"]
     texts: list[str]
 
 
@@ -123,7 +123,7 @@ def recorded_frames(
         Readings of another object, or no zero in the whole file.
     """
     path, raw = stream.path, stream.raw
-    require_same_sensors(channels, raw, np.array(FACES), str(path))
+    require_same_sensors(channels, raw, faces_of(raw), str(path))
     time_s = stream.time_s if len(stream.time_s) else np.full(len(raw), np.nan)
     partly = reader.leaves_out
     lacking = lacks_readings(raw if partly else np.where(stream.left_out, np.nan, raw), channels)
@@ -158,9 +158,11 @@ def lacks_readings(
 ) -> Bool[np.ndarray, "frame"]:
     """Return which frames lack a reading of one of the channels."""
     face, sensor, axis = np.array(channels).T
-    absent = max(0, int(sensor.max()) + 1 - counts.shape[2])
-    counts = np.pad(counts, ((0, 0), (0, 0), (0, absent), (0, 0)), constant_values=np.nan)
-    return np.any(np.isnan(counts[:, face % HISTORY - 1, sensor, axis]), axis=1)
+    row = face % HISTORY - 1
+    wanted = np.array([row.max() + 1, sensor.max() + 1])
+    faces, sensors = np.maximum(wanted - counts.shape[1:3], 0)
+    counts = np.pad(counts, ((0, 0), (0, faces), (0, sensors), (0, 0)), constant_values=np.nan)
+    return np.any(np.isnan(counts[:, row, sensor, axis]), axis=1)
 
 
 def live_frames(
@@ -185,7 +187,7 @@ def live_frames(
     unread, on_end, heard = 0, 0, False
     for number, reading in enumerate(board_readings(port, baud, decoder)):
         if number == 0:
-            require_same_sensors(channels, reading.counts[None], np.array(FACES), port)
+            require_same_sensors(channels, reading.counts[None], faces_of(reading.counts), port)
         believed = sound.known(reading.counts)
         judged = reading.counts if partly else believed
         if heard and on_end < SILENT_FRAMES and lacks_readings(judged[None], channels)[0]:

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from estimator.networks.face_model import FaceModel
     from estimator.recordings.checks.limits import Limits
     from estimator.recordings.reading import Grid
+    from estimator.recordings.travel_labels import TravelForces
     from instobj.stages.makers.twin import TwinOfData
 
 
@@ -50,10 +51,11 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
     require_writable(out)
     progress = ProgressLine()
     grid_mm, limits, recorded_object = (None, None, None) if spec is None else _as_specified(spec)
+    mechanics = None if recorded_object is None else travel_forces(recorded_object)
     found = []
     for path in files:
         with progress.stage(f"reading {path}"):
-            found.append(read_recording(path, grid_mm, limits))
+            found.append(read_recording(path, grid_mm, limits, mechanics))
     frames = found[0].frames if len(found) == 1 else combine(found)
     frames, absent = (
         (frames, []) if recorded_object is None else models_of_object(frames, recorded_object)
@@ -69,6 +71,15 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
         "files": file_rows([target]),
         "next": f"instobj train {target}",
     }
+
+
+def travel_forces(spec: ObjectSpec) -> TravelForces:
+    """Return the mechanics of an object for labels of travel; presses come from the store or are made."""
+    from estimator.recordings.travel_labels import TravelForces
+    from instobj.stages.run import Run
+
+    spread = spec.silicone.relative_spread or (np.nan, np.nan)
+    return TravelForces(lambda: Run(spec).read(PRESSES)[0], np.array(spread))
 
 
 def run_on_data_set(

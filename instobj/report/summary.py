@@ -77,6 +77,11 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
             _baselines,
         ),
         ("metrics", "intervals on held-out presses (medians of widths; presses)", _intervals),
+        (
+            "metrics",
+            "labels of travel, held-out presses (force: between low and high times)",
+            _travel,
+        ),
         ("inversion", "calibrated twin (medians over labelled places)", _inverted_twin),
         ("contact_metrics", "frames read by inversion", _judged_frames),
         ("contact_metrics", "contacts found by inversion, means over frames", _contacts),
@@ -329,6 +334,13 @@ def _intervals(result: StoredResult) -> list[dict[str, Any]]:
         }
         for row in content["intervals"]
     ]
+
+
+def _travel(result: StoredResult) -> list[dict[str, Any]]:
+    """Rows of data sets that a machine labelled by its travel; none of others."""
+    names = ("face", "travel mm", "force N", "low ×", "high ×")
+    rows = METRICS.read(result.folder).get("travel", [])
+    return [dict(zip(names, row.values(), strict=True)) for row in rows]
 
 
 def _finite(values: Any) -> Any:

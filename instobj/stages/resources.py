@@ -164,7 +164,9 @@ def _collection(spec: ObjectSpec) -> Need:
         poses = (
             len(collection.dual_poses) + len(collection.triple_poses) + collection.non_contact_cases
         )
-        cases = len(collection.faces) * (prod(grid_count(spec)) + poses)
+        cases = len(set(collection.faces) & set(spec.body.sensed)) * (
+            prod(grid_count(spec)) + poses
+        )
         frames, keys = cases * collection.frames_per_case, "collection.frames_per_case"
     return Need(_frames_gib(spec, frames), keys)
 

@@ -187,7 +187,7 @@ def joined(first: FaceData, second: FaceData) -> FaceData:
     }
     return FaceData(
         first.face,
-        replace(first.frames, **columns, true_force_n=None, zero_error=None),
+        replace(first.frames, **columns, true_force_n=None, zero_error=None, travel_mm=None),
         np.concatenate([first.force_maps_n, second.force_maps_n]),
         np.concatenate([first.rest, second.rest]),
     )

@@ -25,7 +25,7 @@ from dataclasses import dataclass, field, replace
 
 from design.errors import InputError
 from estimator.recordings.formats.generic import CHANNEL, cell_text
-from estimator.recordings.table import LARGEST_COUNT, LARGEST_FORCE_N, LARGEST_PLACE_MM
+from estimator.recordings.table import LARGEST_COUNT, LARGEST_FORCE_N, LARGEST_PLACE_MM, MOST_FACES
 
 FORMAT_VERSION = 1
 _SEQUENCES = 65536
@@ -274,7 +274,12 @@ def _load(cells: list[str]) -> Load | None:
         return Load(ms, cell, force_n, None, ())
     face, values = int(cells[3]), [float(value) for value in cells[4:]]
     sound = all(abs(value) <= LARGEST_PLACE_MM for value in values)
-    if face not in range(6) or len(values) % 2 or not sound or (face > 0) != bool(values):
+    if (
+        face not in range(1 + MOST_FACES)
+        or len(values) % 2
+        or not sound
+        or (face > 0) != bool(values)
+    ):
         return None
     return Load(ms, cell, force_n, face, tuple(zip(values[::2], values[1::2], strict=True)))
 

@@ -20,7 +20,7 @@ from estimator.recordings.boards.lines import (
     encode_header,
     encode_load,
 )
-from estimator.recordings.formats.generic import CHANNEL
+from estimator.recordings.formats.generic import counts_of_column
 from estimator.recordings.presses import frame_times_s, stretches
 from estimator.recordings.table import RawTable, channel_name
 
@@ -41,7 +41,7 @@ class Reading:
     """One frame: time (s since 1970, by the board's clock) and raw counts, NaN where silent."""
 
     time_s: float
-    counts: Float[np.ndarray, "5 sensor 3"]
+    counts: Float[np.ndarray, "face sensor 3"]
 
 
 @dataclass
@@ -91,13 +91,10 @@ def board_readings(
 
 def counts_of(
     channels: tuple[str, ...], values: tuple[float, ...]
-) -> Float[np.ndarray, "5 sensor 3"]:
+) -> Float[np.ndarray, "face sensor 3"]:
     """Values in the order of a header as (face, sensor, axis), NaN where there is no channel."""
-    places = [match for name in channels if (match := CHANNEL.fullmatch(name))]
-    counts = np.full((5, max(int(match[3]) for match in places), 3), np.nan)
-    for match, value in zip(places, values, strict=True):
-        counts[int(match[1]) - 1, int(match[3]) - 1, "XYZ".index(match[2])] = value
-    return counts
+    named = {name: np.array([value]) for name, value in zip(channels, values, strict=True)}
+    return counts_of_column(named, 1)[0]
 
 
 def board_messages(

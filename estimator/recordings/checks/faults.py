@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.frames.dataset import NO_FACE
-from estimator.recordings.table import FACES, RawTable, channel_name
+from estimator.recordings.table import RawTable, channel_name
 
 NOISY_FACTOR = 3.0
 """Noise over the median of an axis from which a channel is noisy."""
@@ -34,15 +34,15 @@ class Fault:
         return f"{self.kind}: {self.where}: {self.detail}; {self.action}"
 
 
-Channels = Bool[np.ndarray, "5 sensor 3"]
+Channels = Bool[np.ndarray, "face sensor 3"]
 """Channels that a check names."""
 
 
 def rest_noise_counts(
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
     rest: Bool[np.ndarray, "frame"],
-    stale: Bool[np.ndarray, "frame 5 sensor"] | None = None,
-) -> Float[np.ndarray, "5 sensor 3"]:
+    stale: Bool[np.ndarray, "frame face sensor"] | None = None,
+) -> Float[np.ndarray, "face sensor 3"]:
     """White noise (counts) of each channel, from the differences of neighbouring rest frames.
 
     NaN where a channel has no reading in two neighbouring rest frames. Readings that a slow sensor only
@@ -67,14 +67,14 @@ def known_mean(counts: Float[np.ndarray, "frame *channel"]) -> Float[np.ndarray,
     )
 
 
-def axis_noise_counts(noise_counts: Float[np.ndarray, "5 sensor 3"]) -> Float[np.ndarray, "3"]:
+def axis_noise_counts(noise_counts: Float[np.ndarray, "face sensor 3"]) -> Float[np.ndarray, "3"]:
     """Median over the live channels of each axis, NaN for an axis that has none."""
     live_noise = [axis[np.isfinite(axis)] for axis in np.moveaxis(noise_counts, 2, 0)]
     return np.array([np.median(axis) if len(axis) else np.nan for axis in live_noise])
 
 
 def dead_channels(
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
 ) -> tuple[Channels, list[Fault]]:
     """Channels without any reading, or stuck at one value, on faces that have readings at all."""
     is_finite = np.isfinite(counts)
@@ -87,7 +87,7 @@ def dead_channels(
 
 
 def noisy_channels(
-    noise_counts: Float[np.ndarray, "5 sensor 3"],
+    noise_counts: Float[np.ndarray, "face sensor 3"],
 ) -> tuple[Channels, list[Fault]]:
     """Channels whose rest noise exceeds `NOISY_FACTOR` times the median of their axis."""
     typical, faults = axis_noise_counts(noise_counts), []
@@ -101,16 +101,16 @@ def noisy_channels(
 
 
 def jumped_channels(
-    first_rest_counts: Float[np.ndarray, "5 sensor 3"],
-    other_rest_counts: Float[np.ndarray, "5 sensor 3"],
-) -> Bool[np.ndarray, "5 sensor 3"]:
+    first_rest_counts: Float[np.ndarray, "face sensor 3"],
+    other_rest_counts: Float[np.ndarray, "face sensor 3"],
+) -> Bool[np.ndarray, "face sensor 3"]:
     """Channels whose rest level moved by more than `JUMP_COUNTS` between two recordings."""
     with np.errstate(invalid="ignore"):
         return np.abs(other_rest_counts - first_rest_counts) > JUMP_COUNTS
 
 
 def jump_faults(
-    rest_counts: Float[np.ndarray, "press 5 sensor 3"],
+    rest_counts: Float[np.ndarray, "press face sensor 3"],
 ) -> tuple[Channels, list[Fault]]:
     """Channels whose rest level jumps by more than `JUMP_COUNTS` from one press to the next.
 
@@ -139,19 +139,19 @@ def jump_faults(
 
 
 def press_responses(
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
     force_n: Float[np.ndarray, "frame cell"],
     press: Int[np.ndarray, "frame"],
-) -> Float[np.ndarray, "press 5"]:
+) -> Float[np.ndarray, "press face"]:
     """Change of each face's signals (rms counts over live channels) between rest and full force."""
     total = force_n.sum(axis=1)
-    responses = np.full((press.max() + 1, len(FACES)), np.nan)
+    responses = np.full((press.max() + 1, counts.shape[1]), np.nan)
     for number in range(len(responses)):
         frames = np.flatnonzero(press == number)
         low, high = np.percentile(total[frames], [15, 75])
         rest, loaded = frames[total[frames] <= low], frames[total[frames] >= high]
         change = counts[loaded].mean(axis=0) - counts[rest].mean(axis=0)
-        for face in range(len(FACES)):
+        for face in range(counts.shape[1]):
             live = change[face][np.isfinite(change[face])]
             if len(live):
                 responses[number, face] = np.sqrt(np.mean(live**2))
@@ -159,7 +159,7 @@ def press_responses(
 
 
 def correct_face_labels(
-    table: RawTable, press: Int[np.ndarray, "frame"], responses: Float[np.ndarray, "press 5"]
+    table: RawTable, press: Int[np.ndarray, "frame"], responses: Float[np.ndarray, "press face"]
 ) -> tuple[Int[np.ndarray, "frame cell"], list[Fault]]:
     """Face labels of a gripper with both cells on different faces.
 
@@ -212,7 +212,7 @@ def mirror_faults(
 
 
 def unread_faces(
-    counts: Float[np.ndarray, "frame 5 sensor 3"], face: Int[np.ndarray, "frame cell"]
+    counts: Float[np.ndarray, "frame face sensor 3"], face: Int[np.ndarray, "frame cell"]
 ) -> list[Fault]:
     """Faces that labels say are pressed, without a single reading of their own."""
     read = np.any(np.isfinite(counts), axis=(0, 2, 3))
@@ -255,9 +255,11 @@ def _mode(values: Int[np.ndarray, "n"]) -> int:
     return int(names[counts.argmax()])
 
 
-def _strongest_other(response: Float[np.ndarray, "5"], named: int) -> int:
-    candidates = np.where(np.isnan(response) | (np.array(FACES) == named), -1.0, response)
-    return FACES[int(candidates.argmax())]
+def _strongest_other(response: Float[np.ndarray, "face"], named: int) -> int:
+    candidates = np.where(
+        np.isnan(response) | (np.arange(1, len(response) + 1) == named), -1.0, response
+    )
+    return 1 + int(candidates.argmax())
 
 
 def rows_text(frames: Int[np.ndarray, "n"]) -> str:

@@ -40,12 +40,12 @@ class Judged:
     press: Int[np.ndarray, "frame"]
     stretch: Int[np.ndarray, "frame"]
     block: Int[np.ndarray, "frame"]
-    responses: Float[np.ndarray, "press 5"]
+    responses: Float[np.ndarray, "press face"]
     no_contact: Bool[np.ndarray, "frame"]
     rest: Bool[np.ndarray, "frame"]
     repeats: Repeats
     lag: LagReport
-    noise_counts: Float[np.ndarray, "5 sensor 3"]
+    noise_counts: Float[np.ndarray, "face sensor 3"]
 
     @property
     def face(self) -> Int[np.ndarray, "frame cell"]:

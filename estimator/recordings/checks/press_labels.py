@@ -16,7 +16,7 @@ from estimator.frames.dataset import NO_FACE
 from estimator.recordings.checks.faults import Fault, rows_text
 from estimator.recordings.checks.judged import Judged, Rows
 from estimator.recordings.presses import CONTACT_FORCE_N, LEAST_CONTACT_FRAMES, runs
-from estimator.recordings.table import FACES
+from estimator.recordings.table import faces_of
 
 _HIDDEN_SIGMAS = 6.0
 """Change while no load cell shows a force, over its noise, from which a press is hidden."""
@@ -80,11 +80,11 @@ def doubtful_presses(case: Judged) -> Rows:
     pressed = pressed_faces(case)
     for number, response in enumerate(case.responses):
         frames = np.flatnonzero(case.press == number)
-        named = np.isin(FACES, pressed[frames])
+        named = np.isin(faces_of(case.table.counts), pressed[frames])
         unnamed_response = np.where(named | np.isnan(response), 0.0, response)
         weakest = np.min(response, where=named, initial=np.inf)
         if unnamed_response.max() > _DOUBT_FACTOR * weakest:
-            strongest = FACES[int(unnamed_response.argmax())]
+            strongest = 1 + int(unnamed_response.argmax())
             detail = f"face {strongest} responds {unnamed_response.max():.0f} counts, a named "
             detail += f"face only {weakest:.0f}"
             faults.append(
@@ -184,12 +184,12 @@ def hidden_contacts(case: Judged) -> Rows:
     return hidden, faults
 
 
-def sigmas_from_rest(case: Judged, part: slice) -> Float[np.ndarray, "frame 5"]:
+def sigmas_from_rest(case: Judged, part: slice) -> Float[np.ndarray, "frame face"]:
     """Median over each face's live channels of |change against rest| / σ, in a part of the frames."""
     counts, rest, stretch = case.table.counts[part], case.rest[part], case.stretch[part]
-    change = np.zeros((len(counts), len(FACES)))
+    change = np.zeros((len(counts), counts.shape[1]))
     parts = [np.flatnonzero(rest & (stretch == number)) for number in np.unique(stretch[rest])]
-    for face in range(len(FACES)):
+    for face in range(counts.shape[1]):
         face_counts = counts[:, face].reshape(len(counts), -1)
         sigma = case.noise_counts[face].ravel()
         live = np.isfinite(face_counts).all(axis=0) & (sigma > 0)

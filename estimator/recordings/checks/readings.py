@@ -16,8 +16,8 @@ from estimator.recordings.checks.faults import Fault, rows_text
 from estimator.recordings.presses import runs
 from estimator.recordings.table import channels_text
 
-Counts = Float[np.ndarray, "frame 5 sensor 3"]
-Readings = Bool[np.ndarray, "frame 5 sensor 3"]
+Counts = Float[np.ndarray, "frame face sensor 3"]
+Readings = Bool[np.ndarray, "frame face sensor 3"]
 Found = tuple[Readings, list[Fault]]
 
 _FALSE_ALARMS = 2e-5
@@ -309,8 +309,8 @@ def without_faults(
 
 
 def spoilt_channels(
-    counts: Float[np.ndarray, "frame 5 sensor 3"], lost: Bool[np.ndarray, "frame 5 sensor 3"]
-) -> tuple[Bool[np.ndarray, "5 sensor 3"], list[Fault]]:
+    counts: Float[np.ndarray, "frame face sensor 3"], lost: Bool[np.ndarray, "frame face sensor 3"]
+) -> tuple[Bool[np.ndarray, "face sensor 3"], list[Fault]]:
     """Channels of which more than a tenth of the readings is `lost` to faults: to leave them out costs
     less than their frames. Frames that lack half of the channels count for none."""
     has_reading = np.isfinite(counts) | lost

@@ -38,12 +38,12 @@ class Repeats:
     rows : (frame,) rows without any new reading, where all sensors convert together
     """
 
-    stale: Bool[np.ndarray, "frame 5 sensor"]
-    share: Float[np.ndarray, "5 sensor"]
+    stale: Bool[np.ndarray, "frame face sensor"]
+    share: Float[np.ndarray, "face sensor"]
     rows: Bool[np.ndarray, "frame"]
 
 
-def repeated_readings(counts: Float[np.ndarray, "frame 5 sensor 3"]) -> Repeats:
+def repeated_readings(counts: Float[np.ndarray, "frame face sensor 3"]) -> Repeats:
     """Return which readings repeat the one before because their sensor had not converted yet.
 
     Sensors that convert together show it in whole rows, however quiet they are; others one by one.

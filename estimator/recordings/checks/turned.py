@@ -30,7 +30,7 @@ _EXCHANGE_GAIN = 4.0
 
 def turned_forces(
     force_n: Float[np.ndarray, "frame cell"],
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
     face: Int[np.ndarray, "frame cell"],
     block: Int[np.ndarray, "frame"],
     rest_force_n: float,
@@ -73,7 +73,7 @@ def turned_forces(
 
 
 def _rests_above(
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
     block: Int[np.ndarray, "frame"],
     at_level: Bool[np.ndarray, "frame"],
     force_n: Float[np.ndarray, "frame"],
@@ -103,7 +103,7 @@ def longest_level(force_n: Float[np.ndarray, "frame"], width_n: float) -> float:
 
 
 def change_alike(
-    counts: Float[np.ndarray, "frame 5 sensor 3"],
+    counts: Float[np.ndarray, "frame face sensor 3"],
     face: Int[np.ndarray, "frame"],
     block: Int[np.ndarray, "frame"],
     parts: tuple[Bool[np.ndarray, "frame"], ...],

@@ -34,11 +34,11 @@ from estimator.recordings.formats.text import (
     read_bytes,
     whole,
 )
-from estimator.recordings.table import FACES, RawTable, check_plausible, check_signals
+from estimator.recordings.table import RawTable, check_plausible, check_signals
 
 NEWTON_PER_GRAM_FORCE = 9.8e-3
 """Newton per gram-force as these files' own programs take it."""
-_FILE_FACES = (5, 3, 1, 2, 4)
+_FACES, _FILE_FACES = (1, 2, 3, 4, 5), (5, 3, 1, 2, 4)
 _HEAD = ("Time", "Left", "Right-blue")
 _CHANNELS = tuple(f"F{f}-{a}{s}" for f in _FILE_FACES for s in (1, 2, 3) for a in "XYZ")
 _OTHER_MARKS = {";": "semicolon", "\t": "tab"}
@@ -65,7 +65,7 @@ def read_table(path: Path | str) -> RawTable:
 
 def read_signals(
     path: Path | str,
-) -> tuple[Float[np.ndarray, "stamp"], Float[np.ndarray, "frame 5 sensor 3"]]:
+) -> tuple[Float[np.ndarray, "stamp"], Float[np.ndarray, "frame face sensor 3"]]:
     """Stamps (s; none where the format has none) and raw counts alone: of any recording, and of a generic
     CSV without the columns of load cells.
 
@@ -140,8 +140,8 @@ def _gripper_table(rows: list[list[str]], digest: str) -> RawTable:
     labels = whole(values[:, channels.stop :], header[channels.stop :])
     labels = labels.reshape(len(values), 2, 1 + tips)
     check_complete(values[:, : channels.start], header)
-    in_file_order = values[:, channels].reshape(len(values), len(FACES), 3, 3)
-    order = [_FILE_FACES.index(face) for face in FACES]
+    in_file_order = values[:, channels].reshape(len(values), len(_FACES), 3, 3)
+    order = [_FILE_FACES.index(face) for face in _FACES]
     x_mm, y_mm = label_grid_mm()
     return RawTable(
         kind="gripper",
@@ -200,7 +200,7 @@ def _training_table(rows: list[list[str]], digest: str, first_line: int) -> RawT
     else:
         position = whole(values[:, 12:], names[12:])[:, None]
         position = np.where(np.isin(case, NO_CONTACT_LABELS)[:, None, None], 0, position)
-    counts = np.full((len(values), len(FACES), 3, 3), np.nan)
+    counts = np.full((len(values), len(_FACES), 3, 3), np.nan)
     counts[np.arange(len(values)), face[:, 0] - 1] = values[:, 3:12].reshape(-1, 3, 3)
     x_mm, y_mm = label_grid_mm()
     return RawTable(
@@ -220,7 +220,7 @@ def _training_table(rows: list[list[str]], digest: str, first_line: int) -> RawT
 
 
 def _checked_faces(face: Int[np.ndarray, "row cell"]) -> Int[np.ndarray, "row cell"]:
-    wrong = ~np.isin(face, FACES)
+    wrong = ~np.isin(face, _FACES)
     if wrong.any():
         raise RecordingError(
             f"face labels must be 1…5; got {np.unique(face[wrong]).tolist()[:5]}. Fix the "

@@ -1,11 +1,12 @@
 """The generic recording of any object: one row per frame, columns by name, as CSV or NetCDF.
 
-CSV columns, in any order: `time_s`; a channel each (F1-X1 … F5-Z3, raw counts; missing channels
+CSV columns, in any order: `time_s`; a channel each (F1-X1 … F6-Z24, raw counts; missing channels
 have no reading); for each load cell n from 1: `celln_force_n`, `celln_face`, and for each of its
 tips k from 1 `celln_xk_mm`, `celln_yk_mm` (face and places empty where nothing is pressed);
 optional `celln_shear_x_n` and `celln_shear_y_n` for every load cell (three-axis cells), `session`
 (whole number, 1 throughout if absent), `rest` (1: nothing touches) and `travel_mm` (how far a machine
-has its tip below the height at which it first touched).
+has its tip below the height at which it first touched). Without a load cell leave `cell1_force_n` out:
+`travel_mm` is then the label, or `level_1.5_mm`, a number of steps of 1.5 mm.
 `celln_force_g` in place of `celln_force_n` gives grams-force. A first line `# missing = -1` says that
 this number in a channel or a face is no reading.
 `estimator.recordings.formats.netcdf` holds the same with named dimensions and units.
@@ -15,6 +16,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+from collections.abc import Mapping
 from itertools import compress
 
 import numpy as np
@@ -31,10 +33,11 @@ from estimator.recordings.formats.text import (
     parse_number,
     whole,
 )
-from estimator.recordings.table import FACES, RawTable
+from estimator.recordings.table import LEAST_FACES, MOST_FACES, RawTable, with_pressed_faces
 
 TRAVEL = "travel_mm"
-CHANNEL = re.compile(r"F([1-5])-([XYZ])([1-9]\d?)")
+CHANNEL = re.compile(r"F([1-6])-([XYZ])([1-9]\d?)")
+_LEVEL = re.compile(r"level_(\d+(?:\.\d+)?)_mm")
 _GRAMS = re.compile(r"cell[1-9]_force_g")
 _NEWTON_PER_GRAM = 9.80665e-3
 """Newton per gram-force, by standard gravity."""
@@ -53,7 +56,7 @@ def is_generic_header(header: list[str]) -> bool:
 def _meant(name: str) -> str:
     """The name of a column as this format spells it: `F1_X1`, `f1-x1` and `cell1_force [N]` are clear."""
     letters = re.sub(r"[^a-z0-9]", "", name.lower())
-    channel = re.fullmatch(r"f([1-5])([xyz])([1-9]\d?)", letters)
+    channel = re.fullmatch(r"f([1-6])([xyz])([1-9]\d?)", letters)
     if channel:
         return f"F{channel[1]}-{channel[2].upper()}{channel[3]}"
     spelt = ["time_s", "session", "rest", TRAVEL, *_cell_columns(1, 9), *_shear_columns(1)]
@@ -114,7 +117,7 @@ def is_unlabelled(header: list[str]) -> bool:
 
 def generic_signals(
     rows: list[list[str]], missing: float | None = None
-) -> tuple[Float[np.ndarray, "frame"], Float[np.ndarray, "frame 5 sensor 3"]]:
+) -> tuple[Float[np.ndarray, "frame"], Float[np.ndarray, "frame face sensor 3"]]:
     """Stamps (s) and raw counts of a generic CSV without labels, header first.
 
     Raises
@@ -140,19 +143,25 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
     header = [cell.strip() for cell in rows[0]]
     grams = [bool(_GRAMS.fullmatch(name)) for name in header]
     header = [name[:-1] + "n" if gram else name for name, gram in zip(header, grams, strict=True)]
+    steps = next((float(match[1]) for match in map(_LEVEL.fullmatch, header) if match), 1.0)
+    header = [TRAVEL if _LEVEL.fullmatch(name) else name for name in header]
     cells, tips = check_header(header)
     column = _columns(rows, header, missing)
     for name in compress(header, grams):
         column[name] = _NEWTON_PER_GRAM * column[name]
+    if TRAVEL in column:
+        column[TRAVEL] = steps * column[TRAVEL]
     frames = len(column["time_s"])
     labels = [name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)]
     empty = np.full(frames, np.nan)
     by_cell = np.stack([column.get(name, empty) for name in labels], 1).reshape(frames, cells, -1)
     shear = _shear_columns(cells) if any(map(_SHEAR.fullmatch, header)) else []
-    needed = ["time_s", *(f"cell{cell}_force_n" for cell in range(1, cells + 1)), *shear]
+    weighed = range(1 + _is_unweighed(header), cells + 1)
+    needed = ["time_s", *(f"cell{cell}_force_n" for cell in weighed), *shear]
     check_complete(np.stack([column[name] for name in needed], axis=1), needed)
     x_mm, y_mm = label_grid_mm()
-    counts, force_n, shear_n = counts_of_column(column, frames), by_cell[:, :, 0], None
+    face, force_n, shear_n = face_labels(by_cell[:, :, 1]), by_cell[:, :, 0], None
+    counts = with_pressed_faces(counts_of_column(column, frames), face)
     if shear:
         shear_n = np.stack([column[name] for name in shear], axis=1).reshape(frames, cells, 2)
     return RawTable(
@@ -160,14 +169,16 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
         time_s=column["time_s"],
         force_n=force_n,
         counts=counts,
-        face=face_labels(by_cell[:, :, 1]),
+        face=face,
         tip_xy_mm=tip_places(by_cell[:, :, 1:]),
         case=_labels(column, "session", 1, frames),
         declared_rest=_labels(column, "rest", 0, frames) == 1,
         grid_x_mm=x_mm,
         grid_y_mm=y_mm,
         duplicate_columns=(),
-        digest=content_digest(column["time_s"], force_n, counts, shear_n),
+        digest=content_digest(
+            column["time_s"], column[TRAVEL] if _is_unweighed(header) else force_n, counts, shear_n
+        ),
         shear_n=shear_n,
         travel_mm=column.get(TRAVEL),
     )
@@ -211,6 +222,11 @@ def content_digest(
     return digest.hexdigest()
 
 
+def _is_unweighed(header: list[str]) -> bool:
+    """Return whether travel is the label, and no load cell a force."""
+    return TRAVEL in header and "cell1_force_n" not in header
+
+
 def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     """Number of load cells and of tips; without labels there may be none."""
     repeated = sorted({name for name in header if header.count(name) > 1})
@@ -224,6 +240,8 @@ def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     ]
     known_columns = {"time_s", "session", "rest", TRAVEL, *needed, *shear}
     known_columns |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
+    if _is_unweighed(header) and cells == 1:
+        needed.remove("cell1_force_n")
     unknown = [name for name in header if name not in known_columns and not CHANNEL.fullmatch(name)]
     missing = [name for name in ("time_s", *needed, *shear) if name not in header]
     if not any(CHANNEL.fullmatch(name) for name in header):
@@ -257,12 +275,14 @@ def _unknown_text(unknown: list[str], missing: list[str]) -> str:
 
 
 def counts_of_column(
-    column: dict[str, Float[np.ndarray, "frame"]], frames: int
-) -> Float[np.ndarray, "frame 5 sensor 3"]:
+    column: Mapping[str, Float[np.ndarray, "frame"]], frames: int
+) -> Float[np.ndarray, "frame face sensor 3"]:
+    """Readings by face, sensor and axis; NaN where there is no such channel."""
     named = [
         (match, values) for name, values in column.items() if (match := CHANNEL.fullmatch(name))
     ]
-    counts = np.full((frames, len(FACES), max(int(match[3]) for match, _ in named), 3), np.nan)
+    faces = max(LEAST_FACES, *(int(match[1]) for match, _ in named))
+    counts = np.full((frames, faces, max(int(match[3]) for match, _ in named), 3), np.nan)
     for match, values in named:
         counts[:, int(match[1]) - 1, int(match[3]) - 1, "XYZ".index(match[2])] = values
     return counts
@@ -272,10 +292,10 @@ def face_labels(face: Float[np.ndarray, "frame cell"]) -> Int[np.ndarray, "frame
     """Faces as whole numbers, `NO_FACE` where none is stated; anything else is an RecordingError."""
     names = [f"cell{cell + 1}_face" for cell in range(face.shape[1])]
     number = whole(np.nan_to_num(face, nan=NO_FACE), names)
-    wrong = ~np.isin(number, (NO_FACE, *FACES))
+    wrong = ~np.isin(number, range(NO_FACE, MOST_FACES + 1))
     if wrong.any():
         raise RecordingError(
-            f"face labels must be 1…5, or 0 or empty for none; got "
+            f"face labels must be 1…6, or 0 or empty for none; got "
             f"{np.unique(number[wrong]).tolist()[:5]}. Fix the label column"
         )
     return number

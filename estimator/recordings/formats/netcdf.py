@@ -10,7 +10,7 @@ from design.errors import RecordingError, StoreError
 from design.netcdf import FileKind, read_arrays, write_netcdf
 from estimator.recordings.formats.generic import content_digest, face_labels, tip_places
 from estimator.recordings.formats.text import FORMATS, check_complete, whole
-from estimator.recordings.table import FACES, RawTable
+from estimator.recordings.table import LEAST_FACES, MOST_FACES, RawTable, with_pressed_faces
 
 _FILE_NAMES = {
     "face": "cell_face",
@@ -34,7 +34,7 @@ _RECORDING = FileKind(
         "grid_x_mm": ("grid_x", "mm"),
         "grid_y_mm": ("grid_y", "mm"),
     },
-    optional=("cell_shear_n", "travel_mm"),
+    optional=("cell_force_n", "cell_shear_n", "travel_mm"),
     packed=("counts",),
     schema=("schema", "instobj recording 1"),
     unit_name="unit",
@@ -45,6 +45,8 @@ _FIELDS = {_FILE_NAMES.get(name, name): name for name in RawTable.__dataclass_fi
 def write_generic_netcdf(table: RawTable, path: Path | str) -> None:
     """Write a recording as NetCDF4 with named dimensions and units."""
     values = {name: getattr(table, _FIELDS[name]) for name in _RECORDING.variables}
+    if table.labelled_by_travel:
+        values["cell_force_n"] = None
     write_netcdf(_RECORDING, path, values)
 
 
@@ -66,6 +68,8 @@ def read_generic_netcdf(path: Path) -> RawTable:
         )
     needed = [name for name in _RECORDING.variables if name not in _RECORDING.optional]
     missing = [name for name in needed if name not in data]
+    if not {"cell_force_n", "travel_mm"} & set(data):
+        missing.append("cell_force_n")
     _, schema = _RECORDING.schema
     if missing or attributes.get("schema") != schema:
         raise RecordingError(
@@ -78,8 +82,8 @@ def read_generic_netcdf(path: Path) -> RawTable:
 
 def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
     """A table of arrays that have the right number of dimensions, types and labels."""
-    forces = in_file["cell_force_n"]
-    frames, cells = forces.shape if forces.ndim == 2 else (0, 0)
+    labels = in_file["cell_face"]
+    frames, cells = labels.shape if labels.ndim == 2 else (0, 0)
     for name, array in in_file.items():
         dims = _RECORDING.variables[name][0].split()
         right = array.ndim == len(dims) and array.dtype.kind in "fiub"
@@ -90,11 +94,13 @@ def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
             )
     floats = {_FIELDS[name]: array.astype(float) for name, array in in_file.items()}
     shear = floats.get("shear_n", np.zeros((frames, cells, 2)))
+    force_n = floats.get("force_n", np.full((frames, cells), np.nan))
     shapes = floats["counts"].shape[1::2], floats["tip_xy_mm"].shape[1::2], floats["face"].shape[1]
-    right = shapes == ((len(FACES), 3), (cells, 2), cells) and shear.shape[1:] == (cells, 2)
+    right = shapes[1:] == ((cells, 2), cells) and shear.shape[1:] == (cells, 2)
+    right &= shapes[0] in ((LEAST_FACES, 3), (MOST_FACES, 3)) and force_n.shape == (frames, cells)
     if not right or not frames:
         raise RecordingError(
-            "it must hold frames with 5 faces, 3 axes, and places and shear (x, y) for each of "
+            "it must hold frames with 5 or 6 faces, 3 axes, and places and shear (x, y) for each of "
             f"its {cells} load cells; got {shapes} and {shear.shape[1:]} in {frames} frames. {FORMATS}"
         )
     for name in {"time_s", "force_n", "shear_n", "grid_x_mm", "grid_y_mm"} & set(floats):
@@ -103,19 +109,21 @@ def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
     labelled = np.concatenate(
         [floats["face"][..., None], floats["tip_xy_mm"].reshape(frames, cells, -1)], axis=2
     )
-    shear_n = floats.get("shear_n")
+    shear_n, face = floats.get("shear_n"), face_labels(floats["face"])
+    counts = with_pressed_faces(floats["counts"], face)
+    label = floats["force_n" if "force_n" in floats else "travel_mm"]
     case = whole(floats["case"][:, None], ["session"])[:, 0]
     return RawTable(
         kind="generic",
-        **{
-            name: floats[name] for name in ("time_s", "force_n", "counts", "grid_x_mm", "grid_y_mm")
-        },
-        face=face_labels(floats["face"]),
+        **{name: floats[name] for name in ("time_s", "grid_x_mm", "grid_y_mm")},
+        force_n=force_n,
+        counts=counts,
+        face=face,
         tip_xy_mm=tip_places(labelled),
         case=case,
         declared_rest=floats["declared_rest"] == 1,
         duplicate_columns=(),
-        digest=content_digest(floats["time_s"], floats["force_n"], floats["counts"], shear_n),
+        digest=content_digest(floats["time_s"], label, counts, shear_n),
         shear_n=shear_n,
         travel_mm=floats.get("travel_mm"),
     )

@@ -15,7 +15,7 @@ from pathlib import Path
 from design.errors import InputError
 from estimator.recordings.boards.link import replay_chunks, serial_chunks
 
-_PLACE = re.compile(r"([1-5])((?::-?\d+(?:\.\d*)?,-?\d+(?:\.\d*)?)+)")
+_PLACE = re.compile(r"([1-6])((?::-?\d+(?:\.\d*)?,-?\d+(?:\.\d*)?)+)")
 
 
 @dataclass(frozen=True)

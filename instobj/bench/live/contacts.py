@@ -18,7 +18,7 @@ from estimator.deploy.zeroing import ZeroMode
 from estimator.frames.face_data import Channel
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
-LeftOut = Bool[np.ndarray, "5 sensor 3"]
+LeftOut = Bool[np.ndarray, "face sensor 3"]
 """Readings that are not believed."""
 _PRESENT = 0.5
 """Probability from which a face's estimator sees a contact."""
@@ -35,7 +35,7 @@ class Found:
 
 
 class Estimator(Protocol):
-    """Reads raw counts (5 faces, sensor, axis) frame by frame; None while there is no zero.
+    """Reads raw counts (face, sensor, axis) frame by frame; None while there is no zero.
 
     Attributes
     ----------
@@ -47,13 +47,13 @@ class Estimator(Protocol):
     channels: tuple[Channel, ...]
 
     def feed(
-        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
         """Return what it reads in the next frame."""
         ...
 
     def pass_by(
-        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
     ) -> None:
         """Take a frame that is left out, of which the zero may learn."""
         ...
@@ -73,7 +73,7 @@ class InvertedContacts:
         self.channels = reader.inversion.channels
 
     def feed(
-        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
         """Return what it reads in the next frame."""
         reading = self._reader.feed(raw_counts, time_s, left_out)
@@ -93,7 +93,7 @@ class InvertedContacts:
         return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(reading.explained[0]), chip)
 
     def pass_by(
-        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
     ) -> None:
         """Take a frame that is left out: the zero follows it."""
         self._reader.pass_by(raw_counts, time_s, left_out)
@@ -115,7 +115,7 @@ class FaceContacts:
         )
 
     def feed(
-        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
     ) -> Found | None:
         """Return what they read in the next frame."""
         rows, explained = [], True
@@ -135,7 +135,7 @@ class FaceContacts:
         return Found(np.reshape(rows, (-1, CONTACT_WIDTH)), bool(explained))
 
     def pass_by(
-        self, raw_counts: Float[np.ndarray, "5 sensor 3"], time_s: float, left_out: LeftOut
+        self, raw_counts: Float[np.ndarray, "face sensor 3"], time_s: float, left_out: LeftOut
     ) -> None:
         """Leave a frame out, where too many wait."""
 

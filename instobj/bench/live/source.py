@@ -14,7 +14,7 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.recordings.boards.link import replay_chunks
-from estimator.recordings.table import FACES, RawTable
+from estimator.recordings.table import LEAST_FACES, RawTable
 from instobj.bench.collect.options import CollectOptions, open_source
 from instobj.bench.live.scene import live_scene
 from instobj.bench.live.server import is_loopback
@@ -133,7 +133,8 @@ def _opened(
 
 def data_set_table(frames: FrameSet) -> RawTable:
     """A data set as a recording: changes as counts, every contact as a load cell with one tip."""
-    counts = np.full((len(frames), len(FACES), frames.signal_counts.shape[2], 3), np.nan)
+    faces = max(LEAST_FACES, int(frames.faces.max()))
+    counts = np.full((len(frames), faces, frames.signal_counts.shape[2], 3), np.nan)
     counts[:, frames.faces - 1] = frames.signal_counts
     return RawTable(
         kind="generic",

@@ -65,7 +65,7 @@ class Row:
     time_s: float
     raw: Float[np.ndarray, "channel"]
     change: Float[np.ndarray, "channel"]
-    left_out: Bool[np.ndarray, "5 sensor 3"]
+    left_out: Bool[np.ndarray, "face sensor 3"]
 
 
 @dataclass(frozen=True)
@@ -220,7 +220,7 @@ class Watch:
         for row in reversed(waiting[:most]):
             self._read(estimator, row)
 
-    def _counts(self, row: Row) -> Float[np.ndarray, "5 sensor 3"]:
+    def _counts(self, row: Row) -> Float[np.ndarray, "face sensor 3"]:
         return counts_of(self._channels, tuple(row.raw[self._places].tolist()))
 
     def _pass_by(self, estimator: Estimator, row: Row) -> None:

@@ -19,7 +19,7 @@ from estimator.grasps.track import ContactTrack, track_of_networks, track_of_set
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.readings import ContactSets
 from estimator.recordings.formats.robot import is_robot_file
-from estimator.recordings.table import FACES
+from estimator.recordings.table import faces_of
 from instobj.commands.contacts import require_read_sensors
 from instobj.commands.readings import (
     Stream,
@@ -199,7 +199,7 @@ def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> FrameSe
     grid, one_session = contact_grid(estimators.spec), np.zeros(count, int)
     frames = FrameSet(
         raw, one_session[:, None], empty[..., :2], empty, np.ones(count, bool), one_session,
-        one_session - 1, one_session, stamps, np.array(FACES), grid.x_mm, grid.y_mm, np.ones(3),
+        one_session - 1, one_session, stamps, faces_of(raw), grid.x_mm, grid.y_mm, np.ones(3),
         "recorded", "", 0,
     ).select_faces(sensed)  # fmt: skip
     raw = frames.signal_counts

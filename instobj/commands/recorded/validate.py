@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 _WORTHWHILE_GAIN = 0.05
 _LEAST_CASES = 3
 """With fewer, no place is left to calibrate on beside the unseen one and one to exchange it with."""
+_NO_MODULUS = "labelled by travel: the ratio of moduli found tells nothing about the silicone"
 
 
 def self_test_of(path: Path, resting: Path, overrides: list[str]) -> dict[str, Any]:
@@ -102,6 +103,7 @@ def validate_on(
     from estimator.recordings.formats.travel import is_travel_recording
     from estimator.recordings.reading import read_recording
     from instobj.commands.recorded.validate_travel import validate_on_travel
+    from instobj.commands.training import travel_forces
 
     if any(is_travel_recording(file) for file in recordings):
         if len(recordings) > 1:
@@ -122,7 +124,9 @@ def validate_on(
     require_writable(out)
     run = Run(spec)
     with run.progress.stage("reading recordings"):
-        read = with_all_sensors(spec, [read_recording(file) for file in recordings])
+        mechanics = travel_forces(spec)
+        read = [read_recording(file, mechanics=mechanics) for file in recordings]
+        read = with_all_sensors(spec, read)
         presses = keep_sensed_faces(spec, recorded_presses(read))
     require_presses_of(spec, presses)
     absent = sensors_not_recorded(spec, read)
@@ -131,6 +135,7 @@ def validate_on(
     freed = groups_freed(problem) if tests else {}
     document = _document(problem, agreements, predictions, tests, freed)
     document["sensors_not_recorded"] = absent
+    document["labelled_by_travel"] = any(one.frames.travel_mm is not None for one in read)
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "validation.json")
@@ -251,6 +256,7 @@ def _published(
     return {
         "command": "validate",
         "texts": [
+            *[_NO_MODULUS] * document["labelled_by_travel"],
             *not_recorded_texts(document["sensors_not_recorded"], len(sensor_layout(spec).face)),
             *document["verdicts"],
             *calibration_texts(document),

@@ -114,6 +114,7 @@ def evaluate_networks(
         contact_readings,
         evaluate_face,
         evaluate_intervals,
+        evaluate_travel,
         linear_baseline,
         mean_map_baseline,
     )
@@ -122,7 +123,8 @@ def evaluate_networks(
     held_out = frames.select(split.test)
     readings, answers = [], []
     rows: dict[str, list[Any]] = {
-        name: [] for name in ("faces", "intervals", "ridge_regression", "mean_map", "baselines")
+        name: []
+        for name in ("faces", "intervals", "ridge_regression", "mean_map", "baselines", "travel")
     }
     for model in models.values():
         step(f"face {model.face}")
@@ -130,6 +132,9 @@ def evaluate_networks(
         readings.append(contact_readings(model, held_out))
         intervals = asdict(evaluate_intervals(model, held_out))
         rows["intervals"].append({"face": model.face, **intervals})
+        if frames.travel_mm is not None:
+            errors = evaluate_travel(model, held_out, frames)
+            rows["travel"].append({"face": model.face, **errors})
         rows["ridge_regression"].append(linear_baseline(frames, model.face, split).summary())
         rows["mean_map"].append(mean_map_baseline(frames, model.face, split).summary())
         answers.append(held_out_answers(model, frames, split))

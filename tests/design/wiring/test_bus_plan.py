@@ -48,12 +48,6 @@ def test_every_chip_is_reached_alone(board, sensors):
         assert set(outputs) <= set(board.outputs)
 
 
-def test_face_6_has_no_place_in_a_recording():
-    closed = {"name": "closed", "sensors": {}, "body": {"open_faces": []}}
-    with pytest.raises(InputError, match=r"faces 1 to 5; this object senses \[1, 2, 3, 4, 5, 6\]"):
-        all_plans(ObjectSpec.model_validate(closed), PICO)
-
-
 def test_without_new_addresses_chips_of_one_part_would_answer_together():
     """The planted fault: the same plan read at the factory's address."""
     plan, _ = choose_plan(object_of(), PICO, way=STARTED)

@@ -159,7 +159,7 @@ def test_the_grid_of_an_object_of_its_own(tmp_path):
 
 def test_recordings_of_different_objects_are_not_combined(tmp_path, gripper):
     own, other = read_recording(gripper), read_recording(made(tmp_path))
-    with pytest.raises(InputError, match="3 and 4 sensors per face"):
+    with pytest.raises(InputError, match="5 × 3 and 5 × 4"):
         combine([own, other])
     grid = np.arange(7) * 5.0 - 15.0, np.arange(3) * 4.0 - 4.0
     louder = replace(own, frames=replace(own.frames, spec_hash="other", grid_x_mm=grid[0]))

@@ -19,6 +19,8 @@ def synthetic_frames(
     zero_error=8.0,
     cross=0.05,
     noise=1.0,
+    sides=5,
+    sensors=3,
 ) -> FrameSet:
     """Presses of every place on each face; a press is rest frames, then a rise and fall."""
     rng = np.random.default_rng(seed)
@@ -28,8 +30,8 @@ def synthetic_frames(
         _press(face, place, number, rest, loaded, rng) for number, (face, place) in enumerate(plan)
     ]
     joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-    signal = np.stack([_signal(f, joined, cross) for f in range(1, 6)], axis=1)
-    error = rng.normal(0, zero_error, (len(plan), 5, 3, 3))[joined["press_id"]]
+    signal = np.stack([_signal(f, joined, cross, 3 * sensors) for f in range(1, sides + 1)], axis=1)
+    error = rng.normal(0, zero_error, (len(plan), *signal.shape[1:]))[joined["press_id"]]
     white = noise * rng.normal(0, 1, signal.shape) * NOISE_COUNTS
     return FrameSet(
         signal_counts=signal + white + error,
@@ -41,7 +43,7 @@ def synthetic_frames(
         place_id=np.where(joined["force"] > 0, joined["place_id"], -1),
         session_id=joined["press_id"] * presses // len(plan),
         time_s=np.arange(len(signal)) / 10.5,
-        faces=np.arange(1, 6),
+        faces=np.arange(1, sides + 1),
         grid_x_mm=GRID_X_MM,
         grid_y_mm=GRID_Y_MM,
         noise_counts=NOISE_COUNTS,
@@ -66,15 +68,15 @@ def _press(face, place, number, rest, loaded, rng):
     }
 
 
-def _signal(face, frames, cross):
+def _signal(face, frames, cross, channels):
     """Counts (frame, sensor, axis): strong for the face's own contacts, weak for another's."""
     rng = np.random.default_rng(100 + face)
-    centre, width = rng.uniform(-6, 6, (9, 2)), rng.uniform(4, 7, 9)
-    gain = rng.choice([-1, 1], 9) * rng.uniform(60, 160, 9)
+    centre, width = rng.uniform(-6, 6, (channels, 2)), rng.uniform(4, 7, channels)
+    gain = rng.choice([-1, 1], channels) * rng.uniform(60, 160, channels)
     away = np.sum((frames["xy"][:, None] - centre) ** 2, axis=2) / (2 * width**2)
     own = np.where(frames["face"] == face, 1.0, cross)[:, None]
     bent = frames["force"] / (1 + 0.02 * frames["force"])
-    return (own * gain * np.exp(-away) * bent[:, None]).reshape(-1, 3, 3)
+    return (own * gain * np.exp(-away) * bent[:, None]).reshape(-1, channels // 3, 3)
 
 
 def _normal(force):

@@ -73,7 +73,7 @@ def test_a_header_tells_its_cells_and_tips_and_what_it_lacks():
     assert generic.check_header(generic.generic_columns(["F1-X1"], 1, 1)) == (1, 1)
     for spoiled, told in (
         ([*whole, "F5-Z12"], "it names F5-Z12 twice"),
-        ([*whole, "F6-X1"], "columns that are not known: 'F6-X1'"),
+        ([*whole, "F7-X1"], "columns that are not known: 'F7-X1'"),
         ([*whole, "cell2_x4_mm"], "lacks|not known"),
         ([name for name in whole if name != "cell2_face"], "lacks the columns cell2_face"),
         (
@@ -110,9 +110,9 @@ def test_a_place_needs_its_face_and_both_coordinates():
         generic.tip_places(late)
 
 
-def test_faces_are_one_to_five_and_none_is_zero_or_empty():
-    assert generic.face_labels(np.array([[1.0, 5], [0, NAN]])).tolist() == [[1, 5], [0, 0]]
-    for wrong in (6.0, -1.0):
+def test_faces_are_one_to_six_and_none_is_zero_or_empty():
+    assert generic.face_labels(np.array([[1.0, 6], [0, NAN]])).tolist() == [[1, 6], [0, 0]]
+    for wrong in (7.0, -1.0):
         with pytest.raises(RecordingError, match=f"got \\[{wrong:.0f}\\]"):
             generic.face_labels(np.array([[wrong]]))
 
@@ -124,6 +124,7 @@ def test_counts_stand_at_face_sensor_and_axis():
     assert found[:, 0, 0, 0].tolist() == [1, 2]
     assert found[:, 4, 2, 1].tolist() == [3, 4]
     assert np.isfinite(found).sum() == 4
+    assert generic.counts_of_column({"F6-Z24": np.zeros(2)}, 2).shape == (2, 6, 24, 3)
 
 
 def test_the_marker_of_no_reading_empties_channels_and_faces_with_their_places_alone():
