@@ -82,7 +82,7 @@ function play(show) {
 
 const mix = (a, b, share) => a.map((value, k) => value + share * (b[k] - value));
 
-function quaternionOf(axes) {
+export function quaternionOf(axes) {
   const [a, b, c, d, e, f, g, h, i] = axes;
   return new Quaternion().setFromRotationMatrix(new Matrix4().set(a, b, c, 0, d, e, f, 0, g, h, i, 0, 0, 0, 0, 1));
 }
@@ -103,7 +103,7 @@ function pairs(before, after, origin, share) {
   ];
 }
 
-function makePool(view, make) {
+export function makePool(view, make) {
   const made = [];
   function place(parts) {
     while (made.length < parts.length) {
@@ -121,9 +121,9 @@ function makePool(view, make) {
   return { place };
 }
 
-const boxOf = (colour) => new Mesh(new BoxGeometry(2, 2, 2), new MeshLambertMaterial({ color: colour }));
+export const boxOf = (colour) => new Mesh(new BoxGeometry(2, 2, 2), new MeshLambertMaterial({ color: colour }));
 
-function makeMagnet() {
+export function makeMagnet() {
   const group = new Group();
   for (const [colour, side] of [[COLOURS.north, 0.5], [COLOURS.south, -0.5]]) {
     const half = new Mesh(new CylinderGeometry(1, 1, 1, 32), new MeshLambertMaterial({ color: colour }));

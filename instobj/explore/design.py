@@ -1,0 +1,235 @@
+"""A design as the page holds it, made a specification, checked, and saved as TOML."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from design.errors import InputError, InstobjError
+from design.files import atomic_path
+from design.layout.pockets import sensor_places
+from design.spec.object import ObjectSpec
+from design.spec_io import load_spec, with_overrides
+from design.tables import toml_value
+from instobj.commands.run import check
+from instobj.commands.specification_file import line_with_value
+from instobj.search.outcome.write import write_specification
+
+Design = Mapping[str, Mapping[str, Any]]
+"""Keys of [magnets] and [sensors] that the page changes."""
+_OF_EACH_MAGNET = (
+    *("depth_mm", "tilt_deg", "north", "part", "grade", "remanence_t"),
+    *("diameter_mm", "inner_diameter_mm", "height_mm", "size_mm"),
+)
+_KEYS = {
+    "magnets": {"positions_mm", *_OF_EACH_MAGNET},
+    "sensors": {"positions_mm", "depth_below_core_face_mm", "range_mt", "chip"},
+}
+_NAMED = re.compile(
+    r"magnets\.\w+\[(?P<magnet>\d+)\]|magnet (?P<nth>\d+) of|sensors? (?P<sensor>\d+)(?: and (?P<other>\d+))?"
+)
+
+
+def design_of(spec: ObjectSpec) -> dict[str, dict[str, Any]]:
+    """Return the design of a specification: what is given for each magnet as lists, the rest as it is;
+    None of places and depths that follow from other keys."""
+    magnets, sensors = spec.magnets, spec.sensors
+    one_each: dict[str, Any] = {
+        key: _lists(value)
+        for key in _OF_EACH_MAGNET
+        if isinstance(value := getattr(magnets, key), tuple) and len(value) == magnets.count
+    }
+    one_each |= {
+        "positions_mm": _lists(magnets.positions_mm),
+        "depth_mm": list(magnets.depths_mm) or None,
+        "tilt_deg": _lists(magnets.tilt_deg or ((0.0, 0.0),) * magnets.count),
+        "north": list(magnets.north or ("outward",) * magnets.count),
+    }
+    of_sensors = {key: _lists(getattr(sensors, key)) for key in _KEYS["sensors"]}
+    return {"magnets": one_each, "sensors": of_sensors}
+
+
+def with_design(spec: ObjectSpec, design: Design) -> ObjectSpec:
+    """Return the specification with a design; what it repeats stays as it was written.
+
+    Raises
+    ------
+    InputError
+        Another key than `design_of` has, or values that break a rule of the specification.
+    """
+    before = design_of(spec)
+    changed: dict[str, dict[str, Any]] = {}
+    for table, values in design.items():
+        foreign = set(values) - _KEYS.get(table, set())
+        if foreign or table not in _KEYS:
+            raise InputError(f"a design has no {table}.{', '.join(foreign)}. Reload the page")
+        changed[table] = {k: v for k, v in values.items() if v != before[table].get(k)}
+    of_sensors = changed.get("sensors", {})
+    if places := of_sensors.get("positions_mm"):
+        of_sensors["count_per_face"] = len(places[0])
+    if "range_mt" in of_sensors:
+        of_sensors |= _rescaled(spec, of_sensors["range_mt"])
+    parts = {
+        table: getattr(spec, table).changed(**values) for table, values in changed.items() if values
+    }
+    return spec.changed(**parts)
+
+
+def _rescaled(spec: ObjectSpec, range_mt: float) -> dict[str, Any]:
+    """Return gain and noise of the chip in another range: noise is the same in mT."""
+    from design.catalogue.hall_sensors import hall_part
+
+    counts_per_mt = hall_part(spec.sensors.part).range_covering(range_mt).counts_per_mt
+    times = counts_per_mt / spec.sensors.counts_per_mt
+    noise = tuple(times * one for one in spec.sensors.noise_counts)
+    return {"counts_per_mt": counts_per_mt, "noise_counts": noise}
+
+
+def broken_limits(design: ObjectSpec) -> list[dict[str, Any]]:
+    """Return the sentences of `instobj check`, each with the numbers of magnets and sensors of a face that
+    it names, counted from 0."""
+    try:
+        check(design)
+    except InstobjError as error:
+        return [_limit(line) for line in str(error).split("\n")]
+    return []
+
+
+def _limit(sentence: str) -> dict[str, Any]:
+    magnets, sensors = set(), set()
+    for found in _NAMED.finditer(sentence):
+        if found["magnet"]:
+            magnets.add(int(found["magnet"]))
+        elif found["nth"]:
+            magnets.add(int(found["nth"]) - 1)
+        else:
+            sensors |= {int(one) - 1 for one in (found["sensor"], found["other"]) if one}
+    return {"text": sentence, "magnets": sorted(magnets), "sensors": sorted(sensors)}
+
+
+def save_design(
+    spec: ObjectSpec, design: ObjectSpec, source: Path, overrides: list[str]
+) -> tuple[Path, bool]:
+    """Write a design beside its specification under a new name; return the file, and whether comments
+    were kept.
+
+    Raises
+    ------
+    InputError
+        The design breaks a limit.
+    StoreError
+        The folder cannot be written.
+    """
+    if broken := broken_limits(design):
+        sentences = "\n".join(limit["text"] for limit in broken)
+        raise InputError(f"not saved, as limits are broken. Mend them first:\n{sentences}")
+    path = _free_path(source)
+    changes = _flat(with_overrides({}, overrides)) | _flat(_changes(spec, design))
+    text = edited_text(source.read_text(encoding="utf-8-sig"), changes | {"name": path.stem})
+    with atomic_path(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    wanted = design.changed(name=path.stem)
+    try:
+        if load_spec(path) == wanted:
+            return path, True
+    except InputError:
+        pass  # a way of writing tables that lines do not follow: written whole instead
+    write_specification(design, path.stem, path, source.parent)
+    return path, False
+
+
+def _flat(tables: Mapping[str, Any], above: str = "") -> dict[str, Any]:
+    """Return values by their dotted keys."""
+    values: dict[str, Any] = {}
+    for key, value in tables.items():
+        inner = isinstance(value, Mapping)
+        values |= _flat(value, f"{above}{key}.") if inner else {above + key: value}
+    return values
+
+
+def _free_path(source: Path) -> Path:
+    stem = re.sub(r"_explored_\d+$", "", source.stem)
+    numbers = range(1, 10_000)
+    paths = (source.with_name(f"{stem}_explored_{number}.toml") for number in numbers)
+    return next(path for path in paths if not path.exists())
+
+
+def _changes(spec: ObjectSpec, design: ObjectSpec) -> dict[str, dict[str, Any]]:
+    """Return the keys that a design changes, table by table, as TOML has them."""
+    pairs = {table: (getattr(spec, table), getattr(design, table)) for table in _KEYS}
+    return {
+        table: {
+            key: _lists(getattr(after, key))
+            for key in type(after).model_fields
+            if getattr(before, key) != getattr(after, key)
+        }
+        for table, (before, after) in pairs.items()
+    }
+
+
+def edited_text(text: str, changes: Mapping[str, Any]) -> str:
+    """Return TOML with other values of dotted keys; every comment and all else stay as they are.
+
+    Knows tables with a heading and keys within them; what is written otherwise comes out wrong, so compare.
+    """
+    lines = text.splitlines()
+    for dotted, value in changes.items():
+        table, _, key = dotted.rpartition(".")
+        first, last = _table_lines(lines, table)
+        at = next((k for k in range(first, last) if re.match(rf"\s*{key}\s*=", lines[k])), None)
+        if at is None:
+            lines.insert(first, f"{key} = {toml_value(value)}")
+        else:
+            end = _end_of_value(lines, at)
+            head = lines[at] if end == at + 1 else f"{key} = 0{_comment_after(lines[end - 1])}"
+            lines[at:end] = [line_with_value(head, key, value)]
+    return "\n".join(lines) + "\n"
+
+
+def _table_lines(lines: list[str], table: str) -> tuple[int, int]:
+    """Return the first line of a table's keys and the one after its last; a missing table is added."""
+    headings = [k for k, line in enumerate(lines) if re.match(r"\s*\[", line) and line.count("]")]
+    tables = [k for k in headings if re.match(r"\s*\[\[?[\w.\"-]+\]\]?\s*(#.*)?$", lines[k])]
+    if not table:
+        return 0, tables[0] if tables else len(lines)
+    at = next((k for k in tables if re.match(rf"\s*\[{re.escape(table)}\]", lines[k])), None)
+    if at is None:
+        lines += ["", f"[{table}]"]
+        return len(lines), len(lines)
+    return at + 1, next((k for k in tables if k > at), len(lines))
+
+
+def _end_of_value(lines: list[str], at: int) -> int:
+    """Return the line after a value that may go on over several."""
+    for end in range(at + 1, len(lines) + 1):
+        try:
+            tomllib.loads("\n".join(lines[at:end]))
+        except tomllib.TOMLDecodeError:
+            continue
+        return end
+    return at + 1
+
+
+def _comment_after(line: str) -> str:
+    found = re.search(r"\s+#[^#]*$", line)
+    return found[0] if found else ""
+
+
+def shown_places(spec: ObjectSpec) -> dict[str, Any]:
+    """Return depths of magnets and places of sensors, face by face, where keys of their own do not give
+    them (mm)."""
+    from design.layout.pockets import magnet_bodies
+
+    depths = [round(-float(body.centre_mm[2]), 3) for body in magnet_bodies(spec)[0]]
+    places = [np.round([place[:2] for place in face], 3).tolist() for face in sensor_places(spec)]
+    return {"depth_mm": depths, "sensors_mm": places}
+
+
+def _lists(value: Any) -> Any:
+    """Return tuples as the lists of TOML and JSON."""
+    return [_lists(one) for one in value] if isinstance(value, list | tuple) else value

@@ -1,0 +1,64 @@
+"""The body for the page: its skin with the faces that the map lies on, its core, contact locations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from design.catalogue.hall_sensors import hall_part
+from design.layout.body import body_of, face_frames
+from instobj.explore.design import design_of
+from instobj.explore.engine import Explorer
+from instobj.viewer.archive import Stepped, pack
+from instobj.viewer.scene import Arrays, add_surface, face_content
+from instobj.viewer.surface import shaded_part
+
+ACCURACY = (
+    "Quick model: stiff magnets on stored presses of the shell without magnets. For 34 layouts of "
+    "the paper's cube the next level gave 0.94 to 1.22 times its median and 0.87 to 1.67 times its "
+    "worst value; single locations scattered by 13 %. It reads the pressed face's own chips, of an "
+    "object that stands still after a fresh zero. `instobj run` computes the whole."
+)
+"""What the page says of its level: docs/measured/layout_search.md, fidelity levels."""
+
+
+def explorer_scene(explorer: Explorer) -> bytes:
+    """Return the archive that the page fetches."""
+    spec, body, grid = explorer.spec, body_of(explorer.spec), explorer.grid
+    arrays: Arrays = {}
+    skin, core, faces = shaded_part(body.outer_surface()), body.core_surface(), face_frames(spec)
+    add_surface(arrays, "silicone", skin)
+    if core is not None:
+        add_surface(arrays, "core", shaded_part(core))
+    # Vertices that may carry a face's map: the page takes those that look the face's way.
+    on_face = [
+        np.flatnonzero(face.covers(face.plane_coordinates(skin.points_mm)[:, :2])) for face in faces
+    ]
+    arrays["link_vertex"] = np.concatenate(on_face).astype("<u4")
+    arrays["link_source"] = np.repeat(range(len(faces)), [len(one) for one in on_face]).astype(
+        "<u4"
+    )
+    xy = grid.xy_mm
+    arrays["place_xy_mm"] = Stepped(xy.astype("<f4"))
+    surface = [
+        face.to_object(np.column_stack([face.to_plane(xy), np.zeros(len(xy))])) for face in faces
+    ]
+    arrays["place_mm"] = Stepped(np.stack(surface).astype("<f4"))
+    there = [explorer.presses[face.number][0][0].there for face in faces]
+    arrays["there"] = np.stack(there).astype("<u1")
+    content: dict[str, Any] = {
+        "name": spec.name,
+        "size_mm": list(spec.body.size_mm),
+        "faces": [face_content(face) for face in faces],
+        "face_vertices": [1] * len(faces),
+        "grid": {"x_mm": grid.x_mm.tolist(), "y_mm": grid.y_mm.tolist()},
+        "magnets_in_shell": spec.arrangement == "sensors-in-core",
+        "tiltable": all(face.flat for face in faces) and spec.arrangement == "sensors-in-core",
+        "one_list": len(spec.magnets.lists) == 1,
+        "forces_n": list(explorer.forces_n),
+        "ranges_mt": [one.range_mt for one in hall_part(spec.sensors.part).ranges],
+        "design": design_of(spec),
+        "accuracy": ACCURACY,
+    }
+    return pack(content, arrays)
