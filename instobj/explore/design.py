@@ -68,7 +68,11 @@ def with_design(spec: ObjectSpec, design: Design) -> ObjectSpec:
         foreign = set(values) - _KEYS.get(table, set())
         if foreign or table not in _KEYS:
             raise InputError(f"a design has no {table}.{', '.join(foreign)}. Reload the page")
-        changed[table] = {k: v for k, v in values.items() if v != before[table].get(k)}
+        changed[table] = {
+            k: v
+            for k, v in values.items()
+            if v != before[table].get(k) and not _default(spec, k, v)
+        }
     of_sensors = changed.get("sensors", {})
     if places := of_sensors.get("positions_mm"):
         of_sensors["count_per_face"] = len(places[0])
@@ -78,6 +82,12 @@ def with_design(spec: ObjectSpec, design: Design) -> ObjectSpec:
         table: getattr(spec, table).changed(**values) for table, values in changed.items() if values
     }
     return spec.changed(**parts)
+
+
+def _default(spec: ObjectSpec, key: str, value: Any) -> bool:
+    """Return whether a value of each magnet says what the left out key says already."""
+    usual = {"north": "outward", "tilt_deg": [0.0, 0.0]}
+    return key in usual and not getattr(spec.magnets, key) and all(v == usual[key] for v in value)
 
 
 def _rescaled(spec: ObjectSpec, range_mt: float) -> dict[str, Any]:
