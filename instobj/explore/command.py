@@ -32,7 +32,7 @@ def explore(spec: Path, port: int, export: Path | None, overrides: list[str]) ->
     progress.say(
         "mechanics of the shell without magnets: minutes the first time, seconds afterwards"
     )
-    session = Session(open_explorer(design), spec, overrides)
+    session = Session(open_explorer(design), spec)
     if export is not None:
         with atomic_path(export) as temporary:
             temporary.write_text(session.exported(), encoding="utf-8")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -12,9 +11,9 @@ import numpy as np
 
 from design.errors import InputError, InstobjError
 from design.files import atomic_path
-from design.layout.pockets import sensor_places
+from design.layout.pockets import magnet_bodies, sensor_places
 from design.spec.object import ObjectSpec
-from design.spec_io import load_spec, with_overrides
+from design.spec_io import load_spec
 from design.tables import toml_value
 from instobj.commands.run import check
 from instobj.commands.specification_file import line_with_value
@@ -122,9 +121,7 @@ def _limit(sentence: str) -> dict[str, Any]:
     return {"text": sentence, "magnets": sorted(magnets), "sensors": sorted(sensors)}
 
 
-def save_design(
-    spec: ObjectSpec, design: ObjectSpec, source: Path, overrides: list[str]
-) -> tuple[Path, bool]:
+def save_design(design: ObjectSpec, source: Path) -> tuple[Path, bool]:
     """Write a design beside its specification under a new name; return the file, and whether comments
     were kept.
 
@@ -139,13 +136,14 @@ def save_design(
         sentences = "\n".join(limit["text"] for limit in broken)
         raise InputError(f"not saved, as limits are broken. Mend them first:\n{sentences}")
     path = _free_path(source)
-    changes = _flat(with_overrides({}, overrides)) | _flat(_changes(spec, design))
-    text = edited_text(source.read_text(encoding="utf-8-sig"), changes | {"name": path.stem})
-    with atomic_path(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
-    wanted = design.changed(name=path.stem)
+    named = design.changed(name=path.stem)
     try:
-        if load_spec(path) == wanted:
+        text = edited_text(
+            source.read_text(encoding="utf-8-sig"), _changes(load_spec(source), named)
+        )
+        with atomic_path(path) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+        if load_spec(path) == named:
             return path, True
     except InputError:
         pass  # a way of writing tables that lines do not follow: written whole instead
@@ -153,13 +151,18 @@ def save_design(
     return path, False
 
 
-def _flat(tables: Mapping[str, Any], above: str = "") -> dict[str, Any]:
-    """Return values by their dotted keys."""
-    values: dict[str, Any] = {}
-    for key, value in tables.items():
-        inner = isinstance(value, Mapping)
-        values |= _flat(value, f"{above}{key}.") if inner else {above + key: value}
-    return values
+def _changes(before: ObjectSpec, after: ObjectSpec) -> dict[str, Any]:
+    """Return values that differ by their dotted keys, as TOML has them."""
+    old, new = (spec.model_dump(mode="json", exclude={"as_built"}) for spec in (before, after))
+    tables = [name for name, values in new.items() if isinstance(values, dict)]
+    changed = {
+        f"{table}.{key}": value
+        for table in tables
+        for key, value in new[table].items()
+        if value != old[table].get(key)
+    }
+    plain = {key: new[key] for key in new if key not in tables and new[key] != old[key]}
+    return plain | changed
 
 
 def _free_path(source: Path) -> Path:
@@ -169,72 +172,32 @@ def _free_path(source: Path) -> Path:
     return next(path for path in paths if not path.exists())
 
 
-def _changes(spec: ObjectSpec, design: ObjectSpec) -> dict[str, dict[str, Any]]:
-    """Return the keys that a design changes, table by table, as TOML has them."""
-    pairs = {table: (getattr(spec, table), getattr(design, table)) for table in _KEYS}
-    return {
-        table: {
-            key: _lists(getattr(after, key))
-            for key in type(after).model_fields
-            if getattr(before, key) != getattr(after, key)
-        }
-        for table, (before, after) in pairs.items()
-    }
-
-
 def edited_text(text: str, changes: Mapping[str, Any]) -> str:
     """Return TOML with other values of dotted keys; every comment and all else stay as they are.
 
-    Knows tables with a heading and keys within them; what is written otherwise comes out wrong, so compare.
+    Knows values of one line under their table's heading: compare what else is read back.
     """
-    lines = text.splitlines()
+    # Pieces that begin with a heading; the first holds the keys above all tables.
+    pieces = re.split(r"^(?=\[)", text, flags=re.M)
     for dotted, value in changes.items():
         table, _, key = dotted.rpartition(".")
-        first, last = _table_lines(lines, table)
-        at = next((k for k in range(first, last) if re.match(rf"\s*{key}\s*=", lines[k])), None)
-        if at is None:
-            lines.insert(first, f"{key} = {toml_value(value)}")
+        at = next((k for k, piece in enumerate(pieces) if piece.startswith(f"[{table}]")), None)
+        if table and at is None:
+            pieces.append(f"\n[{table}]\n")
+            at = len(pieces) - 1
+        lines = pieces[at or 0].splitlines(keepends=True)
+        line = next((k for k, one in enumerate(lines) if re.match(rf"{key}\s*=", one)), None)
+        if line is None:
+            lines.insert(bool(table), f"{key} = {toml_value(value)}\n")
         else:
-            end = _end_of_value(lines, at)
-            head = lines[at] if end == at + 1 else f"{key} = 0{_comment_after(lines[end - 1])}"
-            lines[at:end] = [line_with_value(head, key, value)]
-    return "\n".join(lines) + "\n"
-
-
-def _table_lines(lines: list[str], table: str) -> tuple[int, int]:
-    """Return the first line of a table's keys and the one after its last; a missing table is added."""
-    headings = [k for k, line in enumerate(lines) if re.match(r"\s*\[", line) and line.count("]")]
-    tables = [k for k in headings if re.match(r"\s*\[\[?[\w.\"-]+\]\]?\s*(#.*)?$", lines[k])]
-    if not table:
-        return 0, tables[0] if tables else len(lines)
-    at = next((k for k in tables if re.match(rf"\s*\[{re.escape(table)}\]", lines[k])), None)
-    if at is None:
-        lines += ["", f"[{table}]"]
-        return len(lines), len(lines)
-    return at + 1, next((k for k in tables if k > at), len(lines))
-
-
-def _end_of_value(lines: list[str], at: int) -> int:
-    """Return the line after a value that may go on over several."""
-    for end in range(at + 1, len(lines) + 1):
-        try:
-            tomllib.loads("\n".join(lines[at:end]))
-        except tomllib.TOMLDecodeError:
-            continue
-        return end
-    return at + 1
-
-
-def _comment_after(line: str) -> str:
-    found = re.search(r"\s+#[^#]*$", line)
-    return found[0] if found else ""
+            lines[line] = line_with_value(lines[line].rstrip("\n"), key, value) + "\n"
+        pieces[at or 0] = "".join(lines)
+    return "".join(pieces)
 
 
 def shown_places(spec: ObjectSpec) -> dict[str, Any]:
-    """Return depths of magnets and places of sensors, face by face, where keys of their own do not give
-    them (mm)."""
-    from design.layout.pockets import magnet_bodies
-
+    """Return depths of magnets, and places of sensors face by face, also where they follow from other keys
+    (mm)."""
     depths = [round(-float(body.centre_mm[2]), 3) for body in magnet_bodies(spec)[0]]
     places = [np.round([place[:2] for place in face], 3).tolist() for face in sensor_places(spec)]
     return {"depth_mm": depths, "sensors_mm": places}

@@ -34,11 +34,10 @@ Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 @dataclass(frozen=True)
 class Session:
-    """What the page explores: mechanics, the specification's file, and what overrides it."""
+    """What the page explores: mechanics, and the specification's file."""
 
     explorer: Explorer
     source: Path
-    overrides: list[str]
 
     def answer(self, question: str, asked: dict[str, Any]) -> dict[str, Any]:
         """Return the answer to one of `QUESTIONS` about a design.
@@ -87,10 +86,6 @@ class Session:
             "price_and_minutes": price_and_minutes(*counts),
         }
 
-    def limits(self, design: ObjectSpec, asked: dict[str, Any]) -> dict[str, Any]:
-        """Return the limits that are broken."""
-        return {"broken": broken_limits(design)}
-
     def range_used(self, design: ObjectSpec, asked: dict[str, Any]) -> dict[str, Any]:
         """Return the share of the chips' range that is used."""
         return {"range_used": self.explorer.range_used(design)}
@@ -107,7 +102,7 @@ class Session:
 
     def saved(self, design: ObjectSpec, asked: dict[str, Any]) -> dict[str, Any]:
         """Save the design; return the file and the commands that go on with it."""
-        path, kept = save_design(self.explorer.spec, design, self.source, self.overrides)
+        path, kept = save_design(design, self.source)
         names = [f"instobj {command} {path}" for command in ("check", "run", "explore")]
         return {"file": str(path), "comments_kept": kept, "commands": names}
 
@@ -128,7 +123,7 @@ class Session:
     def _all_answers(self) -> dict[str, Any]:
         spec, explorer = self.explorer.spec, self.explorer
         answers: dict[str, Any] = {
-            "limits": self.limits(spec, {}),
+            "limits": {"broken": broken_limits(spec)},
             "range": self.range_used(spec, {}),
         }
         for force in explorer.forces_n:
@@ -143,7 +138,6 @@ class Session:
 
 QUESTIONS: dict[str, Callable[[Session, ObjectSpec, dict[str, Any]], dict[str, Any]]] = {
     "judge": Session.judged,
-    "limits": Session.limits,
     "range": Session.range_used,
     "press": Session.pressed,
     "save": Session.saved,
@@ -168,8 +162,12 @@ def application(session: Session, checking: Executor) -> web.Application:
     async def answer(request: web.Request) -> web.Response:
         try:
             asked, question = await request.json(), request.match_info["question"]
-            where = checking if question == "limits" else None
-            found = await _answered(session, question, asked, where)
+            if question == "limits":
+                design = session.design(asked)
+                broken = await get_running_loop().run_in_executor(checking, broken_limits, design)
+                found = {"broken": broken}
+            else:
+                found = session.answer(question, asked)
         except InstobjError as error:
             return web.json_response({"error": str(error)}, status=400)
         except json.JSONDecodeError:
@@ -182,19 +180,10 @@ def application(session: Session, checking: Executor) -> web.Application:
             web.get("/", index),
             web.get("/program.js", read_program),
             web.get("/scene", read_scene),
-            web.post(f"/{{question:{'|'.join(QUESTIONS)}}}", answer),
+            web.post(f"/{{question:limits|{'|'.join(QUESTIONS)}}}", answer),
         ]
     )
     return app
-
-
-async def _answered(
-    session: Session, question: str, asked: dict[str, Any], checking: Executor | None
-) -> dict[str, Any]:
-    if checking is None:
-        return session.answer(question, asked)
-    design = session.design(asked)
-    return {"broken": await get_running_loop().run_in_executor(checking, broken_limits, design)}
 
 
 @web.middleware

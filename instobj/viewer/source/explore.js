@@ -21,6 +21,7 @@ const MOVED_PX = 4;
 const ENDLESS = 1e9; // of what no force is enough for: darker than all
 
 const copy = (value) => JSON.parse(JSON.stringify(value));
+const made = (tag, properties) => Object.assign(document.createElement(tag), properties);
 const rounded = (value) => Math.round(value / STEP_MM) / (1 / STEP_MM);
 
 async function post(question, body) {
@@ -75,19 +76,19 @@ async function startExplore() {
   // One question at a time; what changes meanwhile is asked next, with the newest design only.
   let [busy, again, asked] = [false, false, 0];
   let [checking, checkAgain] = [false, false];
+  const question = (design) => ({ design, figure: find("figure").value, force_n: Number(find("force").value) });
   async function update(handAt) {
     if (handAt) asked = asked || handAt;
     if (busy) return void (again = true);
     busy = true;
     const from = asked;
     asked = 0;
-    const question = { design: state.design, figure: find("figure").value, force_n: Number(find("force").value) };
     try {
-      state.answer = await ask("judge", question);
+      state.answer = await ask("judge", question(state.design));
       find("trouble").textContent = state.answer.beyond ? "A part lies where the quick model knows no motions: it is judged at the nearest place that it knows." : "";
       show();
       if (from) requestAnimationFrame(() => requestAnimationFrame(() => latencies.push(performance.now() - from)));
-      if (state.pressed) press(state.pressed);
+      if (state.pressed) await press(state.pressed);
       checkLimits();
     } catch (error) {
       find("trouble").textContent = error.message;
@@ -103,9 +104,7 @@ async function startExplore() {
     checking = true;
     do {
       checkAgain = false;
-      const { broken } = await ask("limits", { design: state.design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [] }] }));
-      state.broken = broken;
-      showLimits();
+      await ask("limits", { design: state.design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [] }] })).then(showLimits);
     } while (checkAgain);
     checking = false;
   }
@@ -113,27 +112,18 @@ async function startExplore() {
   function show() {
     const { answer, pinned } = state;
     const difference = find("difference").checked && pinned;
-    const [title, unit] = TITLES[find("figure").value];
+    const [[title, unit], force_n] = [TITLES[find("figure").value], find("force").value];
     answer.values.forEach((value, k) => {
       arrays.map_live.data[k] = value === null ? (arrays.there.data[k] ? ENDLESS : NaN) : difference ? value / pinned.answer.values[k] : value;
     });
-    Object.assign(content.maps[0], difference
-      ? { title: "Times the pinned design's value; above 1 is worse", unit: "", force_n: find("force").value }
-      : { title, unit, force_n: find("force").value });
-    if (difference) maps.fix("live", WORSE);
-    else if (!state.ends) fitColours();
-    else maps.fix("live", state.ends);
+    Object.assign(content.maps[0], difference ? { title: "Now over pinned; above 1 is worse", unit: "times" } : { title, unit }, { force_n });
+    maps.fix("live", difference ? WORSE : (state.ends ??= endsOf(answer.values.filter((value) => value > 0))));
     drawLegend(find("legend"), maps.show("live"));
     parts.place(answer.parts);
     view.moved();
     paintBroken();
     fillNumbers();
     showPart();
-  }
-  function fitColours() {
-    const known = state.answer.values.filter((value) => value > 0);
-    state.ends = [Math.min(...known), Math.max(...known)];
-    maps.fix("live", state.ends);
   }
   function fillNumbers() {
     const { answer, pinned, used } = state;
@@ -148,22 +138,17 @@ async function startExplore() {
       ["magnets; chips", `${answer.magnets}; ${answer.sensors}`, pinned ? `${pinned.answer.magnets}; ${pinned.answer.sensors}` : ""],
       ["price of both, €; work by hand, min", answer.price_and_minutes.map(Math.round).join("; "), pinned?.answer.price_and_minutes.map(Math.round).join("; ")],
     ];
-    find("numbers").replaceChildren(...rows.map(([name, ...values]) => {
-      const line = document.createElement("tr");
-      line.append(Object.assign(document.createElement("th"), { textContent: name }));
-      values.forEach((value = "") => line.insertCell().append(value === null ? "∞" : typeof value === "number" ? shownNumber(value) : value));
-      return line;
-    }));
+    find("numbers").replaceChildren(...rows.map(([name, ...values]) => rowOf(name, values.map((value = "") => (value === null ? "∞" : typeof value === "number" ? shownNumber(value) : value)))));
     const [x, y] = xyOf(now.place);
     find("worst").textContent = `The worst place is on face ${content.faces[now.face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm, at the white ball.`;
     presser.markWorst(now.face, now.place);
   }
   const xyOf = (place) => Array.from(arrays.place_xy_mm.data.subarray(2 * place, 2 * place + 2));
 
-  function showLimits() {
-    const { broken } = state;
+  function showLimits({ broken }) {
+    state.broken = broken;
     const lines = broken.length ? broken.map(told) : ["All limits of instobj check are kept."];
-    find("limits").replaceChildren(...lines.map((text) => Object.assign(document.createElement("li"), { textContent: text, className: broken.length ? "broken" : "kept" })));
+    find("limits").replaceChildren(...lines.map((text) => made("li", { textContent: text, className: broken.length ? "broken" : "kept" })));
     paintBroken();
     fillNumbers();
   }
@@ -179,7 +164,6 @@ async function startExplore() {
     history.future = [];
   }
   function travel(from, to) {
-    if (!history[from].length) return;
     history[to].push(state.design);
     state.design = history[from].pop();
     state.chosen = null;
@@ -191,17 +175,17 @@ async function startExplore() {
     update(performance.now());
   }
 
-  const listOf = (face) => (content.one_list ? state.design.magnets.positions_mm : state.design.magnets.positions_mm[face]);
-  function placesOf(kind, face) {
-    if (kind === "magnet") return listOf(face);
-    state.design.sensors.positions_mm ??= copy(state.answer.shown.sensors_mm);
-    const lists = state.design.sensors.positions_mm;
-    return lists.length === content.faces.length ? lists[face] : lists[(content.faces[face].number - 1) % lists.length];
+  // Lists of places: one for all faces, one for each sensed face, or one for each face of a cube.
+  function listsOf({ magnets, sensors }, kind) {
+    if (kind === "magnet") return content.one_list ? [magnets.positions_mm] : magnets.positions_mm;
+    return (sensors.positions_mm ??= copy(state.answer.shown.sensors_mm));
   }
-  function depths() {
-    return (state.design.magnets.depth_mm ??= copy(state.answer.shown.depth_mm));
+  function placesOf(design, kind, face) {
+    const lists = listsOf(design, kind);
+    return lists[lists.length === content.faces.length ? face : (content.faces[face].number - 1) % lists.length];
   }
-  const shownXy = ({ kind, face, number }) => (kind === "magnet" ? listOf(face)[number] : (state.design.sensors.positions_mm && placesOf(kind, face)[number]) ?? state.answer.shown.sensors_mm[face][number]);
+  const depths = () => (state.design.magnets.depth_mm ??= copy(state.answer.shown.depth_mm));
+  const shownXy = ({ kind, face, number }) => placesOf(copy(state.design), kind, face)[number];
 
   function showPart() {
     find("undo").disabled = !history.past.length;
@@ -235,7 +219,11 @@ async function startExplore() {
   }
 
   const on = (name, event, act) => find(name).addEventListener(event, act);
-  const refit = () => { state.ends = null; state.pinned = null; find("difference").checked = false; find("difference").disabled = true; update(); };
+  async function refit() {
+    state.ends = null;
+    if (state.pinned) state.pinned.answer = await ask("judge", question(state.pinned.design));
+    update();
+  }
   on("figure", "change", refit);
   on("force", "change", refit);
   on("fit", "click", () => { state.ends = null; show(); });
@@ -244,40 +232,36 @@ async function startExplore() {
   on("undo", "click", () => travel("past", "future"));
   on("redo", "click", () => travel("future", "past"));
   on("pin", "click", () => {
-    state.pinned = copy({ answer: state.answer, used: state.used });
+    state.pinned = copy({ design: state.design, answer: state.answer, used: state.used });
     find("difference").disabled = false;
     show();
   });
   on("save", "click", async () => {
     try {
       const saved = await ask("save", { design: state.design });
-      const note = Object.assign(document.createElement("p"), { className: "note", textContent: saved.comments_kept ? `Saved in ${saved.file}; its comments stayed.` : `Saved in ${saved.file}; the comments of the first file could not be kept.` });
-      find("commands").replaceChildren(note, ...saved.commands.map((text) => Object.assign(document.createElement("code"), { textContent: text })));
+      const note = made("p", { className: "note", textContent: saved.comments_kept ? `Saved in ${saved.file}; its comments stayed.` : `Saved in ${saved.file}; the comments of the first file could not be kept.` });
+      find("commands").replaceChildren(note, ...saved.commands.map((text) => made("code", { textContent: text })));
       find("trouble").textContent = "";
     } catch (error) {
       find("trouble").textContent = error.message;
     }
   });
-  ["x", "y"].forEach((axis, k) => on(axis, "change", () => change(() => (placesOf(state.chosen.kind, state.chosen.face)[state.chosen.number][k] = Number(find(axis).value)))));
+  ["x", "y"].forEach((axis, k) => on(axis, "change", () => change(() => (placesOf(state.design, state.chosen.kind, state.chosen.face)[state.chosen.number][k] = Number(find(axis).value)))));
   on("depth", "change", () => change(() => (depths()[state.chosen.number] = Number(find("depth").value))));
   ["tilt-x", "tilt-y"].forEach((axis, k) => on(axis, "change", () => change(({ magnets }) => (magnets.tilt_deg[state.chosen.number][k] = Number(find(axis).value)))));
   on("north", "change", () => change(({ magnets }) => (magnets.north[state.chosen.number] = find("north").value)));
   on("range", "change", () => change(({ sensors }) => (sensors.range_mt = Number(find("range").value))));
   on("chip-depth", "change", () => change(({ sensors }) => (sensors.depth_below_core_face_mm = Number(find("chip-depth").value))));
-  on("add-magnet", "click", () => change(({ magnets }) => {
-    (content.one_list ? [magnets.positions_mm] : magnets.positions_mm).forEach((list) => list.push(freePlace(list, content.faces[0])));
-    eachMagnet(magnets, (list) => list.push(copy(list.at(-1))));
-  }));
-  on("add-sensor", "click", () => change(() => {
-    placesOf("sensor", 0);
-    state.design.sensors.positions_mm.forEach((list) => list.push(freePlace(list, content.faces[0])));
-  }));
-  on("remove", "click", () => change(({ magnets }) => {
+  for (const kind of ["magnet", "sensor"]) {
+    on(`add-${kind}`, "click", () => change((design) => {
+      listsOf(design, kind).forEach((list) => list.push(freePlace(list, content.faces[0])));
+      if (kind === "magnet") eachMagnet(design.magnets, (list) => list.push(copy(list.at(-1))));
+    }));
+  }
+  on("remove", "click", () => change((design) => {
     const { kind, number } = state.chosen;
-    placesOf(kind, 0);
-    const places = kind === "magnet" ? (content.one_list ? [magnets.positions_mm] : magnets.positions_mm) : state.design.sensors.positions_mm;
-    places.forEach((list) => list.splice(number, 1));
-    if (kind === "magnet") eachMagnet(magnets, (list) => list.splice(number, 1));
+    listsOf(design, kind).forEach((list) => list.splice(number, 1));
+    if (kind === "magnet") eachMagnet(design.magnets, (list) => list.splice(number, 1));
     state.chosen = null;
   }));
 
@@ -286,17 +270,12 @@ async function startExplore() {
     choose(part) { state.chosen = part; paintBroken(); showPart(); },
     begin: remember,
     move({ kind, face, number }, xy, at) {
-      placesOf(kind, face)[number] = xy;
+      placesOf(state.design, kind, face)[number] = xy;
       update(at);
     },
     press(face, x, y) {
-      let [best, least] = [0, Infinity];
-      for (let place = 0; place < places; place++) {
-        const [px, py] = xyOf(place);
-        const far = Math.hypot(px - x, py - y);
-        if (arrays.there.data[face * places + place] && far < least) [best, least] = [place, far];
-      }
-      press({ face, place: best });
+      const far = Array.from({ length: places }, (_, place) => (arrays.there.data[face * places + place] ? Math.hypot(xyOf(place)[0] - x, xyOf(place)[1] - y) : Infinity));
+      press({ face, place: far.indexOf(Math.min(...far)) });
     },
   });
   body.fade(Number(find("opacity").value) / 100);
@@ -313,6 +292,15 @@ function told({ text, magnets, sensors }) {
   const names = [...magnets.map((number) => `magnet ${number + 1}`), ...sensors.map((number) => `chip ${number + 1}`)];
   return names.length ? `${names.join(", ")}: ${text}` : text;
 }
+
+function rowOf(name, cells) {
+  const line = made("tr", {});
+  line.append(made("th", { textContent: name }));
+  cells.forEach((cell) => line.insertCell().append(cell));
+  return line;
+}
+
+const endsOf = (values) => [Math.min(...values), Math.max(...values)];
 
 // Lists of one entry for each magnet, but its places.
 function eachMagnet(magnets, act) {
@@ -461,13 +449,9 @@ function makePresser(scene, body, view, find) {
     find("pressed").textContent = `${force} N on face ${content.faces[face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm. The place is told to ${shownNumber(most)} × ${shownNumber(least)} mm (one standard deviation); the ring holds 95 of 100 readings. Change of this face's chips in counts, with one standard deviation of noise; bold stands out of it:`;
     find("press-head").hidden = false;
     find("counts").replaceChildren(...Array.from({ length: counts.length / 3 }, (_, chip) => {
-      const line = document.createElement("tr");
-      line.append(Object.assign(document.createElement("th"), { textContent: `${chip + 1}` }));
-      for (let axis = 0; axis < 3; axis++) {
-        const cell = line.insertCell();
-        cell.textContent = `${counts[3 * chip + axis].toFixed(0).replace("-", "−")} ± ${noise[axis].toFixed(0)}`;
-        if (Math.abs(counts[3 * chip + axis]) > 3 * noise[axis]) cell.style.fontWeight = "700";
-      }
+      const own = counts.slice(3 * chip, 3 * chip + 3);
+      const line = rowOf(`${chip + 1}`, own.map((count, axis) => `${count.toFixed(0).replace("-", "−")} ± ${noise[axis].toFixed(0)}`));
+      own.forEach((count, axis) => (line.cells[axis + 1].style.fontWeight = Math.abs(count) > 3 * noise[axis] ? "700" : ""));
       return line;
     }));
     view.redraw();

@@ -34,7 +34,7 @@ def served(tmp_path_factory):
         f"[sensors]\n{noise}[tolerances]\nearth_field_ut = {spec.tolerances.earth_field_ut}\n"
     )
     loop, ready, checking = asyncio.new_event_loop(), threading.Event(), ThreadPoolExecutor(1)
-    session = Session(replace(made_explorer(), spec=spec), folder / "cube.toml", [])
+    session = Session(replace(made_explorer(), spec=spec), folder / "cube.toml")
     runner = web.AppRunner(application(session, checking), shutdown_timeout=0.1)
 
     async def serve():
@@ -199,7 +199,7 @@ def test_a_saved_design_has_its_commands(page, served):
 
 
 def test_an_exported_page_is_pressed_and_not_dragged(browser, tmp_path):
-    session = Session(made_explorer(), tmp_path / "cube.toml", [])
+    session = Session(made_explorer(), tmp_path / "cube.toml")
     (tmp_path / "page.html").write_text(session.exported())
     browser.events.clear()
     browser.open(tmp_path / "page.html", READY)

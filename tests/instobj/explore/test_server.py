@@ -17,7 +17,7 @@ from tests.support.made_explorer import made_explorer
 
 @pytest.fixture
 def session(tmp_path):
-    return Session(made_explorer(), tmp_path / "cube.toml", [])
+    return Session(made_explorer(), tmp_path / "cube.toml")
 
 
 def ask(session, *requests):
