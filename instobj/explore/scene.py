@@ -5,9 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from jaxtyping import Bool, Float, Int
 
+from design.body.surface_chart import FaceFrame
 from design.catalogue.hall_sensors import hall_part
 from design.layout.body import body_of, face_frames
+from design.layout.places.contact_grid import PlaceGrid
 from instobj.explore.design import design_of
 from instobj.explore.engine import Explorer
 from instobj.viewer.archive import Stepped, pack
@@ -17,8 +20,9 @@ from instobj.viewer.surface import shaded_part
 ACCURACY = (
     "Quick model: stiff magnets on stored presses of the shell without magnets. For 34 layouts of "
     "the paper's cube the next level gave 0.94 to 1.22 times its median and 0.87 to 1.67 times its "
-    "worst value; single locations scattered by 13 %. It reads the pressed face's own chips, of an "
-    "object that stands still after a fresh zero. `instobj run` computes the whole."
+    "worst value; single locations scattered by 13 %. Other bodies were not compared so. It reads the "
+    "pressed face's own chips, of an object that stands still after a fresh zero. The whole is computed by "
+    "instobj run."
 )
 """What the page says of its level: docs/measured/layout_search.md, fidelity levels."""
 
@@ -31,10 +35,8 @@ def explorer_scene(explorer: Explorer) -> bytes:
     add_surface(arrays, "silicone", skin)
     if core is not None:
         add_surface(arrays, "core", shaded_part(core))
-    # Vertices that may carry a face's map: the page takes those that look the face's way.
-    on_face = [
-        np.flatnonzero(face.covers(face.plane_coordinates(skin.points_mm)[:, :2])) for face in faces
-    ]
+    there = [explorer.presses[face.number][0][0].there for face in faces]
+    on_face = [_on_face(*each, grid, skin.points_mm) for each in zip(faces, there, strict=True)]
     arrays["link_vertex"] = np.concatenate(on_face).astype("<u4")
     arrays["link_source"] = np.repeat(range(len(faces)), [len(one) for one in on_face]).astype(
         "<u4"
@@ -45,7 +47,6 @@ def explorer_scene(explorer: Explorer) -> bytes:
         face.to_object(np.column_stack([face.to_plane(xy), np.zeros(len(xy))])) for face in faces
     ]
     arrays["place_mm"] = Stepped(np.stack(surface).astype("<f4"))
-    there = [explorer.presses[face.number][0][0].there for face in faces]
     arrays["there"] = np.stack(there).astype("<u1")
     content: dict[str, Any] = {
         "name": spec.name,
@@ -62,3 +63,23 @@ def explorer_scene(explorer: Explorer) -> bytes:
         "accuracy": ACCURACY,
     }
     return pack(content, arrays)
+
+
+def _on_face(
+    face: FaceFrame,
+    there: Bool[np.ndarray, "place"],
+    grid: PlaceGrid,
+    points_mm: Float[np.ndarray, "vertex 3"],
+) -> Int[np.ndarray, "own"]:
+    """Return vertices that may carry a face's map: the page takes those that look the face's way.
+
+    On a curved body patches overlap, so those far from every location of the face are left to others.
+    """
+    plane = face.plane_coordinates(points_mm)[:, :2]
+    covered = np.flatnonzero(face.covers(plane))
+    if face.flat:
+        return covered
+    away = face.from_plane(plane[covered])[:, None] - grid.xy_mm[there]
+    # One and a half pitches: what triangles of the skin reach beyond the outermost locations.
+    reach = 1.5 * max(np.ptp(grid.x_mm) / max(1, len(grid.x_mm) - 1), 0.1)
+    return covered[np.linalg.norm(away, axis=2).min(axis=1) <= reach]

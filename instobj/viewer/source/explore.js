@@ -56,6 +56,7 @@ async function startExplore() {
   const ask = held ? heldAnswers(held) : post;
   document.body.classList.toggle("frozen", Boolean(held));
   find("name").textContent = held ? `${content.name}, to look at and press` : `${content.name}, explored`;
+  if (held) find("hint").textContent = "drag: turn · shift and click: press";
   find("accuracy").textContent = content.accuracy;
   content.forces_n.forEach((force) => find("force").append(new Option(`${force} N`, force)));
   content.ranges_mt.forEach((range) => find("range").append(new Option(`±${range} mT`, range)));
@@ -85,7 +86,7 @@ async function startExplore() {
     asked = 0;
     try {
       state.answer = await ask("judge", question(state.design));
-      find("trouble").textContent = state.answer.beyond ? "A part lies where the quick model knows no motions: it is judged at the nearest place that it knows." : "";
+      find("trouble").textContent = "";
       show();
       if (from) requestAnimationFrame(() => requestAnimationFrame(() => latencies.push(performance.now() - from)));
       if (state.pressed) await press(state.pressed);
@@ -148,6 +149,7 @@ async function startExplore() {
   function showLimits({ broken }) {
     state.broken = broken;
     const lines = broken.length ? broken.map(told) : ["All limits of instobj check are kept."];
+    if (state.answer.beyond) lines.push("A part lies where the quick model knows no motions: it is judged at the nearest place that it knows.");
     find("limits").replaceChildren(...lines.map((text) => made("li", { textContent: text, className: broken.length ? "broken" : "kept" })));
     paintBroken();
     fillNumbers();
