@@ -71,7 +71,7 @@ def explore(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Move magnets and sensors by hand in the browser; the map of what is told follows."""
+    """Move magnets and sensors by hand in the browser; the map follows."""
     from instobj.explore.command import explore as explore_by_hand
 
     show(explore_by_hand(spec, page, export, overrides or []), as_json)

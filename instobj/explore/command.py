@@ -20,7 +20,7 @@ from instobj.store.publish import file_rows
 
 
 def explore(spec: Path, port: int, export: Path | None, overrides: list[str]) -> dict[str, Any]:
-    """Serve the page until told to stop, or write it to a file.
+    """Serve the page until it is stopped, or write it to a file.
 
     Raises
     ------

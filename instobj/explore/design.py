@@ -61,16 +61,14 @@ def with_design(spec: ObjectSpec, design: Design) -> ObjectSpec:
     InputError
         Another key than `design_of` has, or values that break a rule of the specification.
     """
-    before = design_of(spec)
+    usual = design_of(spec)
     changed: dict[str, dict[str, Any]] = {}
     for table, values in design.items():
         foreign = set(values) - _KEYS.get(table, set())
         if foreign or table not in _KEYS:
             raise InputError(f"a design has no {table}.{', '.join(foreign)}. Reload the page")
         changed[table] = {
-            k: v
-            for k, v in values.items()
-            if v != before[table].get(k) and not _default(spec, k, v)
+            k: v for k, v in values.items() if v != usual[table].get(k) and not _default(spec, k, v)
         }
     of_sensors = changed.get("sensors", {})
     if places := of_sensors.get("positions_mm"):
@@ -95,7 +93,7 @@ def _rescaled(spec: ObjectSpec, range_mt: float) -> dict[str, Any]:
 
     counts_per_mt = hall_part(spec.sensors.part).range_covering(range_mt).counts_per_mt
     times = counts_per_mt / spec.sensors.counts_per_mt
-    noise = tuple(times * one for one in spec.sensors.noise_counts)
+    noise = tuple(times * counts for counts in spec.sensors.noise_counts)
     return {"counts_per_mt": counts_per_mt, "noise_counts": noise}
 
 
@@ -111,18 +109,18 @@ def broken_limits(design: ObjectSpec) -> list[dict[str, Any]]:
 
 def _limit(sentence: str) -> dict[str, Any]:
     magnets, sensors = set(), set()
-    for found in _NAMED.finditer(sentence):
-        if found["magnet"]:
-            magnets.add(int(found["magnet"]))
-        elif found["nth"]:
-            magnets.add(int(found["nth"]) - 1)
+    for name in _NAMED.finditer(sentence):
+        if name["magnet"]:
+            magnets.add(int(name["magnet"]))
+        elif name["nth"]:
+            magnets.add(int(name["nth"]) - 1)
         else:
-            sensors |= {int(one) - 1 for one in (found["sensor"], found["other"]) if one}
+            sensors |= {int(number) - 1 for number in (name["sensor"], name["other"]) if number}
     return {"text": sentence, "magnets": sorted(magnets), "sensors": sorted(sensors)}
 
 
 def save_design(design: ObjectSpec, source: Path) -> tuple[Path, bool]:
-    """Write a design beside its specification under a new name; return the file, and whether comments
+    """Write a design next to its specification under a new name; return the file, and whether comments
     were kept.
 
     Raises
@@ -151,9 +149,9 @@ def save_design(design: ObjectSpec, source: Path) -> tuple[Path, bool]:
     return path, False
 
 
-def _changes(before: ObjectSpec, after: ObjectSpec) -> dict[str, Any]:
+def _changes(start: ObjectSpec, design: ObjectSpec) -> dict[str, Any]:
     """Return values that differ by their dotted keys, as TOML has them."""
-    old, new = (spec.model_dump(mode="json", exclude={"as_built"}) for spec in (before, after))
+    old, new = (spec.model_dump(mode="json", exclude={"as_built"}) for spec in (start, design))
     tables = [name for name, values in new.items() if isinstance(values, dict)]
     changed = {
         f"{table}.{key}": value
@@ -181,17 +179,19 @@ def edited_text(text: str, changes: Mapping[str, Any]) -> str:
     pieces = re.split(r"^(?=\[)", text, flags=re.M)
     for dotted, value in changes.items():
         table, _, key = dotted.rpartition(".")
-        at = next((k for k, piece in enumerate(pieces) if piece.startswith(f"[{table}]")), None)
-        if table and at is None:
-            pieces.append(f"\n[{table}]\n")
-            at = len(pieces) - 1
-        lines = pieces[at or 0].splitlines(keepends=True)
-        line = next((k for k, one in enumerate(lines) if re.match(rf"{key}\s*=", one)), None)
+        if table and not any(piece.startswith(f"[{table}]") for piece in pieces):
+            pieces[-1] += "\n"
+            pieces.append(f"[{table}]\n")
+        number = next(
+            k for k, piece in enumerate(pieces) if piece.startswith(f"[{table}]" * bool(table))
+        )
+        lines = pieces[number].splitlines(keepends=True)
+        line = next((k for k, text in enumerate(lines) if re.match(rf"{key}\s*=", text)), None)
         if line is None:
             lines.insert(bool(table), f"{key} = {toml_value(value)}\n")
         else:
             lines[line] = line_with_value(lines[line].rstrip("\n"), key, value) + "\n"
-        pieces[at or 0] = "".join(lines)
+        pieces[number] = "".join(lines)
     return "".join(pieces)
 
 
@@ -205,4 +205,4 @@ def shown_places(spec: ObjectSpec) -> dict[str, Any]:
 
 def _lists(value: Any) -> Any:
     """Return tuples as the lists of TOML and JSON."""
-    return [_lists(one) for one in value] if isinstance(value, list | tuple) else value
+    return [_lists(entry) for entry in value] if isinstance(value, list | tuple) else value

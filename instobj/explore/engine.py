@@ -1,7 +1,7 @@
 """One design after another at the lowest fidelity level of the search, as quick as a hand moves parts.
 
-The mechanics is that of the shell without magnets (stage `candidates`), which the search uses too. Only
-scorers are made anew for a design, so an edit takes milliseconds.
+The mechanics of the shell without magnets (stage `candidates`) is the search's. A design needs new scorers
+only, so an edit takes milliseconds.
 """
 
 from __future__ import annotations
@@ -67,8 +67,8 @@ class Summary:
 
 @dataclass(frozen=True)
 class Pressed:
-    """What the chips of a face tell of presses at every place of the grid: change in counts, its noise (one
-    standard deviation), and the covariance of the place that is told (mm²); NaN where nothing is."""
+    """Readings of a face's chips in presses at every place of the grid: change in counts, its noise (one
+    standard deviation), and the covariance of the place that they give (mm²); NaN where there is none."""
 
     counts: Float[np.ndarray, "place sensor 3"]
     noise_counts: Float[np.ndarray, "3"]
@@ -101,33 +101,34 @@ class Explorer:
             Another force, or what `require_scorable` refuses.
         """
         require_scorable(design)
-        told = {face: self._told(design, face, [force_n]) for face in self.presses}
-        found = {face: bounds(one.changes[0].by_parameter[:, :, :3]) for face, one in told.items()}
-        position, force = (
-            np.stack([self._on_grid(face, both[which][0]) for face, both in found.items()])
-            for which in (0, 1)
-        )
-        return Judgement(force_n, position, force, any(one.beyond for one in told.values()))
+        position, force, beyond = [], [], False
+        for face in self.presses:
+            presses = self._face_presses(design, face, [force_n])
+            place_bounds, force_bounds = bounds(presses.changes[0].by_parameter[:, :, :3])
+            position.append(self._fill_grid(face, place_bounds[0].double().numpy()))
+            force.append(self._fill_grid(face, force_bounds[0].double().numpy()))
+            beyond = beyond or presses.clamped
+        return Judgement(force_n, np.stack(position), np.stack(force), beyond)
 
     @one_thread()
     def least_forces_n(self, design: ObjectSpec) -> Float[np.ndarray, "face place"]:
         """Return forces at which the signal stands five sigma off rest, straight between `forces_n`;
         infinite where the largest of them does not reach that, NaN as in `judge`."""
-        found = []
+        least = []
         for face in self.presses:
-            changes = self._told(design, face, self.forces_n).changes
-            found.append(self._on_grid(face, _crossings_n(self.forces_n, changes)[0]))
-        return np.stack(found)
+            changes = self._face_presses(design, face, self.forces_n).changes
+            least.append(self._fill_grid(face, _crossings_n(self.forces_n, changes)))
+        return np.stack(least)
 
     @one_thread()
     def range_used(self, design: ObjectSpec) -> float:
         """Return the largest counts, at rest and in the deepest presses, over the chips' full scale."""
-        told = (self._told(design, face, self.forces_n[-1:]) for face in self.presses)
-        return max(one.largest_counts for one in told) / full_scale_counts(design.sensors)
+        presses = (self._face_presses(design, face, self.forces_n[-1:]) for face in self.presses)
+        return max(face.largest_counts for face in presses) / full_scale_counts(design.sensors)
 
     @one_thread()
     def press(self, design: ObjectSpec, face: int, force_n: float) -> Pressed:
-        """Return what the chips of a face tell of presses on it.
+        """Return what the chips of a face read in presses on it.
 
         Raises
         ------
@@ -136,109 +137,101 @@ class Explorer:
         """
         if face not in self.presses:
             raise InputError(f"face {face} is not sensed. Press one of {list(self.presses)}")
-        told = self._told(design, face, [force_n])
-        there, sigma = self.presses[face][0][0].there, told.scorers[0].sigma_counts.double().numpy()
+        presses = self._face_presses(design, face, [force_n])
+        sigma = presses.scorers[0].sigma_counts.double().numpy()
         # (place, channel, x y F and the change itself), in standard deviations of each channel
-        white = told.changes[0].by_parameter[:, 0].permute(2, 0, 1).double().numpy()
-        found = cramer_rao_bounds(white[:, :, :3], np.ones(white.shape[1]))
-        counts = np.full((len(there), white.shape[1] // 3, 3), np.nan)
-        counts[there] = white[:, :, 3].reshape(len(white), -1, 3) * sigma
-        position = np.full((len(there), 2, 2), np.nan)
-        position[there] = found.position_mm2
-        return Pressed(counts, sigma, position)
+        white = presses.changes[0].by_parameter[:, 0].permute(2, 0, 1).double().numpy()
+        ellipses = cramer_rao_bounds(white[:, :, :3], np.ones(white.shape[1])).position_mm2
+        counts = white[:, :, 3].reshape(len(white), -1, 3) * sigma
+        return Pressed(self._fill_grid(face, counts), sigma, self._fill_grid(face, ellipses))
 
-    def _told(self, design: ObjectSpec, face: int, forces_n: Sequence[float]) -> _Told:
-        """Return what presses of a face change in a design, force by force."""
-        judged = design.for_scoring
-        numbers = [self._index_of(force) for force in forces_n]
-        of_force = [[of_size[number] for of_size in self.presses[face]] for number in numbers]
-        scorers = [layout_scorer(judged, of_sizes) for of_sizes in of_force]
-        layouts = layouts_of(design, face)
+    def _face_presses(
+        self, design: ObjectSpec, face: int, forces_n: Sequence[float]
+    ) -> _FacePresses:
+        judged, layouts = design.for_scoring, layouts_of(design, face)
+        numbers = [self._number_of(force) for force in forces_n]
+        bases = [[of_size[number] for of_size in self.presses[face]] for number in numbers]
+        scorers = [layout_scorer(judged, of_sizes) for of_sizes in bases]
         inside = within_candidates(scorers[0], layouts)
         with torch.no_grad():
-            return _Told(scorers, inside, [press_changes(one, inside) for one in scorers], layouts)
+            changes = [press_changes(scorer, inside) for scorer in scorers]
+        return _FacePresses(scorers, inside, changes, not _same_places(inside, layouts))
 
-    def _on_grid(self, face: int, values: Float[torch.Tensor, "own"]) -> Float[np.ndarray, "place"]:
-        there = self.presses[face][0][0].there
-        on_grid = np.full(len(there), np.nan)
-        on_grid[there] = values.double().numpy()
-        return on_grid
+    def _fill_grid(
+        self, face: int, values: Float[np.ndarray, "location *rest"]
+    ) -> Float[np.ndarray, "place *rest"]:
+        """Return values of a face's locations at the places of the grid; NaN at the others."""
+        has_location = self.presses[face][0][0].there
+        grid = np.full((len(has_location), *values.shape[1:]), np.nan)
+        grid[has_location] = values
+        return grid
 
-    def _index_of(self, force_n: float) -> int:
+    def _number_of(self, force_n: float) -> int:
         if force_n not in self.forces_n:
-            raise InputError(
-                f"no presses to {force_n:g} N are at hand. Choose one of "
-                f"{', '.join(f'{one:g}' for one in self.forces_n)} N"
-            )
+            listed = ", ".join(f"{force:g}" for force in self.forces_n)
+            raise InputError(f"no presses to {force_n:g} N are at hand. Choose one of {listed} N")
         return self.forces_n.index(force_n)
 
 
 @dataclass(frozen=True)
-class _Told:
-    """Presses of one face of a design, force by force."""
+class _FacePresses:
+    """Changes in presses of one face of a design, force by force; `clamped`: whether a part was taken at
+    the nearest place whose motions are stored."""
 
     scorers: Sequence[LayoutScorer]
     layouts: Layouts
     changes: Sequence[PressChanges]
-    asked: Layouts
+    clamped: bool
 
     @property
     def largest_counts(self) -> float:
-        """Of any own channel, at rest and in the deepest presses."""
+        """Largest magnitude of any channel of the face, at rest and in the deepest presses."""
         with torch.no_grad():
             pressed = counts_when_pressed(self.scorers[-1], self.layouts, self.changes[-1]).counts
-        return max(float(one.abs().max()) for one in (pressed, self.changes[-1].resting_counts))
+        return max(float(pressed.abs().max()), float(self.changes[-1].resting_counts.abs().max()))
 
-    @property
-    def beyond(self) -> bool:
-        """Whether a part was taken at the nearest place whose motions are known."""
-        parts = [
-            (self.layouts.of(face), self.asked.of(face)) for face in self.asked.by_face or (0,)
-        ]
-        return not all(
-            torch.equal(a.magnet_mm, b.magnet_mm) and torch.equal(a.sensor_mm, b.sensor_mm)
-            for a, b in parts
-        )
+
+def _same_places(a: Layouts, b: Layouts) -> bool:
+    return all(
+        torch.equal(a.of(face).magnet_mm, b.of(face).magnet_mm)
+        and torch.equal(a.of(face).sensor_mm, b.of(face).sensor_mm)
+        for face in a.by_face or (0,)
+    )
 
 
 def _crossings_n(
     forces_n: Sequence[float], changes: Sequence[PressChanges]
-) -> Float[torch.Tensor, "layout place"]:
-    """Return the forces at which signals stand `DETECTION_DISTANCE` off rest: straight between forces,
-    infinite where the largest one does not reach it."""
-    # Mahalanobis distance √(ΔSᵀ Σ⁻¹ ΔS) at 0 and at every force; changes are whitened already.
-    distance = torch.stack([one.by_parameter[:, :, 3].norm(dim=0) for one in changes])
-    distance = torch.cat([torch.zeros_like(distance[:1]), distance])
-    force = torch.tensor([0.0, *forces_n])
-    after = (distance >= DETECTION_DISTANCE).int().argmax(dim=0)  # 0 where none reaches it
-    high = distance.gather(0, after[None])[0]
-    low = distance.gather(0, (after - 1).clamp(min=0)[None])[0]
-    share = (DETECTION_DISTANCE - low) / torch.where(high > low, high - low, 1.0)
-    below, above = force[(after - 1).clamp(min=0)], force[after]
-    return torch.where(after > 0, below + share * (above - below), torch.inf)
+) -> Float[np.ndarray, "location"]:
+    """Return the forces at which the first layout's signals stand `DETECTION_DISTANCE` off rest: straight
+    between forces, infinite where the largest one does not reach it."""
+    # Mahalanobis distance √(ΔSᵀ Σ⁻¹ ΔS) at every force; changes are whitened already.
+    distances = [change.by_parameter[:, 0, 3].norm(dim=0).double().numpy() for change in changes]
+    distance, force = np.stack([0 * distances[0], *distances]), np.array([0.0, *forces_n])
+    reached = distance >= DETECTION_DISTANCE
+    after = np.maximum(reached.argmax(axis=0), 1)
+    place = np.arange(distance.shape[1])
+    low, high = distance[after - 1, place], distance[after, place]
+    share = (DETECTION_DISTANCE - low) / np.where(high > low, high - low, 1.0)
+    crossing = force[after - 1] + share * (force[after] - force[after - 1])
+    return np.where(reached.any(axis=0), crossing, np.inf)
 
 
 def summary_of(values: Float[np.ndarray, "face place"]) -> Summary:
-    """Summarize a figure over all places that there are."""
-    known = np.asarray(values[~np.isnan(values)])
+    """Summarize a figure over all places that have it; ranks are not interpolated where some are infinite."""
+    figures = np.asarray(values[~np.isnan(values)])
+    method = "linear" if np.isfinite(figures).all() else "higher"
+    middle, high = np.percentile(figures, (50, 95), method=method)
     face, place = np.unravel_index(np.nanargmax(values), values.shape)
-    middle, high = np.percentile(known, (50, 95)) if np.isfinite(known).all() else _ranks(known)
-    return Summary(float(middle), float(high), float(known.max()), int(face), int(place))
-
-
-def _ranks(known: Float[np.ndarray, "place"]) -> tuple[float, float]:
-    """Return median and 95th percentile where some are infinite, between which nothing is interpolated."""
-    middle, high = np.percentile(known, (50, 95), method="higher")
-    return middle, high
+    return Summary(float(middle), float(high), float(figures.max()), int(face), int(place))
 
 
 def open_explorer(spec: ObjectSpec, forces_n: Sequence[float] = FORCES_N) -> Explorer:
-    """Set up the mechanics of a specification's shell, made anew where none is stored: minutes.
+    """Set up the mechanics of a specification's shell; it takes minutes where none is stored.
 
     Raises
     ------
     InputError
-        What the lowest level cannot score (`require_scorable`), or mechanics that fails.
+        Refused by `require_scorable`, or mechanics that fails.
     """
     require_scorable(spec)
     tables = [

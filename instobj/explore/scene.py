@@ -24,7 +24,7 @@ ACCURACY = (
     "pressed face's own chips, of an object that stands still after a fresh zero. The whole is computed by "
     "instobj run."
 )
-"""What the page says of its level: docs/measured/layout_search.md, fidelity levels."""
+"""Text on the page about its level: docs/measured/layout_search.md, fidelity levels."""
 
 
 def explorer_scene(explorer: Explorer) -> bytes:
@@ -35,19 +35,21 @@ def explorer_scene(explorer: Explorer) -> bytes:
     add_surface(arrays, "silicone", skin)
     if core is not None:
         add_surface(arrays, "core", shaded_part(core))
-    there = [explorer.presses[face.number][0][0].there for face in faces]
-    on_face = [_on_face(*each, grid, skin.points_mm) for each in zip(faces, there, strict=True)]
+    locations = [explorer.presses[face.number][0][0].there for face in faces]
+    on_face = [
+        _mapped_vertices(*each, grid, skin.points_mm) for each in zip(faces, locations, strict=True)
+    ]
     arrays["link_vertex"] = np.concatenate(on_face).astype("<u4")
-    arrays["link_source"] = np.repeat(range(len(faces)), [len(one) for one in on_face]).astype(
-        "<u4"
-    )
+    arrays["link_source"] = np.repeat(
+        range(len(faces)), [len(vertices) for vertices in on_face]
+    ).astype("<u4")
     xy = grid.xy_mm
     arrays["place_xy_mm"] = Stepped(xy.astype("<f4"))
     surface = [
         face.to_object(np.column_stack([face.to_plane(xy), np.zeros(len(xy))])) for face in faces
     ]
     arrays["place_mm"] = Stepped(np.stack(surface).astype("<f4"))
-    arrays["there"] = np.stack(there).astype("<u1")
+    arrays["there"] = np.stack(locations).astype("<u1")
     content: dict[str, Any] = {
         "name": spec.name,
         "size_mm": list(spec.body.size_mm),
@@ -58,20 +60,20 @@ def explorer_scene(explorer: Explorer) -> bytes:
         "tiltable": all(face.flat for face in faces) and spec.arrangement == "sensors-in-core",
         "one_list": len(spec.magnets.lists) == 1,
         "forces_n": list(explorer.forces_n),
-        "ranges_mt": [one.range_mt for one in hall_part(spec.sensors.part).ranges],
+        "ranges_mt": [entry.range_mt for entry in hall_part(spec.sensors.part).ranges],
         "design": design_of(spec),
         "accuracy": ACCURACY,
     }
     return pack(content, arrays)
 
 
-def _on_face(
+def _mapped_vertices(
     face: FaceFrame,
-    there: Bool[np.ndarray, "place"],
+    locations: Bool[np.ndarray, "place"],
     grid: PlaceGrid,
     points_mm: Float[np.ndarray, "vertex 3"],
 ) -> Int[np.ndarray, "own"]:
-    """Return vertices that may carry a face's map: the page takes those that look the face's way.
+    """Return vertices that may carry a face's map: the page keeps the ones that look the face's way.
 
     On a curved body patches overlap, so those far from every location of the face are left to others.
     """
@@ -79,7 +81,7 @@ def _on_face(
     covered = np.flatnonzero(face.covers(plane))
     if face.flat:
         return covered
-    away = face.from_plane(plane[covered])[:, None] - grid.xy_mm[there]
+    away = face.from_plane(plane[covered])[:, None] - grid.xy_mm[locations]
     # One and a half pitches: what triangles of the skin reach beyond the outermost locations.
     reach = 1.5 * max(np.ptp(grid.x_mm) / max(1, len(grid.x_mm) - 1), 0.1)
     return covered[np.linalg.norm(away, axis=2).min(axis=1) <= reach]

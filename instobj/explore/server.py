@@ -28,18 +28,18 @@ from instobj.viewer.served import page_headers, refusal
 ADDRESS = "127.0.0.1"
 PAGE = Path(__file__).parent / "page.html"
 _LARGEST_BYTES = 100_000
-"""Of a question; a design has a few thousand."""
+"""Largest question; a design has a few thousand."""
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 @dataclass(frozen=True)
 class Session:
-    """What the page explores: mechanics, and the specification's file."""
+    """Mechanics that the page explores: mechanics, and the specification's file."""
 
     explorer: Explorer
     source: Path
 
-    def answer(self, question: str, asked: dict[str, Any]) -> dict[str, Any]:
+    def answer(self, question: str, query: dict[str, Any]) -> dict[str, Any]:
         """Return the answer to one of `QUESTIONS` about a design.
 
         Raises
@@ -48,13 +48,13 @@ class Session:
             A design that breaks a rule, or cannot be judged or saved.
         """
         try:
-            return QUESTIONS[question](self, self.design(asked), asked)
+            return QUESTIONS[question](self, self.design(query), query)
         except InstobjError:
             raise
         except (KeyError, TypeError, AttributeError, IndexError, ValueError) as error:
             raise InputError(f"the page asked wrongly ({error!r}). Reload it") from error
 
-    def design(self, asked: dict[str, Any]) -> ObjectSpec:
+    def design(self, query: dict[str, Any]) -> ObjectSpec:
         """Return the design of a question.
 
         Raises
@@ -63,22 +63,22 @@ class Session:
             None, or one that breaks a rule.
         """
         try:
-            return with_design(self.explorer.spec, asked["design"])
+            return with_design(self.explorer.spec, query["design"])
         except (KeyError, TypeError, AttributeError) as error:
             raise InputError(f"the page asked wrongly ({error!r}). Reload it") from error
 
-    def judged(self, design: ObjectSpec, asked: dict[str, Any]) -> dict[str, Any]:
+    def judged(self, design: ObjectSpec, query: dict[str, Any]) -> dict[str, Any]:
         """Return figures at every place, where parts are, and what they cost."""
-        found = self.explorer.judge(design, asked["force_n"])
-        figures = {"position": found.position_bound_mm, "force": found.force_bound_n}
-        if asked["figure"] == "least":
+        judgement = self.explorer.judge(design, query["force_n"])
+        figures = {"position": judgement.position_bound_mm, "force": judgement.force_bound_n}
+        if query["figure"] == "least":
             figures["least"] = self.explorer.least_forces_n(design)
         faces = len(design.body.sensed)
         counts = (faces * design.magnets.count, faces * design.sensors.count_per_face)
         return {
-            "values": _jsonable(figures[asked["figure"]].ravel()),
+            "values": _jsonable(figures[query["figure"]].ravel()),
             "summary": {name: _summary(values) for name, values in figures.items()},
-            "beyond": found.beyond,
+            "beyond": judgement.beyond,
             "parts": parts_of(design),
             "shown": shown_places(design),
             "magnets": counts[0],
@@ -86,21 +86,23 @@ class Session:
             "price_and_minutes": price_and_minutes(*counts),
         }
 
-    def range_used(self, design: ObjectSpec, asked: dict[str, Any]) -> dict[str, Any]:
+    def range_used(self, design: ObjectSpec, query: dict[str, Any]) -> dict[str, Any]:
         """Return the share of the chips' range that is used."""
         return {"range_used": self.explorer.range_used(design)}
 
-    def pressed(self, design: ObjectSpec, asked: dict[str, Any]) -> dict[str, Any]:
-        """Return what the chips of a face tell of presses, at one place or at all."""
-        found = self.explorer.press(design, asked["face"], asked["force_n"])
-        which = slice(None) if asked.get("place") is None else [asked["place"]]
+    def pressed(self, design: ObjectSpec, query: dict[str, Any]) -> dict[str, Any]:
+        """Return readings of a face's chips in presses, at one place or at all."""
+        readings = self.explorer.press(design, query["face"], query["force_n"])
+        which = slice(None) if query.get("place") is None else [query["place"]]
         return {
-            "counts": _jsonable(found.counts[which].reshape(-1, found.counts[0].size).round(1)),
-            "noise_counts": _jsonable(found.noise_counts.round(1)),
-            "position_mm2": _jsonable(found.position_mm2[which].reshape(-1, 4)),
+            "counts": _jsonable(
+                readings.counts[which].reshape(-1, readings.counts[0].size).round(1)
+            ),
+            "noise_counts": _jsonable(readings.noise_counts.round(1)),
+            "position_mm2": _jsonable(readings.position_mm2[which].reshape(-1, 4)),
         }
 
-    def saved(self, design: ObjectSpec, asked: dict[str, Any]) -> dict[str, Any]:
+    def saved(self, design: ObjectSpec, query: dict[str, Any]) -> dict[str, Any]:
         """Save the design; return the file and the commands that go on with it."""
         path, kept = save_design(design, self.source)
         names = [f"instobj {command} {path}" for command in ("check", "run", "explore")]
@@ -128,11 +130,11 @@ class Session:
         }
         for force in explorer.forces_n:
             for figure in ("position", "force", "least"):
-                asked = {"figure": figure, "force_n": force}
-                answers[f"judge {figure} {force:g}"] = self.judged(spec, asked)
+                query = {"figure": figure, "force_n": force}
+                answers[f"judge {figure} {force:g}"] = self.judged(spec, query)
             for face in explorer.presses:
-                asked = {"face": face, "force_n": force}
-                answers[f"press {face} {force:g}"] = self.pressed(spec, asked)
+                query = {"face": face, "force_n": force}
+                answers[f"press {face} {force:g}"] = self.pressed(spec, query)
         return answers
 
 
@@ -161,18 +163,18 @@ def application(session: Session, checking: Executor) -> web.Application:
 
     async def answer(request: web.Request) -> web.Response:
         try:
-            asked, question = await request.json(), request.match_info["question"]
+            query, question = await request.json(), request.match_info["question"]
             if question == "limits":
-                design = session.design(asked)
+                design = session.design(query)
                 broken = await get_running_loop().run_in_executor(checking, broken_limits, design)
-                found = {"broken": broken}
+                answered = {"broken": broken}
             else:
-                found = session.answer(question, asked)
+                answered = session.answer(question, query)
         except InstobjError as error:
             return web.json_response({"error": str(error)}, status=400)
         except json.JSONDecodeError:
             return web.json_response({"error": "no JSON. Reload the page"}, status=400)
-        return web.json_response(found)
+        return web.json_response(answered)
 
     app = web.Application(middlewares=[_guard], client_max_size=_LARGEST_BYTES)
     app.add_routes(
@@ -189,14 +191,14 @@ def application(session: Session, checking: Executor) -> web.Application:
 @web.middleware
 async def _guard(request: web.Request, handler: Handler) -> web.StreamResponse:
     """Refuse foreign names and pages of other origins."""
-    if told := refusal(request.host, request.headers.get("Origin"), ADDRESS):
-        raise web.HTTPForbidden(text=told)
+    if reason := refusal(request.host, request.headers.get("Origin"), ADDRESS):
+        raise web.HTTPForbidden(text=reason)
     return await handler(request)
 
 
 def _summary(values: np.ndarray) -> dict[str, Any]:
-    found = asdict(summary_of(values))
-    return {name: value if isfinite(value) else None for name, value in found.items()}
+    summary = asdict(summary_of(values))
+    return {name: value if isfinite(value) else None for name, value in summary.items()}
 
 
 def _jsonable(values: np.ndarray) -> list[Any]:
