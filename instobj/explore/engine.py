@@ -34,9 +34,6 @@ from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
 from instobj.stages.run import Run
 
-FORCES_N = (1.0, 2.0, 3.0, 5.0, 8.0, 12.0)
-"""Forces that a person may choose."""
-
 
 @dataclass(frozen=True)
 class Judgement:
@@ -225,8 +222,9 @@ def summary_of(values: Float[np.ndarray, "face place"]) -> Summary:
     return Summary(float(middle), float(high), float(figures.max()), int(face), int(place))
 
 
-def open_explorer(spec: ObjectSpec, forces_n: Sequence[float] = FORCES_N) -> Explorer:
-    """Set up the mechanics of a specification's shell; it takes minutes where none is stored.
+def open_explorer(spec: ObjectSpec) -> Explorer:
+    """Set up the mechanics of a specification's shell at `spec.scoring_forces_n`, as the search's; it takes
+    minutes where none is stored.
 
     Raises
     ------
@@ -234,6 +232,7 @@ def open_explorer(spec: ObjectSpec, forces_n: Sequence[float] = FORCES_N) -> Exp
         Refused by `require_scorable`, or mechanics that fails.
     """
     require_scorable(spec)
+    forces_n = tuple(sorted(spec.scoring_forces_n))
     tables = [
         (variant, load_candidates(Run(variant, checked=False).require("candidates").folder))
         for variant in size_variants(spec)
@@ -242,4 +241,4 @@ def open_explorer(spec: ObjectSpec, forces_n: Sequence[float] = FORCES_N) -> Exp
         face: [press_bases(variant, motions, face, forces_n) for variant, motions in tables]
         for face in spec.body.sensed
     }
-    return Explorer(spec, tuple(forces_n), presses)
+    return Explorer(spec, forces_n, presses)

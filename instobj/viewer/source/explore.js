@@ -60,7 +60,7 @@ async function startExplore() {
   find("accuracy").textContent = content.accuracy;
   content.forces_n.forEach((force) => find("force").append(new Option(`${force} N`, force)));
   content.ranges_mt.forEach((range) => find("range").append(new Option(`±${range} mT`, range)));
-  find("force").value = String(content.forces_n.find((force) => force >= 5) ?? content.forces_n.at(-1));
+  find("force").value = String(content.forces_n[Math.floor(content.forces_n.length / 2)]);
 
   const view = makeView(find("canvas"), content.size_mm);
   const body = makeBody(scene, view);
