@@ -99,7 +99,7 @@ def _rescaled(spec: ObjectSpec, range_mt: float) -> dict[str, Any]:
 
 def broken_limits(design: ObjectSpec) -> list[dict[str, Any]]:
     """Return the sentences of `instobj check`, each with the numbers of magnets and sensors of a face that
-    it names, counted from 0."""
+    it names, counted from 0, and the faces; none where it holds for all."""
     try:
         check(design)
     except InstobjError as error:
@@ -116,7 +116,9 @@ def _limit(sentence: str) -> dict[str, Any]:
             magnets.add(int(name["nth"]) - 1)
         else:
             sensors |= {int(number) - 1 for number in (name["sensor"], name["other"]) if number}
-    return {"text": sentence, "magnets": sorted(magnets), "sensors": sorted(sensors)}
+    faces = re.findall(r"\d+", " ".join(re.findall(r"faces? ([\d, ]+)", sentence)))
+    parts = {"magnets": sorted(magnets), "sensors": sorted(sensors)}
+    return {"text": sentence, **parts, "faces": sorted(map(int, faces))}
 
 
 def save_design(design: ObjectSpec, source: Path) -> tuple[Path, bool]:

@@ -3,7 +3,7 @@
 import { Mesh, MeshLambertMaterial, Plane, Raycaster, SphereGeometry, Vector2, Vector3 } from "three";
 import { bytesOf, readArchive } from "./archive.js";
 import { makeEllipse } from "./ellipse.js";
-import { boxOf, makeMagnet, makePool, quaternionOf } from "./layouts.js";
+import { addNumber, boxOf, makeMagnet, makePool, quaternionOf } from "./layouts.js";
 import { drawLegend, makeMaps, placeOn, shownNumber } from "./maps.js";
 import { COLOURS, geometryOf, outline, solid } from "./object.js";
 import { label, makeView } from "./view.js";
@@ -105,7 +105,7 @@ async function startExplore() {
     checking = true;
     do {
       checkAgain = false;
-      await ask("limits", { design: state.design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [] }] })).then(showLimits);
+      await ask("limits", { design: state.design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [], faces: [] }] })).then(showLimits);
     } while (checkAgain);
     checking = false;
   }
@@ -155,8 +155,7 @@ async function startExplore() {
     fillNumbers();
   }
   function paintBroken() {
-    const named = (kind) => new Set(state.broken.flatMap((one) => one[kind]));
-    parts.paint(named("magnets"), named("sensors"), state.chosen);
+    parts.paint(state.broken, state.chosen);
     view.redraw();
   }
 
@@ -338,13 +337,7 @@ function makeBody({ content, arrays }, view) {
     core.add(outline(core.geometry, []));
     view.scene.add(core);
   }
-  content.faces.forEach((face) => {
-    const sprite = label(String(face.number), view.size / 9);
-    const normal = new Vector3(...face.normal);
-    sprite.position.set(...face.centre_mm).addScaledVector(normal, view.size * 0.16);
-    view.scene.add(sprite);
-    view.before.push((camera) => (sprite.visible = facing(face, camera)));
-  });
+  content.faces.forEach((face) => addNumber(face, view));
   const fade = (share) => {
     skin.opacity = share;
     skin.depthWrite = share > 0.95;
@@ -377,28 +370,29 @@ function makeParts(view, content) {
     }
   }
   const signs = makePool(view, () => label("!", 1, "#e01b24"));
-  const broken = { magnet: new Set(), sensor: new Set() };
+  let limits = [];
   const perFace = (kind) => counts[kind] / content.faces.length;
   const shown = (kind) => (kind === "sensor" && boardsMove ? made.board : made[kind]).slice(0, counts[kind]);
+  const faceOf = (kind, index) => content.faces[Math.floor(index / perFace(kind))];
+  const isBroken = (kind, index) => limits.some((one) => one[`${kind}s`].includes(index % perFace(kind)) && (!one.faces.length || one.faces.includes(faceOf(kind, index).number)));
   // Parts of faces that look away are left out: they would seem to lie in front.
   view.before.push((camera) => {
     for (const kind of ["magnet", "sensor", "board"]) {
-      made[kind].slice(0, counts[kind]).forEach((object, index) => (object.visible = facing(content.faces[Math.floor(index / perFace(kind))], camera)));
+      made[kind].slice(0, counts[kind]).forEach((object, index) => (object.visible = facing(faceOf(kind, index), camera)));
     }
-    const marked = ["magnet", "sensor"].flatMap((kind) => shown(kind).filter((one, index) => one.visible && broken[kind].has(index % perFace(kind))));
+    const marked = ["magnet", "sensor"].flatMap((kind) => shown(kind).filter((one, index) => one.visible && isBroken(kind, index)));
     signs.place(marked.map((one) => ({ at: one.position.toArray(), turn: one.quaternion, half: Array(3).fill(view.size / 6) })));
   });
   // Broken parts red, the chosen one bright; magnets of one list are alike on every face.
-  function paint(magnets, sensors, chosen) {
-    Object.assign(broken, { magnet: magnets, sensor: sensors });
+  function paint(broken, chosen) {
+    limits = broken;
     for (const kind of ["magnet", "sensor"]) {
       shown(kind).forEach((object, index) => {
-        const number = index % perFace(kind);
-        const here = chosen && chosen.kind === kind && chosen.number === number && (chosen.face === Math.floor(index / perFace(kind)) || (kind === "magnet" && content.one_list));
+        const here = chosen?.kind === kind && chosen.number === index % perFace(kind) && (faceOf(kind, index) === content.faces[chosen.face] || (kind === "magnet" && content.one_list));
+        const red = isBroken(kind, index);
         object.traverse((mesh) => {
-          if (!mesh.material) return;
-          mesh.material.color.setHex(broken[kind].has(number) ? RED : mesh.userData.colour);
-          mesh.material.emissive.setHex(broken[kind].has(number) ? 0x600000 : here ? 0x554400 : 0);
+          mesh.material?.color.setHex(red ? RED : mesh.userData.colour);
+          mesh.material?.emissive.setHex(red ? 0x600000 : here ? 0x554400 : 0);
         });
       });
     }

@@ -146,7 +146,7 @@ function makeShell(geometry, colour, opacity, view) {
   return { place: (one) => pool.place([one]), fade };
 }
 
-function addNumber(face, view) {
+export function addNumber(face, view) {
   const sprite = label(String(face.number), view.size / 8);
   const normal = new Vector3(...face.normal);
   sprite.position.set(...face.centre_mm).addScaledVector(normal, view.size * 0.09);

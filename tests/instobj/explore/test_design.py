@@ -80,7 +80,7 @@ def test_keys_that_the_page_does_not_change_are_refused(cube):
 def test_broken_limits_are_checks_sentences_with_the_parts_that_they_name(cube):
     close = changed(load_spec(cube), "magnets", positions_mm=[[0.0, 0.0], [2.0, 0.0]])
     (limit,) = broken_limits(close)
-    assert (limit["magnets"], limit["sensors"]) == ([0, 1], [])
+    assert (limit["magnets"], limit["sensors"], limit["faces"]) == ([0, 1], [], [])
     with pytest.raises(InputError) as error:
         check(close)
     assert limit["text"] == str(error.value)
@@ -89,9 +89,11 @@ def test_broken_limits_are_checks_sentences_with_the_parts_that_they_name(cube):
 
 def test_sensors_that_meet_are_named(cube):
     spec = load_spec(cube)
-    places = [[[3.0, 0.0], [0.0, 0.0], [-6.0, 4.0]]] * 5
+    apart = [[6.0, 0.0], [-6.0, -4.0], [-6.0, 6.0]]
+    places = [apart, [[3.0, 0.0], [0.0, 0.0], [-6.0, 6.0]], *[apart] * 3]
     limits = broken_limits(changed(spec, "sensors", positions_mm=places))
     assert {0, 1} <= {number for limit in limits for number in limit["sensors"]}
+    assert [limit["faces"] for limit in limits if limit["sensors"] == [0, 1]] == [[2]]
 
 
 def test_a_saved_design_is_read_back_the_same_with_its_comments(cube):

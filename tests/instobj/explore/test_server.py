@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from aiohttp import ClientSession, web
 
-from design.errors import InputError
 from instobj.explore.design import design_of
 from instobj.explore.engine import summary_of
 from instobj.explore.server import Session, application
@@ -95,19 +94,3 @@ def test_a_wrong_question_is_answered_with_what_is_wrong(session, path, body, to
     ((status, text, _),) = ask(session, ("POST", path, {}, body))
     assert status == 400
     assert told in json.loads(text)["error"]
-
-
-def test_an_exported_page_holds_every_answer_and_asks_nobody(session):
-    page = session.exported()
-    assert "Content-Security-Policy" in page
-    assert 'src="/program.js"' not in page
-    held = json.loads(page.partition('id="answers">')[2].partition("</script>")[0])
-    explorer = made_explorer()
-    expected = explorer.judge(explorer.spec, 2.0).position_bound_mm
-    np.testing.assert_array_equal(held["judge position 2"]["values"], expected.ravel())
-    assert len(held["press 3 8"]["counts"]) == explorer.grid.xy_mm.shape[0]
-
-
-def test_questions_in_python_are_those_of_the_page(session):
-    with pytest.raises(InputError, match="asked wrongly"):
-        session.answer("judge", {})
