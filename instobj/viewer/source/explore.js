@@ -44,8 +44,7 @@ function heldAnswers(element) {
 
 async function fetchScene() {
   const held = document.getElementById("scene");
-  if (held) return readArchive(bytesOf(held.textContent));
-  return readArchive(new Uint8Array(await (await fetch("/scene")).arrayBuffer()));
+  return readArchive(held ? bytesOf(held.textContent) : new Uint8Array(await (await fetch("/scene")).arrayBuffer()));
 }
 
 async function startExplore() {
@@ -170,11 +169,7 @@ async function startExplore() {
     state.chosen = null;
     update();
   }
-  function change(act) {
-    remember();
-    act(state.design);
-    update(performance.now());
-  }
+  const change = (act) => { remember(); act(state.design); update(performance.now()); };
 
   // Lists of places: one for all faces, one for each sensed face, or one for each face of a cube.
   function listsOf({ magnets, sensors }, kind) {
@@ -310,16 +305,10 @@ function eachMagnet(magnets, act) {
 
 // Of a coarse lattice over the face, the place that is farthest from the others.
 function freePlace(taken, face) {
-  const [wide, high] = face.half_mm.map((half) => 0.55 * half);
-  let [best, most] = [[0, 0], -1];
-  for (let i = -4; i <= 4; i++) {
-    for (let j = -4; j <= 4; j++) {
-      const at = [rounded((wide * i) / 4), rounded((high * j) / 4)];
-      const near = Math.min(...taken.map(([x, y]) => Math.hypot(x - at[0], y - at[1])), Infinity);
-      if (near > most) [best, most] = [at, near];
-    }
-  }
-  return best;
+  const shares = Array.from({ length: 81 }, (_, k) => [(k % 9) / 4 - 1, Math.floor(k / 9) / 4 - 1]);
+  const places = shares.map((share) => share.map((part, axis) => rounded(0.55 * part * face.half_mm[axis])));
+  const near = places.map((at) => Math.min(...taken.map(([x, y]) => Math.hypot(x - at[0], y - at[1])), Infinity));
+  return places[near.indexOf(Math.max(...near))];
 }
 
 function facing(face, camera) {

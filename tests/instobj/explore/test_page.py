@@ -1,9 +1,9 @@
 """The explorer's page in a real browser: parts dragged by the mouse, and what the page says of it."""
 
 import asyncio
+import socket
 import threading
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -33,27 +33,12 @@ def served(tmp_path_factory):
         'name = "cube"  # mine\n[contact_grid]\ncount = [5, 4]\npitch_mm = 6.0\n'
         f"[sensors]\n{noise}[tolerances]\nearth_field_ut = {spec.tolerances.earth_field_ut}\n"
     )
-    loop, ready, checking = asyncio.new_event_loop(), threading.Event(), ThreadPoolExecutor(1)
-    session = Session(replace(made_explorer(), spec=spec), folder / "cube.toml")
-    runner = web.AppRunner(application(session, checking), shutdown_timeout=0.1)
-
-    async def serve():
-        await runner.setup()
-        await web.TCPSite(runner, "127.0.0.1", 0).start()
-        ready.set()
-
-    def run():
-        loop.create_task(serve())
-        loop.run_forever()
-
-    thread = threading.Thread(target=run, daemon=True)
-    thread.start()
-    ready.wait(30)
-    yield f"http://127.0.0.1:{runner.addresses[0][1]}/", folder
-    asyncio.run_coroutine_threadsafe(runner.cleanup(), loop).result(10)
-    loop.call_soon_threadsafe(loop.stop)
-    thread.join()
-    checking.shutdown()
+    app = application(Session(made_explorer(), folder / "cube.toml"), ThreadPoolExecutor(1))
+    listening = socket.create_server(("127.0.0.1", 0))
+    quiet = {"print": None, "handle_signals": False, "loop": asyncio.new_event_loop()}
+    served_there = {"sock": listening, **quiet}
+    threading.Thread(target=web.run_app, args=(app,), kwargs=served_there, daemon=True).start()
+    return f"http://127.0.0.1:{listening.getsockname()[1]}/", folder
 
 
 @pytest.fixture(scope="module")
