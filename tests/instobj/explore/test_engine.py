@@ -10,6 +10,7 @@ from estimator.information.fisher import DETECTION_DISTANCE
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import batch_scores
 from estimator.layouts.scorer import layout_scorer
+from estimator.signals.hall import full_scale_counts
 from instobj.explore.design import design_of, with_design
 from instobj.explore.engine import summary_of
 from tests.support.made_explorer import FORCES_N, made_explorer
@@ -99,10 +100,14 @@ def test_a_part_beyond_what_is_known_is_told_and_judged_at_the_nearest_place():
     assert_allclose(first.position_bound_mm, second.position_bound_mm)
 
 
-def test_stronger_magnets_use_more_of_the_range():
-    explorer = made_explorer()
-    weak = explorer.spec.changed(magnets=explorer.spec.magnets.changed(remanence_t=0.715))
-    assert_allclose(explorer.range_used(explorer.spec), 2 * explorer.range_used(weak), rtol=1e-3)
+def test_the_range_in_use_is_the_searchs_largest_counts_over_full_scale():
+    """At the largest force, whose presses are the deepest."""
+    explorer, design = made_explorer(), moved(**DESIGNS["moved and turned over"])
+    scorers = [layout_scorer(design, of_face[0][-1]) for of_face in explorer.presses.values()]
+    with torch.no_grad():
+        scores = batch_scores(scorers, [layouts_of(design, f) for f in explorer.presses], ())
+    largest = explorer.range_used(design) * full_scale_counts(design.sensors)
+    assert_allclose(largest, float(scores["largest_counts"]), rtol=1e-7)
 
 
 def test_forces_and_faces_that_are_not_at_hand_are_refused():
