@@ -25,7 +25,8 @@ const made = (tag, properties) => Object.assign(document.createElement(tag), pro
 const rounded = (value) => Math.round(value / STEP_MM) / (1 / STEP_MM);
 
 async function post(question, body) {
-  const answer = await fetch(`/${question}`, { method: "POST", body: JSON.stringify(body), headers: { "Content-Type": "application/json" } });
+  const sent = { method: "POST", body: JSON.stringify(body), headers: { "Content-Type": "application/json" } };
+  const answer = await fetch(`/${question}`, sent).catch(() => { throw new Error("The server does not answer. Start instobj explore again on the same port: this page keeps the design."); });
   const found = await answer.json();
   if (!answer.ok) throw new Error(found.error ?? answer.statusText);
   return found;
@@ -227,6 +228,7 @@ async function startExplore() {
   on("opacity", "input", () => body.fade(Number(find("opacity").value) / 100));
   on("undo", "click", () => travel("past", "future"));
   on("redo", "click", () => travel("future", "past"));
+  document.addEventListener("keydown", ({ key, ctrlKey, metaKey, target }) => (ctrlKey || metaKey) && !target.matches("input") && ({ z: find("undo"), y: find("redo") })[key]?.click());
   on("pin", "click", () => {
     state.pinned = copy({ design: state.design, answer: state.answer, used: state.used });
     find("difference").disabled = false;

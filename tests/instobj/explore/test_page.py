@@ -125,6 +125,10 @@ def test_undo_and_redo_restore_to_the_digit(page):
     assert page.ask("instobjExplore.map()") == map_before
     click(page, "redo")
     assert design(page) == moved
+    for kind in ("keyDown", "keyUp"):
+        page.send("Input.dispatchKeyEvent", type=kind, key="z", code="KeyZ", modifiers=2)
+    page.wait("instobjExplore.idle()")
+    assert design(page) == start
 
 
 def test_what_breaks_a_limit_is_told_with_checks_sentence(page):
