@@ -229,6 +229,23 @@ def selftest(
         raise typer.Exit(1)
 
 
+@app.command()
+def material(
+    source: Annotated[
+        str,
+        typer.Argument(
+            help="CSV of a tensile test, name of a silicone, or Shore hardness.", show_default=False
+        ),
+    ],
+    out: Out = HERE,
+    as_json: AsJson = False,
+) -> None:
+    """Young's modulus of a silicone with its uncertainty; models fitted to a tensile test."""
+    from instobj.commands.material import describe_material
+
+    show(describe_material(source, out), as_json)
+
+
 def _served_at(page: str) -> tuple[str, int]:
     """Network address and TCP port of `[ADDRESS:]PORT`."""
     address, _, port = page.rpartition(":")

@@ -11,7 +11,7 @@ from typer.main import get_group
 
 MODULE = "instobj.bench.cli"
 """Module of the commands: known by name alone, so that nothing outside the room imports it."""
-NAMES = ("bringup", "collect", "firmware", "live", "rig", "selftest")
+NAMES = ("bringup", "collect", "firmware", "live", "material", "rig", "selftest")
 """Commands that stood at top level before 0.2.0."""
 
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from instobj.cli.options import DESIGN, HERE, JUDGE, AsJson, Out, Overrides, Spec, show
+from instobj.cli.options import HERE, JUDGE, AsJson, Out, Overrides, Spec, show
 
 app = typer.Typer()
 
@@ -60,20 +60,3 @@ def press(
     if result["status"] != "converged":
         typer.echo("Newton's method found no equilibrium any deeper", err=True)
         raise typer.Exit(1)
-
-
-@app.command(rich_help_panel=DESIGN)
-def material(
-    source: Annotated[
-        str,
-        typer.Argument(
-            help="CSV of a tensile test, name of a silicone, or Shore hardness.", show_default=False
-        ),
-    ],
-    out: Out = HERE,
-    as_json: AsJson = False,
-) -> None:
-    """Young's modulus of a silicone with its uncertainty; models fitted to a tensile test."""
-    from instobj.commands.material import describe_material
-
-    show(describe_material(source, out), as_json)

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from instobj.cli.options import (
+    DESIGN,
     HERE,
     JUDGE,
     AsJson,
@@ -55,3 +56,22 @@ def sweep(
 
     number, scheduler = workers_and_scheduler(workers)
     show(score_all(study, out, number, scheduler), as_json)
+
+
+@app.command(rich_help_panel=DESIGN)
+def explore(
+    spec: Spec,
+    page: Annotated[
+        int, typer.Option(min=0, max=65535, help="TCP port on this machine; 0: any free one.")
+    ] = 8766,
+    export: Annotated[
+        Path | None,
+        typer.Option(metavar="HTML", help="Write a page to look at and press, and serve none."),
+    ] = None,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
+) -> None:
+    """Move magnets and sensors by hand in the browser; the map follows."""
+    from instobj.explore.command import explore as explore_by_hand
+
+    show(explore_by_hand(spec, page, export, overrides or []), as_json)

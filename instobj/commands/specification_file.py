@@ -80,7 +80,7 @@ def _filled(text: str, keys: set[str], values: dict[str, Any], comments: dict[st
         if key and name in keys:
             kept += ["", heading] if heading else []
             heading = ""
-            filled = _with_value(line, key[1], values[name]) if name in values else line
+            filled = line_with_value(line, key[1], values[name]) if name in values else line
             kept.append(_commented(filled, comments.get(name)))
         elif not where and not key:
             kept.append(line)
@@ -129,7 +129,8 @@ def _commented(line: str, comment: str | None) -> str:
     return _COMMENT.sub(f"{gap[0] if gap else '  '}# {comment}", line)
 
 
-def _with_value(line: str, key: str, value: Any) -> str:
+def line_with_value(line: str, key: str, value: Any) -> str:
+    """Return a line of TOML with another value; its comment stays, in its column where there is room."""
     comment = _COMMENT.search(line)
     written = f"{key} = {toml_value(value)}"
     past = "" if len(written) < _COLUMN else "    "

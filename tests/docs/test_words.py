@@ -11,7 +11,7 @@ KIND_OF = {
     **dict.fromkeys(
         (
             *("adopt", "assess", "bodies", "bringup", "calibrate", "estimators"),
-            *("experiments", "fabrication"),
+            *("experiments", "explore", "fabrication"),
             *("firmware", "install", "inversion", "layout_search", "library", "live"),
             *("look_inside", "presses", "questions", "reliability", "rig", "robustness"),
             *("start", "sweeps", "validation"),

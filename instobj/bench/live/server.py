@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import hmac
-import ipaddress
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -16,6 +15,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 from instobj.bench.live.protocol import Head, frames_message, state_message
 from instobj.bench.live.watch import Reading, Row, Watch
 from instobj.viewer.bundling import program
+from instobj.viewer.served import page_headers, refusal
 
 _ROOM = Path(__file__).parent
 _LEAST_S, _IDLE_S = 0.01, 1 / 60
@@ -25,7 +25,6 @@ _UNANSWERED = 2
 """Messages of frames that a viewer may not yet have drawn; until it has, its rows wait."""
 MOST_ROWS = 400
 """Rows that wait for a viewer; older ones are dropped for it, and counted."""
-_LOCAL_NAMES = ("localhost", "127.0.0.1", "::1")
 COMMANDS = ("zero", "record on", "record off")
 
 
@@ -75,54 +74,26 @@ def application(page: Page) -> web.Application:
     return app
 
 
-def is_loopback(address: str) -> bool:
-    """Return whether only this machine reaches an address."""
-    if address == "localhost":
-        return True
-    try:
-        return ipaddress.ip_address(address).is_loopback
-    except ValueError:
-        return False
-
-
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 @web.middleware
 async def _guard(request: web.Request, handler: Handler) -> web.StreamResponse:
-    """Refuse names that are not ours (a foreign page may point its own name here), pages of other
-    origins, and requests without the token."""
+    """Refuse foreign names, pages of other origins, and requests without the token."""
     page = request.app[_PAGE]
-    # The address itself as well: 127.0.0.2 is printed as 127.0.0.2, and a foreign name cannot be it.
-    names = (*_LOCAL_NAMES, page.address)
-    if is_loopback(page.address) and _name(request.host) not in names:
-        raise web.HTTPForbidden(text=f"this server is not {request.host}\n")
-    origin = request.headers.get("Origin")
-    if origin is not None and origin != f"http://{request.host}":
-        raise web.HTTPForbidden(text="a page of another origin may not ask\n")
+    if told := refusal(request.host, request.headers.get("Origin"), page.address):
+        raise web.HTTPForbidden(text=told)
     if not hmac.compare_digest(request.query.get("token", "").encode(), page.token.encode()):
         raise web.HTTPForbidden(text="the token is wrong: open the address that was printed\n")
     response = await handler(request)
     return response
 
 
-def _name(host: str) -> str:
-    """A Host header without its port."""
-    if host.startswith("["):
-        return host[1:].partition("]")[0]
-    return host.partition(":")[0]
-
-
 async def _index(request: web.Request) -> web.Response:
-    policy = (
-        "default-src 'none'; script-src 'self'; style-src 'unsafe-inline'; img-src data:; "
-        f"connect-src 'self' ws://{request.host}; frame-ancestors 'none'; base-uri 'none'"
-    )
-    headers = {"Content-Security-Policy": policy, "Referrer-Policy": "no-referrer"}
     text = (_ROOM / "page.html").read_text(encoding="utf-8")
     source = f"/program.js?token={request.app[_PAGE].token}"
     text = text.replace("/program.js", source) if request.app[_PAGE].token else text
-    return web.Response(text=text, content_type="text/html", headers=headers)
+    return web.Response(text=text, content_type="text/html", headers=page_headers(request.host))
 
 
 async def _program(_: web.Request) -> web.Response:

@@ -17,12 +17,12 @@ from estimator.recordings.boards.link import replay_chunks
 from estimator.recordings.table import LEAST_FACES, RawTable
 from instobj.bench.collect.options import CollectOptions, open_source
 from instobj.bench.live.scene import live_scene
-from instobj.bench.live.server import is_loopback
 from instobj.bench.live.watch import channel_names
 from instobj.commands.readings import Zeroing, is_data_set, zeroed_data_set
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
 from instobj.store.readers import INVERSION, PRESSES
+from instobj.viewer.served import is_loopback
 
 _DEMO = Path(__file__).parent / "demo.toml"
 _KEY = "disc: place to 90 %; arrow: force, 1.6 mm per N"

@@ -121,11 +121,18 @@ def _layout(shown: ShownLayout, start: ObjectSpec) -> dict[str, Any]:
         "scores": [score if np.isfinite(score) else None for score in shown.scores],
         "body": _part(np.zeros(3), np.eye(3), half[0]),
         "core": _part(np.zeros(3), np.eye(3), half[1]),
+        **parts_of(spec),
+        "magnet_from": _origins(_magnet_places(start), _magnet_places(spec)),
+        "sensor_from": _origins(_sensor_places(start), _sensor_places(spec)),
+    }
+
+
+def parts_of(spec: ObjectSpec) -> dict[str, list[dict[str, Any]]]:
+    """Magnets, chips and boards as centre (mm), axes as columns row by row, half edges (mm); face by face."""
+    return {
         "magnets": _magnets(spec),
         "chips": _blocks([mounted.chip for mounted in mounted_sensors(spec)]),
         "boards": _blocks(board_blocks(spec)),
-        "magnet_from": _origins(_magnet_places(start), _magnet_places(spec)),
-        "sensor_from": _origins(_sensor_places(start), _sensor_places(spec)),
     }
 
 

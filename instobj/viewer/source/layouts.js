@@ -82,7 +82,7 @@ function play(show) {
 
 const mix = (a, b, share) => a.map((value, k) => value + share * (b[k] - value));
 
-function quaternionOf(axes) {
+export function quaternionOf(axes) {
   const [a, b, c, d, e, f, g, h, i] = axes;
   return new Quaternion().setFromRotationMatrix(new Matrix4().set(a, b, c, 0, d, e, f, 0, g, h, i, 0, 0, 0, 0, 1));
 }
@@ -103,7 +103,7 @@ function pairs(before, after, origin, share) {
   ];
 }
 
-function makePool(view, make) {
+export function makePool(view, make) {
   const made = [];
   function place(parts) {
     while (made.length < parts.length) {
@@ -121,9 +121,9 @@ function makePool(view, make) {
   return { place };
 }
 
-const boxOf = (colour) => new Mesh(new BoxGeometry(2, 2, 2), new MeshLambertMaterial({ color: colour }));
+export const boxOf = (colour) => new Mesh(new BoxGeometry(2, 2, 2), new MeshLambertMaterial({ color: colour }));
 
-function makeMagnet() {
+export function makeMagnet() {
   const group = new Group();
   for (const [colour, side] of [[COLOURS.north, 0.5], [COLOURS.south, -0.5]]) {
     const half = new Mesh(new CylinderGeometry(1, 1, 1, 32), new MeshLambertMaterial({ color: colour }));
@@ -146,7 +146,7 @@ function makeShell(geometry, colour, opacity, view) {
   return { place: (one) => pool.place([one]), fade };
 }
 
-function addNumber(face, view) {
+export function addNumber(face, view) {
   const sprite = label(String(face.number), view.size / 8);
   const normal = new Vector3(...face.normal);
   sprite.position.set(...face.centre_mm).addScaledVector(normal, view.size * 0.09);

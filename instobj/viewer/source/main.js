@@ -3,6 +3,7 @@ import { bytesOf, readArchive } from "./archive.js";
 import { mountLayouts } from "./layouts.js";
 import { linkViews } from "./linked.js";
 import { mountObject } from "./viewer.js";
+import "./explore.js";
 import "./live.js";
 
 const SHOWN = "instobj objects shown";

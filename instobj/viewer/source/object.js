@@ -30,7 +30,7 @@ export function solid(geometry, material, planes, cutColour = COLOURS.cut) {
   return { group, front, back };
 }
 
-function outline(geometry, planes) {
+export function outline(geometry, planes) {
   const material = new LineBasicMaterial({ color: 0x30373f, clippingPlanes: planes });
   return new LineSegments(new EdgesGeometry(geometry, 35), material);
 }

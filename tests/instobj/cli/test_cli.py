@@ -188,7 +188,7 @@ def test_the_room_of_the_bench_is_loaded_when_its_commands_are_named():
         "print(*sorted(bench.commands)); print('instobj.bench' in sys.modules)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    names = ["bringup collect firmware live rig selftest"]
+    names = ["bringup collect firmware live material rig selftest"]
     assert done.stdout.splitlines() == ["False", *names, "True"]
 
 

@@ -20,6 +20,13 @@ def summary(source, out):
     return item["summary"], item["files"]
 
 
+def test_the_old_name_works_and_says_the_new_one(tmp_path):
+    done = run("material", "A30", cwd=tmp_path)
+    assert done.returncode == 0
+    assert "`instobj material` is now `instobj bench material`" in done.stderr
+    assert "Gent" in done.stdout
+
+
 @pytest.mark.parametrize(("source", "modulus"), [("dragon skin 30", 0.87), ("A30", 1.1468)])
 def test_names_and_hardness_give_a_modulus_within_its_interval(source, modulus, tmp_path):
     found, files = summary(source, tmp_path)
@@ -36,7 +43,7 @@ def test_a_tensile_test_gives_fits_and_a_figure(tmp_path):
     lines += [f"{a},{b}" for a, b in zip(stretch, stress, strict=True)]
     data = tmp_path / "gel.csv"
     data.write_text("\n".join(lines))
-    done = run("material", data, "--json", cwd=tmp_path)
+    done = run("bench", "material", data, "--json", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     (item,) = json.loads(done.stdout)["objects"]
     solids = {row["solid"]: row for row in item["summary"]["solids"]}

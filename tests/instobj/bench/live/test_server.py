@@ -12,8 +12,9 @@ from design.spec.object import ObjectSpec
 from instobj.bench.live import server
 from instobj.bench.live.contacts import Found
 from instobj.bench.live.protocol import read_frames_message
-from instobj.bench.live.server import Page, application, is_loopback
+from instobj.bench.live.server import Page, application
 from instobj.bench.live.watch import HEADER, Reading, Watch, channel_names, row_message
+from instobj.viewer.served import is_loopback
 
 SPEC = ObjectSpec(name="cube")
 NAMES = channel_names(SPEC)

@@ -1,0 +1,90 @@
+"""From the hand to the picture on the page of `instobj explore`: a magnet dragged by the mouse.
+
+A headless Chromium with WebGL by software drags a magnet of the paper's cube over its face and back; the page
+measures the time from the oldest event of the mouse that a picture answers to the picture on the screen.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+from harness import Result, conclude, machine, option_parser
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from tests.support.browser import Browser
+
+SIZE = (1280, 800)
+MAGNET, RADIUS_PX, EVERY_S = 12, 30.0, 0.02
+TURNS, QUICK_TURNS = 8, 1
+STEPS = 60
+"""Events of the mouse in a turn."""
+
+
+def start_page() -> tuple[subprocess.Popen[str], str]:
+    """The page of the paper's cube, and its address."""
+    cube = Path(__file__).parents[1] / "examples" / "paper_cube.toml"
+    command = [sys.executable, "-m", "instobj", "explore", str(cube), "--page", "0"]
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    assert process.stderr is not None
+    for line in process.stderr:
+        if found := re.search(r"open (http://127\.0\.0\.1:\d+/)", line):
+            return process, found[1]
+    raise RuntimeError("the page did not start")
+
+
+def dragged(page: Browser, turns: int) -> list[float]:
+    """Ages of pictures (ms) while a magnet goes round in circles."""
+    x, y = page.ask(f'instobjExplore.where("magnet", {MAGNET})')
+    page.ask("instobjExplore.forget()")
+
+    def mouse(kind: str, at: tuple[float, float]) -> None:
+        held = {"button": "left", "buttons": 1, "clickCount": 1}
+        page.send("Input.dispatchMouseEvent", type=kind, x=at[0], y=at[1], **held)
+
+    mouse("mousePressed", (x, y))
+    for step in range(turns * STEPS):
+        angle = 2 * math.pi * step / STEPS
+        mouse(
+            "mouseMoved", (x + RADIUS_PX * math.sin(angle), y + RADIUS_PX * (1 - math.cos(angle)))
+        )
+        time.sleep(EVERY_S)
+    mouse("mouseReleased", (x, y))
+    page.wait("instobjExplore.idle()")
+    time.sleep(0.5)
+    return page.ask("instobjExplore.latencies()")
+
+
+def report(result: Result) -> str:
+    return (
+        f"hand to picture, ms: median {result['median_ms']:.0f}, 95 % {result['p95_ms']:.0f} "
+        f"({result['pictures']} pictures, load {result['load_average']:.1f})"
+    )
+
+
+def main() -> None:
+    """Measure once the page stands."""
+    options = option_parser(__doc__ or "").parse_args()
+    process, url = start_page()
+    try:
+        with Browser(*SIZE) as page:
+            page.send("Page.navigate", url=url)
+            page.wait('document.getElementById("instobj-explore")?.dataset.ready === "yes"')
+            dragged(page, 1)  # warm
+            ages = dragged(page, QUICK_TURNS if options.quick else TURNS)
+    finally:
+        process.terminate()
+        process.communicate()
+    result = {"machine": machine(1, ()), "window": SIZE, "pictures": len(ages)}
+    result |= {"median_ms": float(np.median(ages)), "p95_ms": float(np.percentile(ages, 95))}
+    conclude("explore_page", options, result | {"load_average": os.getloadavg()[0]}, report)
+
+
+if __name__ == "__main__":
+    main()

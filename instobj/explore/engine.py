@@ -1,0 +1,244 @@
+"""One design after another at the lowest fidelity level of the search, as quick as a hand moves parts.
+
+The mechanics of the shell without magnets (stage `candidates`) is the search's. A design needs new scorers
+only, so an edit takes milliseconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import Float
+
+from design.errors import InputError
+from design.layout.places.contact_grid import PlaceGrid
+from design.search.structure import size_variants
+from design.spec.object import ObjectSpec
+from estimator.field.device import one_thread
+from estimator.information.fisher import DETECTION_DISTANCE, cramer_rao_bounds
+from estimator.layouts.batch import Layouts, layouts_of
+from estimator.layouts.bounds import bounds
+from estimator.layouts.presses.basis import PressBasis, press_bases
+from estimator.layouts.presses.changes import PressChanges, press_changes
+from estimator.layouts.presses.counts import counts_when_pressed
+from estimator.layouts.scorer import (
+    LayoutScorer,
+    layout_scorer,
+    require_scorable,
+    within_candidates,
+)
+from estimator.signals.hall import full_scale_counts
+from fem.candidates.motions import load_candidates
+from instobj.stages.run import Run
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """Figures of a design at every contact location of the grid; NaN at places that a face has not.
+
+    Attributes
+    ----------
+    position_bound_mm, force_bound_n : Cramér–Rao bounds at `force_n`, of the face's own channels
+    beyond : whether a part lies where its motions are not known, and was taken at the nearest place that is
+    """
+
+    force_n: float
+    position_bound_mm: Float[np.ndarray, "face place"]
+    force_bound_n: Float[np.ndarray, "face place"]
+    beyond: bool
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Median, 95th percentile and worst of a figure, and where the worst is (row of the face, place)."""
+
+    median: float
+    percentile_95: float
+    worst: float
+    face: int
+    place: int
+
+
+@dataclass(frozen=True)
+class Pressed:
+    """Readings of a face's chips in presses at every place of the grid: change in counts, its noise (one
+    standard deviation), and the covariance of the place that they give (mm²); NaN where there is none."""
+
+    counts: Float[np.ndarray, "place sensor 3"]
+    noise_counts: Float[np.ndarray, "3"]
+    position_mm2: Float[np.ndarray, "place 2 2"]
+
+
+@dataclass(frozen=True)
+class Explorer:
+    """The mechanics of one shell, for any layout of magnets and sensors in it; `open_explorer` makes it.
+
+    `presses` by face: of each size of magnet the presses to every one of `forces_n`.
+    """
+
+    spec: ObjectSpec
+    forces_n: tuple[float, ...]
+    presses: Mapping[int, Sequence[tuple[PressBasis, ...]]]
+
+    @property
+    def grid(self) -> PlaceGrid:
+        """Contact locations of the grid; a face may have some of them only."""
+        return next(iter(self.presses.values()))[0][0].places
+
+    @one_thread()
+    def judge(self, design: ObjectSpec, force_n: float) -> Judgement:
+        """Bounds of a design that differs in magnets' and sensors' places, poles and grades, or in chips.
+
+        Raises
+        ------
+        InputError
+            Another force, or what `require_scorable` refuses.
+        """
+        require_scorable(design)
+        position, force, beyond = [], [], False
+        for face in self.presses:
+            presses = self._face_presses(design, face, [force_n])
+            place_bounds, force_bounds = bounds(presses.changes[0].by_parameter[:, :, :3])
+            position.append(self._fill_grid(face, place_bounds[0].double().numpy()))
+            force.append(self._fill_grid(face, force_bounds[0].double().numpy()))
+            beyond = beyond or presses.clamped
+        return Judgement(force_n, np.stack(position), np.stack(force), beyond)
+
+    @one_thread()
+    def least_forces_n(self, design: ObjectSpec) -> Float[np.ndarray, "face place"]:
+        """Return forces at which the signal stands five sigma off rest, straight between `forces_n`;
+        infinite where the largest of them does not reach that, NaN as in `judge`."""
+        least = []
+        for face in self.presses:
+            changes = self._face_presses(design, face, self.forces_n).changes
+            least.append(self._fill_grid(face, _crossings_n(self.forces_n, changes)))
+        return np.stack(least)
+
+    @one_thread()
+    def range_used(self, design: ObjectSpec) -> float:
+        """Return the largest counts, at rest and in the deepest presses, over the chips' full scale."""
+        presses = (self._face_presses(design, face, self.forces_n[-1:]) for face in self.presses)
+        return max(face.largest_counts for face in presses) / full_scale_counts(design.sensors)
+
+    @one_thread()
+    def press(self, design: ObjectSpec, face: int, force_n: float) -> Pressed:
+        """Return what the chips of a face read in presses on it.
+
+        Raises
+        ------
+        InputError
+            As `judge`, or a face that is not sensed.
+        """
+        if face not in self.presses:
+            raise InputError(f"face {face} is not sensed. Press one of {list(self.presses)}")
+        presses = self._face_presses(design, face, [force_n])
+        sigma = presses.scorers[0].sigma_counts.double().numpy()
+        # (place, channel, x y F and the change itself), in standard deviations of each channel
+        white = presses.changes[0].by_parameter[:, 0].permute(2, 0, 1).double().numpy()
+        ellipses = cramer_rao_bounds(white[:, :, :3], np.ones(white.shape[1])).position_mm2
+        counts = white[:, :, 3].reshape(len(white), -1, 3) * sigma
+        return Pressed(self._fill_grid(face, counts), sigma, self._fill_grid(face, ellipses))
+
+    def _face_presses(
+        self, design: ObjectSpec, face: int, forces_n: Sequence[float]
+    ) -> _FacePresses:
+        judged, layouts = design.for_scoring, layouts_of(design, face)
+        numbers = [self._number_of(force) for force in forces_n]
+        bases = [[of_size[number] for of_size in self.presses[face]] for number in numbers]
+        scorers = [layout_scorer(judged, of_sizes) for of_sizes in bases]
+        inside = within_candidates(scorers[0], layouts)
+        with torch.no_grad():
+            changes = [press_changes(scorer, inside) for scorer in scorers]
+        return _FacePresses(scorers, inside, changes, not _same_places(inside, layouts))
+
+    def _fill_grid(
+        self, face: int, values: Float[np.ndarray, "location *rest"]
+    ) -> Float[np.ndarray, "place *rest"]:
+        """Return values of a face's locations at the places of the grid; NaN at the others."""
+        has_location = self.presses[face][0][0].there
+        grid = np.full((len(has_location), *values.shape[1:]), np.nan)
+        grid[has_location] = values
+        return grid
+
+    def _number_of(self, force_n: float) -> int:
+        if force_n not in self.forces_n:
+            listed = ", ".join(f"{force:g}" for force in self.forces_n)
+            raise InputError(f"no presses to {force_n:g} N are at hand. Choose one of {listed} N")
+        return self.forces_n.index(force_n)
+
+
+@dataclass(frozen=True)
+class _FacePresses:
+    """Changes in presses of one face of a design, force by force; `clamped`: whether a part was taken at
+    the nearest place whose motions are stored."""
+
+    scorers: Sequence[LayoutScorer]
+    layouts: Layouts
+    changes: Sequence[PressChanges]
+    clamped: bool
+
+    @property
+    def largest_counts(self) -> float:
+        """Largest magnitude of any channel of the face, at rest and in the deepest presses."""
+        with torch.no_grad():
+            pressed = counts_when_pressed(self.scorers[-1], self.layouts, self.changes[-1]).counts
+        return max(float(pressed.abs().max()), float(self.changes[-1].resting_counts.abs().max()))
+
+
+def _same_places(a: Layouts, b: Layouts) -> bool:
+    return all(
+        torch.equal(a.of(face).magnet_mm, b.of(face).magnet_mm)
+        and torch.equal(a.of(face).sensor_mm, b.of(face).sensor_mm)
+        for face in a.by_face or (0,)
+    )
+
+
+def _crossings_n(
+    forces_n: Sequence[float], changes: Sequence[PressChanges]
+) -> Float[np.ndarray, "location"]:
+    """Return the forces at which the first layout's signals stand `DETECTION_DISTANCE` off rest: straight
+    between forces, infinite where the largest one does not reach it."""
+    # Mahalanobis distance √(ΔSᵀ Σ⁻¹ ΔS) at every force; changes are whitened already.
+    distances = [change.by_parameter[:, 0, 3].norm(dim=0).double().numpy() for change in changes]
+    distance, force = np.stack([0 * distances[0], *distances]), np.array([0.0, *forces_n])
+    reached = distance >= DETECTION_DISTANCE
+    after = np.maximum(reached.argmax(axis=0), 1)
+    place = np.arange(distance.shape[1])
+    low, high = distance[after - 1, place], distance[after, place]
+    share = (DETECTION_DISTANCE - low) / np.where(high > low, high - low, 1.0)
+    crossing = force[after - 1] + share * (force[after] - force[after - 1])
+    return np.where(reached.any(axis=0), crossing, np.inf)
+
+
+def summary_of(values: Float[np.ndarray, "face place"]) -> Summary:
+    """Summarize a figure over all places that have it; ranks are not interpolated where some are infinite."""
+    figures = np.asarray(values[~np.isnan(values)])
+    method = "linear" if np.isfinite(figures).all() else "higher"
+    middle, high = np.percentile(figures, (50, 95), method=method)
+    face, place = np.unravel_index(np.nanargmax(values), values.shape)
+    return Summary(float(middle), float(high), float(figures.max()), int(face), int(place))
+
+
+def open_explorer(spec: ObjectSpec) -> Explorer:
+    """Set up the mechanics of a specification's shell at `spec.scoring_forces_n`, as the search's; it takes
+    minutes where none is stored.
+
+    Raises
+    ------
+    InputError
+        Refused by `require_scorable`, or mechanics that fails.
+    """
+    require_scorable(spec)
+    forces_n = tuple(sorted(spec.scoring_forces_n))
+    tables = [
+        (variant, load_candidates(Run(variant, checked=False).require("candidates").folder))
+        for variant in size_variants(spec)
+    ]
+    presses = {
+        face: [press_bases(variant, motions, face, forces_n) for variant, motions in tables]
+        for face in spec.body.sensed
+    }
+    return Explorer(spec, forces_n, presses)

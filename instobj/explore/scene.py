@@ -1,0 +1,87 @@
+"""The body for the page: its skin with the faces that the map lies on, its core, contact locations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from design.body.surface_chart import FaceFrame
+from design.catalogue.hall_sensors import hall_part
+from design.layout.body import body_of, face_frames
+from design.layout.places.contact_grid import PlaceGrid
+from instobj.explore.design import design_of
+from instobj.explore.engine import Explorer
+from instobj.viewer.archive import Stepped, pack
+from instobj.viewer.scene import Arrays, add_surface, face_content
+from instobj.viewer.surface import shaded_part
+
+ACCURACY = (
+    "Quick model: stiff magnets on stored presses of the shell without magnets. For 34 layouts of "
+    "the paper's cube the next level gave 0.94 to 1.22 times its median and 0.87 to 1.67 times its "
+    "worst value; single locations scattered by 13 %. Other bodies were not compared so. It reads the "
+    "pressed face's own chips, of an object that stands still after a fresh zero. The whole is computed by "
+    "instobj run."
+)
+"""Text on the page about its level: docs/measured/layout_search.md, fidelity levels."""
+
+
+def explorer_scene(explorer: Explorer) -> bytes:
+    """Return the archive that the page fetches."""
+    spec, body, grid = explorer.spec, body_of(explorer.spec), explorer.grid
+    arrays: Arrays = {}
+    skin, core, faces = shaded_part(body.outer_surface()), body.core_surface(), face_frames(spec)
+    add_surface(arrays, "silicone", skin)
+    if core is not None:
+        add_surface(arrays, "core", shaded_part(core))
+    locations = [explorer.presses[face.number][0][0].there for face in faces]
+    on_face = [
+        _mapped_vertices(*each, grid, skin.points_mm) for each in zip(faces, locations, strict=True)
+    ]
+    arrays["link_vertex"] = np.concatenate(on_face).astype("<u4")
+    arrays["link_source"] = np.repeat(
+        range(len(faces)), [len(vertices) for vertices in on_face]
+    ).astype("<u4")
+    xy = grid.xy_mm
+    arrays["place_xy_mm"] = Stepped(xy.astype("<f4"))
+    surface = [
+        face.to_object(np.column_stack([face.to_plane(xy), np.zeros(len(xy))])) for face in faces
+    ]
+    arrays["place_mm"] = Stepped(np.stack(surface).astype("<f4"))
+    arrays["there"] = np.stack(locations).astype("<u1")
+    content: dict[str, Any] = {
+        "name": spec.name,
+        "size_mm": list(spec.body.size_mm),
+        "faces": [face_content(face) for face in faces],
+        "face_vertices": [1] * len(faces),
+        "grid": {"x_mm": grid.x_mm.tolist(), "y_mm": grid.y_mm.tolist()},
+        "magnets_in_shell": spec.arrangement == "sensors-in-core",
+        "tiltable": all(face.flat for face in faces) and spec.arrangement == "sensors-in-core",
+        "one_list": len(spec.magnets.lists) == 1,
+        "forces_n": list(explorer.forces_n),
+        "ranges_mt": [entry.range_mt for entry in hall_part(spec.sensors.part).ranges],
+        "design": design_of(spec),
+        "accuracy": ACCURACY,
+    }
+    return pack(content, arrays)
+
+
+def _mapped_vertices(
+    face: FaceFrame,
+    locations: Bool[np.ndarray, "place"],
+    grid: PlaceGrid,
+    points_mm: Float[np.ndarray, "vertex 3"],
+) -> Int[np.ndarray, "own"]:
+    """Return vertices that may carry a face's map: the page keeps the ones that look the face's way.
+
+    On a curved body patches overlap, so those far from every location of the face are left to others.
+    """
+    plane = face.plane_coordinates(points_mm)[:, :2]
+    covered = np.flatnonzero(face.covers(plane))
+    if face.flat:
+        return covered
+    away = face.from_plane(plane[covered])[:, None] - grid.xy_mm[locations]
+    # One and a half pitches: what triangles of the skin reach beyond the outermost locations.
+    reach = 1.5 * max(np.ptp(grid.x_mm) / max(1, len(grid.x_mm) - 1), 0.1)
+    return covered[np.linalg.norm(away, axis=2).min(axis=1) <= reach]

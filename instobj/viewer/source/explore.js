@@ -1,0 +1,500 @@
+// The page of `instobj explore`: parts are dragged by hand, and the map of what is told follows. The page
+// holds the design; its server judges it, or the page's own answers where it was exported.
+import { Mesh, MeshLambertMaterial, Plane, Raycaster, SphereGeometry, Vector2, Vector3 } from "three";
+import { bytesOf, readArchive } from "./archive.js";
+import { makeEllipse } from "./ellipse.js";
+import { addNumber, boxOf, makeMagnet, makePool, quaternionOf } from "./layouts.js";
+import { drawLegend, makeMaps, placeOn, shownNumber } from "./maps.js";
+import { COLOURS, geometryOf, outline, solid } from "./object.js";
+import { label, makeView } from "./view.js";
+
+const TITLES = {
+  position: ["Error of the place, one standard deviation", "mm"],
+  force: ["Error of the force, one standard deviation", "N"],
+  least: ["Least force that is felt", "N"],
+};
+const STEP_MM = 0.1;
+const WITHIN = 0.95;
+const RED = 0xe01b24;
+const WORSE = [0.5, 2];
+const MOVED_PX = 4;
+const ENDLESS = 1e9; // of what no force is enough for: darker than all
+
+const copy = (value) => JSON.parse(JSON.stringify(value));
+const made = (tag, properties) => Object.assign(document.createElement(tag), properties);
+const rounded = (value) => Math.round(value / STEP_MM) / (1 / STEP_MM);
+
+async function post(question, body) {
+  const sent = { method: "POST", body: JSON.stringify(body), headers: { "Content-Type": "application/json" } };
+  const answer = await fetch(`/${question}`, sent).catch(() => { throw new Error("The server does not answer. Start instobj explore again on the same port: this page keeps the design."); });
+  const found = await answer.json();
+  if (!answer.ok) throw new Error(found.error ?? answer.statusText);
+  return found;
+}
+
+// Answers that were written into the page.
+function heldAnswers(element) {
+  const held = JSON.parse(element.textContent);
+  return async (question, { figure, force_n: force, face, place }) => {
+    if (question === "limits" || question === "range") return held[question];
+    if (question === "judge") return held[`judge ${figure} ${force}`];
+    const all = held[`press ${face} ${force}`];
+    return { ...all, counts: [all.counts[place]], position_mm2: [all.position_mm2[place]] };
+  };
+}
+
+async function fetchScene() {
+  const held = document.getElementById("scene");
+  return readArchive(held ? bytesOf(held.textContent) : new Uint8Array(await (await fetch("/scene")).arrayBuffer()));
+}
+
+async function startExplore() {
+  const find = (name) => document.querySelector(`[data-name="${name}"]`);
+  const scene = await fetchScene();
+  const { content, arrays } = scene;
+  const held = document.getElementById("answers");
+  const ask = held ? heldAnswers(held) : post;
+  document.body.classList.toggle("frozen", Boolean(held));
+  find("name").textContent = held ? `${content.name}, to look at and press` : `${content.name}, explored`;
+  if (held) find("hint").textContent = "drag: turn · shift and click: press";
+  find("accuracy").textContent = content.accuracy;
+  content.forces_n.forEach((force) => find("force").append(new Option(`${force} N`, force)));
+  content.ranges_mt.forEach((range) => find("range").append(new Option(`±${range} mT`, range)));
+  find("force").value = String(content.forces_n[Math.floor(content.forces_n.length / 2)]);
+
+  const view = makeView(find("canvas"), content.size_mm);
+  const body = makeBody(scene, view);
+  const places = arrays.place_xy_mm.shape[0];
+  arrays.map_live = { data: new Float32Array(content.faces.length * places).fill(NaN) };
+  content.maps = [{ stem: "live", weak: "high", log: true }];
+  const maps = makeMaps(scene, body, view);
+  const parts = makeParts(view, content);
+  const presser = makePresser(scene, body, view, find);
+  const state = { design: copy(content.design), answer: null, broken: [], used: null, pinned: null, chosen: null, pressed: null };
+  const history = { past: [], future: [] };
+  const latencies = [];
+
+  // One question at a time; what changes meanwhile is asked next, with the newest design only.
+  let [busy, again, asked] = [false, false, 0];
+  let [checking, checkAgain] = [false, false];
+  const question = (design) => ({ design, figure: find("figure").value, force_n: Number(find("force").value) });
+  async function update(handAt) {
+    if (handAt) asked = asked || handAt;
+    if (busy) return void (again = true);
+    busy = true;
+    const from = asked;
+    asked = 0;
+    try {
+      state.answer = await ask("judge", question(state.design));
+      find("trouble").textContent = "";
+      show();
+      if (from) requestAnimationFrame(() => requestAnimationFrame(() => latencies.push(performance.now() - from)));
+      if (state.pressed) await press(state.pressed);
+      checkLimits();
+    } catch (error) {
+      find("trouble").textContent = error.message;
+    }
+    busy = false;
+    if (again) { again = false; return void update(); }
+    await ask("range", { design: state.design }).then((found) => (state.used = found.range_used), () => (state.used = null));
+    fillNumbers();
+  }
+  // Beside the map, as it takes longer; the newest design is checked at the end.
+  async function checkLimits() {
+    if (checking) return void (checkAgain = true);
+    checking = true;
+    do {
+      checkAgain = false;
+      await ask("limits", { design: state.design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [], faces: [] }] })).then(showLimits);
+    } while (checkAgain);
+    checking = false;
+  }
+
+  function show() {
+    const { answer, pinned } = state;
+    const difference = find("difference").checked && pinned;
+    const [[title, unit], force_n] = [TITLES[find("figure").value], find("force").value];
+    answer.values.forEach((value, k) => {
+      arrays.map_live.data[k] = value === null ? (arrays.there.data[k] ? ENDLESS : NaN) : difference ? value / pinned.answer.values[k] : value;
+    });
+    Object.assign(content.maps[0], difference ? { title: "Now over pinned; above 1 is worse", unit: "times" } : { title, unit }, { force_n });
+    maps.fix("live", difference ? WORSE : (state.ends ??= endsOf(answer.values.filter((value) => value > 0))));
+    drawLegend(find("legend"), maps.show("live"));
+    parts.place(answer.parts);
+    view.moved();
+    paintBroken();
+    fillNumbers();
+    showPart();
+  }
+  function fillNumbers() {
+    const { answer, pinned, used } = state;
+    const figure = find("figure").value;
+    const [now, then] = [answer.summary[figure], pinned?.answer.summary[figure]];
+    const unit = TITLES[figure][1];
+    const rows = [
+      [`half of the places are below, ${unit}`, now.median, then?.median],
+      [`95 of 100 places are below, ${unit}`, now.percentile_95, then?.percentile_95],
+      [`worst place, ${unit}`, now.worst, then?.worst],
+      ["chips' range in use, %", used ? 100 * used : "…", pinned?.used ? 100 * pinned.used : ""],
+      ["magnets; chips", `${answer.magnets}; ${answer.sensors}`, pinned ? `${pinned.answer.magnets}; ${pinned.answer.sensors}` : ""],
+      ["price of both, €; work by hand, min", answer.price_and_minutes.map(Math.round).join("; "), pinned?.answer.price_and_minutes.map(Math.round).join("; ")],
+    ];
+    find("numbers").replaceChildren(...rows.map(([name, ...values]) => rowOf(name, values.map((value = "") => (value === null ? "∞" : typeof value === "number" ? shownNumber(value) : value)))));
+    const [x, y] = xyOf(now.place);
+    find("worst").textContent = `The worst place is on face ${content.faces[now.face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm, at the white ball.`;
+    presser.markWorst(now.face, now.place);
+  }
+  const xyOf = (place) => Array.from(arrays.place_xy_mm.data.subarray(2 * place, 2 * place + 2));
+
+  function showLimits({ broken }) {
+    state.broken = broken;
+    const lines = broken.length ? broken.map(told) : ["All limits of instobj check are kept."];
+    if (state.answer.beyond) lines.push("A part lies where the quick model knows no motions: it is judged at the nearest place that it knows.");
+    find("limits").replaceChildren(...lines.map((text) => made("li", { textContent: text, className: broken.length ? "broken" : "kept" })));
+    paintBroken();
+    fillNumbers();
+  }
+  function paintBroken() {
+    parts.paint(state.broken, state.chosen);
+    view.redraw();
+  }
+
+  // A step that can be undone: the design before it is kept.
+  function remember() {
+    history.past.push(copy(state.design));
+    history.future = [];
+  }
+  function travel(from, to) {
+    history[to].push(state.design);
+    state.design = history[from].pop();
+    state.chosen = null;
+    update();
+  }
+  const change = (act) => { remember(); act(state.design); update(performance.now()); };
+
+  // Lists of places: one for all faces, one for each sensed face, or one for each face of a cube.
+  function listsOf({ magnets, sensors }, kind) {
+    if (kind === "magnet") return content.one_list ? [magnets.positions_mm] : magnets.positions_mm;
+    return (sensors.positions_mm ??= copy(state.answer.shown.sensors_mm));
+  }
+  function placesOf(design, kind, face) {
+    const lists = listsOf(design, kind);
+    return lists[lists.length === content.faces.length ? face : (content.faces[face].number - 1) % lists.length];
+  }
+  const depths = () => (state.design.magnets.depth_mm ??= copy(state.answer.shown.depth_mm));
+  const shownXy = ({ kind, face, number }) => placesOf(copy(state.design), kind, face)[number];
+
+  function showPart() {
+    find("undo").disabled = !history.past.length;
+    find("redo").disabled = !history.future.length;
+    const { chosen, design } = state;
+    const magnet = chosen?.kind === "magnet";
+    find("of-magnet").hidden = !magnet || !content.magnets_in_shell;
+    find("of-tilt").hidden = !magnet || !content.tiltable;
+    find("remove").disabled = !chosen;
+    find("part").textContent = chosen ? `Part: ${magnet ? "magnet" : "chip"} ${chosen.number + 1} of face ${content.faces[chosen.face].number}` : "Part: none chosen, click one";
+    find("alike").textContent = content.one_list ? "A magnet moves alike on every face; a chip on its face alone." : "Magnets and chips move on their face alone; depth, pole and tilt are alike on every face.";
+    ["x", "y"].forEach((axis, k) => setNumber(axis, chosen && shownXy(chosen)[k]));
+    if (magnet) {
+      setNumber("depth", (design.magnets.depth_mm ?? state.answer.shown.depth_mm)[chosen.number]);
+      ["tilt-x", "tilt-y"].forEach((axis, k) => setNumber(axis, design.magnets.tilt_deg[chosen.number][k]));
+      find("north").value = design.magnets.north[chosen.number];
+    }
+    find("range").value = String(design.sensors.range_mt);
+    setNumber("chip-depth", design.sensors.depth_below_core_face_mm);
+  }
+  function setNumber(name, value) {
+    const box = find(name);
+    box.disabled = value === null || value === undefined;
+    if (document.activeElement !== box) box.value = box.disabled ? "" : String(value);
+  }
+
+  async function press(at) {
+    state.pressed = at;
+    const answer = await ask("press", { design: state.design, face: content.faces[at.face].number, place: at.place, force_n: Number(find("force").value) });
+    presser.show(at, answer, xyOf(at.place), Number(find("force").value));
+  }
+
+  const on = (name, event, act) => find(name).addEventListener(event, act);
+  async function refit() {
+    state.ends = null;
+    if (state.pinned) state.pinned.answer = await ask("judge", question(state.pinned.design));
+    update();
+  }
+  on("figure", "change", refit);
+  on("force", "change", refit);
+  on("fit", "click", () => { state.ends = null; show(); });
+  on("difference", "change", show);
+  on("opacity", "input", () => body.fade(Number(find("opacity").value) / 100));
+  on("undo", "click", () => travel("past", "future"));
+  on("redo", "click", () => travel("future", "past"));
+  document.addEventListener("keydown", ({ key, ctrlKey, metaKey, target }) => (ctrlKey || metaKey) && !target.matches("input") && ({ z: find("undo"), y: find("redo") })[key]?.click());
+  on("pin", "click", () => {
+    state.pinned = copy({ design: state.design, answer: state.answer, used: state.used });
+    find("difference").disabled = false;
+    show();
+  });
+  on("save", "click", async () => {
+    try {
+      const saved = await ask("save", { design: state.design });
+      const note = made("p", { className: "note", textContent: saved.comments_kept ? `Saved in ${saved.file}; its comments stayed.` : `Saved in ${saved.file}; the comments of the first file could not be kept.` });
+      find("commands").replaceChildren(note, ...saved.commands.map((text) => made("code", { textContent: text })));
+      find("trouble").textContent = "";
+    } catch (error) {
+      find("trouble").textContent = error.message;
+    }
+  });
+  ["x", "y"].forEach((axis, k) => on(axis, "change", () => change(() => (placesOf(state.design, state.chosen.kind, state.chosen.face)[state.chosen.number][k] = Number(find(axis).value)))));
+  on("depth", "change", () => change(() => (depths()[state.chosen.number] = Number(find("depth").value))));
+  ["tilt-x", "tilt-y"].forEach((axis, k) => on(axis, "change", () => change(({ magnets }) => (magnets.tilt_deg[state.chosen.number][k] = Number(find(axis).value)))));
+  on("north", "change", () => change(({ magnets }) => (magnets.north[state.chosen.number] = find("north").value)));
+  on("range", "change", () => change(({ sensors }) => (sensors.range_mt = Number(find("range").value))));
+  on("chip-depth", "change", () => change(({ sensors }) => (sensors.depth_below_core_face_mm = Number(find("chip-depth").value))));
+  for (const kind of ["magnet", "sensor"]) {
+    on(`add-${kind}`, "click", () => change((design) => {
+      listsOf(design, kind).forEach((list) => list.push(freePlace(list, content.faces[0])));
+      if (kind === "magnet") eachMagnet(design.magnets, (list) => list.push(copy(list.at(-1))));
+    }));
+  }
+  on("remove", "click", () => change((design) => {
+    const { kind, number } = state.chosen;
+    listsOf(design, kind).forEach((list) => list.splice(number, 1));
+    if (kind === "magnet") eachMagnet(design.magnets, (list) => list.splice(number, 1));
+    state.chosen = null;
+  }));
+
+  joinPointer({
+    stage: document.querySelector(".stage"), canvas: find("canvas"), view, body, parts, content, maps, frozen: Boolean(held),
+    choose(part) { state.chosen = part; paintBroken(); showPart(); },
+    begin: remember,
+    move({ kind, face, number }, xy, at) {
+      placesOf(state.design, kind, face)[number] = xy;
+      update(at);
+    },
+    press(face, x, y) {
+      const far = Array.from({ length: places }, (_, place) => (arrays.there.data[face * places + place] ? Math.hypot(xyOf(place)[0] - x, xyOf(place)[1] - y) : Infinity));
+      press({ face, place: far.indexOf(Math.min(...far)) });
+    },
+  });
+  body.fade(Number(find("opacity").value) / 100);
+  await update();
+  window.instobjExplore = {
+    state: () => state, idle: () => !busy && !again && !checking, latencies: () => latencies, forget: () => (latencies.length = 0),
+    where: (kind, index) => parts.where(kind, index, view), map: () => Array.from(arrays.map_live.data),
+  };
+  document.getElementById("instobj-explore").dataset.ready = "yes";
+}
+
+// A sentence of the check behind the names that the page has for the parts.
+function told({ text, magnets, sensors }) {
+  const names = [...magnets.map((number) => `magnet ${number + 1}`), ...sensors.map((number) => `chip ${number + 1}`)];
+  return names.length ? `${names.join(", ")}: ${text}` : text;
+}
+
+function rowOf(name, cells) {
+  const line = made("tr", {});
+  line.append(made("th", { textContent: name }));
+  cells.forEach((cell) => line.insertCell().append(cell));
+  return line;
+}
+
+const endsOf = (values) => [Math.min(...values), Math.max(...values)];
+
+// Lists of one entry for each magnet, but its places.
+function eachMagnet(magnets, act) {
+  Object.entries(magnets).forEach(([key, list]) => key !== "positions_mm" && Array.isArray(list) && act(list));
+}
+
+// Of a coarse lattice over the face, the place that is farthest from the others.
+function freePlace(taken, face) {
+  const shares = Array.from({ length: 81 }, (_, k) => [(k % 9) / 4 - 1, Math.floor(k / 9) / 4 - 1]);
+  const places = shares.map((share) => share.map((part, axis) => rounded(0.55 * part * face.half_mm[axis])));
+  const near = places.map((at) => Math.min(...taken.map(([x, y]) => Math.hypot(x - at[0], y - at[1])), Infinity));
+  return places[near.indexOf(Math.max(...near))];
+}
+
+function facing(face, camera) {
+  return camera.position.clone().sub(new Vector3(...face.centre_mm)).dot(new Vector3(...face.normal)) > 0;
+}
+
+function makeBody({ content, arrays }, view) {
+  const skin = new MeshLambertMaterial({ color: COLOURS.silicone, transparent: true });
+  const silicone = solid(geometryOf(arrays, "silicone"), skin, []);
+  silicone.back.visible = false;
+  silicone.front.renderOrder = 2;
+  view.scene.add(silicone.group, outline(silicone.front.geometry, []));
+  if (arrays.core_mm) {
+    const core = new Mesh(geometryOf(arrays, "core"), new MeshLambertMaterial({ color: COLOURS.core, transparent: true, opacity: 0.35, depthWrite: false }));
+    core.add(outline(core.geometry, []));
+    view.scene.add(core);
+  }
+  content.faces.forEach((face) => addNumber(face, view));
+  const fade = (share) => {
+    skin.opacity = share;
+    skin.depthWrite = share > 0.95;
+    view.redraw();
+  };
+  const still = new Vector3();
+  return { silicone, offset: () => still, fade };
+}
+
+// Magnets and chips where the last answer has them; each knows its face and its number on it.
+function makeParts(view, content) {
+  const made = { magnet: [], sensor: [], board: [] };
+  const pools = {
+    magnet: makePool(view, () => keep("magnet", makeMagnet())), sensor: makePool(view, () => keep("sensor", boxOf(COLOURS.chip))),
+    board: makePool(view, () => keep("board", boxOf(COLOURS.board))),
+  };
+  const boardsMove = !content.magnets_in_shell; // chips in the silicone are drawn as their boards
+  let counts = {};
+  function keep(kind, object) {
+    // Transparent, so that parts are drawn in full colour after the skin over them.
+    object.traverse((mesh) => mesh.material && Object.assign(mesh.material, { transparent: true, opacity: 0.9 }));
+    object.traverse((mesh) => mesh.material && (mesh.renderOrder = 3) && (mesh.userData.colour = mesh.material.color.getHex()));
+    made[kind].push(object);
+    return object;
+  }
+  function place({ magnets, chips, boards }) {
+    counts = { magnet: magnets.length, sensor: boards.length, board: boards.length };
+    for (const [kind, list] of [["magnet", magnets], ["sensor", chips], ["board", boards]]) {
+      pools[kind].place(list.map((one) => ({ ...one, turn: quaternionOf(one.axes) })));
+    }
+  }
+  const signs = makePool(view, () => label("!", 1, "#e01b24"));
+  let limits = [];
+  const perFace = (kind) => counts[kind] / content.faces.length;
+  const shown = (kind) => (kind === "sensor" && boardsMove ? made.board : made[kind]).slice(0, counts[kind]);
+  const faceOf = (kind, index) => content.faces[Math.floor(index / perFace(kind))];
+  const isBroken = (kind, index) => limits.some((one) => one[`${kind}s`].includes(index % perFace(kind)) && (!one.faces.length || one.faces.includes(faceOf(kind, index).number)));
+  // Parts of faces that look away are left out: they would seem to lie in front.
+  view.before.push((camera) => {
+    for (const kind of ["magnet", "sensor", "board"]) {
+      made[kind].slice(0, counts[kind]).forEach((object, index) => (object.visible = facing(faceOf(kind, index), camera)));
+    }
+    const marked = ["magnet", "sensor"].flatMap((kind) => shown(kind).filter((one, index) => one.visible && isBroken(kind, index)));
+    signs.place(marked.map((one) => ({ at: one.position.toArray(), turn: one.quaternion, half: Array(3).fill(view.size / 6) })));
+  });
+  // Broken parts red, the chosen one bright; magnets of one list are alike on every face.
+  function paint(broken, chosen) {
+    limits = broken;
+    for (const kind of ["magnet", "sensor"]) {
+      shown(kind).forEach((object, index) => {
+        const here = chosen?.kind === kind && chosen.number === index % perFace(kind) && (faceOf(kind, index) === content.faces[chosen.face] || (kind === "magnet" && content.one_list));
+        const red = isBroken(kind, index);
+        object.traverse((mesh) => {
+          mesh.material?.color.setHex(red ? RED : mesh.userData.colour);
+          mesh.material?.emissive.setHex(red ? 0x600000 : here ? 0x554400 : 0);
+        });
+      });
+    }
+  }
+  // The nearest part that a ray meets.
+  function under(caster) {
+    const hits = ["magnet", "sensor"].flatMap((kind) => {
+      const objects = shown(kind).filter((object) => object.visible);
+      return caster.intersectObjects(objects, true).map((hit) => ({ ...hit, kind, index: shown(kind).findIndex((one) => one === hit.object || one === hit.object.parent) }));
+    });
+    const [hit] = hits.filter(({ index }) => index >= 0).sort((a, b) => a.distance - b.distance);
+    return hit && { kind: hit.kind, face: Math.floor(hit.index / perFace(hit.kind)), number: hit.index % perFace(hit.kind), at: shown(hit.kind)[hit.index].position.clone() };
+  }
+  // Middle of a part in the window, px.
+  function where(kind, index, { camera, renderer }) {
+    const box = renderer.domElement.getBoundingClientRect();
+    const at = shown(kind)[index].position.clone().project(camera);
+    return [box.left + ((at.x + 1) / 2) * box.width, box.top + ((1 - at.y) / 2) * box.height];
+  }
+  return { place, paint, under, where };
+}
+
+// Press at a place: a ball there, the ellipse of what is told, and each chip's counts.
+function makePresser(scene, body, view, find) {
+  const { content, arrays } = scene;
+  const places = arrays.place_xy_mm.shape[0];
+  let found = null;
+  const circle = (face, place) => (found && found.face === face && found.place === place ? found.circle : { most: NaN, least: NaN, turn: 0 });
+  const ring = makeEllipse(scene, body, circle, view, 0xd81b9a);
+  const [ball, worst] = [[0xd81b9a, 60], [0xffffff, 45]].map(([color, size]) => {
+    const mesh = new Mesh(new SphereGeometry(view.size / size, 24, 16), new MeshLambertMaterial({ color, depthTest: false, transparent: true, opacity: 0.9 }));
+    mesh.renderOrder = 7;
+    mesh.visible = false;
+    return mesh;
+  });
+  view.scene.add(ring.line, ball, worst);
+  const put = (mesh, face, place) => {
+    mesh.position.fromArray(arrays.place_mm.data, 3 * (face * places + place));
+    mesh.userData.face = content.faces[face];
+  };
+  view.before.push((camera) => [ball, worst].forEach((mesh) => (mesh.visible = Boolean(mesh.userData.face) && facing(mesh.userData.face, camera))));
+  function show({ face, place }, { counts: [counts], noise_counts: noise, position_mm2: [[xx, xy, , yy]] }, [x, y], force) {
+    const [half, apart] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
+    found = { face, place, circle: xx === null ? { most: NaN, least: NaN, turn: 0 } : { most: Math.sqrt(half + apart), least: Math.sqrt(Math.max(0, half - apart)), turn: Math.atan2(2 * xy, xx - yy) / 2 } };
+    ring.hide();
+    ring.draw(face, NaN);
+    ring.draw(face, place);
+    put(ball, face, place);
+    const { most, least } = found.circle;
+    find("pressed").textContent = `${force} N on face ${content.faces[face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm. The place is told to ${shownNumber(most)} × ${shownNumber(least)} mm (one standard deviation); the ring holds 95 of 100 readings. Change of this face's chips in counts, with one standard deviation of noise; bold stands out of it:`;
+    find("press-head").hidden = false;
+    find("counts").replaceChildren(...Array.from({ length: counts.length / 3 }, (_, chip) => {
+      const own = counts.slice(3 * chip, 3 * chip + 3);
+      const line = rowOf(`${chip + 1}`, own.map((count, axis) => `${count.toFixed(0).replace("-", "−")} ± ${noise[axis].toFixed(0)}`));
+      own.forEach((count, axis) => (line.cells[axis + 1].style.fontWeight = Math.abs(count) > 3 * noise[axis] ? "700" : ""));
+      return line;
+    }));
+    view.redraw();
+  }
+  return { show, markWorst: (face, place) => put(worst, face, place) };
+}
+
+function joinPointer({ stage, canvas, view, body, parts, content, maps, frozen, choose, begin, move, press }) {
+  const caster = new Raycaster();
+  const [plane, at] = [new Plane(), new Vector3()];
+  let drag = null;
+  function aim(event) {
+    const box = canvas.getBoundingClientRect();
+    caster.setFromCamera(new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2), view.camera);
+  }
+  function pressUnder() {
+    const [hit] = caster.intersectObject(body.silicone.front, false);
+    const face = hit ? Math.max(...[hit.face.a, hit.face.b, hit.face.c].map((v) => maps.owner[v])) : -1;
+    if (face >= 0) press(face, ...placeOn(content.faces[face], hit.point.x, hit.point.y, hit.point.z));
+  }
+  // Before the camera's own listener on the canvas hears of it.
+  stage.addEventListener("pointerdown", (event) => {
+    if (event.target !== canvas || event.button) return;
+    aim(event);
+    if (event.shiftKey) {
+      event.stopPropagation();
+      return pressUnder();
+    }
+    const found = !frozen && parts.under(caster);
+    if (!found) return;
+    event.stopPropagation();
+    const normal = new Vector3(...content.faces[found.face].normal);
+    plane.setFromNormalAndCoplanarPoint(normal, found.at);
+    caster.ray.intersectPlane(plane, at);
+    drag = { ...found, from: [event.clientX, event.clientY], off: found.at.sub(at), moved: false };
+    choose({ kind: found.kind, face: found.face, number: found.number });
+    canvas.setPointerCapture(event.pointerId);
+  }, true);
+  canvas.addEventListener("pointermove", (event) => {
+    if (!drag) return;
+    if (!drag.moved && Math.hypot(event.clientX - drag.from[0], event.clientY - drag.from[1]) < MOVED_PX) return;
+    aim(event);
+    if (!caster.ray.intersectPlane(plane, at)) return;
+    if (!drag.moved) begin();
+    drag.moved = true;
+    const face = content.faces[drag.face];
+    const local = at.add(drag.off).sub(new Vector3(...face.centre_mm));
+    const xy = [face.x, face.y].map((axis, k) => rounded(Math.min(WITHIN * face.half_mm[k], Math.max(-WITHIN * face.half_mm[k], local.dot(new Vector3(...axis))))));
+    move(drag, xy, event.timeStamp);
+  });
+  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (drag = null));
+}
+
+if (document.getElementById("instobj-explore")) {
+  startExplore().catch((error) => {
+    document.querySelector('[data-name="trouble"]').textContent = `The page cannot start: ${error.message}.`;
+    console.warn(error);
+  });
+}

@@ -1,0 +1,18 @@
+"""An explorer on made-up motions, for tests of the page and of what it is told."""
+
+from functools import cache
+
+from estimator.layouts.presses.basis import press_bases
+from instobj.explore.engine import Explorer
+from tests.support.mechanics.candidate_cases import made_up_motions, made_up_spec
+
+FORCES_N = (2.0, 5.0, 8.0)
+
+
+@cache
+def made_explorer():
+    """Of the paper's cube with 5 × 4 contact locations on a face."""
+    spec = made_up_spec()
+    motions = made_up_motions(spec)
+    faces = spec.body.sensed
+    return Explorer(spec, FORCES_N, {f: [press_bases(spec, motions, f, FORCES_N)] for f in faces})
