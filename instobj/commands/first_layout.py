@@ -1,0 +1,122 @@
+"""A first layout by its score: places, magnets and range that a short search finds without a mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from design.body.kinds.registry import KINDS
+from design.catalogue.hall_sensors import hall_part
+from design.placement.objects import (
+    COARSE,
+    STRONGER,
+    Request,
+    ShellVariant,
+    Tables,
+    fitting_tables,
+    shell_variant_of,
+    spec_of,
+)
+from design.spec.object import ObjectSpec
+from design.spec.sensors import SensorSpec
+from estimator.layouts.without_mesh import LevelWithoutMesh, coarse, first_score
+
+_WALKS, _STEPS = 16, 40
+"""Walks side by side, and their steps: 5 s of one core on a box of five faces and five magnets."""
+_TRIED = 3
+"""Ends of walks that are checked in full."""
+_MANY = 9
+"""Magnets of a face, where the usual number is seen too little."""
+_WORTH = 0.1
+"""By how much more magnets must be better, in logarithms, to be taken."""
+_THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
+"""Longest edge of a body from which a shell so thick is tried, all mm."""
+_SHARES = (1.0, 0.8, 0.6, 0.4, 0.2)
+"""Of the way from the start, where what was found breaks a check."""
+
+
+def scored_first(request: Request, placed: Tables) -> Tables:
+    """The parts of a request where they are seen best, from what rules `placed`.
+
+    Of stronger magnets, and where no number is asked for more of them, as few and small as keep
+    `limits.position_bound_mm` everywhere; else those with the best score.
+    """
+    start = min(_starts(request, placed), key=lambda one: one[0], default=None)
+    if start is None:
+        return placed
+    best, least = improved(start[1])
+    if request.magnets is None and first_score(spec_of(best)).within < 1:
+        shell = shell_variant_of(best)
+        more = next(fitting_tables(replace(request, magnets=_MANY), (shell,), COARSE), None)
+        if more is not None and _faces(more) == _faces(placed):
+            more["sensors"] = best["sensors"]
+            tables, loss = improved(more)
+            best = tables if loss < least - _WORTH else best
+    return best
+
+
+def _starts(request: Request, placed: Tables) -> Iterator[tuple[float, Tables]]:
+    """Yield layouts that rules place, with each magnet and range, and what they are worth."""
+    shell = shell_variant_of(placed)
+    yield from _with_ranges(placed)
+    for variant in STRONGER:
+        if variant.thickness_mm not in _thicknesses(request, shell):
+            continue
+        tables = next(fitting_tables(request, (variant,), COARSE), None)
+        if tables is not None and _faces(tables) == _faces(placed):
+            yield from _with_ranges(tables)
+
+
+def _faces(tables: Tables) -> list[int] | None:
+    """Sensed faces of tables that name them."""
+    return tables["body"].get("sensed_faces")
+
+
+def _thicknesses(request: Request, shell: ShellVariant) -> tuple[float, ...]:
+    """Shells that suit a body's size: that of the rules, and thicker ones of kinds that hook nothing."""
+    if KINDS[request.kind].from_file:
+        return (shell.thickness_mm,)
+    thick = [t for edge, t in _THICK_FROM_MM if max(request.size_mm) >= edge]
+    return (shell.thickness_mm, *thick)
+
+
+def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
+    part = SensorSpec().part
+    for selectable in hall_part(part).ranges[:2]:
+        ranged = tables | {"sensors": tables["sensors"] | {"range_mt": selectable.range_mt}}
+        if selectable.range_mt == SensorSpec().range_mt:
+            ranged = tables
+        level = LevelWithoutMesh.of(coarse(spec_of(ranged)))
+        if level is not None:
+            yield float(level.losses(level.point)[0]), ranged
+
+
+def improved(tables: Tables, walks: int = _WALKS, steps: int = _STEPS) -> tuple[Tables, float]:
+    """Tables with magnets and sensors where the score is best, and what they are worth, less for better.
+
+    They stay as they are where nothing better was found. As many layouts are scored on every machine, so
+    that the result does not depend on its speed.
+    """
+    level = LevelWithoutMesh.of(coarse(spec_of(tables)))
+    if level is None:
+        return tables, np.inf
+    start, worth = level.point, float(level.losses(level.point)[0])
+    ends = level.walked(walks, steps, spec_of(tables).seed)
+    for row in level.losses(ends).argsort()[:_TRIED].tolist():
+        for share in _SHARES:
+            point = start + share * (ends[row] - start)
+            loss = float(level.losses(point)[0])
+            laid = level.layout_at(point[0]) if loss < worth else None
+            if laid is not None:
+                return _with_places(tables, laid), loss
+    return tables, worth
+
+
+def _with_places(tables: Tables, laid: ObjectSpec) -> Tables:
+    """Tables with the places of magnets and sensors of a specification."""
+    content = laid.model_dump(mode="json")
+    parts = ("magnets", "sensors")
+    places = {part: {"positions_mm": content[part]["positions_mm"]} for part in parts}
+    return tables | {part: tables[part] | keys for part, keys in places.items()}
