@@ -32,7 +32,7 @@ from design.spec.object import ObjectSpec
 from design.spec.search import OVER_LIMIT
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import position_bounds
-from estimator.layouts.polish import Judged, LowestFidelity, judge, walk
+from estimator.layouts.polish import AFTER_ALL, Judged, LowestFidelity, judge, walk
 from estimator.layouts.presses.layer import layer_basis
 from estimator.layouts.scorer import LayoutScorer, layout_scorer
 from estimator.layouts.vectors import layout_space
@@ -46,6 +46,11 @@ _MOST_PLACES = 48
 _RATE, _ROUND = 0.05, 0.1
 """First step of walks, and how far round the start they begin, both as shares of every variable's range. On a
 box and a cylinder 24 walks of 40 steps ended lower than CMA-ES in the same time, 6 s of one core."""
+
+BROKEN = AFTER_ALL / 2
+"""What a layout is worth that breaks a limit is more, and less of one that keeps all."""
+_ROOMY = 1.25
+"""Times the thinnest silicone that can be cast, below which the checks of fabrication warn."""
 
 Points = Float[np.ndarray, "layout variable"]
 
@@ -98,7 +103,8 @@ class LevelWithoutMesh:
     @classmethod
     def of(cls, spec: ObjectSpec) -> LevelWithoutMesh | None:
         """Return it; None where a shell or a face has no room for candidates."""
-        space = search_space(spec)
+        wall = _ROOMY * spec.silicone.thinnest_wall_mm
+        space = search_space(spec.changed(silicone=spec.silicone.changed(thinnest_wall_mm=wall)))
         start = start_params(space)
         if start is None:
             return None

@@ -21,7 +21,7 @@ from design.placement.objects import (
 )
 from design.spec.object import ObjectSpec
 from design.spec.sensors import SensorSpec
-from estimator.layouts.without_mesh import LevelWithoutMesh, coarse, first_score
+from estimator.layouts.without_mesh import BROKEN, LevelWithoutMesh, coarse, first_score
 
 _WALKS, _STEPS = 16, 40
 """Walks side by side, and their steps: 5 s of one core on a box of five faces and five magnets."""
@@ -37,15 +37,15 @@ _SHARES = (1.0, 0.8, 0.6, 0.4, 0.2)
 """Of the way from the start, where what was found breaks a check."""
 
 
-def scored_first(request: Request, placed: Tables) -> Tables:
-    """The parts of a request where they are seen best, from what rules `placed`.
+def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
+    """Yield layouts of a request from what rules `placed`, those that are seen best first.
 
-    Of stronger magnets, and where no number is asked for more of them, as few and small as keep
-    `limits.position_bound_mm` everywhere; else those with the best score.
+    Of stronger magnets, and where no number is asked for and the usual one does not keep
+    `limits.position_bound_mm` everywhere, of more.
     """
     start = min(_starts(request, placed), key=lambda one: one[0], default=None)
     if start is None:
-        return placed
+        return
     best, least = improved(start[1])
     if request.magnets is None and first_score(spec_of(best)).within < 1:
         shell = shell_variant_of(best)
@@ -53,8 +53,9 @@ def scored_first(request: Request, placed: Tables) -> Tables:
         if more is not None and _faces(more) == _faces(placed):
             more["sensors"] = best["sensors"]
             tables, loss = improved(more)
-            best = tables if loss < least - _WORTH else best
-    return best
+            if loss < least - _WORTH:
+                yield tables
+    yield from (best, start[1], improved(placed)[0])
 
 
 def _starts(request: Request, placed: Tables) -> Iterator[tuple[float, Tables]]:
@@ -83,17 +84,22 @@ def _thicknesses(request: Request, shell: ShellVariant) -> tuple[float, ...]:
 
 
 def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
-    part = SensorSpec().part
-    for selectable in hall_part(part).ranges[:2]:
+    """Yield tables with the narrowest range of the chips, and with the next where that is left."""
+    for selectable in hall_part(SensorSpec().part).ranges[:2]:
         ranged = tables | {"sensors": tables["sensors"] | {"range_mt": selectable.range_mt}}
-        if selectable.range_mt == SensorSpec().range_mt:
-            ranged = tables
-        level = LevelWithoutMesh.of(coarse(spec_of(ranged)))
-        if level is not None:
-            yield float(level.losses(level.point)[0]), ranged
+        spec = coarse(spec_of(ranged))
+        level = LevelWithoutMesh.of(spec)
+        if level is None:
+            return
+        loss = float(level.losses(level.point)[0])
+        yield loss, tables if spec.sensors.range_mt == SensorSpec().range_mt else ranged
+        if loss < BROKEN:
+            return
 
 
-def improved(tables: Tables, walks: int = _WALKS, steps: int = _STEPS) -> tuple[Tables, float]:
+def improved(
+    tables: Tables, walks: int = _WALKS, steps: int = _STEPS, seed: int = 0
+) -> tuple[Tables, float]:
     """Tables with magnets and sensors where the score is best, and what they are worth, less for better.
 
     They stay as they are where nothing better was found. As many layouts are scored on every machine, so
@@ -103,7 +109,7 @@ def improved(tables: Tables, walks: int = _WALKS, steps: int = _STEPS) -> tuple[
     if level is None:
         return tables, np.inf
     start, worth = level.point, float(level.losses(level.point)[0])
-    ends = level.walked(walks, steps, spec_of(tables).seed)
+    ends = level.walked(walks, steps, seed)
     for row in level.losses(ends).argsort()[:_TRIED].tolist():
         for share in _SHARES:
             point = start + share * (ends[row] - start)

@@ -47,7 +47,8 @@ from instobj.commands.outlook import (
 )
 from instobj.commands.specification_file import specification_text
 
-Improve = Callable[[Request, Tables], Tables]
+Made = tuple[Tables, list[Finding]]
+Improve = Callable[[Request, Tables], Iterable[Tables]]
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
 """By which a mould's seam is turned, and how many turned ones are tried of a shell."""
@@ -63,8 +64,8 @@ def new_specification(
 ) -> Path:
     """Write `NAME.toml`: the paper's cube, or what is requested, with the keys that matter first.
 
-    A name that ends in ".toml" is taken without it. What rules place is handed to `improve`, whose layout is
-    taken where it can be made as well.
+    A name that ends in ".toml" is taken without it. `improve` gets what rules place; of its layouts the
+    first that can be made as well is taken.
 
     Raises
     ------
@@ -82,11 +83,7 @@ def new_specification(
         raise InputError(f"{target} is already there. Choose another name, or move it away")
     tables: Tables | None = None
     if request is not None:
-        tables, failed = made(request)
-        better = improve(request, tables)
-        checked = None if better == tables else _checked(islice(seams_of(better), 1 + _MOST_TURNS))
-        if checked is not None and len(checked[1]) <= len(failed):
-            tables, failed = checked
+        tables, failed = designed(request, improve)
         tables = with_edges_that_fit(request, tables)
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
@@ -141,6 +138,22 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     if best is None or all(map(_thin_mould, best[1])):
         best = _made_with_magnets_elsewhere(request, tried) or best
     return best or _checked(islice(seams_of(tried[0]), 1)) or (tried[0], [])
+
+
+def designed(request: Request, improve: Improve = scored_first) -> Made:
+    """Tables of a request where its parts are seen best and can be made, and what fails of `check
+    --fabrication` where nothing can."""
+    by_rules = made(request)
+    return _best_made(improve(request, by_rules[0]), by_rules)
+
+
+def _best_made(better: Iterable[Tables], by_rules: Made) -> Made:
+    """The first of some layouts that can be made as well as what rules placed, and what failed."""
+    for tables in better:
+        checked = _checked(islice(seams_of(tables), 1 + _MOST_TURNS))
+        if checked is not None and len(checked[1]) <= len(by_rules[1]):
+            return checked
+    return by_rules
 
 
 def _made_with_magnets_elsewhere(
