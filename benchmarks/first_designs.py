@@ -5,7 +5,7 @@
 Random requests: kinds without a file, edges of 30 to 120 mm, 1 to 4 sensors and 1 to 9 magnets on each face.
 Each is placed as `instobj new` places it; then walks from ever new seeds go on from the best so far, with the
 same shell, magnets, range and numbers. Both are judged by the presses of a layer, without a mesh. Writes
-`first_designs.json`: median and 95th percentile of the position bound, and their ratios. The chain is not run.
+`first_designs.json`: median and 95th percentile of the position bound, and ratios. The chain is not run.
 """
 
 from __future__ import annotations

@@ -9,6 +9,7 @@ import numpy as np
 
 from design.body.kinds.registry import KINDS
 from design.catalogue.hall_sensors import hall_part
+from design.errors import InputError
 from design.placement.objects import (
     COARSE,
     STRONGER,
@@ -22,18 +23,17 @@ from design.placement.objects import (
 from design.spec.object import ObjectSpec
 from design.spec.sensors import SensorSpec
 from estimator.layouts.without_mesh import BROKEN, LevelWithoutMesh, coarse, first_score
+from instobj.commands.run import check
 
 _WALKS, _STEPS = 16, 40
 """Walks side by side, and their steps: 5 s of one core on a box of five faces and five magnets."""
-_TRIED = 3
-"""Ends of walks that are checked in full."""
 _MANY = 9
 """Magnets of a face, where the usual number is seen too little."""
 _WORTH = 0.1
 """By how much more magnets must be better, in logarithms, to be taken."""
 _THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
 """Longest edge of a body from which a shell so thick is tried, all mm."""
-_SHARES = (1.0, 0.8, 0.6, 0.4, 0.2)
+_SHARES = (1.0, 0.9, 0.75)
 """Of the way from the start, where what was found breaks a check."""
 
 
@@ -87,10 +87,10 @@ def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
     """Yield tables with the narrowest range of the chips, and with the next where that is left."""
     for selectable in hall_part(SensorSpec().part).ranges[:2]:
         ranged = tables | {"sensors": tables["sensors"] | {"range_mt": selectable.range_mt}}
-        spec = coarse(spec_of(ranged))
-        level = LevelWithoutMesh.of(spec)
+        spec = spec_of(ranged)
+        level = LevelWithoutMesh.of(coarse(spec)) if _passes(spec) else None
         if level is None:
-            return
+            continue
         loss = float(level.losses(level.point)[0])
         yield loss, tables if spec.sensors.range_mt == SensorSpec().range_mt else ranged
         if loss < BROKEN:
@@ -105,19 +105,40 @@ def improved(
     They stay as they are where nothing better was found. As many layouts are scored on every machine, so
     that the result does not depend on its speed.
     """
-    level = LevelWithoutMesh.of(coarse(spec_of(tables)))
-    if level is None:
-        return tables, np.inf
-    start, worth = level.point, float(level.losses(level.point)[0])
-    ends = level.walked(walks, steps, seed)
-    for row in level.losses(ends).argsort()[:_TRIED].tolist():
-        for share in _SHARES:
-            point = start + share * (ends[row] - start)
-            loss = float(level.losses(point)[0])
-            laid = level.layout_at(point[0]) if loss < worth else None
-            if laid is not None:
-                return _with_places(tables, laid), loss
+    spec, worth = coarse(spec_of(tables)), np.inf
+    # Magnets across an edge pull each other out: as far apart as they are wide they rarely do.
+    for gap_mm in (0.0, spec.shell.pocket_diameter_mm):
+        level = LevelWithoutMesh.of(spec, gap_mm)
+        if level is None:
+            break
+        worth = min(worth, float(level.losses(level.point)[0]))
+        for end in level.walked(walks, steps, seed):
+            moved, loss = _nearest_that_passes(level, end, worth)
+            if moved is not None:
+                return _with_places(tables, moved), loss
     return tables, worth
+
+
+def _nearest_that_passes(
+    level: LevelWithoutMesh, end: np.ndarray, most: float
+) -> tuple[ObjectSpec | None, float]:
+    """The layout nearest to an end, on the way to it, that is worth less than `most` and breaks no check."""
+    for share in _SHARES:
+        point = level.point + share * (end - level.point)
+        loss = float(level.losses(point)[0])
+        laid = level.layout_at(point[0]) if loss < most else None
+        if laid is not None and _passes(laid):
+            return laid, loss
+    return None, most
+
+
+def _passes(spec: ObjectSpec) -> bool:
+    """Return whether `instobj check` lets a specification pass."""
+    try:
+        check(spec)
+    except InputError:
+        return False
+    return True
 
 
 def _with_places(tables: Tables, laid: ObjectSpec) -> Tables:
