@@ -1,4 +1,4 @@
-"""A pressed layer on a rigid base, against Hertz's half-space, the bonded layer's compliance, and kept volume."""
+"""A pressed layer on a rigid base: against Hertz's half-space and a bonded layer's compliance."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,8 @@ def test_disks_turn_with_the_plane_that_they_lie_in():
     away, step = np.array([[4.0, 0.0]]), 1e-3
     moved = SHELL.motions(away, DEPTHS_MM, 5.0, turns=1.0)[0, :, 3]
     near, far = (
-        SHELL.motions(away + [[sign * step, 0.0]], DEPTHS_MM, 5.0)[0, :, 3, 2] for sign in (-1, 1)
+        SHELL.motions(away + np.array([[sign * step, 0.0]]), DEPTHS_MM, 5.0)[0, :, 3, 2]
+        for sign in (-1, 1)
     )
     np.testing.assert_allclose(moved[:, 4], -(far - near) / (2 * step), rtol=1e-3)
     assert (moved[:, 4] < 0).all()

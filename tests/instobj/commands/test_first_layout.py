@@ -14,7 +14,7 @@ PAD = Request("pad", (60.0, 42.0, 11.0), sensors=2, magnets=4)
 
 @pytest.fixture(scope="module")
 def placed():
-    tables = first_fit(PAD, SHELL_VARIANTS[:1], COARSE)
+    tables = first_fit(PAD, SHELL_VARIANTS, COARSE)
     assert tables is not None
     return tables
 

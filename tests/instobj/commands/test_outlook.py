@@ -19,7 +19,7 @@ from instobj.stages.resources import needed_gib
 
 
 def placed(request):
-    tables = first_fit(request, SHELL_VARIANTS[:1], COARSE)
+    tables = first_fit(request, SHELL_VARIANTS, COARSE)
     assert tables is not None
     return tables
 
