@@ -24,7 +24,7 @@ from design.fit.everything import can_be_moulded, fits
 from design.layout.boards import wire_bundle_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.core_hold import least_bore_mm
-from design.layout.places.contact_places import contact_places
+from design.layout.places.contact_places import MOST_COUNT, contact_places
 from design.layout.places.positions import board_sinks_mm, sensor_layout
 from design.placement.paths import long_path_mm
 from design.placement.patterns import (
@@ -462,7 +462,8 @@ def pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
     """Coarser ones where the largest face would have more locations along an edge than `_MOST_IN_A_ROW`."""
     widest = 2 * float(np.max([abs(frame.lengths_mm) for frame in face_frames(spec)]))
     coarse = float(np.ceil(2 * widest / _MOST_IN_A_ROW)) / 2
-    return PITCHES_MM if coarse <= PITCHES_MM[0] else (coarse, *PITCHES_MM)
+    pitches = PITCHES_MM if coarse <= PITCHES_MM[0] else (coarse, *PITCHES_MM)
+    return tuple(pitch for pitch in pitches if widest <= pitch * MOST_COUNT)
 
 
 def _lists_per_face(places: list[list[list[float]]]) -> list[Any]:
