@@ -70,11 +70,23 @@ _HALF_RECESS_MM = 3.25
 
 @dataclass(frozen=True)
 class ShellVariant:
-    """A shell and its magnets, disks 1 mm high that fill their pockets (mm)."""
+    """A shell and its magnets, disks as wide as their pockets, on whose floors they lie (mm)."""
 
     thickness_mm: float
     pocket_diameter_mm: float
     pocket_depth_mm: float
+    magnet_height_mm: float = 1.0
+
+    @property
+    def table(self) -> dict[str, float]:
+        """The shell's own keys."""
+        keys = ("thickness_mm", "pocket_diameter_mm", "pocket_depth_mm")
+        return {key: getattr(self, key) for key in keys}
+
+
+def shell_variant_of(tables: Tables) -> ShellVariant:
+    """Return the shell and the magnets' height of tables."""
+    return ShellVariant(**tables["shell"], magnet_height_mm=tables["magnets"].get("height_mm", 1.0))
 
 
 SHELL_VARIANTS = (
@@ -83,8 +95,25 @@ SHELL_VARIANTS = (
     ShellVariant(6.0, 4.0, 3.0),
     ShellVariant(5.0, 4.0, 2.5),
 )
+STRONGER = (
+    ShellVariant(5.0, 4.0, 3.0, 1.5),
+    ShellVariant(6.0, 4.0, 3.5, 2.0),
+    ShellVariant(6.0, 6.0, 3.5, 2.0),
+    ShellVariant(7.0, 6.0, 4.0, 2.0),
+    ShellVariant(7.0, 8.0, 4.0, 2.0),
+    ShellVariant(8.0, 6.0, 5.0, 3.0),
+    ShellVariant(8.0, 8.0, 5.0, 3.0),
+    ShellVariant(8.0, 10.0, 5.0, 3.0),
+    ShellVariant(12.0, 10.0, 6.0, 3.0),
+    ShellVariant(12.0, 15.0, 8.0, 5.0),
+    ShellVariant(16.0, 15.0, 8.0, 5.0),
+    ShellVariant(24.0, 20.0, 9.0, 5.0),
+)
+"""The same with stronger magnets, stock sizes, for bodies whose first ones are seen too little."""
 _TIP_RADII_MM = (5.0, 4.0, 3.0, 2.0)
 PITCHES_MM = (3.0, 2.5, 2.0, 1.5, 1.0)
+_MOST_IN_A_ROW = 26
+"""Contact locations along the longest face, from which on the pitch follows the size."""
 _LEAST_PLACES = 16
 """Contact locations of every face."""
 
@@ -175,7 +204,7 @@ def _tables_of_shells(
 ) -> Iterator[Tables]:
     for shell in shells:
         tables = _with_sensors(request, shell, shares)
-        tables = tables and next(_with_magnets(request, tables, shares, counts), None)
+        tables = tables and next(_with_magnets(request, shell, tables, shares, counts), None)
         tables = tables and with_contacts(tables)
         if tables:
             yield tables
@@ -237,15 +266,10 @@ def bare_tables(request: Request, shell: ShellVariant) -> Tables:
     if kind.openable and not kind.opens_sides:
         room = min(request.size_mm) - 2 * shell.thickness_mm
         body["bore_mm"] = float(np.clip(np.floor(room / 2), _LEAST_BORE_MM, 10.0))
-    shell_table = {
-        "thickness_mm": shell.thickness_mm,
-        "pocket_diameter_mm": shell.pocket_diameter_mm,
-        "pocket_depth_mm": shell.pocket_depth_mm,
-    }
     # one tiny magnet and few places, until there are sensors
     return {
         "body": body,
-        "shell": shell_table,
+        "shell": shell.table,
         "magnets": {"diameter_mm": 0.5, "height_mm": 0.5, "positions_mm": [[0.0, 0.0]]},
         "contact_grid": {"count": [2, 2], "pitch_mm": 0.5},
         "indenter": {"radius_mm": _TIP_RADII_MM[-1]},
@@ -361,12 +385,18 @@ HARD_TO_MAKE = (tight_marks, narrow_heads)
 
 
 def _with_magnets(
-    request: Request, tables: Tables, shares: tuple[float, ...], counts: tuple[int, ...]
+    request: Request,
+    shell: ShellVariant,
+    tables: Tables,
+    shares: tuple[float, ...],
+    counts: tuple[int, ...],
 ) -> Iterator[Tables]:
     """Most magnets first; of their patterns and spreads, over each face or alike on all, the ones that
     fit, the one with the shortest signal paths first, but patterns without a template and pins that can be
     printed last."""
-    diameter = tables["shell"]["pocket_diameter_mm"]
+    disk = {"diameter_mm": shell.pocket_diameter_mm}
+    if shell.magnet_height_mm != ShellVariant.magnet_height_mm:
+        disk["height_mm"] = shell.magnet_height_mm
     counts = counts if request.magnets is None else (request.magnets,)
     halves = np.array([frame.half_extents_mm for frame in face_frames(spec_of(tables))])
     smallest = np.broadcast_to(halves.min(axis=0), halves.shape)
@@ -375,7 +405,7 @@ def _with_magnets(
     for count in counts:
         tried = []
         for places in _different_places(count, shares, spreads):
-            magnets = {"diameter_mm": diameter, "positions_mm": places}
+            magnets = disk | {"positions_mm": places}
             spec = spec_of(tables | {"magnets": magnets})
             tried.append((long_path_mm(spec, sensors), magnets, spec))
         spare = []
@@ -393,9 +423,9 @@ def relaid(
 ) -> Iterator[Tables]:
     """The same shell and sensors with as many magnets elsewhere, where they fit."""
     count = int(np.shape(tables["magnets"]["positions_mm"])[-2])
-    shell = ShellVariant(**tables["shell"])
+    shell = shell_variant_of(tables)
     bare = bare_tables(request, shell) | {key: tables[key] for key in ("body", "core", "sensors")}
-    for moved in _with_magnets(request, bare, shares, (count,)):
+    for moved in _with_magnets(request, shell, bare, shares, (count,)):
         complete = None if moved["magnets"] == tables["magnets"] else with_contacts(moved)
         if complete is not None:
             yield complete
@@ -429,10 +459,11 @@ def with_contacts(tables: Tables) -> Tables | None:
 
 
 def pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
-    """Coarser ones where a lattice may not have as many locations as the largest face would take."""
+    """Coarser ones where the largest face would have more locations along an edge than `_MOST_IN_A_ROW`."""
     widest = 2 * float(np.max([abs(frame.lengths_mm) for frame in face_frames(spec)]))
-    least = widest / MOST_COUNT
-    return PITCHES_MM if least < PITCHES_MM[0] else (float(np.ceil(least)),)
+    coarse = float(np.ceil(2 * widest / _MOST_IN_A_ROW)) / 2
+    pitches = PITCHES_MM if coarse <= PITCHES_MM[0] else (coarse, *PITCHES_MM)
+    return tuple(pitch for pitch in pitches if widest <= pitch * MOST_COUNT)
 
 
 def _lists_per_face(places: list[list[list[float]]]) -> list[Any]:

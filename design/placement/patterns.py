@@ -33,7 +33,7 @@ def along_longer_side(pattern: Shares, half_mm: Float[np.ndarray, "2"]) -> Share
 
 def magnet_patterns(count: int) -> list[Shares]:
     """Patterns of magnets, one in the middle where the count is odd; rows last."""
-    rows = [_row(count), _row(count)[:, ::-1]]
+    rows = [*_grids(count), _row(count), _row(count)[:, ::-1]]
     if count < 4:
         return rows
     middle = np.zeros((count % 2, 2))
@@ -41,6 +41,16 @@ def magnet_patterns(count: int) -> list[Shares]:
     first = _CORNERS_DEG if around == 4 else 0.0
     corners = np.sqrt(2.0) if around == 4 else 1.0
     return [np.concatenate([middle, corners * _ring(around, first)]), *rows]
+
+
+def _grids(count: int) -> list[Shares]:
+    """Even rows and columns, longer along x and along y; of six and nine alone."""
+    if count not in (6, 9):
+        return []
+    columns = 3
+    x, y = np.meshgrid(*(np.linspace(-1, 1, n) for n in (columns, count // columns)))
+    grid = np.column_stack([x.ravel(), y.ravel()])
+    return [grid, grid[:, ::-1]]
 
 
 def _ring(count: int, first_deg: float) -> Shares:

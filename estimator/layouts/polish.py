@@ -27,7 +27,7 @@ PENALTY_PER_MM = 10.0
 """A limit broken by 0.1 mm doubles every objective, more than any layout gains by it."""
 MM_PER_EXCESS = 10.0
 """A score or channel beyond its limit by a tenth counts as a length broken by 1 mm."""
-_AFTER_ALL = 100.0
+AFTER_ALL = 100.0
 """More than logarithms of bounds differ by; it has no slope."""
 ROUNDING_MM = 2e-3
 """Excess over a limit below which it counts as kept. Walks and runs keep limits to the last bit; in another
@@ -89,7 +89,7 @@ class Judged:
     def loss(self, weights: Float[Tensor, "objective"]) -> Float[Tensor, "layout"]:
         """Weighted logarithms of penalised objectives, for walks: what breaks a limit, be it by a hair,
         comes after all that keep them."""
-        return self.penalized.log() @ weights + _AFTER_ALL * (self.broken > 0).any(dim=1)
+        return self.penalized.log() @ weights + AFTER_ALL * (self.broken > 0).any(dim=1)
 
 
 @dataclass(frozen=True)
@@ -281,7 +281,7 @@ class Evolution:
         that breaks a limit more than the run's own point, which is the first to be judged."""
         self.begun = worth.broken if self.begun is None else self.begun
         finally_worth = worth.value + self.whole * np.log1p(worth.penalty)
-        finally_worth += _AFTER_ALL * (worth.penalty > 0)
+        finally_worth += AFTER_ALL * (worth.penalty > 0)
         finally_worth[_break_more(worth.broken, self.begun).numpy()] = np.inf
         leader = int(finally_worth.argmin())
         if finally_worth[leader] < self.least:

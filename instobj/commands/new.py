@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import re
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from itertools import chain, islice
 from math import inf
@@ -36,10 +36,19 @@ from design.placement.room import narrow_heads
 from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from instobj.commands.outlook import next_step_text, parts_that_help, tables_of, with_edges_that_fit
+from estimator.layouts.without_mesh import first_score
+from instobj.commands.first_layout import scored_first
+from instobj.commands.outlook import (
+    chosen_text,
+    expected_text,
+    next_step_text,
+    parts_that_help,
+    with_edges_that_fit,
+)
 from instobj.commands.specification_file import specification_text
-from instobj.report.weak_areas import far_text
 
+Made = tuple[Tables, list[Finding]]
+Improve = Callable[[Request, Tables], Iterable[Tables]]
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
 """By which a mould's seam is turned, and how many turned ones are tried of a shell."""
@@ -50,10 +59,13 @@ _OF_THE_BODY = {"undercut", _BED}
 """Checks that fail by the shape or size of a body, wherever its parts are."""
 
 
-def new_specification(name: str, out: Path, request: Request | None = None) -> Path:
+def new_specification(
+    name: str, out: Path, request: Request | None = None, improve: Improve = scored_first
+) -> Path:
     """Write `NAME.toml`: the paper's cube, or what is requested, with the keys that matter first.
 
-    A name that ends in ".toml" is taken without it.
+    A name that ends in ".toml" is taken without it. `improve` gets what rules place; of its layouts the
+    first that can be made as well is taken.
 
     Raises
     ------
@@ -71,7 +83,7 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
         raise InputError(f"{target} is already there. Choose another name, or move it away")
     tables: Tables | None = None
     if request is not None:
-        tables, failed = made(request)
+        tables, failed = designed(request, improve)
         tables = with_edges_that_fit(request, tables)
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
@@ -87,11 +99,18 @@ def new_specification(name: str, out: Path, request: Request | None = None) -> P
 
 
 def placed_text(path: Path, request: Request | None = None) -> str:
-    """Say in few lines what a written specification holds, whether places lie too far, which parts would
-    bring them near where they were placed by a `request`, and what the next step takes."""
+    """Say in few lines what a written specification holds, the bounds to expect, which parts would bring
+    them within the limit where they were placed by a `request`, and what the next step takes."""
     spec = load_spec(path, [])
-    helps = "" if request is None else parts_that_help(request, tables_of(spec))
-    lines = (f"{spec!r}".removeprefix("ObjectSpec "), far_text(spec), helps, next_step_text(spec))
+    score = first_score(spec)
+    helps = "" if request is None else parts_that_help(request, spec, score)
+    lines = (
+        f"{spec!r}".removeprefix("ObjectSpec "),
+        chosen_text(spec),
+        expected_text(spec, score),
+        helps,
+        next_step_text(spec),
+    )
     return "\n".join(filter(None, lines))
 
 
@@ -119,6 +138,22 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     if best is None or all(map(_thin_mould, best[1])):
         best = _made_with_magnets_elsewhere(request, tried) or best
     return best or _checked(islice(seams_of(tried[0]), 1)) or (tried[0], [])
+
+
+def designed(request: Request, improve: Improve = scored_first) -> Made:
+    """Tables of a request where its parts are seen best and can be made, and what fails of `check
+    --fabrication` where nothing can."""
+    by_rules = made(request)
+    return _best_made(improve(request, by_rules[0]), by_rules)
+
+
+def _best_made(better: Iterable[Tables], by_rules: Made) -> Made:
+    """The first of some layouts that can be made as well as what rules placed, and what failed."""
+    for tables in better:
+        checked = _checked(islice(seams_of(tables), 1 + _MOST_TURNS))
+        if checked is not None and len(checked[1]) <= len(by_rules[1]):
+            return checked
+    return by_rules
 
 
 def _made_with_magnets_elsewhere(

@@ -1,23 +1,20 @@
-"""Outlook of placed tables: a mesh that fits into memory, parts that would help, the next step."""
+"""Outlook of placed tables: a mesh that fits into memory, bounds, parts that would help, the next step."""
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 
-import numpy as np
-
-from design.layout.places.measures import LONGEST_PATH_MM
 from design.placement.objects import (
     COARSE,
     Request,
-    ShellVariant,
     Tables,
-    first_fit,
+    fitting_tables,
+    shell_variant_of,
     spec_of,
 )
 from design.spec.object import ObjectSpec
-from instobj.report.weak_areas import far_share
+from estimator.layouts.without_mesh import FirstScore, first_score
+from instobj.commands.first_layout import improved
 from instobj.stages.resources import needed_gib, search_seconds
 
 MOST_GIB = 12.0
@@ -26,12 +23,12 @@ _SMALL_MM = 60.0
 """Bodies no longer than this fit with the usual edges: a cube of that size needs 8 GiB."""
 _EDGE_STEP, _LONGEST = 1.1, 3.0
 """Steps in which edges grow, and by how much at most: beyond, the shell is one element thick."""
-_TRIES_S = 8.0
-"""Time after which no further number of parts is tried."""
-_MORE = ((1, 0), (0, 4), (1, 4), (2, 0), (2, 4), (4, 4))
-"""Sensors and magnets more on each face that are tried, the cheapest first."""
-_FEW, _LESS = 0.05, 0.75
-"""Share of far locations that is called near, and how much smaller one must be to be named."""
+_MORE = ((0, 9), (1, 5), (1, 9), (2, 9), (4, 12))
+"""Sensors more on each face, and magnets at least, that are tried, the cheapest first."""
+_BRIEF = (8, 25)
+"""Walks and steps of each: two seconds."""
+_MORE_WITHIN = 0.05
+"""Share of locations that must come within the limit to be named."""
 
 
 def with_edges_that_fit(request: Request, tables: Tables, most_gib: float = MOST_GIB) -> Tables:
@@ -49,32 +46,60 @@ def with_edges_that_fit(request: Request, tables: Tables, most_gib: float = MOST
     return changed
 
 
-def parts_that_help(request: Request, tables: Tables) -> str:
-    """Say which number of parts on each face brings locations near, by signal paths; nothing where all
-    are."""
-    share = far_share(spec_of(tables))
-    if share <= _FEW:
+def chosen_text(spec: ObjectSpec) -> str:
+    """Say which magnets and which range the object has."""
+    magnets, sensors = spec.magnets, spec.sensors
+    sizes = sorted({f"Ø{size.diameter_mm:g} × {size.height_mm:g} mm" for size in magnets.sizes})
+    return (
+        f"magnets {', '.join(sizes)} and sensors of ±{sensors.range_mt:g} mT, placed where presses of "
+        f"{spec.score.force_n:g} N are located best, by the presses of a layer without a mesh"
+    )
+
+
+def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
+    """Say which position bounds to expect, and for how much of the surface."""
+    return (
+        f"expect position bounds of about {score.median_mm:.2g} mm (median) and "
+        f"{score.percentile_95_mm:.2g} mm (95th percentile); {_percent(score.within)} of the contact "
+        f"locations within limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm; they cover "
+        f"{_percent(score.covered)} of the sensed surface"
+    )
+
+
+def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> str:
+    """Say which number of parts on each face brings all locations within the limit, or most of them; nothing
+    where all are."""
+    if score.within == 1:
         return ""
-    best, told, started = _LESS * share, "", time.monotonic()
-    magnets = int(np.shape(tables["magnets"]["positions_mm"])[-2])
-    for sensors_more, magnets_more in _MORE:
-        if time.monotonic() - started > _TRIES_S or best <= _FEW:
-            break
-        counts = (request.sensors + sensors_more, magnets + magnets_more if magnets_more else None)
-        larger = replace(request, sensors=counts[0], magnets=counts[1] or request.magnets)
-        placed = first_fit(larger, (ShellVariant(**tables["shell"]),), COARSE)
+    tables, best, told = tables_of(spec), score.within + _MORE_WITHIN, ""
+    for sensors_more, count in _MORE:
+        if spec.magnets.count >= count and not sensors_more:
+            continue
+        magnets = max(count, spec.magnets.count)
+        larger = replace(request, sensors=request.sensors + sensors_more, magnets=magnets)
+        placed = next(fitting_tables(larger, (shell_variant_of(tables),), COARSE), None)
         if placed is None or placed["body"].get("sensed_faces") != tables["body"].get(
             "sensed_faces"
         ):
             continue
-        if (left := far_share(spec_of(placed))) < best:
-            best, told = left, _told(sensors_more, counts)
+        placed["sensors"]["range_mt"] = spec.sensors.range_mt
+        within = first_score(spec_of(improved(placed, *_BRIEF)[0])).within
+        if within > best:
+            more = magnets if magnets > spec.magnets.count else None
+            best, told = within, _told(sensors_more, (larger.sensors, more))
+        if within == 1:
+            return f"NO-GO is to be expected; {told} would bring every location within the limit"
     if told:
-        return f"{told} would leave about {100 * best:.0f} % of the locations too far"
+        return f"NO-GO is to be expected; {told} would bring {_percent(best)} within the limit"
     return (
-        f"no number of parts tried here brings many more locations within {LONGEST_PATH_MM:g} mm: take "
-        "a smaller body, or `instobj optimize`"
+        "NO-GO is to be expected, and no number of parts tried here helps much: take a smaller body, a "
+        "softer silicone, or raise limits.position_bound_mm"
     )
+
+
+def _percent(share: float) -> str:
+    """Whole per cent, but all only where it is all."""
+    return f"{min(round(100 * share), 99) if share < 1 else 100} %"
 
 
 def _told(sensors_more: int, counts: tuple[int, int | None]) -> str:
@@ -104,5 +129,6 @@ def next_step_text(spec: ObjectSpec) -> str:
 def tables_of(spec: ObjectSpec) -> Tables:
     """Tables of a specification that say how its parts were placed."""
     content = spec.model_dump(mode="json", exclude_unset=True)
-    shell = {key: getattr(spec.shell, key) for key in ShellVariant.__dataclass_fields__}
+    keys = ("thickness_mm", "pocket_diameter_mm", "pocket_depth_mm")
+    shell = {key: getattr(spec.shell, key) for key in keys}
     return {**{table: content[table] for table in ("body", "magnets", "sensors")}, "shell": shell}

@@ -116,6 +116,9 @@ class Run:
             return self.results[name]
         if self.call is not None:
             return self._made(name, self.call)
+        # Refused before anything is made: a mesh takes minutes.
+        for stage in sorted(with_needs(name)):
+            require_memory(stage, self.spec)
         self.call = Call(with_needs(name))
         try:
             return self._made(name, self.call)
@@ -141,7 +144,6 @@ class Run:
 
     def _made(self, name: str, call: Call) -> StoredResult:
         stage = STAGES[name]
-        require_memory(name, self.spec)
         needs = {need: self.require(need) for need in stage.needs}
         for need, (stage_of_other, spec) in stage.of_others(self.spec).items():
             needs[need] = self._run_of(spec).require(stage_of_other)

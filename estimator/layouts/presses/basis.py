@@ -210,7 +210,7 @@ def press_bases(
         return torch.as_tensor(np.asarray(values), dtype=dtype)
 
     opposite = [frame.number for frame in others if _opposite(frame, here)]
-    first, step = (tensor(part) for part in _ends_and_steps(lattice))
+    first, step = (tensor(part) for part in ends_and_steps(lattice))
     order = [face, *(frame.number for frame in others)]
     shared = PressBasis(
         face,
@@ -230,7 +230,7 @@ def press_bases(
         tensor(motions.deepest_n[row][located]),
         np.full(len(located), np.nan),
         held,
-        _patches(spec, [lattices[number] for number in order], dtype) if differ else (),
+        patches_of(spec, [lattices[number] for number in order], dtype) if differ else (),
     )
     return tuple(
         replace(
@@ -297,13 +297,13 @@ def faces_differ(spec: ObjectSpec) -> bool:
     )
 
 
-def _patches(
+def patches_of(
     spec: ObjectSpec, lattices: Sequence[FaceCandidates], dtype: torch.dtype
 ) -> tuple[Patch, ...]:
     """Return the patch of the pressed face, then those of the others."""
     patches, start, by_number = [], 0, surfaces(spec)
     for index, lattice in enumerate(lattices):
-        first, step = (torch.as_tensor(part, dtype=dtype) for part in _ends_and_steps(lattice))
+        first, step = (torch.as_tensor(part, dtype=dtype) for part in ends_and_steps(lattice))
         patches.append(Patch(by_number[lattice.face], first, step, lattice.shape, start))
         # The pressed face (index 0) has a table of its own; the others share one, each with 2 ghost
         # nodes along every axis.
@@ -312,7 +312,7 @@ def _patches(
     return tuple(patches)
 
 
-def _ends_and_steps(lattice: FaceCandidates) -> tuple[np.ndarray, np.ndarray]:
+def ends_and_steps(lattice: FaceCandidates) -> tuple[np.ndarray, np.ndarray]:
     ends = np.array([[n[0], n[1]] for n in (lattice.x_mm, lattice.y_mm, lattice.depth_mm)])
     return ends[:, 0], ends[:, 1] - ends[:, 0]
 

@@ -29,12 +29,15 @@ from design.catalogue.silicones import SILICONES, ModulusEstimate
 from design.errors import InputError
 
 DISKS = "3x1 3x1.5 3x2 3x3 4x1 4x1.5 4x2 4x3 5x1 5x1.5 5x2 5x3 6x1 6x1.5 6x2 6x3 8x1 8x2 8x3 10x1 10x2 10x3"
+LARGE_DISKS = "15x3 15x5 20x3 20x5"
 RINGS, BLOCKS = "6x2x2 8x4x2 10x4x2", "5x5x1 5x5x2 5x5x5 8x4x2"
 SOLD = "MP 12x5x2 / N38, MP 20x5x5 / N38, MP 20x10x5 / N38, MPL 10x5x1.5 / N38, MPL 20x5x3 / N38"
 
 
 def test_magnets_are_sold_in_these_sizes_and_their_names_say_them():
-    wanted = [f"D{one}" for one in DISKS.split()] + [f"R{one}" for one in RINGS.split()]
+    wanted = [f"D{one}" for one in f"{DISKS} {LARGE_DISKS}".split()] + [
+        f"R{one}" for one in RINGS.split()
+    ]
     wanted += [f"B{one}" for one in BLOCKS.split()] + SOLD.split(", ")
     assert list(MAGNET_PARTS) == wanted
     shapes = {"D": "disk", "R": "ring", "B": "block", "MP": "ring", "MPL": "block"}

@@ -1,18 +1,25 @@
 """What `instobj new` says of what comes next: memory, numbers of parts that help, time."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from design.placement.objects import COARSE, SHELL_VARIANTS, Request, first_fit, spec_of
-from instobj.commands.outlook import next_step_text, parts_that_help, with_edges_that_fit
-from instobj.report.weak_areas import far_share
+from estimator.layouts.without_mesh import FirstScore, first_score
+from instobj.commands.first_layout import improved
+from instobj.commands.outlook import (
+    expected_text,
+    next_step_text,
+    parts_that_help,
+    with_edges_that_fit,
+)
 from instobj.stages.resources import needed_gib
 
 
 def placed(request):
-    tables = first_fit(request, SHELL_VARIANTS[:1], COARSE)
+    tables = first_fit(request, SHELL_VARIANTS, COARSE)
     assert tables is not None
     return tables
 
@@ -36,18 +43,30 @@ def test_edges_of_the_mesh_follow_the_size_so_that_memory_is_enough(big):
     assert with_edges_that_fit(request, tables, most_gib=1e3) is tables
 
 
-def test_more_parts_are_named_that_leave_fewer_locations_too_far():
+def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     """What is named is asked for, and keeps what was said of it."""
-    request = Request("box", (70.0, 50.0, 35.0), sensors=2)
-    tables = placed(request)
-    told = parts_that_help(request, tables)
+    request = Request("pad", (60.0, 42.0, 11.0), sensors=1, magnets=2)
+    spec = spec_of(placed(request))
+    score = first_score(spec)
+    told = parts_that_help(request, spec, score)
+    assert told.startswith("NO-GO is to be expected; ")
     asked = {key: int(count) for key, count in re.findall(r"--(sensors|magnets) (\d+)", told)}
-    said = int(re.search(r"about (\d+) % of", told)[1])
-    more = placed(Request("box", request.size_mm, **{"sensors": 2} | asked))
-    after = far_share(spec_of(more))
-    assert round(100 * after) == said
-    assert after < 0.75 * far_share(spec_of(tables))
+    assert asked
+    more, _ = improved(placed(replace(request, **asked)), 8, 25)
+    assert first_score(spec_of(more)).within > score.within + 0.05
 
 
-def test_no_number_of_parts_is_promised_where_none_helps(big):
-    assert parts_that_help(*big).startswith("no number of parts tried here")
+def test_no_parts_are_named_where_all_locations_are_within_the_limit(big):
+    request, tables = big
+    assert parts_that_help(request, spec_of(tables), FirstScore(0.1, 0.2, 1.0, 0.9)) == ""
+
+
+def test_bounds_to_expect_are_said_with_the_share_within_the_limit_and_covered(big):
+    told = expected_text(spec_of(big[1]), FirstScore(0.512, 1.62, 0.9996, 0.812))
+    for said in ("0.51 mm (median)", "1.6 mm (95th", "99 % of the contact", "81 % of the sensed"):
+        assert said in told
+
+
+def test_contact_locations_of_a_large_body_lie_farther_apart(big):
+    assert big[1]["contact_grid"]["pitch_mm"] > 3
+    assert placed(Request("box", (70.0, 50.0, 35.0), 2))["contact_grid"]["pitch_mm"] == 3

@@ -1,0 +1,121 @@
+"""Presses of one face by the closed form of a layer: the lowest fidelity level before there is a mesh.
+
+Magnets of other faces rest: they count in what sensors read at rest, not in what a press changes. On a
+curved face lengths along its surface take the place of those in a plane.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+from jaxtyping import Float
+
+from design.body.surface_chart import FaceFrame
+from design.layout.body import face_frames
+from design.layout.places.contact_grid import contact_grid
+from design.layout.places.contact_places import contact_places
+from design.spec.object import ObjectSpec
+from estimator.field.device import one_thread
+from estimator.layouts.presses.basis import (
+    LEAST_OWN_RANK,
+    OWN_RANK_PER_PLACE,
+    Held,
+    PressBasis,
+    RowTable,
+    ends_and_steps,
+    faces_differ,
+    patches_of,
+)
+from estimator.layouts.presses.compression import compressed, rms, with_ghosts
+from fem.candidates.layer import Layer
+from fem.candidates.motions import FaceCandidates, candidate_lattices
+
+_PITCH, _DEPTHS = 3.0, 6.0
+"""Steps of candidates along the surface and in depth, as shares of the shell's thickness: an eighth of what a
+press moves is between two of them."""
+
+
+def layer_of(spec: ObjectSpec) -> Layer:
+    """Return the shell as a layer, with the specification's tip as a ball."""
+    return Layer(spec.shell.thickness_mm, spec.silicone.youngs_modulus_mpa, spec.indenter.radius_mm)
+
+
+@one_thread()
+def layer_basis(spec: ObjectSpec, face: int, dtype: torch.dtype = torch.float32) -> PressBasis:
+    """Return presses of one face to `score.force_n`, of the sensed faces' own contact locations.
+
+    Raises
+    ------
+    InputError
+        A shell or a face without room for candidates.
+    """
+    frames = {frame.number: frame for frame in face_frames(spec)}
+    here, order = frames[face], [face, *(number for number in frames if number != face)]
+    thickness, layer = spec.shell.thickness_mm, layer_of(spec)
+    lattices = {
+        lattice.face: lattice
+        for lattice in candidate_lattices(spec, thickness / _PITCH, thickness / _DEPTHS)
+    }
+    has_place, lattice = contact_places(spec)[spec.body.sensed.index(face)], lattices[face]
+    places = contact_grid(spec).xy_mm[has_place]
+    motion = _motions(spec, here, lattice, places)
+    # Every quantity of every place is a mode of its own.
+    modes = np.eye(motion.shape[2]).reshape(-1, 4, len(places))
+    rank = max(LEAST_OWN_RANK, int(OWN_RANK_PER_PLACE * len(places)))
+    (rows,), basis = compressed([motion], modes, rms(motion, modes), rank)
+
+    def tensor(values: object) -> torch.Tensor:
+        return torch.as_tensor(np.asarray(values), dtype=dtype)
+
+    others, alone = [frames[number] for number in order[1:]], len(places)
+    first, step = (tensor(part) for part in ends_and_steps(lattice))
+    force, deepest = spec.score.force_n, layer.force_at(max(spec.press.depths_mm))
+    return PressBasis(
+        face,
+        (),
+        None,
+        force,
+        contact_grid(spec),
+        has_place,
+        first,
+        step,
+        lattice.shape,
+        RowTable(tensor(with_ghosts(rows, lattice.shape)), tensor(basis)),
+        RowTable(torch.zeros(0, 0, dtype=dtype), torch.zeros(0, 4 * alone, dtype=dtype)),
+        tensor([here.axes.T @ frame.axes for frame in others]).reshape(-1, 3, 3),
+        tensor([here.plane_coordinates(frame.centre_mm) for frame in others]).reshape(-1, 3),
+        torch.full((alone,), deepest, dtype=dtype),
+        np.full(alone, layer.contact(force)[1] / force),
+        _nothing_held(lattice, dtype),
+        patches_of(spec, [lattices[number] for number in order], dtype)
+        if faces_differ(spec)
+        else (),
+    )
+
+
+def _motions(
+    spec: ObjectSpec, frame: FaceFrame, lattice: FaceCandidates, places: np.ndarray
+) -> Float[np.ndarray, "candidate 6 quantity"]:
+    """Motions of candidates in the face's frame: ∂/∂x, ∂/∂y, ∂/∂F and as they are, each at all places."""
+    nx, ny, _ = lattice.shape
+    xy = np.stack(np.meshgrid(lattice.x_mm, lattice.y_mm, indexing="ij"), axis=-1).reshape(-1, 2)
+    away = xy[:, None] - places
+    moved = layer_of(spec).motions(away, lattice.depth_mm, spec.score.force_n)
+    if not frame.flat:
+        # From the magnet's own axes to the face's: a candidate, p place, d depth, q quantity, b of 2 vectors
+        turn = np.nan_to_num(frame.axes.T @ frame.axes_at(frame.to_plane(xy)))
+        split = moved.reshape(*moved.shape[:-1], 2, 3)
+        moved = np.einsum("aij,apdqbj->apdqbi", turn, split).reshape(moved.shape)
+    # (candidate along the face, depth; motion; quantity, place)
+    return moved.transpose(0, 2, 4, 3, 1).reshape(nx * ny * len(lattice.depth_mm), 6, -1)
+
+
+def _nothing_held(lattice: FaceCandidates, dtype: torch.dtype) -> Held:
+    """Magnets that move each other nothing."""
+    nodes = int(np.prod([count + 2 for count in lattice.shape]))
+    return Held(
+        torch.zeros(nodes, 5, dtype=dtype),
+        torch.zeros(30, 2, 2, 2, dtype=dtype),
+        torch.zeros(3, dtype=dtype),
+        torch.ones(3, dtype=dtype),
+    )

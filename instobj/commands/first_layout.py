@@ -1,0 +1,149 @@
+"""A first layout by its score: places, magnets and range that a short search finds without a mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from design.body.kinds.registry import KINDS
+from design.catalogue.hall_sensors import hall_part
+from design.errors import InputError
+from design.placement.objects import (
+    COARSE,
+    STRONGER,
+    Request,
+    ShellVariant,
+    Tables,
+    fitting_tables,
+    shell_variant_of,
+    spec_of,
+)
+from design.spec.object import ObjectSpec
+from design.spec.sensors import SensorSpec
+from estimator.layouts.without_mesh import BROKEN, LevelWithoutMesh, coarse, first_score
+from instobj.commands.run import check
+
+_WALKS, _STEPS = 16, 40
+"""Walks side by side, and their steps: 5 s of one core on a box of five faces and five magnets."""
+_MANY = 9
+"""Magnets of a face, where the usual number is seen too little."""
+_WORTH = 0.1
+"""By how much more magnets must be better, in logarithms, to be taken."""
+_THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
+"""Longest edge of a body from which a shell so thick is tried, all mm."""
+_SHARES = (1.0, 0.9, 0.75)
+"""Of the way from the start, where what was found breaks a check."""
+
+
+def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
+    """Yield layouts of a request from what rules `placed`, those that are seen best first.
+
+    Of stronger magnets, and where no number is asked for and the usual one does not keep
+    `limits.position_bound_mm` everywhere, of more.
+    """
+    start = min(_starts(request, placed), key=lambda one: one[0], default=None)
+    if start is None:
+        return
+    best, least = improved(start[1])
+    if request.magnets is None and first_score(spec_of(best)).within < 1:
+        shell = shell_variant_of(best)
+        more = next(fitting_tables(replace(request, magnets=_MANY), (shell,), COARSE), None)
+        if more is not None and _faces(more) == _faces(placed):
+            more["sensors"] = best["sensors"]
+            tables, loss = improved(more)
+            if loss < least - _WORTH:
+                yield tables
+    yield from (best, start[1], improved(placed)[0])
+
+
+def _starts(request: Request, placed: Tables) -> Iterator[tuple[float, Tables]]:
+    """Yield layouts that rules place, with each magnet and range, and what they are worth."""
+    shell = shell_variant_of(placed)
+    yield from _with_ranges(placed)
+    for variant in STRONGER:
+        if variant.thickness_mm not in _thicknesses(request, shell):
+            continue
+        tables = next(fitting_tables(request, (variant,), COARSE), None)
+        if tables is not None and _faces(tables) == _faces(placed):
+            yield from _with_ranges(tables)
+
+
+def _faces(tables: Tables) -> list[int] | None:
+    """Sensed faces of tables that name them."""
+    return tables["body"].get("sensed_faces")
+
+
+def _thicknesses(request: Request, shell: ShellVariant) -> tuple[float, ...]:
+    """Shells that suit a body's size: that of the rules, and thicker ones of kinds that hook nothing."""
+    if KINDS[request.kind].from_file:
+        return (shell.thickness_mm,)
+    thick = [t for edge, t in _THICK_FROM_MM if max(request.size_mm) >= edge]
+    return (shell.thickness_mm, *thick)
+
+
+def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
+    """Yield tables with the narrowest range of the chips, and with the next where that is left."""
+    for selectable in hall_part(SensorSpec().part).ranges[:2]:
+        ranged = tables | {"sensors": tables["sensors"] | {"range_mt": selectable.range_mt}}
+        spec = spec_of(ranged)
+        level = LevelWithoutMesh.of(coarse(spec)) if _passes(spec) else None
+        if level is None:
+            continue
+        loss = float(level.losses(level.point)[0])
+        yield loss, tables if spec.sensors.range_mt == SensorSpec().range_mt else ranged
+        if loss < BROKEN:
+            return
+
+
+def improved(
+    tables: Tables, walks: int = _WALKS, steps: int = _STEPS, seed: int = 0
+) -> tuple[Tables, float]:
+    """Tables with magnets and sensors where the score is best, and what they are worth, less for better.
+
+    They stay as they are where nothing better was found. As many layouts are scored on every machine, so
+    that the result does not depend on its speed.
+    """
+    spec, worth = coarse(spec_of(tables)), np.inf
+    # Magnets across an edge pull each other out: as far apart as they are wide they rarely do.
+    for gap_mm in (0.0, spec.shell.pocket_diameter_mm):
+        level = LevelWithoutMesh.of(spec, gap_mm)
+        if level is None:
+            break
+        worth = min(worth, float(level.losses(level.point)[0]))
+        for end in level.walked(walks, steps, seed):
+            moved, loss = _nearest_that_passes(level, end, worth)
+            if moved is not None:
+                return _with_places(tables, moved), loss
+    return tables, worth
+
+
+def _nearest_that_passes(
+    level: LevelWithoutMesh, end: np.ndarray, most: float
+) -> tuple[ObjectSpec | None, float]:
+    """The layout nearest to an end, on the way to it, that is worth less than `most` and breaks no check."""
+    for share in _SHARES:
+        point = level.point + share * (end - level.point)
+        loss = float(level.losses(point)[0])
+        laid = level.layout_at(point[0]) if loss < most else None
+        if laid is not None and _passes(laid):
+            return laid, loss
+    return None, most
+
+
+def _passes(spec: ObjectSpec) -> bool:
+    """Return whether `instobj check` lets a specification pass."""
+    try:
+        check(spec)
+    except InputError:
+        return False
+    return True
+
+
+def _with_places(tables: Tables, laid: ObjectSpec) -> Tables:
+    """Tables with the places of magnets and sensors of a specification."""
+    content = laid.model_dump(mode="json")
+    parts = ("magnets", "sensors")
+    places = {part: {"positions_mm": content[part]["positions_mm"]} for part in parts}
+    return tables | {part: tables[part] | keys for part, keys in places.items()}
