@@ -12,7 +12,7 @@ def sphere_on_layer_n(
 
     Hertz's force with the layer's correction in powers of χ = √(R d) / h, the solution of Dimitriadis
     et al., Biophys. J. 82 (2002) 2798, equations 12 and 13, for a bonded layer. Magnets and edges are
-    not in it: `tests/fem/presses/test_layer_stiffness.py` says how far it is from the finite elements.
+    not in it: of a small cube's presses the median stiffness at 1 mm is 7 % higher.
     """
     ratio = poisson_ratio
     chi = np.sqrt(radius_mm * depth_mm) / thickness_mm

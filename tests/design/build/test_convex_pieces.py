@@ -43,7 +43,7 @@ def test_pieces_are_convex_and_together_hold_the_body(cut):
 
 
 def test_pieces_reach_no_farther_than_they_say(cut):
-    body, found = cut
+    _, found = cut
     assert 0 < found.error_mm <= 1.0
     points = np.concatenate(
         [trimesh.sample.sample_surface(piece, 3000, seed=1)[0] for piece in found.pieces]

@@ -22,11 +22,11 @@ from design.solids.booleans import convert_to_triangles
 from design.solids.kernel import cq
 from tests.support.objects.body_cases import body_spec
 
-FINE = 0.002, 0.05
+FINE = 0.01, 0.2
 
 
 def integrals(mesh):
-    """Mass, centre and inertia about the origin of a surface at a density of 1, tetrahedron by tetrahedron."""
+    """Volume, first moment and inertia about the origin of a surface, by its tetrahedra."""
     corners = np.asarray(mesh.triangles, float)
     volume = np.linalg.det(corners) / 6
     centre = (volume[:, None] * corners.sum(axis=1) / 4).sum(axis=0)
