@@ -34,12 +34,15 @@ _NEAR_IN_TIPS = 1.0
 class HallObject:
     """Hall sensors of one object under the contacts of a simulator; a call of `read` is one frame.
 
-    The motions that contacts give the magnets come from stored presses and add up; the field of
-    all magnets follows exactly. Silicone yields less the harder it is pressed, so contacts near
-    each other are looked up at the force that they have together. Places beyond the outermost
-    presses of a face are read at the nearest of these. Normal forces alone count, and sides
-    without sensors feel nothing. Against joint contact mechanics of tips of 5 mm radius on the
-    paper's cube, 2 to 8 N: 1.1 % of a contact's signals (rms) at most, two on a face 3.6 %.
+    Stored presses say what each contact changes. What contacts do to each other follows from the
+    curvature of each magnet's field. Silicone yields less the harder it is pressed, so contacts
+    near each other are looked up at the force that they have together. Places and forces beyond
+    the outermost presses of a face are read at the nearest of these. Normal forces alone count,
+    and sides without sensors feel nothing.
+
+    Against joint contact mechanics of tips of 5 mm radius on the paper's cube, 0.8 to 14 N, the
+    largest error of 60 states is 0.8 % of the signals (rms) for one contact. For two on a face it
+    is 2.1 % at 10.5 mm, 1.3 % at 15 mm and 0.9 % at 22 mm from each other, on two faces 1.3 %.
 
     Parameters
     ----------
@@ -160,13 +163,17 @@ class HallObject:
         """
         number = model.body(body).id
         rotation = data.xmat[number].reshape(3, 3)
-        points, forces = [], []
-        for contact in data.contact[: data.ncon]:
-            if contact.efc_address >= 0 and number in model.geom_bodyid[contact.geom]:
-                points.append((contact.pos - data.xpos[number]) @ rotation)
-                forces.append(_normal_force_n(model, data, contact))
-        points_mm = _MM_PER_M * np.reshape(points, (-1, 3))
-        return self.read(points_mm, np.array(forces), rotation, model.opt.timestep)
+        all_contacts = data.contact
+        touches = (model.geom_bodyid[all_contacts.geom] == number).any(axis=1)
+        mine = touches & (all_contacts.efc_address >= 0)
+        points_mm = _MM_PER_M * (all_contacts.pos[mine] - data.xpos[number]) @ rotation
+        rows = np.ones(int(mine.sum()), int)
+        # Edges of a friction pyramid share the normal force; an elliptic cone has it in its first row
+        if model.opt.cone == _PYRAMIDAL:
+            rows = np.maximum(2 * (all_contacts.dim[mine] - 1), 1)
+        first = all_contacts.efc_address[mine]
+        force = [data.efc_force[k : k + n].sum() for k, n in zip(first, rows, strict=True)]
+        return self.read(points_mm, np.array(force), rotation, model.opt.timestep)
 
     def _where(self, reference: Array) -> tuple[Any, Any, dict[str, Array], Callable[..., Array]]:
         """Return tables, arrays and the source of noise as arrays of the reference's kind."""
@@ -207,15 +214,6 @@ def _noise_source(reference: Array, seed: int | None) -> Callable[..., Array]:
     xp = library(reference)
     generator = xp.Generator(reference.device).manual_seed(seed or 0)
     return lambda shape: reference.new_empty(shape).normal_(generator=generator)
-
-
-def _normal_force_n(model: Any, data: Any, contact: Any) -> float:
-    """Return the normal force of one contact of MuJoCo, as its `mj_contactForce` does."""
-    rows = 1
-    # Edges of a friction pyramid share the normal force; an elliptic cone has it in its first row
-    if model.opt.cone == _PYRAMIDAL and contact.dim > 1:
-        rows = 2 * (contact.dim - 1)
-    return float(data.efc_force[contact.efc_address : contact.efc_address + rows].sum())
 
 
 class _Relaxation:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Float
@@ -43,14 +42,6 @@ class ContactSpring:
     friction: float
     source: str
 
-    @property
-    def comment(self) -> str:
-        """Return what a reader of a file should know of its contacts."""
-        return (
-            f"A contact point has {self.n_per_mm:.3g} N/mm ({self.lowest_n_per_mm:.3g} to "
-            f"{self.highest_n_per_mm:.3g}), {self.source}."
-        )
-
 
 @dataclass(frozen=True)
 class SimulatorBody:
@@ -58,6 +49,7 @@ class SimulatorBody:
 
     Attributes
     ----------
+    name : of letters, digits and underscores alone, as USD takes it
     visual : surfaces by the name of their part, mm
     collision : convex pieces of the outer surface
     frames : chips' sensing points with the chips' axes; magnets with the polarization along z
@@ -71,16 +63,13 @@ class SimulatorBody:
     contact: ContactSpring
 
     @property
-    def identifier(self) -> str:
-        """Return the name as letters, digits and underscores, as USD takes it."""
-        return re.sub(r"\W|^(?=\d)", "_", self.name, flags=re.ASCII)
-
-    @property
     def comment(self) -> str:
         """Return what a reader of a file should know, for its head."""
+        spring = self.contact
         return (
-            f"{self.name}: lengths in m. {self.contact.comment} Collision meshes reach "
-            f"{self.collision.error_mm:.2g} mm beyond the surface at most."
+            f"Lengths in m. A contact point has {spring.n_per_mm:.3g} N/mm "
+            f"({spring.lowest_n_per_mm:.3g} to {spring.highest_n_per_mm:.3g}), {spring.source}. "
+            f"Collision meshes reach {self.collision.error_mm:.2g} mm beyond the surface at most."
         )
 
     @property
@@ -107,7 +96,5 @@ def visual_surfaces(
 
     halves = [half for pair in magnet_halves(spec, magnet_layout(spec)) for half in pair]
     boards = [block_surface(board) for board in board_blocks(spec)]
-    joined = {"magnets": halves, "boards": boards}
-    return {"core": core, "shell": shell} | {
-        name: trimesh.util.concatenate(surfaces) for name, surfaces in joined.items()
-    }
+    joined: list[Any] = [trimesh.util.concatenate(surfaces) for surfaces in (halves, boards)]
+    return {"core": core, "shell": shell, "magnets": joined[0], "boards": joined[1]}

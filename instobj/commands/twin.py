@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -49,7 +50,7 @@ def write_twin(spec: ObjectSpec, out: Path) -> list[Path]:
     core, shell = (trimesh.load_mesh(parts / f"{name}.stl") for name in ("core", "shell"))
     mass = total(masses_of(spec).values())
     body = SimulatorBody(
-        name=spec.name,
+        name=re.sub(r"\W|^(?=\d)", "_", spec.name, flags=re.ASCII),
         mass=mass,
         visual=visual_surfaces(spec, core, shell),
         collision=convex_pieces(body_of(spec).outer_surface(), _TOLERANCE_MM, _MOST_PIECES),

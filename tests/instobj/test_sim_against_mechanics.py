@@ -26,8 +26,8 @@ def mechanics(tmp_path_factory):
     folder = tmp_path_factory.mktemp("mechanics")
     lend_mechanics(folder)
     spec = tiny_cube().changed(
-        contact_grid={"count": (6, 6), "pitch_mm": 4.0},
-        press={"depths_mm": (0.5, 1.0, 1.5, 2.0, 2.5)},
+        contact_grid={"count": (8, 8), "pitch_mm": 3.0},
+        press={"depths_mm": (0.25, 0.5, 1.0, 1.5, 2.0, 2.5)},
     )
     response = Run(spec, root=folder).read(RESPONSE)
     forces, motions = simulate_lattice(spec, response)

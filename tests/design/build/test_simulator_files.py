@@ -32,7 +32,7 @@ def body(spec):
         convert_to_triangles(made[name].make(), TRIANGLES, False) for name in ("core", "shell")
     )
     return SimulatorBody(
-        name="my-object 2",
+        name="my_object_2",
         mass=total(masses_of(spec).values()),
         visual=visual_surfaces(spec, core, shell),
         collision=convex_pieces(body_of(spec).outer_surface(), 0.5, 8),
@@ -194,7 +194,7 @@ def test_under_its_weight_a_ball_sinks_in_as_the_spring_says(mujoco, body, folde
     text = (folder / "my_object_2.xml").read_text()
     # what cannot turn does not roll off the ball
     slides = (f'<joint type="slide" axis="{axis}"/>' for axis in ("0 0 1", "0 1 0", "1 0 0"))
-    guided.write_text(text.replace("<freejoint />", "".join(slides)))
+    guided.write_text(text.replace("<freejoint/>", "".join(slides)))
     (tmp_path / "meshes").symlink_to(folder / "meshes")
     model, data, start = scene(mujoco, tmp_path, '<geom type="sphere" size=".005"/>')
     data.qpos[start] = touching = 0.023 + 0.005
