@@ -26,7 +26,8 @@ felt = np.append(0.0, np.linalg.norm(press.delta_counts.values, axis=(1, 2)))
 # A loop with the object's own compliance
 # ---------------------------------------
 # The jaw closes by small steps and reads 16 frames at each. The object's force follows from its
-# compliance, and the policy sees counts with noise alone. It stops where it feels the force that friction needs, with a margin.
+# compliance, and the policy sees counts with noise alone. It stops at the force that friction
+# needs, with a margin.
 NOISE = np.mean(run.spec.sensors.noise_counts) / 4  # of the mean of 16 frames
 WEIGHTS_N, FRICTION, STEP_MM = np.linspace(0.4, 2.0, 9), 0.5, 0.02
 
