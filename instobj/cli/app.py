@@ -139,10 +139,23 @@ def check(
 
 @app.command(rich_help_panel=DESIGN)
 def build(
-    specs: Specs, out: Out = HERE, as_json: AsJson = False, overrides: Overrides = None
+    specs: Specs,
+    twin: Annotated[
+        bool, typer.Option("--twin", help="Also MJCF, URDF and USD for physics simulators.")
+    ] = False,
+    out: Out = HERE,
+    as_json: AsJson = False,
+    overrides: Overrides = None,
 ) -> None:
     """Parts, mould, probes and jig as STL, STEP, 3MF and GLB; bill of materials, assembly sheet."""
-    run_to("sheet", specs, out, as_json, overrides)
+    from instobj.commands.run import run_chain
+
+    result = run_chain(specs, ("sheet",), out, overrides or [])
+    if twin:
+        from instobj.commands.twin import write_twins
+
+        write_twins(specs, overrides or [], out, result)
+    show(result, as_json)
 
 
 @app.command(rich_help_panel=JUDGE)

@@ -28,7 +28,7 @@ from estimator.layouts.scorer import (
     LayoutScorer,
     layout_scorer,
     require_scorable,
-    within_candidates,
+    clamp_to_candidates,
 )
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
@@ -149,7 +149,7 @@ class Explorer:
         numbers = [self._number_of(force) for force in forces_n]
         bases = [[of_size[number] for of_size in self.presses[face]] for number in numbers]
         scorers = [layout_scorer(judged, of_sizes) for of_sizes in bases]
-        inside = within_candidates(scorers[0], layouts)
+        inside = clamp_to_candidates(scorers[0], layouts)
         with torch.no_grad():
             changes = [press_changes(scorer, inside) for scorer in scorers]
         return _FacePresses(scorers, inside, changes, not _same_places(inside, layouts))
@@ -158,7 +158,7 @@ class Explorer:
         self, face: int, values: Float[np.ndarray, "location *rest"]
     ) -> Float[np.ndarray, "place *rest"]:
         """Return values of a face's locations at the places of the grid; NaN at the others."""
-        has_location = self.presses[face][0][0].there
+        has_location = self.presses[face][0][0].on_face
         grid = np.full((len(has_location), *values.shape[1:]), np.nan)
         grid[has_location] = values
         return grid
@@ -190,8 +190,8 @@ class _FacePresses:
 
 def _same_places(a: Layouts, b: Layouts) -> bool:
     return all(
-        torch.equal(a.of(face).magnet_mm, b.of(face).magnet_mm)
-        and torch.equal(a.of(face).sensor_mm, b.of(face).sensor_mm)
+        torch.equal(a.layouts_of_face(face).magnet_mm, b.of(face).magnet_mm)
+        and torch.equal(a.layouts_of_face(face).sensor_mm, b.of(face).sensor_mm)
         for face in a.by_face or (0,)
     )
 

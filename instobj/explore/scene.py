@@ -35,7 +35,7 @@ def explorer_scene(explorer: Explorer) -> bytes:
     add_surface(arrays, "silicone", skin)
     if core is not None:
         add_surface(arrays, "core", shaded_part(core))
-    locations = [explorer.presses[face.number][0][0].there for face in faces]
+    locations = [explorer.presses[face.number][0][0].on_face for face in faces]
     on_face = [
         _mapped_vertices(*each, grid, skin.points_mm) for each in zip(faces, locations, strict=True)
     ]

@@ -14,7 +14,7 @@ KIND_OF = {
             *("experiments", "explore", "fabrication"),
             *("firmware", "install", "inversion", "layout_search", "library", "live"),
             *("look_inside", "presses", "questions", "reliability", "rig", "robustness"),
-            *("start", "sweeps", "validation"),
+            *("simulate", "start", "sweeps", "validation"),
         ),
         "how-to",
     ),

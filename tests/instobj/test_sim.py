@@ -1,14 +1,21 @@
 """Object in a simulator: what contacts, turning, relaxation and noise do to its counts."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+import torch
+from scipy.spatial.transform import Rotation
 
 from design.layout.body import face_frame
 from design.spec.silicone import PronyTermSpec
+from estimator.inversion.inversion import inversion
 from estimator.inversion.storage import save_inversion
+from estimator.signals.presses import press_signals
 from fem.presses.viscoelastic import relaxed_force_n
 from instobj.sim import HallObject
 from tests.support.mechanics.inverted import inverted
+from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 
 @pytest.fixture(scope="module")
@@ -105,6 +112,85 @@ def test_a_held_force_on_relaxing_silicone_moves_magnets_on_as_its_prony_series_
     expected = change(fresh, place, [travel[-1]])
     assert felt[-1] < 0.85 * travel[-1], "the force has relaxed"
     assert relative(elastic, expected) < 0.01, "signals follow the travel"
+    many = HallObject(tmp_path / "soft.nc", seed=None)
+    for index, force in enumerate(felt):
+        forces = np.array([[0.0], [force]])
+        both = many.read(np.repeat(place[None], 2, 0), forces, step_s=step_s if index else 0.0)
+    np.testing.assert_allclose(both - many.rest_counts, [0 * elastic, elastic], atol=1e-3)
+
+
+def several(cube, objects=6, contacts=3, seed=0):
+    """Contacts of several objects on their faces, some slots empty; forces; and how the objects lie."""
+    rng = np.random.default_rng(seed)
+    points = np.empty((objects, contacts, 3))
+    for index in np.ndindex(objects, contacts):
+        points[index] = on_face(cube, int(rng.integers(1, 6)), rng.uniform(-10, 10, 2))[0]
+    force = rng.uniform(1, 6, (objects, contacts))
+    force[::2, 1] = 0.0
+    return points, force, Rotation.random(objects, random_state=seed).as_matrix()
+
+
+def test_many_objects_at_once_read_as_one_by_one(path):
+    cube = HallObject(path, ambient_ut=(10.0, -20.0, 45.0), seed=None)
+    given = several(cube)
+    single = np.stack([cube.read(*of_one) for of_one in zip(*given, strict=True)])
+    assert abs(single - cube.rest_counts).max() > 50
+    np.testing.assert_allclose(cube.read(*given), single, atol=1e-3)
+    tensors = cube.read(*map(torch.as_tensor, given))
+    assert isinstance(tensors, torch.Tensor)
+    np.testing.assert_allclose(tensors.numpy(), single, atol=1e-3)
+
+
+def test_a_thousand_objects_read_as_their_parts(cube):
+    points, force, _ = several(cube, objects=1000, contacts=2, seed=1)
+    last = cube.read(points[-30:], force[-30:])
+    np.testing.assert_allclose(cube.read(points, force)[-30:], last, atol=1e-3)
+
+
+def test_an_empty_slot_is_no_contact(cube):
+    points, force, _ = several(cube)
+    padded = np.concatenate([points, points[:, :1]], axis=1)
+    none = np.concatenate([force, np.zeros((len(force), 1))], axis=1)
+    np.testing.assert_allclose(cube.read(padded, none), cube.read(points, force), atol=1e-3)
+
+
+def test_tensors_have_the_chips_noise_and_whole_counts(path):
+    cube = HallObject(path, seed=3)
+    points, force = torch.zeros((400, 0, 3)), torch.zeros((400, 0))
+    frames = cube.read(points, force)
+    assert torch.equal(frames, frames.round())
+    deviation = frames.std(0).mean(0).numpy()
+    np.testing.assert_allclose(deviation, cube.spec.sensors.noise_counts, rtol=0.05)
+    assert torch.equal(frames, HallObject(path, seed=3).read(points, force))
+
+
+def test_a_force_beyond_the_presses_is_read_as_their_largest(cube):
+    largest = inverted().model.bounds[1][2]
+    place = on_face(cube, 1, (1.0, 2.0))
+    far, there = (change(cube, place, [force]) for force in (3 * largest, largest))
+    np.testing.assert_allclose(far, there, rtol=1e-6)
+
+
+def test_places_on_a_ball_are_found(tmp_path):
+    ball = coarse_spec(
+        name="ball",
+        body={"kind": "sphere", "size_mm": (42, 42, 42), "bore_mm": 8},
+        contact_grid={"count": (5, 5), "pitch_mm": 3.0},
+    )
+    forces, motions = synthetic_presses(ball)
+    # on a ball the dimple does not reach the magnets of other faces
+    motions = replace(motions, motion=np.nan_to_num(motions.motion))
+    estimator = inversion(ball, forces, motions, press_signals(ball, forces, motions), 0.0, 0.0)
+    save_inversion(estimator, tmp_path / "contacts.nc")
+    cube, model = HallObject(tmp_path / "contacts.nc", seed=None), estimator.model
+    for face, place in ((1, (4.0, -5.0)), (3, (-5.5, 2.0))):
+        frame = face_frame(ball, face)
+        at = frame.to_plane(np.array(place))
+        for height in (0.0, -0.5):
+            point = frame.to_object(np.array([[*at, height]]))
+            contact = np.array([[[*place, 3.0]]])
+            stored = model.singles(np.array([[face - 1]]), contact)[0, 0, 0].reshape(-1, 3)
+            assert relative(change(cube, point, [3.0]), stored) < 0.02
 
 
 @pytest.mark.parametrize("cone", ["pyramidal", "elliptic"])

@@ -7,7 +7,7 @@ given decides where they work. A program that gives NumPy's arrays never imports
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -48,6 +48,18 @@ def diagonals(matrices: Array) -> Array:
         # NumPy hands out a writable view: callers add to it
         return np.einsum("nii->ni", matrices)
     return matrices.diagonal(dim1=1, dim2=2)
+
+
+def in_chunks(function: Callable[..., Array], rows: int, *arrays: Array) -> Array:
+    """Return a function of arrays' rows, worked on so many rows at a time on a processor.
+
+    Intermediate results then fit its cache. Other devices take all rows at once.
+    """
+    count = len(arrays[0])
+    if count <= rows or not (isinstance(arrays[0], np.ndarray) or arrays[0].device.type == "cpu"):
+        return function(*arrays)
+    starts = range(0, count, rows)
+    return concatenated([function(*(a[k : k + rows] for a in arrays)) for k in starts])
 
 
 def true_rows(mask: Array) -> Array:

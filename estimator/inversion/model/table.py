@@ -16,7 +16,7 @@ from design.layout.places.contact_places import contact_places, face_rows
 from design.spec.object import ObjectSpec
 from estimator.frames.tangential import slope_traces
 from estimator.information.shear import ShearSignals
-from estimator.inversion.model.arrays import Array, chosen, float32, like, zeros
+from estimator.inversion.model.arrays import Array, chosen, float32, library, like, zeros
 from estimator.inversion.model.spline import CubicAxes, CubicAxis, cubic_axis, spline_coefficients
 from estimator.signals.continuation import fill_lattice
 from estimator.signals.interpolation import Traces, press_traces
@@ -90,6 +90,24 @@ class PressTable:
             values[rows] = self._few(face[rows], contact[rows])
         return values
 
+    def expected(
+        self, face: Int[Array, "n"], contact: Float[Array, "n 3"]
+    ) -> Float[Array, "n channel"]:
+        """Channels of contacts as in `values`, without derivatives."""
+        first, weights = self._weights(face, contact)
+        if isinstance(self.coefficients, np.ndarray):
+            return (weights[:, :1] @ self._blocks(*first))[:, 0]
+        nf, channels = self.coefficients.shape[-2:]
+        places, (*_, jf) = self._rows(*first[:3]), first
+        rows = (places * nf + jf[:, None])[..., None] + like(jf, np.arange(4))
+        # sums the 64 rows of each contact without a copy of them
+        return library(rows).nn.functional.embedding_bag(
+            rows.reshape(len(face), 64),
+            self.coefficients.reshape(-1, channels),
+            per_sample_weights=weights[:, 0],
+            mode="sum",
+        )
+
     def _few(self, face: Array, contact: Array) -> Float[Array, "n 4 channel"]:
         first, weights = self._weights(face, contact)
         return weights @ self._blocks(*first)
@@ -117,10 +135,15 @@ class PressTable:
         return [like(self.coefficients, i) for i in (_OF_X, _OF_Y, _OF_FORCE, _STEP_X, _STEP_Y)]
 
     def _blocks(self, face: Array, ix: Array, iy: Array, jf: Array) -> Float[Array, "n 64 channel"]:
-        _, nx, ny, _, channels = self.coefficients.shape
-        *_, step_x, step_y = self._places
-        places = (face[:, None] * nx + ix[:, None] + step_x) * ny + iy[:, None] + step_y
+        channels = self.coefficients.shape[-1]
+        places = self._rows(face, ix, iy)
         return self._runs[places, jf[:, None]].reshape(len(face), 64, channels)
+
+    def _rows(self, face: Array, ix: Array, iy: Array) -> Int[Array, "n 16"]:
+        """Return the sixteen places of a contact's coefficients, counted over all faces."""
+        _, nx, ny, _, _ = self.coefficients.shape
+        *_, step_x, step_y = self._places
+        return (face[:, None] * nx + ix[:, None] + step_x) * ny + iy[:, None] + step_y
 
     @cached_property
     def _runs(self) -> Float[Array, "place start run"]:

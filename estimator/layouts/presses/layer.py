@@ -19,7 +19,7 @@ from estimator.field.device import one_thread
 from estimator.layouts.presses.basis import (
     LEAST_OWN_RANK,
     OWN_RANK_PER_PLACE,
-    Held,
+    StrainCoupling,
     PressBasis,
     RowTable,
     ends_and_steps,
@@ -110,10 +110,10 @@ def _motions(
     return moved.transpose(0, 2, 4, 3, 1).reshape(nx * ny * len(lattice.depth_mm), 6, -1)
 
 
-def _nothing_held(lattice: FaceCandidates, dtype: torch.dtype) -> Held:
+def _nothing_held(lattice: FaceCandidates, dtype: torch.dtype) -> StrainCoupling:
     """Magnets that move each other nothing."""
     nodes = int(np.prod([count + 2 for count in lattice.shape]))
-    return Held(
+    return StrainCoupling(
         torch.zeros(nodes, 5, dtype=dtype),
         torch.zeros(30, 2, 2, 2, dtype=dtype),
         torch.zeros(3, dtype=dtype),

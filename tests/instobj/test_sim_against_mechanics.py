@@ -1,0 +1,69 @@
+"""Object in a simulator against joint contact mechanics, by the distance of contacts."""
+
+import numpy as np
+import pytest
+
+from design.layout.body import face_frame
+from estimator.field.models import exact_model
+from estimator.inversion.inversion import inversion
+from estimator.inversion.storage import save_inversion
+from estimator.signals.field_setup import counts, scene, sensed_field
+from estimator.signals.presses import press_signals
+from fem.presses.joint import Tip, press_path, refined_faces
+from fem.presses.table import simulate_lattice
+from instobj.sim import HallObject
+from instobj.stages.run import Run
+from instobj.store.readers import RESPONSE
+from tests.support.objects.tiny_cube import lend_mechanics, tiny_cube
+
+FACE = 1
+SEEDS = range(3)
+
+
+@pytest.fixture(scope="module")
+def mechanics(tmp_path_factory):
+    """The small cube, its response and its object for simulators."""
+    folder = tmp_path_factory.mktemp("mechanics")
+    lend_mechanics(folder)
+    spec = tiny_cube().changed(
+        contact_grid={"count": (8, 8), "pitch_mm": 3.0},
+        press={"depths_mm": (0.25, 0.5, 1.0, 1.5, 2.0, 2.5)},
+    )
+    response = Run(spec, root=folder).read(RESPONSE)
+    forces, motions = simulate_lattice(spec, response)
+    signals = press_signals(spec, forces, motions)
+    save_inversion(inversion(spec, forces, motions, signals, 0.0, 0.0), folder / "contacts.nc")
+    faces = refined_faces(spec, response)
+    return spec, response, faces, HallObject(folder / "contacts.nc", seed=None)
+
+
+def error_by_state(mechanics, places, depths):
+    """Root mean square error of the signals over theirs, of tips at places pressed to several depths."""
+    spec, response, faces, cube = mechanics
+    tips = [Tip(FACE, *place) for place in places]
+    points = face_frame(spec, FACE).to_object(np.pad(places, ((0, 0), (0, 1))))
+    around, model = scene(spec), exact_model(spec.magnets)
+    for press in press_path(spec, response, tips, depths, faces):
+        motion = np.stack([np.zeros_like(press.motion), press.motion])
+        rest, pressed = counts(around, sensed_field(around, motion, model), spec)
+        error = cube.read(points, press.force_n) - cube.rest_counts - (pressed - rest)
+        yield np.sqrt(np.mean(error**2) / np.mean((pressed - rest) ** 2))
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_one_contact_is_within_its_error(mechanics, seed):
+    rng = np.random.default_rng(seed)
+    for _ in range(3):
+        place, depths = rng.uniform(-11, 11, (1, 2)), rng.uniform(0.6, 2.4, (2, 1))
+        assert max(error_by_state(mechanics, place, depths)) < 0.02
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(("distance_mm", "largest"), [(10.5, 0.03), (15.0, 0.02), (20.0, 0.015)])
+def test_two_contacts_on_a_face_are_within_their_error(mechanics, seed, distance_mm, largest):
+    rng = np.random.default_rng(seed)
+    turn = rng.uniform(0, 2 * np.pi)
+    half = distance_mm / 2 * np.array([np.cos(turn), np.sin(turn)])
+    middle = rng.uniform(-1, 1, 2) * (11 - abs(half))
+    places, depths = np.stack([middle + half, middle - half]), rng.uniform(0.6, 2.4, (2, 2))
+    assert max(error_by_state(mechanics, places, depths)) < largest
