@@ -26,9 +26,9 @@ from estimator.layouts.presses.changes import PressChanges, press_changes
 from estimator.layouts.presses.counts import counts_when_pressed
 from estimator.layouts.scorer import (
     LayoutScorer,
+    clamp_to_candidates,
     layout_scorer,
     require_scorable,
-    clamp_to_candidates,
 )
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
@@ -190,8 +190,8 @@ class _FacePresses:
 
 def _same_places(a: Layouts, b: Layouts) -> bool:
     return all(
-        torch.equal(a.layouts_of_face(face).magnet_mm, b.of(face).magnet_mm)
-        and torch.equal(a.layouts_of_face(face).sensor_mm, b.of(face).sensor_mm)
+        torch.equal(a.layouts_of_face(face).magnet_mm, b.layouts_of_face(face).magnet_mm)
+        and torch.equal(a.layouts_of_face(face).sensor_mm, b.layouts_of_face(face).sensor_mm)
         for face in a.by_face or (0,)
     )
 

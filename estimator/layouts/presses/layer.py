@@ -19,9 +19,9 @@ from estimator.field.device import one_thread
 from estimator.layouts.presses.basis import (
     LEAST_OWN_RANK,
     OWN_RANK_PER_PLACE,
-    StrainCoupling,
     PressBasis,
     RowTable,
+    StrainCoupling,
     ends_and_steps,
     faces_differ,
     patches_of,
