@@ -13,7 +13,7 @@ from fem.candidates.cubic_convolution import axis_weights
 from fem.candidates.motions import candidate_lattices, load_candidates
 from fem.candidates.presses import presses_at_forces
 from fem.candidates.presses import simulate_candidates as simulate
-from fem.candidates.rigid_body import candidate_rows, tied_magnets
+from fem.candidates.rigid_body import candidate_rows
 from fem.linear.response import displacements, face_pressure_loads
 from fem.presses.table import surface_weights_mm2
 from tests.support.mechanics.candidate_cases import motion_of
@@ -36,14 +36,13 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def table(cube, spec, folder):
-    lattices = candidate_lattices(spec, pitch_mm=4.0, depth_step_mm=1.0)
+def table(cube, spec, folder, lattices):
     return simulate(spec, cube.mesh, cube.response, lattices, folder, force_shares=(0.5, 1.0))
 
 
 @pytest.fixture(scope="module")
-def body(cube, spec, table, factor):
-    return tied_magnets(spec, cube.system, factor, table.candidates)[0]
+def body(disks):
+    return disks[0]
 
 
 @pytest.fixture(scope="module")

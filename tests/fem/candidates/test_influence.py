@@ -7,8 +7,7 @@ from numpy.testing import assert_allclose
 from design.layout.body import face_frame
 from design.layout.places.positions import shell_body_layout
 from fem.candidates.influence import influence, strains_turned
-from fem.candidates.motions import candidate_lattices
-from fem.candidates.rigid_body import STRAINS, strain_rows, tied_magnets
+from fem.candidates.rigid_body import STRAINS, strain_rows
 from fem.candidates.tied_magnets import DEGREE, tie_functionals
 from fem.linear.response import displacements, face_pressure_loads
 from tests.support.objects.magnet_free_cases import nodal
@@ -18,9 +17,8 @@ APART_MM = 7.5
 
 
 @pytest.fixture(scope="module")
-def found(cube, factor):
-    lattices = candidate_lattices(cube.spec, pitch_mm=4.0)
-    body, tied = tied_magnets(cube.spec, cube.system, factor, lattices)
+def found(cube, lattices, disks):
+    body, tied = disks
     return body, tied, influence(cube.spec, cube.space, body, tied, lattices)
 
 

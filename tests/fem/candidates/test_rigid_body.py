@@ -11,7 +11,7 @@ from design.layout.places.positions import shell_body_layout
 from design.layout.pockets import tilted_frame
 from design.spec.object import ContactGridSpec, ScoreSpec
 from fem.candidates import rigid_body as module
-from fem.candidates.motions import FaceCandidates, candidate_lattices
+from fem.candidates.motions import FaceCandidates
 from fem.candidates.point_motions import interpolate_at
 from fem.candidates.presses import presses_at_forces
 from fem.candidates.quadrature import outline_quadrature
@@ -45,21 +45,17 @@ def quadratic(points):
 
 
 @pytest.fixture(scope="module")
-def lattices(cube):
-    return candidate_lattices(cube.spec, pitch_mm=4.0)
-
-
-@pytest.fixture(scope="module")
 def of_a_face(lattices):
     """Candidates of one face alone: as much as a test needs that asks nothing of means over faces."""
     return lattices[FACE - 1 : FACE]
 
 
 @pytest.fixture(scope="module")
-def bodies(cube, factor, lattices):
+def bodies(cube, factor, lattices, disks):
+    plate = with_magnets(cube.spec, **SHAPES["plate"])
     return {
-        shape: tied_magnets(with_magnets(cube.spec, **size), cube.system, factor, lattices)[0]
-        for shape, size in SHAPES.items()
+        "disk": disks[0],
+        "plate": tied_magnets(plate, cube.system, factor, lattices)[0],
     }
 
 
