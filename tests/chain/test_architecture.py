@@ -137,17 +137,6 @@ def test_a_planted_back_arrow_breaks_the_contract_of_design(tmp_path):
     assert "design.spec is not allowed to import design.fit" in broken.stdout
 
 
-def test_what_tests_share_is_in_one_package():
-    """No test file imports another one."""
-    for file in sorted((ROOT / "tests").rglob("*.py")):
-        imports = [
-            node.module or ""
-            for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
-            if isinstance(node, ast.ImportFrom)
-        ]
-        assert not [name for name in imports if ".test_" in name], file
-
-
 def test_there_is_no_import_circle_anywhere():
     """Type-only imports counted, inside rooms too: strongly connected modules of the whole graph."""
     graph = grimp.build_graph("design", "fem", "estimator", "instobj")

@@ -1,8 +1,10 @@
-"""Tests touch public names of the product only: what is private may move without breaking them."""
+"""Tests touch public names of the product only, which may move what is private, and no other test file."""
 
 import ast
 import re
 from pathlib import Path
+
+import pytest
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("design", "fem", "estimator", "instobj", "studies")
@@ -50,19 +52,25 @@ def private_uses(tree, own):
         yield from ((node.lineno, name) for name in names if is_private(name) and name not in own)
 
 
+@pytest.fixture(scope="module")
 def trees():
-    for path in sorted((ROOT / "tests").rglob("*.py")):
-        yield path.relative_to(ROOT).as_posix(), ast.parse(path.read_text(encoding="utf-8"))
+    files = sorted((ROOT / "tests").rglob("*.py"))
+    return {file.relative_to(ROOT).as_posix(): ast.parse(file.read_text("utf-8")) for file in files}
 
 
-def test_tests_use_public_names_alone():
-    every = dict(trees())
+def test_what_tests_share_is_in_no_test_file(trees):
+    for path, tree in trees.items():
+        imports = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
+        assert not [node for node in imports if ".test_" in (node.module or "")], path
+
+
+def test_tests_use_public_names_alone(trees):
     support = {
-        name for path, tree in every.items() if "/test_" not in path for name in own_names(tree)
+        name for path, tree in trees.items() if "/test_" not in path for name in own_names(tree)
     }
     found = [
         f"{path}:{line} {name}"
-        for path, tree in every.items()
+        for path, tree in trees.items()
         for line, name in private_uses(tree, support | {*own_names(tree)} | OF_OTHERS)
     ]
     assert not found, "test through public names, or make these public:\n" + "\n".join(found)

@@ -10,9 +10,8 @@ import pytest
 
 from tests.planted_faults import __main__ as command
 from tests.planted_faults.copies import sources
-from tests.planted_faults.nearness import importers, nearest
 from tests.planted_faults.notes import Said
-from tests.planted_faults.server import READ, Server, in_order
+from tests.planted_faults.server import Server
 from tests.planted_faults.sites import faults_in
 
 CODE = """LIMIT, END = 3, 5
@@ -115,59 +114,6 @@ def test_a_copy_holds_the_same_files_with_git_and_without(checkout):
     assert sorted(sources(checkout)) == sorted(without)
 
 
-def test_tests_of_the_same_name_and_room_go_first_then_the_fewest_imports_away_then_the_room(
-    tmp_path,
-):
-    written = {
-        "fem/linear/a.py": "",
-        "fem/mesh/b.py": "from fem.linear import a",
-        "tests/fem/linear/test_a.py": "from fem.mesh.b import c",
-        "tests/fem/linear/test_d.py": "def test_d():\n    from fem.linear.a import e",
-        "tests/chain/test_f.py": "import fem.linear.a",
-        "tests/chain/test_i.py": "import fem",
-        "tests/fem/linear/test_g.py": "import fem.mesh.h",
-        "tests/fem/mesh/test_a.py": "import fem.mesh.b",
-        "tests/estimator/conftest.py": "import fem.linear.a",
-        "tests/estimator/field/test_j.py": "import numpy",
-    }
-    for name, text in written.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
-    tests = [f"{name}::test_1" for name in sorted(written) if "test_" in name]
-    assert nearest("fem/linear/a.py", tests, importers(tmp_path)) == [
-        "tests/fem/linear/test_a.py::test_1",
-        "tests/fem/linear/test_d.py::test_1",
-        "tests/chain/test_f.py::test_1",
-        "tests/chain/test_i.py::test_1",
-        "tests/estimator/field/test_j.py::test_1",
-        "tests/fem/mesh/test_a.py::test_1",
-    ]
-
-
-def test_tests_of_the_room_that_call_the_function_go_first_the_quickest_before_long_ones():
-    function, other = ("fem.linear.a", "solve"), ("fem.linear.a", "load")
-    known = {
-        "tests/fem/mesh/test_b.py::quick": (0.1, {function}),
-        "tests/fem/linear/test_a.py::calls_no_such": (0.1, {other}),
-        "tests/fem/linear/test_a.py::slow": (3.0, {function, other}),
-        "tests/fem/linear/test_a.py::quick": (0.2, {function}),
-        "tests/chain/test_guards.py::test_1": (0.1, set()),
-    }
-    unknown = "tests/instobj/test_c.py::test_1"
-    seconds = {test: took for test, (took, _) in known.items()}
-    calls = {test: called for test, (_, called) in known.items()}
-    room, read = Path("tests/fem/linear"), READ["truth"]
-    order = in_order([*known, unknown], function, room, seconds, calls, read)
-    assert order == [
-        "tests/chain/test_guards.py::test_1",
-        "tests/fem/linear/test_a.py::quick",
-        "tests/fem/linear/test_a.py::slow",
-        "tests/fem/mesh/test_b.py::quick",
-        unknown,
-        "tests/fem/linear/test_a.py::calls_no_such",
-    ]
-
-
 def test_what_tests_call_is_learnt_once_and_of_new_tests_later(tmp_path, monkeypatch):
     """Of two new tests of a package one fails by itself, and is not asked again for what it calls."""
     file = tmp_path / "learnt.jsonl"
@@ -190,21 +136,6 @@ def test_what_tests_call_is_learnt_once_and_of_new_tests_later(tmp_path, monkeyp
         assert asked == [tests[1:3]]
         assert server.seconds == {tests[0]: 0.5, tests[1]: 2.0, tests[2]: 6.0}
         assert server.calls == {tests[0]: {("fem.a", "f")}, tests[1]: {("fem.a", "g")}}
-
-
-def test_a_room_without_tests_has_those_of_the_room_above_it(tmp_path):
-    written = {
-        "design/body/kinds/ball.py": "",
-        "design/body/all.py": "import design.body.kinds.ball",
-        "tests/chain/test_k.py": "import design.body.kinds.ball",
-        "tests/design/body/test_all.py": "import design.body.all",
-    }
-    for name, text in written.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
-    tests = [f"{name}::test_1" for name in sorted(written) if "test_" in name]
-    found = nearest("design/body/kinds/ball.py", tests, importers(tmp_path))
-    assert found == ["tests/design/body/test_all.py::test_1", "tests/chain/test_k.py::test_1"]
 
 
 def test_what_a_fork_said_names_the_test_in_which_it_failed_or_died():

@@ -46,6 +46,7 @@ from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_pre
 from tests.support.objects.fidelity_scores import START
 
 COUNT = 3
+GRID = {"count": (4, 3), "pitch_mm": 7.0}
 DISTURBANCE_TOLERANCE = 0.05
 """Of a layout's percentiles; measured 3 %, from the short series and basis."""
 
@@ -169,7 +170,7 @@ def test_lowest_fidelity_score_pools_the_places_of_all_faces(spec, motions, scor
 
 
 def test_a_score_of_signals_is_that_of_its_parts():
-    spec = coarse_spec()
+    spec = coarse_spec(contact_grid=GRID)
     presses = synthetic_presses(spec)
     signals = press_signals(spec, *presses)
     found, scores = score_signals(spec, signals, *presses), score_places(spec, signals)
@@ -186,7 +187,7 @@ def test_a_score_of_signals_is_that_of_its_parts():
 
 def test_a_range_of_forces_is_judged_by_geometric_means():
     forces = (1.0, 2.5)
-    spec = coarse_spec(search={"forces_n": forces})
+    spec = coarse_spec(search={"forces_n": forces}, contact_grid=GRID)
     presses = synthetic_presses(spec)
     signals = press_signals(spec, *presses)
     found = score_signals(spec, signals, *presses)
@@ -294,7 +295,7 @@ def test_a_twin_too_soft_for_the_simulated_depths_is_left_out_there():
 def test_locations_that_a_face_has_not_are_in_no_score():
     """A box whose faces are filled: the scores are those of the locations that are there."""
     box = {"size_mm": (44.0, 36.0, 28.0)}
-    fill = {"count": "fill", "pitch_mm": 4.0}
+    fill = {"count": "fill", "pitch_mm": 7.0}
     spec = coarse_spec(body=box, contact_grid=fill, press={"depths_mm": (0.5, 1.0, 2.0, 3.0)})
     forces, motions = synthetic_presses(spec)
     there = pressed_nodes(spec)

@@ -89,7 +89,7 @@ FABRICATION = {
 }
 
 
-def told_and_missing(body, monkeypatch, count=16):
+def told_and_missing(body, monkeypatch, count=12):
     """Of every rule of fabrication: what the limit says, and what its figure lacks."""
     spec, space, params, poles, units = batch(body, count, 11)
     broken = constraint_violations_mm(space, layouts_at(space, units, poles, 3), 3)
@@ -120,7 +120,7 @@ def test_limits_of_fabrication_have_its_figures(body, monkeypatch):
 
 @pytest.mark.parametrize("body", BODIES)
 def test_layouts_within_all_limits_fit_and_can_be_made(body):
-    spec, space, params, poles, units = batch(body, 6, 2)
+    spec, space, params, poles, units = batch(body, 4, 2)
     variables = search_space(spec).continuous
 
     def broken(point):
