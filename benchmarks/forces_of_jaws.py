@@ -1,7 +1,8 @@
 """Forces and magnets' motions under jaws, pads, cylinders and fingertips, by NGSolve beside `fem`.
 
     python benchmarks/forces_of_jaws.py reference --edge 1.6 --save jaws_reference.json
-    python benchmarks/forces_of_jaws.py compare jaws_reference.json --save jaws.json
+    python benchmarks/forces_of_jaws.py compare benchmarks/results/jaws_reference.json
+    python benchmarks/forces_of_jaws.py draw docs/presses_jaws.png
 
 The reference: shells of the paper's cube and of a box with magnets at three depths, half of each (y ≥ 0);
 Taylor–Hood elements, magnets 3000 times as stiff. Hat functions of pressure on the face under the indenter
@@ -343,16 +344,71 @@ def case_errors(spec: Any, response: Any, x_mm: float, wanted: dict[str, Any]) -
     return {"force_percent": force, "motion_percent": motion}
 
 
+DRAWN: dict[str, tuple[dict[str, Any], float]] = {
+    "jaw of 60 mm": (JAW, 0.0),
+    "tilted by 2°": (JAW | {"tilt_deg": (0.0, 2.0)}, 0.0),
+    "half over the border": (JAW, 30.0),
+    "pad of 3 mm, 1 MPa": (JAW | {"pad": (3.0, 1.0, 0.3)}, 0.0),
+    "cylinder, R 8 mm": CASES["cylinder along, over the border"],
+    "fingertip with a skin": (CASES["fingertip"][0] | {"pad": (2.0, 0.3, 0.48)}, 5.0),
+}
+
+
+def draw(path: Path) -> None:
+    """Pressure on face 1 of the paper's cube, 1 mm deep, and centres of pressure."""
+    from matplotlib.figure import Figure
+
+    from design.spec.object import IndenterSpec, ObjectSpec
+    from fem.contact.complementarity import contact_pressures
+    from fem.linear.response import build_response
+    from fem.mesh.tetrahedra import tetrahedralize
+    from fem.presses.joint import Tip, joint_cells, press_tips
+
+    spec = ObjectSpec(name="cube")
+    response, depth = build_response(tetrahedralize(spec), spec), np.ones(1)
+    figure = Figure(figsize=(10, 6.6), layout="constrained")
+    for axes, (name, (indenter, x_mm)) in zip(figure.subplots(2, 3).flat, DRAWN.items(), strict=True):
+        pressed, tip = spec.changed(indenter=IndenterSpec(**indenter)), Tip(1, x_mm, 0.0)
+        cells = joint_cells(pressed, response, [tip], depth, None)
+        moments, area = cells.gap_mm * cells.area_mm2, cells.area_mm2
+        pressure = contact_pressures(cells.compliance, moments, area, depth)[0]
+        x, y = cells.spreads[0].in_plane.centre_mm.T
+        marks = axes.scatter(
+            x, y, c=np.where(pressure > 0, 1e3 * pressure, np.nan), s=9 * area, marker="s",
+            cmap="viridis", plotnonfinite=False, linewidths=0, vmin=0,
+            vmax=1e3 * float(np.quantile(pressure[pressure > 0], 0.98)),
+        )  # fmt: skip
+        press = press_tips(pressed, response, [tip], depth)
+        assert press.centre_mm is not None
+        centre = press.centre_mm[0] + [x_mm, 0.0]
+        axes.plot(*centre, "x", color="#d1495b", ms=9, mew=2)
+        axes.add_patch(_square())
+        axes.set(xlim=(-23, 23), ylim=(-23, 23), aspect="equal")
+        axes.set_title(f"{name}: {press.force_n[0]:.3g} N", fontsize=10)
+        figure.colorbar(marks, ax=axes, label="pressure (kPa)", shrink=0.85)
+    figure.supxlabel("x on face 1 (mm)")
+    figure.supylabel("y (mm)")
+    figure.savefig(path, dpi=110)
+
+
+def _square() -> Any:
+    from matplotlib.patches import Rectangle
+
+    return Rectangle((-21, -21), 42, 42, fill=False, color="#555555", lw=1)
+
+
 def main() -> None:
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=("reference", "compare"))
-    parser.add_argument("file", type=Path, nargs="?", help="of the reference, to compare")
+    parser.add_argument("what", choices=("reference", "compare", "draw"))
+    parser.add_argument("file", type=Path, nargs="?", help="reference to compare, or picture to draw")
     parser.add_argument("--edge", type=float, default=1.6, help="under the indenter, mm")
     parser.add_argument("--body", choices=tuple(HALF_MM))
     parser.add_argument("--case", choices=tuple(CASES))
     parser.add_argument("--save", type=Path)
     options = parser.parse_args()
+    if options.what == "draw":
+        return draw(options.file)
     if options.what == "compare":
         result = compare(json.loads(options.file.read_text()))
     else:

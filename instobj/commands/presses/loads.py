@@ -271,6 +271,9 @@ def _rows(press: JointPress, alone: Sequence[JointPress]) -> list[dict[str, Any]
             "shear N": float(np.hypot(*press.shear_n[index])),
             "contact mm²": float(press.contact_area_mm2[index]),
         }
+        if press.centre_mm is not None:
+            centre = press.centre_mm[index] + [tip.x_mm, tip.y_mm]
+            row |= {"centre x mm": float(centre[0]), "centre y mm": float(centre[1])}
         if alone:
             row["alone N"] = float(alone[index].force_n[0])
         rows.append(row)
