@@ -22,7 +22,8 @@ from typing import Any
 import numpy as np
 from scipy.optimize import nnls
 
-E_MPA, NU, STIFFER, SHELL_MM, LOW_MM = 0.414, 0.4999, 3e3, 8.0, 42.0
+E_MPA, NU, STIFFER, SHELL_MM, LOW_MM, CORE_END_MM = 0.414, 0.4999, 3e3, 8.0, 42.0, 34.0
+"""The core ends at 34 mm: below it the cavity's walls are free."""
 BULK_MM, RIM_MM, FAR_MM = 4.0, 1.2, 60.0
 DEPTHS_MM = (0.5, 1.0, 2.0)
 AROUND = ((10, 10), (-10, 10), (-10, -10), (10, -10))
@@ -93,7 +94,8 @@ def mesh_of(body: str, indenter: dict[str, Any], x_mm: float, edge_mm: float) ->
             rim.maxh = RIM_MM
     low, high, across = pressed_mm(body, indenter, x_mm)
     column = occ.Box(occ.Pnt(low, 0, -SHELL_MM / 2), occ.Pnt(high, across, 1))
-    parts = [part for part in (shell - column, shell * column)]
+    foot = box_mm((FAR_MM, FAR_MM), -LOW_MM, -CORE_END_MM)
+    parts = [shell - column - foot, shell * column, shell * foot]
     for part in parts:
         part.mat("silicone")
     wanted = netgen.MeshingParameters(maxh=BULK_MM, grading=0.35)
@@ -135,7 +137,8 @@ def _name(points: np.ndarray, inner: tuple[float, float], pressed: tuple[float, 
         inside = x.min() > pressed[0] - 1e-6 and x.max() < pressed[1] + 1e-6
         return "jaw" if inside and y.max() < pressed[2] + 1e-6 else "free"
     core = np.maximum(np.maximum(abs(x) - inner[0], y - inner[1]), z + SHELL_MM)
-    return "held" if abs(core).max() < 0.1 else "free"
+    beside_core = abs(core).max() < 0.1 and z.min() > -CORE_END_MM - 1e-6
+    return "held" if beside_core else "free"
 
 
 class Condensed:
@@ -404,7 +407,7 @@ def main() -> None:
     parser.add_argument("file", type=Path, nargs="?", help="reference to compare, or picture to draw")
     parser.add_argument("--edge", type=float, default=1.6, help="under the indenter, mm")
     parser.add_argument("--body", choices=tuple(HALF_MM))
-    parser.add_argument("--case", choices=tuple(CASES))
+    parser.add_argument("--case", choices=tuple(CASES), action="append")
     parser.add_argument("--save", type=Path)
     options = parser.parse_args()
     if options.what == "draw":
@@ -415,7 +418,7 @@ def main() -> None:
         import_module("ngsolve").SetNumThreads(1)
         result, known = {}, {}
         for body in [options.body] if options.body else HALF_MM:
-            for name in [options.case] if options.case else CASES:
+            for name in options.case or CASES:
                 case = reference(body, name, options.edge, known)
                 print(body, name, case["hats"], case["force_n"], case["contact_mm2"], flush=True)
                 result.setdefault(body, {})[name] = case
