@@ -263,6 +263,8 @@ def reference(body: str, name: str, edge_mm: float, known: dict[Any, Any]) -> di
         touched.append(2 * float(area[pressure > 0].sum()))
         motions.append((face.motion @ pressure).reshape(-1, 3).round(6).tolist())
     return {
+        "indenter": indenter,
+        "x_mm": x_mm,
         "force_n": forces,
         "contact_mm2": touched,
         "centre_mm": [centre.tolist() for centre, _ in magnets],

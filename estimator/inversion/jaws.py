@@ -107,7 +107,9 @@ class JawReader:
             one = seen.select(np.array([frame]))
             fits = [self._fitted(one, group) for group in groups]
             evidence, group, pose = max(fits, key=lambda fit: fit[0])
-            readings.append(self._reading(one, group, pose, evidence - float(tips[frame])))
+            # all groups are as likely, and jaws as likely as tips
+            odds = evidence - np.log(len(groups)) - float(tips[frame])
+            readings.append(self._reading(one, group, pose, odds))
         return tuple(readings)
 
     def _tables_of(self, group: tuple[int, ...]) -> list[JawTable]:
