@@ -68,7 +68,9 @@ def magnets_of(body: str) -> list[tuple[np.ndarray, Any]]:
         radius, height, middle = 3.0, 1.0, 18.5
         cross = [(0, 0), *AROUND]
         placed = [(np.array([x, y, -2.5]), occ.Z) for x, y in cross]
-        placed += [(np.array([side * middle, y, z - 21.0]), occ.X) for side in (-1, 1) for y, z in cross]
+        placed += [
+            (np.array([side * middle, y, z - 21.0]), occ.X) for side in (-1, 1) for y, z in cross
+        ]
         placed += [(np.array([x, middle, z - 21.0]), occ.Y) for x, z in cross]
     magnets = []
     for centre, axis in placed:
@@ -129,7 +131,9 @@ def pressed_mm(body: str, indenter: dict[str, Any], x_mm: float) -> tuple[float,
     return float(ends[0]), float(ends[1]), float(min(wide[1], half[1]))
 
 
-def _name(points: np.ndarray, inner: tuple[float, float], pressed: tuple[float, float, float]) -> str:
+def _name(
+    points: np.ndarray, inner: tuple[float, float], pressed: tuple[float, float, float]
+) -> str:
     x, y, z = points.T
     if abs(y).max() < 1e-6:
         return "cut"
@@ -144,12 +148,16 @@ def _name(points: np.ndarray, inner: tuple[float, float], pressed: tuple[float, 
 class Condensed:
     """Compliance of hats of pressure on a boundary, motions of magnets, and moments of the hats."""
 
-    def __init__(self, mesh: Any, boundary: str, way: float, elastic: tuple[float, float], magnets: int):
+    def __init__(
+        self, mesh: Any, boundary: str, way: float, elastic: tuple[float, float], magnets: int
+    ):
         ng: Any = import_module("ngsolve")
         modulus, ratio = elastic
         mu, lam = modulus / 2 / (1 + ratio), modulus * ratio / (1 + ratio) / (1 - 2 * ratio)
         stiff = mesh.MaterialCF({f"magnet{i}": STIFFER for i in range(magnets)}, default=1.0)
-        space = ng.VectorH1(mesh, order=2, dirichlet="held", dirichlety="cut") * ng.H1(mesh, order=1)
+        space = ng.VectorH1(mesh, order=2, dirichlet="held", dirichlety="cut") * ng.H1(
+            mesh, order=1
+        )
         (u, p), (v, q) = space.TnT()
         strain = ng.InnerProduct(ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v)))
         matrix = ng.BilinearForm(space, symmetric=True)
@@ -174,7 +182,10 @@ class Condensed:
         load += way * trial * v[2] * ng.ds(boundary)
         load = load.Assemble().mat
         self.boundary = boundary
-        unit, given, moved = ng.GridFunction(self.hats).vec, *(ng.GridFunction(space).vec for _ in "ab")
+        unit, given, moved = (
+            ng.GridFunction(self.hats).vec,
+            *(ng.GridFunction(space).vec for _ in "ab"),
+        )
         work, compliance, motion = ng.GridFunction(self.hats).vec, [], []
         for vertex in self.vertices.tolist():
             unit[:] = 0
@@ -372,7 +383,9 @@ def draw(path: Path) -> None:
     spec = ObjectSpec(name="cube")
     response, depth = build_response(tetrahedralize(spec), spec), np.ones(1)
     figure = Figure(figsize=(10, 6.6), layout="constrained")
-    for axes, (name, (indenter, x_mm)) in zip(figure.subplots(2, 3).flat, DRAWN.items(), strict=True):
+    for axes, (name, (indenter, x_mm)) in zip(
+        figure.subplots(2, 3).flat, DRAWN.items(), strict=True
+    ):
         pressed, tip = spec.changed(indenter=IndenterSpec(**indenter)), Tip(1, x_mm, 0.0)
         cells = joint_cells(pressed, response, [tip], depth, None)
         moments, area = cells.gap_mm * cells.area_mm2, cells.area_mm2
@@ -406,7 +419,9 @@ def main() -> None:
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("what", choices=("reference", "compare", "draw"))
-    parser.add_argument("file", type=Path, nargs="?", help="reference to compare, or picture to draw")
+    parser.add_argument(
+        "file", type=Path, nargs="?", help="reference to compare, or picture to draw"
+    )
     parser.add_argument("--edge", type=float, default=1.6, help="under the indenter, mm")
     parser.add_argument("--body", choices=tuple(HALF_MM))
     parser.add_argument("--case", choices=tuple(CASES), action="append")

@@ -144,7 +144,10 @@ def cylinder_tip(indenter: IndenterSpec) -> cq.Solid:
 
 
 def _ellipsoid(indenter: IndenterSpec) -> cq.Shape:
-    ball, half = cq.Solid.makeSphere(1.0, angleDegrees1=-90, angleDegrees2=90), np.asarray(indenter.size_mm) / 2
+    ball, half = (
+        cq.Solid.makeSphere(1.0, angleDegrees1=-90, angleDegrees2=90),
+        np.asarray(indenter.size_mm) / 2,
+    )
     stretch = cq.Matrix([[half[0], 0, 0, 0], [0, half[1], 0, 0], [0, 0, indenter.radius_mm, 0]])
     return ball.transformGeometry(stretch)
 
@@ -161,4 +164,10 @@ def _polyhedron(indenter: IndenterSpec) -> cq.Solid:
     return cq.Solid.makeSolid(cq.Shell.makeShell(faces)).fix()
 
 
-_SOLIDS = {"flat": _flat, "cuboid": _cuboid, "cylinder": cylinder_tip, "ellipsoid": _ellipsoid, "stl": _polyhedron}
+_SOLIDS = {
+    "flat": _flat,
+    "cuboid": _cuboid,
+    "cylinder": cylinder_tip,
+    "ellipsoid": _ellipsoid,
+    "stl": _polyhedron,
+}

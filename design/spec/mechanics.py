@@ -135,15 +135,16 @@ Pad = tuple[
 class IndenterSpec(SpecPart):
     """Indenter pressed into a face; each kind reads its own sizes.
 
-    hemisphere: `radius_mm`. flat: a disk of `radius_mm`. cylinder: `radius_mm`, lying along the face's
-    x, as long as the first of `size_mm`. cuboid, a jaw: `size_mm`. ellipsoid, a fingertip: `size_mm` are its widths,
-    `radius_mm` is half its height. stl: the convex body in `file`, its lowest point down. The edges of
-    flat and cuboid are rounded by `fillet_mm`. `yaw_deg` turns the indenter about the face's normal,
-    then `tilt_deg` about the face's x and y; the place pressed is where its lowest point lands, of flat
-    and cuboid the middle of the underside. Rigid, or with a soft pad bonded to it: `pad` is its thickness
-    (mm), Young's modulus (MPa) and Poisson's ratio. `direction_deg` is how far its path leans from the inward normal towards x and y: at depth
-    d it has moved sideways by d tan of them. A probe has `tip_count` tips, `tip_spacing_mm` apart
-    (left out: as the paper's, 15 mm for two and 20 mm for three) about the place pressed.
+    hemisphere: `radius_mm`. flat: a disk of `radius_mm`. cylinder: `radius_mm`, lying along the
+    face's x, as long as the first of `size_mm`. cuboid, a jaw: `size_mm`. ellipsoid, a fingertip:
+    `size_mm` are its widths, `radius_mm` is half its height. stl: the convex body in `file`, its
+    lowest point down. The edges of flat and cuboid are rounded by `fillet_mm`. `yaw_deg` turns the
+    indenter about the face's normal, then `tilt_deg` about the face's x and y; the place pressed is
+    where its lowest point lands, of flat and cuboid the middle of the underside. Rigid, or with a
+    soft pad bonded to it: `pad` is its thickness (mm), Young's modulus (MPa) and Poisson's ratio.
+    `direction_deg` is how far its path leans from the inward normal towards x and y: at depth d it
+    has moved sideways by d tan of them. A probe has `tip_count` tips, `tip_spacing_mm` apart (left
+    out: as the paper's, 15 mm for two and 20 mm for three) about the place pressed.
     """
 
     kind: Literal["hemisphere", "flat", "cylinder", "cuboid", "ellipsoid", "stl"] = "hemisphere"

@@ -60,9 +60,7 @@ def _taken_back(farthest: float, least: float, most: float, ratio: float) -> Rec
     return RectBivariateSpline(distance, variance, np.einsum("da,sa,a->ds", bessel, faded, share))
 
 
-def layer_share(
-    alpha: Float[np.ndarray, "*n"], poisson_ratio: float
-) -> Float[np.ndarray, "*n"]:
+def layer_share(alpha: Float[np.ndarray, "*n"], poisson_ratio: float) -> Float[np.ndarray, "*n"]:
     """L of `fem.contact.rigid_base` at α = kt, from functions that neither overflow nor cancel."""
     kappa, damped = 3 - 4 * poisson_ratio, np.exp(-2 * alpha)
     # numerator and denominator times e^(−2α)

@@ -35,7 +35,9 @@ def score_designs(
         A bad specification, two of one name, an unknown body, or a jaw on a curved face.
     """
     if body not in (None, "jaw"):
-        raise InputError(f"--body {body!r} is not known beside tips. Give --body jaw, or leave it out")
+        raise InputError(
+            f"--body {body!r} is not known beside tips. Give --body jaw, or leave it out"
+        )
     stages = ("scores", "weak_areas", *(("shear_scores",) if shear else ()), "discretisation")
     compared = 1 < len(paths) <= MOST
     result = run_chain(paths, (*stages, "scene") if compared else stages, out, overrides)

@@ -62,7 +62,7 @@ def test_a_tilted_cuboid_touches_first_with_the_edge_turned_down():
     its middle."""
     tilted = {"kind": "cuboid", "size_mm": (6.0, 4.0), "tilt_deg": (0.0, 10.0)}
     assert_allclose(
-        heights(np.array([[0, 1], [-2, 0], [-5, -1]]) + [3 * np.cos(np.deg2rad(10)), 0], **tilted),
+        heights(np.add([[0, 1], [-2, 0], [-5, -1]], (3 * np.cos(np.deg2rad(10)), 0)), **tilted),
         np.array([0, 2, 5]) * np.tan(np.deg2rad(10)),
         rtol=0,
         atol=1e-9,

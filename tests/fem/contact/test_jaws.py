@@ -2,20 +2,16 @@
 
 import numpy as np
 import pytest
-import scipy.sparse as sp
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 from scipy.special import j0
 
 from design.layout.tips import tip_heights_mm, tip_shape
 from design.spec.object import IndenterSpec
-from fem.contact.complementarity import contact_pressures
-from fem.contact.half_space import normal_compliance
 from fem.contact.indenter import Border, tip_cells
 from fem.contact.pad import layer_share, pad_compliance
 from fem.presses.joint import Tip, press_tips
-from tests.support.mechanics.block_cases import block_response, known_block_response, spec_of
-from tests.support.mechanics.fem_cases import YOUNGS_MODULUS_MPA
+from tests.support.mechanics.block_cases import block_response, spec_of
 
 FACE = Border(np.array([-10.0, -8.0]), np.array([10.0, 8.0]))
 
@@ -63,7 +59,7 @@ def test_depth_counts_from_what_touches_the_face_first():
 
 @pytest.mark.parametrize("ratio", [0.0, 0.3, 0.5])
 def test_the_layer_s_compliance_has_the_limits_of_a_thin_and_a_thick_one(ratio):
-    """Thick: a half-space. Thin: confined, (1 + ν)(1 − 2ν)/((1 − ν) E) · t, hence L → that · k E/2(1 − ν²)."""
+    """Thick: a half-space. Thin: confined, t (1 + ν)(1 − 2ν)/((1 − ν) E), times k E/2(1 − ν²)."""
     assert_allclose(layer_share(np.array([12.0, 400.0]), ratio), 1, rtol=1e-7)
     thin = 1e-3
     confined = (1 + ratio) * (1 - 2 * ratio) / (1 - ratio) / (2 * (1 - ratio**2))

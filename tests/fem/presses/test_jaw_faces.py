@@ -1,4 +1,4 @@
-"""Flat jaws over whole faces: one table over tilt is every press; bounds are those of the tilted press itself."""
+"""Flat jaws over whole faces: a table over tilt is every press; bounds are those of tilted presses."""
 
 import numpy as np
 import pytest
@@ -52,7 +52,9 @@ def test_bounds_are_those_of_the_information_of_tilted_presses(jaw, rigid_spec, 
     slopes, told = [], []
     for way in np.array(ways):
         ends = [
-            tilted_press(rigid_spec, rigid_response, bounds.depth_mm + s * way[0], tuple(s * way[1:]))
+            tilted_press(
+                rigid_spec, rigid_response, bounds.depth_mm + s * way[0], tuple(s * way[1:])
+            )
             for s in (1, -1)
         ]
         counts = signals_of_motions(rigid_spec, np.stack([end.motion for end in ends]))
