@@ -38,6 +38,10 @@ def test_an_ellipsoid_s_height_is_the_root_of_its_equation():
     assert_allclose(np.einsum("pi,ij,pj->p", points, shape.ellipsoid, points), 1, rtol=1e-9)
     lengths = 1 / np.sqrt(np.linalg.eigvalsh(shape.ellipsoid))
     assert_allclose(np.sort(lengths), [4, 6, 10], rtol=1e-9)
+    middle = shape.corners_mm.mean(axis=0)
+    for share, covered in ((0.999, True), (1.001, False)):
+        outline = middle + share * (shape.corners_mm - middle)
+        assert (np.isfinite(tip_heights_mm(shape, outline)) == covered).all()
 
 
 def test_a_sphere_is_the_ellipsoid_of_equal_axes():
