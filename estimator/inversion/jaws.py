@@ -146,7 +146,13 @@ class JawReader:
 
         starts = [np.tile([share * self.most_n, 0.0, 0.0], count) for share in _STARTS_N]
         fits = [
-            least_squares(residual, start, slopes, (low, low + width), x_scale=width)
+            least_squares(
+                residual,
+                start,
+                slopes,  # pyright: ignore[reportArgumentType]
+                (low, low + width),
+                x_scale=width,
+            )
             for start in starts
         ]
         best = min(fits, key=lambda fit: fit.cost)
