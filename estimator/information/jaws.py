@@ -60,11 +60,11 @@ def _bounds_of(spec: ObjectSpec, jaw: JawFace) -> JawBounds:
     poses[:, 0] += depth
     pressed = [_pressed(jaw, pose) for pose in poses]
     signals = signals_of_motions(spec, np.stack([motion for *_, motion in pressed]))
-    told = np.array([[force, *centre] for force, centre, _ in pressed])
+    felt = np.array([[force, *centre] for force, centre, _ in pressed])
     change = signals.delta_counts[0, 0].reshape(len(poses), -1)
     # rows pose, columns: central differences by depth and the two gained depths
     slopes = ((change[:3] - change[3:]) / (2 * _STEP * depth)).T[None]
-    by_pose = ((told[:3] - told[3:]) / (2 * _STEP * depth)).T
+    by_pose = ((felt[:3] - felt[3:]) / (2 * _STEP * depth)).T
     slopes = slopes * live_in_press(spec, signals.baseline_counts, change[:1])[..., None]
     used, nuisances = read_channels(spec, signals, jaw.face), nuisance_columns(spec)
     # a gained depth over half an edge is the tangent of the tilt
@@ -102,7 +102,7 @@ def signals_of_motions(spec: ObjectSpec, motion: Float[np.ndarray, "load magnet 
 def _deviations(
     white: Float[np.ndarray, "channel 3"], derivative: Float[np.ndarray, "k 3"]
 ) -> Float[np.ndarray, "k"]:
-    """Standard deviations of functions of the pose; infinite where it cannot be told."""
+    """Standard deviations of functions of the pose; infinite where signals do not show it."""
     size = np.linalg.norm(white, axis=0)
     if not size.all() or np.linalg.matrix_rank(white / size, tol=1e-7) < 3:
         return np.full(len(derivative), np.inf)

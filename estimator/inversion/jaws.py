@@ -98,18 +98,18 @@ class JawReader:
         self, counts: Float[np.ndarray, "frame channel"], groups: Sequence[tuple[int, ...]]
     ) -> tuple[JawReading, ...]:
         """The best of some groups of faces with a jaw on each, for every frame; weighed against tips."""
-        seen = self.inversion.disturbances.observed(counts)
+        frames = self.inversion.disturbances.observed(counts)
         search = self.inversion.search
-        found = search.contacts(seen)
-        tips = found.log_evidence[found.best()]
+        sets = search.contacts(frames)
+        tips = sets.log_evidence[sets.best()]
         readings = []
         for frame in range(len(counts)):
-            one = seen.select(np.array([frame]))
-            fits = [self._fitted(one, group) for group in groups]
+            single = frames.select(np.array([frame]))
+            fits = [self._fitted(single, group) for group in groups]
             evidence, group, pose = max(fits, key=lambda fit: fit[0])
             # all groups are as likely, and jaws as likely as tips
             odds = evidence - np.log(len(groups)) - float(tips[frame])
-            readings.append(self._reading(one, group, pose, odds))
+            readings.append(self._reading(single, group, pose, odds))
         return tuple(readings)
 
     def _tables_of(self, group: tuple[int, ...]) -> list[JawTable]:
@@ -127,7 +127,7 @@ class JawReader:
         return self.inversion.model.counts_of_motions(moved)
 
     def _fitted(
-        self, seen: Observed, group: tuple[int, ...]
+        self, observed: Observed, group: tuple[int, ...]
     ) -> tuple[float, tuple[int, ...], np.ndarray]:
         """Log evidence of jaws on these faces, and their pose."""
         count = len(group)
@@ -135,14 +135,14 @@ class JawReader:
         low = np.tile([1e-3, -MOST_LEAN, -MOST_LEAN], count)
 
         def residual(pose: np.ndarray) -> np.ndarray:
-            change = self._change(group, pose[None]) - seen.counts
-            return seen.white(change[:, None])[0, 0]
+            change = self._change(group, pose[None]) - observed.counts
+            return observed.white(change[:, None])[0, 0]
 
         def slopes(pose: np.ndarray) -> np.ndarray:
             step = _STEP * width
             inward = np.where(pose + step > low + width, -1.0, 1.0) * step
             ends = self._change(group, np.vstack([pose, pose + np.diag(inward)]))
-            return seen.white((ends[1:] - ends[:1])[None])[0].T / inward
+            return observed.white((ends[1:] - ends[:1])[None])[0].T / inward
 
         starts = [np.tile([share * self.most_n, 0.0, 0.0], count) for share in _STARTS_N]
         fits = [
@@ -163,7 +163,7 @@ class JawReader:
         return float(evidence), group, best.x
 
     def _reading(
-        self, seen: Observed, group: tuple[int, ...], pose: np.ndarray, log_odds: float
+        self, observed: Observed, group: tuple[int, ...], pose: np.ndarray, log_odds: float
     ) -> JawReading:
         from scipy.special import chdtrc
 
@@ -175,8 +175,8 @@ class JawReader:
             centre.append(where)
             # depth gained towards +y is a turn about −x, towards +x about +y
             tilt.append(np.degrees(np.arctan([-gained[1], gained[0]])))
-        change = self._change(group, pose[None]) - seen.counts
-        white = seen.white(change[:, None])
+        change = self._change(group, pose[None]) - observed.counts
+        white = observed.white(change[:, None])
         freedoms = max(white.shape[2] - len(pose), 1)
         return JawReading(
             group,

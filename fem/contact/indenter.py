@@ -74,7 +74,7 @@ class Border:
             [a, b] for [a], [b] in combinations(single, 2) if (near[:, a] & near[:, b]).any()
         ]
 
-    def around(
+    def outline_mm(
         self, low_mm: Float[np.ndarray, "2"], high_mm: Float[np.ndarray, "2"]
     ) -> Float[np.ndarray, "n 2"]:
         """Points along the border, where a box from low to high reaches it."""
@@ -87,8 +87,7 @@ class Border:
             angle = 2 * np.pi * share
             return middle + radius * np.column_stack([np.cos(angle), np.sin(angle)])
         low, high = np.maximum(low_mm, self.low_mm), np.minimum(high_mm, self.high_mm)
-        along = low + share[:, None] * (high - low)
-        x, y = along.T
+        x, y = (low + share[:, None] * (high - low)).T
         sides = [(x, 0 * x + end[1]) for end in (low, high)]
         sides += [(0 * y + end[0], y) for end in (low, high)]
         return np.concatenate([np.column_stack(side) for side in sides])
@@ -122,9 +121,10 @@ def tip_cells(indenter: IndenterSpec, border: Border | None = None) -> TipCells:
         cells = [_cells(shape)] * len(places)
     else:
         moved_by = [(border.low_mm - place, border.high_mm - place) for place in places]
-        seen = [Border(*ends, border.round) for ends in moved_by]
-        lowest = min(_lowest_within_mm(shape, one) for one in seen)
-        cells = [(p, h - lowest) for p, h in (_cells(shape, one) for one in seen)]
+        borders = [Border(*ends, border.round) for ends in moved_by]
+        lowest = min(_lowest_within_mm(shape, moved_border) for moved_border in borders)
+        cut = (_cells(shape, moved_border) for moved_border in borders)
+        cells = [(patches, height - lowest) for patches, height in cut]
     area, variance, height = (
         np.concatenate(column)
         for column in zip(*((p.area_mm2, p.variance_mm2, h) for p, h in cells), strict=True)
@@ -140,7 +140,7 @@ def _lowest_within_mm(shape: TipShape, border: Border) -> float:
     """Height of the lowest point of a convex tip within a border; ∞ where all of it lies beyond."""
     low, high = shape.corners_mm.min(axis=0), shape.corners_mm.max(axis=0)
     inside = border.signed_distance_mm(shape.lowest_mm) <= 0
-    points = np.concatenate([border.around(low, high), shape.lowest_mm[inside]])
+    points = np.concatenate([border.outline_mm(low, high), shape.lowest_mm[inside]])
     return float(tip_heights_mm(shape, points).min())
 
 

@@ -41,9 +41,12 @@ def score_designs(
     stages = ("scores", "weak_areas", *(("shear_scores",) if shear else ()), "discretisation")
     compared = 1 < len(paths) <= MOST
     result = run_chain(paths, (*stages, "scene") if compared else stages, out, overrides)
-    if body:
-        for path, entry in zip(paths, result["objects"], strict=True):
-            entry["summary"]["jaws"] = jaw_rows(Run(load_spec(path, overrides)))
+    for path in paths if body else ():
+        run = Run(load_spec(path, overrides))
+        title = (
+            f"{run.spec.name}: a flat jaw over each face at {run.spec.score.force_n:g} N, and tips"
+        )
+        result.setdefault("tables", {})[title] = jaw_rows(run)
     if not compared:
         return result
     specs = [load_spec(path, overrides) for path in paths]
