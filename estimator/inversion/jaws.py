@@ -40,7 +40,7 @@ class JawTable:
     half_mm: Float[np.ndarray, "2"]
     values: RegularGridInterpolator
 
-    def at(
+    def pattern(
         self, lean: Float[np.ndarray, "2"]
     ) -> tuple[float, Float[np.ndarray, "2"], Float[np.ndarray, "magnet 6"]]:
         """Return what `JawFace.press` gives, from a cubic spline over the table."""
@@ -122,7 +122,7 @@ class JawReader:
             for table, (force, *lean) in zip(
                 self._tables_of(group), pose.reshape(-1, 3), strict=True
             ):
-                per_mm, _, motion = table.at(np.array(lean))
+                per_mm, _, motion = table.pattern(np.array(lean))
                 moved[row] += force / per_mm * motion
         return self.inversion.model.counts_of_motions(moved)
 
@@ -169,7 +169,7 @@ class JawReader:
 
         force, centre, tilt = [], [], []
         for table, (newton, *lean) in zip(self._tables_of(group), pose.reshape(-1, 3), strict=True):
-            per_mm, where, _ = table.at(np.array(lean))
+            per_mm, where, _ = table.pattern(np.array(lean))
             gained = np.array(lean) * newton / per_mm / table.half_mm
             force.append(newton)
             centre.append(where)
