@@ -1,7 +1,8 @@
 """Shapes of rigid indenters: height of a tip's surface above its lowest point.
 
-A hemisphere is exact. Every other tip is a convex polytope (arcs in steps of 2°, fillets of 9°),
-turned by yaw and tilt; its underside is the largest of its lower facets' planes.
+Ellipsoids, and the hemisphere among them, are exact. Every other tip is a convex polytope (arcs in
+steps of 2°, fillets of 9°), turned by yaw and tilt; its underside is the largest of its lower facets'
+planes.
 """
 
 from __future__ import annotations
@@ -28,38 +29,78 @@ _HALF_TURN = np.deg2rad(np.arange(180))
 
 @dataclass(frozen=True)
 class TipShape:
-    """One tip over its lowest point: a sphere's radius, or a polytope's planes and outline.
+    """One tip about the place pressed: an ellipsoid, or a polytope's planes and outline.
 
-    `planes` (plane, 3) are a, b, c of heights a x + b y + c; `outline` (edge, 3) are n and d of
-    n·(x, y) ≤ d. `corners_mm` are the outline's, `height_mm` is the deepest press the shape allows.
+    `ellipsoid` is A in pᵀ A p ≤ 1 about its centre. `planes` (plane, 3) are a, b, c of heights
+    a x + b y + c; `outline` (edge, 3) are n and d of n·(x, y) ≤ d. `corners_mm` are the outline's,
+    `lowest_mm` those of what is lowest, `height_mm` is the deepest press the shape allows.
     """
 
-    sphere_radius_mm: float | None
+    ellipsoid: Float[np.ndarray, "3 3"] | None
     planes: Float[np.ndarray, "plane 3"]
     outline: Float[np.ndarray, "edge 3"]
     corners_mm: Float[np.ndarray, "corner 2"]
+    lowest_mm: Float[np.ndarray, "lowest 2"]
     height_mm: float
+
+    @property
+    def radius_mm(self) -> float | None:
+        """Geometric mean of an ellipsoid's two radii of curvature at its lowest point."""
+        if self.ellipsoid is None:
+            return None
+        # z rises by H xᵀ S x/2 from the lowest point, S = B − b bᵀ/c of A's blocks: 1/(H √det S)
+        across = self.ellipsoid[:2, 2]
+        flat = self.ellipsoid[:2, :2] - np.outer(across, across) / self.ellipsoid[2, 2]
+        return float(1 / (self.height_mm * np.sqrt(np.linalg.det(flat))))
 
 
 def tip_shape(indenter: IndenterSpec) -> TipShape:
-    """Shape of one tip of an indenter."""
-    if indenter.kind == "hemisphere":
-        radius, none = indenter.radius_mm, np.zeros((0, 3))
-        return TipShape(radius, none, none, radius * _circle(), radius)
+    """Shape of one tip of an indenter.
+
+    The place pressed is under the middle of a flat's or cuboid's underside, else of what is lowest.
+    """
+    if indenter.kind in ("hemisphere", "ellipsoid"):
+        return _ellipsoid(indenter)
     points = _turned(_BODIES[indenter.kind](indenter), indenter)
-    lowest = points[points[:, 2] < points[:, 2].min() + _LEVEL * np.ptp(points)]
-    foot = np.append((lowest.min(axis=0) + lowest.max(axis=0))[:2] / 2, lowest[0, 2])
-    return _polytope(points - foot)
+    low = points[:, 2].min()
+    lowest = points[points[:, 2] < low + _LEVEL * np.ptp(points), :2]
+    middle = (lowest.min(axis=0) + lowest.max(axis=0)) / 2
+    if indenter.kind in ("flat", "cuboid"):
+        middle = np.zeros(2)
+    return _polytope(points - np.append(middle, low), lowest - middle)
 
 
 def tip_heights_mm(shape: TipShape, xy_mm: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
     """Height of the tip's surface above its lowest point at lateral offsets; ∞ off the tip."""
-    if shape.sphere_radius_mm is not None:
-        radius, r2 = shape.sphere_radius_mm, np.sum(np.asarray(xy_mm) ** 2, axis=-1)
-        return np.where(r2 <= radius**2, radius - np.sqrt(np.clip(radius**2 - r2, 0, None)), np.inf)
+    if shape.ellipsoid is not None:
+        return _ellipsoid_heights_mm(shape.ellipsoid, np.asarray(xy_mm, float))
     height = np.max(xy_mm @ shape.planes[:, :2].T + shape.planes[:, 2], axis=-1)
     beside = np.any(xy_mm @ shape.outline[:, :2].T > shape.outline[:, 2] + _LEVEL, axis=-1)
     return np.where(beside, np.inf, height)
+
+
+def _ellipsoid(indenter: IndenterSpec) -> TipShape:
+    radius, half = indenter.radius_mm, np.asarray(indenter.size_mm) / 2
+    axes = _turned(np.eye(3), indenter).T
+    lengths = np.full(3, radius) if indenter.kind == "hemisphere" else np.append(half, radius)
+    inverse = (axes * lengths**2) @ axes.T
+    # the silhouette from above is the ellipse of the inverse's first block
+    silhouette = _circle() @ np.linalg.cholesky(inverse[:2, :2]).T
+    height, none = float(np.sqrt(inverse[2, 2])), np.zeros((0, 3))
+    corners = silhouette + inverse[:2, 2] / height
+    return TipShape(np.linalg.inv(inverse), none, none, corners, np.zeros((1, 2)), height)
+
+
+def _ellipsoid_heights_mm(matrix: Float[np.ndarray, "3 3"], xy_mm: np.ndarray) -> np.ndarray:
+    """z of the lower root of pᵀ A p = 1, above the lowest point, which lies at x = y = 0."""
+    inverse = np.linalg.inv(matrix)
+    lowest = -inverse[:, 2] / np.sqrt(inverse[2, 2])
+    xy, last = xy_mm + lowest[:2], matrix[2, 2]
+    across = xy @ matrix[:2, 2]
+    level = np.sum((xy @ matrix[:2, :2]) * xy, axis=-1) - 1
+    root = across**2 - last * level
+    height = (-across - np.sqrt(np.clip(root, 0, None))) / last - lowest[2]
+    return np.where(root >= -_LEVEL * last, height, np.inf)
 
 
 def tip_places_mm(indenter: IndenterSpec) -> Float[np.ndarray, "tip 2"]:
@@ -77,6 +118,25 @@ def footprint_mm(indenter: IndenterSpec) -> Float[np.ndarray, "2 2"]:
     return np.stack(
         [(places + corners.min(axis=0)).min(axis=0), (places + corners.max(axis=0)).max(axis=0)]
     )
+
+
+def landing_mm(
+    indenter: IndenterSpec,
+    xy_mm: Float[np.ndarray, "*place 2"],
+    low_mm: Float[np.ndarray, "2"],
+    high_mm: Float[np.ndarray, "2"],
+) -> Float[np.ndarray, "2 *place 2"]:
+    """Ends, about the place pressed, of what must land on a face between `low_mm` and `high_mm`.
+
+    Round tips land with every lowest point, for over a border they roll; others may hang over it.
+    """
+    if tip_shape(indenter).ellipsoid is not None:
+        tips = tip_places_mm(indenter)
+        ends = np.stack([tips.min(axis=0), tips.max(axis=0)])
+        return ends.reshape(2, *[1] * (xy_mm.ndim - 1), 2) + 0 * xy_mm
+    low, high = footprint_mm(indenter)
+    nearest = np.clip((low_mm + high_mm) / 2 - xy_mm, low, high)
+    return np.stack([nearest, nearest])
 
 
 def tips_overlap(indenter: IndenterSpec, offset_mm: Float[np.ndarray, "2"]) -> bool:
@@ -99,7 +159,7 @@ def path_mm(
     return np.multiply.outer(np.asarray(depths_mm), np.tan(np.deg2rad(indenter.direction_deg)))
 
 
-def _polytope(points: np.ndarray) -> TipShape:
+def _polytope(points: np.ndarray, lowest: np.ndarray) -> TipShape:
     from scipy.spatial import ConvexHull
 
     a, b, c, d = ConvexHull(points).equations.T
@@ -108,7 +168,8 @@ def _polytope(points: np.ndarray) -> TipShape:
     outline = ConvexHull(points[:, :2])
     edges = outline.equations * [1, 1, -1]
     corners = points[outline.vertices, :2]
-    return TipShape(None, _distinct(planes), _distinct(edges), corners, float(points[:, 2].max()))
+    height = float(points[:, 2].max())
+    return TipShape(None, _distinct(planes), _distinct(edges), corners, lowest, height)
 
 
 def _distinct(rows: np.ndarray) -> np.ndarray:
@@ -163,7 +224,7 @@ def _cuboid(indenter: IndenterSpec) -> np.ndarray:
 def _cylinder(indenter: IndenterSpec) -> np.ndarray:
     """A cylinder that lies along x, its ends flat."""
     y, z = indenter.radius_mm * _circle().T
-    ends = indenter.length_mm / 2 * np.array([-1, 1])
+    ends = indenter.size_mm[0] / 2 * np.array([-1, 1])
     return np.concatenate([np.column_stack([np.full(len(y), x), y, z]) for x in ends])
 
 

@@ -11,7 +11,7 @@ from design.body.surface_chart import FaceFrame
 from design.layout.body import face_frames
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.contact_places import contact_places, tip_stays
-from design.layout.tips import footprint_mm, path_mm, tip_places_mm
+from design.layout.tips import footprint_mm, path_mm, tip_places_mm, tip_shape
 from design.solids.kernel import cq
 from design.solids.primitives import OVERSHOOT_MM, box_between, single_solid
 from design.spec.mechanics import IndenterSpec
@@ -113,6 +113,11 @@ def _body(indenter: IndenterSpec) -> cq.Shape:
     turns = zip(np.eye(3)[[2, 0, 1]], (indenter.yaw_deg, *indenter.tilt_deg), strict=True)
     for axis, angle in turns:
         solid = solid.rotate(_ORIGIN, cq.Vector(*axis), angle)
+    if indenter.kind == "ellipsoid":  # its bounding box is that of the splines' corners
+        matrix = tip_shape(indenter).ellipsoid
+        assert matrix is not None
+        inverse = np.linalg.inv(matrix)
+        return solid.translate(cq.Vector(*(inverse[:, 2] / np.sqrt(inverse[2, 2])).tolist()))
     box, low = solid.BoundingBox(), footprint_mm(indenter.changed(tip_count=1))
     return solid.translate(cq.Vector(low[0, 0] - box.xmin, low[0, 1] - box.ymin, -box.zmin))
 
@@ -134,8 +139,17 @@ def _cuboid(indenter: IndenterSpec) -> cq.Solid:
 
 
 def cylinder_tip(indenter: IndenterSpec) -> cq.Solid:
-    start = cq.Vector(-indenter.length_mm / 2, 0, 0)
-    return cq.Solid.makeCylinder(indenter.radius_mm, indenter.length_mm, start, cq.Vector(1, 0, 0))
+    start = cq.Vector(-indenter.size_mm[0] / 2, 0, 0)
+    return cq.Solid.makeCylinder(indenter.radius_mm, indenter.size_mm[0], start, cq.Vector(1, 0, 0))
+
+
+def _ellipsoid(indenter: IndenterSpec) -> cq.Shape:
+    ball, half = (
+        cq.Solid.makeSphere(1.0, angleDegrees1=-90, angleDegrees2=90),
+        np.asarray(indenter.size_mm) / 2,
+    )
+    stretch = cq.Matrix([[half[0], 0, 0, 0], [0, half[1], 0, 0], [0, 0, indenter.radius_mm, 0]])
+    return ball.transformGeometry(stretch)
 
 
 def _polyhedron(indenter: IndenterSpec) -> cq.Solid:
@@ -150,4 +164,10 @@ def _polyhedron(indenter: IndenterSpec) -> cq.Solid:
     return cq.Solid.makeSolid(cq.Shell.makeShell(faces)).fix()
 
 
-_SOLIDS = {"flat": _flat, "cuboid": _cuboid, "cylinder": cylinder_tip, "stl": _polyhedron}
+_SOLIDS = {
+    "flat": _flat,
+    "cuboid": _cuboid,
+    "cylinder": cylinder_tip,
+    "ellipsoid": _ellipsoid,
+    "stl": _polyhedron,
+}

@@ -125,23 +125,33 @@ Tilt = Annotated[float, Field(ge=-45, le=45)]
 Vertices = Annotated[tuple[tuple[Coordinate, Coordinate, Coordinate], ...], Field(min_length=4)]
 
 
-class IndenterSpec(SpecPart):
-    """Rigid indenter pressed into a face; each kind reads its own sizes.
+Pad = tuple[
+    Annotated[float, Field(ge=0, le=20)],
+    Annotated[float, Field(ge=1e-3, le=1e5)],
+    Annotated[float, Field(ge=0, le=0.5)],
+]
 
-    hemisphere: `radius_mm`. flat: a disk of `radius_mm`. cylinder: `radius_mm` and `length_mm`, lying
-    along the face's x. cuboid: `size_mm`. stl: the convex body in `file`, its lowest point down. The
-    edges of flat and cuboid are rounded by `fillet_mm`. `yaw_deg` turns the indenter about the face's
-    normal, then `tilt_deg` about the face's x and y; the place pressed is where its lowest point
-    lands. `direction_deg` is how far its path leans from the inward normal towards x and y: at depth
-    d it has moved sideways by d tan of them. A probe has `tip_count` tips, `tip_spacing_mm` apart
-    (left out: as the paper's, 15 mm for two and 20 mm for three) about the place pressed.
+
+class IndenterSpec(SpecPart):
+    """Indenter pressed into a face; each kind reads its own sizes.
+
+    hemisphere: `radius_mm`. flat: a disk of `radius_mm`. cylinder: `radius_mm`, lying along the
+    face's x, as long as the first of `size_mm`. cuboid, a jaw: `size_mm`. ellipsoid, a fingertip:
+    `size_mm` are its widths, `radius_mm` is half its height. stl: the convex body in `file`, its
+    lowest point down. The edges of flat and cuboid are rounded by `fillet_mm`. `yaw_deg` turns the
+    indenter about the face's normal, then `tilt_deg` about the face's x and y; the place pressed is
+    where its lowest point lands, of flat and cuboid the middle of the underside. Rigid, or with a
+    soft pad bonded to it: `pad` is its thickness (mm), Young's modulus (MPa) and Poisson's ratio.
+    `direction_deg` is how far its path leans from the inward normal towards x and y: at depth d it
+    has moved sideways by d tan of them. A probe has `tip_count` tips, `tip_spacing_mm` apart (left
+    out: as the paper's, 15 mm for two and 20 mm for three) about the place pressed.
     """
 
-    kind: Literal["hemisphere", "flat", "cylinder", "cuboid", "stl"] = "hemisphere"
+    kind: Literal["hemisphere", "flat", "cylinder", "cuboid", "ellipsoid", "stl"] = "hemisphere"
     radius_mm: Length = 5.0
-    length_mm: Length = 10.0
     size_mm: tuple[Length, Length] = (10.0, 10.0)
     fillet_mm: Offset = 0.0
+    pad: Pad = (0.0, 1.0, 0.45)
     file: str | None = None
     vertices_mm: Vertices | None = None
     yaw_deg: Angle = 0.0
@@ -150,6 +160,21 @@ class IndenterSpec(SpecPart):
     friction: Literal["none", "sticking"] = "none"
     tip_count: Literal[1, 2, 3] = 1
     tip_spacing_mm: Length | None = None
+
+    @property
+    def is_one_plain_ball(self) -> bool:
+        """Return whether it is one rigid hemisphere that goes straight and without friction."""
+        alone = self.kind == "hemisphere" and self.tip_count == 1 and not self.pad[0]
+        return alone and not any(self.direction_deg) and self.friction == "none"
+
+    @model_validator(mode="after")
+    def _pad_slides(self) -> IndenterSpec:
+        if self.pad[0] and self.friction != "none":
+            raise ValueError(
+                f"indenter.pad = {list(self.pad)} is a pad that slides on the face; got "
+                f"indenter.friction = {self.friction!r}. Set friction = 'none', or leave the pad out"
+            )
+        return self
 
     @model_validator(mode="after")
     def _shape_is_whole(self) -> IndenterSpec:

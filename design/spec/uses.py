@@ -9,11 +9,10 @@ from design.errors import SpecError
 from design.spec.object import ObjectSpec
 
 _NETWORKS = ("compact", "whole-object")
-_ROUND_TIPS, _SPLIT = ("hemisphere", "flat", "cylinder"), (None, "split")
+_ROUND_TIPS, _SPLIT = ("hemisphere", "flat", "cylinder", "ellipsoid"), (None, "split")
 USES: dict[str, tuple[str, tuple[Any, ...]]] = {
     "indenter.radius_mm": ("indenter.kind", _ROUND_TIPS),
-    "indenter.length_mm": ("indenter.kind", ("cylinder",)),
-    "indenter.size_mm": ("indenter.kind", ("cuboid",)),
+    "indenter.size_mm": ("indenter.kind", ("cuboid", "cylinder", "ellipsoid")),
     "indenter.fillet_mm": ("indenter.kind", ("flat", "cuboid")),
     "indenter.file": ("indenter.kind", ("stl",)),
     "indenter.tip_spacing_mm": ("indenter.tip_count", (2, 3)),

@@ -33,6 +33,7 @@ from design.layout.dents import sunk_mm
 from design.spec.object import ObjectSpec
 from fem.contact.half_space import HAT_OWN, Patches, chosen, normal_compliance
 from fem.contact.indenter import Border
+from fem.contact.pad import pad_compliance
 from fem.contact.rigid_base import LEAST_WEIGHT, RigidBase, rigid_bases
 from fem.linear.response import FaceSurface, ResponseOperator
 
@@ -238,7 +239,7 @@ def take_back(wide: Float[np.ndarray, "cell cell"], spread: Spread, base: RigidB
 def place_compliance(
     spread: Spread, near: Float[np.ndarray, "cell cell"]
 ) -> Float[np.ndarray, "cell cell"]:
-    """Compliance of one indenter's cells; `near` is H of them in the touching plane."""
+    """Compliance of one indenter's cells; `near` is `near_compliance` in the touching plane."""
     if spread.face.frame.flat:
         return wide_block(spread) + near
     lean = 1 / np.nan_to_num(spread.cosine, nan=1.0)
@@ -251,6 +252,11 @@ def cells_compliance(patches: Patches, spec: ObjectSpec) -> Float[np.ndarray, "c
     return normal_compliance(patches, patches, *constants)
 
 
+def near_compliance(patches: Patches, spec: ObjectSpec) -> Float[np.ndarray, "cell cell"]:
+    """H of an indenter's cells, and what its pad gives way."""
+    return cells_compliance(patches, spec) + pad_compliance(patches, spec.indenter)
+
+
 def joint_compliance(
     response: ResponseOperator, spreads: Sequence[Spread], spec: ObjectSpec
 ) -> Float[np.ndarray, "cell cell"]:
@@ -261,7 +267,7 @@ def joint_compliance(
         row = []
         for b in spreads:
             if a is b:
-                block = wide_block(a) + cells_compliance(a.patches, spec)
+                block = wide_block(a) + near_compliance(a.patches, spec)
             elif a.face.index == b.face.index:
                 inner = a.face.wide_compliance[np.ix_(a.rows, b.rows)]
                 near = normal_compliance(a.patches, b.patches, *constants)

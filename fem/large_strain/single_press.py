@@ -153,12 +153,12 @@ def require_modulus(spec: ObjectSpec, material: Hyperelastic) -> None:
 
 def _require_hemisphere(spec: ObjectSpec) -> None:
     indenter = spec.indenter
-    plain = indenter.kind == "hemisphere" and indenter.tip_count == 1
-    if not plain or any(indenter.direction_deg) or indenter.friction != "none":
+    if not indenter.is_one_plain_ball:
         raise InputError(
-            "large deformation presses one hemisphere, straight and without friction; got "
+            "large deformation presses one hemisphere, rigid, straight and without friction; got "
             f"indenter.kind = {indenter.kind!r}, tip_count = {indenter.tip_count}, direction_deg = "
-            f"{list(indenter.direction_deg)}, friction = {indenter.friction!r}. Set them back, or use "
+            f"{list(indenter.direction_deg)}, friction = {indenter.friction!r}, pad = "
+            f"{list(indenter.pad)}. Set them back, or use "
             "small strain: `instobj press --material linear`, mechanics.correction = 'none'"
         )
 

@@ -46,6 +46,8 @@ class JointPress:
 
     `shear_n` are the forces along the face's x and y, 0 without friction. `motion` (magnet, 6) is
     in mm and rad, in the object's frame, as in `MagnetMotions`. `core` is None for a bonded one.
+    `centre_mm` is the centre of pressure, about the place pressed in the plane that touches it there:
+    None over an edge, 0 where nothing presses.
     """
 
     tips: tuple[Tip, ...]
@@ -55,12 +57,13 @@ class JointPress:
     contact_area_mm2: Float[np.ndarray, "tip"]
     motion: Float[np.ndarray, "magnet 6"]
     core: CoreState | None = None
+    centre_mm: Float[np.ndarray, "tip 2"] | None = None
 
 
 @dataclass(frozen=True)
 class JointCells:
     """All indenters' cells over the body, with their mutual compliance, wherever their paths have
-    brought them."""
+    brought them; `away_mm` is from the place pressed."""
 
     cut: tuple[TipCells, ...]
     spreads: tuple[Spread, ...]
@@ -68,6 +71,7 @@ class JointCells:
     gap_mm: Float[np.ndarray, "cell"]
     area_mm2: Float[np.ndarray, "cell"]
     tip: Int[np.ndarray, "cell"]
+    away_mm: Float[np.ndarray, "cell 2"]
 
 
 def refined_faces(spec: ObjectSpec, response: ResponseOperator) -> dict[int, RefinedFace]:
@@ -142,14 +146,28 @@ def presser(
             require_on_patch(cut, spread, depth)
         gap = (cells.gap_mm - depths_mm[cells.tip]) * cells.area_mm2
         pressure = contact_pressures(cells.compliance, gap, cells.area_mm2, np.zeros(1))[0]
-        force = np.bincount(cells.tip, pressure * cells.area_mm2, minlength=len(tips))
+        bears = pressure * cells.area_mm2
+        force = np.bincount(cells.tip, bears, minlength=len(tips))
+        centre = centres_mm(bears, cells.away_mm, cells.tip, len(tips))
         touched = np.bincount(cells.tip, (pressure > 0) * cells.area_mm2, minlength=len(tips))
         motion = spread_motion(response, cells.spreads, pressure)
         shear = np.zeros((len(tips), 2))
         core = _held_core(response, cells.spreads, pressure)
-        return JointPress(tuple(tips), depths_mm, force, shear, touched, motion, core)
+        return JointPress(tuple(tips), depths_mm, force, shear, touched, motion, core, centre)
 
     return press
+
+
+def centres_mm(
+    force_n: Float[np.ndarray, "cell"],
+    away_mm: Float[np.ndarray, "cell 2"],
+    tip: Int[np.ndarray, "cell"],
+    tips: int,
+) -> Float[np.ndarray, "tip 2"]:
+    """Centre of pressure of every tip; 0 where nothing presses."""
+    total = np.bincount(tip, force_n, minlength=tips)
+    moments = [np.bincount(tip, force_n * part, minlength=tips) for part in away_mm.T]
+    return np.column_stack(moments) / np.where(total > 0, total, 1.0)[:, None]
 
 
 def spread_motion(
@@ -199,7 +217,7 @@ def joint_cells(
     if faces is None:
         faces = {n: refined_face(response, i, spec) for i, n in enumerate(numbers) if n in used}
     indenter, whole = spec.indenter, tip_cells(spec.indenter)
-    spreads, cuts = [], []
+    spreads, cuts, away = [], [], []
     for tip, sideways in zip(tips, path_mm(indenter, depths_mm), strict=True):
         if tip.face not in numbers:
             raise InputError(f"face {tip.face} is not a sensed face. Press one of {numbers}")
@@ -207,6 +225,7 @@ def joint_cells(
         require_landing(faces[tip.face], spec, np.stack([place, place + sideways]))
         cuts.append(cells_over(faces[tip.face], indenter, whole, place + sideways))
         patches = moved(cuts[-1].patches, place + sideways)
+        away.append(patches.centre_mm - place)
         spreads.append(spread_cells(faces[tip.face], patches, place))
     gaps = [resting_gap_mm(cut, spread) for cut, spread in zip(cuts, spreads, strict=True)]
     return JointCells(
@@ -216,6 +235,7 @@ def joint_cells(
         np.concatenate(gaps),
         np.concatenate([cut.patches.area_mm2 for cut in cuts]),
         np.repeat(np.arange(len(tips)), [len(gap) for gap in gaps]),
+        np.concatenate(away),
     )
 
 

@@ -55,7 +55,8 @@ class EdgePlace:
 
 
 def edge_place(spec: ObjectSpec, tip: Tip) -> EdgePlace | None:
-    """Return where a place beyond a flat face's border is; None for a place on a face.
+    """Return where a place beyond a flat face's border is; None for a place on a face, and for jaws and
+    others that are not round: they hang over it.
 
     Raises
     ------
@@ -67,14 +68,13 @@ def edge_place(spec: ObjectSpec, tip: Tip) -> EdgePlace | None:
     on_face = _nearest_on_face(frame, xy)
     beyond = xy - on_face
     length = float(np.linalg.norm(beyond))
-    if not frame.flat or length < 1e-9:
-        return None
     indenter = spec.indenter
-    hemisphere = indenter.kind == "hemisphere" and indenter.tip_count == 1
-    if not hemisphere or any(indenter.direction_deg) or indenter.friction != "none":
+    if not frame.flat or length < 1e-9 or tip_shape(indenter).ellipsoid is None:
+        return None
+    if not indenter.is_one_plain_ball:
         raise InputError(
             f"({tip.x_mm:g}, {tip.y_mm:g}) mm lies beyond the border of face {tip.face}; over an edge rolls "
-            "one hemisphere, straight and without friction. Set the indenter so, or press on the face"
+            "one hemisphere, rigid, straight and without friction. Set the indenter so, or press on the face"
         )
     angle = length / indenter.radius_mm
     if angle > np.pi / 2 + 1e-9:

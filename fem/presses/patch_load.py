@@ -51,6 +51,7 @@ def load_patches(
             f"{radius_mm:g} and {pressure_mpa:g}. Example: --patch 4 0.02"
         )
     disk, cells = IndenterSpec(kind="flat", radius_mm=radius_mm), patch_cells(radius_mm)
+    spec = spec.changed(indenter=disk)
     numbers = [surface.number for surface in response.surfaces]
     spreads = []
     for place in places:

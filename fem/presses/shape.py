@@ -158,7 +158,8 @@ def hat_pressures(
     """Hat pressures (place, vertex), MPa."""
     depth = np.array([depth_mm])
     frame = face_frame(spec, response.surfaces[face_index].number)
-    if spec.indenter.kind != "hemisphere" or not frame.flat:
+    rigid_ball = spec.indenter.kind == "hemisphere" and not spec.indenter.pad[0]
+    if not rigid_ball or not frame.flat:
         return press_places(spec, response, face_index, xy_mm, depth)[:, 0]
     surface, loads = with_dents(spec, response, face_index), response.face_loads(face_index)
     radius, weights = spec.indenter.radius_mm, surface_weights_mm2(surface)

@@ -21,7 +21,7 @@ from design.spec.object import ObjectSpec
 from fem.contact.indenter import TipCells, moved, tip_cells
 from fem.contact.traction import TractionResponse, traction_response
 from fem.mesh.tetrahedra import TetMesh
-from fem.presses.joint import JointPress, Tip, require_apart
+from fem.presses.joint import JointPress, Tip, centres_mm, require_apart
 
 _LARGEST_STEP_MM = 0.1
 """Depth of a step along the path, at most."""
@@ -215,4 +215,8 @@ def joint_press_of(
     )
     touched = np.bincount(setting.indenter, state.touching * area, minlength=len(tips))
     motion = np.tensordot(setting.response.motion, state.traction_mpa, axes=2).reshape(-1, 6)
-    return JointPress(tips, depth_mm, normal, np.column_stack([x, y]), touched, motion)
+    bears = state.traction_mpa[0] * area
+    centre = centres_mm(bears, setting.cells.patches.centre_mm, setting.indenter, len(tips))
+    return JointPress(
+        tips, depth_mm, normal, np.column_stack([x, y]), touched, motion, centre_mm=centre
+    )

@@ -15,7 +15,7 @@ from skfem.refdom import RefTri
 from design.errors import InputError
 from design.layout.places.contact_grid import press_lattice
 from design.layout.places.contact_places import pressed_nodes
-from design.layout.tips import footprint_mm, path_mm
+from design.layout.tips import footprint_mm, landing_mm, path_mm
 from design.processes import one_blas_thread
 from design.spec.mechanics import IndenterSpec
 from design.spec.object import ObjectSpec
@@ -24,7 +24,7 @@ from fem.contact.indenter import Border, TipCells, hemisphere_profile_mm, moved,
 from fem.contact.refined import (
     RefinedFace,
     Spread,
-    cells_compliance,
+    near_compliance,
     place_compliance,
     refined_face,
     spread_cells,
@@ -181,7 +181,7 @@ def _press_each(
         for steps in together:
             cut = cells_over(face, spec.indenter, tip, centre + sideways[steps[0]])
             if id(cut) not in kept:
-                kept[id(cut)] = _Kept(cut, cells_compliance(cut.patches, spec), {})
+                kept[id(cut)] = _Kept(cut, near_compliance(cut.patches, spec), {})
             near, nearby = kept[id(cut)].compliance, kept[id(cut)].nearby
             spread = spread_cells(face, moved(cut.patches, centre + sideways[steps[0]]), centre)
             require_on_patch(cut, spread, float(depths_mm[steps[-1]]))
@@ -276,13 +276,16 @@ def profile_moments_mm3(surface: FaceSurface, xy_mm: np.ndarray, radius_mm: floa
 def require_landing(
     face: RefinedFace, spec: ObjectSpec, xy_mm: Float[np.ndarray, "place 2"]
 ) -> None:
-    """Raise InputError for a press whose lowest point misses a flat face.
+    """Raise InputError for a press that misses a flat face: a round tip's lowest point, all of another.
 
     Where slits cut the edges the whole indenter must stay on the face.
     """
     if spec.shell.slits.depth_mm > 0:
         return require_on_face(face, spec.indenter, xy_mm)
-    misses = face.border is not None and face.border.signed_distance_mm(xy_mm) > _BORDER_MM
+    if face.border is None:
+        return None
+    ends = landing_mm(spec.indenter, xy_mm, face.border.low_mm, face.border.high_mm)
+    misses = (face.border.signed_distance_mm(xy_mm + ends) > _BORDER_MM).all(axis=0)
     if np.any(misses):
         x, y = xy_mm[misses][0]
         half = face.frame.half_extents_mm

@@ -181,6 +181,10 @@ def score(
     shear: Annotated[
         bool, typer.Option("--shear", help="Also Cramér–Rao bounds of (x, y, F, Fx, Fy).")
     ] = False,
+    body: Annotated[
+        str | None,
+        typer.Option(help="jaw: also bounds of a flat jaw over each face, beside those of tips."),
+    ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
@@ -188,7 +192,7 @@ def score(
     """Sensitivity, Cramér–Rao bounds and maps of every contact location; designs side by side."""
     from instobj.commands.comparison import score_designs
 
-    show(score_designs(specs, shear, out, overrides or []), as_json)
+    show(score_designs(specs, shear, body, out, overrides or []), as_json)
 
 
 @app.command(rich_help_panel=KEEP)

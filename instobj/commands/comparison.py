@@ -5,6 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from design.errors import InputError
 from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
@@ -13,25 +16,37 @@ from instobj.commands.run import run_chain
 from instobj.report.pages import render
 from instobj.stages.run import Run
 from instobj.store.publish import file_rows
-from instobj.store.readers import SCENE, STILL
+from instobj.store.readers import RESPONSE, SCENE, SCORES, STILL
 
 MOST = 4
 """Designs on a page: each view is a picture in three dimensions."""
 
 
 def score_designs(
-    paths: list[Path], shear: bool, out: Path, overrides: list[str]
+    paths: list[Path], shear: bool, body: str | None, out: Path, overrides: list[str]
 ) -> dict[str, Any]:
     """Bring each specification to its scores; two to four of them get `comparison.html` as well.
+
+    With `body` "jaw" a flat jaw over each face is scored too.
 
     Raises
     ------
     InputError
-        A bad specification, or two of one name.
+        A bad specification, two of one name, an unknown body, or a jaw on a curved face.
     """
+    if body not in (None, "jaw"):
+        raise InputError(
+            f"--body {body!r} is not known beside tips. Give --body jaw, or leave it out"
+        )
     stages = ("scores", "weak_areas", *(("shear_scores",) if shear else ()), "discretisation")
     compared = 1 < len(paths) <= MOST
     result = run_chain(paths, (*stages, "scene") if compared else stages, out, overrides)
+    for path in paths if body else ():
+        run = Run(load_spec(path, overrides))
+        title = (
+            f"{run.spec.name}: a flat jaw over each face at {run.spec.score.force_n:g} N, and tips"
+        )
+        result.setdefault("tables", {})[title] = jaw_rows(run)
     if not compared:
         return result
     specs = [load_spec(path, overrides) for path in paths]
@@ -41,6 +56,31 @@ def score_designs(
     )
     result["comparison"]["files"] += file_rows([page])
     return result
+
+
+def jaw_rows(run: Run) -> list[dict[str, float]]:
+    """Bounds of a flat jaw over each face at `score.force_n`, and the medians of tips on that face."""
+    from estimator.information.jaws import jaw_bounds
+    from fem.presses.jaws import jaw_faces
+
+    scores, rows = run.read(SCORES), []
+    for jaw in jaw_bounds(run.spec, jaw_faces(run.spec, run.read(RESPONSE))):
+        at = scores.faces.tolist().index(jaw.face)
+        tips = scores.judged[at]
+        rows.append(
+            {
+                "face": jaw.face,
+                "σ force N": jaw.force_bound_n,
+                "of tips N": float(np.median(scores.force_bound_n[at, tips])),
+                "σ centre mm": jaw.centre_bound_mm,
+                "σ place of tips mm": float(np.median(scores.position_bound_mm[at, tips])),
+                "σ tilt °": jaw.tilt_bound_deg,
+                "drifted N": jaw.force_bound_drifted_n,
+                "mm": jaw.centre_bound_drifted_mm,
+                "°": jaw.tilt_bound_drifted_deg,
+            }
+        )
+    return rows
 
 
 def write_comparison_page(

@@ -79,7 +79,7 @@ STAGES: dict[str, Stage] = {
         (),
         ("name", *_MAKING),
         make_build,
-        version=20,
+        version=21,
     ),
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
@@ -117,14 +117,14 @@ STAGES: dict[str, Stage] = {
         ("mesh", "response"),
         _PRESSED,
         make_shapes,
-        version=4,
+        version=5,
     ),
     "presses": Stage(
         "mechanics: contact at every location and depth",
         ("mesh", "response", "large_strain"),
         (*_PRESSED, "mechanics.slip"),
         make_presses,
-        version=6,
+        version=7,
     ),
     "plain_mesh": Stage("mesh: without magnets", (), (*_SHAPE, "mesh"), make_plain_mesh, version=4),
     "plain_response": Stage(

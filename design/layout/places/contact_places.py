@@ -211,8 +211,11 @@ def touched_reach_mm(spec: ObjectSpec) -> float:
     """Return how far from the place pressed the tips touch at the deepest press, on a flat face."""
     deepest, shape = spec.press.depths_mm[-1], tip_shape(spec.indenter)
     radii = np.linspace(0, np.linalg.norm(shape.corners_mm, axis=1).max(), 200)
-    heights = tip_heights_mm(shape, np.column_stack([radii, 0 * radii]))
-    reach = float(radii[heights <= deepest].max()) if shape.sphere_radius_mm else float(radii[-1])
+    angle = np.deg2rad(np.arange(0, 360, 10))
+    around = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    lowest = tip_heights_mm(shape, radii[:, None, None] * around).min(axis=1)
+    is_round = shape.ellipsoid is not None
+    reach = float(radii[lowest <= deepest].max()) if is_round else float(radii[-1])
     return reach + float(np.linalg.norm(tip_places_mm(spec.indenter), axis=1).max())
 
 

@@ -90,10 +90,10 @@ def likely_unit(ratio: float) -> str:
 def _contact_radius_mm(
     shape: TipShape, depths_mm: Float[np.ndarray, "depth"]
 ) -> Float[np.ndarray, "depth"]:
-    """√(R δ) under a sphere; else that of the disk as large as the tip's section at the depth, which is
+    """√(R δ) under a round tip; else that of the disk as large as the tip's section at the depth, which is
     more than what touches."""
-    if shape.sphere_radius_mm is not None:
-        return np.sqrt(shape.sphere_radius_mm * depths_mm)
+    if shape.radius_mm is not None:
+        return np.sqrt(shape.radius_mm * depths_mm)
     low, high = shape.corners_mm.min(axis=0), shape.corners_mm.max(axis=0)
     axes = [np.linspace(low[k], high[k], _GRID) for k in (0, 1)]
     heights = np.sort(tip_heights_mm(shape, np.stack(np.meshgrid(*axes), axis=-1)), axis=None)

@@ -73,7 +73,7 @@ def grasp_specification(
 
 
 def unbalanced_moment_nmm(spec: ObjectSpec, press: JointPress) -> np.ndarray:
-    """Moment of the tips' normal forces about the object's centre, taken at the places pressed.
+    """Moment of the tips' normal forces about the object's centre, taken at their centres of pressure.
 
     A real object would turn until it vanishes, or friction bears it; here the core is held.
     """
@@ -81,11 +81,12 @@ def unbalanced_moment_nmm(spec: ObjectSpec, press: JointPress) -> np.ndarray:
 
     frames = {frame.number: frame for frame in face_frames(spec)}
     moment = np.zeros(3)
-    for tip, force in zip(press.tips, press.force_n, strict=True):
+    centres = np.zeros((len(press.tips), 2)) if press.centre_mm is None else press.centre_mm
+    for tip, force, away in zip(press.tips, press.force_n, centres, strict=True):
         frame = frames[tip.face]
         xy = frame.to_plane(np.array([tip.x_mm, tip.y_mm]))
         tangent = frame.tangent(xy)
-        place = tangent.to_object(np.append(xy, 0.0))
+        place = tangent.to_object(np.append(xy + away, 0.0))
         moment += np.cross(place, -force * tangent.normal)
     return moment
 

@@ -11,7 +11,6 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import InputError
-from design.layout.places.contact_grid import PlaceGrid
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
@@ -141,14 +140,9 @@ def signal_changes(
     spec: ObjectSpec, motion: Float[np.ndarray, "load magnet 6"]
 ) -> Float[np.ndarray, "load sensor 3"]:
     """Expected changes against rest, counts, for the magnets' motions under some loads."""
-    from estimator.signals.presses import press_signals
-    from fem.presses.results import MagnetMotions, PressForces
+    from estimator.information.jaws import signals_of_motions
 
-    loads, one = np.arange(1.0, len(motion) + 1), PlaceGrid(np.zeros(1), np.zeros(1))
-    faces, none = np.array([1]), np.zeros((1, 1, len(motion)))
-    forces = PressForces(faces, one, loads, none, none)
-    motions = MagnetMotions(faces, one, loads, motion[None, None])
-    return press_signals(spec, forces, motions).delta_counts[0, 0]
+    return signals_of_motions(spec, motion).delta_counts[0, 0]
 
 
 def sensor_rows(spec: ObjectSpec, change: Float[np.ndarray, "sensor 3"]) -> list[dict[str, Any]]:
@@ -271,6 +265,9 @@ def _rows(press: JointPress, alone: Sequence[JointPress]) -> list[dict[str, Any]
             "shear N": float(np.hypot(*press.shear_n[index])),
             "contact mm²": float(press.contact_area_mm2[index]),
         }
+        if press.centre_mm is not None:
+            centre = press.centre_mm[index] + [tip.x_mm, tip.y_mm]
+            row |= {"centre x mm": float(centre[0]), "centre y mm": float(centre[1])}
         if alone:
             row["alone N"] = float(alone[index].force_n[0])
         rows.append(row)

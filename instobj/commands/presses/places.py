@@ -121,7 +121,7 @@ def _require_place(
     spec: ObjectSpec, place: Place, to_depth: bool, whole: bool, over_edges: bool
 ) -> None:
     from design.layout.body import face_frames
-    from design.layout.tips import footprint_mm, path_mm, tip_places_mm, tip_shape
+    from design.layout.tips import footprint_mm, landing_mm, path_mm, tip_shape
 
     frames = {frame.number: frame for frame in face_frames(spec)}
     if place.face not in frames:
@@ -137,9 +137,10 @@ def _require_place(
     frame = frames[place.face]
     whole = whole or spec.indenter.friction == "sticking" or spec.shell.slits.depth_mm > 0
     hangs = np.array(frame.ends) & (not whole)
-    tips = tip_places_mm(spec.indenter)
-    reach = np.where(hangs, [tips.min(axis=0), tips.max(axis=0)], footprint_mm(spec.indenter))
-    half, size = frame.half_lengths_mm, np.ptp(reach, axis=0)
+    half, at_place = np.array(frame.half_lengths_mm), np.array([place.x_mm, place.y_mm])
+    landing = landing_mm(spec.indenter, at_place, -half, half)
+    reach = np.where(hangs, landing, footprint_mm(spec.indenter))
+    size = np.ptp(reach, axis=0)
     if size[0] > 2 * half[0] or size[1] > 2 * half[1]:
         raise InputError(
             f"the {spec.indenter.kind} covers {size[0]:.4g} × {size[1]:.4g} mm, more than face "

@@ -58,17 +58,18 @@ def test_cells_of_a_ball_are_halved_up_to_0_4_mm_above_its_lowest_point():
 
 
 def test_a_tilted_cuboid_touches_first_with_the_edge_turned_down():
-    """Tilt about y by +10° takes +x down: the surface rises towards −x from its edge's middle."""
+    """Tilt about y by +10° takes +x down: the surface rises towards −x from its edge; the place is under
+    its middle."""
     tilted = {"kind": "cuboid", "size_mm": (6.0, 4.0), "tilt_deg": (0.0, 10.0)}
     assert_allclose(
-        heights([[0, 1], [-2, 0], [-5, -1]], **tilted),
+        heights(np.add([[0, 1], [-2, 0], [-5, -1]], (3 * np.cos(np.deg2rad(10)), 0)), **tilted),
         np.array([0, 2, 5]) * np.tan(np.deg2rad(10)),
         rtol=0,
         atol=1e-9,
     )
     low, high = footprint_mm(IndenterSpec(**tilted))
     assert_allclose([low[1], high[1]], [-2, 2], rtol=0, atol=1e-9)
-    assert low[0] < -5.9
+    assert low[0] < -2.9
 
 
 def test_cells_cover_the_outline_and_know_their_heights():
@@ -126,7 +127,7 @@ def test_hertz_on_the_half_space():
 
 def test_the_line_contact_of_a_long_cylinder():
     """Middle of a cylinder of 16 mm: p₀ = √(P′E*/πR) and half width √(4P′R/πE*) for its own P′."""
-    spec = spec_of(NU, kind="cylinder", radius_mm=4.0, length_mm=16.0, yaw_deg=90)
+    spec = spec_of(NU, kind="cylinder", radius_mm=4.0, size_mm=(16.0, 9.0), yaw_deg=90)
     pressures, tip = half_space_presses(spec, [0.3])
     x, y = tip.patches.centre_mm.T
     middle = abs(y) < 2

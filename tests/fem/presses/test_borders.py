@@ -136,8 +136,10 @@ def test_a_place_over_an_edge_leans_as_far_as_the_tip_has_rolled(rigid_spec):
     with pytest.raises(InputError, match="rolled by more than 90°"):
         edge_place(rigid_spec, Tip(1, HALF + 7.9, 0.0))
     flat = rigid_spec.changed(indenter=rigid_spec.indenter.changed(kind="flat"))
+    assert edge_place(flat, Tip(1, HALF + 1.0, 0.0)) is None
+    finger = rigid_spec.changed(indenter=rigid_spec.indenter.changed(kind="ellipsoid"))
     with pytest.raises(InputError, match="one hemisphere"):
-        edge_place(flat, Tip(1, HALF + 1.0, 0.0))
+        edge_place(finger, Tip(1, HALF + 1.0, 0.0))
 
 
 def test_along_a_face_s_normal_it_is_the_contact_of_the_face_s_hats(
