@@ -1,7 +1,7 @@
 """Forces and magnets' motions under jaws, pads, cylinders and fingertips, by NGSolve beside `fem`.
 
-    python benchmarks/forces_of_jaws.py reference --edge 1.6 --save jaws_reference.json
-    python benchmarks/forces_of_jaws.py compare benchmarks/results/jaws_reference.json
+    python benchmarks/forces_of_jaws.py reference --edge 1.6 --save jaws.json
+    python benchmarks/forces_of_jaws.py compare benchmarks/references/jaws.json
     python benchmarks/forces_of_jaws.py draw docs/presses_jaws.png
 
 The reference: shells of the paper's cube and of a box with magnets at three depths, half of each (y ≥ 0);

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from estimator.frames.dataset import FrameSet, load_frames
     from estimator.networks.face_model import FaceModel, load_model, save_model
     from estimator.recordings.reading import Recording, read_recording
-    from instobj import fem, field, information, sim
+    from instobj import fem, field, information, robot, sim
     from instobj.api import build_parts, compare, evaluate, fit_estimator, predict
     from instobj.commands.run import check
     from instobj.field import magnet_field
@@ -54,6 +54,7 @@ __all__ = [
     "magnet_field",
     "predict",
     "read_recording",
+    "robot",
     "save_model",
     "sim",
 ]
@@ -68,7 +69,7 @@ _HOMES = {
     "estimator.frames.dataset": ("FrameSet", "load_frames"),
     "estimator.networks.face_model": ("FaceModel", "load_model", "save_model"),
     "estimator.recordings.reading": ("Recording", "read_recording"),
-    "instobj": ("fem", "field", "information", "sim"),
+    "instobj": ("fem", "field", "information", "robot", "sim"),
     "instobj.api": ("build_parts", "compare", "evaluate", "fit_estimator", "predict"),
     "instobj.commands.run": ("check",),
     "instobj.field": ("magnet_field",),

@@ -24,14 +24,7 @@ from fem.mesh.surfaces import sealed_body_surface
 if TYPE_CHECKING:
     import trimesh
 
-__all__ = [
-    "contact_forces",
-    "contact_wrench",
-    "foxglove_channels",
-    "is_foxglove",
-    "lerobot_features",
-    "write_bag",
-]
+__all__ = ["foxglove_channels", "lerobot_features", "write_bag"]
 
 Document = dict[str, Any]
 """One frame as `instobj predict` prints it."""
@@ -58,10 +51,22 @@ def _port(target: Path) -> int | None:
 
 @contextmanager
 def foxglove_channels(target: Path, spec: ObjectSpec) -> Iterator[Callable[[Document], None]]:
-    """Give a function that sends frames to an MCAP file, or to Foxglove on 127.0.0.1.
+    """Send frames to an MCAP file, or to Foxglove's live view on 127.0.0.1.
 
     Channels: /instobj/contacts (the document), /instobj/wrench (N and N m about the object's origin)
     and /instobj/scene (the surface, and an arrow for each contact) in the frame "object".
+
+    Parameters
+    ----------
+    target : Path
+        A new MCAP file, or "foxglove" or "foxglove:PORT" for the live view.
+    spec : ObjectSpec
+        The object.
+
+    Returns
+    -------
+    context manager
+        Gives a function that sends one frame, a document of `instobj predict --port`.
 
     Raises
     ------
@@ -69,6 +74,15 @@ def foxglove_channels(target: Path, spec: ObjectSpec) -> Iterator[Callable[[Docu
         The file exists, or the port is taken.
     ImportError
         The extra `instobj[robot]` is not installed.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> import instobj
+    >>> press = {"face": 1, "x_mm": 2.0, "y_mm": 0.0, "force_n": 3.0}
+    >>> cube = instobj.ObjectSpec(name="cube")
+    >>> with instobj.robot.foxglove_channels(Path("contacts.mcap"), cube) as send:
+    ...     send({"time_s": 0.5, "contacts": [press]})
     """
     import foxglove
 
@@ -130,8 +144,8 @@ def contact_forces(
 ) -> Iterator[tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"], Document]]:
     """Yield where each contact is (mm) and its force on the object (N), both in the object's frame."""
     for point_mm, axes, contact in _placed(spec, contacts):
-        along = [contact.get("tangential_x_n", 0.0), contact.get("tangential_y_n", 0.0)]
-        yield point_mm, axes @ np.array([*along, -contact["force_n"]]), contact
+        tangential_n = [contact.get("tangential_x_n", 0.0), contact.get("tangential_y_n", 0.0)]
+        yield point_mm, axes @ np.array([*tangential_n, -contact["force_n"]]), contact
 
 
 def _placed(

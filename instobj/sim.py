@@ -133,7 +133,7 @@ class HallObject:
         points, force = float64(points_mm), float64(force_n)
         if of_one:
             points, force = points[None], force[None]
-        places, response, arrays, draw = self._where(points)
+        places, response, arrays, draw = self._prepare(points)
         face, place = places.nearest(points.reshape(-1, 3))
         face = face.reshape(force.shape)
         # a slot without force has no face
@@ -175,12 +175,12 @@ class HallObject:
         force = [data.efc_force[k : k + n].sum() for k, n in zip(first, rows, strict=True)]
         return self.read(points_mm, np.array(force), rotation, model.opt.timestep)
 
-    def _where(self, reference: Array) -> tuple[Any, Any, dict[str, Array], Callable[..., Array]]:
+    def _prepare(self, reference: Array) -> tuple[Any, Any, dict[str, Array], Callable[..., Array]]:
         """Return tables, arrays and the source of noise as arrays of the reference's kind."""
         on_host = isinstance(reference, np.ndarray)
         device = "" if on_host else str(reference.device)
         if device not in self._known:
-            places, response = (table.on(reference) for table in self._tables)
+            places, response = (table.moved_to(reference) for table in self._tables)
             arrays = {name: like(reference, array) for name, array in self._arrays.items()}
             self._known[device] = places, response, arrays, _noise_source(reference, self._seed)
         return self._known[device]

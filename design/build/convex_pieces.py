@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from manifold3d import Manifold
 
 _SPACING_MM = 1.0
-"""Of points at which hulls are compared with the surface: between two points of a flat hull the distance
-to a surface changes by half of this at most, of a smooth one by far less."""
+"""Distance of points at which hulls are compared with the surface: between two points of a flat hull
+the distance to a surface changes by half of this at most, of a smooth one by far less."""
 _NOTHING_MM = 1e-6
 """Distances below this are rounding of booleans."""
 

@@ -1,4 +1,4 @@
-"""What files for physics simulators hold of an object: mass, surfaces, frames and contacts."""
+"""Content of files for physics simulators: an object's mass, surfaces, frames and contacts."""
 
 from __future__ import annotations
 

@@ -64,14 +64,18 @@ def mjcf_text(body: SimulatorBody) -> str:
         f'solref="{_joined(-spring * (1 - _IMPEDANCE) / mass_kg)}" '
         f'solimp="{_IMPEDANCE} {_IMPEDANCE} 0.001" group="3"'
     )
-    seen = 'group="2" contype="0" conaffinity="0"'
+    visual_only = 'group="2" contype="0" conaffinity="0"'
     assets = [
         f'    <mesh name="{name}" file="{name}.stl" scale="{_M} {_M} {_M}"/>'
         for name in body.meshes
     ]
     geoms = [
         f'      <geom type="mesh" mesh="{name}" '
-        + (f'{seen} rgba="{_joined(_COLOURS[name])}"/>' if name in body.visual else f"{contact}/>")
+        + (
+            f'{visual_only} rgba="{_joined(_COLOURS[name])}"/>'
+            if name in body.visual
+            else f"{contact}/>"
+        )
         for name in body.meshes
     ]
     sites = [

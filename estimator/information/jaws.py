@@ -94,9 +94,9 @@ def signals_of_motions(spec: ObjectSpec, motion: Float[np.ndarray, "load magnet 
     loads, place = np.arange(1.0, len(motion) + 1), PlaceGrid(np.zeros(1), np.zeros(1))
     faces = np.array(spec.body.sensed)
     none = np.zeros((len(faces), 1, len(motion)))
-    every = np.tile(motion, (len(faces), 1, 1, 1, 1))
+    on_all_faces = np.tile(motion, (len(faces), 1, 1, 1, 1))
     forces = PressForces(faces, place, loads, none, none)
-    return press_signals(spec, forces, MagnetMotions(faces, place, loads, every))
+    return press_signals(spec, forces, MagnetMotions(faces, place, loads, on_all_faces))
 
 
 def _deviations(

@@ -19,7 +19,7 @@ from scipy.interpolate import RegularGridInterpolator
 from scipy.optimize import least_squares
 
 from estimator.inversion.inversion import Inversion
-from estimator.inversion.problems import Observed
+from estimator.inversion.problems import Observations
 from fem.presses.jaws import JawFace
 
 MOST_LEAN = 2.0
@@ -127,7 +127,7 @@ class JawReader:
         return self.inversion.model.counts_of_motions(moved)
 
     def _fitted(
-        self, observed: Observed, group: tuple[int, ...]
+        self, observed: Observations, group: tuple[int, ...]
     ) -> tuple[float, tuple[int, ...], np.ndarray]:
         """Log evidence of jaws on these faces, and their pose."""
         count = len(group)
@@ -163,7 +163,7 @@ class JawReader:
         return float(evidence), group, best.x
 
     def _reading(
-        self, observed: Observed, group: tuple[int, ...], pose: np.ndarray, log_odds: float
+        self, observed: Observations, group: tuple[int, ...], pose: np.ndarray, log_odds: float
     ) -> JawReading:
         from scipy.special import chdtrc
 

@@ -40,7 +40,7 @@ from estimator.signals.hall import full_scale_counts
 
 _OBJECTIVES = (OVER_LIMIT, "percentile_95_position_bound_mm", "median_position_bound_mm")
 _WEIGHTS = (1.0, 0.5, 0.5)
-"""What lies beyond the limit comes first; of layouts that keep it everywhere the finer one wins."""
+"""Weights: what lies beyond the limit comes first; of layouts that keep it everywhere the finer one wins."""
 _MOST_PLACES = 48
 """Contact locations of the largest face that are judged, at about this number. A coarser grid changes the
 median by up to a third (tests)."""
@@ -51,7 +51,7 @@ box and a cylinder 24 walks of 40 steps ended lower than CMA-ES in the same time
 _ENDS = 4
 """Ends of walks that are handed on to be checked in full."""
 BROKEN = AFTER_ALL / 2
-"""What a layout is worth that breaks a limit is more, and less of one that keeps all."""
+"""Value above which a layout breaks a limit."""
 _ROOMY = 1.25
 """Times the thinnest silicone that can be cast, below which the checks of fabrication warn."""
 
@@ -104,7 +104,7 @@ class LevelWithoutMesh:
     start: dict[str, float]
 
     @classmethod
-    def of(cls, spec: ObjectSpec, gap_mm: float = 0.0) -> LevelWithoutMesh | None:
+    def create(cls, spec: ObjectSpec, gap_mm: float = 0.0) -> LevelWithoutMesh | None:
         """Return it, with as much silicone between pockets at least; None where a shell or a face has no
         room for candidates."""
         wall = max(gap_mm, _ROOMY * spec.silicone.thinnest_wall_mm)
@@ -131,7 +131,7 @@ class LevelWithoutMesh:
         return judge(self.lowest, points, poles.expand(len(points), -1), _OBJECTIVES)
 
     def losses(self, points: Points) -> Float[np.ndarray, "layout"]:
-        """What layouts are worth, less for better: weighted logarithms of bounds, with broken limits."""
+        """Value of layouts, less for better: weighted logarithms of bounds, with broken limits."""
         with torch.no_grad():
             judged = self._judged(torch.as_tensor(points, dtype=torch.float32))
         return judged.loss(torch.tensor(_WEIGHTS)).nan_to_num(torch.inf).numpy()

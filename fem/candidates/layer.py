@@ -49,15 +49,15 @@ class Layer:
         k, h = wave_per_mm[:, None], self.thickness_mm
         down, up = np.exp(-k * depth_mm), np.exp(-k * (h - depth_mm))
         far = np.exp(-wave_per_mm * h)
-        one, zero, kh = np.ones_like(far), np.zeros_like(far), wave_per_mm * h
+        ones, zero, kh = np.ones_like(far), np.zeros_like(far), wave_per_mm * h
         # W = (a + b kz) e^(−kz) + (c + d k(h − z)) e^(−k(h − z)): rows are the four conditions, over k:
         # no shear and the pressure at z = 0, then W = 0 and W′ = 0 at z = h.
         rows = np.array(
             [
-                [2 * one, -2 * one, 2 * far, (2 * kh - 2) * far],
-                [2 * one, zero, -2 * far, -2 * kh * far],
-                [far, kh * far, one, zero],
-                [-far, (1 - kh) * far, one, -one],
+                [2 * ones, -2 * ones, 2 * far, (2 * kh - 2) * far],
+                [2 * ones, zero, -2 * far, -2 * kh * far],
+                [far, kh * far, ones, zero],
+                [-far, (1 - kh) * far, ones, -ones],
             ]
         ).transpose(2, 0, 1)
         shear = self.young_mpa / 3  # G = E / (2 (1 + ν)) with ν = ½
@@ -101,8 +101,9 @@ class Layer:
         plain = _fields(self, depths, force_n, turns)
         # The press moves one way as the disk moves the other.
         moved = [
-            (_vectors(plain, away_mm - along) - _vectors(plain, away_mm + along)) / (2 * _STEP_MM)
-            for along in step
+            (_vectors(plain, away_mm - shift_mm) - _vectors(plain, away_mm + shift_mm))
+            / (2 * _STEP_MM)
+            for shift_mm in step
         ]
         by_force = [
             _vectors(_fields(self, depths, force, turns), away_mm) for force in (more, less)
@@ -135,7 +136,7 @@ def _fields(
     depth_mm, (contact, _) = np.array(depths_mm), layer.contact(force_n)
     k = _waves(contact)
     weight = (force_n * hertz_waves(k, contact) * k)[:, None]
-    deep, along = (part * weight for part in layer.modes(k, depth_mm))
+    deep, outwards = (part * weight for part in layer.modes(k, depth_mm))
     near = np.linspace(0, 1, _RADII)
     distance = _REACH * layer.thickness_mm * near**1.5  # closer together near the press
     kr = np.outer(distance, k)
@@ -143,7 +144,7 @@ def _fields(
     # ∂U/∂z of each wave: a central difference of the closed form.
     shift = 1e-3 * layer.thickness_mm
     bend = layer.modes(k, depth_mm + shift)[1] - layer.modes(k, depth_mm - shift)[1]
-    down, outward = _integrate(of_j0, deep, k), _integrate(of_j1, along, k)
+    down, outward = _integrate(of_j0, deep, k), _integrate(of_j1, outwards, k)
     slope = -_integrate(of_j1, k[:, None] * deep, k)  # ∂(down)/∂r
     lean = _integrate(of_j1, bend * weight / (2 * shift), k)  # ∂(outward)/∂(depth)
     # ½ curl u − λ n × E n about the direction across, with z outward (Jeffery 1922).
@@ -173,7 +174,7 @@ def _integrate(bessel: np.ndarray, waves: np.ndarray, k: np.ndarray) -> np.ndarr
 
 
 def _vectors(fields: CubicSpline, away_mm: np.ndarray) -> Float[np.ndarray, "*pair depth 6"]:
-    """Turn what is told by distance into vectors; nothing moves beyond the table."""
+    """Turn what is tabulated by distance into vectors; nothing moves beyond the table."""
     distance = np.linalg.norm(away_mm, axis=-1)
     least = np.maximum(distance, 1e-9)[..., None]
     cosine, sine = (away_mm / least).T

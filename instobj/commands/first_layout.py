@@ -30,11 +30,11 @@ _WALKS, _STEPS = 16, 40
 _MANY = 9
 """Magnets of a face, where the usual number is seen too little."""
 _WORTH = 0.1
-"""By how much more magnets must be better, in logarithms, to be taken."""
+"""Gain that more magnets must bring, in logarithms, to be taken."""
 _THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
 """Longest edge of a body from which a shell so thick is tried, all mm."""
 _SHARES = (1.0, 0.9, 0.75)
-"""Of the way from the start, where what was found breaks a check."""
+"""Shares of the way from the start, where what was found breaks a check."""
 
 
 def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
@@ -43,7 +43,7 @@ def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
     Of stronger magnets, and where no number is asked for and the usual one does not keep
     `limits.position_bound_mm` everywhere, of more.
     """
-    start = min(_starts(request, placed), key=lambda one: one[0], default=None)
+    start = min(_starts(request, placed), key=lambda scored: scored[0], default=None)
     if start is None:
         return
     best, least = improved(start[1])
@@ -88,7 +88,7 @@ def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
     for selectable in hall_part(SensorSpec().part).ranges[:2]:
         ranged = tables | {"sensors": tables["sensors"] | {"range_mt": selectable.range_mt}}
         spec = spec_of(ranged)
-        level = LevelWithoutMesh.of(coarse(spec)) if _passes(spec) else None
+        level = LevelWithoutMesh.create(coarse(spec)) if _passes(spec) else None
         if level is None:
             continue
         loss = float(level.losses(level.point)[0])
@@ -108,7 +108,7 @@ def improved(
     spec, worth = coarse(spec_of(tables)), np.inf
     # Magnets across an edge pull each other out: as far apart as they are wide they rarely do.
     for gap_mm in (0.0, spec.shell.pocket_diameter_mm):
-        level = LevelWithoutMesh.of(spec, gap_mm)
+        level = LevelWithoutMesh.create(spec, gap_mm)
         if level is None:
             break
         worth = min(worth, float(level.losses(level.point)[0]))

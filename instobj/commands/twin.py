@@ -15,7 +15,7 @@ from instobj.store.publish import TWIN, file_rows, run_folder
 from instobj.store.readers import PRESSES
 
 _TOLERANCE_MM, _MOST_PIECES = 0.5, 64
-"""How far convex pieces may reach beyond the surface, where so many are enough."""
+"""Distance by which convex pieces may reach beyond the surface, where so many are enough."""
 _LOSS_TANGENT = 0.1
 """Share of damping in the stiffness of cast silicone without measured relaxation. An estimate: soft
 platinum silicones have 0.05 to 0.3 at 1 to 100 Hz."""

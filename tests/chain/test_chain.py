@@ -339,7 +339,7 @@ def test_the_example_is_the_template_and_the_defaults():
     chosen += [("indenter", key) for key in ("file", "vertices_mm", "tip_spacing_mm")]
     chosen += [("collection", key) for key in ("dual_poses", "triple_poses")]
     chosen += [("training", key) for key in ("history_frames", "ensemble", "trees", "process")]
-    chosen += [("inversion", "model_error"), ("load_cell", "pins")]
+    chosen += [("inversion", "model_error"), ("load_cell", "pins"), ("load_cell", "scale_n")]
     optional = {where: switched_on[where[0]].pop(where[1]) for where in chosen}
     search = switched_on.pop("search")
     for table, part in (("vary", VarySpec), ("limits", SearchLimitsSpec)):

@@ -98,7 +98,7 @@ def test_the_extras_that_messages_name_are_those_declared():
     for module, extra in EXTRAS.items():
         assert names.get(module, module) in brought[extra]
     packages = set().union(
-        *(brought[extra] for extra in ("bench", "deploy", "cluster", "notebook"))
+        *(brought[extra] for extra in ("bench", "deploy", "cluster", "notebook", "robot"))
     )
     assert packages == {names.get(module, module) for module in EXTRAS}
 

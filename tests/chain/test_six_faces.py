@@ -106,7 +106,7 @@ def test_the_live_page_takes_every_chip_of_six_faces():
     watch = Watch(spec, None, 0)
     watch.take(HEADER + json.dumps(names).encode())
     watch.take(row_message(1.0, 1.0, tuple(np.arange(len(names)) * 1.0)))
-    ((row,), _) = watch.after(0, 1)
+    ((row,), _) = watch.rows_after(0, 1)
     np.testing.assert_array_equal(row.raw, np.arange(len(names)))
     assert row.left_out.shape == (6, 9, 3)
 

@@ -97,6 +97,7 @@ def folder(tmp_path_factory):
     lend_mechanics(here / ".instobj")
     for name in ("my_object.toml", "cube.toml"):
         shutil.copy(SMALL, here / name)
+    (here / "recording.csv").write_text("time_s,F1-X1\n0,10\n0.1,12\n0.2,11\n")
     return here
 
 

@@ -36,7 +36,7 @@ def is_there(command: str) -> bool:
         path = ROOT / words[2].replace(".", "/")
         return path.with_suffix(".py").exists() or (path / "__main__.py").exists()
     if words[0] == "instobj":
-        return words[1] in commands()
+        return words[1] in commands() or " ".join(words[1:3]) in commands()
     if words[0] == "make":
         return bool(re.search(rf"^{words[1]}:", (ROOT / "Makefile").read_text(), re.MULTILINE))
     scripts = [word for word in words[1:] if "/" in word and "=" not in word]

@@ -50,7 +50,7 @@ def diagonals(matrices: Array) -> Array:
     return matrices.diagonal(dim1=1, dim2=2)
 
 
-def in_chunks(function: Callable[..., Array], rows: int, *arrays: Array) -> Array:
+def apply_in_chunks(function: Callable[..., Array], rows: int, *arrays: Array) -> Array:
     """Return a function of arrays' rows, worked on so many rows at a time on a processor.
 
     Intermediate results then fit its cache. Other devices take all rows at once.

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.inversion.model.arrays import Array, float32, in_chunks, like, zeros
+from estimator.inversion.model.arrays import Array, apply_in_chunks, float32, like, zeros
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.model.table import PressTable
 
@@ -35,7 +35,7 @@ class JointResponse:
     table: PressTable
     curvature: Float[Array, "pair channel"]
 
-    def on(self, reference: Array) -> JointResponse:
+    def moved_to(self, reference: Array) -> JointResponse:
         """The same where the reference is."""
         return JointResponse(self.table.moved_to(reference), like(reference, self.curvature))
 
@@ -50,18 +50,18 @@ class JointResponse:
         `face` is `NONE` in empty slots, `contact` x and y (mm) and force (N). A contact that shares its
         silicone with others has their common force, and `share` of what that force does.
         """
-        return in_chunks(self._changes, _CHUNK, face, contact, share)
+        return apply_in_chunks(self._changes, _CHUNK, face, contact, share)
 
     def _changes(self, face: Array, contact: Array, share: Array) -> Float[Array, "object channel"]:
-        there = face != NONE
+        touching = face != NONE
         channels = self.curvature.shape[1]
-        known = zeros(self.table.coefficients, (*face.shape, self.table.coefficients.shape[-1]))
-        known[there] = self.table.expected(face[there], contact[there])
+        expected = zeros(self.table.coefficients, (*face.shape, self.table.coefficients.shape[-1]))
+        expected[touching] = self.table.expected(face[touching], contact[touching])
         weight = float32(share)[..., None]
-        alone = (known[..., :channels] * weight).sum(1)
+        alone = (expected[..., :channels] * weight).sum(1)
         if face.shape[1] < 2:
             return alone
-        return alone + self._interaction(known[..., channels:], weight)
+        return alone + self._interaction(expected[..., channels:], weight)
 
     def _interaction(
         self,

@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from design.body.surface_chart import FaceFrame
-from estimator.inversion.model.arrays import Array, in_chunks, library, like
+from estimator.inversion.model.arrays import Array, apply_in_chunks, library, like
 
 _SAMPLES = 16
 """Points along each side of a face. Half their distance, d, on a sphere of radius R, displaces a place by
@@ -46,7 +46,7 @@ class SurfacePlaces:
     round: Bool[Array, "sample"]
     squared_mm2: Float[Array, "sample"]
 
-    def on(self, reference: Array) -> SurfacePlaces:
+    def moved_to(self, reference: Array) -> SurfacePlaces:
         """The same where the reference is."""
         return SurfacePlaces(
             **{part.name: like(reference, getattr(self, part.name)) for part in fields(self)}
@@ -57,7 +57,7 @@ class SurfacePlaces:
     ) -> tuple[Int[Array, "n"], Float[Array, "n 2"]]:
         """Return the nearest face of each point (-1: none) and the place on it, mm."""
         xp = library(points_mm)
-        sample = in_chunks(self._nearest_sample, _CHUNK, points_mm)
+        sample = apply_in_chunks(self._nearest_sample, _CHUNK, points_mm)
         away = points_mm - self.point_mm[sample]
         height = (away * self.normal[sample]).sum(-1)
         # s sample, i in the face's plane, j coordinate of the object
@@ -77,18 +77,18 @@ class SurfacePlaces:
 
 def surface_places(frames: list[FaceFrame]) -> SurfacePlaces:
     """Points spread over every face's half extents, beside those that its surface does not reach."""
-    parts = [_of_face(index, frame) for index, frame in enumerate(frames)]
+    parts = [_face_samples(index, frame) for index, frame in enumerate(frames)]
     return SurfacePlaces(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def _of_face(index: int, frame: FaceFrame) -> tuple[np.ndarray, ...]:
+def _face_samples(index: int, frame: FaceFrame) -> tuple[np.ndarray, ...]:
     share = np.linspace(-1, 1, _SAMPLES)
     xy = np.stack(np.meshgrid(share, share), axis=-1).reshape(-1, 2) * frame.half_extents_mm
     xy = xy[frame.covers(xy)]
     point, normal = frame.to_object(np.pad(xy, ((0, 0), (0, 1)))), frame.axes_at(xy)[..., 2]
     # what moves a point along the surface moves it in the plane; what lifts it does not
-    along = np.eye(3) - normal[:, :, None] * normal[:, None]
-    across = frame.axes[:, :2].T @ along
+    in_plane = np.eye(3) - normal[:, :, None] * normal[:, None]
+    across = frame.axes[:, :2].T @ in_plane
     shift = np.full(2, _SHIFT_MM)
     rate = (frame.from_plane(xy + shift) - frame.from_plane(xy - shift)) / (2 * shift)
     columns = (np.full(len(xy), index), xy, across, frame.from_plane(xy), rate)

@@ -13,6 +13,7 @@ import csv
 import io
 import json
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -39,6 +40,7 @@ float64[] labels   # NaN: not known
 """,
 }
 """Definition of each message; `ros2/instobj_msgs/msg` has the same."""
+_CHANNEL = re.compile(r"F[1-6]-[XYZ]\d\d?")
 _SUFFIXES = (".mcap", ".db3")
 _NS = 1_000_000_000
 """Nanoseconds of a second."""
@@ -70,12 +72,32 @@ def robot_csv(path: Path) -> bytes:
 def write_bag(recording: Path | str, bag: Path | str) -> None:
     """Write a generic CSV as a rosbag2 folder with one MCAP file, which Foxglove opens too.
 
+    Parameters
+    ----------
+    recording : path
+        Generic CSV with stamps (`time_s`, s) from 0 on.
+    bag : path
+        Folder to be made.
+
+    Returns
+    -------
+    None
+
     Raises
     ------
     InputError
         No such file, the folder exists, or stamps (`time_s`) are missing or below 0.
     ImportError
         The extra `instobj[robot]` is not installed.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> import instobj
+    >>> _ = Path("presses.csv").write_text("time_s,F1-X1\\n0.0,12\\n0.1,15\\n")
+    >>> instobj.robot.write_bag("presses.csv", "presses_bag")
+    >>> sorted(path.name for path in Path("presses_bag").iterdir())
+    ['metadata.yaml', 'presses_bag.mcap']
     """
     from rosbags import rosbag2
 
@@ -181,13 +203,38 @@ def _rows_of_messages(bag: Any, store: Any) -> Iterator[list[Any]]:
 def _cells(values: Any, valid: Any) -> list[str]:
     """Return numbers as cells, empty where there is none."""
     return [
-        f"{value:.17g}" if known and not math.isnan(value) else ""
-        for value, known in zip(values, valid, strict=True)
+        f"{value:.17g}" if has_reading and not math.isnan(value) else ""
+        for value, has_reading in zip(values, valid, strict=True)
     ]
 
 
 def lerobot_features(channels: list[str]) -> dict[str, dict[str, Any]]:
-    """Return the features of a LeRobot data set that hold raw counts of the channels, by name."""
+    """Return the feature of a LeRobot data set that holds raw counts.
+
+    Parameters
+    ----------
+    channels : list of str
+        Names of the channels, such as F1-X1, in the order of the counts.
+
+    Returns
+    -------
+    dict
+        Name of the feature → its type, shape and names, for `LeRobotDataset.create`.
+
+    Raises
+    ------
+    InputError
+        A name that is no channel's.
+
+    Examples
+    --------
+    >>> import instobj
+    >>> instobj.robot.lerobot_features(["F1-X1", "F1-Y1"])["observation.hall_counts"]["shape"]
+    (2,)
+    """
+    wrong = [name for name in channels if not _CHANNEL.fullmatch(name)]
+    if wrong:
+        raise InputError(f"{wrong[0]!r} is no channel. Give names such as F1-X1")
     return {HALL_COUNTS: {"dtype": "float32", "shape": (len(channels),), "names": list(channels)}}
 
 

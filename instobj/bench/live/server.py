@@ -81,8 +81,8 @@ Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 async def _guard(request: web.Request, handler: Handler) -> web.StreamResponse:
     """Refuse foreign names, pages of other origins, and requests without the token."""
     page = request.app[_PAGE]
-    if told := refusal(request.host, request.headers.get("Origin"), page.address):
-        raise web.HTTPForbidden(text=told)
+    if refused := refusal(request.host, request.headers.get("Origin"), page.address):
+        raise web.HTTPForbidden(text=refused)
     if not hmac.compare_digest(request.query.get("token", "").encode(), page.token.encode()):
         raise web.HTTPForbidden(text="the token is wrong: open the address that was printed\n")
     response = await handler(request)

@@ -158,7 +158,9 @@ def test_merging_that_moves_an_edge_is_not_taken():
 
 
 def test_a_lying_cylinder_s_middle_is_pressed_and_a_core_without_room_is_solid():
-    box = cylinder_tip(IndenterSpec(kind="cylinder", radius_mm=2.0, size_mm=(7.0, 3.0))).BoundingBox()
+    box = cylinder_tip(
+        IndenterSpec(kind="cylinder", radius_mm=2.0, size_mm=(7.0, 3.0))
+    ).BoundingBox()
     assert (box.xmin, box.xmax) == pytest.approx((-3.5, 3.5), abs=1e-6)
     assert (box.zmin, box.zmax) == pytest.approx((-2.0, 2.0), abs=1e-6)
     ball = body_of(worked("closed sphere"))

@@ -56,7 +56,9 @@ def test_examples_write_no_key_in_vain(path):
 def test_a_file_and_an_override_are_refused_with_what_would_use_the_key(tmp_path):
     path = tmp_path / "cube.toml"
     path.write_text('name = "cube"\n[indenter]\nfillet_mm = 1\n')
-    with pytest.raises(SpecError, match=r"cube\.toml is not.*\n.*indenter\.kind = 'flat' or 'cuboid'"):
+    with pytest.raises(
+        SpecError, match=r"cube\.toml is not.*\n.*indenter\.kind = 'flat' or 'cuboid'"
+    ):
         load_spec(path)
     path.write_text('name = "cube"\n[indenter]\nradius_mm = 4\n')
     with pytest.raises(SpecError, match=r"--set is not.*\n.*mould\.parting_azimuth_deg = 9 has no"):

@@ -16,7 +16,7 @@ from fem.linear.response import build_response
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.joint import Tip, press_path
 
-RESULTS = Path(__file__).parents[3] / "benchmarks" / "results" / "jaws_reference.json"
+RESULTS = Path(__file__).parents[3] / "benchmarks" / "references" / "jaws.json"
 WANTED = json.loads(RESULTS.read_text(encoding="utf-8"))
 DEPTHS_MM = np.array([0.5, 1.0, 2.0])
 BOX = {

@@ -26,7 +26,7 @@ def moved(placed):
 
 def test_a_short_search_finds_better_places_that_pass_every_check(placed, moved):
     tables, worth = moved
-    level = LevelWithoutMesh.of(coarse(spec_of(placed)))
+    level = LevelWithoutMesh.create(coarse(spec_of(placed)))
     assert worth < float(level.losses(level.point)[0])
     before, after = first_score(spec_of(placed)), first_score(spec_of(tables))
     assert after.percentile_95_mm < before.percentile_95_mm

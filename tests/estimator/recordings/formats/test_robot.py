@@ -123,6 +123,11 @@ def test_a_lerobot_data_set_is_read_by_the_names_of_its_feature(tmp_path):
     assert_array_equal(np.round(time_s, 6), np.tile(np.arange(20) / 10, 2))
 
 
+def test_a_feature_of_no_channel_is_refused():
+    with pytest.raises(InputError, match="'x' is no channel"):
+        lerobot_features(["F1-X1", "x"])
+
+
 def test_a_lerobot_data_set_without_counts_says_what_it_has(tmp_path):
     lerobot(tmp_path / "set", {"observation.state": {}}, np.zeros((4, 2)))
     with pytest.raises(RecordingError, match=r"observation\.state.*observation\.hall_counts"):
