@@ -84,7 +84,7 @@ def _parsed(text: str) -> dict[str, Any]:
 
 
 def _likely_place(path: Path) -> str:
-    whole = path.with_name(f"{path.name}.toml")
+    whole = path.parent / f"{path.name}.toml"  # a path such as "." has no name
     beside = f"Did you mean {whole}?" if path.name and whole.is_file() else ""
     return beside or "`instobj new NAME` writes one to start from"
 

@@ -459,9 +459,12 @@ def with_contacts(tables: Tables) -> Tables | None:
 
 
 def pitches_mm(spec: ObjectSpec) -> tuple[float, ...]:
-    """Coarser ones where the largest face would have more locations along an edge than `_MOST_IN_A_ROW`."""
+    """Coarser ones where the largest face would have more locations along an edge than `_MOST_IN_A_ROW`:
+    as wide as the silicone is thick at most, or as its lattice allows."""
     widest = 2 * float(np.max([abs(frame.lengths_mm) for frame in face_frames(spec)]))
-    coarse = float(np.ceil(2 * widest / _MOST_IN_A_ROW)) / 2
+    # what a press shows changes over about the shell's thickness: a wider pitch would step over weak places
+    even = min(float(np.ceil(2 * widest / _MOST_IN_A_ROW)) / 2, spec.shell.thickness_mm)
+    coarse = max(even, float(np.ceil(widest / MOST_COUNT)))
     pitches = PITCHES_MM if coarse <= PITCHES_MM[0] else (coarse, *PITCHES_MM)
     return tuple(pitch for pitch in pitches if widest <= pitch * MOST_COUNT)
 

@@ -46,17 +46,6 @@ def test_a_bore_is_half_of_the_room_from_4_to_10_mm(kind, size, bore):
     assert "sensed_faces" not in bare_tables(Request(kind, (float(size),) * 3), TRIM)["body"]
 
 
-def test_pitches_follow_the_size_and_leave_at_most_100_locations_in_a_row():
-    assert pitches_mm(worked("box")) == (3.0, 2.5, 2.0, 1.5, 1.0)
-    for long, pitches in (
-        (350.0, (13.5,)),
-        (290.0, (11.5, 3.0)),
-        (78.0, (3.0, 2.5, 2.0, 1.5, 1.0)),
-    ):
-        body = worked("box").body.changed(size_mm=(46.0, 50.0, long))
-        assert pitches_mm(worked("box").changed(body=body)) == pitches
-
-
 def test_sizes_grow_in_half_millimetres_and_files_as_their_scale():
     request = Request("imported", (20.0, 30.1, 40.0), file=(("file", "a.stl"), ("scale", 2.0)))
     grown = grown_request(request, 1.25)

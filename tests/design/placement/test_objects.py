@@ -228,10 +228,11 @@ def test_a_size_that_the_kind_does_not_take_is_refused_with_its_rule():
 
 
 def test_a_long_box_senses_all_its_faces_by_a_coarser_grid():
-    """At 3 mm its lattice would have more than a hundred locations along an edge: two faces were left."""
+    """At 3 mm its lattice would have more than a hundred locations along an edge: two faces were left out."""
     tables = place_parts(Request("box", (320.0, 100.0, 100.0), sensors=2, magnets=1))
     assert "sensed_faces" not in tables["body"]
-    assert tables["contact_grid"]["pitch_mm"] == 4.0
+    pitch = tables["contact_grid"]["pitch_mm"]
+    assert 320.0 / 100 < pitch <= tables["shell"]["thickness_mm"]
 
 
 def test_a_body_that_nothing_helps_is_not_grown_beyond_what_a_body_may_measure(monkeypatch):
@@ -254,13 +255,13 @@ def test_a_small_eggs_bore_leaves_a_wall_to_the_recesses_beside_it():
     assert wall >= spec.printer.wall_mm
 
 
-def test_a_face_too_long_for_its_lattice_gets_a_coarser_pitch_in_whole_millimetres():
-    """At most 100 locations along an axis."""
-    for length, pitches in ((42.0, (3.0, 2.5, 2.0, 1.5, 1.0)), (290.0, None), (955.0, (10.0,))):
-        spec = spec_of({"body": {"size_mm": [length, 42.0, 42.0]}})
-        found = objects.pitches_mm(spec)
-        assert found == (pitches or objects.PITCHES_MM)
-    assert objects.pitches_mm(spec_of({"body": {"size_mm": [301.0, 42.0, 42.0]}})) == (4.0,)
+@pytest.mark.parametrize(
+    ("length", "coarsest"), [(42.0, 3.0), (78.0, 3.0), (104.0, 4.0), (290.0, 8.0), (955.0, 10.0)]
+)
+def test_the_coarsest_pitch_follows_the_size_up_to_the_shells_thickness(length, coarsest):
+    """26 locations in a row, no farther apart than the shell of 8 mm is thick, and at most 100 in a row."""
+    spec = spec_of({"body": {"size_mm": [length, 42.0, 42.0]}})
+    assert objects.pitches_mm(spec)[0] == coarsest
 
 
 def test_the_widest_tip_and_the_coarsest_pitch_leave_every_face_sixteen_places(monkeypatch):

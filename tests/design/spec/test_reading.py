@@ -39,7 +39,7 @@ def test_a_file_that_cannot_be_a_specification_is_one_error(text, said, tmp_path
 
 def test_pipes_and_devices_are_not_read(tmp_path):
     os.mkfifo(tmp_path / "pipe.toml")
-    for path in (tmp_path / "pipe.toml", "/dev/full", tmp_path):
+    for path in (tmp_path / "pipe.toml", "/dev/full", tmp_path, "."):
         with pytest.raises(InputError, match="not a file"):
             load_spec(path)
 
