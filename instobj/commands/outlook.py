@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from design.errors import InputError
 from design.placement.objects import (
     COARSE,
     Request,
@@ -64,6 +65,14 @@ def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
         f"locations within limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm; they cover "
         f"{_percent(score.covered)} of the sensed surface"
     )
+
+
+def outlook_text(spec: ObjectSpec) -> str:
+    """Say the same of a specification, or why nothing can be said of it without a mesh."""
+    try:
+        return expected_text(spec, first_score(spec))
+    except InputError as error:
+        return f"position bounds are known after `instobj score` only: {error}"
 
 
 def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> str:
