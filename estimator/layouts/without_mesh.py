@@ -60,8 +60,8 @@ Points = Float[np.ndarray, "layout variable"]
 @dataclass(frozen=True)
 class FirstScore:
     """Position bounds (mm) of an object over its contact locations, at `score.force_n`, by a layer's presses:
-    median, 95th percentile, share within `limits.position_bound_mm`, and share of the surface that the object's
-    own locations cover."""
+    median, 95th percentile, share within `limits.position_bound_mm`, and share of the surface that the
+    object's own locations cover."""
 
     median_mm: float
     percentile_95_mm: float

@@ -54,6 +54,10 @@ def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     score = first_score(spec)
     told = parts_that_help(request, spec, score)
     assert told.startswith("NO-GO is to be expected; ")
+    # Where nearly all are within the limit, only all of them are worth more parts, and these are named.
+    assert "; 1 more sensor" in parts_that_help(request, spec, replace(score, within=0.97)) or (
+        "no number of parts" in parts_that_help(request, spec, replace(score, within=0.97))
+    )
     asked = {key: int(count) for key, count in re.findall(r"--(sensors|magnets) (\d+)", told)}
     assert asked
     more, _ = improved(placed(replace(request, **asked)), 8, 25)
