@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from operator import itemgetter
 
 import numpy as np
 
@@ -46,7 +47,7 @@ def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
     Of stronger magnets, and where no number is asked for and the usual one does not keep
     `limits.position_bound_mm` everywhere, of more.
     """
-    start = min(_starts(request, placed), key=lambda one: one[0], default=None)
+    start = min(_starts(request, placed), key=itemgetter(0), default=None)
     if start is None:
         return
     if request.magnets is None:

@@ -150,8 +150,8 @@ def designed(request: Request) -> Made:
     made, what rules place so that it can.
     """
     best = next(iter(scored_first(request, next(placements(request)))), None)
-    checked = best and _checked_seams(best)
-    if checked and {finding.check for finding in checked[1]} <= _OF_THE_BODY:
+    checked = _checked_seams(best) if best is not None else None
+    if checked is not None and {finding.check for finding in checked[1]} <= _OF_THE_BODY:
         return checked
     by_rules = made(request)
     for tables in scored_first(request, by_rules[0]):
