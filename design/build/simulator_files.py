@@ -19,7 +19,7 @@ _M = 1e-3
 _KG_M2 = 1e-9
 """kg m² in a g mm²."""
 _IMPEDANCE = 0.01
-"""MuJoCo's impedance d of contacts. A contact's force is that of a spring and a damper for d → 0;
+"""MuJoCo's impedance d of contacts. A contact's force becomes a spring's and a damper's for d → 0;
 inertia of both bodies is reduced by the share d."""
 _COLOURS = {
     "core": (0.35, 0.47, 0.62, 1.0),

@@ -132,7 +132,7 @@ def _remedies(spec: ObjectSpec, worst: int, neighbour: int, excess: float) -> It
     turned = list(spec.magnets.north or ["outward"] * spec.magnets.count)
     number = neighbour % spec.magnets.count
     turned[number] = "inward" if turned[number] == "outward" else "outward"
-    if _all_stay(spec, north=turned):
+    if all_stay(spec, north=turned):
         yield f"turn magnet {number + 1} of every face over (magnets.north)"
     if len(spec.magnets.lists) == 1:
         yield from _places(spec, worst, neighbour)
@@ -145,7 +145,7 @@ def _places(spec: ObjectSpec, worst: int, neighbour: int) -> Iterator[str]:
     number, second = worst % count, neighbour % count
     if worst // count != neighbour // count:
         for percent in range(95, 0, -5):
-            if _all_stay(spec, positions_mm=(percent / 100 * places).tolist()):
+            if all_stay(spec, positions_mm=(percent / 100 * places).tolist()):
                 yield f"draw all magnets in to {percent / 100:g} times their magnets.positions_mm"
                 return
         return
@@ -154,12 +154,13 @@ def _places(spec: ObjectSpec, worst: int, neighbour: int) -> Iterator[str]:
     for distance_mm in np.ceil(now_mm) + np.arange(_FARTHEST_MM):
         moved = places.copy()
         moved[second] = places[number] + distance_mm / now_mm * apart
-        if _all_stay(spec, positions_mm=moved.tolist()):
+        if all_stay(spec, positions_mm=moved.tolist()):
             yield f"set these two {distance_mm:g} mm apart or more (magnets.positions_mm)"
             return
 
 
-def _all_stay(spec: ObjectSpec, **changes: Any) -> bool:
+def all_stay(spec: ObjectSpec, **changes: Any) -> bool:
+    """Return whether no magnet is pulled out while it is set, with these changes of `[magnets]`."""
     tried = spec.changed(magnets=spec.magnets.changed(**changes))
     # beyond a curved patch there is no surface: fields of such places would never converge
     if not np.isfinite(magnet_layout(tried).centre_mm).all():

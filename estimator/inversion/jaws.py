@@ -23,7 +23,7 @@ from estimator.inversion.problems import Observations
 from fem.presses.jaws import JawFace
 
 MOST_LEAN = 2.0
-"""Of the table: the depth gained from the middle to a border, over the depth at the middle."""
+"""Share in the table: the depth gained from the middle to a border, over the depth at the middle."""
 _NODES = 9
 """Leans of the table along each axis."""
 _STEP = 1e-4

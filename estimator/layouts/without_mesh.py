@@ -14,7 +14,6 @@ import torch
 from jaxtyping import Float
 
 from design.errors import InputError
-from design.fabrication.layout import failures, layout_findings
 from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
 from design.search.faces import layout_groups
@@ -61,7 +60,8 @@ Points = Float[np.ndarray, "layout variable"]
 @dataclass(frozen=True)
 class FirstScore:
     """Position bounds (mm) of an object over its contact locations, at `score.force_n`, by a layer's presses:
-    median, 95th percentile, share within `limits.position_bound_mm`, and share of the surface judged."""
+    median, 95th percentile, share within `limits.position_bound_mm`, and share of the surface that the
+    object's own locations cover."""
 
     median_mm: float
     percentile_95_mm: float
@@ -71,7 +71,7 @@ class FirstScore:
 
 def first_score(spec: ObjectSpec) -> FirstScore:
     """Score a specification without a mesh, on all sensed faces."""
-    spec = coarse(spec)
+    covered, spec = covered_share(spec), coarse(spec)
     scorers = [layout_scorer(spec, layer_basis(spec, face)) for face in spec.body.sensed]
     layouts = [layouts_of(spec, scorer.presses.face) for scorer in scorers]
     with torch.no_grad():
@@ -80,7 +80,7 @@ def first_score(spec: ObjectSpec) -> FirstScore:
         float(np.median(bounds)),
         float(np.percentile(bounds, 95.0)),
         float(np.mean(bounds <= spec.limits.position_bound_mm)),
-        covered_share(spec),
+        covered,
     )
 
 
@@ -147,6 +147,8 @@ class LevelWithoutMesh:
 
     def layout_at(self, point: Float[np.ndarray, "variable"]) -> ObjectSpec | None:
         """The specification with the layout of a point; None where it breaks a check."""
+        from design.fabrication.layout import failures, layout_findings  # loads CadQuery, 2 s
+
         try:
             laid = with_layout(self.space.spec, params_at(self.space, point))
         except InputError:

@@ -80,7 +80,9 @@ def new(
     ] = None,
     magnets: Annotated[
         int | None,
-        typer.Option(min=1, max=12, help="Magnets per face (default: 5, or 9 where that locates presses better)."),
+        typer.Option(
+            min=1, max=12, help="Magnets per face (default: 5, or 9 where that reads better)."
+        ),
     ] = None,
     file: Annotated[
         Path | None,

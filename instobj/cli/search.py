@@ -32,7 +32,7 @@ def optimize(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Search for a better layout within the table `search` of the specification; confirm it with the chain."""
+    """Search for a better layout within the table `search`; confirm it with the chain."""
     from design.search.space import search_space
     from design.spec_io import load_spec
 

@@ -48,7 +48,6 @@ from instobj.commands.outlook import (
 from instobj.commands.specification_file import specification_text
 
 Made = tuple[Tables, list[Finding]]
-Improve = Callable[[Request, Tables], Iterable[Tables]]
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
 _MOST_TURNS = 2
 """By which a mould's seam is turned, and how many turned ones are tried of a shell."""
@@ -60,12 +59,15 @@ _OF_THE_BODY = {"undercut", _BED}
 
 
 def new_specification(
-    name: str, out: Path, request: Request | None = None, improve: Improve = scored_first
+    name: str,
+    out: Path,
+    request: Request | None = None,
+    design: Callable[[Request], Made] | None = None,
 ) -> Path:
     """Write `NAME.toml`: the paper's cube, or what is requested, with the keys that matter first.
 
-    A name that ends in ".toml" is taken without it. `improve` gets what rules place; of its layouts the
-    first that can be made as well is taken.
+    A name that ends in ".toml" is taken without it. `design` gives tables of a request and what fails of
+    them (`designed`).
 
     Raises
     ------
@@ -83,7 +85,7 @@ def new_specification(
         raise InputError(f"{target} is already there. Choose another name, or move it away")
     tables: Tables | None = None
     if request is not None:
-        tables, failed = designed(request, improve)
+        tables, failed = (design or designed)(request)
         tables = with_edges_that_fit(request, tables)
         if any(finding.check != _BED for finding in failed):
             warnings.warn(told_unmade(failed, tables), stacklevel=2)
@@ -125,7 +127,7 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     before, tried = set[str](), list[Tables]()
     for placement in placements(request):
         tried.append(placement)
-        found = _checked(islice(filter(leaves_walls, seams_of(placement)), 1 + _MOST_TURNS))
+        found = _checked_seams(placement)
         if found is None:
             continue
         best = found if best is None or len(found[1]) < len(best[1]) else best
@@ -140,20 +142,28 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     return best or _checked(islice(seams_of(tried[0]), 1)) or (tried[0], [])
 
 
-def designed(request: Request, improve: Improve = scored_first) -> Made:
+def designed(request: Request) -> Made:
     """Tables of a request where its parts are seen best and can be made, and what fails of `check
-    --fabrication` where nothing can."""
+    --fabrication` where nothing can.
+
+    The most generous shell that takes everything is the start; where what is found under it cannot be
+    made, what rules place so that it can.
+    """
+    best = next(iter(scored_first(request, next(placements(request)))), None)
+    checked = _checked_seams(best) if best is not None else None
+    if checked is not None and {finding.check for finding in checked[1]} <= _OF_THE_BODY:
+        return checked
     by_rules = made(request)
-    return _best_made(improve(request, by_rules[0]), by_rules)
-
-
-def _best_made(better: Iterable[Tables], by_rules: Made) -> Made:
-    """The first of some layouts that can be made as well as what rules placed, and what failed."""
-    for tables in better:
-        checked = _checked(islice(seams_of(tables), 1 + _MOST_TURNS))
+    for tables in scored_first(request, by_rules[0]):
+        checked = _checked_seams(tables)
         if checked is not None and len(checked[1]) <= len(by_rules[1]):
             return checked
     return by_rules
+
+
+def _checked_seams(tables: Tables) -> Made | None:
+    """The first of some seams that can be made."""
+    return _checked(islice(filter(leaves_walls, seams_of(tables)), 1 + _MOST_TURNS))
 
 
 def _made_with_magnets_elsewhere(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from design.errors import InputError
 from design.placement.objects import (
     COARSE,
     Request,
@@ -13,8 +14,8 @@ from design.placement.objects import (
     spec_of,
 )
 from design.spec.object import ObjectSpec
-from estimator.layouts.without_mesh import FirstScore, first_score
-from instobj.commands.first_layout import improved
+from estimator.layouts.without_mesh import FirstScore, LevelWithoutMesh, coarse, first_score
+from instobj.commands.first_layout import BRIEF
 from instobj.stages.resources import needed_gib, search_seconds
 
 MOST_GIB = 12.0
@@ -23,10 +24,8 @@ _SMALL_MM = 60.0
 """Bodies no longer than this fit with the usual edges: a cube of that size needs 8 GiB."""
 _EDGE_STEP, _LONGEST = 1.1, 3.0
 """Steps in which edges grow, and by how much at most: beyond, the shell is one element thick."""
-_MORE = ((0, 9), (1, 5), (1, 9), (2, 9), (4, 12))
+_MORE = ((0, 9), (1, 9), (2, 9))
 """Sensors more on each face, and magnets at least, that are tried, the cheapest first."""
-_BRIEF = (8, 25)
-"""Walks and steps of each: two seconds."""
 _MORE_WITHIN = 0.05
 """Share of locations that must come within the limit to be named."""
 
@@ -66,6 +65,14 @@ def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
     )
 
 
+def outlook_text(spec: ObjectSpec) -> str:
+    """Say the same of a specification, or why nothing can be said of it without a mesh."""
+    try:
+        return expected_text(spec, first_score(spec))
+    except InputError as error:
+        return f"position bounds are known after `instobj score` only: {error}"
+
+
 def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> str:
     """Say which number of parts on each face brings all locations within the limit, or most of them; nothing
     where all are."""
@@ -83,8 +90,8 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         ):
             continue
         placed["sensors"]["range_mt"] = spec.sensors.range_mt
-        within = first_score(spec_of(improved(placed, *_BRIEF)[0])).within
-        if within > best:
+        within = first_score(_walked(spec_of(placed))).within
+        if within > best or within == 1:
             more = magnets if magnets > spec.magnets.count else None
             best, told = within, _told(sensors_more, (larger.sensors, more))
         if within == 1:
@@ -95,6 +102,12 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         "NO-GO is to be expected, and no number of parts tried here helps much: take a smaller body, a "
         "softer silicone, or raise limits.position_bound_mm"
     )
+
+
+def _walked(spec: ObjectSpec) -> ObjectSpec:
+    """The specification with parts at the end of brief walks, not checked for how it is assembled."""
+    level = LevelWithoutMesh.create(coarse(spec))
+    return (level and level.layout_at(level.walked(*BRIEF, seed=0)[0])) or spec
 
 
 def _percent(share: float) -> str:

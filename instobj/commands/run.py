@@ -95,8 +95,8 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
     from design.fit.seam import seam_in_words
     from design.layout.places.contact_places import contact_places
     from design.layout.places.coverage import cell_areas_mm2, covered_share
+    from instobj.commands.outlook import outlook_text
     from instobj.report.uncertainty import force_spread_text, modulus_text
-    from instobj.report.weak_areas import far_text
     from instobj.stages.makers.surroundings import surroundings_row
 
     rows = []
@@ -119,7 +119,7 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
                 "range_mt": found.range_mt,
                 "contact_locations": int(contact_places(spec).sum()),
                 "covered_share": round(covered_share(spec), 4),
-                "far": far_text(spec),
+                "outlook": outlook_text(spec),
                 "cell_areas_mm2": [round(float(end), 3) for end in (cells.min(), cells.max())],
                 "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,
                 "youngs_modulus_range_mpa": spec.silicone.youngs_modulus_range_mpa,

@@ -15,7 +15,7 @@ from instobj.store.publish import TWIN, file_rows, run_folder
 from instobj.store.readers import PRESSES
 
 _TOLERANCE_MM, _MOST_PIECES = 0.5, 64
-"""Distance by which convex pieces may reach beyond the surface, where so many are enough."""
+"""Distance by which convex pieces may reach beyond the surface, where that number is enough."""
 _LOSS_TANGENT = 0.1
 """Share of damping in the stiffness of cast silicone without measured relaxation. An estimate: soft
 platinum silicones have 0.05 to 0.3 at 1 to 100 Hz."""
@@ -63,7 +63,7 @@ def write_twin(spec: ObjectSpec, out: Path) -> list[Path]:
 def contact_spring(run: Run, mass_g: float) -> Any:
     """Return stiffness and damping of a contact of the object's tip, of stored presses where there are.
 
-    Without them the stiffness is that of a flat layer, in the range of the silicone's modulus.
+    Without them a flat layer gives the stiffness, in the range of the silicone's modulus.
     """
     from design.build.simulator_body import ContactSpring
     from estimator.grasps.measures import Conditions

@@ -6,10 +6,7 @@ from math import isinf, isnan
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from design.layout.places.measures import LONGEST_PATH_MM, place_measures
-from design.spec.object import ObjectSpec
+from design.layout.places.measures import LONGEST_PATH_MM
 from instobj.store.content import StoredResult
 from instobj.store.readers import WEAK_AREAS, WEAK_AREAS_PICTURE, WEAK_MAPS
 
@@ -23,28 +20,6 @@ _NAMES = {
 """Measure → what tables and sentences call it, and its unit there."""
 _CLEAR = 0.5
 """Rank correlation from which on weak locations are said to go with a measure."""
-_FEW = 0.005
-"""Share of contact locations that is reported as none: it would read 0 %."""
-
-
-def far_share(spec: ObjectSpec) -> float:
-    """Share of contact locations whose signal path is too long for a position bound of 1.5 mm, as a rule."""
-    path_mm = place_measures(spec).path_mm
-    return float(np.mean(path_mm[np.isfinite(path_mm)] > LONGEST_PATH_MM))
-
-
-def far_text(spec: ObjectSpec) -> str:
-    """Say how many contact locations lie too far from magnet and sensor; it needs no mechanics."""
-    far = far_share(spec)
-    if far < _FEW:
-        return "every contact location is near a magnet and a sensor"
-    return (
-        f"{far:.0%} of the contact locations are too far from a magnet and a sensor (signal path over "
-        f"{LONGEST_PATH_MM:g} mm) to be located within 1.5 mm, as a rule. More magnets or sensors on each "
-        "face help: --magnets, --sensors of `instobj new`"
-    ).replace("%", " %", 1)
-
-
 _FARTHER = 1.1
 """Ratio of median signal paths, edges over middle, from which distance is named as the cause."""
 

@@ -107,7 +107,7 @@ def test_resting_cosines_count_chips_that_answer_on_all_axes():
 
 def test_nuisances_that_are_not_freed_are_as_designed_and_scales_are_logarithms():
     values = {"rotation_deg": np.array([3.0, 0, -3]), "ln_remanence": np.array(0.02)}
-    found = Calibration.of(values)
+    found = Calibration.from_values(values)
     assert (found.shift_mm, found.rotation_deg) == ((0.0, 0.0, 0.0), (3.0, 0.0, -3.0))
     assert found.remanence_scale == pytest.approx(np.exp(0.02))
     assert found.modulus_scale == 1.0
@@ -147,7 +147,7 @@ def test_what_a_model_leaves_is_a_root_share_of_all_recorded_squares(monkeypatch
         problem, [np.array([1]), np.array([0])], given.case, {}
     )
     assert found.own_cosine == 0.25
-    assert found.left == pytest.approx(np.sqrt((1 + 1) / 25))
+    assert found.left_share == pytest.approx(np.sqrt((1 + 1) / 25))
     assert found.all_cosine == pytest.approx((1 + 4 / np.sqrt(17)) / 2)
 
 

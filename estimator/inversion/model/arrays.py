@@ -51,7 +51,7 @@ def diagonals(matrices: Array) -> Array:
 
 
 def apply_in_chunks(function: Callable[..., Array], rows: int, *arrays: Array) -> Array:
-    """Return a function of arrays' rows, worked on so many rows at a time on a processor.
+    """Return a function of arrays' rows, applied to `rows` rows at a time on a processor.
 
     Intermediate results then fit its cache. Other devices take all rows at once.
     """

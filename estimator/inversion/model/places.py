@@ -19,7 +19,7 @@ other by a fraction of this."""
 _CHUNK = 128
 """Points at a time: their distances to all samples fit a second-level cache."""
 _SHIFT_MM = 1e-3
-"""By which the rate of lengths along a surface is found."""
+"""Step by which the rate of lengths along a surface is found."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class SurfacePlaces:
 
 
 def surface_places(frames: list[FaceFrame]) -> SurfacePlaces:
-    """Points spread over every face's half extents, beside those that its surface does not reach."""
+    """Points spread over the half extents of every face; places that its surface does not reach are left out."""
     parts = [_face_samples(index, frame) for index, frame in enumerate(frames)]
     return SurfacePlaces(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 

@@ -9,6 +9,8 @@ from contextlib import closing
 from dataclasses import dataclass, field
 from typing import Any
 
+import aiohttp  # noqa: F401  its absence is said before a demo is computed: the page's process needs it
+
 from design.errors import InputError, InstobjError
 from estimator.recordings.boards.growing import finish_recording
 from estimator.recordings.boards.lines import Frame, Header, Load, Message

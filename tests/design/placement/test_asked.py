@@ -13,7 +13,7 @@ from design.placement.asked import (
     smallest_working,
     thickened_request,
 )
-from design.placement.objects import Request, ShellVariant, bare_tables, pitches_mm, rounded_places
+from design.placement.objects import Request, ShellVariant, bare_tables, rounded_places
 from design.placement.paths import long_path_mm
 from design.placement.room import (
     low_rim,

@@ -34,11 +34,6 @@ SIZES = {
 }
 
 
-def by_rules(request, tables):
-    """No layouts but those that rules place."""
-    return ()
-
-
 def placed_tables(kind):
     """One magnet and one sensor in the middle, as tables that name every key that is placed."""
     tables = {
@@ -57,10 +52,11 @@ def placed_tables(kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path, monkeypatch):
+def test_every_kind_gets_its_own_lines_with_what_was_placed(kind, tmp_path):
     tables = placed_tables(kind)
-    monkeypatch.setattr("instobj.commands.new.made", lambda request: (tables, []))
-    path = new_specification("mine", tmp_path, Request(kind, (1.0, 2.0, 3.0)), by_rules)
+    path = new_specification(
+        "mine", tmp_path, Request(kind, (1.0, 2.0, 3.0)), lambda _: (tables, [])
+    )
     text = path.read_text()
     read = tomllib.loads(text)
     assert read.pop("name") == "mine"
@@ -94,20 +90,25 @@ def assert_comments_of_the_kind(kind, text):
         assert ("a bore" in beside["open_faces"]) is bored
 
 
-def test_faces_that_are_left_out_are_told(tmp_path, monkeypatch):
+def test_faces_that_are_left_out_are_told(tmp_path):
     tables = placed_tables("box")
     tables["body"]["sensed_faces"] = [2, 4]
-    monkeypatch.setattr("instobj.commands.new.made", lambda request: (tables, []))
     with pytest.warns(UserWarning, match="only faces 2 and 4 can take 3 sensors"):
-        path = new_specification("mine", tmp_path, Request("box", (1.0, 2.0, 3.0)), by_rules)
+        path = new_specification(
+            "mine", tmp_path, Request("box", (1.0, 2.0, 3.0)), lambda _: (tables, [])
+        )
     assert tomllib.loads(path.read_text())["body"]["sensed_faces"] == [2, 4]
 
 
-def test_a_body_longer_than_the_printers_bed_takes_is_told_so(tmp_path, monkeypatch):
+def test_a_body_longer_than_the_printers_bed_takes_is_told_so(tmp_path):
     bed = Finding("fits the bed", "mould_half_a", -3.0, 0.0, "mm", "fail", "")
-    monkeypatch.setattr(new, "made", lambda request: (placed_tables("box"), [bed]))
     with pytest.warns(UserWarning, match=r"bodies above 190 mm .* 200 mm long. Give yours") as told:
-        new_specification("mine", tmp_path, Request("box", (200.0, 50.0, 50.0)), by_rules)
+        new_specification(
+            "mine",
+            tmp_path,
+            Request("box", (200.0, 50.0, 50.0)),
+            lambda _: (placed_tables("box"), [bed]),
+        )
     assert len(told) == 1
 
 
@@ -219,12 +220,12 @@ def test_where_no_seam_leaves_walls_magnets_go_elsewhere(monkeypatch, clear, fai
     assert len(tried) == len(failing)
 
 
-def test_what_no_placement_mends_is_told_with_its_numbers(tmp_path, monkeypatch):
-    monkeypatch.setattr(new, "made", lambda request: (placed_tables("box"), [HOOKED]))
+def test_what_no_placement_mends_is_told_with_its_numbers(tmp_path):
+    hooked = (placed_tables("box"), [HOOKED])
     with pytest.warns(
         UserWarning, match=r"mould_half_a, undercut: 1\.9 mm, limit 0\.14\. leave out"
     ):
-        new_specification("mine", tmp_path, Request("box", (50.0, 50.0, 50.0)), by_rules)
+        new_specification("mine", tmp_path, Request("box", (50.0, 50.0, 50.0)), lambda _: hooked)
 
 
 BALL = {"body": {"kind": "sphere", "size_mm": [60.0] * 3}}
@@ -394,7 +395,7 @@ def test_what_is_placed_can_be_printed_cast_and_assembled(kind, tmp_path):
 
 
 def test_a_placed_box_is_written_in_sixty_lines(tmp_path):
-    path = new_specification("mine", tmp_path, Request("box", (60.0, 40.0, 30.0)), by_rules)
+    path = new_specification("mine", tmp_path, Request("box", (60.0, 40.0, 30.0)), new.made)
     assert len(path.read_text().splitlines()) <= 60
     assert check(load_spec(path)).sensors == 15
 

@@ -6,15 +6,27 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from design.placement.objects import COARSE, SHELL_VARIANTS, Request, first_fit, spec_of
+from design.placement.objects import (
+    COARSE,
+    SHELL_VARIANTS,
+    Request,
+    ShellVariant,
+    first_fit,
+    fitting_tables,
+    spec_of,
+)
 from estimator.layouts.without_mesh import FirstScore, first_score
 from instobj.commands.first_layout import improved
+from instobj.commands.new import placed_text
 from instobj.commands.outlook import (
     expected_text,
     next_step_text,
+    outlook_text,
     parts_that_help,
     with_edges_that_fit,
 )
+from instobj.commands.run import check_specifications
+from instobj.commands.specification_file import specification_text
 from instobj.stages.resources import needed_gib
 
 
@@ -56,6 +68,14 @@ def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     assert first_score(spec_of(more)).within > score.within + 0.05
 
 
+def test_parts_that_bring_the_last_locations_within_the_limit_are_named():
+    """Of a cylinder with 97 % within: nothing can bring 5 % more."""
+    request, shell = Request("cylinder", (60.0, 60.0, 80.0)), ShellVariant(8.0, 6.0, 5.0, 3.0)
+    tables = next(fitting_tables(replace(request, magnets=9), (shell,), COARSE))
+    told = parts_that_help(request, spec_of(tables), FirstScore(0.6, 1.4, 0.97, 0.9))
+    assert re.search(r"; \d more .* would bring every location within the limit", told)
+
+
 def test_no_parts_are_named_where_all_locations_are_within_the_limit(big):
     request, tables = big
     assert parts_that_help(request, spec_of(tables), FirstScore(0.1, 0.2, 1.0, 0.9)) == ""
@@ -70,3 +90,14 @@ def test_bounds_to_expect_are_said_with_the_share_within_the_limit_and_covered(b
 def test_contact_locations_of_a_large_body_lie_farther_apart(big):
     assert big[1]["contact_grid"]["pitch_mm"] > 3
     assert placed(Request("box", (70.0, 50.0, 35.0), 2))["contact_grid"]["pitch_mm"] == 3
+
+
+def test_check_says_the_bounds_of_new_and_why_where_it_cannot(big, tmp_path):
+    """Chips turned by hand are scored with a mesh alone."""
+    spec = spec_of(big[1])
+    path = tmp_path / "big.toml"
+    path.write_text(specification_text("big", tmp_path, big[1]), encoding="utf-8")
+    row = check_specifications([path], [])["specifications"][0]
+    assert row["outlook"] == expected_text(spec, first_score(spec)) in placed_text(path)
+    turned = spec.changed(sensors=spec.sensors.changed(rotations_deg=((0.0, 0.0, 10.0),)))
+    assert "sensors.rotations_deg" in outlook_text(turned)

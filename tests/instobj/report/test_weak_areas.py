@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from design.layout.places.measures import LONGEST_PATH_MM, place_measures
-from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.information.weak_areas import weak_areas
 from instobj.cli.tables import print_result
@@ -16,7 +14,6 @@ from instobj.figures.weak_areas import draw_weak_areas
 from instobj.report.weak_areas import (
     WEAK_TITLE,
     edge_text,
-    far_text,
     weak_areas_section,
     weak_rows,
     weak_text,
@@ -57,20 +54,6 @@ def test_the_sentence_says_what_weak_locations_go_with_and_how_much():
     assert "none of the measures tells" in weak_text(flat)
     vague = {"border_mm": -0.31, "magnet_mm": 0.42}
     assert "none of the measures clearly" in weak_text(CONTENT | {"rank_correlation": vague})
-
-
-def test_places_far_from_magnets_and_sensors_are_counted_before_any_mechanics():
-    """Two sensors on a long face leave half of it too far; a dense pad has no such place."""
-    box = ObjectSpec(
-        name="long",
-        body={"size_mm": [70.0, 50.0, 35.0]},
-        sensors={"positions_mm": [[0.0, 11.0], [0.0, -11.0]], "count_per_face": 2},
-    )
-    far = place_measures(box).path_mm > LONGEST_PATH_MM
-    share = far.sum() / np.isfinite(place_measures(box).path_mm).sum()
-    assert far_text(box).startswith(f"{share:.0%}".replace("%", " %"))
-    pad = load_spec(ROOT / "examples" / "hall_skin.toml", ["contact_grid.count=[13, 8]"])
-    assert far_text(pad) == "every contact location is near a magnet and a sensor"
 
 
 @pytest.mark.parametrize(

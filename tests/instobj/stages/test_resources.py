@@ -8,7 +8,7 @@ from design.errors import InputError
 from design.processes import machine_memory_gib
 from design.spec_io import load_spec, parse_spec
 from fem.mesh.tetrahedra import tetrahedralize
-from instobj.stages.resources import mesh_vertices, require_memory, search_seconds
+from instobj.stages.resources import mesh_vertices, needed_gib, require_memory, search_seconds
 from instobj.stages.run import Run
 from instobj.stages.table import STAGES
 from tests.support.mechanics.fem_cases import COARSE_EDGES_MM, paper_cube
@@ -43,6 +43,15 @@ def test_what_does_not_fit_into_the_machine_is_refused_before_any_work(
     monkeypatch.setenv("INSTOBJ_MEMORY_GIB", "64")
     with pytest.raises(InputError, match=rf"needs about .* GiB .*has 64\. Change .*{key}"):
         Run(spec_with(**parts), root=tmp_path).require(stage)
+    assert not list(tmp_path.iterdir())
+
+
+def test_scores_are_refused_for_memory_before_a_mesh_that_would_fit_is_made(monkeypatch, tmp_path):
+    spec, gib = spec_with(), 3.0
+    assert needed_gib("mesh", spec) < gib < needed_gib("response", spec)
+    monkeypatch.setenv("INSTOBJ_MEMORY_GIB", str(gib))
+    with pytest.raises(InputError, match="the stage response of cube needs about"):
+        Run(spec, root=tmp_path).require("scores")
     assert not list(tmp_path.iterdir())
 
 
