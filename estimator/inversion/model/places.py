@@ -76,7 +76,7 @@ class SurfacePlaces:
 
 
 def surface_places(frames: list[FaceFrame]) -> SurfacePlaces:
-    """Points spread over the half extents of every face; places that its surface does not reach are left out."""
+    """Points spread over the half extents of every face, as far as its surface reaches."""
     parts = [_face_samples(index, frame) for index, frame in enumerate(frames)]
     return SurfacePlaces(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
