@@ -24,13 +24,11 @@ from design.placement.objects import (
 from design.spec.object import ObjectSpec
 from design.spec.sensors import SensorSpec
 from estimator.field.seating import all_stay
-from estimator.layouts.without_mesh import BROKEN, LevelWithoutMesh, coarse, first_score
+from estimator.layouts.without_mesh import BRIEF, BROKEN, LevelWithoutMesh, coarse, first_score
 from instobj.commands.run import check
 
 _WALKS, _STEPS = 16, 30
 """Walks side by side, and their steps: 4 s of one core on a box of five faces and five magnets."""
-BRIEF = 4, 20
-"""The same where layouts are compared that are not taken."""
 _MANY = 9
 """Magnets of a face, where the usual number is seen too little."""
 _WORTH = 0.1

@@ -14,8 +14,7 @@ from design.placement.objects import (
     spec_of,
 )
 from design.spec.object import ObjectSpec
-from estimator.layouts.without_mesh import FirstScore, LevelWithoutMesh, coarse, first_score
-from instobj.commands.first_layout import BRIEF
+from estimator.layouts.without_mesh import BRIEF, FirstScore, LevelWithoutMesh, coarse, first_score
 from instobj.stages.resources import needed_gib, search_seconds
 
 MOST_GIB = 12.0
