@@ -33,12 +33,12 @@ _GIB = 2.0**30
 
 def one_blas_thread() -> AbstractContextManager[Any]:
     """A context in which NumPy's and SciPy's linear algebra takes one thread."""
-    return _loaded_libraries().limit(limits=1, user_api="blas")
+    return _loaded_libraries(len(sys.modules)).limit(limits=1, user_api="blas")
 
 
-@functools.cache
-def _loaded_libraries() -> ThreadpoolController:
-    """Once: to look for them takes 8 ms."""
+@functools.lru_cache(maxsize=1)
+def _loaded_libraries(_modules: int) -> ThreadpoolController:
+    """Look for them again where modules were imported since, which may bring libraries: it takes 8 ms."""
     return ThreadpoolController()
 
 
