@@ -15,10 +15,8 @@ from fem.contact.half_space import Patches
 
 CELLS = 150
 """Cells under a tip, about, before those at its outline are halved."""
-_LARGEST_CELL_MM, _LARGEST_JAW_CELL_MM = 1.2, 1.7
-"""Largest edge of a cell, and that of jaws with more than `_MANY_CELLS`. Over a whole face 1.2 mm costs five
-times as much for 0.02 % of force. Under a small flat punch wider cells make the compliance indefinite."""
-_MANY_CELLS = 900
+_LARGEST_CELL_MM = 1.7
+"""Largest edge of a cell: of a jaw over a whole face 1.2 mm costs five times as much for 0.02 % of force."""
 _FINE_BELOW_MM = 0.4
 """Height above a tip's lowest point up to which cells are halved: small contacts are there."""
 _LEVEL_MM = 1e-9
@@ -113,7 +111,7 @@ class Border:
 
 
 def tip_cells(indenter: IndenterSpec, border: Border | None = None) -> TipCells:
-    """Cells of every tip, of what lies within a border: about 150 a tip, at most 1.2 mm wide (wide jaws 1.7).
+    """Cells of every tip, of what lies within a border: about 150 a tip, at most 1.7 mm wide.
 
     Cells are halved where the tip is not flat within 0.4 mm above its lowest point, and at the
     outline of what is flat: there small contacts and the pressures of sharp edges are.
@@ -166,9 +164,7 @@ def hemisphere_profile_mm(
 
 def _cells(shape: TipShape, border: Border | None = None) -> tuple[Patches, np.ndarray]:
     low, high = shape.corners_mm.min(axis=0), shape.corners_mm.max(axis=0)
-    area_mm2 = np.prod(high - low)
-    jaw_edge = min(np.sqrt(area_mm2 / _MANY_CELLS), _LARGEST_JAW_CELL_MM)
-    edge = min(np.sqrt(area_mm2 / CELLS), max(jaw_edge, _LARGEST_CELL_MM))
+    edge = min(np.sqrt(np.prod(high - low) / CELLS), _LARGEST_CELL_MM)
     # cells end at the border: a sliver of a cell makes the compliance indefinite
     if border is not None:
         low, high = np.maximum(low, border.low_mm), np.minimum(high, border.high_mm)
