@@ -115,7 +115,6 @@ def predict(
 ) -> None:
     """Contacts in a recording, or live from a board (one JSON document per frame)."""
     from estimator.inversion.storage import is_inversion
-    from instobj.commands.contacts import shown_in_foxglove
     from instobj.commands.readings import Zeroing
     from instobj.robot import is_foxglove
 
@@ -144,6 +143,8 @@ def predict(
     elif board is not None:
         lines = on_port(model, board, zeroing, frames, baud)
         if out is not None and is_foxglove(out):
+            from instobj.commands.contacts import shown_in_foxglove
+
             lines = shown_in_foxglove(lines, model, out)
         for line in lines:
             typer.echo(line)

@@ -56,9 +56,12 @@ def read_table(path: Path | str) -> RawTable:
         column.
     """
     path = Path(path)
-    content = read_bytes(path)
     with naming(path):
-        table = read_generic_netcdf(path) if path.suffix == ".nc" else _csv_table(content)
+        if path.suffix == ".nc":
+            read_bytes(path)  # says what is no file, or empty
+            table = read_generic_netcdf(path)
+        else:
+            table = _csv_table(*_rows_of(path))
         check_plausible(table)
     return table
 
@@ -75,13 +78,17 @@ def read_signals(
         As `read_table`.
     """
     path = Path(path)
-    if not has_load_cells(path):
-        with naming(path):
-            rows, missing = _rows_of(path)
+    if path.suffix == ".nc":
+        table = read_table(path)
+        return table.time_s, table.counts
+    with naming(path):
+        rows, missing, digest = _rows_of(path)
+        if is_unlabelled([cell.strip() for cell in rows[0]]):
             time_s, counts = generic_signals(rows, missing)
             check_signals(time_s, counts)
             return time_s, counts
-    table = read_table(path)
+        table = _csv_table(rows, missing, digest)
+        check_plausible(table)
     return table.time_s, table.counts
 
 
@@ -90,21 +97,19 @@ def has_load_cells(path: Path) -> bool:
     if path.suffix == ".nc":
         return True
     with naming(path):
-        rows, _ = _rows_of(path)
+        rows, *_ = _rows_of(path)
     return not is_unlabelled([cell.strip() for cell in rows[0]])
 
 
-def _rows_of(path: Path) -> tuple[list[list[str]], float | None]:
-    """Rows of a CSV without its remark, and the number that the remark says stands for no reading."""
-    rows, _ = csv_rows(read_bytes(path))
+def _rows_of(path: Path) -> tuple[list[list[str]], float | None, str]:
+    """Rows of a CSV without its remark, the number that the remark says stands for no reading, and the
+    SHA-256 of the file."""
+    rows, digest = csv_rows(read_bytes(path))
     missing = missing_marker(rows)
-    return (rows if missing is None else rows[1:]), missing
+    return (rows if missing is None else rows[1:]), missing, digest
 
 
-def _csv_table(content: bytes) -> RawTable:
-    rows, digest = csv_rows(content)
-    missing = missing_marker(rows)
-    rows = rows if missing is None else rows[1:]
+def _csv_table(rows: list[list[str]], missing: float | None, digest: str) -> RawTable:
     header = [cell.strip() for cell in rows[0]]
     _check_separator(rows)
     if missing is not None:

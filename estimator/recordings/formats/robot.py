@@ -161,7 +161,9 @@ def _bag_rows(path: Path) -> Iterator[list[Any]]:
     except RecordingError:
         raise
     except Exception as error:  # a damaged file makes the library's parser fail in any way
-        raise RecordingError(f"it is no bag that can be read to its end ({error})") from None
+        raise RecordingError(
+            f"it is no bag that can be read to its end. Copy or record it again ({error})"
+        ) from None
 
 
 def _rows_of_messages(bag: Any, store: Any) -> Iterator[list[Any]]:
@@ -171,7 +173,8 @@ def _rows_of_messages(bag: Any, store: Any) -> Iterator[list[Any]]:
         topics = ", ".join(sorted(types)) or "none"
         raise RecordingError(
             f"it has the topics {topics}; a bag of an instrumented object has {LAYOUT} and {FRAMES} "
-            "(`instobj docs recordings`). A foreign log is for `instobj adopt`"
+            "(`instobj docs recordings`). Export the topic with the counts as CSV, and give that to "
+            "`instobj adopt`"
         )
     width = None
     for connection, _, data in bag.messages():

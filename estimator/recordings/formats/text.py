@@ -25,11 +25,12 @@ _ISO = re.compile(r"\d{4}-\d\d-\d\d([ T].*)?")
 
 @contextmanager
 def naming(path: Path | str) -> Iterator[None]:
-    """Put the name of the file before the text of a `RecordingError` raised inside."""
+    """Put the name of the file before the text of a `RecordingError` raised inside that lacks it."""
     try:
         yield
     except RecordingError as error:
-        raise RecordingError(f"{path}: {error}") from None
+        text = str(error)
+        raise RecordingError(text if str(path) in text else f"{path}: {text}") from None
 
 
 def csv_rows(content: bytes) -> tuple[list[list[str]], str]:

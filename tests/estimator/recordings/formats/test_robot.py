@@ -8,6 +8,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from design.errors import InputError, RecordingError
+from estimator.adoption.text_table import read_text_table
 from estimator.recordings.formats.files import read_signals, read_table
 from estimator.recordings.formats.robot import HALL_COUNTS, MESSAGES, lerobot_features, write_bag
 from tests.support.recordings.generic_csv import write_generic_csv
@@ -132,3 +133,16 @@ def test_a_lerobot_data_set_without_counts_says_what_it_has(tmp_path):
     lerobot(tmp_path / "set", {"observation.state": {}}, np.zeros((4, 2)))
     with pytest.raises(RecordingError, match=r"observation\.state.*observation\.hall_counts"):
         read_signals(tmp_path / "set")
+
+
+def test_an_error_names_its_file_once_wherever_it_is_raised(tmp_path):
+    (tmp_path / "a.mcap").write_bytes(b"no bag at all")
+    for read, path in (
+        (read_table, tmp_path / "a.mcap"),
+        (read_signals, tmp_path / "a.mcap"),
+        (read_text_table, tmp_path / "a.mcap"),
+        (read_text_table, tmp_path / "none.csv"),
+    ):
+        with pytest.raises(RecordingError) as error:
+            read(path)
+        assert str(error.value).count(str(path)) == 1
