@@ -29,6 +29,7 @@ from design.layout.mould.frame import (
     undercut_depth_mm,
     undercut_fraction,
 )
+from design.layout.places.coverage import covered_share
 from design.placement.asked import most_printed_mm, placements
 from design.placement.hooking import hooked_by_azimuth_mm, turned, way_that_hooks_least
 from design.placement.objects import Request, Tables, relaid, spec_of
@@ -110,6 +111,7 @@ def placed_text(path: Path, request: Request | None = None) -> str:
         f"{spec!r}".removeprefix("ObjectSpec "),
         chosen_text(spec),
         expected_text(spec, score),
+        f"contact locations cover {100 * covered_share(spec):.0f} % of the sensed surface",
         helps,
         next_step_text(spec),
     )
@@ -127,14 +129,14 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
     before, tried = set[str](), list[Tables]()
     for placement in placements(request):
         tried.append(placement)
-        found = _checked_seams(placement)
-        if found is None:
+        checked = _checked_seams(placement)
+        if checked is None:
             continue
-        best = found if best is None or len(found[1]) < len(best[1]) else best
-        checks = {finding.check for finding in found[1]}
+        best = checked if best is None or len(checked[1]) < len(best[1]) else best
+        checks = {finding.check for finding in checked[1]}
         if not checks or checks <= _OF_THE_BODY:
             return best
-        if checks == before and not all(map(_thin_mould, found[1])):
+        if checks == before and not all(map(_thin_mould, checked[1])):
             return best
         before = checks
     if best is None or all(map(_thin_mould, best[1])):

@@ -8,9 +8,9 @@ from design.errors import InputError
 from design.placement.objects import (
     COARSE,
     Request,
+    ShellVariant,
     Tables,
     fitting_tables,
-    shell_variant_of,
     spec_of,
 )
 from design.spec.object import ObjectSpec
@@ -55,12 +55,12 @@ def chosen_text(spec: ObjectSpec) -> str:
 
 
 def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
-    """Say which position bounds to expect, and for how much of the surface."""
+    """Say which position bounds to expect."""
     return (
-        f"expect position bounds of about {score.median_mm:.2g} mm (median) and "
-        f"{score.percentile_95_mm:.2g} mm (95th percentile); {_percent(score.within)} of the contact "
-        f"locations within limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm; they cover "
-        f"{_percent(score.covered)} of the sensed surface"
+        f"expect position bounds of {score.median_mm:.2g} mm (median) and "
+        f"{score.percentile_95_mm:.2g} mm (95th percentile), both within a factor of two; "
+        f"{_percent(score.within)} of the contact locations within "
+        f"limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm"
     )
 
 
@@ -77,26 +77,32 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
     where all are."""
     if score.within == 1:
         return ""
-    tables, best, told = tables_of(spec), score.within + _MORE_WITHIN, ""
+    shell = ShellVariant(
+        spec.shell.thickness_mm,
+        spec.shell.pocket_diameter_mm,
+        spec.shell.pocket_depth_mm,
+        spec.magnets.sizes[0].height_mm,
+    )
+    best, help_text = score.within + _MORE_WITHIN, ""
     for sensors_more, count in _MORE:
         if spec.magnets.count >= count and not sensors_more:
             continue
         magnets = max(count, spec.magnets.count)
         larger = replace(request, sensors=request.sensors + sensors_more, magnets=magnets)
-        placed = next(fitting_tables(larger, (shell_variant_of(tables),), COARSE), None)
-        if placed is None or placed["body"].get("sensed_faces") != tables["body"].get(
-            "sensed_faces"
-        ):
+        placed = next(fitting_tables(larger, (shell,), COARSE), None)
+        if placed is None or spec_of(placed).body.sensed != spec.body.sensed:
             continue
         placed["sensors"]["range_mt"] = spec.sensors.range_mt
         within = first_score(_walked(spec_of(placed))).within
         if within > best or within == 1:
             more = magnets if magnets > spec.magnets.count else None
-            best, told = within, _told(sensors_more, (larger.sensors, more))
+            best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))
         if within == 1:
-            return f"NO-GO is to be expected; {told} would bring every location within the limit"
-    if told:
-        return f"NO-GO is to be expected; {told} would bring {_percent(best)} within the limit"
+            return (
+                f"NO-GO is to be expected; {help_text} would bring every location within the limit"
+            )
+    if help_text:
+        return f"NO-GO is to be expected; {help_text} would bring {_percent(best)} within the limit"
     return (
         "NO-GO is to be expected, and no number of parts tried here helps much: take a smaller body, a "
         "softer silicone, or raise limits.position_bound_mm"
@@ -114,7 +120,7 @@ def _percent(share: float) -> str:
     return f"{min(round(100 * share), 99) if share < 1 else 100} %"
 
 
-def _told(sensors_more: int, counts: tuple[int, int | None]) -> str:
+def _parts_text(sensors_more: int, counts: tuple[int, int | None]) -> str:
     sensors, magnets = counts
     options = [f"--sensors {sensors}"] * bool(sensors_more)
     options += [f"--magnets {magnets}"] * (magnets is not None)
@@ -136,11 +142,3 @@ def next_step_text(spec: ObjectSpec) -> str:
     seconds, gib = search_seconds(spec).chain, needed_gib("response", spec)
     took = f"{seconds / 60:.0f} min" if seconds >= 120 else f"{seconds:.0f} s"
     return f"{edges}scores (`instobj score`) take about {took} of one free core and {gib:.2g} GiB"
-
-
-def tables_of(spec: ObjectSpec) -> Tables:
-    """Tables of a specification that say how its parts were placed."""
-    content = spec.model_dump(mode="json", exclude_unset=True)
-    keys = ("thickness_mm", "pocket_diameter_mm", "pocket_depth_mm")
-    shell = {key: getattr(spec.shell, key) for key in keys}
-    return {**{table: content[table] for table in ("body", "magnets", "sensors")}, "shell": shell}

@@ -331,11 +331,12 @@ def test_seams_that_hook_least_are_tried_first(monkeypatch):
 def test_what_was_written_is_said_with_what_comes_next(tmp_path):
     """Somebody who names the file gets that file, not one that ends twice."""
     done = run("new", "avocado.toml", cwd=tmp_path)
-    wrote, placed, chosen, expected, taking, following = done.stdout.splitlines()
+    wrote, placed, chosen, expected, covered, taking, following = done.stdout.splitlines()
     assert wrote == "wrote avocado.toml"
     assert "5 magnets and 3 sensors on each of faces [1, 2, 3, 4, 5]" in placed
     assert chosen.startswith("magnets Ø6 × 1 mm and sensors of ±40 mT")
-    assert re.match(r"expect position bounds of about [0-9.]+ mm \(median\)", expected)
+    assert re.match(r"expect position bounds of [0-9.]+ mm \(median\)", expected)
+    assert re.fullmatch(r"contact locations cover \d+ % of the sensed surface", covered)
     assert taking.startswith("scores (`instobj score`) take about ")
     assert following == "next  instobj check avocado.toml"
     assert [path.name for path in tmp_path.glob("*.toml")] == ["avocado.toml"]
