@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import nnls
 
-E_MPA, NU, STIFFER, SHELL_MM, LOW_MM, CORE_END_MM = 0.414, 0.4999, 3e3, 8.0, 42.0, 34.0
+E_MPA, NU, SHELL_MM, LOW_MM, CORE_END_MM = 0.414, 0.4999, 8.0, 42.0, 34.0
 """The core ends at 34 mm: below it the cavity's walls are free."""
 BULK_MM, RIM_MM, FAR_MM = 4.0, 1.2, 60.0
 DEPTHS_MM = (0.5, 1.0, 2.0)
@@ -151,28 +151,10 @@ class Condensed:
     def __init__(
         self, mesh: Any, boundary: str, way: float, elastic: tuple[float, float], magnets: int
     ):
+        from ngsolve_shell import shell_system
+
         ng: Any = import_module("ngsolve")
-        modulus, ratio = elastic
-        mu, lam = modulus / 2 / (1 + ratio), modulus * ratio / (1 + ratio) / (1 - 2 * ratio)
-        stiff = mesh.MaterialCF({f"magnet{i}": STIFFER for i in range(magnets)}, default=1.0)
-        space = ng.VectorH1(mesh, order=2, dirichlet="held", dirichlety="cut") * ng.H1(
-            mesh, order=1
-        )
-        (u, p), (v, q) = space.TnT()
-        strain = ng.InnerProduct(ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v)))
-        matrix = ng.BilinearForm(space, symmetric=True)
-        matrix += (
-            2 * mu * stiff * strain - p * ng.div(v) - q * ng.div(u) - p * q / lam / stiff
-        ) * ng.dx
-        inverse = matrix.Assemble().mat.Inverse(space.FreeDofs(), inverse="sparsecholesky")
-        means = []
-        for index in range(magnets):
-            region = ng.dx(definedon=mesh.Materials(f"magnet{index}"))
-            volume = ng.Integrate(ng.CF(1.0) * region, mesh)
-            for k in range(3):
-                mean = ng.LinearForm(space)
-                mean += v[k] / volume * region
-                means.append(mean.Assemble().vec.FV().NumPy().copy())
+        space, v, inverse, means = shell_system(mesh, magnets, *elastic, "cut")
         self.mesh, self.hats = mesh, ng.H1(mesh, order=1, definedon=mesh.Boundaries(boundary))
         free = self.hats.FreeDofs()
         self.vertices = np.array([k for k in range(mesh.nv) if free[k]])
@@ -315,21 +297,11 @@ def _pad(face: Condensed, indenter: dict[str, Any], x_mm: float, edge_mm: float)
 def compare(wanted: dict[str, Any]) -> dict[str, Any]:
     """Errors of `fem` on its default mesh against a reference: force, and motions over the largest."""
     from design.spec.object import IndenterSpec, ObjectSpec
-    from design.spec_io import check
     from fem.linear.response import build_response
     from fem.mesh.tetrahedra import tetrahedralize
+    from tests.support.objects.magnet_box import BOX
 
-    box = {
-        "name": "box",
-        "body": {"kind": "box", "size_mm": [60, 46, 42], "sensed_faces": [1]},
-        "magnets": {
-            "diameter_mm": 5,
-            "height_mm": 2,
-            "positions_mm": [[0, 0], [14, 0], [-14, 0]],
-            "depth_mm": [2.0, 2.5, 3.5],
-        },
-    }
-    specs = {"cube": ObjectSpec(name="cube"), "box": check(ObjectSpec.model_validate(box))}
+    specs = {"cube": ObjectSpec(name="cube"), "box": BOX}
     errors: dict[str, Any] = {}
     for body, spec in specs.items():
         response = build_response(tetrahedralize(spec), spec)

@@ -18,9 +18,10 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
+from ngsolve_shell import shell_system
 from scipy.optimize import nnls
 
-E_MPA, NU, STIFFER, TIP_MM, HALF_MM, SHELL_MM = 0.414, 0.4999, 3e3, 5.0, 21.0, 8.0
+E_MPA, NU, TIP_MM, HALF_MM, SHELL_MM = 0.414, 0.4999, 5.0, 21.0, 8.0
 TOP_MM = [(0, 0), (10, 10), (10, -10), (-10, 10), (-10, -10)]
 SIDE_MM = [(10, -11), (-10, -11), (0, -21), (10, -31), (-10, -31)]
 BULK_MM, RIM_MM, LOW_MM = 4.0, 1.0, 36.0
@@ -81,25 +82,8 @@ class Condensed:
 
     def __init__(self, mesh: Any, magnets: int, place: np.ndarray, reach_mm: float, half: bool):
         ng: Any = import_module("ngsolve")
-        mu, lam = E_MPA / 2 / (1 + NU), E_MPA * NU / (1 + NU) / (1 - 2 * NU)
-        stiff = mesh.MaterialCF({f"magnet{i}": STIFFER for i in range(magnets)}, default=1.0)
-        space = ng.VectorH1(mesh, order=2, dirichlet="held", dirichlety="cut" if half else "")
-        space = space * ng.H1(mesh, order=1)
-        (u, p), (v, q) = space.TnT()
-        matrix = ng.BilinearForm(space, symmetric=True)
-        strain = ng.InnerProduct(ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v)))
-        matrix += (
-            2 * mu * stiff * strain - p * ng.div(v) - q * ng.div(u) - p * q / lam / stiff
-        ) * ng.dx
-        inverse = matrix.Assemble().mat.Inverse(space.FreeDofs(), inverse="sparsecholesky")
-        means = []
-        for index in range(magnets):
-            region = ng.dx(definedon=mesh.Materials(f"magnet{index}"))
-            volume = ng.Integrate(ng.CF(1.0) * region, mesh)
-            for k in range(3):
-                mean = ng.LinearForm(space)
-                mean += v[k] / volume * region
-                means.append(mean.Assemble().vec.FV().NumPy().copy())
+        held = "cut" if half else ""
+        space, v, inverse, means = shell_system(mesh, magnets, E_MPA, NU, held)
         points = np.array([mesh.vertices[k].point for k in range(mesh.nv)])
         near = np.linalg.norm(points - place, axis=1) < reach_mm
         loads, weights, centres = [], [], []

@@ -8,25 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from design.spec.object import ObjectSpec
 from design.spec_io import check, load_spec
 from fem.linear.response import build_response
 from fem.mesh.tetrahedra import tetrahedralize
 from fem.presses.table import press_face
+from tests.support.objects.magnet_box import BOX
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 DEPTHS_MM = np.array([1.0, 2.0])
-BOX = {
-    "name": "box",
-    "body": {"kind": "box", "size_mm": [60, 46, 42], "sensed_faces": [1]},
-    "magnets": {
-        "diameter_mm": 5,
-        "height_mm": 2,
-        "positions_mm": [[0, 0], [14, 0], [-14, 0]],
-        "depth_mm": [2.0, 2.5, 3.5],
-    },
-}
-"""Silicone over its magnets: 1, 1.5 and 2.5 mm."""
 ON_BOX_N = {
     (0, 0): (5.011, 12.596),
     (2.5, 0): (3.620, 10.795),
@@ -78,7 +67,7 @@ def errors(spec, face, wanted_n):
 
 def test_forces_over_magnets_at_three_depths_are_within_two_percent():
     """On the edge the force at 1 mm scatters by 1 % between meshes, so 4 % are allowed there."""
-    found = errors(check(ObjectSpec.model_validate(BOX)), 0, ON_BOX_N)
+    found = errors(BOX, 0, ON_BOX_N)
     at_border = np.array(list(ON_BOX_N))[:, :1] >= 27
     assert (abs(found) < np.where(at_border, [0.04, 0.02], 0.02)).all(), found
 
