@@ -49,8 +49,8 @@ def measured(path: Path, device: str, objects: int, contacts: int) -> tuple[floa
     turn = np.broadcast_to(np.eye(3), (objects, 3, 3)).copy()
     start = time.perf_counter()
     for step in range(LOOPED):
-        one = step % objects
-        cube.read(points[one], force[one], turn[one])
+        number = step % objects
+        cube.read(points[number], force[number], turn[number])
     looped = LOOPED / (time.perf_counter() - start)
     tensors = [torch.as_tensor(given, device=device) for given in (points, force, turn)]
     cube.read(*tensors)

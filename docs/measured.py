@@ -64,8 +64,8 @@ def _origin(result: Result) -> str:
     machine = result.get("machine")
     if isinstance(machine, dict):
         machine = f"{machine['processor']}, threads: {machine['threads']}"
-    before = f"measured before {result['before']}" if "before" in result else ""
-    parts = filter(None, (source, f"instobj {result['version']}", result["date"], before, machine))
+    earlier = f"measured before {result['before']}" if "before" in result else ""
+    parts = filter(None, (source, f"instobj {result['version']}", result["date"], earlier, machine))
     return f"*{'; '.join(parts)}.*"
 
 

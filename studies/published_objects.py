@@ -1,4 +1,4 @@
-"""What builders published of their magnetic objects beside what is predicted for specifications of them.
+"""Figures that builders published of their magnetic objects, compared with those predicted.
 
 The specifications lie in `studies/published`; each states which sizes are published and which assumed.
 Predictions are medians over the contact locations, freshly zeroed. A mean absolute error is compared

@@ -115,9 +115,11 @@ def left_share(
     ones = np.ones((len(xy), len(LEVELS_N), len(LEVELS_N)))
     channels = np.arange(truth.shape[2])
     at = PressedPlaces(FACE, channels, xy, levels, 0 * truth, np.ones_like(levels, int), ones)
-    found = PlaceMechanics(twin.unknowns, *table, at).expected(twin.numbers).reshape(truth.shape)
-    found = found + twin.discrepancy.mean(twin.residual, xy, levels)
-    return float(np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2)))
+    predicted = (
+        PlaceMechanics(twin.unknowns, *table, at).expected(twin.numbers).reshape(truth.shape)
+    )
+    predicted = predicted + twin.discrepancy.mean(twin.residual, xy, levels)
+    return float(np.sqrt(np.mean((predicted - truth) ** 2) / np.mean(truth**2)))
 
 
 def study(spec: ObjectSpec, table: Table, kept: Path) -> dict[str, dict[str, float]]:

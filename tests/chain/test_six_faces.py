@@ -28,9 +28,9 @@ OPEN_BELOW, CLOSED = [6], []
 
 
 def done(*arguments, cwd):
-    found = run(*arguments, cwd=cwd)
-    assert found.returncode == 0, found.stderr
-    return json.loads(found.stdout)
+    process = run(*arguments, cwd=cwd)
+    assert process.returncode == 0, process.stderr
+    return json.loads(process.stdout)
 
 
 def cube(sensors, open_faces):
@@ -139,5 +139,5 @@ def test_lists_for_five_faces_are_refused_for_six():
     closed = {"name": "six", "body": {"open_faces": []}}
     with pytest.raises(ValueError, match="holds 5 lists"):
         ObjectSpec.model_validate({**closed, "sensors": {"positions_mm": lists}})
-    one = ObjectSpec.model_validate({**closed, "sensors": {"positions_mm": [[2.0, 0.0]]}})
-    assert one.body.sensed == (1, 2, 3, 4, 5, 6)
+    shared = ObjectSpec.model_validate({**closed, "sensors": {"positions_mm": [[2.0, 0.0]]}})
+    assert shared.body.sensed == (1, 2, 3, 4, 5, 6)

@@ -147,9 +147,9 @@ def test_the_scanned_magnet_is_as_strong_as_a_weak_one_of_its_grade(run_script):
 
 
 def test_a_policy_that_feels_squeezes_less_and_seldom_drops(run_script):
-    found = run_script(9)
-    assert found["judged_n"].mean() < 0.7 * found["fixed_n"].mean()
-    assert np.mean(found["judged_n"] >= found["needed_n"]) > 0.95
+    grips = run_script(9)
+    assert grips["judged_n"].mean() < 0.7 * grips["fixed_n"].mean()
+    assert np.mean(grips["judged_n"] >= grips["needed_n"]) > 0.95
 
 
 def test_the_scan_beside_the_script_is_the_published_one():

@@ -28,7 +28,7 @@ def numbers(version: str) -> list[int]:
 
 
 def is_there(command: str) -> bool:
-    """Whether the script that a command line runs exists."""
+    """Return whether the script that a command line runs exists."""
     words = command.split()
     if words[:3] == ["python", "-m", "studies"]:
         return words[3] in {*commands("studies.__main__"), "STUDY"}

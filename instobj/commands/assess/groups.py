@@ -189,8 +189,8 @@ def full_rows(groups: list[Group]) -> list[dict[str, Any]]:
 def write_csv(path: Path, rows: list[dict[str, Any]]) -> Path:
     """Write rows as CSV; what is not known is empty."""
     header = list(dict.fromkeys(name for row in rows for name in row))
-    known = ({name: value for name, value in row.items() if value == value} for row in rows)
-    write_table(path, header, ([row.get(name, "") for name in header] for row in known))
+    finite_rows = ({name: value for name, value in row.items() if value == value} for row in rows)
+    write_table(path, header, ([row.get(name, "") for name in header] for row in finite_rows))
     return path
 
 

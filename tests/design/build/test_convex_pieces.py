@@ -21,7 +21,7 @@ def cut():
 
 
 def inside(pieces, points, margin):
-    """Whether points lie in a piece or no farther than the margin outside its planes."""
+    """Return whether points lie in a piece or no farther than the margin outside its planes."""
     heights = [
         (points[:, None] - piece.triangles_center) @ np.eye(3) * piece.face_normals
         for piece in pieces
@@ -30,32 +30,32 @@ def inside(pieces, points, margin):
 
 
 def test_a_convex_body_is_one_piece_without_error():
-    found = convex_pieces(trimesh.creation.icosphere(3, 20), 0.5, 8)
-    assert (len(found.pieces), found.error_mm) == (1, 0.0)
+    convex = convex_pieces(trimesh.creation.icosphere(3, 20), 0.5, 8)
+    assert (len(convex.pieces), convex.error_mm) == (1, 0.0)
 
 
 def test_pieces_are_convex_and_together_hold_the_body(cut):
-    body, found = cut
-    assert len(found.pieces) > 1
-    assert all(piece.is_convex for piece in found.pieces)
-    assert inside(found.pieces, np.asarray(body.vertices), 1e-3).all()
-    assert inside(found.pieces, body.triangles_center, 1e-3).all()
+    body, convex = cut
+    assert len(convex.pieces) > 1
+    assert all(piece.is_convex for piece in convex.pieces)
+    assert inside(convex.pieces, np.asarray(body.vertices), 1e-3).all()
+    assert inside(convex.pieces, body.triangles_center, 1e-3).all()
 
 
 def test_pieces_reach_no_farther_than_they_say(cut):
-    _, found = cut
-    assert 0 < found.error_mm <= 1.0
+    _, convex = cut
+    assert 0 < convex.error_mm <= 1.0
     points = np.concatenate(
-        [trimesh.sample.sample_surface(piece, 3000, seed=1)[0] for piece in found.pieces]
+        [trimesh.sample.sample_surface(piece, 3000, seed=1)[0] for piece in convex.pieces]
     )
     # points farther from the body than said; the ball and the bar give the distance in closed form
     to_bar = np.linalg.norm(points[:, :2] - [0, 2], axis=1) - 8
-    along = abs(points[:, 2] - 22) - 22.5
-    bar = np.where(along < 0, to_bar, np.hypot(to_bar.clip(0), along))
+    beyond_end = abs(points[:, 2] - 22) - 22.5
+    bar = np.where(beyond_end < 0, to_bar, np.hypot(to_bar.clip(0), beyond_end))
     balls = [np.linalg.norm(points - [0, y, z], axis=1) - 20 for y, z in ((0, 0), (5, 45))]
     # balls of triangles lie up to 0.25 mm within the round ones
-    assert np.minimum(bar, np.min(balls, axis=0)).max() < found.error_mm + 0.05
-    assert np.minimum(bar, np.min(balls, axis=0)).max() > 0.5 * found.error_mm
+    assert np.minimum(bar, np.min(balls, axis=0)).max() < convex.error_mm + 0.05
+    assert np.minimum(bar, np.min(balls, axis=0)).max() > 0.5 * convex.error_mm
 
 
 def test_fewer_pieces_than_the_tolerance_needs_say_a_larger_error(cut):
@@ -66,5 +66,5 @@ def test_fewer_pieces_than_the_tolerance_needs_say_a_larger_error(cut):
 
 def test_separate_bodies_are_pieces_of_their_own():
     boxes = [trimesh.creation.box((4, 4, 4)).apply_translation((x, 0, 0)) for x in (0, 10)]
-    found = convex_pieces(trimesh.util.concatenate(boxes), 0.1, 8)
-    assert (len(found.pieces), found.error_mm) == (2, 0.0)
+    convex = convex_pieces(trimesh.util.concatenate(boxes), 0.1, 8)
+    assert (len(convex.pieces), convex.error_mm) == (2, 0.0)

@@ -32,9 +32,9 @@ def integrals(mesh):
     volume = np.linalg.det(corners) / 6
     centre = (volume[:, None] * corners.sum(axis=1) / 4).sum(axis=0)
     # ∫ x xᵀ over a tetrahedron from the origin: V / 20 (Σ vᵢ vᵢᵀ + (Σ vᵢ)(Σ vᵢ)ᵀ)
-    own = np.einsum("tvi,tvj->tij", corners, corners)
+    outer = np.einsum("tvi,tvj->tij", corners, corners)
     summed = corners.sum(axis=1)
-    second = np.einsum("t,tij->ij", volume / 20, own + summed[:, :, None] * summed[:, None])
+    second = np.einsum("t,tij->ij", volume / 20, outer + summed[:, :, None] * summed[:, None])
     return volume.sum(), centre, np.trace(second) * np.eye(3) - second
 
 

@@ -149,9 +149,9 @@ def test_each_of_two_tips_lands_on_a_cylinder():
     tips = {"radius_mm": 4.0, "tip_count": 2, "tip_spacing_mm": 20.0}
     spec = body_spec("cylinder", indenter=tips)
     side = next(frame for frame in face_frames(spec) if not frame.flat)
-    along = side.ends.index(True)
-    spec = spec.changed(indenter=spec.indenter.changed(yaw_deg=90.0 * along))
-    half, way = side.half_lengths_mm[along], np.eye(2)[along]
+    straight = side.ends.index(True)
+    spec = spec.changed(indenter=spec.indenter.changed(yaw_deg=90.0 * straight))
+    half, way = side.half_lengths_mm[straight], np.eye(2)[straight]
     places = np.outer([0.0, half - 10.5, half - 9.5], way)
     assert tip_stays(spec, side, places).tolist() == [True, True, False]
 
