@@ -344,7 +344,9 @@ DRAWN: dict[str, tuple[dict[str, Any], float]] = {
 
 def draw(path: Path) -> None:
     """Pressure on face 1 of the paper's cube, 1 mm deep, and centres of pressure."""
+    from matplotlib.collections import PatchCollection
     from matplotlib.figure import Figure
+    from matplotlib.patches import Rectangle
 
     from design.spec.object import IndenterSpec, ObjectSpec
     from fem.contact.complementarity import contact_pressures
@@ -362,29 +364,35 @@ def draw(path: Path) -> None:
         cells = joint_cells(pressed, response, [tip], depth, None)
         moments, area = cells.gap_mm * cells.area_mm2, cells.area_mm2
         pressure = contact_pressures(cells.compliance, moments, area, depth)[0]
-        x, y = cells.spreads[0].in_plane.centre_mm.T
-        marks = axes.scatter(
-            x, y, c=np.where(pressure > 0, 1e3 * pressure, np.nan), s=9 * area, marker="s",
-            cmap="viridis", plotnonfinite=False, linewidths=0, vmin=0,
-            vmax=1e3 * float(np.quantile(pressure[pressure > 0], 0.98)),
-        )  # fmt: skip
+        touched = np.flatnonzero(pressure > 0)
+        # cells as squares of their own area; an edge of their colour closes hairlines between them
+        squares = PatchCollection(
+            [
+                Rectangle(centre - edge / 2, edge, edge)
+                for centre, edge in zip(
+                    cells.spreads[0].in_plane.centre_mm[touched],
+                    np.sqrt(area[touched]),
+                    strict=True,
+                )
+            ],
+            cmap="viridis",
+            edgecolor="face",
+            linewidth=0.6,
+        )
+        squares.set_array(1e3 * pressure[touched])
+        squares.set_clim(0, 1e3 * float(np.quantile(pressure[touched], 0.98)))
+        marks = axes.add_collection(squares)
         press = press_tips(pressed, response, [tip], depth)
         assert press.centre_mm is not None
         centre = press.centre_mm[0] + [x_mm, 0.0]
         axes.plot(*centre, "x", color="#d1495b", ms=9, mew=2)
-        axes.add_patch(_square())
+        axes.add_patch(Rectangle((-21, -21), 42, 42, fill=False, color="#555555", lw=1))
         axes.set(xlim=(-23, 23), ylim=(-23, 23), aspect="equal")
         axes.set_title(f"{name}: {press.force_n[0]:.3g} N", fontsize=10)
         figure.colorbar(marks, ax=axes, label="pressure (kPa)", shrink=0.85)
     figure.supxlabel("x on face 1 (mm)")
     figure.supylabel("y (mm)")
     figure.savefig(path, dpi=110)
-
-
-def _square() -> Any:
-    from matplotlib.patches import Rectangle
-
-    return Rectangle((-21, -21), 42, 42, fill=False, color="#555555", lw=1)
 
 
 def main() -> None:

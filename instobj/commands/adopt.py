@@ -159,13 +159,13 @@ def open_questions(identified: Identified, answers: Known, with_spec: bool) -> l
     questions = []
     if identified.kind == "level" and answers.step_mm is None:
         questions.append(
-            {"question": "How far apart are two levels?", "answer": "--known step_mm=1.0"}
+            {"question": "How far apart are two levels?", "answer": "--known step_mm=MM"}
         )
     if identified.orders and answers.pitch_mm is None:
         questions.append(
             {
                 "question": "How far apart are rows of places, and places in a row?",
-                "answer": "--known pitch_mm=[7.8,9.6]",
+                "answer": "--known pitch_mm=[MM,MM]",
             }
         )
     if not with_spec:

@@ -96,7 +96,9 @@ def _by_stage(found: list[Entry]) -> list[dict[str, Any]]:
             "state": state,
             "number": len(group),
             "MB": sum(entry.size for entry in group) / 1e6,
-            "last used, days ago": (now - max(entry.last_used for entry in group)) / 86_400,
+            "last used, days ago": round(
+                (now - max(entry.last_used for entry in group)) / _SECONDS["d"], 1
+            ),
         }
         for (stage, state), group in sorted(groups.items())
     ]
