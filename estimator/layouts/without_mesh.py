@@ -1,9 +1,9 @@
 """Layouts scored and improved before there is a mesh: the lowest fidelity level on the presses of a layer.
 
-`estimator.layouts.presses.layer` presses; fields, noise, bounds and limits are those of a search. On a coarse
-mesh of a box the lowest level with mechanics had 1.4 times the median bound and 2.0 times the 95th
-percentile, and ranked 64 layouts nearly alike (Spearman 0.82 and 0.52). Whole chains of two layouts of that
-box had 1.0 times the median, and 0.6 and 1.5 times the 95th percentile. Other bodies were not compared.
+`estimator.layouts.presses.layer` presses; fields, noise, bounds and limits are those of a search. Whole
+chains of seven bodies had 0.7 to 1.5 times the median bound and 0.4 to 1.5 times the 95th percentile
+(docs/measured/bodies.md). On a coarse mesh of a box the lowest level with mechanics ranked 64 layouts nearly
+alike (Spearman 0.82 for the median, 0.52 for the 95th percentile).
 """
 
 from __future__ import annotations

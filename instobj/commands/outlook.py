@@ -57,8 +57,8 @@ def chosen_text(spec: ObjectSpec) -> str:
 def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
     """Say which position bounds to expect."""
     return (
-        f"expect position bounds of {score.median_mm:.2g} mm (median) and "
-        f"{score.percentile_95_mm:.2g} mm (95th percentile), both within a factor of two; "
+        f"expect position bounds of {score.median_mm:.2g} mm (median, within a factor of two) and "
+        f"{score.percentile_95_mm:.2g} mm (95th percentile, within three); "
         f"{_percent(score.within)} of the contact locations within "
         f"limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm"
     )
