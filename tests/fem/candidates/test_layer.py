@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from fem.candidates.layer import Layer
+from tests.support.mechanics.layer_cases import sphere_on_layer_n
 
 YOUNG_MPA, RADIUS_MM, DEPTHS_MM = 0.4, 5.0, np.array([2.0, 4.0, 6.0])
 THICK, SHELL = (Layer(h, YOUNG_MPA, RADIUS_MM) for h in (2000.0, 8.0))
@@ -17,6 +18,15 @@ def test_a_thick_layer_gives_way_as_hertz_says(force_n):
     radius, deep = THICK.contact(force_n)
     np.testing.assert_allclose([radius, deep], [np.sqrt(RADIUS_MM * depth), depth], rtol=0.015)
     np.testing.assert_allclose(THICK.force_at(depth), force_n, rtol=0.03)
+
+
+@pytest.mark.parametrize("thickness_mm", [8.0, 16.0])
+@pytest.mark.parametrize(("depth_mm", "error"), [(0.5, 0.02), (1.0, 0.04), (2.0, 0.11)])
+def test_forces_are_too_large_by_as_much_as_stated(thickness_mm, depth_mm, error):
+    """Beside the integral equation of the contact: Hertz's pressures are not those of a thin layer."""
+    exact_n = sphere_on_layer_n(depth_mm, RADIUS_MM, thickness_mm, YOUNG_MPA, 0.5)
+    force_n = Layer(thickness_mm, YOUNG_MPA, RADIUS_MM).force_at(depth_mm)
+    assert 0 < force_n / exact_n - 1 < error
 
 
 def test_waves_of_pressure_move_the_surface_as_a_bonded_layer_s():
