@@ -5,8 +5,9 @@ A flat shell on its core far from borders. Per wavenumber k the displacement dow
 Without shear on the surface W″ + k² W = 0 there, the pressure p̂ is G (W‴/k² − 3 W′), and at the base
 W = W′ = 0 (Dimitriadis et al., Biophys. J. 82 (2002) 2798). Pressures are taken as Hertz's, with the radius
 at which the surface bends by as much as the ball between the middle and the border of the contact.
-What is left out: borders, curvature, the magnets' own stiffness, a Poisson's ratio below ½, slip. Of a ball of
-5 mm radius on 8 or 16 mm the force is too large by 2 % at 0.5 mm, 4 % at 1 mm and 10 % at 2 mm, on 4 mm by 23 %.
+What is left out: borders, curvature, the magnets' own stiffness, a Poisson's ratio below ½, slip. The force
+of a ball of 5 mm radius on 8 or 16 mm is too large by 2 % at 0.5 mm, 4 % at 1 mm and 10 % at 2 mm, on
+4 mm by 23 % at 2 mm.
 """
 
 from __future__ import annotations

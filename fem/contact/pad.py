@@ -19,6 +19,7 @@ from scipy.special import j0
 
 from design.spec.mechanics import IndenterSpec
 from fem.contact.half_space import Patches, normal_compliance
+from fem.contact.rigid_base import log_taken_share
 
 _LARGEST_ALPHA = 14.0
 """Wavenumber times thickness up to which 1 − L is integrated: it is below 1e-9 there."""
@@ -53,16 +54,8 @@ def _taken_back(farthest: float, least: float, most: float, ratio: float) -> Rec
     turns = _LARGEST_ALPHA * distance[-1] / (2 * np.pi)
     node, weight = np.polynomial.legendre.leggauss(int(_NODES_PER_TURN * turns) + 60)
     alpha, weight = (node + 1) * _LARGEST_ALPHA / 2, weight * _LARGEST_ALPHA / 2
-    share = weight * (1 - layer_share(alpha, ratio))
+    share = weight * np.exp(log_taken_share(alpha, ratio))
     # d distance, a node of α, s variance
     bessel = j0(np.multiply.outer(distance, alpha))
     faded = np.exp(-np.multiply.outer(variance, alpha**2) / 2)
     return RectBivariateSpline(distance, variance, np.einsum("da,sa,a->ds", bessel, faded, share))
-
-
-def layer_share(alpha: Float[np.ndarray, "*n"], poisson_ratio: float) -> Float[np.ndarray, "*n"]:
-    """L of `fem.contact.rigid_base` at α = kt, from functions that neither overflow nor cancel."""
-    kappa, damped = 3 - 4 * poisson_ratio, np.exp(-2 * alpha)
-    # numerator and denominator times e^(−2α)
-    up = kappa * (1 - damped**2) - 4 * alpha * damped
-    return up / (kappa * (1 + damped**2) + (kappa**2 + 1 + 4 * alpha**2) * damped)

@@ -81,12 +81,19 @@ class RigidBase:
 def widening_mm2(depth_mm: float, edge_mm: float, poisson_ratio: float) -> float:
     """Variance v per axis for which e^(−vk²) is 1 − L(kh) at k = π/edge."""
     wavenumber = np.pi / edge_mm
-    alpha, kappa = wavenumber * depth_mm, 3 - 4 * poisson_ratio
-    damped = np.exp(-2 * alpha)
+    alpha = np.array(wavenumber * depth_mm)
+    return float(-log_taken_share(alpha, poisson_ratio) / wavenumber**2)
+
+
+def log_taken_share(
+    alpha: Float[np.ndarray, "*n"], poisson_ratio: float
+) -> Float[np.ndarray, "*n"]:
+    """Return log(1 − L(α)): of a wave's displacement on a half-space, what a rigid base takes back."""
+    kappa, damped = 3 - 4 * poisson_ratio, np.exp(-2 * alpha)
     # 1 − L times e^(2α), without a difference of nearly equal numbers or an underflow
     kept = 2 * kappa * damped + kappa**2 + (1 + 2 * alpha) ** 2
     whole = kappa * (1 + damped**2) + (kappa**2 + 1 + 4 * alpha**2) * damped
-    return float((2 * alpha + np.log(whole / kept)) / wavenumber**2)
+    return np.log(kept / whole) - 2 * alpha
 
 
 @functools.lru_cache(maxsize=128)

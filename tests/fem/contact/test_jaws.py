@@ -9,11 +9,16 @@ from scipy.special import j0
 from design.layout.tips import tip_heights_mm, tip_shape
 from design.spec.object import IndenterSpec
 from fem.contact.indenter import Border, tip_cells
-from fem.contact.pad import layer_share, pad_compliance
+from fem.contact.pad import pad_compliance
+from fem.contact.rigid_base import log_taken_share
 from fem.presses.joint import Tip, press_tips
 from tests.support.mechanics.block_cases import block_response, spec_of
 
 FACE = Border(np.array([-10.0, -8.0]), np.array([10.0, 8.0]))
+
+
+def layer_share(alpha, ratio):
+    return -np.expm1(log_taken_share(alpha, ratio))
 
 
 def jaw(**more):
