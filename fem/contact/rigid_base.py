@@ -81,8 +81,8 @@ class RigidBase:
 def widening_mm2(depth_mm: float, edge_mm: float, poisson_ratio: float) -> float:
     """Variance v per axis for which e^(−vk²) is 1 − L(kh) at k = π/edge."""
     wavenumber = np.pi / edge_mm
-    alpha = np.array(wavenumber * depth_mm)
-    return float(-log_taken_share(alpha, poisson_ratio) / wavenumber**2)
+    (log_share,) = log_taken_share(np.array([wavenumber * depth_mm]), poisson_ratio)
+    return float(-log_share / wavenumber**2)
 
 
 def log_taken_share(

@@ -94,7 +94,7 @@ def _pressed_n_per_mm(folder: Path) -> tuple[float, float, float]:
 def _layer_n_per_mm(spec: ObjectSpec) -> tuple[float, float, float]:
     """Return the secant stiffness of a flat layer at the depth of the compliance map, with its range.
 
-    The layer keeps its volume: for a Poisson's ratio of 0.45 it is told a tenth too stiff.
+    The layer keeps its volume: at a Poisson's ratio of 0.45 it is a tenth too stiff.
     """
     from fem.candidates.layer import Layer
     from fem.presses.compliance_map import DEPTH_MM
