@@ -93,6 +93,7 @@ class MeasuredGrasp:
     wrench, covariance : net force (N) and moment (N mm) in the hold
     opposed : two sides press against each other, and nothing else touches
     places : of each contact at the peak: face, x, y (mm), force (N), damage by limit
+    placed : the estimator explains the peak, so that its places may be believed
     """
 
     grasp: Grasp
@@ -104,6 +105,7 @@ class MeasuredGrasp:
     covariance: Float[np.ndarray, "6 6"]
     opposed: bool
     places: list[dict[str, float | int]]
+    placed: bool
 
 
 def measured_grasps(track: ContactTrack, conditions: Conditions) -> list[MeasuredGrasp]:
@@ -137,8 +139,9 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
     start_s, end_s = float(part.time_s[0]), float(part.time_s[-1])
     opposed = _is_opposed(typical)
     return MeasuredGrasp(
-        grasp, start_s, end_s, readings, faces, wrench, covariance, opposed, places
-    )
+        grasp, start_s, end_s, readings, faces, wrench, covariance, opposed, places,
+        bool(part.explained[peak]),
+    )  # fmt: skip
 
 
 def _part(track: ContactTrack, first: int, last: int) -> ContactTrack:
@@ -157,16 +160,19 @@ def _with_intervals(
     rng: np.random.Generator,
     figures: Callable[[Placed], dict[str, float]],
 ) -> dict[str, Reading]:
-    """Figures of contacts with the intervals of what their covariance allows; without one, of exact
-    contacts, no ends."""
-    values = figures(contacts)
+    """Medians and 90 % intervals of figures over what the contacts' covariance allows; figures of exact
+    contacts without ends.
+
+    A ratio or a length of a noisy vector is mostly larger than that of the vector's mean, which then
+    lies below the interval: the median never does. Of what is truly 0 it tells about one deviation.
+    """
     if not contacts.covariance.any():
-        return {name: Reading(value) for name, value in values.items()}
+        return {name: Reading(value) for name, value in figures(contacts).items()}
     drawn = [figures(near_by) for near_by in _draws(contacts, rng)]
-    ordered = {name: np.sort([values_drawn[name] for values_drawn in drawn]) for name in values}
+    ordered = {name: np.sort([values[name] for values in drawn]) for name in drawn[0]}
     return {
-        name: Reading(value, float(ordered[name][1]), float(ordered[name][-2]))
-        for name, value in values.items()
+        name: Reading(float(values[DRAWS // 2]), float(values[1]), float(values[-2]))
+        for name, values in ordered.items()
     }
 
 

@@ -166,10 +166,11 @@ def difference_row(difference: Difference) -> dict[str, Any]:
 
 
 def risk_rows(groups: list[Group], limits: list[str]) -> list[dict[str, Any]]:
-    """The five contacts with the largest chance of damage."""
+    """The five contacts with the largest chance of damage, of grasps whose places may be believed."""
     rows = [
         row | {name: round(value, 3) for name, value in place.items()}
-        for row, grasp in named_grasps(groups)
+        for row, grasp in named_grasps([group for group in groups if group.trusted])
+        if grasp.placed
         for place in grasp.places
     ]
     return sorted(rows, key=lambda row: -row[limits[0]])[:5] if limits else []

@@ -94,8 +94,18 @@ def warnings_of(options: AssessOptions, groups: list[Group], conditions: Conditi
         texts.append(
             "The weight is not given (--weight): balance is judged as if the object weighed nothing."
         )
-    out = balance_text(groups)
-    return [*texts, out] if out else texts
+    return [*texts, *filter(None, (unplaced_text(groups, conditions), balance_text(groups)))]
+
+
+def unplaced_text(groups: list[Group], conditions: Conditions) -> str:
+    """Return how many grasps the places most at risk leave out."""
+    believed = [group.trusted and grasp.placed for group in groups for _, grasp in group.grasps]
+    if not conditions.limits or all(believed):
+        return ""
+    return (
+        f"Places most at risk leave out {len(believed) - sum(believed)} of {len(believed)} grasps, of which "
+        "no contact explains the peak or most frames."
+    )
 
 
 def balance_text(groups: list[Group]) -> str:

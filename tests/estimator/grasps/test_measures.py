@@ -16,9 +16,10 @@ def test_a_squeeze_in_figures():
     value = {name: reading.value for name, reading in grasp.readings.items()}
     assert value["peak_n"] == pytest.approx(20.0)
     assert value["mean_n"] == pytest.approx(20.0, rel=0.02)
-    assert value["grasp_n"] == value["finger_n"] == pytest.approx(10.0)
+    assert value["finger_n"] == pytest.approx(10.0)
+    assert value["grasp_n"] == pytest.approx(10.0, abs=0.05)  # a median of draws of 0.1 N
     assert value["loading_n_per_s"] == pytest.approx(20.0)
-    assert value["asymmetry"] == pytest.approx(0.0, abs=1e-12)
+    assert value["asymmetry"] == pytest.approx(0.0, abs=0.005)
     assert value["equilibrium_p"] > 0.9
     assert value["closed"] == 1.0
     assert value["friction_needed"] < 0.01
@@ -41,9 +42,11 @@ def test_every_measure_is_defined_and_every_protocol_uses_measures():
 
 def test_unequal_jaws_are_asymmetric_and_out_of_equilibrium():
     (grasp,) = measured_grasps(squeeze(10.0, shares=(1.0, 0.8)), CONDITIONS)
-    assert grasp.readings["asymmetry"].value == pytest.approx(-1 / 9)  # face 3 pushes along −x
+    assert grasp.readings["asymmetry"].value == pytest.approx(
+        -1 / 9, abs=0.005
+    )  # face 3 pushes along −x
     assert grasp.readings["equilibrium_p"].value < 1e-3
-    assert grasp.readings["net_force_n"].value == pytest.approx(2.0)
+    assert grasp.readings["net_force_n"].value == pytest.approx(2.0, abs=0.1)
 
 
 def test_the_weight_explains_the_difference_of_jaws():
@@ -93,6 +96,26 @@ def test_intervals_hold_the_truth_as_often_as_they_say():
             inside[name] += grasp.readings[name].low <= value <= grasp.readings[name].high
     for name, count in inside.items():
         assert count / 40 >= 0.78, name  # 90 % within 2.5 standard errors
+
+
+def test_every_figure_lies_within_its_own_interval():
+    """Drawn grasps with tangential forces: ratios and lengths of noisy vectors are skew."""
+    rng = np.random.default_rng(8)
+    for _ in range(25):
+        true = squeeze(rng.uniform(4, 12), sigma_n=0.8)
+        covariance, force = true.covariance.copy(), true.force_n.copy()
+        covariance[..., range(4), range(4)] = np.where(true.face > 0, 1.0, 0.0)[..., None]
+        force[..., :2] = np.where(true.face[..., None] > 0, rng.normal(0, 0.3, 2), np.nan)
+        (grasp,) = measured_grasps(replace(true, force_n=force, covariance=covariance), CONDITIONS)
+        for name, reading in grasp.readings.items():
+            assert not (reading.value < reading.low or reading.value > reading.high), name
+
+
+def test_places_of_a_peak_that_nothing_explains_are_not_believed():
+    track = squeeze(10.0)
+    assert measured_grasps(track, CONDITIONS)[0].placed
+    lost = replace(track, explained=np.arange(len(track)) % 60 != int(track.total_n.argmax()))
+    assert not measured_grasps(lost, CONDITIONS)[0].placed
 
 
 def test_damage_is_told_for_the_grasp_and_by_place():

@@ -165,6 +165,22 @@ def test_bad_input_is_one_clear_error(bench, arguments, said):
     assert "Traceback" not in done.stderr
 
 
+def test_places_at_risk_are_of_peaks_that_are_explained(bench):
+    """A magnet beside one gripper: nothing explains its frames, and the page says what it leaves out."""
+    frames, _ = handled(GENTLE_N, 8)
+    pressed = np.any(frames.contact_face > 0, axis=1)
+    beside = np.random.default_rng(9).normal(0, 600, frames.signal_counts.shape[1:])
+    frames.signal_counts[pressed] += beside
+    save_frames(frames, bench / "magnet.nc")
+    done = run(
+        "assess", "rough", "magnet.nc", "--model", "model", "--limit", "tomato", "--json", cwd=bench
+    )
+    document = json.loads(done.stdout)
+    at_risk = document["tables"]["places most at risk"]
+    assert {row["group"] for row in at_risk} == {"rough"}
+    assert any("leave out 6 of 12 grasps" in text for text in document["texts"])
+
+
 def test_gentle_and_rough_are_ranked_right_in_nearly_all_of_100_draws():
     """Ten grasps each, peaks that scatter by 10 %, one a quarter higher; errors as an estimator makes."""
     right = 0
