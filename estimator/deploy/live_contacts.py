@@ -56,10 +56,12 @@ class LiveContacts:
         change = self.inversion.model.singles(np.zeros((1, 1), int), press)[0, 0, 0]
         _ = Tracker(self.inversion).feed(change).position_radius_mm
 
-    def rezero(self) -> None:
-        """Take the zero again from the frames that follow, with nothing pressed."""
+    def rezero(self, level: Float[np.ndarray, "channel"] | None = None) -> None:
+        """Take the zero again from the frames that follow, with nothing pressed, or the level given."""
         self._tracker = Tracker(self.inversion)
-        self._level = StreamZero(self.zero, self.zero_frames, self.read_still, self.read_drift)
+        self.level = StreamZero(
+            self.zero, self.zero_frames, self.read_still, self.read_drift, level
+        )
         self._zero: np.ndarray | None = None
         self._unzeroed = np.zeros(self.inversion.model.channels, bool)
         self._out = self._unzeroed
@@ -84,12 +86,12 @@ class LiveContacts:
             Too few sensors, or a channel that the estimator uses misses its reading.
         """
         now = self._told(raw_counts, left_out)
-        self._zero = self._level.after(now, time_s)
+        self._zero = self.level.after(now, time_s)
         if self._zero is None:
             return None
         change, most = now - self._zero, full_scale_counts(self.inversion.model.spec.sensors)
         live = is_live(self._zero, change, most - _AT_THE_END) & ~self._out
-        drift = drift_counts(self.inversion, self._level.age_s)
+        drift = drift_counts(self.inversion, self.level.age_s)
         return self._tracker.feed(np.where(live, change, np.nan), drift)
 
     def miss(self) -> None:
@@ -102,7 +104,7 @@ class LiveContacts:
         left_out: Bool[np.ndarray, "face sensor 3"] | None = None,
     ) -> None:
         """Take a frame that is not read, of which the zero learns; errors as `feed`."""
-        self._level.pass_by(self._told(raw_counts, left_out), time_s)
+        self.level.pass_by(self._told(raw_counts, left_out), time_s)
 
     def _told(
         self,

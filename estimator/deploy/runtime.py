@@ -217,7 +217,7 @@ class LiveReader:
             self.recent.clear()
         self.last_s = time_s
         self._remember(now)
-        zero = self._level.after(now, time_s)
+        zero = self.level.after(now, time_s)
         if zero is None:
             return None
         counts = np.where(self._past, now - self.recent[0], now - zero)
@@ -234,9 +234,9 @@ class LiveReader:
         if len(self.recent) > self.model.history_frames + 1:
             self.recent.popleft()
 
-    def rezero(self) -> None:
-        """Take the zero again from the frames that follow, with nothing pressed."""
-        self._level = StreamZero(self.zero, self.zero_frames, self.read_still)
+    def rezero(self, level: Float[np.ndarray, "channel"] | None = None) -> None:
+        """Take the zero again from the frames that follow, with nothing pressed, or the level given."""
+        self.level = StreamZero(self.zero, self.zero_frames, self.read_still, level=level)
         self.recent.clear()
 
     @cached_property

@@ -12,9 +12,10 @@ hides below the noise. A still level becomes the zero
 
 A reader that knows what drift looks like also judges all that was followed in the last ten minutes:
 where that is a press, and no drift, it grew slowly, and the zero goes back to where it was. Holds of
-any force and length are then no rest. The price: a hold that keeps less than 15 % of the force of the
-press before it is taken for rest; so is, by readers without that knowledge, a force that grows by less
-than about 0.02 N/s. Measured on the public recording of one probe, which begins within a press, with
+any force and length are then no rest. Of a file, frames read against a level in a press are read again,
+against the rest that showed it (`read_through`). The price: a hold that keeps less than 15 % of the
+force of the press before it is taken for rest; so is, by readers without that knowledge, a force that
+grows by less than about 0.02 N/s. Measured on the public recording of one probe, which begins within a press, with
 models of its own training presses: docs/measured/estimators.md.
 """
 
@@ -24,10 +25,10 @@ import math
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from design.errors import InputError
 from estimator.recordings.presses import PAUSE_S
@@ -104,6 +105,8 @@ class RestZero:
     read_drift : the same for all that was followed lately, with drift as a disturbance; None where the
         reader does not know drift
     rested_s : when a level was last taken for rest
+    starts : how many levels were taken at once, not followed
+    from_press : the last of them showed that the one before it was taken in a press
 
     Raises
     ------
@@ -116,6 +119,8 @@ class RestZero:
     read_drift: ReadStill | None = None
     level: Float[np.ndarray, "channel"] | None = None
     rested_s: float = -math.inf
+    starts: int = 0
+    from_press: bool = False
     window: deque[tuple[float, np.ndarray]] = field(default_factory=deque)
     now_s: float = 0.0
     _judged_s: float = -math.inf
@@ -179,7 +184,7 @@ class RestZero:
         still = self.read(change, len(self.window))
         if not still.explained and self._is_from_press(change, still.force_n):
             self._start(level)
-            self.largest_n = 0.0
+            self.largest_n, self.from_press = 0.0, True
         elif still.explained is False:
             return  # a magnet near by, or a wrong chip: neither rest nor a press
         elif self.largest_n >= PRESS_FORCE_N and still.force_n <= RETURN_SHARE * self.largest_n:
@@ -197,6 +202,7 @@ class RestZero:
     def _start(self, level: Float[np.ndarray, "channel"]) -> None:
         """Take a level for the zero, with nothing followed yet."""
         self.level, self._followed, self.rested_s = level, np.zeros(len(level)), self.now_s
+        self.starts, self.from_press = self.starts + 1, False
 
     def _follow(self, change: Float[np.ndarray, "channel"], elapsed_s: float) -> None:
         """Go towards a level that is rest; back, where all that was followed lately is a press."""
@@ -216,12 +222,14 @@ class RestZero:
 
 @dataclass
 class StreamZero:
-    """The zero of a stream in any mode: following rest, the mean of the first frames, or none."""
+    """The zero of a stream in any mode: following rest, from `level` on if given, the mean of the first
+    frames, or none."""
 
     mode: ZeroMode
     frames: int
     read: ReadStill
     read_drift: ReadStill | None = None
+    level: Float[np.ndarray, "channel"] | None = None
     _rest: RestZero | None = None
     _zeroed_s: float = math.nan
     _now_s: float = math.nan
@@ -229,7 +237,7 @@ class StreamZero:
 
     def __post_init__(self) -> None:
         if self.mode == "rest":
-            self._rest = RestZero(self.frames, self.read, self.read_drift)
+            self._rest = RestZero(self.frames, self.read, self.read_drift, self.level)
 
     def after(
         self, raw: Float[np.ndarray, "channel"], time_s: float
@@ -239,13 +247,25 @@ class StreamZero:
             return np.zeros(len(raw))
         if self._rest is not None:
             self._rest.update(raw, time_s)
-            return self._rest.level
+            self.level = self._rest.level
+            return self.level
         self._now_s = time_s
         if len(self._resting) < self.frames:
             self._resting.append(raw)
             self._zeroed_s = time_s
             return None
-        return level_of(np.array(self._resting))
+        self.level = level_of(np.array(self._resting))
+        return self.level
+
+    @property
+    def starts(self) -> int:
+        """Return how many levels of rest were taken at once."""
+        return self._rest.starts if self._rest else int(len(self._resting) == self.frames)
+
+    @property
+    def from_press(self) -> bool:
+        """Return whether the last of these showed that the one before was taken in a press."""
+        return self._rest is not None and self._rest.from_press
 
     @property
     def age_s(self) -> float:
@@ -260,3 +280,88 @@ class StreamZero:
         """Take a frame that is not read itself; a zero that follows rest sees it."""
         if self._rest is not None:
             self._rest.pass_by(raw, time_s)
+
+
+@runtime_checkable
+class Zeroed(Protocol):
+    """A reader with a zero of its own, which can be taken anew or set."""
+
+    @property
+    def level(self) -> StreamZero: ...
+
+    def rezero(self, level: Float[np.ndarray, "channel"] | None = None) -> None: ...
+
+
+def read_through(
+    count: int,
+    read: Callable[[int], Any],
+    reader: Zeroed,
+    loaded: Bool[np.ndarray, "frame"] | None = None,
+) -> tuple[list[Any], list[str]]:
+    """Return what `read` finds in each frame of a file, and what is to be said of its zero.
+
+    Frames read against a level that proves to be a press are read again, against the level of rest that
+    showed it. Where load cells tell (`loaded`) that something pressed, no first level is taken.
+    """
+    found: list[Any] = []
+    spans: list[
+        tuple[int, np.ndarray]
+    ] = []  # first frame and level of each zero that was taken at once
+    corrected, starts, refused, texts = -1, 0, False, list[str]()
+    while len(found) < count:
+        number = len(found)
+        found.append(read(number))
+        zero = reader.level
+        if zero.starts == starts or zero.level is None:
+            continue
+        pressed = loaded is not None and loaded[max(0, number + 1 - zero.frames) : number + 1].all()
+        if not spans and corrected < 0 and pressed and zero.mode == "rest":
+            refused, _ = True, found.pop()
+            reader.rezero()
+        elif (zero.from_press or (refused and not spans)) and number > corrected:
+            begun = _taken_back(spans, zero.level, zero.read)
+            texts.append(_not_at_rest_text(begun, number))
+            found, corrected, starts, refused = found[:begun], number, 0, False
+            spans.append((begun, zero.level))
+            reader.rezero(zero.level)
+        else:
+            if pressed and zero.mode == "first":
+                texts.append("load cells tell that something pressed in the first frames: no rest")
+            spans.append((number if spans else 0, zero.level))
+            starts = zero.starts
+    if refused:
+        texts.append("no still frames are at rest: in all of them a load cell is pressed")
+    return found, texts
+
+
+def _taken_back(
+    spans: list[tuple[int, np.ndarray]], level: Float[np.ndarray, "channel"], read: ReadStill
+) -> int:
+    """Remove the last zero, and those before it that read as a press from a level of rest; return the
+    frame from which they held."""
+    begun = 0
+    while spans:
+        begun, _ = spans.pop()
+        if not spans or not is_press_seen_from(level, spans[-1][1], read):
+            break
+    return begun
+
+
+def is_press_seen_from(
+    level: Float[np.ndarray, "channel"],
+    other: Float[np.ndarray, "channel"],
+    read: ReadStill,
+    frames: int = 1,
+) -> bool:
+    """Return whether the other level, of n frames, reads as a press from a level, far more than turned
+    round."""
+    there, back = read(other - level, frames), read(level - other, frames)
+    return there.explained is not False and there.force_n > max(PRESS_FORCE_N, 2 * back.force_n)
+
+
+def _not_at_rest_text(first: int, last: int) -> str:
+    where = "the recording does not begin at rest" if first == 0 else f"frame {first} is no rest"
+    return (
+        f"{where}: frames {first} to {last} are read against the rest that follows them. Record some "
+        "frames with nothing touching before the first press"
+    )

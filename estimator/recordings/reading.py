@@ -49,7 +49,7 @@ from estimator.recordings.contacts import (
     place_keys,
 )
 from estimator.recordings.drift import levels_under_presses
-from estimator.recordings.formats.files import read_table
+from estimator.recordings.formats.files import has_load_cells, read_table
 from estimator.recordings.formats.text import naming
 from estimator.recordings.presses import (
     CONTACT_FORCE_N,
@@ -176,6 +176,24 @@ def read_recording(
     if frames.force_factors is not None:
         report = replace(report, units=force_text(frames.force_factors))
     return Recording(frames, report, zeros.counts)
+
+
+def loaded_frames(path: Path | str) -> Bool[np.ndarray, "frame"] | None:
+    """Return in which frames a load cell tells of a press, late as cells are; None where none measures.
+
+    Raises
+    ------
+    RecordingError
+        As `read_table`.
+    """
+    if not has_load_cells(Path(path)):
+        return None
+    table = read_table(path)
+    if table.labelled_by_travel:
+        return None
+    nothing = table.declared_rest | np.all(np.isnan(table.tip_xy_mm), axis=(1, 2, 3))
+    force_n = tared(table.force_n, nothing, REST_FORCE_N[table.kind], table.kind != "training")
+    return np.any(force_n >= CONTACT_FORCE_N, axis=1)
 
 
 def _believed(

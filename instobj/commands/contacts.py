@@ -36,6 +36,8 @@ from instobj.store.publish import file_rows
 
 FIELD = ("field_x_ut", "field_y_ut", "field_z_ut", "field_sigma_ut")
 """Change of a uniform field since the zero, in the object's frame, and its standard deviation."""
+_STEP = 50
+"""Frames between two words of progress."""
 COLUMNS: tuple[str, ...] = (
     *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
     *("chip_out", *FIELD, "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
@@ -174,16 +176,16 @@ def _in_recording(
     inversion: Inversion, stream: Stream, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets, int]:
     reader, progress = LiveContacts(inversion, *zeroing.of_raw), ProgressLine()
-    read, unread = [], 0
+
+    def step(number: int) -> None:
+        if number % _STEP == 0:
+            progress.step(f"frame {number} of {len(stream.raw)}")
+
     with progress.stage(f"contacts in {stream.path}"):
-        for one in recorded_frames(reader, inversion.channels, stream, zeroing):
-            if one[2] is None:
-                unread += 1
-                continue
-            read.append(one)
-            if len(read) % 500 == 0:
-                progress.step(f"{len(read)} frames")
+        every = recorded_frames(reader, inversion.channels, stream, zeroing, step)
+    read = [one for one in every if one[2] is not None]
     numbers, time_s, found = zip(*read, strict=True)
+    unread = len(every) - len(read)
     return np.array(numbers), np.array(time_s), ContactSets.joined(found), unread
 
 

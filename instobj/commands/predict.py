@@ -86,7 +86,7 @@ def predict_file(
     else:
         reader = LiveReader(model, *zeroing.of_raw)
         stream = recorded_stream(path)
-        read, texts = list(recorded_frames(reader, model.channels, stream, zeroing)), stream.texts
+        read, texts = recorded_frames(reader, model.channels, stream, zeroing), stream.texts
         rows = [_row(number, time_s, found) for number, time_s, found in read if found is not None]
         unread = len(read) - len(rows)
         before = read[0][0] if read else 0

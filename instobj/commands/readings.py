@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, runtime_checkable
@@ -13,7 +13,7 @@ from jaxtyping import Bool, Float
 from design.errors import InputError
 from design.files import require_regular_file
 from design.netcdf import holds
-from estimator.deploy.zeroing import ZERO_FRAMES, ZeroMode
+from estimator.deploy.zeroing import ZERO_FRAMES, Zeroed, ZeroMode, read_through
 from estimator.frames.dataset import FrameSet, load_frames
 from estimator.frames.face_data import HISTORY, Channel
 from estimator.frames.same_object import require_same_sensors
@@ -44,7 +44,7 @@ _REPEATED = 0.2
 
 
 @runtime_checkable
-class Reader(Protocol):
+class Reader(Zeroed, Protocol):
     """Takes raw counts frame by frame; None while there is no zero. `miss` tells of a frame that lacks a
     reading and is passed over."""
 
@@ -92,30 +92,38 @@ def zeroed_data_set(path: Path, zeroing: Zeroing) -> FrameSet:
 @dataclass(frozen=True)
 class Stream:
     """Readings of a recording without labels: stamps (s), raw counts, those of them not to believe
-    (`checks.readings.STREAM`), and what is said of them."""
+    (`checks.readings.STREAM`), what is said of them, and where load cells, if any, tell of a press."""
 
     path: Path
     time_s: Float[np.ndarray, "stamp"]
     raw: Float[np.ndarray, "frame face sensor 3"]
     left_out: Bool[np.ndarray, "frame face sensor 3"]
     texts: list[str]
+    loaded: Bool[np.ndarray, "frame"] | None = None
 
 
 def recorded_stream(path: Path) -> Stream:
     """The readings of any recording, checked; errors as `read_signals`."""
     from estimator.recordings.checks.readings import STREAM, without_faults
     from estimator.recordings.formats.files import read_signals
+    from estimator.recordings.reading import loaded_frames
 
     time_s, raw = read_signals(path)
     known, faults = without_faults(raw, STREAM)
-    return Stream(path, time_s, raw, np.isnan(known) & ~np.isnan(raw), list(map(str, faults)))
+    left_out, texts = np.isnan(known) & ~np.isnan(raw), list(map(str, faults))
+    return Stream(path, time_s, raw, left_out, texts, loaded_frames(path))
 
 
 def recorded_frames(
-    reader: Reader, channels: tuple[Channel, ...], stream: Stream, zeroing: Zeroing
-) -> Iterator[tuple[int, float, Any]]:
+    reader: Reader,
+    channels: tuple[Channel, ...],
+    stream: Stream,
+    zeroing: Zeroing,
+    step: Callable[[int], None] = lambda number: None,
+) -> list[tuple[int, float, Any]]:
     """Number, stamp (s) and what the reader finds of every frame of a recording after the first zero;
-    None for frames that lack a reading, which are passed over.
+    None for frames that lack a reading, which are passed over. `stream.texts` gets what is said of the zero;
+    `step` is told how many frames are read.
 
     Raises
     ------
@@ -128,17 +136,18 @@ def recorded_frames(
     partly = reader.leaves_out
     lacking = lacks_readings(raw if partly else np.where(stream.left_out, np.nan, raw), channels)
     silent = lacking.all()
-    read = 0
-    for number, (now_s, counts) in enumerate(zip(time_s.tolist(), raw, strict=True)):
+
+    def read(number: int) -> tuple[bool, Any]:
+        step(number)
         if lacking[number] and not silent:
             reader.miss()
-            yield number, now_s, None
-            continue
-        found = reader.feed(counts, now_s, stream.left_out[number])
-        if found is not None:
-            read += 1
-            yield number, now_s, found
-    if not read:
+            return True, None
+        found = reader.feed(raw[number], float(time_s[number]), stream.left_out[number])
+        return found is not None, found
+
+    found, texts = read_through(len(raw), read, reader, stream.loaded)
+    stream.texts.extend(f"{path.name}: {text}" for text in texts)
+    if all(one is None for _, one in found):
         repeated = int(np.sum(np.all((raw[1:] == raw[:-1]) | np.isnan(raw[1:]), axis=(1, 2, 3))))
         if repeated > _REPEATED * len(raw):
             raise InputError(
@@ -148,9 +157,12 @@ def recorded_frames(
             )
         raise InputError(
             f"{path} holds {len(raw)} frames, none of them after {zeroing.frames} that give "
-            "a zero. Give a longer recording, fewer frames (--zero first:5) or, for signals that are "
-            "changes already, --zero none"
+            f"a zero{''.join('; ' + text for text in texts)}. Give a longer recording, fewer frames "
+            "(--zero first:5) or, for signals that are changes already, --zero none"
         )
+    return [
+        (number, float(time_s[number]), one) for number, (told, one) in enumerate(found) if told
+    ]
 
 
 def lacks_readings(

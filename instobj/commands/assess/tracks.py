@@ -13,7 +13,7 @@ from design.layout.places.contact_grid import contact_grid
 from design.netcdf import holds
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.deploy.zeroing import ReadStill, StillReading, StreamZero
+from estimator.deploy.zeroing import ReadStill, StillReading, StreamZero, read_through
 from estimator.frames.dataset import NO_FACE, FrameSet
 from estimator.grasps.track import ContactTrack, track_of_networks, track_of_sets
 from estimator.inversion.inversion import Inversion
@@ -184,12 +184,13 @@ def _frames_of(
             return recording.frames.select_faces(estimators.spec.body.sensed), faults, []
     stream = recorded_stream(path)
     faults = [f"{path.name}: {text}" for text in stream.texts]
-    return _zeroed(stream, estimators, zeroing), faults, texts
+    frames, said = _zeroed(stream, estimators, zeroing)
+    return frames, faults, [*texts, *(f"{path.name}: {text}" for text in said)]
 
 
-def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> FrameSet:
-    """Changes of a board's readings against the zero that follows rest, as the estimator sees rest;
-    frames before the first zero are left out."""
+def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> tuple[FrameSet, list[str]]:
+    """Changes of a board's readings against the zero that follows rest, as the estimator sees rest, and
+    what is said of the zero; frames before the first zero are left out."""
     raw = np.where(stream.left_out, np.nan, stream.raw)
     count, sensed = len(raw), estimators.spec.body.sensed
     stamps = stream.time_s
@@ -203,19 +204,33 @@ def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> FrameSe
         "recorded", "", 0,
     ).select_faces(sensed)  # fmt: skip
     raw = frames.signal_counts
-    level = StreamZero(*zeroing.of_raw, _stillness(estimators, frames))
-    zeros = np.full(raw.shape, np.nan)
-    for number, counts in enumerate(np.nan_to_num(raw)):
-        zero = level.after(counts.ravel(), float(stamps[number]))
-        if zero is not None:
-            zeros[number] = zero.reshape(counts.shape)
-    zeroed = np.flatnonzero(np.isfinite(zeros).all(axis=(1, 2, 3)))
+    reader, known = _Zeros(zeroing, _stillness(estimators, frames)), np.nan_to_num(raw)
+
+    def zero_of(number: int) -> np.ndarray | None:
+        return reader.level.after(known[number].ravel(), float(stamps[number]))
+
+    zeros, texts = read_through(count, zero_of, reader, stream.loaded)
+    zeroed = np.array([number for number, zero in enumerate(zeros) if zero is not None], int)
     if not len(zeroed):
         raise InputError(
             f"{stream.path} holds {count} frames, none of them after {zeroing.frames} at rest that give a "
-            "zero. Give a longer recording, or --zero first"
+            f"zero{''.join('; ' + text for text in texts)}. Give a longer recording, or --zero first"
         )
-    return replace(frames, signal_counts=raw - zeros).select(zeroed)
+    levels = np.array([zeros[number] for number in zeroed]).reshape(-1, *raw.shape[1:])
+    chosen = frames.select(zeroed)
+    return replace(chosen, signal_counts=chosen.signal_counts - levels), texts
+
+
+class _Zeros:
+    """The zero of a stream, taken anew where it proves wrong."""
+
+    def __init__(self, zeroing: Zeroing, read: ReadStill) -> None:
+        self._zeroing, self._read = zeroing, read
+        self.rezero()
+
+    def rezero(self, level: np.ndarray | None = None) -> None:
+        """Take the zero from the frames that follow, or the level given."""
+        self.level = StreamZero(*self._zeroing.of_raw, self._read, level=level)
 
 
 def _stillness(estimators: Estimators, frames: FrameSet) -> ReadStill:

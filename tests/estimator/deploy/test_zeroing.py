@@ -10,7 +10,7 @@ import pytest
 from design.errors import InputError
 from estimator.deploy import zeroing
 from estimator.deploy.runtime import LiveReader
-from estimator.deploy.zeroing import RestZero, StillReading, is_still
+from estimator.deploy.zeroing import RestZero, StillReading, StreamZero, is_still, read_through
 from tests.support.pages import DOCS
 
 GAIN = np.array([60.0, -35.0, 90.0, 20.0, -15.0, 40.0])
@@ -295,3 +295,48 @@ def test_a_press_that_grows_slower_than_drift_is_seen_where_drift_is_known():
     force_n = np.concatenate([np.zeros(100), np.minimum(np.arange(0, 6, 0.0008), 4.0)])
     assert abs(drifting(force_n)[-300:].mean() - 4.0) < 0.5
     assert drifting(np.zeros(6000))[100:].max() < 1.0
+
+
+class Changes:
+    """A reader of changes, whose estimator is `read`."""
+
+    def __init__(self):
+        self.rezero()
+
+    def rezero(self, level=None):
+        self.level = StreamZero("rest", 8, read, level=level)
+
+    def force_n(self, raw, time_s):
+        zero = self.level.after(raw, time_s)
+        return None if zero is None else read(raw - zero).force_n
+
+
+def read_file(force_n, cells=None):
+    """Force in every frame of a file and what is said; load cells where `cells` tells their force."""
+    raw, reader = stream(force_n), Changes()
+    loaded = None if cells is None else cells >= 0.3
+    return read_through(len(raw), lambda n: reader.force_n(raw[n], n / RATE_HZ), reader, loaded)
+
+
+@pytest.mark.parametrize("has_cells", [False, True])
+def test_frames_of_a_file_that_begins_in_a_press_are_read_against_the_rest_that_follows(has_cells):
+    force_n = forces(presses=4)[REST + RISE + 10 :]
+    found, texts = read_file(force_n, force_n if has_cells else None)
+    assert len(texts) == 1
+    assert "does not begin at rest" in texts[0]
+    error = np.abs(np.array(found, float) - force_n)
+    assert error[: HOLD - 10].mean() < 0.12 * force_n.max()  # hysteresis and the shift of a press
+
+
+def test_a_file_that_begins_at_rest_is_read_once():
+    force_n = forces(presses=3)
+    found, texts = read_file(force_n, force_n)
+    assert texts == []
+    assert found[0] is None
+    assert np.mean(np.abs(np.array(found[12:], float) - force_n[12:])) < 1.0
+
+
+def test_a_file_without_rest_is_told_by_its_load_cells():
+    found, texts = read_file(np.full(80, 8.0), np.full(80, 8.0))
+    assert all(one is None for one in found)
+    assert "no still frames are at rest" in texts[0]
