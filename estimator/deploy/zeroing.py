@@ -15,8 +15,8 @@ where that is a press, and no drift, it grew slowly, and the zero goes back to w
 any force and length are then no rest. Of a file, frames read against a level in a press are read again,
 against the rest that showed it (`read_through`). The price: a hold that keeps less than 15 % of the
 force of the press before it is taken for rest; so is, by readers without that knowledge, a force that
-grows by less than about 0.02 N/s. Measured on the public recording of one probe, which begins within a press, with
-models of its own training presses: docs/measured/estimators.md.
+grows by less than about 0.02 N/s. Measured on the public recording of one probe, which begins within a
+press, with models of its own training presses: docs/measured/estimators.md.
 """
 
 from __future__ import annotations

@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from design.errors import InputError
+from design.errors import InputError, RecordingError
 from design.tables import write_table
 from estimator.deploy.runtime import LiveReader, load_deployed, predict_with_gaps
+from estimator.frames.dataset import FrameSet, load_frames
 from estimator.frames.same_object import require_same_object
 from estimator.networks.prediction import NOVEL_FROM, Prediction
 from instobj.commands.readings import (
@@ -100,7 +101,8 @@ def predict_file(
         "frames with contact": sum(row["contact"] > 0.5 for row in rows),
         "novel frames": sum(row["novelty"] > NOVEL_FROM for row in rows),
         "largest force N": max(forces, default=0.0),
-        "interval cover": model.interval_cover,
+        "force interval should hold": model.interval_cover,
+        **_measured_cover(path, model.face, rows),
     }
     return {
         "command": "predict",
@@ -108,6 +110,40 @@ def predict_file(
         "tables": {f"{path.name}, {model_path.name}": [summary]},
         "files": file_rows([target]),
     }
+
+
+def _measured_cover(path: Path, face: int, rows: list[dict[str, float]]) -> dict[str, Any]:
+    """Share of the frames pressed on a face whose force lies in its interval, by the file's load cells."""
+    frames = _labelled(path)
+    number = np.array([row["frame"] for row in rows], int)
+    if frames is None or not len(number):
+        return {"force interval held": "not known, without load cells"}
+    on_face = frames.contact_face[number] == face
+    pressed = np.asarray(on_face.any(axis=1)) & frames.valid[number]
+    true_n = np.where(on_face, np.nan_to_num(frames.force_n[number, :, 2]), 0.0).sum(axis=1)
+    low, high = (np.array([row[name] for row in rows]) for name in ("force_low_n", "force_high_n"))
+    if not pressed.any():
+        return {"force interval held": f"not known, no press on face {face}"}
+    held = ((low <= true_n) & (true_n <= high))[pressed]
+    return {
+        "force interval held": round(float(held.mean()), 3),
+        "of frames pressed": int(pressed.sum()),
+    }
+
+
+def _labelled(path: Path) -> FrameSet | None:
+    """Return a file's frames with the forces of its load cells; None where it has none that can be used."""
+    from estimator.recordings.formats.files import has_load_cells
+    from estimator.recordings.reading import read_recording
+
+    if is_data_set(path):
+        return load_frames(path)
+    try:
+        return read_recording(path).frames if has_load_cells(path) else None
+    except (
+        RecordingError
+    ):  # forces by travel need mechanics, others a press: the signals are read anyway
+        return None
 
 
 def predict_port(

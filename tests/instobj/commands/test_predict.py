@@ -434,3 +434,32 @@ def test_train_from_a_start(folder, tmp_path, monkeypatch):
         run_estimator([folder / "press.nc"], ("networks",), out, SETTINGS, out)
     with pytest.raises(InputError, match="--start is for data sets"):
         run_estimator([folder / "a.toml"], ("networks",), out, [], folder)
+
+
+def test_the_share_that_an_interval_held_is_measured_where_forces_are_known(folder, tmp_path):
+    """What the calibration promises is told apart from what the labels of this file show."""
+    true, target = made_frames(), tmp_path / "heavier.nc"
+    normal = true.force_n.copy()
+    normal[..., 2] *= 3.0  # labels that the estimator was not trained on
+    save_frames(replace(true, force_n=normal), target)
+    (own,), (other,) = (
+        next(iter(predict_file(folder / "robot" / "face_3.onnx", path)["tables"].values()))
+        for path in (folder / "press.nc", target)
+    )
+    assert own["force interval should hold"] == other["force interval should hold"] == 0.9
+    assert own["of frames pressed"] == int(np.sum(true.contact_face == FACE))
+    assert own["force interval held"] > 0.7 > other["force interval held"]
+
+
+def test_without_load_cells_no_share_is_claimed(folder, tmp_path):
+    frames = made_frames()
+    nothing = replace(
+        frames,
+        contact_face=np.zeros_like(frames.contact_face),
+        contact_xy_mm=np.full_like(frames.contact_xy_mm, np.nan),
+        force_n=np.full_like(frames.force_n, np.nan),
+    )
+    save_frames(nothing, tmp_path / "rest.nc")
+    model = folder / "robot" / "face_3.onnx"
+    (row,) = next(iter(predict_file(model, tmp_path / "rest.nc")["tables"].values()))
+    assert "not known" in row["force interval held"]
