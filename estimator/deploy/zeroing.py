@@ -284,7 +284,7 @@ class StreamZero:
 
 @runtime_checkable
 class Zeroed(Protocol):
-    """A reader with a zero of its own, which can be taken anew or set."""
+    """A reader with a zero of its own, which can be taken again or set."""
 
     @property
     def level(self) -> StreamZero: ...
@@ -303,25 +303,25 @@ def read_through(
     Frames read against a level that proves to be a press are read again, against the level of rest that
     showed it. Where load cells tell (`loaded`) that something pressed, no first level is taken.
     """
-    found: list[Any] = []
+    results: list[Any] = []
     spans: list[
         tuple[int, np.ndarray]
     ] = []  # first frame and level of each zero that was taken at once
     corrected, starts, refused, texts = -1, 0, False, list[str]()
-    while len(found) < count:
-        number = len(found)
-        found.append(read(number))
+    while len(results) < count:
+        number = len(results)
+        results.append(read(number))
         zero = reader.level
         if zero.starts == starts or zero.level is None:
             continue
         pressed = loaded is not None and loaded[max(0, number + 1 - zero.frames) : number + 1].all()
         if not spans and corrected < 0 and pressed and zero.mode == "rest":
-            refused, _ = True, found.pop()
+            refused, _ = True, results.pop()
             reader.rezero()
         elif (zero.from_press or (refused and not spans)) and number > corrected:
             begun = _taken_back(spans, zero.level, zero.read)
             texts.append(_not_at_rest_text(begun, number))
-            found, corrected, starts, refused = found[:begun], number, 0, False
+            results, corrected, starts, refused = results[:begun], number, 0, False
             spans.append((begun, zero.level))
             reader.rezero(zero.level)
         else:
@@ -331,7 +331,7 @@ def read_through(
             starts = zero.starts
     if refused:
         texts.append("no still frames are at rest: in all of them a load cell is pressed")
-    return found, texts
+    return results, texts
 
 
 def _taken_back(
@@ -349,14 +349,14 @@ def _taken_back(
 
 def is_press_seen_from(
     level: Float[np.ndarray, "channel"],
-    other: Float[np.ndarray, "channel"],
+    doubted: Float[np.ndarray, "channel"],
     read: ReadStill,
     frames: int = 1,
 ) -> bool:
-    """Return whether the other level, of n frames, reads as a press from a level, far more than turned
+    """Return whether the doubted level, of n frames, reads as a press from a level, far more than turned
     round."""
-    there, back = read(other - level, frames), read(level - other, frames)
-    return there.explained is not False and there.force_n > max(PRESS_FORCE_N, 2 * back.force_n)
+    forward, back = read(doubted - level, frames), read(level - doubted, frames)
+    return forward.explained is not False and forward.force_n > max(PRESS_FORCE_N, 2 * back.force_n)
 
 
 def _not_at_rest_text(first: int, last: int) -> str:

@@ -164,7 +164,7 @@ def _with_intervals(
     contacts without ends.
 
     A ratio or a length of a noisy vector is mostly larger than that of the vector's mean, which then
-    lies below the interval: the median never does. Of what is truly 0 it tells about one deviation.
+    lies below the interval: the median never does. Of what is truly 0 it is about one deviation.
     """
     if not contacts.covariance.any():
         return {name: Reading(value) for name, value in figures(contacts).items()}

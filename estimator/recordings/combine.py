@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool
 
 from design.errors import InputError
 from estimator.frames.dataset import NO_FACE, PER_FRAME_FIELDS, FrameSet
 from estimator.recordings.checks.faults import Fault, jumped_channels, rows_text
-from estimator.recordings.checks.readings import copied_rows, has_noise
+from estimator.recordings.checks.readings import copied_rows
 from estimator.recordings.contacts import Place
 from estimator.recordings.reading import Recording
 from estimator.recordings.table import channel_name
@@ -51,7 +51,7 @@ def combine(recordings: Sequence[Recording]) -> FrameSet:
     joined = {
         name: np.concatenate([getattr(part, name) for part in parts]) for name in PER_FRAME_FIELDS
     }
-    joined["valid"] = joined["valid"] & ~_copied(joined["signal_counts"])[0]
+    joined["valid"] = joined["valid"] & ~_copied(recordings)[0]
     joined["signal_counts"][:, jumped] = np.nan
     by_travel = [part.travel_mm for part in parts if part.travel_mm is not None]
     if by_travel and len(by_travel) < len(parts):
@@ -90,15 +90,20 @@ def jumps_between(recordings: Sequence[Recording]) -> Bool[np.ndarray, "face sen
     return np.any(jumped, axis=0)
 
 
-def _copied(
-    signal_counts: Float[np.ndarray, "frame face sensor 3"],
-) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
-    """Frames that were there before, by their whole steps from frame to frame (zeros differ)."""
-    steps = np.round(np.diff(signal_counts, axis=0))
-    if not has_noise(steps):
-        return np.zeros(len(signal_counts), bool), []
-    rows = np.asarray(copied_rows(steps)[0].any(axis=(1, 2, 3)))
-    copied = np.r_[rows, False] | np.r_[False, rows]
+def _copied(recordings: Sequence[Recording]) -> tuple[Bool[np.ndarray, "frame"], list[Fault]]:
+    """Frames of which the raw counts of a face were there before, whatever their zeros and labels."""
+    together = np.concatenate(
+        [
+            np.full(recording.frames.signal_counts.shape[:2], np.nan)
+            if recording.prints is None
+            else recording.prints
+            for recording in recordings
+        ]
+    )
+    copied = np.zeros(len(together), bool)
+    for face in together.T:
+        rows = np.repeat(face[:, None, None, None], 3, axis=3)
+        copied |= copied_rows(rows)[0].any(axis=(1, 2, 3))
     if not copied.any():
         return copied, []
     detail = f"{copied.sum()} of these frames are in an earlier recording, too, number for number"
@@ -115,8 +120,7 @@ def faults_between(recordings: Sequence[Recording]) -> list[Fault]:
         shown = " → ".join(f"{level[tuple(index)]:.0f}" for level in levels)
         where = f"{channel_name(*index)}, between the recordings"
         faults.append(Fault("jumping channel", where, f"rest level {shown} counts", "set to NaN"))
-    together = np.concatenate([recording.frames.signal_counts for recording in recordings])
-    return faults + _copied(together)[1]
+    return faults + _copied(recordings)[1]
 
 
 def _renumbered(

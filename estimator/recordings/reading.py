@@ -37,7 +37,7 @@ from estimator.recordings.checks.limits import (
 )
 from estimator.recordings.checks.place_labels import place_label_faults
 from estimator.recordings.checks.press_labels import hidden_contacts, judge_presses
-from estimator.recordings.checks.readings import spoilt_channels, without_faults
+from estimator.recordings.checks.readings import fingerprints, spoilt_channels, without_faults
 from estimator.recordings.checks.repeats import repeat_faults, repeated_readings
 from estimator.recordings.checks.turned import turned_channels, turned_forces
 from estimator.recordings.contacts import (
@@ -86,12 +86,14 @@ class Recording:
     """Frames of one file with its report.
 
     `rest_counts` (press, face, sensor, axis) are the raw counts at rest next to each press: subtracted
-    from it, but in generic recordings, whose level is followed frame by frame.
+    from it, but in generic recordings, whose level is followed frame by frame. `prints` are fingerprints of
+    the raw counts of every face, by which copies show in other files; NaN where a face has no reading.
     """
 
     frames: FrameSet
     report: RecordingReport
     rest_counts: Float[np.ndarray, "press face sensor 3"]
+    prints: Float[np.ndarray, "frame face"] | None = None
 
     def __repr__(self) -> str:
         return str(self.report)
@@ -130,6 +132,7 @@ def read_recording(
         The file is missing or damaged, or holds no press or no rest.
     """
     table = read_table(path)
+    prints = fingerprints(table.counts)
     if grid_mm is not None:
         table = replace(table, grid_x_mm=grid_mm[0], grid_y_mm=grid_mm[1])
     limits = limits or usual_limits(table)
@@ -175,11 +178,11 @@ def read_recording(
     report = _report(path, case, frames, places, int(np.sum(~zeros.is_before)), faults)
     if frames.force_factors is not None:
         report = replace(report, units=force_text(frames.force_factors))
-    return Recording(frames, report, zeros.counts)
+    return Recording(frames, report, zeros.counts, prints)
 
 
 def loaded_frames(path: Path | str) -> Bool[np.ndarray, "frame"] | None:
-    """Return in which frames a load cell tells of a press, late as cells are; None where none measures.
+    """Return in which frames a load cell shows a press, late as cells are; None where none measures.
 
     Raises
     ------

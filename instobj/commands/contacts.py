@@ -182,10 +182,10 @@ def _in_recording(
             progress.step(f"frame {number} of {len(stream.raw)}")
 
     with progress.stage(f"contacts in {stream.path}"):
-        every = recorded_frames(reader, inversion.channels, stream, zeroing, step)
-    read = [one for one in every if one[2] is not None]
+        frames = recorded_frames(reader, inversion.channels, stream, zeroing, step)
+    read = [frame for frame in frames if frame[2] is not None]
     numbers, time_s, found = zip(*read, strict=True)
-    unread = len(every) - len(read)
+    unread = len(frames) - len(read)
     return np.array(numbers), np.array(time_s), ContactSets.joined(found), unread
 
 

@@ -58,7 +58,7 @@ def predict_file(
 
     With a folder `out` it is `out/runs/<name>/prediction_face_<n>.csv`, named as `run_name` says. Models
     in a folder of their own (`own_folder`) name it too: `prediction_twin_face_<n>.csv`.
-    Every row tells the number of its frame in the file and its time stamp, as the file has it to 1 µs.
+    Every row has the number of its frame in the file and its time stamp, as the file has it to 1 µs.
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
     like a board's readings, by default by following rest; frames before the first zero are left out, and
@@ -151,7 +151,7 @@ def predict_port(
 ) -> Iterator[str]:
     """One JSON document per frame from a board, `count` of them or without end.
 
-    Each also tells how many lines came damaged, how many frames were lost and how many lacked a reading
+    Each also has how many lines came damaged, how many frames were lost and how many lacked a reading
     since the start.
 
     Raises

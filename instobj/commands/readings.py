@@ -92,7 +92,7 @@ def zeroed_data_set(path: Path, zeroing: Zeroing) -> FrameSet:
 @dataclass(frozen=True)
 class Stream:
     """Readings of a recording without labels: stamps (s), raw counts, those of them not to believe
-    (`checks.readings.STREAM`), what is said of them, and where load cells, if any, tell of a press."""
+    (`checks.readings.STREAM`), what is said of them, and where load cells, if any, show a press."""
 
     path: Path
     time_s: Float[np.ndarray, "stamp"]
@@ -123,7 +123,7 @@ def recorded_frames(
 ) -> list[tuple[int, float, Any]]:
     """Number, stamp (s) and what the reader finds of every frame of a recording after the first zero;
     None for frames that lack a reading, which are passed over. `stream.texts` gets what is said of the zero;
-    `step` is told how many frames are read.
+    `step` gets the number of each frame.
 
     Raises
     ------
@@ -142,12 +142,12 @@ def recorded_frames(
         if lacking[number] and not silent:
             reader.miss()
             return True, None
-        found = reader.feed(raw[number], float(time_s[number]), stream.left_out[number])
-        return found is not None, found
+        contacts = reader.feed(raw[number], float(time_s[number]), stream.left_out[number])
+        return contacts is not None, contacts
 
-    found, texts = read_through(len(raw), read, reader, stream.loaded)
+    results, texts = read_through(len(raw), read, reader, stream.loaded)
     stream.texts.extend(f"{path.name}: {text}" for text in texts)
-    if all(one is None for _, one in found):
+    if all(result is None for _, result in results):
         repeated = int(np.sum(np.all((raw[1:] == raw[:-1]) | np.isnan(raw[1:]), axis=(1, 2, 3))))
         if repeated > _REPEATED * len(raw):
             raise InputError(
@@ -161,7 +161,9 @@ def recorded_frames(
             "(--zero first:5) or, for signals that are changes already, --zero none"
         )
     return [
-        (number, float(time_s[number]), one) for number, (told, one) in enumerate(found) if told
+        (number, float(time_s[number]), result)
+        for number, (was_read, result) in enumerate(results)
+        if was_read
     ]
 
 

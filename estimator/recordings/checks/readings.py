@@ -8,6 +8,7 @@ neighbours. Recordings without noise (simulated ones) therefore show none of it.
 from __future__ import annotations
 
 from collections.abc import Callable
+from hashlib import blake2b
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -212,6 +213,18 @@ def copied_rows(counts: Counts) -> Found:
         detail = f"repeat {rows_text(source)} number for number under other time stamps"
         faults.append(Fault("copied rows", rows_text(copy), detail, "copies not used"))
     return mask, faults
+
+
+def fingerprints(counts: Counts) -> Float[np.ndarray, "frame face"]:
+    """Return a number that the counts of a face share with copies of them alone (equal by chance once in
+    2^52); NaN where a face has no reading, and throughout without noise, where equal counts say nothing."""
+    prints = np.full(counts.shape[:2], np.nan)
+    if has_noise(counts):
+        for frame, face in np.argwhere(np.isfinite(counts).any(axis=(2, 3))).tolist():
+            digest = blake2b(np.ascontiguousarray(counts[frame, face]).tobytes(), digest_size=8)
+            # 52 bits are whole numbers of a float
+            prints[frame, face] = int.from_bytes(digest.digest()) >> 12
+    return prints
 
 
 def counts_of_another_unit(counts: Counts) -> Found:

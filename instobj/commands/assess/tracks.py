@@ -204,10 +204,10 @@ def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> tuple[F
         "recorded", "", 0,
     ).select_faces(sensed)  # fmt: skip
     raw = frames.signal_counts
-    reader, known = _Zeros(zeroing, _stillness(estimators, frames)), np.nan_to_num(raw)
+    reader, filled = _Zeros(zeroing, _stillness(estimators, frames)), np.nan_to_num(raw)
 
     def zero_of(number: int) -> np.ndarray | None:
-        return reader.level.after(known[number].ravel(), float(stamps[number]))
+        return reader.level.after(filled[number].ravel(), float(stamps[number]))
 
     zeros, texts = read_through(count, zero_of, reader, stream.loaded)
     zeroed = np.array([number for number, zero in enumerate(zeros) if zero is not None], int)
@@ -222,7 +222,7 @@ def _zeroed(stream: Stream, estimators: Estimators, zeroing: Zeroing) -> tuple[F
 
 
 class _Zeros:
-    """The zero of a stream, taken anew where it proves wrong."""
+    """The zero of a stream, taken again where it proves wrong."""
 
     def __init__(self, zeroing: Zeroing, read: ReadStill) -> None:
         self._zeroing, self._read = zeroing, read

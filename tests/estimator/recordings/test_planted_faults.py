@@ -120,9 +120,13 @@ def test_a_channel_of_another_press_may_be_steep(sheet, tmp_path):
     assert "wrong force readings" not in {fault.kind for fault in recording.report.faults}
 
 
-def test_presses_of_one_file_in_another_are_counted_once(sheet, tmp_path, clean):
+@pytest.mark.parametrize("lost", [False, True])
+def test_presses_of_one_file_in_another_are_counted_once(sheet, tmp_path, clean, lost):
+    """Also where a channel of the copy was lost, so that its rows are not the same throughout."""
     changed = sheet.copy()
     changed.cells = changed.cells[100:900]
+    if lost:
+        changed.cells[:, 5] = 512
     changed.cells[:, 0] += 86_400
     both = [read_recording(clean), read_recording(changed.write(tmp_path / "again.csv"))]
     (fault,) = [one for one in faults_between(both) if one.kind == "copied rows"]
