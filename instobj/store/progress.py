@@ -18,7 +18,9 @@ NEWS_EVERY_S = 4.0
 MOST_SILENT_S = 5.0
 """Longest time between two looks whether a log needs a line, s."""
 LOG_EVERY_S = 300.0
-"""Least time between two steps that a log shows, s: a log is read afterwards, not watched."""
+"""Longest time between two lines of a log, s: a log is read afterwards, not watched."""
+MOST_NEWS = 15
+"""Lines about stages at work that a log gets before they come once in `LOG_EVERY_S` alone."""
 _shown = Event()
 
 
@@ -31,8 +33,8 @@ def show_progress() -> None:
 class ProgressLine:
     """Line that shows what the stage at work is doing now; `step` is handed to the stages.
 
-    On a terminal a bar shows the step and its time. In a log a step is written once in 5 min at
-    most, again where the stage is silent.
+    On a terminal a bar shows the step and its time. A log names a stage once it has lasted 5 s, and its
+    step after twice the time each, 5 min at most; so too where the stage is silent.
     """
 
     console: Console = field(
@@ -44,6 +46,8 @@ class ProgressLine:
     _started: float = 0.0
     _told: float = 0.0
     _logged: float = field(default_factory=time.perf_counter)
+    _wait_s: float = 0.0
+    _news: int = 0
 
     @property
     def watched(self) -> bool:
@@ -72,6 +76,7 @@ class ProgressLine:
             if outer[0]:
                 yield
                 return
+            self._wait_s = MOST_SILENT_S if self._news < MOST_NEWS else LOG_EVERY_S
             with self._live(title), self._reminder():
                 yield
         finally:
@@ -85,8 +90,15 @@ class ProgressLine:
         line = f"{title} [dim]({elapsed:.0f} s)[/dim]" if self._title else message
         if self.bar is not None:
             self.bar.show(title)
-        elif self._told - self._logged >= LOG_EVERY_S:
+        elif self._is_due():
+            self._wait_s, self._news = 2 * self._wait_s, self._news + 1
             self._log(f"  … {line}")
+
+    def _is_due(self) -> bool:
+        """Return whether a log needs a line about the stage at work."""
+        waited_s = self._told - max(self._logged, self._started)
+        in_stage = bool(self._title) and waited_s >= self._wait_s
+        return in_stage or self._told - self._logged >= LOG_EVERY_S
 
     def say(self, message: str) -> None:
         """A line that stays."""

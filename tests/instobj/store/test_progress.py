@@ -94,3 +94,30 @@ def test_a_stage_that_has_not_said_anything_is_named(monkeypatch):
         while not written.getvalue() and time.monotonic() < until:
             time.sleep(0.005)
     assert written.getvalue().splitlines()[0] == "  … report (0 s)"
+
+
+def test_a_log_names_slow_stages_alone_and_stays_short(monkeypatch):
+    """Stages of 40 times the first wait: each is named early, then ever more rarely; short ones never."""
+    monkeypatch.setattr(module, "LOG_EVERY_S", 60.0)
+    monkeypatch.setattr(module, "MOST_SILENT_S", 0.01)
+    written = io.StringIO()
+    progress = ProgressLine(Console(file=written, width=80))
+
+    def work(title, seconds):
+        with progress.stage(title):
+            until = time.monotonic() + seconds
+            while time.monotonic() < until:
+                progress.step("at work")
+                time.sleep(0.001)
+
+    work("slow", 0.4)
+    lines = written.getvalue().splitlines()
+    assert lines[0].startswith("  … slow")
+    assert 2 <= len(lines) <= 6
+    for number in range(20):
+        work(f"stage {number}", 0.1)
+    assert 6 <= len(written.getvalue().splitlines()) <= 30
+    before = written.getvalue()
+    monkeypatch.setattr(module, "MOST_SILENT_S", 5.0)
+    work("short", 0.01)
+    assert written.getvalue() == before
