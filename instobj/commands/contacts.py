@@ -28,6 +28,7 @@ from instobj.commands.readings import (
     prediction_path,
     recorded_frames,
     recorded_stream,
+    unexplained_text,
     zeroed_data_set,
 )
 from instobj.robot import foxglove_channels, is_foxglove
@@ -90,6 +91,7 @@ def contacts_in_file(
         "frames that no contact explains": int((~best.explained).sum()),
         "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
     }
+    texts = [*texts, *unexplained_text(path, int((~best.explained).sum()), len(best))]
     tables = {f"{path.name}, {model_path.name}": [summary]}
     files = [target] if mcap is None else [target, mcap]
     if judged:

@@ -25,6 +25,7 @@ from instobj.commands.readings import (
     prediction_path,
     recorded_frames,
     recorded_stream,
+    unexplained_text,
     zeroed_data_set,
 )
 from instobj.store.publish import (
@@ -104,6 +105,7 @@ def predict_file(
         "force interval should hold": model.interval_cover,
         **_measured_cover(path, model.face, rows),
     }
+    texts = [*texts, *unexplained_text(path, summary["novel frames"], len(rows))]
     return {
         "command": "predict",
         "texts": texts,

@@ -39,6 +39,10 @@ class Zeroing:
 FOLLOW_REST = Zeroing()
 SILENT_FRAMES = 10
 """A channel without a reading for longer is silent, as on the live page."""
+SHORT_FRAMES = 20
+"""Frames that were read below which a file says nothing of its object."""
+DISTRUST_FROM = 0.2
+"""Share of frames without explanation from which a warning is due."""
 _REPEATED = 0.2
 """Share of repeated rows from which the scatter at rest says nothing."""
 
@@ -220,6 +224,24 @@ def live_frames(
                 "left_out": sound.text,
             }
             yield LiveFrame(number, reading.time_s, found, told)
+
+
+def unexplained_text(path: Path, unexplained: int, frames: int) -> list[str]:
+    """Return a warning where much of a file is nothing that its estimator knows, or hardly a file."""
+    texts = []
+    if frames < SHORT_FRAMES:
+        texts.append(
+            f"{path.name}: {frames} frames were read, too few to judge by; record some seconds of rest and "
+            "a press"
+        )
+    if frames and unexplained > DISTRUST_FROM * frames:
+        texts.append(
+            f"{path.name}: nothing that the estimator knows explains {unexplained} of {frames} frames "
+            f"({100 * unexplained / frames:.0f} %); do not believe these. Likely causes: the estimator is of "
+            "another object or its specification is not as built (instobj validate), a magnet or iron near "
+            "by, no rest at the start (--zero), or contacts of a kind that it was not made for"
+        )
+    return texts
 
 
 def prediction_path(name: str, path: Path, out: Path | None) -> Path:

@@ -7,10 +7,9 @@ import numpy as np
 from estimator.grasps.measures import Conditions
 from estimator.grasps.ranking import LEVEL, Difference, median_interval
 from instobj.commands.assess.groups import Group, cell_rows, measure_of
+from instobj.commands.readings import DISTRUST_FROM
 from instobj.report.pages import shown
 
-_DISTRUST = 0.2
-"""Share of frames without explanation from which a page warns of it."""
 _FEW = 6
 """Grasps below which an interval of their median is too narrow."""
 
@@ -75,7 +74,7 @@ def warnings_of(options: AssessOptions, groups: list[Group], conditions: Conditi
                 f"{group.name}: few grasps ({len(group.grasps)}); the interval of the median is too narrow."
             )
         shares = group.values("unexplained")
-        if len(shares) and shares.mean() > _DISTRUST:
+        if len(shares) and shares.mean() > DISTRUST_FROM:
             texts.append(
                 f"{group.name}: the estimator cannot explain {100 * shares.mean():.0f} % of the grasps' "
                 "frames; forces and places may be wrong by more than their intervals"

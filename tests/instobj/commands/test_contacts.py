@@ -185,3 +185,23 @@ def test_keys_of_the_inversion_are_checked():
         SPEC.inversion.changed(contacts=9)
     with pytest.raises(ValueError, match="model_error"):
         SPEC.inversion.changed(model_error=1.2)
+
+
+def test_frames_that_nothing_explains_are_warned_of_once_with_their_share(folder, tmp_path):
+    """A magnet beside the object: most frames are no contact; too short a file is named as such."""
+    frames = load_frames(folder / "grasp.nc").select(np.repeat(np.arange(16), 2))
+    save_frames(frames, tmp_path / "sound.nc")
+    beside = np.random.default_rng(2).normal(0, 900, frames.signal_counts.shape[1:])
+    spoilt = frames.signal_counts.copy()
+    spoilt[4:] += beside
+    save_frames(replace(frames, signal_counts=spoilt), tmp_path / "magnet.nc")
+    texts = {
+        name: told(["predict", folder / "contacts.nc", tmp_path / f"{name}.nc"])["texts"]
+        for name in ("sound", "magnet")
+    }
+    assert texts["sound"] == []
+    (warning,) = texts["magnet"]
+    assert "of 32 frames" in warning
+    assert "another object" in warning
+    short = told(["predict", folder / "contacts.nc", folder / "grasp.nc"])["texts"]
+    assert any("16 frames were read, too few" in text for text in short)
