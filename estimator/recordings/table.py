@@ -103,8 +103,8 @@ def check_plausible(table: RawTable) -> None:
     Raises
     ------
     RecordingError
-        Counts beyond 24 bits, forces beyond 1 kN, places beyond 300 mm (or all within 0.1 mm of
-        the middle but not in it), or stamps that fall in most steps, fall on end without a rise between
+        Counts beyond 24 bits, forces beyond 1 kN, places beyond 300 mm (or all of a load cell within 0.1 mm
+        of the middle but not in it), or stamps that fall in most steps, fall on end without a rise between
         (rows in reverse order) or between two steps of twice the usual (two rows exchanged), or are 5 s
         or more apart.
     """
@@ -113,12 +113,13 @@ def check_plausible(table: RawTable) -> None:
     if table.shear_n is not None:
         _check_below("shear forces (N)", table.shear_n, LARGEST_FORCE_N, "forces in N")
     _check_below("places (mm)", table.tip_xy_mm, LARGEST_PLACE_MM, "places in mm")
-    stated_mm = np.abs(table.tip_xy_mm[np.isfinite(table.tip_xy_mm)])
-    if stated_mm.size and 0 < stated_mm.max() < 0.1:
-        raise RecordingError(
-            f"every place lies within {stated_mm.max():g} mm of its face's middle. Give places "
-            "in mm, not in m"
-        )
+    for cell in range(table.tip_xy_mm.shape[1]):
+        largest_mm = float(np.max(np.abs(np.nan_to_num(table.tip_xy_mm[:, cell])), initial=0.0))
+        if 0 < largest_mm < 0.1:
+            raise RecordingError(
+                f"every place of load cell {cell + 1} lies within {largest_mm:g} mm of its face's middle. "
+                "Give places in mm, not in m"
+            )
 
 
 def check_signals(

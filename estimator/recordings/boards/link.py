@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Generator, Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -23,6 +24,9 @@ from estimator.recordings.boards.lines import (
 from estimator.recordings.formats.generic import counts_of_column
 from estimator.recordings.presses import frame_times_s, stretches
 from estimator.recordings.table import RawTable, channel_name
+
+if TYPE_CHECKING:
+    from serial import Serial
 
 BAUD = 115_200
 """Bits per second of the serial line, as the firmware has it."""
@@ -132,13 +136,9 @@ def serial_chunks(port: str, baud: int = BAUD, timeout_s: float = _SLICE_S) -> G
     InputError
         The port cannot be opened, or the board was unplugged.
     """
-    from serial import Serial, SerialException
+    from serial import SerialException
 
-    try:
-        link = Serial(port, baud, timeout=timeout_s, exclusive=True)
-    except (SerialException, ValueError, OSError) as error:
-        raise InputError(f"cannot open {port}: {error}. {_ports()}") from None
-    with link:
+    with _opened(port, baud, timeout_s) as link:
         try:
             link.write(b"?\n")
             while True:
@@ -148,6 +148,20 @@ def serial_chunks(port: str, baud: int = BAUD, timeout_s: float = _SLICE_S) -> G
                 f"{port}: the line broke off ({error}). Plug the board in again and repeat the "
                 "command: it goes on where it stopped"
             ) from None
+
+
+def require_port(port: str, baud: int = BAUD) -> None:
+    """Raise InputError where a serial port cannot be opened, before work that takes minutes."""
+    _opened(port, baud, _SLICE_S).close()
+
+
+def _opened(port: str, baud: int, timeout_s: float) -> Serial:
+    from serial import Serial, SerialException
+
+    try:
+        return Serial(port, baud, timeout=timeout_s, exclusive=True)
+    except (SerialException, ValueError, OSError) as error:
+        raise InputError(f"cannot open {port}: {error}. {_ports()}") from None
 
 
 def _ports() -> str:

@@ -6,6 +6,7 @@ import codecs
 import csv
 import hashlib
 import re
+import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -17,6 +18,12 @@ from design.errors import InputError, RecordingError
 from design.files import require_regular_file
 from estimator.recordings.formats.robot import is_robot_file, robot_csv
 
+_GZIP = b"\x1f\x8b"
+"""First bytes of a gzip file, whatever its name."""
+_GZIP_WBITS = 31
+"""A window of 2^15 bytes, 15, with the head of gzip, 16 (zlib's manual)."""
+_LARGEST_BYTES = 1 << 30
+"""Unpacked size, at most."""
 FORMATS = "`instobj docs recordings` describes the formats that are read"
 _BINARY = set(range(32)) - set(b"\t\n\r\f\v")
 """Bytes that no text holds, in Latin-1 neither."""
@@ -88,9 +95,25 @@ def read_bytes(path: Path) -> bytes:
         raise RecordingError(
             f"cannot read {path}: {error.strerror}. Give a readable file"
         ) from None
+    content = _unpacked(path, content) if content.startswith(_GZIP) else content
     if not content.strip():
         raise RecordingError(f"{path} is empty. {FORMATS}")
     return content
+
+
+def _unpacked(path: Path, content: bytes) -> bytes:
+    """Return what a gzip file holds; a bound keeps a small file from filling the memory."""
+    unpacker = zlib.decompressobj(wbits=_GZIP_WBITS)
+    try:
+        text = unpacker.decompress(content, _LARGEST_BYTES)
+    except zlib.error as error:
+        raise RecordingError(f"{path} is a damaged gzip file ({error}). Copy it anew") from None
+    if not unpacker.eof:
+        raise RecordingError(
+            f"{path} is a gzip file that is cut off, or holds more than {_LARGEST_BYTES >> 20} MiB. Copy it "
+            "anew, or unpack it and give its parts"
+        )
+    return text
 
 
 def numbers(

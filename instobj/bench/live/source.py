@@ -13,7 +13,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.frames.dataset import NO_FACE, FrameSet
-from estimator.recordings.boards.link import replay_chunks
+from estimator.recordings.boards.link import replay_chunks, require_port
 from estimator.recordings.table import LEAST_FACES, RawTable
 from instobj.bench.collect.options import CollectOptions, open_source
 from instobj.bench.live.scene import live_scene
@@ -115,6 +115,8 @@ def live_source(options: LiveOptions, progress: ProgressLine) -> LiveSource:
             raise InputError(
                 f"no model at {path}. `instobj train` and `instobj train --export` make one"
             )
+    for port in filter(None, (given.port, given.load_port)):
+        require_port(port, given.baud)
     chunks, readings, zeroing = _opened(given, options.zeroing)
     scene = live_scene(spec, Run(spec, progress).require("build").folder, _KEY + _LABELLED)
     return LiveSource(spec, scene, readings.source, chunks, readings, options.models, zeroing)

@@ -124,7 +124,7 @@ def recordings_in(given: Path) -> list[Path]:
     tables = [
         path
         for path in sorted(given.iterdir())
-        if (path.suffix == ".csv" or is_robot_file(path))
+        if (path.name.endswith((".csv", ".csv.gz")) or is_robot_file(path))
         and not (path.name.endswith(_OTHERS) or "prediction_" in path.name)
     ]
     sets = [p for p in sorted(given.glob("*.nc")) if is_data_set(p) or holds(p, "counts")]

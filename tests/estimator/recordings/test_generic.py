@@ -232,6 +232,7 @@ PLACES = [f"cell{c}_{a}1_mm" for c in (1, 2) for a in "xy"]
     [
         (["cell1_force_n"], 1000 / 9.8, "forces in N"),
         (PLACES, 1e-3, "not in m"),
+        (PLACES[2:], 1e-3, "load cell 2 .* not in m"),
         (PLACES, 1e3, "places in mm"),
         (["time_s"], 1e3, "not ms"),
         (["F3-X1"], 1e7, "raw counts"),

@@ -1,5 +1,7 @@
 """Stamps and counts alone: of CSV without columns of load cells, and of whole recordings."""
 
+import gzip
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -51,3 +53,14 @@ def test_signals_of_a_whole_recording_are_those_beside_its_labels(tmp_path):
 def test_signals_that_cannot_be_are_refused(tmp_path, header, rows, what):
     with pytest.raises(RecordingError, match=what):
         read_signals(written(tmp_path, header, *rows))
+
+
+def test_a_gzip_file_is_read_like_what_it_holds_and_a_cut_one_is_refused(tmp_path):
+    plain = written(tmp_path, HEADER, *ROWS)
+    packed = tmp_path / "a.csv.gz"
+    packed.write_bytes(gzip.compress(plain.read_bytes()))
+    for own, other in zip(read_signals(packed), read_signals(plain), strict=True):
+        assert_allclose(own, other)
+    packed.write_bytes(packed.read_bytes()[:-9])
+    with pytest.raises(RecordingError, match="gzip file that is cut off"):
+        read_signals(packed)

@@ -162,6 +162,19 @@ def test_a_model_that_is_not_there_is_told_before_anything_is_opened_or_built(tm
         live(LiveOptions(tmp_path / "cube.toml", readings, models=missing))
 
 
+@pytest.mark.parametrize("wrong", ["port", "load_port"])
+def test_a_port_that_cannot_be_opened_is_told_before_solids_are_built(tmp_path, monkeypatch, wrong):
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    given = {"port": str(tmp_path / "none")} if wrong == "port" else {
+        "replay": tmp_path / "none.csv", "load_port": str(tmp_path / "none")
+    }  # fmt: skip
+    (tmp_path / "cube.toml").write_text('name = "cube"\n', encoding="utf-8")
+    options = LiveOptions(tmp_path / "cube.toml", CollectOptions(tmp_path / "out", **given))
+    with pytest.raises(InputError, match="cannot open"):
+        live(options)
+    assert not (tmp_path / "store").exists()
+
+
 def test_only_other_addresses_have_a_token(tmp_path):
     readings = CollectOptions(tmp_path / "x")
     assert LiveOptions(None, readings).token == ""
