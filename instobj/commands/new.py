@@ -47,6 +47,7 @@ from instobj.commands.outlook import (
     with_edges_that_fit,
 )
 from instobj.commands.specification_file import specification_text
+from instobj.store.publish import require_writable
 
 Made = tuple[Tables, list[Finding]]
 _TURNS_DEG = (6.0, -6.0, 12.0, -12.0, 18.0, -18.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0)
@@ -74,6 +75,8 @@ def new_specification(
     ------
     InputError
         The name cannot be a folder's name, the file is already there, or the size does not work.
+    StoreError
+        Nothing can be written to `out`.
     """
     name = name.removesuffix(".toml")  # somebody names the file
     target = out / f"{name}.toml"
@@ -84,6 +87,7 @@ def new_specification(
         )
     if target.exists():
         raise InputError(f"{target} is already there. Choose another name, or move it away")
+    require_writable(out)  # before parts are placed, which takes half a minute
     tables: Tables | None = None
     if request is not None:
         tables, failed = (design or designed)(request)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from design.body.kinds.registry import KINDS
-from design.errors import InputError
+from design.errors import InputError, InstobjError
 from design.fabrication.check import Checked, check_fabrication
 from design.fabrication.finding import Finding, worst
 from design.placement.objects import Request
@@ -460,3 +460,20 @@ def test_a_size_of_one_length_is_one_error_with_an_example(tmp_path):
     done = run("new", "a", "--kind", "cylinder", "--size", "70", cwd=tmp_path)
     assert done.returncode == 2
     assert "three lengths in mm" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "out"), [("-", "."), ("there", "."), ("mine", "a_file"), ("mine", "a_file/deeper")]
+)
+def test_what_cannot_be_written_is_told_before_parts_are_placed(tmp_path, name, out):
+    (tmp_path / "there.toml").touch()
+    (tmp_path / "a_file").touch()
+    asked = []
+    with pytest.raises(InstobjError, match=r"cannot name|already there|cannot write"):
+        new_specification(
+            name,
+            tmp_path / out,
+            Request("box", (60.0, 40.0, 30.0)),
+            lambda request: (asked.append(request), (placed_tables("box"), []))[1],
+        )
+    assert asked == []
