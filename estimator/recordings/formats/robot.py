@@ -161,9 +161,11 @@ def _bag_rows(path: Path) -> Iterator[list[Any]]:
     except RecordingError:
         raise
     except Exception as error:  # a damaged file makes the library's parser fail in any way
+        size = sum(part.stat().st_size for part in (path, *path.glob("*")) if part.is_file())
         raise RecordingError(
-            f"it is no bag that can be read to its end. Copy or record it again ({error})"
-        ) from None
+            f"it is no bag that can be read to its end: its {size} bytes are cut off, damaged, or of another "
+            "format. Copy or record it again"
+        ) from error
 
 
 def _rows_of_messages(bag: Any, store: Any) -> Iterator[list[Any]]:
@@ -173,8 +175,8 @@ def _rows_of_messages(bag: Any, store: Any) -> Iterator[list[Any]]:
         topics = ", ".join(sorted(types)) or "none"
         raise RecordingError(
             f"it has the topics {topics}; a bag of an instrumented object has {LAYOUT} and {FRAMES} "
-            "(`instobj docs recordings`). Export the topic with the counts as CSV, and give that to "
-            "`instobj adopt`"
+            "(`instobj docs recordings`). Export the topic with the counts as a CSV of one column a channel "
+            "and give that in the bag's place"
         )
     width = None
     for connection, _, data in bag.messages():
