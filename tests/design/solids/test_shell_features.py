@@ -126,7 +126,7 @@ def test_a_bay_widens_the_cavity():
         ({"shell": {"seal_layer_mm": 2.1}}, "sticking out of the first pour"),
         ({"core": {"wire_channel_width_mm": 1, "wire_channel_depth_mm": 5}}, "below core.wall_mm"),
         ({"core": {"bay_mm": [21, 10, 10]}}, "21 mm in x"),
-        ({"printer": {"name": "laser"}}, "not built in"),
+        ({"printer": {"name": "laser"}}, "not in the catalogue"),
     ],
 )
 def test_what_does_not_fit_is_refused(content, message):
