@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.triangles import Block
-from design.layout.blocks import core_keys, relief_slits, slit_end_mm
+from design.layout.blocks import SUNK_MM, core_keys, relief_slits, slit_end_mm
 from design.layout.boards import bay_block, cuts_of_core, gap_mm, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.pockets import axis_in_object_mm, shell_pockets
@@ -69,7 +69,8 @@ def _check_blocks(spec: ObjectSpec) -> Iterator[str]:
         (f"core.keys: key {index % count + 1} of face {spec.body.sensed[index // count]}", key)
         for index, key in enumerate(core_keys(spec))
     ]
-    for (label, key), (other_label, other_key) in combinations(placed, 2):
+    above = [(label, _without_root(key)) for label, key in placed]
+    for (label, key), (other_label, other_key) in combinations(above, 2):
         if gap_mm(key, other_key) <= 0:
             yield f"{label} meets {other_label.removeprefix('core.keys: ')}. Move one of them"
     cuts = cuts_of_core(spec)
@@ -81,6 +82,12 @@ def _check_blocks(spec: ObjectSpec) -> Iterator[str]:
             )
         yield from check_passages(spec, label, key)
         yield from _check_pockets(spec, label, key)
+
+
+def _without_root(key: Block) -> Block:
+    """A key without the end that lies in the core, where keys of two faces may meet."""
+    up = key.axes[:, 2] * SUNK_MM / 2
+    return Block(key.centre_mm + up, key.axes, key.half_mm - np.array([0.0, 0.0, SUNK_MM / 2]))
 
 
 def check_passages(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:

@@ -62,6 +62,13 @@ def test_keys_must_not_touch_each_other_nor_what_is_cut_into_the_core(given):
     assert text.startswith("core.keys: key 1 of face 1 meets key 1 of face 2")
 
 
+def test_keys_of_two_faces_may_meet_within_the_core():
+    """Near an edge their roots do, 0.5 mm below either face, and what stands above the core does not."""
+    keys = {"positions_mm": [[-11.5, 11.0]], "size_mm": [2.0, 3.0], "height_mm": 1.5}
+    spec = ObjectSpec.model_validate({"name": "x", "core": {"keys": keys}})
+    assert not told(check_keys, "meets key", spec)
+
+
 def test_keys_stand_beside_wire_holes(given):
     """Holes of Ø4 at most, hub of Ø4: along the axes of top and sides."""
     for away, over in ((2.99, True), (3.01, False)):
