@@ -1,4 +1,4 @@
-"""Tables of what can be bought, in TOML files beside this one, and look-ups in them by name."""
+"""Tables of what can be bought, in the TOML files of this folder, and look-ups in them by name."""
 
 from __future__ import annotations
 
