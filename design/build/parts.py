@@ -8,13 +8,13 @@ from functools import partial
 from typing import TYPE_CHECKING, Literal
 
 from design.layout.body import body_of, face_frames
+from design.layout.core_hold import has_mould
 from design.layout.mould.frame import mould_frame, mould_style, opening_of
 from design.layout.mould.pins import loose_pins, pin_kinds
 from design.mould.halves import make_mould_half, make_seal_half
 from design.mould.one_piece import make_mould_box, make_seal_mould
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder, make_mould_plug
-from design.mould.whole import has_mould
 from design.solids.booleans import TRIANGLES, exact_or_triangles
 from design.solids.core import make_core
 from design.solids.curved_template import curved_template_faces, make_curved_template

@@ -1,20 +1,16 @@
 """I²C parts: how Hall sensors are addressed, the multiplexer, and the boards that read them.
 
-Sources. TMAG5273: Texas Instruments SLYS045 (addresses by order code, the register that changes the
-address until power is lost, 1.7 to 3.6 V, 2.3 mA, start-up 270 µs). MLX90393: Melexis 3901090393 (two
-address pins; 2.2 to 3.6 V, 3 mA in burst mode). TLE493D-W2B6: registers, addresses and rates as in Infineon's
-own driver (XENSIV 3D magnetic sensor library, generation 2); its current is an estimate: 3.4 mA for a
-quarter of the time. TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by
-three pins, eight channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
+Sources: bus_chips.toml, boards.toml. TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by three pins, eight
+channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
 HX711: Avia Semiconductor's data sheet (±0.5 AVDD over the gain is full scale of 24 bits; ready by a low
 data line, 25 clock pulses for gain 128, 60 µs of a high clock power it down; 10 or 80 readings per second).
-Boards: Arduino A000067 (ATmega2560), Raspberry Pi SC0915 (RP2040) and their data sheets.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
+from design.catalogue.tables import read_table, row_named
 from design.errors import InputError
 
 
@@ -29,7 +25,7 @@ class BusChip:
     `read_bytes` go over the bus for one reading, addresses included. `driver` names the firmware's file.
     """
 
-    family: str
+    name: str
     addresses: tuple[tuple[str, int], ...]
     set_by: str
     movable: bool
@@ -46,54 +42,9 @@ class BusChip:
         return 1e-3 * (fixed + each * averaging)
 
 
-TMAG5273 = BusChip(
-    "TMAG5273",
-    (("A", 0x35), ("B", 0x22), ("C", 0x78), ("D", 0x44)),
-    "order code",
-    movable=True,
-    supply_ma=2.3,
-    power_up_ms=0.27,
-    conversion_us=(25.0, 100.0),
-    driver="tmag5273",
-    variant=1,
-)
-MLX90393 = BusChip(
-    "MLX90393",
-    (("A1 A0 = 0 0", 0x0C), ("A1 A0 = 0 1", 0x0D), ("A1 A0 = 1 0", 0x0E), ("A1 A0 = 1 1", 0x0F)),
-    "address pins",
-    movable=False,
-    supply_ma=3.0,
-    power_up_ms=1.5,
-    conversion_us=(14_830.0, 0.0),
-    driver="mlx90393",
-)
-"""Conversion at the settings that the firmware writes, OSR 2 and filter 4, whatever `averaging` says:
-67 + 64 · 2² · (2 + 2⁴) µs for each axis, 67 + 192 µs for temperature, 424 + 120 µs around them."""
-MLX90393_0X18 = replace(
-    MLX90393,
-    family="MLX90393-0x18",
-    addresses=tuple((pins, address + 0x0C) for pins, address in MLX90393.addresses),
-)
-"""Chip of order codes whose fixed address bits are others, as on boards at 0x18 to 0x1B."""
-
-TLE493D = BusChip(
-    "TLE493DW2B6A",
-    (("0", 0x35), ("1", 0x22), ("2", 0x78), ("3", 0x44)),
-    "order code",
-    movable=False,
-    supply_ma=1.0,
-    power_up_ms=5.0,
-    conversion_us=(1500.0, 0.0),
-    driver="tle493d",
-    read_bytes=21,
-)
-"""Converts 770 times a second by itself (low-power mode), whatever `averaging` says. Its register of
-addresses chooses among the same four as the order codes, so a chip that is started again would answer
-together with the one that kept the factory's address: it is not moved. All registers up to MOD1 are
-read, so that a chip that lost its settings is known."""
-
-_FAMILIES = (TMAG5273, MLX90393_0X18, MLX90393, TLE493D)
-"""The longer of two names that begin alike goes first."""
+BUS_CHIPS = read_table("bus_chips", BusChip)
+TMAG5273, MLX90393 = BUS_CHIPS["TMAG5273"], BUS_CHIPS["MLX90393"]
+TLE493D = BUS_CHIPS["TLE493DW2B6A"]
 SELECT_BYTES = 2
 """Address of a multiplexer and its channel mask."""
 
@@ -106,8 +57,8 @@ def bus_chip(part: str) -> BusChip:
     InputError
         The part has no I²C interface in the catalogue.
     """
-    for chip in _FAMILIES:
-        if part.startswith(chip.family):
+    for chip in BUS_CHIPS.values():
+        if part.startswith(chip.name):
             return chip
     raise InputError(
         f"sensors.part = {part!r} has no I²C bus in the catalogue, so no firmware can be written for it. "
@@ -118,7 +69,7 @@ def bus_chip(part: str) -> BusChip:
 def conversion_ms(part: str, averaging: int) -> float:
     """Time between two readings of a part; 0 of one without a bus in the catalogue, whose time is not
     known."""
-    is_catalogued = any(part.startswith(chip.family) for chip in _FAMILIES)
+    is_catalogued = any(part.startswith(chip.name) for chip in BUS_CHIPS.values())
     return bus_chip(part).conversion_ms(averaging) if is_catalogued else 0.0
 
 
@@ -177,41 +128,8 @@ class Board:
     load_line_us: float
 
 
-MEGA2560 = Board(
-    "mega2560",
-    "Arduino Mega 2560",
-    5.0,
-    (Bus("TWI", "D20", "D21"),),
-    tuple(f"D{n}" for n in (*range(22, 38), *range(42, 50))),
-    rail_ma=50.0,
-    outputs_ma=200.0,
-    bauds=(115_200, 250_000, 500_000, 1_000_000),
-    usb=False,
-    call_us=170.0,
-    byte_us=16.0,
-    load_pins=("D40", "D41", "D38", "D39", *(f"D{n}" for n in range(50, 54))),
-    analog_pins=tuple(f"A{n}" for n in range(8)),
-    adc=(5.0, 1024, 1.0),
-    load_line_us=600.0,
-)
-PICO = Board(
-    "pico",
-    "Raspberry Pi Pico (RP2040, MicroPython)",
-    3.3,
-    (Bus("I2C0", "GP4", "GP5"), Bus("I2C1", "GP6", "GP7")),
-    tuple(f"GP{n}" for n in (*range(8, 23), 26, 27, 28, 0, 1, 2, 3)),
-    rail_ma=300.0,
-    outputs_ma=50.0,
-    bauds=(115_200,),
-    usb=True,
-    call_us=150.0,
-    byte_us=15.0,
-    load_pins=("GP2", "GP3", *(f"GP{n}" for n in (0, 1, *range(8, 23), 26, 27, 28))),
-    analog_pins=("GP28", "GP27", "GP26"),
-    adc=(3.3, 65536, 0.6),
-    load_line_us=700.0,
-)
-BOARDS = {board.name: board for board in (MEGA2560, PICO)}
+BOARDS = read_table("boards", Board)
+MEGA2560, PICO = BOARDS["mega2560"], BOARDS["pico"]
 
 
 def board_named(name: str) -> Board:
@@ -222,6 +140,4 @@ def board_named(name: str) -> Board:
     InputError
         No such board.
     """
-    if name not in BOARDS:
-        raise InputError(f"no board is called {name!r}. Choose one of {', '.join(BOARDS)}")
-    return BOARDS[name]
+    return row_named(BOARDS, name, "board")

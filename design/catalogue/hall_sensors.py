@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from design.catalogue.tables import read_table, row_named
 from design.errors import InputError
 
 Triple = tuple[float, float, float]
@@ -71,58 +72,7 @@ class HallPart:
 
 
 GENERIC_PART = "generic"
-_TMAG5273_MEASURED = NoiseFigure(
-    (22.0, 22.0, 11.0), 820.0, 16, "measured on the public recordings, ±40 mT, 16× averaging"
-)
-
-
-def _tmag5273(letter: str, version: int) -> HallPart:
-    """Version 1 is the sensitive one; the letter names the I²C address. Only the A1 was measured."""
-    if version == 1:
-        measured = _TMAG5273_MEASURED if letter == "A" else None
-        ranges = (SensorRange(40.0, 820.0), SensorRange(80.0, 410.0))
-        noise_ut = (125.0, 125.0, 68.0)
-    else:
-        measured = None
-        ranges = (SensorRange(133.0, 250.0), SensorRange(266.0, 125.0))
-        noise_ut = (147.0, 147.0, 89.0)
-    name = f"TMAG5273{letter}{version}"
-    return HallPart(name, ranges, noise_ut, measured)
-
-
-_MLX90393_RANGES = (
-    SensorRange(4.9, 1e3 / 0.150),
-    SensorRange(9.8, 1e3 / 0.300),
-    SensorRange(24.6, 1e3 / 0.751),
-    SensorRange(49.2, 1e3 / 1.502),
-)
-HALL_PARTS = {
-    part.name: part
-    for part in (
-        _tmag5273("A", 1),
-        _tmag5273("A", 2),
-        HallPart("MLX90393", _MLX90393_RANGES),
-        HallPart("MLX90393-0x18", _MLX90393_RANGES),
-        *(_tmag5273(letter, version) for letter in "BCD" for version in (1, 2)),
-        *(
-            HallPart(f"TLE493DW2B6A{k}", (SensorRange(80.0, 15.4), SensorRange(160.0, 7.7)))
-            for k in range(4)
-        ),
-        HallPart(GENERIC_PART),
-    )
-}
-"""TMAG5273: Texas Instruments SLYS045, sections 5.7 and 5.8 (sensitivity; noise at 25 °C, one
-conversion, low-power mode; that of 32 conversions, 22 and 11 µT, follows 1/√n). Its noise is the
-Hall elements', so in µT it is taken as the same in both ranges of a part. Update rates of three axes
-(the family's table of update rates: 10, 5.7, 3.1, 1.6, 0.8, 0.4 kHz at 1 to 32 conversions) are
-those of 25 µs and three axes of 25 µs each a conversion.
-MLX90393: Melexis 3901090393, sensitivity of X and Y at HALLCONF 0xC, resolution setting 0 with
-gains 7, 4 and 0 (and setting 1 with gain 0); its Z steps are 1.6 times as wide and are taken as
-rescaled to the counts of X and Y. Its noise and conversion time depend on filter and oversampling,
-which `averaging` does not name, and are not listed.
-TLE493D-W2B6: 12 bits, 7.7 counts/mT, twice that in its short range (Infineon's own driver); ±160 mT,
-and taken as half in the short range. Its noise is not listed: give what you measured.
-"""
+HALL_PARTS = read_table("hall_sensors", HallPart)
 _COARSE_COUNTS_PER_MT = 100.0
 """Parts with fewer are too coarse for small presses to be proposed for a wider range."""
 
@@ -135,12 +85,9 @@ def hall_part(name: str) -> HallPart:
     InputError
         No such part.
     """
-    if name not in HALL_PARTS:
-        raise InputError(
-            f"sensors.part = {name!r} is not a known part. Choose one of {', '.join(HALL_PARTS)}; "
-            f"{GENERIC_PART!r} takes sensors.range_mt, counts_per_mt and noise_counts as you give them"
-        )
-    return HALL_PARTS[name]
+    figures = "sensors.range_mt, counts_per_mt and noise_counts"
+    otherwise = f"; {GENERIC_PART!r} takes {figures} as you give them"
+    return row_named(HALL_PARTS, name, "sensors.part", otherwise)
 
 
 def wider_range(

@@ -1,7 +1,6 @@
 """Magnets and magnet grades as sold: `magnets.part` and `magnets.grade` take their figures from here.
 
-The catalogued parts stand with their seller's number. Names like D6x1 are sizes in which many
-sellers stock sintered NdFeB and say nothing of the grade. All figures are typical: a delivered magnet may lie
+All figures are typical: a delivered magnet may lie
 anywhere in its grade's range, and makers' ranges differ by 0.01 to 0.02 T among themselves.
 """
 
@@ -10,9 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from design.errors import InputError
+from design.catalogue.tables import read_table, row_named
 
 MagnetShape = Literal["disk", "ring", "block"]
+
+
+STOCK = "stock size of many sellers"
 
 
 @dataclass(frozen=True)
@@ -26,8 +28,8 @@ class MagnetPart:
     shape: MagnetShape
     across_mm: tuple[float, ...]
     height_mm: float
-    grade: str | None
-    source: str
+    grade: str | None = None
+    source: str = STOCK
 
     def figures(self) -> dict[str, Any]:
         """Return what `[magnets]` takes from the part."""
@@ -40,44 +42,7 @@ class MagnetPart:
         return values
 
 
-STOCK = "stock size of many sellers"
-_DISKS = {
-    3.0: (1.0, 1.5, 2.0, 3.0),
-    4.0: (1.0, 1.5, 2.0, 3.0),
-    5.0: (1.0, 1.5, 2.0, 3.0),
-    6.0: (1.0, 1.5, 2.0, 3.0),
-    8.0: (1.0, 2.0, 3.0),
-    10.0: (1.0, 2.0, 3.0),
-    15.0: (3.0, 5.0),
-    20.0: (3.0, 5.0),
-}
-
-MAGNET_PARTS = {
-    part.name: part
-    for part in (
-        *(
-            MagnetPart(f"D{diameter:g}x{height:g}", "disk", (diameter,), height, None, STOCK)
-            for diameter, heights in _DISKS.items()
-            for height in heights
-        ),
-        *(
-            MagnetPart(f"R{outer:g}x{inner:g}x{height:g}", "ring", (outer, inner), height, None, STOCK)
-            for outer, inner, height in ((6.0, 2.0, 2.0), (8.0, 4.0, 2.0), (10.0, 4.0, 2.0))
-        ),
-        *(
-            MagnetPart(f"B{x:g}x{y:g}x{height:g}", "block", (x, y), height, None, STOCK)
-            for x, y, height in ((5.0, 5.0, 1.0), (5.0, 5.0, 2.0), (5.0, 5.0, 5.0), (8.0, 4.0, 2.0))
-        ),
-        MagnetPart("MP 12x5x2 / N38", "ring", (12.0, 5.0), 2.0, "N38", "Dhit, catalogue no. 030498"),
-        MagnetPart("MP 20x5x5 / N38", "ring", (20.0, 5.0), 5.0, "N38", "Dhit, catalogue no. 030186"),
-        MagnetPart("MP 20x10x5 / N38", "ring", (20.0, 10.0), 5.0, "N38", "Dhit, catalogue no. 030184"),
-        MagnetPart(
-            "MPL 10x5x1.5 / N38", "block", (10.0, 5.0), 1.5, "N38", "Dhit, catalogue no. 020114"
-        ),
-        MagnetPart("MPL 20x5x3 / N38", "block", (20.0, 5.0), 3.0, "N38", "Dhit, catalogue no. 020131"),
-    )
-}  # fmt: skip
-"""The paper's cube uses D6x1. Sellers state ±0.1 mm on every dimension."""
+MAGNET_PARTS = read_table("magnets", MagnetPart)
 
 
 def magnet_part(name: str) -> MagnetPart:
@@ -88,12 +53,8 @@ def magnet_part(name: str) -> MagnetPart:
     InputError
         No such part.
     """
-    if name not in MAGNET_PARTS:
-        raise InputError(
-            f"magnets.part = {name!r} is not a known part. Choose one of {', '.join(MAGNET_PARTS)}, "
-            "or leave it out and give magnets.shape and its dimensions"
-        )
-    return MAGNET_PARTS[name]
+    otherwise = ", or leave it out and give magnets.shape and its dimensions"
+    return row_named(MAGNET_PARTS, name, "magnets.part", otherwise)
 
 
 REFERENCE_TEMPERATURE_C = 20.0
@@ -119,21 +80,7 @@ class MagnetGrade:
         return self.remanence_min_t <= remanence_t <= self.remanence_max_t
 
 
-GRADES = {
-    grade.name: grade
-    for grade in (
-        MagnetGrade("N35", 1.17, 1.20, 1.23),
-        MagnetGrade("N38", 1.22, 1.24, 1.26),
-        MagnetGrade("N40", 1.25, 1.27, 1.29),
-        MagnetGrade("N42", 1.28, 1.31, 1.33),
-        MagnetGrade("N45", 1.32, 1.35, 1.38),
-        MagnetGrade("N48", 1.37, 1.40, 1.42),
-        MagnetGrade("N50", 1.40, 1.43, 1.46),
-        MagnetGrade("N52", 1.42, 1.45, 1.48),
-    )
-}
-"""Standard (80 °C) grades. Ranges span the tables of several makers and sellers (Magnet Expert,
-Dura Magnetics, K&J Magnetics, Shanghai Magnet); Dura states 60 °C for N50 and N52."""
+GRADES = read_table("grades", MagnetGrade)
 
 
 def magnet_grade(name: str) -> MagnetGrade:
@@ -144,12 +91,8 @@ def magnet_grade(name: str) -> MagnetGrade:
     InputError
         No such grade.
     """
-    if name not in GRADES:
-        raise InputError(
-            f"magnets.grade = {name!r} is not a known grade. Choose one of {', '.join(GRADES)}, or "
-            "leave it out and give magnets.remanence_t"
-        )
-    return GRADES[name]
+    otherwise = ", or leave it out and give magnets.remanence_t"
+    return row_named(GRADES, name, "magnets.grade", otherwise)
 
 
 def typical_grade(remanence_t: float) -> str | None:

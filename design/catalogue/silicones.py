@@ -2,10 +2,6 @@
 
 Moduli of silicones scatter by a factor of two between sources: batches, mixing, hardness readings,
 speed and size of the strain all enter. So every figure here is an interval with a likely value.
-
-Sources of the presets: tensile tests to ASTM D412 by Marechal et al. (Soft Robotics 8 (2021) 284,
-their public database), the makers' 100 % moduli (Smooth-On, technical bulletins), and the Shore
-relations below. A stress σ at 100 % strain is read as neo-Hookean, E = 12/7 σ.
 """
 
 from __future__ import annotations
@@ -14,6 +10,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
+from design.catalogue.tables import read_table, row_named
 from design.errors import InputError
 
 _INCOMPRESSIBLE = 0.4999
@@ -44,9 +41,9 @@ class Casting:
 
     cure: Literal["platinum", "tin", "none"]
     mix_ratio: tuple[float, float]
-    pot_life_min: float | None
-    cure_h: float | None
     elongation_percent: float
+    pot_life_min: float | None = None
+    cure_h: float | None = None
 
 
 @dataclass(frozen=True)
@@ -60,65 +57,7 @@ class Silicone:
     casting: Casting | None = None
 
 
-_TENSILE = "tensile tests (Marechal et al. 2021) and the maker's 100 % modulus, read as neo-Hookean"
-
-SILICONES = {
-    silicone.name: silicone
-    for silicone in (
-        Silicone(
-            "Platsil Gel-10",
-            ModulusEstimate(
-                0.414,
-                0.15,
-                0.54,
-                "Gent's relation at Shore A10; tensile tests (Marechal et al. 2021) give 0.15 to 0.25 "
-                "MPa, the public recordings 0.23 to 0.28",
-            ),
-            1.07,
-            casting=Casting("platinum", (1.0, 1.0), 6.0, 0.5, 970.0),
-        ),
-        Silicone(
-            "Ecoflex 00-30",
-            ModulusEstimate(0.078, 0.043, 0.12, _TENSILE),
-            1.07,
-            casting=Casting("platinum", (1.0, 1.0), 45.0, 4.0, 900.0),
-        ),
-        Silicone(
-            "Dragon Skin 10",
-            ModulusEstimate(0.22, 0.12, 0.42, _TENSILE),
-            1.07,
-            casting=Casting("platinum", (1.0, 1.0), 20.0, 5.0, 1000.0),
-        ),
-        Silicone(
-            "Dragon Skin 20",
-            ModulusEstimate(0.56, 0.33, 0.74, _TENSILE),
-            1.08,
-            casting=Casting("platinum", (1.0, 1.0), 25.0, 4.0, 620.0),
-        ),
-        Silicone(
-            "Dragon Skin 30",
-            ModulusEstimate(0.87, 0.50, 1.15, _TENSILE),
-            1.08,
-            casting=Casting("platinum", (1.0, 1.0), 45.0, 16.0, 364.0),
-        ),
-        Silicone(
-            "TPU 85A",
-            ModulusEstimate(
-                12.0,
-                7.0,
-                17.0,
-                "100 % modulus of 7 MPa in makers' tables read as neo-Hookean; from that as a secant "
-                "to Gent's relation at A85",
-            ),
-            1.18,
-            0.48,
-            Casting("none", (1.0, 0.0), None, None, 600.0),
-        ),
-    )
-}
-"""Lower ends are the initial modulus of Yeoh's or Ogden's solid fitted to the tests up to 100 %
-strain (by crosshead, which reads too soft), upper ends Gent's relation at the nominal hardness
-(Ecoflex: the maker's 100 % modulus). TPU is no silicone, but printed skins use it."""
+SILICONES = read_table("silicones", Silicone)
 
 
 def silicone_preset(name: str) -> Silicone:
@@ -129,12 +68,8 @@ def silicone_preset(name: str) -> Silicone:
     InputError
         No such preset.
     """
-    if name not in SILICONES:
-        raise InputError(
-            f"silicone.name = {name!r} is not in the catalogue ({', '.join(SILICONES)}). Choose one "
-            "of them, or give silicone.youngs_modulus_mpa or silicone.modulus_from"
-        )
-    return SILICONES[name]
+    otherwise = ", or give silicone.youngs_modulus_mpa or silicone.modulus_from"
+    return row_named(SILICONES, name, "silicone.name", otherwise)
 
 
 def modulus_from_shore(reading: str) -> ModulusEstimate:

@@ -15,10 +15,9 @@ from design.fit.seam import better_azimuth
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import all_wire_channels, wire_holes
 from design.layout.body import face_frames
-from design.layout.core_hold import locators
+from design.layout.core_hold import has_mould, locators
 from design.layout.mould.frame import mould_style
 from design.layout.pockets import Pocket, shell_pockets
-from design.mould.whole import has_mould
 from design.spec.object import ObjectSpec
 
 if TYPE_CHECKING:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import combinations, product
+from itertools import combinations
 from math import ceil
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from design.layout.body import core_frames
 from design.layout.tips import tip_places_mm, tip_shape, tips_overlap
 
 if TYPE_CHECKING:
@@ -17,15 +16,12 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 Check = Callable[["ObjectSpec"], Iterator[str]]
-Place = tuple[float, float]
 
-_STEP_MM, _REACH_MM = 2.0, 8.0
-"""Step and reach of the lattice round a key on which another place is looked for."""
 _HALVINGS = 7
 _LEAST_BAY_MM = 1.5
 """Nothing goes into a smaller one."""
-_SMALLER = (0.7, 0.5, 0.35, 0.25)
-"""Factors by which keys shrink that fit nowhere near."""
+_LEAST_KEY_MM = 0.5
+"""Nothing holds on a smaller one."""
 
 
 def with_nearest(
@@ -70,63 +66,17 @@ def nearest_bay(spec: ObjectSpec, check: Check) -> str | None:
 
 
 def nearest_keys(spec: ObjectSpec, check: Check) -> str | None:
-    """Places near by, or smaller keys and their places."""
-    keys = spec.core.keys
-    if keys.height_mm >= spec.shell.thickness_mm:
-        return None
-    for share in (1.0, *_SMALLER):
-        size = tuple(round(share * edge, 1) for edge in keys.size_mm)
-        smaller = spec.changed(core=spec.core.changed(keys=keys.changed(size_mm=size)))
-        places = _nearest_places(smaller, check)
-        if places is not None:
-            sized = "" if share == 1 else f"size_mm = {list(size)} and "
-            return f"core.keys would fit with {sized}positions_mm = {[list(p) for p in places]}"
-    return None
+    """The largest keys of those proportions that work where they are."""
 
+    def changed(share: float) -> ObjectSpec:
+        keys = spec.core.keys
+        x, y = (max(round(share * edge - 0.05, 1), 0.1) for edge in keys.size_mm)
+        return spec.changed(core=spec.core.changed(keys=keys.changed(size_mm=(x, y))))
 
-def _nearest_places(spec: ObjectSpec, check: Check) -> list[Place] | None:
-    """For one key after the other, those before it being placed; None where one finds none."""
-    keys, placed = spec.core.keys, list[Place]()
-
-    def works(place: Place) -> bool:
-        changed = keys.changed(positions_mm=(*placed, place))
-        return _is_sound(spec.changed(core=spec.core.changed(keys=changed)), check)
-
-    for wanted in keys.positions_mm:
-        nearest = _nearest_place(spec, wanted, works)
-        if nearest is None:
-            return None
-        placed.append(nearest)
-    return placed
-
-
-def _nearest_place(spec: ObjectSpec, wanted: Place, works: Callable[[Place], bool]) -> Place | None:
-    if works(wanted):
-        return wanted
-    limit = np.min([frame.half_extents_mm for frame in core_frames(spec)], axis=0)
-    start = np.clip(wanted, -limit, limit)
-    steps = np.arange(-_REACH_MM, _REACH_MM + _STEP_MM / 2, _STEP_MM)
-    tried = sorted(
-        (start + step for step in product(steps, steps)), key=_distance_from(np.array(wanted))
-    )
-    tried = [place for place in tried if (abs(place) <= limit).all()]
-    nearest = next((place for place in tried if works(_rounded(place))), None)
-    if nearest is None:
-        return None
-    low, high = np.array(wanted, float), nearest
-    for _ in range(3):
-        middle = (low + high) / 2
-        low, high = (low, middle) if works(_rounded(middle)) else (middle, high)
-    return _rounded(high)
-
-
-def _distance_from(wanted: np.ndarray) -> Callable[[np.ndarray], float]:
-    return lambda place: float(np.linalg.norm(place - wanted))
-
-
-def _rounded(place: np.ndarray) -> Place:
-    x, y = np.round(place, 1) + 0.0
-    return float(x), float(y)
+    share = _largest_share(lambda share: _is_sound(changed(share), check))
+    size = list(changed(share).core.keys.size_mm)
+    has_keys = share and min(size) >= _LEAST_KEY_MM
+    return f"core.keys would fit with size_mm = {size}" if has_keys else None
 
 
 def _is_sound(spec: ObjectSpec, check: Check) -> bool:

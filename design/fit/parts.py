@@ -3,25 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
-from math import atan2, cos, floor, hypot, sin, sqrt
+from math import cos, floor, hypot, sin
 from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
 
-from design.body.triangles import Block
-from design.fit.curved_parts import check_curved_bay, check_curved_keys, check_curved_slits
+from design.fit.blocks import check_bay, check_keys, check_slits
 from design.fit.nearest import nearest_bay, nearest_keys, nearest_slits, with_nearest
-from design.layout.blocks import relief_slits, slit_end_mm
-from design.layout.boards import (
-    channel_heights_mm,
-    passage_radius_mm,
-)
-from design.layout.body import body_of, core_frames, face_frames
+from design.layout.boards import channel_heights_mm
+from design.layout.body import core_frames, face_frames
 from design.layout.dents import dents_mm
 from design.layout.places.positions import cover_mm, shell_covers_mm
-from design.layout.pockets import Pocket, sensor_places, shell_pockets, widest_mm
+from design.layout.pockets import sensor_places, shell_pockets, widest_mm
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -31,18 +25,17 @@ Corners = Float[np.ndarray, "corner 2"]
 
 def check_parts(spec: ObjectSpec) -> Iterator[str]:
     """Yield what of these does not fit."""
-    cuboid = body_of(spec).cuboid
     if spec.core.keys.positions_mm:
-        yield from with_nearest(spec, _check_keys if cuboid else check_curved_keys, nearest_keys)
+        yield from with_nearest(spec, check_keys, nearest_keys)
     if spec.shell.slits.depth_mm:
-        yield from with_nearest(spec, _check_slits if cuboid else check_curved_slits, nearest_slits)
+        yield from with_nearest(spec, check_slits, nearest_slits)
     if spec.shell.seal_layer_mm:
         yield from _check_seal_layer(spec)
     yield from _check_pocket_width(spec)
     yield from _check_dents(spec)
     yield from check_channels(spec)
     if spec.core.bay_mm is not None:
-        yield from with_nearest(spec, _check_bay if cuboid else check_curved_bay, nearest_bay)
+        yield from with_nearest(spec, check_bay, nearest_bay)
 
 
 def check_mesh(spec: ObjectSpec) -> Iterator[str]:
@@ -61,27 +54,6 @@ def check_mesh(spec: ObjectSpec) -> Iterator[str]:
                 f"mesh.{key} = {getattr(mesh, key):g} is more than {what}, {most:g} mm. Make it smaller; "
                 f"by default it is {type(mesh).model_fields[key].default:g}"
             )
-
-
-def _check_keys(spec: ObjectSpec) -> Iterator[str]:
-    keys = spec.core.keys
-    if spec.mechanics.interface != "bonded":
-        yield (
-            "core.keys lock the shell, so that it cannot slide on a frictionless core. Set "
-            'mechanics.interface = "bonded", or leave the keys out'
-        )
-    half = [edge / 2 - spec.shell.thickness_mm for edge in _smallest_face_mm(spec)]
-    for index, (x, y) in enumerate(keys.positions_mm):
-        where = f"core.keys.positions_mm[{index}] = ({x:g}, {y:g})"
-        width, length = keys.size_mm
-        if abs(x) + width / 2 > half[0] or abs(y) + length / 2 > half[1]:
-            yield (
-                f"{where} reaches past the core's face (±{half[0]:g}, ±{half[1]:g} mm). Move it "
-                "inwards or make core.keys.size_mm smaller"
-            )
-        key = rectangle((x, y), (width / 2, length / 2), 0.0)
-        yield from _check_key_clear_of_core(spec, where, key)
-        yield from _check_key_below_pockets(spec, where, key)
 
 
 def _check_pocket_width(spec: ObjectSpec) -> Iterator[str]:
@@ -122,88 +94,6 @@ def _check_dents(spec: ObjectSpec) -> Iterator[str]:
                     f"which there are {cover:.3g} mm of silicone. Make dent_mm (as_built) "
                     f"smaller than {floor(1e3 * cover) / 1e3:g}"
                 )
-
-
-def _check_key_clear_of_core(spec: ObjectSpec, where: str, key: Corners) -> Iterator[str]:
-    for face, openings in zip(spec.body.sensed, core_openings(spec), strict=True):
-        for name, corners in openings:
-            if overlap(key, corners):
-                yield (
-                    f"{where} stands over {name} of face {face}. Move it, or make "
-                    "core.keys.size_mm smaller"
-                )
-    others = [rectangle(p, _half(spec.core.keys.size_mm), 0.0) for p in spec.core.keys.positions_mm]
-    if sum(overlap(key, other_key) for other_key in others) > 1:
-        yield f"{where} meets another key. Move one of them"
-
-
-def core_openings(spec: ObjectSpec) -> list[list[tuple[str, Corners]]]:
-    """Outlines of recesses, channels and wire hole on every face of the core."""
-    core = spec.core
-    middle = passage_radius_mm(spec)
-    hub = ("the wire hole", rectangle((0.0, 0.0), (middle, middle), 0.0))
-    faces = []
-    for places in sensor_places(spec):
-        openings: list[tuple[str, Corners]] = [hub]
-        for x, y, azimuth in places if spec.arrangement == "sensors-in-core" else ():
-            openings.append(("a sensor's recess", recess_outline(spec, x, y, azimuth)))
-            if core.wire_channel_width_mm:
-                reach = (0.0, hypot(x, y))
-                channel = _radial(atan2(y, x), reach, core.wire_channel_width_mm)
-                openings.append(("a wire channel", channel))
-        faces.append(openings)
-    return faces
-
-
-def _check_key_below_pockets(spec: ObjectSpec, where: str, key: Corners) -> Iterator[str]:
-    room = spec.shell.thickness_mm - spec.core.keys.height_mm
-    for face in shell_pockets(spec):
-        for pocket in face:
-            below = [end[:2] for end in pocket.axis_ends_mm]
-            near = any(distance_mm(key, xy) < pocket.outline.radius_mm for xy in below)
-            if -pocket.lowest_mm >= (room if near else spec.shell.thickness_mm):
-                yield (
-                    f"{where} reaches {spec.core.keys.height_mm:g} mm up, into the pocket of "
-                    f"{pocket.body.label}. Lower core.keys.height_mm, or move the key"
-                )
-    if room <= 0:
-        yield (
-            f"core.keys.height_mm must be below shell.thickness_mm = {spec.shell.thickness_mm:g}; got "
-            f"{spec.core.keys.height_mm:g}. Lower it"
-        )
-
-
-def _check_slits(spec: ObjectSpec) -> Iterator[str]:
-    slits, thickness = spec.shell.slits, spec.shell.thickness_mm
-    if slits.depth_mm + slits.width_mm / 2 >= sqrt(2) * thickness:
-        yield (
-            f"shell.slits.depth_mm = {slits.depth_mm:g} reaches the core, {sqrt(2) * thickness:.3g} mm "
-            "below the edge. Make the slits shallower or the shell thicker"
-        )
-    if 2 * slit_end_mm(spec) >= min(spec.body.size_mm):
-        yield (
-            f"shell.slits end {slit_end_mm(spec):.3g} mm before the corners, which leaves no slit along "
-            f"an edge of {min(spec.body.size_mm):g} mm. Leave shell.slits.depth_mm out"
-        )
-    for frame, face in zip(face_frames(spec), shell_pockets(spec), strict=True):
-        for pocket, slit in product(face, relief_slits(spec)):
-            if _slit_meets(slit, np.asarray(frame.to_object(_along(pocket))), pocket):
-                yield (
-                    f"the pocket of {pocket.body.label} meets a relief slit. Move the magnet inwards "
-                    "or make shell.slits.depth_mm smaller"
-                )
-
-
-def _along(pocket: Pocket) -> Float[np.ndarray, "n 3"]:
-    floor, mouth = pocket.axis_ends_mm
-    return floor + np.linspace(0, 1, 25)[:, None] * (mouth - floor)
-
-
-def _slit_meets(slit: Block, axis_mm: np.ndarray, pocket: Pocket) -> bool:
-    """Return whether a slit comes within a pocket's radius of its axis, in steps of an eighth of its
-    depth."""
-    local = abs((axis_mm - slit.centre_mm) @ slit.axes) - slit.half_mm
-    return bool((np.linalg.norm(local.clip(min=0), axis=1) <= pocket.outline.radius_mm).any())
 
 
 def _check_seal_layer(spec: ObjectSpec) -> Iterator[str]:
@@ -248,29 +138,6 @@ def recess_outline(spec: ObjectSpec, x: float, y: float, azimuth: float) -> Corn
     return _radial(azimuth, radii, core.recess_width_mm)
 
 
-def _check_bay(spec: ObjectSpec) -> Iterator[str]:
-    core, size = spec.core, spec.core_size_mm
-    assert core.bay_mm is not None
-    deepest = core.recess_depth_mm
-    limits = (size[0] - 2 * deepest, size[1] - 2 * deepest, size[2] - deepest)
-    for axis, edge, limit in zip("xyz", core.bay_mm, limits, strict=True):
-        if edge >= limit:
-            yield (
-                f"core.bay_mm is {edge:g} mm in {axis}; the core leaves less than {limit:g} mm behind "
-                "its recesses. Make the bay smaller or the body larger"
-            )
-
-
-def _smallest_face_mm(spec: ObjectSpec) -> tuple[float, float]:
-    """Smallest extent along x, and along y, of the sensed faces in their own frames."""
-    extents = np.array([frame.half_extents_mm for frame in face_frames(spec)]).min(axis=0)
-    return float(2 * extents[0]), float(2 * extents[1])
-
-
-def _half(size: tuple[float, float]) -> tuple[float, float]:
-    return size[0] / 2, size[1] / 2
-
-
 def rectangle(centre: tuple[float, float], half: tuple[float, float], azimuth: float) -> Corners:
     turn = np.array([[cos(azimuth), -sin(azimuth)], [sin(azimuth), cos(azimuth)]])
     corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * np.asarray(half)
@@ -282,17 +149,6 @@ def _radial(azimuth: float, radii: tuple[float, float], width: float) -> Corners
     middle = (radii[0] + radii[1]) / 2
     centre = (middle * cos(azimuth), middle * sin(azimuth))
     return rectangle(centre, ((radii[1] - radii[0]) / 2, width / 2), azimuth)
-
-
-def overlap(a: Corners, b: Corners) -> bool:
-    """Return whether two convex polygons (corners counter-clockwise) overlap: no edge separates them."""
-    for polygon, other_polygon in ((a, b), (b, a)):
-        edge = np.roll(polygon, -1, axis=0) - polygon
-        outward = np.column_stack([edge[:, 1], -edge[:, 0]])
-        heights = (other_polygon[None] - polygon[:, None]) @ outward[:, :, None]
-        if (heights[..., 0].min(axis=1) >= -1e-9).any():
-            return False
-    return True
 
 
 def distance_mm(polygon: Corners, point: Float[np.ndarray, "2"]) -> float:

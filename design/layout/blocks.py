@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from design.spec.object import ObjectSpec
 
-_SUNK_MM = 0.5
+SUNK_MM = 0.5
 """Depth to which a key reaches into the core below its surface, so that both join."""
 _SINKING_STEPS = 4
 """Rounds in which a key on a curved core is sunk until its corners are inside."""
@@ -45,7 +45,7 @@ def core_keys(spec: ObjectSpec) -> tuple[Block, ...]:
 def _key(spec: ObjectSpec, frame: FaceFrame, xy_mm: np.ndarray) -> Block:
     keys, tangent = spec.core.keys, frame.tangent(xy_mm)
     sunk = 0.0 if frame.flat else _sunk_mm(spec, tangent, xy_mm)
-    sunk += _SUNK_MM
+    sunk += SUNK_MM
     half = np.array([*(edge / 2 for edge in keys.size_mm), (keys.height_mm + sunk) / 2])
     centre = tangent.to_object(np.append(xy_mm, (keys.height_mm - sunk) / 2))
     return Block(centre, tangent.axes, half)

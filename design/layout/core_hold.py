@@ -145,6 +145,11 @@ def _locator_in_socket(socket: Socket) -> Locator:
     return Locator(socket.frame, socket.radius_mm, socket.depth_mm, socket.length_mm, socket=socket)
 
 
+def has_mould(spec: ObjectSpec) -> bool:
+    """Return whether a mould can be made for the body."""
+    return why_no_mould(spec) is None
+
+
 def why_no_mould(spec: ObjectSpec) -> str | None:
     """Return what keeps the object from being cast in a mould of ours; None where nothing does."""
     if opening_of(spec) == "closed" and not locators(spec) and spec.shell.seal_layer_mm:

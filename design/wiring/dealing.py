@@ -69,7 +69,7 @@ def bare_chips(spec: ObjectSpec, lead_mm: float) -> list[ChipOnBus]:
 
 
 def _specified_address(part: str, chip: BusChip) -> tuple[str, int]:
-    letter = part[len(chip.family) : len(part) - chip.variant]
+    letter = part[len(chip.name) : len(part) - chip.variant]
     return next((pair for pair in chip.addresses if pair[0] == letter), chip.addresses[0])
 
 
@@ -78,7 +78,7 @@ def _with_address(chip: ChipOnBus, family: BusChip, index: int) -> ChipOnBus:
     set_by, address = family.addresses[index]
     by_code = family.set_by == "order code"
     variant = chip.part[len(chip.part) - family.variant :]
-    part = f"{family.family}{set_by}{variant}" if by_code else chip.part
+    part = f"{family.name}{set_by}{variant}" if by_code else chip.part
     return replace(chip, part=part, set_by=set_by, factory=address, address=address)
 
 
@@ -95,7 +95,7 @@ def _deal_factory(
     room = len(family.addresses)
     if len(chips) > room * buses:
         raise CannotError(
-            f"{len(chips)} chips, but {family.family} has {room} addresses by {family.set_by} and the "
+            f"{len(chips)} chips, but {family.name} has {room} addresses by {family.set_by} and the "
             f"board {buses} {'bus' if buses == 1 else 'buses'}"
         )
     return tuple(
@@ -109,7 +109,7 @@ def _deal_started(
     chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
 ) -> tuple[ChipOnBus, ...]:
     if not family.movable:
-        raise CannotError(f"the address of {family.family} cannot be changed while it runs")
+        raise CannotError(f"the address of {family.name} cannot be changed while it runs")
     outputs = board.outputs
     if len(chips) > len(outputs):
         raise CannotError(

@@ -209,10 +209,6 @@ class BodyKind(ABC):
         """The outside less a layer that a second pour adds, where faces are `sensed` or all over."""
         return self.less(layer_mm).outer_surface()
 
-    def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
-        """`volume_mm3` without that layer."""
-        return self.less(layer_mm).volume_mm3()
-
     @property
     def support_ends(self) -> list[tuple[Float[np.ndarray, "3"], float]]:
         """Planes in which a core with straight walls ends: normal towards the open face, level in mm."""

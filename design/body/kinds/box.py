@@ -60,10 +60,6 @@ class Box(BodyKind):
     def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
         return box_between(*self.cast_corners_mm(layer_mm, sensed))
 
-    def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
-        low, high = self.cast_corners_mm(layer_mm, sensed)
-        return self.volume_mm3() - prod(self.size_mm) + float(np.prod(high - low))
-
     def end_slabs(self, width_mm: float) -> list[trimesh.Trimesh]:
         return [self._end_slab(normal, width_mm) for normal, _ in self.support_ends]
 

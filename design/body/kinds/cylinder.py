@@ -80,11 +80,6 @@ class Cylinder(BodyKind):
     def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
         return self._about_z(*self.cast_measures_mm(layer_mm, sensed))
 
-    def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
-        radius, low, high = self.cast_measures_mm(layer_mm, sensed)
-        solid = pi * self.radius_mm**2 * self.size_mm[2]
-        return self.volume_mm3() - solid + pi * radius**2 * (high - low)
-
     def end_slabs(self, width_mm: float) -> list[trimesh.Trimesh]:
         return [self._end_slab(normal, width_mm) for normal, _ in self.support_ends]
 

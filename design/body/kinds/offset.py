@@ -40,10 +40,6 @@ class OffsetBody(BodyKind):
             return self.outer_surface()
         return sampled_core(replace(self, thickness_mm=layer_mm))
 
-    def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
-        cast = self.cast_surface(layer_mm, sensed)
-        return float(cast.difference(self.with_bore(self.core_surface())).volume)
-
     def volume_mm3(self) -> float:
         """That of the triangles."""
         silicone = self.outer_surface().difference(self.with_bore(self.core_surface()))

@@ -61,10 +61,6 @@ class Pad(BodyKind):
     def cast_surface(self, layer_mm: float, sensed: tuple[int, ...]) -> trimesh.Trimesh:
         return box_between(*self.cast_corners_mm(layer_mm, sensed))
 
-    def cast_volume_mm3(self, layer_mm: float, sensed: tuple[int, ...]) -> float:
-        low, high = self.cast_corners_mm(layer_mm, sensed)
-        return float(np.prod(high - low))
-
     def core_surface(self) -> None:
         return None
 

@@ -44,9 +44,9 @@ def make_sheet(context: StageContext, folder: Path) -> None:
     from design.build.order_list import order_list, write_orders
     from design.catalogue.bus_parts import MEGA2560
     from design.files import atomic_path
+    from design.layout.core_hold import has_mould
     from design.layout.mould.frame import mould_style
     from design.layout.mould.pins import loose_pins, pins_by_kind
-    from design.mould.whole import has_mould
     from design.wiring.bus_plan import plan_or_none
     from instobj.render.demoulding import draw_demoulding
     from instobj.render.exploded_view import draw_exploded

@@ -4,6 +4,7 @@ import numpy as np
 
 from design.layout.body import body_of
 from design.layout.mould.frame import mould_frame
+from tests.support.objects.shell_volume import cast_volume_mm3
 from tests.support.objects.worked_objects import OBJECTS, worked
 from tests.support.physics_pages import assert_page
 
@@ -18,7 +19,7 @@ def size_models(name):
     sizes = [body.volume_mm3(), outer.volume, outer.area, *np.ravel(body.passage_mm(axes))]
     sizes += [*less.size_mm, sum(slab.volume for slab in body.end_slabs(1.3))]
     if not body.sampled:
-        sizes.append(body.cast_volume_mm3(0.6, spec.body.sensed[:2]))
+        sizes.append(cast_volume_mm3(body, 0.6, spec.body.sensed[:2]))
     yield f"{name}: body, outside (mm³), area (mm²), passage, less 0.7 mm, ends, cast", sizes
 
 

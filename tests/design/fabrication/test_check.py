@@ -307,7 +307,7 @@ def test_a_printers_profile_is_a_file_that_users_edit(tmp_path):
     printer = load_spec(spec).printer
     assert (printer.name, printer.process, printer.wall_mm) == ("resin", "resin", 0.7)
     profile.write_text("wall_mm = 0.7\n")
-    with pytest.raises(InputError, match="'bench' is not built in"):
+    with pytest.raises(InputError, match="'bench' is not in the catalogue"):
         load_spec(spec)
     figures = parsed().printer.model_dump(exclude={"name"})
     lines = [f"{key} = {json.dumps(value)}" for key, value in figures.items()]

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from design.fit.everything import problems_of
-from design.fit.parts import core_openings, distance_mm, overlap, recess_outline
+from design.fit.parts import distance_mm, recess_outline
 from design.spec.object import ObjectSpec
 from design.spec_io import with_overrides
 
@@ -76,18 +76,18 @@ cuboid tip: indenter.size_mm | [10.0, 42.0] | [10.0, 42.01] | larger than the fa
 two tips: indenter.tip_spacing_mm | 10.0 | 9.99 | makes the tips overlap
 cube: contact_grid.count | [14, 4] | [15, 4] | count\\[0\\] × pitch_mm, half a pitch
 cube: contact_grid.count | [4, 14] | [4, 15] | count\\[1\\] × pitch_mm, half a pitch
-keys: core.keys.positions_mm | [[11.99, 0.0]] | [[12.01, 0.0]] | past the core's face
-keys: core.keys.positions_mm | [[0.0, 11.99]] | [[0.0, 12.01]] | past the core's face
+keys: core.keys.positions_mm | [[11.99, 0.0]] | [[12.01, 0.0]] | past the core's patch
+keys: core.keys.positions_mm | [[0.0, 11.99]] | [[0.0, 12.01]] | past the core's patch
 keys: core.keys.positions_mm | [[0.0, 3.01]] | [[0.0, 2.99]] | over the wire hole
-keys: core.keys.positions_mm | [[0, 12], [2.01, 12]] | [[0, 12], [1.99, 12]] | another key
+keys: core.keys.positions_mm | [[0, 12], [2.01, 12]] | [[0, 12], [1.99, 12]] | meets key 2
 keys: core.keys.height_mm | 7.99 | 8.0 | height_mm must be below shell
 key below a magnet: core.keys.height_mm | 4.99 | 5.0 | into the pocket
-slits: shell.slits.depth_mm | 10.81 | 10.82 | reaches the core
+slits: shell.slits.depth_mm | 9.89 | 9.9 | of silicone over the core
 slits: shell.slits.width_mm | 18.17 | 18.18 | leaves no slit
 channels: core.wire_channel_depth_mm | 4.49 | 4.5 | must be below core.wall_mm
-cube: core.bay_mm | [19.99, 9.0, 9.0] | [20.0, 9.0, 9.0] | 20 mm in x
-cube: core.bay_mm | [9.0, 19.99, 9.0] | [9.0, 20.0, 9.0] | 20 mm in y
-cube: core.bay_mm | [9.0, 9.0, 22.99] | [9.0, 9.0, 23.0] | 23 mm in z
+cube: core.bay_mm | [18.39, 9.0, 9.0] | [18.41, 9.0, 9.0] | less than printer.wall_mm
+cube: core.bay_mm | [9.0, 18.39, 9.0] | [9.0, 18.41, 9.0] | less than printer.wall_mm
+cube: core.bay_mm | [9.0, 9.0, 22.19] | [9.0, 9.0, 22.21] | less than printer.wall_mm
 sensors in the shell: shell.pocket_depth_mm | 1.61 | 1.6 | a sensor board of
 sensors in the shell: magnets.height_mm | 4.49 | 4.5 | deep in a core wall of
 sensors in the shell: magnets.positions_mm | [[5.01, 0.0]] | [[5.0, 0.0]] | meets the wire hole
@@ -162,23 +162,6 @@ def test_surroundings_stay_outside(key, placed, fits, refused, words):
         assert [words in text for text in found] == [True] * told
 
 
-def test_polygons_overlap_where_no_edge_separates_them():
-    square = np.array([[1.0, 1], [-1, 1], [-1, -1], [1, -1]])
-    turned = np.sqrt(2) * np.array([[1.0, 0], [0, 1], [-1, 0], [0, -1]])
-    for shift, meets in (
-        ([1.9, 0], True),
-        ([2.0, 0], False),
-        ([0, 2.1], False),
-        ([1.9, 1.9], True),
-    ):
-        assert overlap(square, square + shift) == overlap(square + shift, square) == meets
-    reach = 1 + np.sqrt(2)
-    assert overlap(square, turned + np.array([reach - 0.01, 0]))
-    assert not overlap(square, turned + np.array([reach + 0.01, 0]))
-    assert overlap(square, turned + np.array([1.7, 1.7])) == overlap(turned, square - [1.7, 1.7])
-    assert not overlap(square, turned + np.array([2.01, 2.01]))
-
-
 def test_points_lie_so_far_from_a_polygon():
     oblong = np.array([[2.0, 1], [-2, 1], [-2, -1], [2, -1]])
     for point, away in (
@@ -199,12 +182,3 @@ def test_recesses_turn_and_move_with_their_sensors():
     )
     assert_allclose([at_0.min(axis=0), at_0.max(axis=0)], [[5.5, -3.5], [12.0, 3.5]], atol=1e-9)
     assert_allclose([at_90.min(axis=0), at_90.max(axis=0)], [[-3.5, 4.5], [3.5, 11.0]], atol=1e-9)
-    names = [name for name, _ in core_openings(spec)[0]]
-    assert names == ["the wire hole", *["a sensor's recess"] * 3]
-    channels = ObjectSpec.model_validate({"name": "x", "core": {"wire_channel_width_mm": 2.0}})
-    openings = core_openings(channels)[0]
-    assert [name for name, _ in openings][1:3] == ["a sensor's recess", "a wire channel"]
-    hub, _, channel = (corners for _, corners in openings[:3])
-    assert_allclose(abs(hub), 2.0)
-    edges = np.linalg.norm(channel - np.roll(channel, 1, axis=0), axis=1)
-    assert_allclose(sorted(edges), [2, 2, 8.585, 8.585], rtol=1e-9)

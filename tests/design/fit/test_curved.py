@@ -9,8 +9,8 @@ import trimesh
 from design.body.triangles import Block
 from design.errors import SpecError
 from design.fit import curved
+from design.fit.blocks import check_passages
 from design.fit.curved import check_recesses
-from design.fit.curved_parts import check_passages
 from design.layout.body import core_frames
 from design.layout.places import positions
 from design.spec.object import ObjectSpec

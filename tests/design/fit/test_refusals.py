@@ -129,7 +129,7 @@ hollow dome: contact_grid.count=[16,14]
 TIGHT = """
 box: shell.seal_layer_mm=1.74
 box: as_built.magnets=[{face=3,magnet=2,dent_mm=1.74}] shell.seal_layer_mm=0
-box: core.bay_mm=[24.7,28.7,37.3]
+box: core.bay_mm=[23.1,27.1,36.5]
 box: magnets.depth_mm=[0.61,2.6,0.9] shell.seal_layer_mm=0
 box: core.keys.positions_mm=[[13.9,-10],[10.5,14.2]]
 sleeve: press.depths_mm=[1,4.79]

@@ -187,7 +187,7 @@ def test_the_bus_and_the_averaging_limit_the_frame_rate():
 @pytest.mark.parametrize(
     ("parts", "message"),
     [
-        ({"magnets": {"part": "X99"}}, r"'X99' is not a known part. Choose one of D3x1"),
+        ({"magnets": {"part": "X99"}}, r"'X99' is not in the catalogue. Choose one of D3x1"),
         ({"magnets": {"part": "D6x1", "diameter_mm": 5}}, "contradicts magnets.part = 'D6x1'"),
         ({"magnets": {"shape": "ring"}}, "needs magnets.inner_diameter_mm above 0"),
         (

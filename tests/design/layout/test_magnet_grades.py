@@ -107,7 +107,7 @@ REFUSED = {
     "remanence_t: .*at least 1 item": {"grade": None, "remanence_t": []},
     r"1.3 lies outside grade N52 \(1.42 to 1.48 T\)": {"remanence_t": [1.2, 1.3, 1.31]},
     "1.2 lies outside grade N52": {"remanence_t": 1.2},
-    "'N99' is not a known grade": {"grade": ["N35", "N99", "N42"]},
+    "'N99' is not in the catalogue": {"grade": ["N35", "N99", "N42"]},
     r"grade\.1: .*string; got 52": {"grade": ["N35", 52, "N42"]},
     "exceeds the 80 °C at which grade N35": {"temperature_c": 81.0},
     r"grade = 'N35' contradicts magnets.part = 'MP 12x5x2 / N38' \('N38'\)": {

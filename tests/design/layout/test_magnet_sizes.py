@@ -151,7 +151,7 @@ def test_a_sensor_in_the_largest_magnet_alone_is_named_with_it():
 REFUSED = {
     "part needs one entry for each of the 3": {"part": ["D6x1", "D8x2"]},
     "one shape; got block and disk": {"part": ["D6x1", "B5x5x1", "D6x1"]},
-    "'D9x9' is not a known part": {"part": ["D6x1", "D9x9", "D6x1"]},
+    "'D9x9' is not in the catalogue": {"part": ["D6x1", "D9x9", "D6x1"]},
     r"height_mm = 3.0 contradicts magnets.part = 'D4x1' \(1.0\)": {"height_mm": [2.0, 3.0, 2.0]},
     "diameter_mm needs one entry for each of the 3": {"part": None, "diameter_mm": [6.0, 5.0]},
     r"height_mm.*1.*greater than 0": {"part": None, "height_mm": [1.0, -2.0, 1.0]},

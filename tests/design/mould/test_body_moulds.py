@@ -24,7 +24,6 @@ from design.mould.openings import air_traps, mould_holes
 from design.mould.pins import make_pin
 from design.mould.plug import make_mould_holder
 from design.mould.room import cast_room
-from design.mould.whole import inside_of_mould, mould_around
 from design.solids.booleans import common, convert_to_triangles, cut, volume_mm3
 from design.solids.core import make_core
 from design.solids.sampled import sampled_shell
@@ -33,6 +32,7 @@ from design.spec_io import parse_spec
 from tests.support.objects.body_cases import body_spec
 from tests.support.objects.random_objects import made_surface
 from tests.support.objects.shell_volume import shell_volume_mm3
+from tests.support.objects.whole_mould import inside_of_mould, mould_around
 
 BESIDE = {"positions_mm": [[7.0, -1.0]]}
 """Clear of the wire holes in the middles of the faces, of which some are along a pull."""

@@ -104,7 +104,7 @@ WRONG = {
     "magnet_sizes = 'B5x5x1' is a block": {"vary": {"magnet_sizes": ["B5x5x1"]}},
     "must be of one shape": {"vary": {"magnet_sizes": ["D6x1", "R6x2x2"]}},
     "sold in all grades; got": {"vary": {"magnet_sizes": ["MP 12x5x2 / N38"]}},
-    "'D99x1' is not a known part": {"vary": {"magnet_sizes": ["D6x1", "D99x1"]}},
+    "'D99x1' is not in the catalogue": {"vary": {"magnet_sizes": ["D6x1", "D99x1"]}},
     "or sizes hold for as many as there were": {
         "vary": {"magnet_count": [4], "magnet_reach_mm": 9.0},
         "magnets": {"height_mm": [1, 2, 1, 1, 1]},

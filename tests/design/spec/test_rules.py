@@ -28,7 +28,7 @@ sensors.count_per_face=% sensors.positions_mm=[[5,0],[-5,0]] | 2 | 3 | = 3 place
 sensors.rotations_deg=% | [[0,0,0],[0,0,90],[0,0,180]] | [[0,0,0],[0,0,90]] | 3 sensors of a face; got lists o
 sensors.rotations_deg=[[0,0,0],[0,0,90],[0,0,180]] sensors.chip=% | inward | outward | Give rotations_deg alon
 sensors.range_mt=% | 80 | 80.1 | beyond the ranges of TMAG5273A1
-sensors.part=% | TMAG5273B2 | TMAG5273E2 | is not a known part
+sensors.part=% | TMAG5273B2 | TMAG5273E2 | is not in the catalogue
 sensors.part=MLX90393 sensors.noise_counts=% | [9,9,12] | [] | noise_counts
 body.sensed_faces=[1] magnets.positions_mm=% | [[[0,0],[5,5]]] | [[[0,0],[5]]] | positions_mm
 magnets.positions_mm=% | [[1,2]] | [] | positions_mm

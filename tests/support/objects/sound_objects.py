@@ -12,14 +12,15 @@ from design.build.parts import Part, parts_of
 from design.errors import InputError
 from design.fabrication.check import mesh_of
 from design.layout.body import body_of
+from design.layout.core_hold import has_mould
 from design.layout.pockets import shell_pockets
 from design.mould.room import cast_room
-from design.mould.whole import has_mould, inside_of_mould, mould_around
 from design.solids.booleans import Shape, convert_to_triangles, cut, volume_mm3
 from design.spec.object import ObjectSpec
 from design.spec_io import check
 from tests.support.objects.random_objects import with_file
 from tests.support.objects.shell_volume import shell_volume_mm3
+from tests.support.objects.whole_mould import inside_of_mould, mould_around
 
 FITTED = ("core", "shell")
 """Parts that differ with the body in every dimension; their triangles are looked at too."""

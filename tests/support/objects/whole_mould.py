@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from design.layout.core_hold import why_no_mould
 from design.layout.mould.frame import mould_frame, mould_style
 from design.layout.mould.pins import loose_pins
 from design.mould.halves import make_mould_half
@@ -30,8 +29,3 @@ def inside_of_mould(spec: ObjectSpec) -> list[Shape]:
     if frame.opening == "bore":
         return [core_outside(spec), make_mould_holder(spec)]
     return [make_mould_plug(spec)] if frame.plugged else []
-
-
-def has_mould(spec: ObjectSpec) -> bool:
-    """Return whether a mould can be made for the body."""
-    return why_no_mould(spec) is None

@@ -1,4 +1,4 @@
-"""Fit of keys, slits and a bay in bodies that are no boxes, in the object's frame."""
+"""Fit of keys, slits and a bay with what else is in the object, as blocks in its frame."""
 
 from __future__ import annotations
 
@@ -9,19 +9,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from design.body.triangles import Block
-from design.layout.blocks import core_keys, relief_slits, slit_end_mm
+from design.layout.blocks import SUNK_MM, core_keys, relief_slits, slit_end_mm
 from design.layout.boards import bay_block, cuts_of_core, gap_mm, passage_radius_mm
 from design.layout.body import body_of, core_frames, face_frames
 from design.layout.pockets import axis_in_object_mm, shell_pockets
 
 if TYPE_CHECKING:
+    from design.body.surface_chart import FaceFrame
     from design.spec.object import ObjectSpec
 
 _STEPS = 25
 """Points along a slit at which it is checked."""
 
 
-def check_curved_keys(spec: ObjectSpec) -> Iterator[str]:
+def check_keys(spec: ObjectSpec) -> Iterator[str]:
     """Keys on their patches, clear of what is cut into the core, of pockets and of each other."""
     keys, thickness = spec.core.keys, spec.shell.thickness_mm
     if not body_of(spec).takes_keys or spec.body.inside != "core":
@@ -30,6 +31,11 @@ def check_curved_keys(spec: ObjectSpec) -> Iterator[str]:
             f"{spec.body.kind} is filled to the rim of its mould or holds air. Leave core.keys out"
         )
         return
+    if spec.mechanics.interface != "bonded":
+        yield (
+            "core.keys lock the shell, so that it cannot slide on a frictionless core. Set "
+            'mechanics.interface = "bonded", or leave the keys out'
+        )
     half = np.asarray(keys.size_mm) / 2
     beyond = [
         (frame, xy)
@@ -37,7 +43,11 @@ def check_curved_keys(spec: ObjectSpec) -> Iterator[str]:
         for xy in keys.positions_mm
         if not frame.covers(np.abs(xy) + half)
     ]
-    for frame, (x, y) in beyond:
+    # A place that several faces share is told once, of the face that has the least room.
+    tightest: dict[tuple[float, float], FaceFrame] = {}
+    for frame, xy in sorted(beyond, key=lambda pair: min(pair[0].half_extents_mm)):
+        tightest.setdefault(xy, frame)
+    for (x, y), frame in tightest.items():
         reach = frame.half_extents_mm
         yield (
             f"core.keys.positions_mm: the key at ({x:g}, {y:g}) reaches past the core's patch of face "
@@ -59,7 +69,8 @@ def _check_blocks(spec: ObjectSpec) -> Iterator[str]:
         (f"core.keys: key {index % count + 1} of face {spec.body.sensed[index // count]}", key)
         for index, key in enumerate(core_keys(spec))
     ]
-    for (label, key), (other_label, other_key) in combinations(placed, 2):
+    above = [(label, _without_root(key)) for label, key in placed]
+    for (label, key), (other_label, other_key) in combinations(above, 2):
         if gap_mm(key, other_key) <= 0:
             yield f"{label} meets {other_label.removeprefix('core.keys: ')}. Move one of them"
     cuts = cuts_of_core(spec)
@@ -71,6 +82,12 @@ def _check_blocks(spec: ObjectSpec) -> Iterator[str]:
             )
         yield from check_passages(spec, label, key)
         yield from _check_pockets(spec, label, key)
+
+
+def _without_root(key: Block) -> Block:
+    """A key without the end that lies in the core, where keys of two faces may meet."""
+    up = key.axes[:, 2] * SUNK_MM / 2
+    return Block(key.centre_mm + up, key.axes, key.half_mm - np.array([0.0, 0.0, SUNK_MM / 2]))
 
 
 def check_passages(spec: ObjectSpec, where: str, key: Block) -> Iterator[str]:
@@ -103,10 +120,10 @@ def _is_under(key: Block, ends_mm: np.ndarray, away_mm: float) -> bool:
     return bool(((key.corners_mm - ends_mm[0]) @ direction).max() > 0 or away_mm == 0)
 
 
-def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
+def check_slits(spec: ObjectSpec) -> Iterator[str]:
     """Slits that leave silicone over the core and end before the body does, clear of pockets and keys."""
     slits, body, slit_blocks = spec.shell.slits, body_of(spec), relief_slits(spec)
-    if slit_blocks and body.opening != "open":
+    if slit_blocks and body.opening != "open" and not body.cuboid:
         yield (
             "shell.slits need a mould that is open at one side: round a core that is cast in it parts into "
             f"two halves, and fins in their seam would hook the silicone; this {spec.body.kind} has "
@@ -118,10 +135,12 @@ def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
             f"shell.slits lie between sensed sides 2 to 5 that meet; this {spec.body.kind} has none. Leave "
             "shell.slits.depth_mm out"
         )
-    if 2 * slit_end_mm(spec) >= spec.body.size_mm[2]:
+    # Of boxes all edges may have slits, of other bodies those along z.
+    least = min(spec.body.size_mm) if body.cuboid else spec.body.size_mm[2]
+    if 2 * slit_end_mm(spec) >= least:
         yield (
-            f"shell.slits end {slit_end_mm(spec):.3g} mm before the body's ends, which leaves no slit "
-            f"along its height of {spec.body.size_mm[2]:g} mm. Leave shell.slits.depth_mm out"
+            f"shell.slits end {slit_end_mm(spec):.3g} mm before the corners, which leaves no slit along "
+            f"an edge of {least:g} mm. Leave shell.slits.depth_mm out"
         )
         return
     for slit in slit_blocks:
@@ -149,7 +168,7 @@ def check_curved_slits(spec: ObjectSpec) -> Iterator[str]:
                 )
 
 
-def check_curved_bay(spec: ObjectSpec) -> Iterator[str]:
+def check_bay(spec: ObjectSpec) -> Iterator[str]:
     """A bay that can be reached from below, with walls to what is cut into the core and to its sides."""
     body, bay, wall = body_of(spec), bay_block(spec), spec.printer.wall_mm
     if bay is None:
