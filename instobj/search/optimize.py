@@ -84,9 +84,7 @@ def optimize(
             spec, kept, limit, partial(write_best, folder=folder, beside=path.parent)
         )
     with progress.stage("report"):
-        files = write_outcome(
-            space, kept, promotion, folder, path.parent, progress.step, limit.plain_engines_s
-        )
+        files = write_outcome(space, kept, promotion, folder, path.parent, progress.step)
     return _document(spec, kept, promotion, files)
 
 

@@ -20,12 +20,7 @@ from estimator.information.scores import fill_places
 from estimator.layouts.fidelity import MARGINS, SCORE_NAMES, bounds_by_press
 from instobj.report.pages import render, shown
 from instobj.search.fidelity import METRIC_LABELS
-from instobj.search.outcome.figures import (
-    LABELS,
-    draw_convergence,
-    draw_front,
-    draw_levels,
-)
+from instobj.search.outcome.figures import LABELS, draw_convergence
 from instobj.search.outcome.layouts import ShownLayout, layouts_scene
 from instobj.search.outcome.moves import moved_parts
 from instobj.store.readers import CROSS_FACE, MANIFEST, PARTS_PICTURE, SCORES
@@ -83,9 +78,9 @@ def write_search_page(
         ],
         parts=_parts(results.parts),
         parts_picture=PARTS_PICTURE.path(results.parts),
-        **moved_parts(start, promotion.best.spec, figures),
+        **moved_parts(start, promotion.best.spec),
         **_estimators(promotion),
-        **_levels(promotion, history.names, figures),
+        **_levels(promotion, history.names),
         **_search(history, figures),
         **_forces(promotion, figures),
     )
@@ -223,19 +218,17 @@ def _estimators(promotion: Promotion) -> dict[str, Any]:
     return {"estimator_header": ["mean of faces", *columns], "estimators": rows}
 
 
-def _levels(promotion: Promotion, objectives: tuple[str, ...], folder: Path) -> dict[str, Any]:
+def _levels(promotion: Promotion, objectives: tuple[str, ...]) -> dict[str, Any]:
     named = [name for name in objectives if name in promotion.correlations["1"]]
     everyone = (promotion.start, *promotion.leaders)
     counts = {level: sum(level in layout.levels for layout in everyone) for level in _LEVELS}
     scores = []
     for name in named or ["worst_position_bound_mm"]:  # those of parts are the same at all
-        draw_levels(promotion, name, folder / f"rungs_{name}.png")
         rows = [
             [layout.label, *(_score_on_level(layout, level, name) for level in _LEVELS)]
             for layout in everyone
         ]
-        header = [LABELS[name], *_LEVELS.values()]
-        scores.append({"picture": folder / f"rungs_{name}.png", "header": header, "rows": rows})
+        scores.append({"header": [LABELS[name], *_LEVELS.values()], "rows": rows})
     return {
         "levels": scores,
         "rank_header": [
@@ -260,12 +253,8 @@ def _rank(value: float) -> str:
 
 def _search(history: History, folder: Path) -> dict[str, Any]:
     draw_convergence(history, folder / "convergence.png")
-    front = folder / "front.png" if len(history.names) > 1 else None
-    if front is not None:
-        draw_front(history, front)
     return {
         "convergence": folder / "convergence.png",
-        "front": front,
         "trials": len(history.values),
         "kept": int(history.feasible.sum()),
     }

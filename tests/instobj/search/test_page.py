@@ -16,7 +16,7 @@ from estimator.information.scores import PlaceScores, save_scores_csv
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.figures.maps import overview
 from instobj.search.fidelity import METRIC_LABELS, TwinRatio
-from instobj.search.outcome import moves, page
+from instobj.search.outcome import page
 from instobj.search.outcome.layouts import ShownLayout
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.verdict import Promoted, Promotion
@@ -26,8 +26,7 @@ from tests.support.objects.made_histories import made_up_history
 from tests.support.pictures import save_dot
 
 DRAWN = {
-    page: ("draw_convergence", "draw_front", "draw_levels"),
-    moves: ("draw_moves",),
+    page: ("draw_convergence",),
     overview: ("draw_overview",),
 }
 
