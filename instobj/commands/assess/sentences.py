@@ -7,7 +7,7 @@ import numpy as np
 from estimator.grasps.measures import Conditions
 from estimator.grasps.ranking import LEVEL, Difference, median_interval
 from instobj.commands.assess.groups import Group, cell_rows, measure_of
-from instobj.report.pages import shown
+from instobj.report.cells import shown
 
 _DISTRUST = 0.2
 """Share of frames without explanation from which a page warns of it."""

@@ -119,7 +119,7 @@ def test_the_page_says_what_was_found(tmp_path, results, objections, monkeypatch
     assert 'class="no-go">NO<' in text, "a part that is not watertight stands out"
     assert "× 0.50" in told
     assert "false force by the next face (N), largest 20 30 × 1.50" in told
-    assert "1.10 to 3.00" in told
+    assert "score start / best 95 % from to worst_position_bound_mm 2 1.1 3" in told
     assert text.count("<img") == text.count('src="data:image/webp;base64,')
     assert not re.findall(r"""src=["'](?!data:)|<link|<script src|@import""", text)
     assert "default-src &#39;none&#39;" in text, (
