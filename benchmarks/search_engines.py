@@ -30,6 +30,7 @@ from typing import Any
 
 import numpy as np
 import torch
+from cmaes import CMA
 from harness import conclude, machine, option_parser
 
 from design.search.places import polarities
@@ -39,7 +40,6 @@ from design.spec_io import load_spec
 from estimator.layouts.polish import Judged, LowestFidelity, judge
 from instobj.search.loop import drawn_start
 from instobj.search.lowest_fidelity import score_trials, start_scores, structure_fidelity
-from instobj.search.outcome.history import plain_cma_es
 from instobj.stages.run import Run
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "search_cube.toml"
@@ -70,6 +70,8 @@ TASKS = {
 GENERATIONS = (30, 100, 300, 600)
 SEEDS = range(100, 105)
 """None of those by which engines were chosen."""
+_SPREAD = 0.3
+"""Standard deviation of a first generation of plain CMA-ES, of the unit cube."""
 _PARALLEL = 96
 """Random layouts that are scored together."""
 
@@ -123,6 +125,28 @@ def tool(space: SearchSpace, lowest: LowestFidelity, seed: int) -> dict[str, Any
         "scorings": result.scorings,
         "seconds": time.process_time() - started,
     }
+
+
+def plain_cma_es(
+    worth: Callable[[np.ndarray], np.ndarray],
+    free: int,
+    seed: int,
+    enough: Callable[[], bool],
+    times: int = 1,
+) -> None:
+    """Minimise `worth` (above 0) in the unit cube of `free` numbers by CMA-ES with a multiple of its default
+    population, again where it has converged, until there is enough."""
+    rng = np.random.default_rng(seed)
+    borders = np.repeat([[0.0, 1.0]], free, axis=0)
+    population = times * (4 + int(3 * np.log(free)))
+    while not enough():
+        of_run = int(rng.integers(2**31))
+        run = CMA(
+            rng.random(free), _SPREAD, bounds=borders, seed=of_run, population_size=population
+        )
+        while not (run.should_stop() or enough()):
+            units = np.array([run.ask() for _ in range(population)])
+            run.tell(list(zip(units, np.log(worth(units)).tolist(), strict=True)))
 
 
 def plain_cma(meter: Meter, seed: int, enough: Callable[[], bool], times: int = 1) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from itertools import islice
-from math import isnan
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +13,7 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.table import Table
 
+from instobj.report.cells import shown, turned
 from instobj.report.summary import AREAS_TITLE
 from instobj.report.surroundings import surroundings_lines
 from instobj.store import readers
@@ -24,8 +24,6 @@ HEADLINES = (
 )
 """Titles of a summary that a terminal shows in place of all its tables; the rest is in `--json`."""
 _MOST_COLUMNS = 12
-_NOTHING = 1e-10
-"""Magnitude below which a figure is a rounding error of what was added up."""
 _LONGEST_WORD = 16
 _NUMBER = re.compile(r"^[^A-Za-z/_]*\d[^A-Za-z/_]*([eE][-+]?\d+)?[^A-Za-z/_]*$")
 """A word that is one number, with its sign, unit sign or brackets."""
@@ -66,7 +64,7 @@ def print_result(result: dict[str, Any]) -> None:
             "force: position and force bound; detect: least force that is felt; bounds read: own = the "
             "sensors of the pressed face, all = of every face"
         )
-        _print_rows(console, title, _turned(result["comparison"]["rows"]))
+        _print_rows(console, title, turned(result["comparison"]["rows"]))
         _print_files(console, result["comparison"]["files"])
     for title, rows in result.get("tables", {}).items():
         _print_rows(console, title, rows)
@@ -108,18 +106,6 @@ def _place(place_mm: list[float]) -> str:
     return ", ".join(f"{value:.1f}" for value in place_mm)
 
 
-def _turned(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """One row per key, one column per row, headed by the first value of each."""
-    first, *others = rows[0]
-    heads = [str(row[first]) for row in rows]
-    if len(set(heads)) < len(heads):
-        heads = [f"{number}: {head}" for number, head in enumerate(heads, start=1)]
-    return [
-        {first: key} | {head: row[key] for head, row in zip(heads, rows, strict=True)}
-        for key in others
-    ]
-
-
 def _headlines(summary: dict[str, Any]) -> dict[str, Any]:
     """Return what decides something: the verdict, else the bounds by area, else all there is."""
     for titles in HEADLINES:
@@ -135,9 +121,9 @@ def _print_summary(console: Console, summary: dict[str, Any]) -> None:
         elif all(isinstance(value, str) for value in values.values()):
             console.print(f"[bold]{title}[/bold]")
             for name, value in values.items():
-                console.print(f"  {name}: {_number(value)}", soft_wrap=True)
+                console.print(f"  {name}: {shown(value)}", soft_wrap=True)
         else:
-            line = ", ".join(f"{name} {_number(value)}" for name, value in values.items())
+            line = ", ".join(f"{name} {shown(value)}" for name, value in values.items())
             console.print(f"[bold]{title}[/bold]: {line}")
 
 
@@ -176,18 +162,18 @@ def _laid_out(
     many = len(columns) > _MOST_COLUMNS and len(rows) < len(columns)
     if len(columns) == 1 or (widths and not many):
         return columns, widths
-    turned = _columns(_turned(rows))
-    turned_widths = _widths(turned, room, _parts)
-    if turned_widths:
-        return turned, turned_widths
-    broken = [(shown, _widths(shown, room, kept)) for shown in (columns, turned)]
+    flipped = _columns(turned(rows))
+    flipped_widths = _widths(flipped, room, _parts)
+    if flipped_widths:
+        return flipped, flipped_widths
+    broken = [(layout, _widths(layout, room, kept)) for layout in (columns, flipped)]
     fitting = [pair for pair in broken if pair[1]]
     return fitting[-1 if many else 0] if fitting else (columns, None)
 
 
 def _columns(rows: list[dict[str, Any]]) -> list[list[str]]:
     """Of every column its name and its values, as printed."""
-    return [[name, *(_number(row[name]) for row in rows)] for name in rows[0]]
+    return [[name, *(shown(row[name]) for row in rows)] for name in rows[0]]
 
 
 def _widths(
@@ -264,18 +250,6 @@ def _folders(paths: list[Path]) -> list[Path]:
     """Folders of the paths that lie within no other of them."""
     parents = {path.parent for path in paths}
     return sorted(one for one in parents if not any(other in one.parents for other in parents))
-
-
-def _number(value: Any) -> str:
-    if value is None:
-        return "–"
-    if not isinstance(value, float):
-        return str(value)
-    if isnan(value):
-        return "–"
-    if abs(value) < _NOTHING:
-        return "0"
-    return f"{value:.1f}" if 1e3 <= abs(value) < 1e7 else f"{value:.3g}"
 
 
 def _size(count: int) -> str:

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from design.errors import InputError
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from instobj.commands.compare import comparison_picture
 from instobj.commands.run import run_chain
-from instobj.report.pages import render
+from instobj.report.cells import turned
+from instobj.report.pages import write_page
 from instobj.stages.run import Run
 from instobj.store.publish import file_rows
 from instobj.store.readers import RESPONSE, SCENE, SCORES, STILL
@@ -88,25 +88,14 @@ def write_comparison_page(
 ) -> Path:
     """Write `comparison.html` beside the figure, from the folders of the scenes."""
     names = [spec.name for spec in specs]
-    page = render(
+    return write_page(
+        figure.with_name("comparison.html"),
         "comparison.html.j2",
         names=names,
-        rows=[
-            [score, *(_cell(of_one[score]) for of_one in scores)]
-            for score in scores[0]
-            if score != "object"
-        ],
+        rows=turned(scores),
         designs=[
             (name, SCENE.path(folder), STILL.path(folder))
             for name, folder in zip(names, scenes, strict=True)
         ],
         figure=figure,
     )
-    path = figure.with_name("comparison.html")
-    with atomic_path(path) as temporary:
-        temporary.write_text(page, encoding="utf-8")
-    return path
-
-
-def _cell(value: object) -> str:
-    return f"{value:.4g}" if isinstance(value, float) else str(value)

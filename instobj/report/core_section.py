@@ -43,14 +43,12 @@ def core_section(spec: ObjectSpec, presses: Path, slip: Path) -> str:
     if not spec.mechanics.slip.slipped:
         return ""
     content = readers.SLIP.read(slip)
-    rows = slip_rows(content["figures"])
     return render(
         "core.html.j2",
         tension=None,
         slip=slip_title(content["slip"]),
         figure=readers.SLIP_PICTURE.path(slip),
-        header=list(rows[0]),
-        rows=[[row["what"], f"{row['value']:.3g}"] for row in rows],
+        rows=slip_rows(content["figures"]),
     )
 
 

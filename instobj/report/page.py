@@ -8,16 +8,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-from design.files import atomic_path
 from design.layout.places.contact_places import contact_places, grid_count
 from design.layout.places.coverage import covered_shares
 from design.spec.object import ObjectSpec
 from design.spec_io import spec_hash
 from instobj.figures.maps.files import SCORE_MAPS
+from instobj.report.cells import shown
 from instobj.report.core_section import core_section
 from instobj.report.deformation_section import deformation_section
-from instobj.report.pages import render, shown
+from instobj.report.pages import write_page
 from instobj.report.remedies import remedies_section
+from instobj.report.summary import cross_face_rows, part_rows
 from instobj.report.surroundings import surroundings_section
 from instobj.report.uncertainty import (
     HEADER,
@@ -67,7 +68,8 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
     budget = readers.ROBUSTNESS.read(inputs["robustness"])
     verdict = judge(spec, scores, curves["saturation_margin"], budget.saturation)
     protocol = readers.PROTOCOL.read(inputs["frames"])
-    page = render(
+    write_page(
+        path,
         "report.html.j2",
         spec=spec,
         papers_cube=is_papers_cube(spec),
@@ -90,21 +92,20 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         core=core_section(spec, inputs["presses"], inputs["slip"]),
         estimators=_estimators(inputs),
         held_out=readers.HELD_OUT_PICTURE.path(inputs["metrics"]),
-        parts=_parts(inputs),
+        parts=part_rows(inputs["build"]),
         parts_picture=readers.PARTS_PICTURE.path(inputs["build"]),
         parts_folder=f"../../cad_out/{quote(spec.name)}/",
         files=files_beside(inputs),
         **_maps(inputs),
         **_areas(scores),
         **weak_areas_section(inputs["weak_areas"]),
-        **_cross_face(inputs),
+        cross_face=cross_face_rows(inputs["scores"]),
+        cross_face_force_n=readers.CROSS_FACE.read(inputs["scores"])["force_n"],
         nuisances=_nuisances(inputs),
         **_robustness(inputs),
         **_discretisation(spec, inputs),
         **_provenance(spec, inputs),
     )
-    with atomic_path(path) as temporary:
-        temporary.write_text(page, encoding="utf-8")
 
 
 def locations_line(spec: ObjectSpec) -> str:
@@ -155,23 +156,19 @@ def _areas(scores: PlaceScores) -> dict[str, Any]:
     }
     areas = summarize_areas(scores)
     rows = [
-        [
-            area.area.replace("_", "-"),
-            str(area.places),
-            *(shown(area.medians[name]) for name in columns),
-        ]
+        {"area": area.area.replace("_", "-"), "locations per face": area.places}
+        | {title: area.medians[name] for name, title in columns.items()}
         for area in areas
     ]
     deltas = [
-        [
-            area.area.replace("_", "-"),
-            shown(area.medians["delta_raw"]),
-            shown(area.ratio_to_centre["delta_raw"]),
-        ]
+        {
+            "area": area.area.replace("_", "-"),
+            "δ raw, counts^d/N": area.medians["delta_raw"],
+            "δ / centre's": area.ratio_to_centre["delta_raw"],
+        }
         for area in areas
     ]
-    header = ["area", "locations per face", *columns.values()]
-    return {"area_header": header, "areas": rows, "deltas": deltas}
+    return {"areas": rows, "deltas": deltas}
 
 
 def _nuisances(inputs: Inputs) -> list[list[str]]:
@@ -186,27 +183,13 @@ def _nuisances(inputs: Inputs) -> list[list[str]]:
     ]
 
 
-def _cross_face(inputs: Inputs) -> dict[str, Any]:
-    """No rows for an object with one sensed face."""
-    content = readers.CROSS_FACE.read(inputs["scores"])
-    rows = [
-        [relation, *(f"{value:.2f}" for value in content[relation].values())]
-        for relation in ("adjacent", "opposite")
-        if content[relation]
-    ]
-    return {"cross_face": rows, "cross_face_force_n": content["force_n"]}
-
-
 def _robustness(inputs: Inputs) -> dict[str, Any]:
     from estimator.tolerances.result import SEAT_ERROR
 
     budget = readers.ROBUSTNESS.read(inputs["robustness"])
     return {
         "robustness_picture": readers.ROBUSTNESS_PICTURE.path(inputs["robustness"]),
-        "bounds": [
-            [str(row["bound"]), *(shown(row[key]) for key in list(row)[1:])]
-            for row in bound_rows(budget)
-        ],
+        "bounds": bound_rows(budget),
         "draws": budget.draws,
         "saturation": f"{objects_text(budget.saturation).capitalize()}.",
         "budget_forces": forces_text(budget),
@@ -258,19 +241,6 @@ def _estimators(inputs: Inputs) -> list[dict[str, Any]]:
         counts = f"{face['contact_frames']} + {face['rest_frames']}"
         rows.append({"face": face["face"], "figures": figures, "frames": counts})
     return rows
-
-
-def _parts(inputs: Inputs) -> list[list[str]]:
-    return [
-        [
-            part.name,
-            f"{part.volume_mm3:.2f}",
-            " × ".join(f"{edge:.3f}".rstrip("0").rstrip(".") for edge in part.size_mm),
-            f"{100 * (part.stl_volume_mm3 / part.volume_mm3 - 1):+.4f} %",
-            "yes" if part.stl_watertight else "NO",
-        ]
-        for part in readers.MANIFEST.read(inputs["build"]).parts
-    ]
 
 
 def files_beside(inputs: Inputs) -> list[tuple[str, list[Link]]]:

@@ -6,13 +6,14 @@ import base64
 import hashlib
 from functools import lru_cache
 from io import BytesIO
-from math import isinf, isnan
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from design.files import atomic_path
+from instobj.report.cells import table_of
 from instobj.viewer.bundling import program
 
 _TEMPLATES = Path(__file__).parent / "templates"
@@ -25,16 +26,17 @@ def render(page: str, /, **context: Any) -> str:
     return _safe(_environment().get_template(page).render(context))
 
 
+def write_page(path: Path, page: str, /, **context: Any) -> Path:
+    """Write a page, complete or not at all, and return where it is; as `render`."""
+    text = render(page, **context)
+    with atomic_path(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return path
+
+
 def _safe(text: str) -> str:
     """Return text that templates take as it is: HTML, scripts and styles of our own."""
     return _environment().filters["safe"](text)
-
-
-def shown(value: float | None) -> str:
-    """A number to three digits, ∞ where it has no bound, or a dash where there is none."""
-    if value is None or isnan(value):
-        return "–"
-    return "∞" if isinf(value) else f"{value:.3g}"
 
 
 def picture(path: Path) -> str:
@@ -70,6 +72,7 @@ def _environment() -> Environment:
         lstrip_blocks=True,
     )
     environment.globals |= {"picture": picture, "style": style, "embedded": embedded}
+    environment.globals |= {"table_of": table_of}
     environment.globals |= {"policy": policy, "program": lambda: _safe(program())}
     return environment
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import statistics
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from design.spec.object import ObjectSpec
@@ -47,7 +48,7 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
     `spec` belongs to the chain, None for a data set.
     """
     makers = (
-        ("build", "parts", _parts),
+        ("build", "parts", lambda result: part_rows(result.folder)),
         ("mesh", "mesh", _read(MESH_QUALITY)),
         ("response", "mechanics", _read(RESPONSE_SIZE)),
         ("presses", "tension at the sliding core, left out of the presses", _core_tension),
@@ -56,7 +57,11 @@ def summarize(results: dict[str, StoredResult], spec: ObjectSpec | None = None) 
         ("scores", "read worse than the bound", _bound_text),
         ("scores", "not judged", _unreached),
         ("weak_areas", WEAK_TITLE, weak_rows),
-        ("scores", "10 N on another face, in this face's own channels", _cross_face),
+        (
+            "scores",
+            "10 N on another face, in this face's own channels",
+            lambda result: cross_face_rows(result.folder),
+        ),
         ("shear_scores", "bounds with tangential forces (medians over all places)", _shear),
         ("slip", "cost of the core's slip", _slip),
         ("identify", identify_title(spec), _identify),
@@ -162,7 +167,8 @@ def _core_tension(result: StoredResult) -> dict[str, float]:
     return CORE_TENSION.read(result.folder) or {}
 
 
-def _parts(result: StoredResult) -> list[dict[str, Any]]:
+def part_rows(folder: Path) -> list[dict[str, Any]]:
+    """Volume, size and surface of every part of a build."""
     return [
         {
             "part": part.name,
@@ -171,7 +177,7 @@ def _parts(result: StoredResult) -> list[dict[str, Any]]:
             "STL volume error %": round(100 * (part.stl_volume_mm3 / part.volume_mm3 - 1), 4),
             "watertight": part.stl_watertight,
         }
-        for part in MANIFEST.read(result.folder).parts
+        for part in MANIFEST.read(folder).parts
     ]
 
 
@@ -206,8 +212,9 @@ def _unreached(result: StoredResult) -> dict[str, str]:
     return {"force": text} if text else {}
 
 
-def _cross_face(result: StoredResult) -> list[dict[str, Any]]:
-    content = CROSS_FACE.read(result.folder)
+def cross_face_rows(folder: Path) -> list[dict[str, Any]]:
+    """What faces think that they feel when another is pressed; no rows with one sensed face."""
+    content = CROSS_FACE.read(folder)
     return [
         {
             "pressed": relation,

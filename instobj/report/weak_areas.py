@@ -32,12 +32,10 @@ def weak_rows(result: StoredResult) -> list[dict[str, Any]]:
 def weak_areas_section(folder: Path) -> dict[str, Any]:
     """Sentence, table, figure and maps, as the page shows them."""
     content = WEAK_AREAS.read(folder)
-    rows = _rows(content)
     return {
         "edge_text": edge_text(content),
         "weak_text": weak_text(content),
-        "weak_header": list(rows[0]) if rows else [],
-        "weak_areas": [[_cell(value) for value in row.values()] for row in rows],
+        "weak_areas": _rows(content),
         "weak_picture": WEAK_AREAS_PICTURE.path(folder),
         "weak_maps": sorted((folder / "maps").glob(Path(WEAK_MAPS.name).name)),
     }
@@ -112,9 +110,3 @@ def _shown(third: dict[str, Any], end: str) -> float:
 def _range(third: dict[str, Any]) -> str:
     unit = _NAMES[third["measure"]][2]
     return f"{_shown(third, 'low'):.3g} to {_shown(third, 'high'):.3g} {unit}"
-
-
-def _cell(value: Any) -> str:
-    from instobj.report.pages import shown
-
-    return shown(value) if isinstance(value, float) else str(value)

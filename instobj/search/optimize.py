@@ -20,17 +20,17 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from estimator.field.device import compute_device
 from instobj.search.apart import answers
-from instobj.search.fidelity import METRIC_LABELS, score_row
 from instobj.search.joined import describe_merge, merge_restarts
 from instobj.search.levels import Levels
 from instobj.search.loop import layouts_at_once, run_search
 from instobj.search.lowest_fidelity import FIRST_LOOK_S, lowest_fidelity
+from instobj.search.outcome.rows import promotion_tables
 from instobj.search.outcome.write import BEST, RESULTS, write_best, write_outcome
 from instobj.search.possible import require_possible
 from instobj.search.promotion import Promoter, leaders
 from instobj.search.time_limit import TRIALS_SHARE, TimeLimit
 from instobj.search.trials import KeptTrials, open_trials
-from instobj.search.verdict import FIRST, LAST, SECOND, Promoted, Promotion
+from instobj.search.verdict import Promotion
 from instobj.stages.resources import search_seconds
 from instobj.stages.run import Run
 from instobj.stages.workers import Workers, open_workers
@@ -84,9 +84,7 @@ def optimize(
             spec, kept, limit, partial(write_best, folder=folder, beside=path.parent)
         )
     with progress.stage("report"):
-        files = write_outcome(
-            space, kept, promotion, folder, path.parent, progress.step, limit.plain_engines_s
-        )
+        files = write_outcome(space, kept, promotion, folder, path.parent, progress.step)
     return _document(spec, kept, promotion, files)
 
 
@@ -228,10 +226,6 @@ def _document(
     verdict += f". Judged at contact locations that cover {covered}"
     if promotion.shortened:
         verdict += f". {promotion.shortened}"
-    ratios = [
-        {"score": name, "start / best": ratio.design, "95 % from": ratio.low, "to": ratio.high}
-        for name, ratio in promotion.ratios.items()
-    ]
     return {
         "command": "optimize",
         "name": spec.name,
@@ -239,55 +233,10 @@ def _document(
         "better": promotion.better,
         "verdict": verdict,
         "gains": promotion.gains,
-        "tables": {
-            f"search of {spec.name}: {verdict}": [_trial_counts(kept)],
-            "lowest fidelity level: rigid magnets in first reflection, linear signals": _rows(
-                promotion, FIRST
-            ),
-            "second fidelity level: rigid magnets, contact and fields in full": _rows(
-                promotion, SECOND
-            ),
-            "highest fidelity level: the chain": _rows(promotion, LAST),
-            "highest fidelity level, between objects within tolerance": ratios,
-            "estimators trained for a layout, simulated presses held out": estimator_rows(
-                promotion
-            ),
-            "how well a fidelity level ranks the next (Spearman)": correlation_rows(promotion),
-        },
+        "tables": {f"search of {spec.name}: {verdict}": [_trial_counts(kept)]}
+        | promotion_tables(promotion),
         "files": file_rows(files),
     }
-
-
-def estimator_rows(promotion: Promotion) -> list[dict[str, Any]]:
-    """One row per metric, one column per layout; none where no estimator was trained in time."""
-    names = next(iter(promotion.estimators.values()), {})
-    return [
-        {"mean of faces": METRIC_LABELS[name]}
-        | {label: errors.get(name) for label, errors in promotion.estimators.items()}
-        for name in names
-    ]
-
-
-def correlation_rows(promotion: Promotion) -> list[dict[str, Any]]:
-    """Rank correlations of every score, from a level to the next."""
-    return [
-        {"score": name, "1 to 2": promotion.correlations[FIRST][name], "2 to 3": second}
-        for name, second in promotion.correlations[SECOND].items()
-    ]
-
-
-def _rows(promotion: Promotion, level: str) -> list[dict[str, Any]]:
-    """One row per score, one column per layout: there are more scores than fit side by side."""
-    layouts: tuple[Promoted, ...] = (promotion.start, *promotion.leaders)
-    columns = {
-        layout.label: score_row(layout.levels[level])
-        for layout in layouts
-        if level in layout.levels
-    }
-    return [
-        {"score": score} | {label: values[score] for label, values in columns.items()}
-        for score in columns["start"]
-    ]
 
 
 def _trial_counts(kept: KeptTrials) -> dict[str, Any]:

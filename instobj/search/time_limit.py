@@ -16,8 +16,7 @@ TRIALS_SHARE = 0.4
 """Share of the search's time, for mechanics and trials: measured, leaders and finalists took 15 of 25
 minutes."""
 _PAGE_SHARE = 0.06
-"""Share of the whole time, for the page: plain engines to compare with, and its pictures."""
-_OF_PLAIN_ENGINES = 2 / 3
+"""Share of the whole time, for the page and its pictures."""
 _CHAINS = 2
 """The start and a finalist."""
 _QUICKER = 2.0
@@ -41,11 +40,6 @@ class TimeLimit:
     def searching_s(self) -> float:
         """Until the page."""
         return (1 - _PAGE_SHARE) * self.seconds
-
-    @property
-    def plain_engines_s(self) -> float:
-        """Return what plain engines may take for the page."""
-        return _OF_PLAIN_ENGINES * _PAGE_SHARE * self.seconds
 
     @property
     def left_s(self) -> float:

@@ -8,12 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from design.files import atomic_path
 from design.spec.object import ObjectSpec
 from design.tables import write_table
 from instobj.commands.compare import comparison_row
 from instobj.figures.saving import save_figure
-from instobj.report.pages import render
+from instobj.report.pages import write_page
 from instobj.store.content import StoredResult, find
 from instobj.store.publish import publish_to, run_folder
 from instobj.store.readers import FRAMES, METRICS, PRETRAINED, SCORES
@@ -91,20 +90,18 @@ def write_outcome(study: Study, rows: Sequence[dict[str, Any]], folder: Path) ->
     )
     drawn = draw_sweep(study, rows, folder / "sweep.png")
     made = [row for row in rows if "error" not in row]
-    page = render(
+    write_page(
+        folder / "sweep.html",
         "sweep.html.j2",
         name=study.name,
         stages=study.stages,
         keys=study.keys,
-        header=header,
-        rows=[[_cell(row.get(name, "")) for name in header] for row in rows],
+        rows=rows,
         made=len(made),
         count=len(rows),
         best=min((row for row in made if BEST in row), key=lambda row: row[BEST], default=None),
         picture_path=folder / "sweep.png" if drawn else None,
     )
-    with atomic_path(folder / "sweep.html") as temporary:
-        temporary.write_text(page, encoding="utf-8")
     names = ("sweep.html", "sweep.csv", *(["sweep.png"] if drawn else []))
     return [folder / name for name in names]
 
@@ -137,7 +134,3 @@ def draw_sweep(study: Study, rows: Sequence[dict[str, Any]], path: Path) -> bool
 
 def _is_number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
-
-
-def _cell(value: Any) -> str:
-    return f"{value:.4g}" if isinstance(value, float) else str(value)

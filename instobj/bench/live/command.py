@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import time
 from collections import deque
 from contextlib import closing
 from dataclasses import dataclass, field
 from typing import Any
 
-import aiohttp  # noqa: F401  its absence is said before a demo is computed: the page's process needs it
+import aiohttp  # noqa: F401  its absence is said before a demo is computed
 
 from design.errors import InputError, InstobjError
 from estimator.recordings.boards.growing import finish_recording
@@ -17,10 +16,11 @@ from estimator.recordings.boards.lines import Frame, Header, Load, Message
 from estimator.recordings.boards.link import board_messages
 from instobj.bench.collect.labelled_frames import STALE_S, Collection, load_lines, take_load
 from instobj.bench.collect.options import stop_on_signals
-from instobj.bench.live.process import PageProcess, PageSettings, page_process
+from instobj.bench.live.contacts import open_estimator
+from instobj.bench.live.page import PageSettings, ServedPage, serve_page
 from instobj.bench.live.recorder import Recorder
 from instobj.bench.live.source import LiveOptions, LiveSource, live_source
-from instobj.bench.live.watch import HEADER, LABELS, NEWS, channel_names, row_message
+from instobj.bench.live.watch import Watch, channel_names
 from instobj.store.progress import NEWS_EVERY_S, ProgressLine
 from instobj.store.publish import file_rows
 
@@ -39,7 +39,8 @@ class _Session:
     source: LiveSource
     state: Collection
     recorder: Recorder
-    page: PageProcess
+    page: ServedPage
+    watch: Watch
     arrivals_s: deque[float] = field(default_factory=lambda: deque(maxlen=400))
     labels: list[list[float]] = field(default_factory=list)
     message: str = ""
@@ -63,18 +64,18 @@ def run_live(
     source: LiveSource, options: LiveOptions, token: str, progress: ProgressLine
 ) -> dict[str, Any]:
     """Serve and record a source; as `live`."""
-    settings = PageSettings(
-        source.spec.model_dump_json(), source.scene, source.models, *source.zeroing.of_raw,
-        options.address, options.page_port, token,
-    )  # fmt: skip
+    mode, zero_frames = source.zeroing.of_raw
+    estimator = open_estimator(source.spec, source.models, mode, zero_frames)
+    watch = Watch(source.spec, estimator, 0 if mode == "none" else zero_frames)
+    settings = PageSettings(source.scene, options.address, options.page_port, token)
     state = Collection(source.readings, source.readings.first_places)
     with (
         closing(source.chunks),
-        page_process(settings) as page,
+        serve_page(watch, settings) as page,
         stop_on_signals(state.stop),
         progress.stage(f"live, {source.name}"),
     ):
-        session = _Session(source, state, Recorder(state), page)
+        session = _Session(source, state, Recorder(state), page, watch)
         progress.say(f"open {page.url} in a browser; Ctrl-C ends")
         failure = _follow(session, options, progress)
     return _ended(session, failure)
@@ -129,7 +130,7 @@ def _take(session: _Session, messages: list[Message], options: LiveOptions) -> N
             now_s = time.time()
             time_s = state.clock.time_s(message.board_ms, now_s)
             session.recorder.take(message, time_s)
-            session.page.send(row_message(now_s, time_s, message.counts))
+            session.watch.take_row(now_s, time_s, message.counts)
             session.arrivals_s.append(now_s)
             _tell_labels(session, time_s)
 
@@ -146,7 +147,7 @@ def _take_header(session: _Session, header: Header, options: LiveOptions) -> Non
         )
     first = not state.channels
     state.channels = header.channels
-    session.page.send(HEADER + json.dumps(header.channels).encode())
+    session.watch.take_header(header.channels)
     if first and options.record:
         session.recorder.switch(True)
 
@@ -161,7 +162,7 @@ def _tell_labels(session: _Session, now_s: float) -> None:
     ]
     if labels != session.labels:
         session.labels = labels
-        session.page.send(LABELS + json.dumps(labels).encode())
+        session.watch.take_labels(labels)
 
 
 def _obey(session: _Session) -> None:
@@ -175,7 +176,7 @@ def _obey(session: _Session) -> None:
 def _tell(session: _Session) -> None:
     session.news_at_s = time.monotonic() + _NEWS_S
     statistics = session.state.decoder.statistics
-    news = {
+    session.watch.news = {
         "source": session.source.name,
         "rate_hz": round(_rate_hz(session.arrivals_s, time.time()), 2),
         "counted": {
@@ -186,9 +187,7 @@ def _tell(session: _Session) -> None:
         },
         "recording": session.recorder.news(),
         "told": "; ".join(filter(None, (session.message, session.recorder.message))),
-        "unsent": session.page.lost,
     }
-    session.page.send(NEWS + json.dumps(news).encode())
 
 
 def _rate_hz(arrivals_s: deque[float], now_s: float) -> float:

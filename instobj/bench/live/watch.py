@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import math
-import struct
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import islice
@@ -27,9 +25,6 @@ from instobj.bench.live.contacts import Estimator, Found, placed_labels
 from instobj.bench.live.health import WINDOW, channel_health, health_limits
 from instobj.bench.live.protocol import CONTACT_WIDTH, LABEL_WIDTH
 
-HEADER, ROW, LABELS, NEWS = b"H", b"F", b"L", b"S"
-"""First bytes of the reader's messages: channels, a row, labels (JSON), and whatever else (JSON)."""
-_STAMPS = struct.Struct("<dd")
 _KEPT = 4000
 _MOST_BEHIND = 40
 """Rows that an estimator of every frame may be behind before it leaves some out."""
@@ -38,11 +33,6 @@ _UNSEEN_S = 0.5
 """Between two readings something may have pressed for so long without being seen."""
 AGAIN_S = 0.5
 """Pause after a frame that the estimator refused."""
-
-
-def row_message(arrived_s: float, time_s: float, counts: tuple[float, ...]) -> bytes:
-    """A frame for the page's process; `Watch.take` reads it."""
-    return ROW + _STAMPS.pack(arrived_s, time_s) + np.asarray(counts, "<f8").tobytes()
 
 
 def channel_names(spec: ObjectSpec) -> list[str]:
@@ -81,11 +71,12 @@ NOTHING = Reading(Found(np.zeros((0, CONTACT_WIDTH)), True), 0.0)
 
 @dataclass
 class Watch:
-    """Rows come in by `take`, `read_next` reads contacts from them, viewers ask for what is new.
+    """Rows come in by `take_row`, `read_next` reads contacts from them, viewers ask for what is new.
 
     Attributes
     ----------
     zero_frames : frames of which the zero is the mean; 0 takes counts for changes
+    news : state of recording and line, for the page
     on_reading : called by the reading thread once it has seen new rows
     """
 
@@ -98,6 +89,7 @@ class Watch:
     )
     news: dict[str, Any] = field(default_factory=dict)
     on_reading: Callable[[], None] = lambda: None
+    ended: bool = False
     _trouble: str = ""
     _read_frames: int = 0
 
@@ -114,20 +106,38 @@ class Watch:
         self._sound = SoundReadings()
         self._start_zero()
 
-    def take(self, message: bytes) -> None:
-        """A message of the reader's process."""
-        kind, content = message[:1], message[1:]
-        if kind == ROW:
-            self._take_row(content)
-        elif kind == HEADER:
-            self._channels = tuple(json.loads(content))
-            index = {name: place for place, name in enumerate(self.names)}
-            self._places = np.array([index[name] for name in self._channels])
-            self.live[self._places] = True
-        elif kind == LABELS:
-            self.labels = placed_labels(self.spec, json.loads(content))
-        elif kind == NEWS:
-            self.news = json.loads(content)
+    def take_header(self, channels: Sequence[str]) -> None:
+        """Learn which channels the counts of the rows that follow belong to."""
+        self._channels = tuple(channels)
+        index = {name: place for place, name in enumerate(self.names)}
+        self._places = np.array([index[name] for name in self._channels])
+        self.live[self._places] = True
+
+    def take_row(self, arrived_s: float, time_s: float, counts: Sequence[float]) -> None:
+        """Add a frame: when it arrived (s since 1970), the board's time (s), and its counts."""
+        raw = np.full(len(self.names), np.nan)
+        raw[self._places] = counts
+        if self._zero is None:
+            self._gather_zero(raw)
+        change = raw * np.nan if self._zero is None else raw - self._zero
+        read_counts = counts_of(self._channels, tuple(raw[self._places].tolist()))
+        left_out = np.isnan(self._sound.known(read_counts)) & ~np.isnan(read_counts)
+        with self._fresh:
+            self._rows.append(Row(self._next, arrived_s, time_s, raw, change, left_out))
+            self._next += 1
+            self._fresh.notify()
+
+    def take_labels(self, labels: list[list[float]]) -> None:
+        """Place the labels of load cells: face, x and y (mm), and force (N) of each tip."""
+        self.labels = placed_labels(self.spec, labels)
+
+    def stop_reading(self, why: str) -> None:
+        """Read no more contacts, and say why."""
+        self.estimator, self._trouble, self.reading = None, why, NOTHING
+
+    def end(self) -> None:
+        """Let the thread that reads contacts end."""
+        self.ended = True
 
     @property
     def needs_every_frame(self) -> bool:
@@ -158,7 +168,7 @@ class Watch:
         return rows[::-1], max(0, wanted - len(rows))
 
     def state(self) -> dict[str, Any]:
-        """Health, zero, and the last message of the reader's process."""
+        """Health, zero, and the last news of the reader."""
         with self._fresh:
             rows = list(islice(reversed(self._rows), WINDOW))[::-1]
         raw = np.stack([row.raw for row in rows]) if rows else np.zeros((0, len(self.names)))
@@ -178,20 +188,6 @@ class Watch:
         chip = self.reading.read.chip_out
         lies = f"{chip}: its readings fit no contact, left out" if chip else ""
         return "; ".join(filter(None, (self._sound.text, lies)))
-
-    def _take_row(self, content: bytes) -> None:
-        arrived_s, time_s = _STAMPS.unpack_from(content)
-        raw = np.full(len(self.names), np.nan)
-        raw[self._places] = np.frombuffer(content, "<f8", offset=_STAMPS.size)
-        if self._zero is None:
-            self._gather_zero(raw)
-        change = raw * np.nan if self._zero is None else raw - self._zero
-        counts = counts_of(self._channels, tuple(raw[self._places].tolist()))
-        left_out = np.isnan(self._sound.known(counts)) & ~np.isnan(counts)
-        with self._fresh:
-            self._rows.append(Row(self._next, arrived_s, time_s, raw, change, left_out))
-            self._next += 1
-            self._fresh.notify()
 
     def _start_zero(self) -> None:
         self._gathered: list[np.ndarray] = []

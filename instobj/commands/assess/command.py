@@ -41,7 +41,7 @@ from instobj.commands.assess.tracks import (
 )
 from instobj.commands.readings import Zeroing
 from instobj.figures.grasps import GroupPicture, draw_grasps
-from instobj.report.grasps import write_grasps_page
+from instobj.report.pages import write_page
 from instobj.store.publish import file_rows, require_writable, run_folder, run_name
 from instobj.store.stage import write_json
 
@@ -191,8 +191,12 @@ def _document(
         figure,
         write_csv(folder / "grasps.csv", full_rows(groups)),
         whole,
-        write_grasps_page(
-            folder / "assess.html", document, figure, _definitions(names, conditions)
+        write_page(
+            folder / "assess.html",
+            "assess.html.j2",
+            document=document,
+            figure=figure,
+            definitions=_definitions(names, conditions),
         ),
     ]
     # long tables stand on the page; a terminal shows those that fit a screen

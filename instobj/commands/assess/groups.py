@@ -14,7 +14,7 @@ from estimator.grasps.protocols import MEASURES, Measure
 from estimator.grasps.ranking import Difference, median_interval
 from estimator.grasps.track import track_of_labels
 from instobj.commands.assess.tracks import MOST_UNEXPLAINED, ReadRecording
-from instobj.report.pages import shown
+from instobj.report.cells import shown
 
 
 @dataclass(frozen=True)

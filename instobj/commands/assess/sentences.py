@@ -8,7 +8,7 @@ from estimator.grasps.measures import Conditions
 from estimator.grasps.ranking import LEVEL, Difference, median_interval
 from instobj.commands.assess.groups import Group, cell_rows, measure_of
 from instobj.commands.readings import DISTRUST_FROM
-from instobj.report.pages import shown
+from instobj.report.cells import shown
 
 _FEW = 6
 """Grasps below which an interval of their median is too narrow."""

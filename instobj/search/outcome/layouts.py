@@ -16,9 +16,9 @@ from design.layout.places.positions import magnet_layout
 from design.layout.pockets import magnet_bodies, sensor_places
 from design.search.space import SearchSpace, with_layout
 from design.spec.object import ObjectSpec
-from design.spec.search import OBJECTIVES_TO_MAXIMIZE
-from instobj.search.outcome.figures import LABELS, paired, pareto_front
-from instobj.search.outcome.history import History
+from instobj.search.outcome.figures import LABELS
+from instobj.search.outcome.history import History, front_rows
+from instobj.search.outcome.moves import paired
 from instobj.search.trials import KeptTrials
 from instobj.search.verdict import FIRST, Promotion, score_at
 from instobj.viewer.archive import pack
@@ -54,24 +54,14 @@ def shown_layouts(
         elif layout.trial is not None:
             values = tuple(history.values[row_of[layout.trial]])
             layouts.append(ShownLayout(layout.label, layout.spec, values))
-    for row in _front_rows(history):
+    front = front_rows(history)
+    spread = np.linspace(0, len(front) - 1, min(len(front), _MOST_OF_FRONT)).round().astype(int)
+    for row in (front[place] for place in spread):
         trial = finished[row]
         if trial.number not in promoted and trial.feasible:
             spec = with_layout(space.spec, trial.params)
             layouts.append(ShownLayout(f"trial {trial.number}", spec, tuple(history.values[row])))
     return layouts
-
-
-def _front_rows(history: History) -> list[int]:
-    """Trials that none is better than in both of the first two objectives; evenly chosen, 40 at most."""
-    if len(history.names) < 2:
-        return []
-    sign = [-1.0 if name in OBJECTIVES_TO_MAXIMIZE else 1.0 for name in history.names[:2]]
-    feasible = np.flatnonzero(history.feasible)
-    ahead = feasible[pareto_front(np.array(sign) * history.values[feasible, :2])]
-    ahead = ahead[np.argsort(history.values[ahead, 0])]
-    chosen = np.linspace(0, len(ahead) - 1, min(len(ahead), _MOST_OF_FRONT)).round().astype(int)
-    return ahead[chosen].tolist()
 
 
 def layouts_scene(layouts: Sequence[ShownLayout], history: History) -> bytes:

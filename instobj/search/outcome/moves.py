@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
+from jaxtyping import Float
 
 from design.layout.pockets import magnet_bodies, sensor_places
 from design.search.faces import layout_groups
 from design.spec.object import ObjectSpec
-from instobj.search.outcome.figures import draw_moves, paired
 
 
-def moved_parts(start: ObjectSpec, changed: ObjectSpec, folder: Path) -> dict[str, Any]:
-    """Picture, rows of moved magnets and sensors, and other changes, as the page shows them."""
-    draw_moves(start, changed, folder / "moves.png")
+def moved_parts(start: ObjectSpec, changed: ObjectSpec) -> dict[str, Any]:
+    """Rows of moved magnets and sensors, and other changes, as the page shows them."""
     rows = []
     for group, label in zip(layout_groups(changed), _faces_in_words(changed), strict=True):
         face = changed.body.sensed.index(group[0])
@@ -27,11 +25,21 @@ def moved_parts(start: ObjectSpec, changed: ObjectSpec, folder: Path) -> dict[st
         if old_value != new_value
     ]
     return {
-        "moves_picture": folder / "moves.png",
         "moves": rows,
         "kinds": _kinds_differ(changed),
         "other_changes": others,
     }
+
+
+def paired(
+    old_places: Float[np.ndarray, "n 2"], new_places: Float[np.ndarray, "m 2"]
+) -> list[tuple[int, int]]:
+    """Return which of the old places became which of the new, by the least total distance."""
+    from scipy.optimize import linear_sum_assignment
+
+    away = np.linalg.norm(old_places[:, None] - new_places, axis=-1)
+    rows, columns = linear_sum_assignment(away)
+    return list(zip(rows.tolist(), columns.tolist(), strict=True))
 
 
 def _kinds_differ(changed: ObjectSpec) -> bool:

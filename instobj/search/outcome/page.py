@@ -11,28 +11,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from design.files import atomic_path
 from design.layout.places.contact_places import contact_places
 from design.layout.places.coverage import covered_share
 from design.spec.object import ObjectSpec
 from estimator.information.fisher import SUFFIXES
 from estimator.information.scores import fill_places
 from estimator.layouts.fidelity import MARGINS, SCORE_NAMES, bounds_by_press
-from instobj.report.pages import render, shown
-from instobj.search.fidelity import METRIC_LABELS
-from instobj.search.outcome.figures import (
-    LABELS,
-    draw_convergence,
-    draw_front,
-    draw_levels,
-)
+from instobj.report.pages import write_page
+from instobj.search.outcome.figures import LABELS, draw_convergence
 from instobj.search.outcome.layouts import ShownLayout, layouts_scene
 from instobj.search.outcome.moves import moved_parts
+from instobj.search.outcome.rows import estimator_rows, promotion_tables, ratio_rows
 from instobj.store.readers import CROSS_FACE, MANIFEST, PARTS_PICTURE, SCORES
 
 if TYPE_CHECKING:
     from instobj.search.outcome.history import History
-    from instobj.search.verdict import Promoted, Promotion
+    from instobj.search.verdict import Promotion
 
 Say = Callable[[str], None]
 _LEVELS = {
@@ -66,7 +60,8 @@ def write_search_page(
     """Write `search.html` with its figures, and return where it is."""
     step("maps before and after, figures and page")
     figures = folder / "figures"
-    page = render(
+    return write_page(
+        folder / "search.html",
         "search.html.j2",
         name=start.name,
         found=promotion,
@@ -77,22 +72,15 @@ def write_search_page(
         level=_LEVELS[promotion.level],
         highest=_highest(promotion) + _cross_face(results),
         maps=_maps(promotion, results, figures),
-        ratios=[
-            [_label(name), f"{ratio.design:.2f}", f"{ratio.low:.2f} to {ratio.high:.2f}"]
-            for name, ratio in promotion.ratios.items()
-        ],
+        ratios=ratio_rows(promotion),
+        estimators=estimator_rows(promotion),
+        tables=promotion_tables(promotion),
         parts=_parts(results.parts),
         parts_picture=PARTS_PICTURE.path(results.parts),
-        **moved_parts(start, promotion.best.spec, figures),
-        **_estimators(promotion),
-        **_levels(promotion, history.names, figures),
+        **moved_parts(start, promotion.best.spec),
         **_search(history, figures),
         **_forces(promotion, figures),
     )
-    path = folder / "search.html"
-    with atomic_path(path) as temporary:
-        temporary.write_text(page, encoding="utf-8")
-    return path
 
 
 def _highest(promotion: Promotion) -> list[list[str]]:
@@ -213,59 +201,10 @@ def _maps(promotion: Promotion, results: ChainResults, folder: Path) -> list[tup
     return pictures
 
 
-def _estimators(promotion: Promotion) -> dict[str, Any]:
-    columns = tuple(promotion.estimators)
-    rows = [
-        [label, *(shown(promotion.estimators[column].get(name)) for column in columns)]
-        for name, label in METRIC_LABELS.items()
-        if columns
-    ]
-    return {"estimator_header": ["mean of faces", *columns], "estimators": rows}
-
-
-def _levels(promotion: Promotion, objectives: tuple[str, ...], folder: Path) -> dict[str, Any]:
-    named = [name for name in objectives if name in promotion.correlations["1"]]
-    everyone = (promotion.start, *promotion.leaders)
-    counts = {level: sum(level in layout.levels for layout in everyone) for level in _LEVELS}
-    scores = []
-    for name in named or ["worst_position_bound_mm"]:  # those of parts are the same at all
-        draw_levels(promotion, name, folder / f"rungs_{name}.png")
-        rows = [
-            [layout.label, *(_score_on_level(layout, level, name) for level in _LEVELS)]
-            for layout in everyone
-        ]
-        header = [LABELS[name], *_LEVELS.values()]
-        scores.append({"picture": folder / f"rungs_{name}.png", "header": header, "rows": rows})
-    return {
-        "levels": scores,
-        "rank_header": [
-            "rank correlation (Spearman)",
-            f"lowest to second, {counts['2']} layouts",
-            f"second to highest, {counts['3']} layouts",
-        ],
-        "ranks": [
-            [_label(score), *(_rank(promotion.correlations[level][score]) for level in ("1", "2"))]
-            for score in promotion.correlations["1"]
-        ],
-    }
-
-
-def _score_on_level(layout: Promoted, level: str, name: str) -> str:
-    return shown(getattr(layout.levels[level], name) if level in layout.levels else None)
-
-
-def _rank(value: float) -> str:
-    return f"{value:.2f}" if np.isfinite(value) else "–"
-
-
 def _search(history: History, folder: Path) -> dict[str, Any]:
     draw_convergence(history, folder / "convergence.png")
-    front = folder / "front.png" if len(history.names) > 1 else None
-    if front is not None:
-        draw_front(history, front)
     return {
         "convergence": folder / "convergence.png",
-        "front": front,
         "trials": len(history.values),
         "kept": int(history.feasible.sum()),
     }

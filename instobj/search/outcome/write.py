@@ -39,12 +39,10 @@ def write_outcome(
     folder: Path,
     spec_folder: Path,
     step: Callable[[str], None],
-    plain_engines_s: float = float("inf"),
 ) -> list[Path]:
     """Write finalists, the best of them, `search.json`, the page.
 
-    `spec_folder` is the folder of the specification, from which it names other files; `plain_engines_s` is
-    the time of the plain engines that the page shows.
+    `spec_folder` is the folder of the specification, from which it names other files.
     """
     written = []
     for place, layout in enumerate(promotion.finalists, start=1):
@@ -59,7 +57,7 @@ def write_outcome(
     written.append(write_best(promotion.best.spec, about, space.spec.name, folder, spec_folder))
     written.append(folder / RESULTS)
     write_json(_results(promotion), written[-1])
-    history = search_history(space, kept, plain_engines_s)
+    history = search_history(space, kept)
     start, best = (Run(layout.spec) for layout in (promotion.start, promotion.best))
     scores = None
     if promotion.finalists:

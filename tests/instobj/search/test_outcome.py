@@ -1,21 +1,16 @@
 """What a search's figures are drawn from."""
 
+from dataclasses import replace
+
 import numpy as np
-import pytest
 from matplotlib.image import imread
-from matplotlib.patches import Circle
 from numpy.testing import assert_allclose, assert_array_equal
 
 from design.spec_io import parse_spec
 from instobj.search.outcome import moves
-from instobj.search.outcome.figures import (
-    draw_convergence,
-    draw_front,
-    draw_moves,
-    paired,
-    pareto_front,
-)
-from instobj.search.outcome.history import best_so_far
+from instobj.search.outcome.figures import draw_convergence
+from instobj.search.outcome.history import History, best_so_far, front_rows, pareto_front
+from instobj.search.outcome.moves import paired
 from tests.support.objects.made_histories import made_up_history
 
 
@@ -38,45 +33,28 @@ def test_parts_are_paired_by_the_least_way_in_all():
     assert dict(paired(before, after)) == {0: 2, 1: 0}
 
 
-@pytest.mark.parametrize("random", [0, 40])
-def test_figures_are_drawn(tmp_path, random):
-    history = made_up_history(random)
-    draw_convergence(history, tmp_path / "convergence.png")
-    draw_front(history, tmp_path / "front.png")
-    start = parse_spec({"name": "a"}, "made up")
-    moved = {"positions_mm": [[0, 1], [9, 8], [-9, 9]], "north": ["outward", "inward", "outward"]}
-    found = parse_spec(
-        {"name": "b", "magnets": moved | {"tilt_deg": [[5, 9], [0, 0], [0, 8]]}}, "b"
-    )
-    draw_moves(start, found, tmp_path / "moves.png")
-    for name in ("convergence", "front", "moves"):
-        assert np.ptp(imread(tmp_path / f"{name}.png")[..., :3]) > 0.5
+def test_the_front_holds_feasible_trials_by_their_first_objective():
+    values = np.array([[3.0, 1.0], [1.0, 3.0], [2.0, 2.0], [0.5, 0.5], [3.0, 3.0]])
+    feasible = np.array([True, True, True, False, True])
+    names = ("worst_position_bound_mm", "worst_force_bound_n")
+    history = History(names, values, feasible, np.ones(2), np.arange(5))
+    assert front_rows(history) == [1, 2, 0]
+    assert front_rows(replace(history, names=names[:1])) == []
 
 
-def test_every_layout_of_a_body_with_faces_of_several_sizes_is_drawn(tmp_path):
-    body = {"kind": "cylinder", "size_mm": [42.0, 42.0, 60.0], "open_faces": [6]}
-    sensors = {"positions_mm": [[9.0, 0.0], [-9.0, 0.0], [0.0, 7.5]]}
-    start = parse_spec({"name": "h", "body": body, "sensors": sensors}, "h")
-    moved = {"positions_mm": [[3.0, 1.0], [12.0, 8.0]]}
-    found = parse_spec({"name": "h", "body": body, "sensors": sensors, "magnets": moved}, "h")
-    top, side = draw_moves(start, found, tmp_path / "moves.png").axes
-    assert (top.get_xlabel(), side.get_xlabel()) == ("x of face 1 (mm)", "x of face 2 (mm)")
-    assert side.get_title() == "faces 2, 3, 4, 5 (before: face 2)"
-    for axes in (top, side):
-        circles = [one for one in axes.patches if isinstance(one, Circle)]
-        assert len(circles) == 5 + 2, "magnets of the start and of the found layout"
-    cube = parse_spec({"name": "c"}, "c")
-    assert len(draw_moves(cube, cube, tmp_path / "m.png").axes) == 1
+def test_the_convergence_is_drawn(tmp_path):
+    draw_convergence(made_up_history(), tmp_path / "convergence.png")
+    assert np.ptp(imread(tmp_path / "convergence.png")[..., :3]) > 0.5
 
 
-def test_grades_that_a_search_chose_stand_beside_the_poles(tmp_path):
+def test_grades_that_a_search_chose_stand_beside_the_poles():
     places = {"positions_mm": [[8, 8], [-8, -8]]}
     start = parse_spec({"name": "a", "magnets": places}, "made up")
     chosen = places | {"grade": ["N35", "N52"], "north": ["outward", "inward"]}
     search = {"vary": {"magnet_grade": ["N35", "N52"]}}
     found = parse_spec({"name": "b", "magnets": chosen, "search": search}, "made up")
-    told = moves.moved_parts(start, found, tmp_path)
+    told = moves.moved_parts(start, found)
     norths = [row[-1] for row in told["moves"] if row[0].startswith("magnet")]
     assert norths == ["outward, N35", "inward, N52"]
     assert told["kinds"]
-    assert not moves.moved_parts(start, start, tmp_path)["kinds"]
+    assert not moves.moved_parts(start, start)["kinds"]

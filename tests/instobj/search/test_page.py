@@ -16,7 +16,7 @@ from estimator.information.scores import PlaceScores, save_scores_csv
 from estimator.layouts.fidelity import SCORE_NAMES, FidelityScore
 from instobj.figures.maps import overview
 from instobj.search.fidelity import METRIC_LABELS, TwinRatio
-from instobj.search.outcome import moves, page
+from instobj.search.outcome import page
 from instobj.search.outcome.layouts import ShownLayout
 from instobj.search.outcome.page import ChainResults, write_search_page
 from instobj.search.verdict import Promoted, Promotion
@@ -26,8 +26,7 @@ from tests.support.objects.made_histories import made_up_history
 from tests.support.pictures import save_dot
 
 DRAWN = {
-    page: ("draw_convergence", "draw_front", "draw_levels"),
-    moves: ("draw_moves",),
+    page: ("draw_convergence",),
     overview: ("draw_overview",),
 }
 
@@ -120,7 +119,7 @@ def test_the_page_says_what_was_found(tmp_path, results, objections, monkeypatch
     assert 'class="no-go">NO<' in text, "a part that is not watertight stands out"
     assert "× 0.50" in told
     assert "false force by the next face (N), largest 20 30 × 1.50" in told
-    assert "1.10 to 3.00" in told
+    assert "score start / best 95 % from to worst_position_bound_mm 2 1.1 3" in told
     assert text.count("<img") == text.count('src="data:image/webp;base64,')
     assert not re.findall(r"""src=["'](?!data:)|<link|<script src|@import""", text)
     assert "default-src &#39;none&#39;" in text, (

@@ -110,7 +110,6 @@ def test_shares_of_the_time(clock):
     assert limit.left_s == pytest.approx(563)
     assert limit.left == "563 of 940 s left until the page"
     assert "search until 376 s; check the best until 940 s;" in limit.plan
-    assert limit.plain_engines_s == pytest.approx(40)
     clock.now_s += 564
     assert limit.left_s < 0
     assert limit.left == "0 of 940 s left until the page"

@@ -3,29 +3,25 @@
 import numpy as np
 
 from design.spec_io import parse_spec
-from instobj.search.outcome.history import History, Peer
+from instobj.search.outcome.history import History
 from instobj.search.outcome.layouts import ShownLayout
 from tests.support.objects.search_cases import OBJECTIVES
 
 
-def made_up_history(random=40):
-    """Sixty trials of two objectives, better and better, and so many that plain engines found."""
+def made_up_history():
+    """Sixty trials of two objectives, better and better."""
     rng = np.random.default_rng(1)
     values = np.exp(rng.normal(size=(60, 2)) - np.linspace(0, 1, 60)[:, None])
-    found = np.exp(rng.normal(size=random))
     names = ("worst_position_bound_mm", "worst_force_bound_n")
-    at = np.sort(rng.integers(1, 2000, random)).astype(float)
-    peers = tuple(Peer(name, found, at, 2000) for name in ("random search", "plain CMA-ES"))
-    return History(
-        names, values, rng.random(60) < 0.7, np.array([2.0, 3.0]), peers, 41 * np.arange(1, 61)
-    )
+    feasible = rng.random(60) < 0.7
+    return History(names, values, feasible, np.array([2.0, 3.0]), 41 * np.arange(1, 61))
 
 
 def history_of_three():
     """Three trials of two objectives; the third breaks limits."""
     values = np.array([[1.0, 3.0], [2.0, 1.0], [3.0, 3.0]])
     return History(
-        OBJECTIVES, values, np.array([True, True, False]), np.array([2.0, 9.0]), (), np.arange(1, 4)
+        OBJECTIVES, values, np.array([True, True, False]), np.array([2.0, 9.0]), np.arange(1, 4)
     )  # fmt: skip
 
 

@@ -1,14 +1,14 @@
-"""`instobj bench live`: sources, recording, and what outlives the page."""
+"""`instobj bench live`: sources, recording, and what a page may cost."""
 
 import os
 import re
 import signal
+import socket
 import threading
 import time
 import urllib.request
-from contextlib import closing, contextmanager
+from contextlib import closing
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -28,11 +28,11 @@ from estimator.recordings.boards.lines import (
 from estimator.recordings.boards.link import replay_chunks, serial_chunks
 from estimator.recordings.formats.files import read_table
 from instobj.bench.collect.options import CollectOptions
-from instobj.bench.live import command
 from instobj.bench.live.command import live, run_live
 from instobj.bench.live.contacts import open_estimator
-from instobj.bench.live.process import page_process
+from instobj.bench.live.page import PageSettings, serve_page
 from instobj.bench.live.source import LiveOptions, LiveSource, data_set_table
+from instobj.bench.live.watch import Watch
 from instobj.commands.readings import Zeroing
 from instobj.store.progress import ProgressLine
 from tests.support.mechanics.inverted import labelled_frames
@@ -40,6 +40,11 @@ from tests.support.recordings.dummy_board import dummy_board
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs pseudo-terminals")
 SPEC = ObjectSpec(name="cube")
+UPGRADE = (
+    "GET /stream HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n"
+)
+"""Request of a viewer (RFC 6455)."""
 
 
 def source_of(port, out):
@@ -54,9 +59,11 @@ def numbered(k):
     return load + encode_frame(k, 10 * k, [float(k), 0.0, 0.0, 0.0, 0.0, -float(k)])
 
 
-def test_the_recording_outlives_the_page_and_holds_every_frame(tmp_path, monkeypatch):
-    """The page's process is killed on the way: rows go on as a board sent them."""
+def test_viewers_cost_no_row_of_the_recording(tmp_path):
+    """Viewers come, read nothing and are cut off: rows go on as a board sent them."""
     csv, found = tmp_path / "cube.csv", []
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        page_port = free.getsockname()[1]
 
     def rows_in(least):
         """Wait for so many rows; how many there are."""
@@ -66,37 +73,73 @@ def test_the_recording_outlives_the_page_and_holds_every_frame(tmp_path, monkeyp
             time.sleep(0.02)
         return rows
 
-    def kill_later(page):
+    def watch_and_leave():
         try:
             rows = rows_in(30)
-            found.append(urllib.request.urlopen(page.url + "scene", timeout=30).read())  # noqa: S310
-            os.kill(page.process.pid, signal.SIGKILL)
-            page.process.join(5)
+            url = f"http://127.0.0.1:{page_port}/scene"
+            found.append(urllib.request.urlopen(url, timeout=30).read())
+            for _ in range(5):
+                with socket.create_connection(("127.0.0.1", page_port)) as viewer:
+                    viewer.sendall(UPGRADE.format(page_port).encode())
+                    found.append(viewer.recv(12))
+                    rows = rows_in(rows + 10)
             found.append(rows_in(rows + 30))
         finally:
             os.kill(os.getpid(), signal.SIGINT)
 
-    @contextmanager
-    def killed_on_the_way(settings):
-        with page_process(settings) as page:
-            killing = threading.Thread(target=kill_later, args=(page,))
-            killing.start()
-            yield page
-            killing.join()
-
-    monkeypatch.setattr(command, "page_process", killed_on_the_way)
+    watching = threading.Thread(target=watch_and_leave)
     with dummy_board(numbered) as port:
         source = source_of(port, tmp_path / "cube")
-        options = LiveOptions(None, source.readings, record=True, page_port=0)
+        options = LiveOptions(None, source.readings, record=True, page_port=page_port)
+        watching.start()
         told = run_live(source, options, "", ProgressLine())
-    assert found[0] == b"scene"
+        watching.join()
+    scene, *upgraded, rows = found
+    assert (scene, upgraded) == (b"scene", [b"HTTP/1.1 101"] * 5)
     table = read_table(tmp_path / "cube.nc")
-    assert told["frames_added"] == len(table.counts) >= found[1]
+    assert told["frames_added"] == len(table.counts) >= rows
     numbers = table.counts[:, 0, 0, 0]
     np.testing.assert_array_equal(table.counts[:, 2, 0, 2], -numbers)
     np.testing.assert_allclose(table.force_n[:, 0], numbers / 1000)
     assert np.all(np.diff(numbers) > 0)
     assert numbers[-1] - numbers[0] + 1 == len(numbers) + told["lost_frames"]
+
+
+class Failing:
+    """An estimator whose runtime fails."""
+
+    needs_every_frame, channels = True, ()
+
+    def feed(self, raw_counts, time_s, left_out):
+        raise RuntimeError("no kernel image")
+
+
+def test_a_runtime_that_fails_ends_the_reading_of_contacts_alone():
+    watch = Watch(SPEC, Failing(), 0)
+    watch.take_header(["F1-X1"])
+    with serve_page(watch, PageSettings(b"scene", "127.0.0.1", 0, "")) as page:
+        watch.take_row(1.0, 1.0, (5.0,))
+        until = time.monotonic() + 10
+        while not watch.state()["trouble"] and time.monotonic() < until:
+            time.sleep(0.01)
+        assert (
+            watch.state()["trouble"] == "contacts are no longer read: RuntimeError: no kernel image"
+        )
+        watch.take_row(2.0, 2.0, (6.0,))
+        assert len(watch.rows_after(0, 10)[0]) == 2
+        assert urllib.request.urlopen(page.url + "scene", timeout=30).read() == b"scene"  # noqa: S310
+        assert page.alive
+    assert not page.alive
+
+
+def test_an_address_in_use_is_told():
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        settings = PageSettings(b"", "127.0.0.1", taken.getsockname()[1], "")
+        with (
+            pytest.raises(InputError, match=r"cannot listen on 127\.0\.0\.1.* --page"),
+            serve_page(Watch(SPEC, None, 0), settings),
+        ):
+            pass
 
 
 def messages_of(chunks, count):
@@ -193,14 +236,7 @@ def test_models_that_do_not_fit_are_told(tmp_path):
     assert open_estimator(SPEC, (), "rest", 8) is None
 
 
-@contextmanager
-def no_page(_):
-    """A page's process that takes everything and asks for nothing."""
-    yield SimpleNamespace(send=lambda _: None, commands=list, alive=True, lost=0, url="http://x/")
-
-
-def test_another_objects_board_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(command, "page_process", no_page)
+def test_another_objects_board_is_refused(tmp_path):
     with dummy_board(channels=("F1-X9", "F1-Y1", "F1-Z1", "F3-X1", "F3-Y1", "F3-Z1")) as port:
         source = source_of(port, tmp_path / "x")
         with pytest.raises(InputError, match="names channels that cube has not: F1-X9"):

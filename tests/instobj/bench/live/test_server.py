@@ -1,7 +1,6 @@
 """The page's server: whom it answers, what it streams, and that a slow viewer costs nobody else."""
 
 import asyncio
-import json
 from contextlib import asynccontextmanager
 
 import numpy as np
@@ -13,7 +12,7 @@ from instobj.bench.live import server
 from instobj.bench.live.contacts import Found
 from instobj.bench.live.protocol import read_frames_message
 from instobj.bench.live.server import Page, application
-from instobj.bench.live.watch import HEADER, Reading, Watch, channel_names, row_message
+from instobj.bench.live.watch import Reading, Watch, channel_names
 from instobj.viewer.served import is_loopback
 
 SPEC = ObjectSpec(name="cube")
@@ -22,7 +21,7 @@ NAMES = channel_names(SPEC)
 
 def page_of(token="", address="127.0.0.1"):
     watch = Watch(SPEC, None, 0)
-    watch.take(HEADER + json.dumps(NAMES).encode())
+    watch.take_header(NAMES)
     return Page(watch, b"the scene", address, token, [].append)
 
 
@@ -109,7 +108,7 @@ def test_the_page_may_run_its_own_program_alone():
 async def adding(page, count, at_once=20):
     """Rows as a board sends them."""
     for number in range(count):
-        page.watch.take(row_message(number / 200, number / 200, tuple(np.full(45, number))))
+        page.watch.take_row(number / 200, number / 200, tuple(np.full(45, number)))
         if number % at_once == at_once - 1:
             await asyncio.sleep(0.005)
 

@@ -1,7 +1,6 @@
 """The page in a browser, fed with a contact that slides: its pictures leave the object as it is."""
 
 import asyncio
-import json
 import threading
 import time
 from contextlib import contextmanager
@@ -15,10 +14,10 @@ from PIL import Image
 
 from design.spec.object import ObjectSpec
 from instobj.bench.live.contacts import Found, placed_contact
-from instobj.bench.live.process import call_within, read_frames
+from instobj.bench.live.page import call_within, read_frames
 from instobj.bench.live.scene import live_scene
 from instobj.bench.live.server import Page, application
-from instobj.bench.live.watch import HEADER, Watch, channel_names, row_message
+from instobj.bench.live.watch import Watch, channel_names
 from tests.support.browser import Browser, chromium
 
 pytestmark = pytest.mark.skipif(chromium() is None, reason="no Chromium on this machine")
@@ -60,10 +59,10 @@ def served(page):
         loop.close()
 
     def board():
-        page.watch.take(HEADER + json.dumps(NAMES).encode())
+        page.watch.take_header(NAMES)
         while not ended.wait(0.005):
             now_s = time.time()
-            page.watch.take(row_message(now_s, now_s, tuple(np.arange(45.0))))
+            page.watch.take_row(now_s, now_s, tuple(np.arange(45.0)))
 
     serving = threading.Thread(target=serve)
     for thread in (serving, threading.Thread(target=board)):

@@ -1,6 +1,5 @@
 """Rows, zero, contacts and rest as the page gets them, with an estimator that does as it is told."""
 
-import json
 import threading
 
 import numpy as np
@@ -10,7 +9,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from instobj.bench.live.contacts import Found, placed_contact, placed_label, placed_labels
 from instobj.bench.live.health import DRIFTING, GOOD
-from instobj.bench.live.watch import HEADER, LABELS, NEWS, Watch, channel_names, row_message
+from instobj.bench.live.watch import Watch, channel_names
 
 SPEC = ObjectSpec(name="cube")
 NAMES = channel_names(SPEC)
@@ -43,14 +42,14 @@ class Told:
 
 def watching(estimator=None, zero_frames=5):
     watch = Watch(SPEC, estimator, zero_frames)
-    watch.take(HEADER + json.dumps(NAMES).encode())
+    watch.take_header(NAMES)
     return watch
 
 
 def feed(watch, values, start_s=100.0):
     for number, value in enumerate(values):
         at = start_s + number / 200
-        watch.take(row_message(at, at - 50.0, tuple(LEVEL + value)))
+        watch.take_row(at, at - 50.0, tuple(LEVEL + value))
 
 
 def test_contacts_are_placed_on_a_curved_body_by_lengths_along_it():
@@ -136,7 +135,7 @@ def test_a_reading_that_fails_is_told_and_ends_with_its_cause(monkeypatch):
     watch.read_next()
     silent = LEVEL.copy()
     silent[NAMES.index("F2-Z1")] = np.nan
-    watch.take(row_message(101.0, 51.0, tuple(silent)))
+    watch.take_row(101.0, 51.0, tuple(silent))
     watch.read_next()
     assert watch.state()["trouble"] == "channel F2-Z1 gives no reading"
     assert len(watch.reading.read.contacts) == 0
@@ -188,8 +187,8 @@ def test_the_zero_button_reaches_the_estimator_between_two_frames():
 
 def test_labels_and_news_are_handed_on():
     watch = watching()
-    watch.take(LABELS + json.dumps([[3.0, 1.0, 2.0, 5.0], [6.0, 0.0, 0.0, 1.0]]).encode())
-    watch.take(NEWS + json.dumps({"rate_hz": 200}).encode())
+    watch.take_labels([[3.0, 1.0, 2.0, 5.0], [6.0, 0.0, 0.0, 1.0]])
+    watch.news = {"rate_hz": 200}
     assert watch.state()["rate_hz"] == 200
     assert watch.labels.shape == (1, 10)
     np.testing.assert_allclose(watch.labels[0, 4:7], [21.0, 2.0, -1.0])
@@ -215,10 +214,10 @@ def test_what_was_not_read_is_no_rest():
     feed(watch, [900.0] * 40, 103.0)
     for number in range(8):
         at = 103.2 + number / 4
-        watch.take(row_message(at, at, tuple(LEVEL + 900.0)))
+        watch.take_row(at, at, tuple(LEVEL + 900.0))
     watch.state()
     np.testing.assert_allclose(watch.rows_after(0, 1)[0][0].change, 900.0, atol=6)
-    watch.take(row_message(106.0, 106.0, tuple(LEVEL)))
+    watch.take_row(106.0, 106.0, tuple(LEVEL))
     watch.read_next()
     watch.state()
     np.testing.assert_allclose(watch.rows_after(0, 1)[0][0].change, 0.0, atol=6)
