@@ -31,6 +31,7 @@ _MODULES: tuple[str, ...] = (
     "studies.layouts",
     "studies.electromagnets",
     "studies.weak_areas",
+    "studies.blind_start",
     "studies.published_objects",
 )
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -19,6 +20,7 @@ from jaxtyping import Float, Int
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import ObjectSpec
 from design.spec.sensors import fastest_frame_rate_hz
+from design.tables import write_records
 from estimator.information.contact_sets import contact_sets, spread_places
 from estimator.information.fisher import disturbance_counts, squared_rows, whitened
 from estimator.information.sensitivity import own_channels
@@ -296,3 +298,8 @@ def _middle(values: Float[np.ndarray, "n"]) -> float:
 def table_row(row: Identifiability) -> dict[str, float | int | str]:
     """Plain values without the worst set."""
     return {name: value for name, value in asdict(row).items() if name != "worst"}
+
+
+def save_identifiability(rows: Sequence[Identifiability], path: Path | str) -> None:
+    """Bounds of each number of contacts and sensors (CSV); the header has the units."""
+    write_records(path, [table_row(row) for row in rows])

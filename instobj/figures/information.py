@@ -14,7 +14,6 @@ from design.layout.places.contact_places import contact_places
 from design.layout.pockets import magnet_places, sensor_places
 from design.spec.object import ObjectSpec
 from estimator.information.identifiability import Identifiability
-from estimator.inversion.blind_start import BlindStart
 from instobj.figures.saving import save_figure
 from instobj.figures.style import PALETTE, RED, draw_limit
 
@@ -31,14 +30,12 @@ _ARROW_PER_MM = 9.0
 def draw_identifiability(
     spec: ObjectSpec,
     rows: Sequence[Identifiability],
-    blind: Sequence[BlindStart],
     path: Path | str,
 ) -> None:
-    """Position bound of the worst contact of a set, and its distance from a blind start, against
-    sensors per face (PNG).
+    """Position bound of the worst contact of a set against sensors per face (PNG).
 
     Lines are medians of the bound over the sets, bands run from 10 to 90 %; crosses at the top stand
-    where the median set is blind. Squares are medians over the frames, bars their 90 % ranges.
+    where the median set is blind.
     """
     from matplotlib.figure import Figure
 
@@ -50,18 +47,15 @@ def draw_identifiability(
         for contacts in sorted({r.contacts for r in rows}):
             some = [r for r in rows if (r.channels, r.contacts) == (channels, contacts)]
             _draw_line(axes, some, high)
-            read = [b for b in blind if (b.channels, b.contacts) == (channels, contacts)]
-            _draw_blind_start(axes, read, high)
         draw_limit(axes, spec.limits.position_bound_mm)
         axes.set(yscale="log", ylim=(low, high), xlabel="Hall sensors per face", title=title)
         axes.set_xticks(sorted({r.sensors for r in rows}))
         axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
         axes.grid(alpha=0.3)
-    panels[0].set_ylabel("worst contact: bound, distance (mm)")
+    panels[0].set_ylabel("bound of the worst contact (mm)")
     panels[0].legend(frameon=False, loc="lower left")
     figure.suptitle(
-        f"k simultaneous contacts of {spec.score.force_n:g} N each on one face: position bound (lines), "
-        "maximum likelihood from a blind start (squares)"
+        f"k simultaneous contacts of {spec.score.force_n:g} N each on one face: position bound"
     )
     save_figure(figure, path)
 
@@ -85,19 +79,6 @@ def _draw_line(axes: Any, rows: Sequence[Identifiability], top_mm: float) -> Non
     axes.plot(blind, np.full(len(blind), top_mm / 1.25), color=colour, marker="x", ls="", mew=2)
     if len(blind) and contacts == max(_COLOURS):
         axes.text(blind.max() + 0.12, top_mm / 1.25, "blind", va="center", fontsize=9, color="0.35")
-
-
-def _draw_blind_start(axes: Any, rows: Sequence[BlindStart], top_mm: float) -> None:
-    if not rows:
-        return
-    offset = 0.06 * (rows[0].contacts - 2)
-    low, middle, high = (
-        np.minimum([getattr(r, f"blind_median_{part}mm") for r in rows], top_mm)
-        for part in ("low_", "", "high_")
-    )
-    axes.errorbar(np.array([r.sensors for r in rows]) + offset, middle,
-                  yerr=[middle - low, high - middle], color=_COLOURS.get(rows[0].contacts, "#555555"),
-                  marker="s", mfc="white", ls="", capsize=2)  # fmt: skip
 
 
 def draw_blindest(spec: ObjectSpec, rows: Sequence[Identifiability], path: Path | str) -> None:

@@ -116,8 +116,7 @@ def identify_title(spec: ObjectSpec | None) -> str:
         force, limit = f"{spec.score.force_n:g} N", f"{spec.limits.position_bound_mm:g} mm"
     return (
         f"k contacts at once, each of {force} or what its deepest press reaches: medians over sets, worst "
-        "contact. blind: maximum likelihood from a blind start on simulated frames, ± half of its 90 % "
-        f"range; ok: found within {limit}"
+        f"contact; ok: sets whose every contact is bounded within {limit}"
     )
 
 
@@ -260,17 +259,10 @@ def _identify(result: StoredResult) -> list[dict[str, Any]]:
             "bound mm": float(row["bound_median_mm"]),
             "90 % mm": float(row["bound_90_mm"]),
             "bound N": float(row["force_bound_median_n"]),
-            "blind mm": float(row["blind_median_mm"]),
-            "± mm": _half_range(row, "blind_median_low_mm", "blind_median_high_mm"),
-            "ok %": round(100 * float(row["blind_share_within_limit"]), 1),
-            "± %": round(100 * _half_range(row, "blind_share_low", "blind_share_high"), 1),
+            "ok %": round(100 * float(row["bound_share_within_limit"]), 1),
         }
         for row in IDENTIFIABILITY.read(result.folder)
     ]
-
-
-def _half_range(row: dict[str, str], low: str, high: str) -> float:
-    return (float(row[high]) - float(row[low])) / 2
 
 
 def _median(rows: list[dict[str, str]], name: str) -> float:

@@ -226,7 +226,7 @@ STAGES: dict[str, Stage] = {
         ("presses", "signals"),
         ("score", "limits.position_bound_mm", *_NUISANCES, "seed"),
         make_identify,
-        version=5,
+        version=6,
     ),
     "robustness": Stage(
         "robustness: tolerances",

@@ -102,16 +102,14 @@ def make_shear_scores(context: StageContext, folder: Path) -> None:
 
 
 def make_identify(context: StageContext, folder: Path) -> None:
-    """Information of several simultaneous contacts, and what a blind start makes of it."""
-    from estimator.information.identifiability import identifiability
-    from estimator.inversion.blind_start import blind_starts, save_identifiability
+    """Information of several simultaneous contacts."""
+    from estimator.information.identifiability import identifiability, save_identifiability
     from instobj.figures.information import draw_blindest, draw_identifiability
 
     presses = context.read(PRESSES)
     rows = identifiability(context.spec, *presses, progress=context.step)
-    blind = blind_starts(context.spec, *presses, progress=context.step)
-    save_identifiability(rows, blind, IDENTIFIABILITY.path(folder))
-    draw_identifiability(context.spec, rows, blind, IDENTIFIABILITY_PICTURE.path(folder))
+    save_identifiability(rows, IDENTIFIABILITY.path(folder))
+    draw_identifiability(context.spec, rows, IDENTIFIABILITY_PICTURE.path(folder))
     draw_blindest(context.spec, rows, BLINDEST_PICTURE.path(folder))
 
 

@@ -1,5 +1,7 @@
 """How many contacts can be told apart: rank, condition and bounds against first principles."""
 
+import csv
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -11,6 +13,7 @@ from estimator.information.fisher import cramer_rao_bounds, disturbance_counts
 from estimator.information.identifiability import (
     comparable_sensor_counts,
     identifiability,
+    save_identifiability,
     set_information,
     whitened_jacobians,
 )
@@ -143,3 +146,14 @@ def test_other_numbers_of_sensors_are_compared_where_mechanics_allows():
     assert comparable_sensor_counts(SPEC) == (1, 2, 3, 4, 5)
     shell = SPEC.model_copy(update={"arrangement": "sensors-in-shell"})
     assert comparable_sensor_counts(shell) == (3,)
+
+
+def test_the_table_holds_every_row_without_its_worst_set(rows, tmp_path):
+    save_identifiability(rows, tmp_path / "identifiability.csv")
+    with (tmp_path / "identifiability.csv").open(newline="") as file:
+        back = list(csv.DictReader(file))
+    assert len(back) == len(rows) == 12
+    for read, row in zip(back, rows, strict=True):
+        assert (int(read["contacts"]), int(read["sensors"])) == (row.contacts, row.sensors)
+        assert float(read["bound_median_mm"]) == row.bound_median_mm
+    assert "worst" not in back[0]

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from estimator.inversion import evidence, posterior, readings, search
-from estimator.inversion.blind_start import summary_of, worst_mm
+from studies.blind_start import summary_of, worst_mm
 from estimator.inversion.evidence import bounded_curvature
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.priors import Priors, fitting_sets, standing_probes

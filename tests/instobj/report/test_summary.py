@@ -18,5 +18,5 @@ def test_bounds_of_several_contacts_tell_their_force_and_their_limit():
     spec = ObjectSpec.model_validate({"name": "cube", "score": {"force_n": 4.5}})
     told = identify_title(spec.changed(limits=spec.limits.changed(position_bound_mm=1.25)))
     assert "each of 4.5 N or what its deepest press reaches" in told
-    assert told.endswith("ok: found within 1.25 mm")
+    assert told.endswith("ok: sets whose every contact is bounded within 1.25 mm")
     assert "score.force_n" in identify_title(None)

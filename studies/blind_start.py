@@ -1,4 +1,4 @@
-"""Contacts as maximum likelihood reads them from a blind start, with their Cramér–Rao bound.
+"""Contacts as maximum likelihood reads them from a blind start, beside their Cramér–Rao bound.
 
 The bound holds near the truth; an estimator that starts blind also meets places far away that give
 nearly the same signals, and faces end, which the bound does not know. Frames are simulated from the
@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from itertools import permutations
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -19,7 +20,6 @@ from jaxtyping import Float, Int
 from design.layout.places.contact_grid import contact_grid
 from design.layout.places.positions import live_channels
 from design.spec.object import ObjectSpec
-from design.tables import write_records
 from estimator.information.contact_sets import contact_sets, spread_places
 from estimator.information.fisher import disturbance_counts
 from estimator.information.identifiability import (
@@ -27,6 +27,7 @@ from estimator.information.identifiability import (
     Channels,
     Identifiability,
     comparable_sensor_counts,
+    identifiability,
     score_forces_n,
     table_row,
     with_sensor_count,
@@ -39,11 +40,18 @@ from estimator.inversion.search import Search
 from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals, press_signals
 from fem.presses.results import MagnetMotions, PressForces
+from instobj.figures.saving import save_figure
+from instobj.figures.style import PALETTE, draw_limit
+from instobj.stages.run import Run
+from instobj.store.readers import PRESSES
+from studies.layouts import QUICK_MESH, changed
+from studies.registry import Study, StudyResult
 
 FRAMES = 100
 """Frames that are inverted."""
 _LEAST_FORCE_N = 0.1
 """Least force of a contact that is sought."""
+_QUICK_FRAMES = 10
 _RESAMPLED = 1000
 """Bootstrap draws of an interval."""
 
@@ -238,9 +246,50 @@ def summary_of(
     )
 
 
-def save_identifiability(
-    bounds: Sequence[Identifiability], blind: Sequence[BlindStart], path: Path | str
+def run(spec: ObjectSpec, folder: Path, quick: bool) -> StudyResult:
+    """Bounds and blind starts of one to three contacts, for one sensor of a face up to five."""
+    if quick:
+        spec = changed(spec, QUICK_MESH)
+    presses = Run(spec).read(PRESSES)
+    bounds = identifiability(spec, *presses)
+    blind = blind_starts(spec, *presses, frames=_QUICK_FRAMES if quick else FRAMES)
+    draw_blind_starts(spec, bounds, blind, folder / "blind_starts.png")
+    return StudyResult(joined_rows(bounds, blind))
+
+
+STUDIES = (Study("blind-start", "Several contacts found from nowhere, beside their bounds.", run),)
+
+
+def joined_rows(
+    bounds: Sequence[Identifiability], blind: Sequence[BlindStart]
+) -> list[dict[str, Any]]:
+    """One row for each number of contacts and sensors: what bounds say, and what blind starts find."""
+    return [table_row(row) | asdict(start) for row, start in zip(bounds, blind, strict=True)]
+
+
+def draw_blind_starts(
+    spec: ObjectSpec,
+    bounds: Sequence[Identifiability],
+    blind: Sequence[BlindStart],
+    path: Path | str,
 ) -> None:
-    """Bounds and blind starts of each number of contacts and sensors (CSV); the header has the units."""
-    rows = [table_row(row) | asdict(start) for row, start in zip(bounds, blind, strict=True)]
-    write_records(path, rows)
+    """Medians of bounds (lines) and distances from blind starts (squares) against sensors (PNG)."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(11, 4.8), layout="constrained")
+    panels = figure.subplots(1, 2, sharey=True)
+    for axes, channels in zip(panels, ("own", "all"), strict=True):
+        for contacts, colour in zip(CONTACT_COUNTS, PALETTE, strict=False):
+            wanted = (channels, contacts)
+            lines = [row for row in bounds if (row.channels, row.contacts) == wanted]
+            squares = [row for row in blind if (row.channels, row.contacts) == wanted]
+            sensors = [row.sensors for row in lines]
+            label = f"{contacts} contacts" if contacts > 1 else "1 contact"
+            axes.plot(sensors, [row.bound_median_mm for row in lines], color=colour, label=label)
+            far = [row.blind_median_mm for row in squares]
+            axes.plot(sensors, far, color=colour, marker="s", mfc="white", ls="")
+        draw_limit(axes, spec.limits.position_bound_mm)
+        axes.set(yscale="log", xlabel="Hall sensors per face", title=f"{channels} channels")
+    panels[0].set_ylabel("worst contact: bound, distance (mm)")
+    panels[0].legend(frameon=False)
+    save_figure(figure, path)

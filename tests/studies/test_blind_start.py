@@ -1,6 +1,5 @@
 """Contacts read from a blind start, against the truth, the bound, and descent from the truth."""
 
-import csv
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -10,11 +9,11 @@ from numpy.testing import assert_allclose
 
 from estimator.information.fisher import disturbance_counts
 from estimator.information.identifiability import identifiability
-from estimator.inversion.blind_start import blind_starts, known_number, save_identifiability
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.priors import Priors
 from estimator.inversion.problems import BLIND, Observations
 from estimator.inversion.search import Search
+from studies.blind_start import blind_starts, draw_blind_starts, joined_rows, known_number
 from tests.support.mechanics.inverted import expected_counts, inverted
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
@@ -84,19 +83,19 @@ def test_where_the_bound_is_infinite_a_blind_start_still_answers_but_far_off(row
     assert blind.blind_share_within_limit < 0.3
 
 
-def test_bounds_and_blind_starts_share_one_table(presses, rows, tmp_path):
+def test_bounds_and_blind_starts_share_one_table_and_a_figure(presses, rows, tmp_path):
     bounds = identifiability(SPEC, *presses, COUNTS)
-    save_identifiability(bounds, rows, tmp_path / "identifiability.csv")
-    with (tmp_path / "identifiability.csv").open(newline="") as file:
-        back = list(csv.DictReader(file))
-    assert len(back) == len(rows) == 12
-    for read, bound, blind in zip(back, bounds, rows, strict=True):
-        assert (int(read["contacts"]), int(read["sensors"])) == (blind.contacts, blind.sensors)
+    table = joined_rows(bounds, rows)
+    assert len(table) == len(rows) == 12
+    for read, bound, blind in zip(table, bounds, rows, strict=True):
+        assert (read["contacts"], read["sensors"]) == (blind.contacts, blind.sensors)
         assert read["channels"] == bound.channels
-        assert float(read["bound_median_mm"]) == bound.bound_median_mm
-        assert float(read["blind_median_mm"]) == blind.blind_median_mm
-        assert int(read["blind_frames"]) == FRAMES
-    assert "worst" not in back[0]
+        assert read["bound_median_mm"] == bound.bound_median_mm
+        assert read["blind_median_mm"] == blind.blind_median_mm
+        assert read["blind_frames"] == FRAMES
+    assert "worst" not in table[0]
+    draw_blind_starts(SPEC, bounds, rows, tmp_path / "starts.png")
+    assert (tmp_path / "starts.png").read_bytes().startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize("number", [2, 3])
