@@ -86,13 +86,14 @@ def travel(
     repeats: Annotated[
         Path | None, typer.Argument(help="The same of repeated presses on that machine.")
     ] = None,
+    out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Presses of known travel: places read from the field, and the bound of the place by repeats."""
+    """Presses of known travel: places read, the bound of the place, what residuals point to."""
     from studies.recorded.travel import travel_of
 
-    show(travel_of(spec, recording, repeats, overrides or []), as_json)
+    show(travel_of(spec, recording, repeats, out, overrides or []), as_json)
 
 
 if __name__ == "__main__":

@@ -1,1 +1,1 @@
-"""Presses of known travel against the model: registration, agreement against nulls, freed assumptions."""
+"""Presses of known travel against the model: registration, and agreement against nulls."""

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from design.errors import InputError, SpecError
+from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from instobj.stages.run import Run
@@ -21,22 +19,18 @@ if TYPE_CHECKING:
     from estimator.calibration.known_travel.fit import Fitted
     from estimator.recordings.formats.travel import TravelRecording
 
-POISSON_STEP, LARGEST_POISSON = 0.15, 0.45
-"""By how much Poisson's ratio is changed to see whether it matters, and up to where."""
-
 
 def validate_on_travel(
     path: Path, folder: Path, exchanges: int, out: Path, overrides: list[str]
 ) -> dict[str, Any]:
     """Registered on 5 % and calibrated on 10 % of the places, judged on all others.
 
-    Results go to `runs/<name>/travel.{json,png}` and `residuals.png`.
+    Results go to `runs/<name>/travel.{json,png}`.
     """
     from estimator.calibration.known_travel.agreement import travel_agreement
     from estimator.calibration.known_travel.fit import fits_and_judged
     from estimator.calibration.known_travel.model import require_comparable, travel_model
-    from estimator.calibration.known_travel.suspects import ranked_suspects
-    from instobj.figures.travel import draw_residuals, draw_travel
+    from instobj.figures.travel import draw_travel
 
     spec = load_spec(path, overrides)
     require_comparable(spec)
@@ -51,50 +45,13 @@ def validate_on_travel(
             name: travel_agreement(model, *parts, exchanges, seed=spec.seed)
             for name, parts in found.items()
         }
-    others = {
-        name: (travel_model(other.spec, other.read(PRESSES)[1]), words)
-        for name, (other, words) in _other_mechanics(run).items()
-    }
-    with run.progress.stage("what the residuals point to"):
-        fitted, part, judged = found["registered"]
-        suspects = ranked_suspects(model, fitted, part, judged, others, spec.seed)
     fits = {name: fit for name, (fit, *_) in found.items()}
     document = _document(spec, folder, agreements, fits)
-    document["suspects"] = [asdict(suspect) for suspect in suspects]
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "travel.json")
-    draw_travel(spec, model, fitted, recording, document, target / "travel.png")
-    draw_residuals(spec, model, fitted, judged, suspects, target / "residuals.png")
+    draw_travel(spec, model, fits["registered"], recording, document, target / "travel.png")
     return _published(spec, run, document, target)
-
-
-def _other_mechanics(run: Run) -> dict[str, tuple[Run, Callable[[float], str]]]:
-    """Runs of the object with one assumption of its mechanics changed, where that can be."""
-    spec = run.spec
-    ratio = spec.silicone.poisson_ratio
-    other = min(ratio + POISSON_STEP, LARGEST_POISSON)
-    if other - ratio < POISSON_STEP / 2:
-        other = ratio - POISSON_STEP
-    glued = spec.mechanics.interface == "bonded"
-    interface = "frictionless" if glued else "bonded"
-    changes = {
-        "Poisson's ratio": (
-            {"silicone": spec.silicone.changed(poisson_ratio=other)},
-            lambda share: f"{ratio + share * (other - ratio):.2f}",
-        ),
-        "interface": (
-            {"mechanics": spec.mechanics.changed(interface=interface)},
-            lambda share: f"{100 * share:.0f} % {interface}",
-        ),
-    }
-    found: dict[str, tuple[Run, Callable[[float], str]]] = {}
-    for name, (fields, words) in changes.items():
-        try:
-            found[name] = Run(spec.changed(**fields), run.progress), words
-        except SpecError as error:
-            run.progress.say(f"{name} is not questioned: {error}")
-    return found
 
 
 def recording_of(spec: ObjectSpec, folder: Path) -> TravelRecording:
@@ -161,40 +118,17 @@ def _published(
                 "spec_hash": spec_hash(spec),
                 "stages": [stage_row(stage) for stage in run.results.values()],
                 "summary": _tables(document),
-                "files": file_rows(
-                    [target / name for name in ("travel.json", "travel.png", "residuals.png")]
-                ),
+                "files": file_rows([target / name for name in ("travel.json", "travel.png")]),
             }
         ],
     }
 
 
 def _tables(document: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
-    tables = {
+    return {
         f"{name}, judged on all other places": agreement_rows(found)
         for name, found in document["agreement"].items()
     }
-    tables[
-        "what the residuals point to: one assumption freed, share of the change explained on judged places "
-        "(90 % of places drawn anew)"
-    ] = suspect_rows(document["suspects"])
-    return tables
-
-
-def suspect_rows(suspects: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """One row an assumption, that which explains most first."""
-    return [
-        {
-            "assumption": one["name"],
-            "numbers": one["numbers"],
-            "explained": round(one["explained"], 3),
-            "gained": round(one["gained"], 3),
-            "90 % from": round(one["low"], 3),
-            "to": round(one["high"], 3),
-            "finding": one["finding"],
-        }
-        for one in suspects
-    ]
 
 
 def _text(name: str, found: dict[str, Any]) -> str:

@@ -7,8 +7,9 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import quad
 
-from estimator.calibration.known_travel import agreement, suspects
+from estimator.calibration.known_travel import agreement
 from studies.recorded import cycle_laws as cycles
+from studies.recorded import travel_suspects as suspects
 
 TIME = np.arange(0, 12, 0.1)
 

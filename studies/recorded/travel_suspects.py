@@ -9,11 +9,15 @@ and Poisson's ratio) cannot be separated.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Float
 
+from design.errors import SpecError
+from design.spec.object import ObjectSpec
 from estimator.calibration.known_travel.fit import (
     Changes,
     Fitted,
@@ -25,7 +29,14 @@ from estimator.calibration.known_travel.fit import (
 from estimator.calibration.known_travel.model import TravelModel, Twin
 from estimator.calibration.most_probable import Unknown, Values
 from estimator.recordings.formats.travel import TravelRecording
+from instobj.figures.saving import save_figure
+from instobj.stages.run import Run
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+POISSON_STEP, LARGEST_POISSON = 0.15, 0.45
+"""By how much Poisson's ratio is changed to see whether it matters, and up to where."""
 _LEAN_RAD, _LN_TRAVEL, _CHIP_SHARE = 0.05, 0.2, 0.1
 """Prior standard deviations: machine against face, travel's scale, every entry of a chip's matrix."""
 _DRAWS = 500
@@ -160,3 +171,100 @@ def gain_of_suspect(
     shares = less[drawn].sum(axis=1) / all_of[drawn].sum(axis=1)
     low, high = np.percentile(shares, (5, 95))
     return float(less.sum() / all_of.sum()), float(low), float(high)
+
+
+def other_mechanics(run: Run) -> dict[str, tuple[Run, Callable[[float], str]]]:
+    """Runs of the object with one assumption of its mechanics changed, where that can be."""
+    spec = run.spec
+    ratio = spec.silicone.poisson_ratio
+    other = min(ratio + POISSON_STEP, LARGEST_POISSON)
+    if other - ratio < POISSON_STEP / 2:
+        other = ratio - POISSON_STEP
+    glued = spec.mechanics.interface == "bonded"
+    interface = "frictionless" if glued else "bonded"
+    changes = {
+        "Poisson's ratio": (
+            {"silicone": spec.silicone.changed(poisson_ratio=other)},
+            lambda share: f"{ratio + share * (other - ratio):.2f}",
+        ),
+        "interface": (
+            {"mechanics": spec.mechanics.changed(interface=interface)},
+            lambda share: f"{100 * share:.0f} % {interface}",
+        ),
+    }
+    found: dict[str, tuple[Run, Callable[[float], str]]] = {}
+    for name, (fields, words) in changes.items():
+        try:
+            found[name] = Run(spec.changed(**fields), run.progress), words
+        except SpecError as error:
+            run.progress.say(f"{name} is not questioned: {error}")
+    return found
+
+
+def suspect_rows(suspects: list[FreedAssumption]) -> list[dict[str, Any]]:
+    """One row an assumption, that which explains most first; shares to three digits."""
+    return [
+        {k: round(v, 3) if isinstance(v, float) else v for k, v in asdict(suspect).items()}
+        for suspect in suspects
+    ]
+
+
+def draw_residuals(
+    spec: ObjectSpec,
+    model: TravelModel,
+    fitted: Fitted,
+    judged: TravelRecording,
+    suspects: list[FreedAssumption],
+    path: Path,
+) -> Figure:
+    """Return where the residuals of the judged presses lie, chip by chip, and what they point to (PNG)."""
+    from matplotlib.figure import Figure
+
+    xy = fitted.twin.pose.locate_tips(judged.tip_mm)[0]
+    recorded = judged.field_mt - fitted.resting_mt
+    residual = recorded - model.pressed(fitted.twin, judged.tip_mm)
+    place = judged.place_id
+    count = np.bincount(place)
+    has_press = np.flatnonzero(count)
+    mean_place = np.stack(
+        [np.bincount(place, weights=c)[has_press] / count[has_press] for c in xy.T]
+    )
+
+    def rms_per_place(values: np.ndarray) -> np.ndarray:
+        return np.sqrt(np.bincount(place, weights=values)[has_press] / count[has_press])
+
+    sensors = residual.shape[1]
+    figure = Figure(figsize=(2.4 * sensors + 1.2, 5.6), layout="constrained")
+    grid = figure.add_gridspec(2, sensors, height_ratios=(1.1, 1))
+    panels = [figure.add_subplot(grid[0, k]) for k in range(sensors)]
+    maps = [rms_per_place(np.sum(residual[:, k] ** 2, axis=1)) for k in range(sensors)]
+    largest = float(np.quantile(np.concatenate(maps), 0.99))
+    for number, (panel, values) in enumerate(zip(panels, maps, strict=True), start=1):
+        shown = panel.scatter(
+            *mean_place, c=values, s=8, marker="s", cmap="viridis", vmin=0, vmax=largest
+        )
+        share = np.sum(residual[:, number - 1] ** 2) / np.sum(recorded[:, number - 1] ** 2)
+        panel.set(aspect="equal", xlabel="x, mm")
+        panel.set_title(f"chip {number}: {100 * share:.0f} % unexplained", fontsize=8)
+    panels[0].set_ylabel("y, mm")
+    figure.colorbar(shown, ax=panels, label="left over, mT (rms)")
+    axes = figure.add_subplot(grid[1, :])
+    names = [f"{suspect.name} ({suspect.numbers}): {suspect.finding}" for suspect in suspects][::-1]
+    gains = np.array(
+        [
+            [suspect.gained, suspect.gained - suspect.low, suspect.high - suspect.gained]
+            for suspect in suspects
+        ]
+    )
+    axes.barh(names, 100 * gains[::-1, 0], xerr=100 * gains[::-1, 1:].T, color="#31688e", capsize=3)
+    axes.axvline(0, color="black", lw=0.8)
+    axes.set_xlabel(
+        "% of the change explained more, on judged places, with this assumption freed (90 % of places "
+        "drawn anew)"
+    )
+    axes.tick_params(labelsize=8)
+    figure.suptitle(
+        f"{spec.name}: what is left of {len(judged)} presses, and what it points to", fontsize=11
+    )
+    save_figure(figure, path)
+    return figure

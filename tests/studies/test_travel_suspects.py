@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from estimator.calibration.known_travel.fit import drawn_places, fit_pose
-from estimator.calibration.known_travel.suspects import ranked_suspects
 from estimator.recordings.formats.travel import TravelRecording
+from studies.recorded.travel_suspects import ranked_suspects
 from tests.support.recordings.travel_cases import (
     POSE,
     RESTING_MT,

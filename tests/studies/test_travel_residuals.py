@@ -4,9 +4,8 @@ import numpy as np
 
 from design.spec_io import load_spec
 from estimator.calibration.known_travel.fit import Fitted
-from estimator.calibration.known_travel.suspects import FreedAssumption
 from estimator.recordings.formats.travel import TravelRecording
-from instobj.figures import travel
+from studies.recorded.travel_suspects import FreedAssumption, draw_residuals
 from tests.support.recordings.travel_cases import PAD, POSE, RESTING_MT, pad_model, pressed_places
 
 
@@ -21,7 +20,7 @@ def test_residuals_say_how_much_of_each_chip_is_unexplained(tmp_path):
         FreedAssumption(name, 1, 0.9, gained, gained - 0.01, gained + 0.01, "0.2")
         for name, gained in (("chips", 0.2), ("scale of travel", 0.0))
     ]
-    figure = travel.draw_residuals(
+    figure = draw_residuals(
         load_spec(PAD), model, fitted, judged, suspects, tmp_path / "residuals.png"
     )
     axes = figure.axes
