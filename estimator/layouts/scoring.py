@@ -10,41 +10,21 @@ of the series and a shorter basis: cheap, as they are further away and move less
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import torch
 from jaxtyping import Float
 from torch import Tensor
 
 from estimator.layouts.batch import Layouts
-from estimator.layouts.bounds import bounds, percentile
+from estimator.layouts.bounds import bounds
 from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.presses.counts import counts_when_pressed
 from estimator.layouts.scorer import LayoutScorer
 from estimator.layouts.spread import counts_kept
 
-_CHUNK = 512
 _FORCE_VARIANCE, _CURVE_VARIANCE = 1 / 8, 1 / 128
 """Variances of c and c² − c, which do not correlate; c is the force over its peak, a raised cosine."""
-
-
-@dataclass(frozen=True)
-class LayoutScore:
-    """Scores over layouts, of presses of one face read by its own sensors.
-
-    Attributes
-    ----------
-    worst_position_bound_mm, median_position_bound_mm, worst_force_bound_n : Cramér–Rao bounds over
-        the contact locations, at the basis's force
-    sensitivity_ratio : 5th over 50th percentile of δ (covariance form, white noise) over the places
-    largest_counts : largest magnitude of any own channel, at rest and in the deepest presses
-    """
-
-    worst_position_bound_mm: Float[Tensor, "layout"]
-    median_position_bound_mm: Float[Tensor, "layout"]
-    worst_force_bound_n: Float[Tensor, "layout"]
-    sensitivity_ratio: Float[Tensor, "layout"]
-    largest_counts: Float[Tensor, "layout"]
 
 
 @dataclass(frozen=True)
@@ -66,25 +46,6 @@ class PlaceInformation:
     sensitivity: Float[Tensor, "layout place"]
     largest_counts: Float[Tensor, "layout"]
     kept_counts: Float[Tensor, "layout"]
-
-
-def score_layouts(scorer: LayoutScorer, layouts: Layouts, chunk: int = _CHUNK) -> LayoutScore:
-    """Score every layout; differentiable in all four tensors.
-
-    Memory: at most 0.4 MB per layout of a chunk; with gradients of every layout.
-
-    Raises
-    ------
-    InputError
-        A magnet outside the candidates.
-    """
-    parts = [
-        _summary(place_information(scorer, layouts[first : first + chunk]))
-        for first in range(0, len(layouts), chunk)
-    ]
-    return LayoutScore(
-        *(torch.cat([getattr(part, f.name) for part in parts]) for f in fields(LayoutScore))
-    )
 
 
 def place_information(scorer: LayoutScorer, layouts: Layouts) -> PlaceInformation:
@@ -130,15 +91,3 @@ def press_sensitivity(
         bent - _FORCE_VARIANCE * both.square() / straight_variance
     )
     return (straight_variance * bent_variance).sqrt()
-
-
-def _summary(places: PlaceInformation) -> LayoutScore:
-    position = places.position_bound_mm.sort(dim=1).values
-    low, middle = (percentile(places.sensitivity.sort(dim=1).values, q) for q in (5.0, 50.0))
-    return LayoutScore(
-        position[:, -1],
-        percentile(position, 50.0),
-        places.force_bound_n.amax(dim=1),
-        low / middle,
-        places.largest_counts,
-    )

@@ -1,6 +1,6 @@
 """Batched scores of layouts: against the ordinary chain, gradients, mirror images, bad input."""
 
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,11 +12,12 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.layouts import scoring
 from estimator.layouts.batch import Layouts, layouts_of
+from estimator.layouts.batch_scores import batch_scores
 from estimator.layouts.presses.basis import press_basis, surface_compliance
 from estimator.layouts.presses.changes import press_changes
 from estimator.layouts.presses.mixed_rows import interpolate_motion_rows
 from estimator.layouts.scorer import layout_scorer
-from estimator.layouts.scoring import place_information, score_layouts
+from estimator.layouts.scoring import place_information
 from tests.support.mechanics.candidate_cases import (
     FACE,
     LINEAR,
@@ -31,6 +32,19 @@ from tests.support.mechanics.candidate_cases import (
 COUNT = 4
 BOUND_TOLERANCE = 0.03
 """Of a place's bound; measured 1 %, from the other faces' short series and basis."""
+
+
+NAMES = (
+    "worst_position_bound_mm",
+    "median_position_bound_mm",
+    "worst_force_bound_n",
+    "sensitivity_ratio",
+    "largest_counts",
+)
+
+
+def scores_of(scorer, layouts):
+    return batch_scores([scorer], [layouts], ())
 
 
 @pytest.fixture(scope="module")
@@ -135,7 +149,7 @@ def test_summaries_are_those_of_the_places(spec, motions):
     """In double precision: in single, other batches round otherwise (`estimator.layouts.bounds`)."""
     scorer = layout_scorer(spec, press_basis(spec, motions, FACE, dtype=torch.float64))
     layouts = random_layouts(COUNT, dtype=torch.float64)
-    found, score = place_information(scorer, layouts), score_layouts(scorer, layouts, chunk=3)
+    found, score = place_information(scorer, layouts), scores_of(scorer, layouts)
     position, delta = found.position_bound_mm.numpy(), found.sensitivity.numpy()
     wanted = {
         "worst_position_bound_mm": position.max(axis=1),
@@ -145,7 +159,7 @@ def test_summaries_are_those_of_the_places(spec, motions):
         "largest_counts": found.largest_counts.numpy(),
     }
     for name, values in wanted.items():
-        assert_allclose(getattr(score, name), values, rtol=1e-9, err_msg=name)
+        assert_allclose(score[name], values, rtol=1e-9, err_msg=name)
 
 
 def test_gradients_are_those_of_finite_differences(spec, motions):
@@ -155,8 +169,8 @@ def test_gradients_are_those_of_finite_differences(spec, motions):
     given = tuple(getattr(layouts, name).requires_grad_() for name in names)
 
     def logarithms(*tensors):
-        score = score_layouts(scorer, Layouts(*tensors))
-        return torch.stack([getattr(score, f.name).log() for f in fields(score)])
+        score = scores_of(scorer, Layouts(*tensors))
+        return torch.stack([score[name].log() for name in NAMES])
 
     assert torch.autograd.gradcheck(logarithms, given, eps=1e-6, atol=1e-5, rtol=1e-3)
 
@@ -164,8 +178,8 @@ def test_gradients_are_those_of_finite_differences(spec, motions):
 def test_an_untilted_magnet_and_a_sensor_at_the_centre_have_gradients(scorer, layouts):
     turn = torch.zeros_like(layouts.turn_rad).requires_grad_()
     sensor = torch.cat([torch.zeros(COUNT, 1, 2), layouts.sensor_mm[:, 1:]], dim=1).requires_grad_()
-    score = score_layouts(scorer, replace(layouts, turn_rad=turn, sensor_mm=sensor))
-    score.worst_position_bound_mm.sum().backward()
+    score = scores_of(scorer, replace(layouts, turn_rad=turn, sensor_mm=sensor))
+    score["worst_position_bound_mm"].sum().backward()
     for given in (turn, sensor):
         assert torch.isfinite(given.grad).all()
     assert (abs(turn.grad).amax(dim=(1, 2)) > 0).all()
@@ -236,7 +250,7 @@ def test_magnets_beyond_the_candidates_are_refused(scorer, layouts, place, what)
     magnet_mm = layouts.magnet_mm.clone()
     magnet_mm[2, 1] = torch.tensor(place)
     with pytest.raises(InputError, match=what):
-        score_layouts(scorer, replace(layouts, magnet_mm=magnet_mm))
+        scores_of(scorer, replace(layouts, magnet_mm=magnet_mm))
 
 
 def test_compliance_is_the_depth_over_the_force_on_the_straight_line_between_stored_forces(motions):
