@@ -104,4 +104,4 @@ def contact_sets_of(every: list[Found]) -> ContactSets:
     out = np.full(len(every), NONE)
     places = face, values[..., 1:3], values[..., 3]
     none = np.zeros((len(every), 0))
-    return ContactSets(*places, unknown, pulls, pulls, ones, ones, out, none, none)
+    return ContactSets(*places, unknown, pulls, pulls, ones, ones, out, none, none, pulls)

@@ -18,13 +18,20 @@ from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
 from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
+from estimator.inversion.jaws import Jaws, JawTable
 from estimator.inversion.lying import lying_chips
 from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
 from estimator.inversion.model.noise import Disturbances, disturbances
 from estimator.inversion.priors import Priors
 from estimator.inversion.problems import BLIND, Observations, Problems
-from estimator.inversion.readings import ContactSets, among_sets, contact_sets, widened
+from estimator.inversion.readings import (
+    ContactSets,
+    among_sets,
+    contact_sets,
+    jaw_set,
+    widened,
+)
 from estimator.inversion.search import Hypotheses, Search
 from estimator.signals.nuisances import magnet_columns
 from estimator.signals.presses import Signals
@@ -49,11 +56,13 @@ class Inversion:
     model : what contacts do to the signals
     disturbances : what else does
     priors : what is believed of contacts
+    jaw_tables : of the flat faces, which jaws may cover; empty where none are looked for
     """
 
     model: ContactModel
     disturbances: Disturbances
     priors: Priors
+    jaw_tables: tuple[JawTable, ...] = ()
 
     @cached_property
     def channels(self) -> tuple[Channel, ...]:
@@ -80,6 +89,11 @@ class Inversion:
     def magnet_columns(self) -> Float[np.ndarray, "channel k"]:
         """Return what a magnet near the object adds, counts per standard deviation."""
         return magnet_columns(self.model.spec)
+
+    @cached_property
+    def jaws(self) -> Jaws:
+        """Return the jaws that frames are read as."""
+        return Jaws(self.model, self.jaw_tables)
 
     @property
     def window_frames(self) -> int:
@@ -150,7 +164,8 @@ class Inversion:
     ) -> tuple[ContactSets, ContactSets]:
         """Some frames at once. Those that nothing explains are read again without a chip that lies, those
         that a magnet near by explains better with its field as a nuisance: no contact explains these."""
-        *sets, believed = self.read_once(search, observations, error)
+        best, second, believed = self.read_once(search, observations, error)
+        sets = [self._try_jaws(observations, best, believed), second]
         strange = np.flatnonzero(~sets[0].explained)
         if len(strange):
             chip = lying_chips(search, observations.select(strange), error)
@@ -162,6 +177,24 @@ class Inversion:
                     for old, new in zip(sets, again, strict=True)
                 ]
         return self._read_beside_magnet(search, observations, error, (sets[0], sets[1]), believed)
+
+    def _try_jaws(
+        self, observations: Observations, tips: ContactSets, believed: Hypotheses
+    ) -> ContactSets:
+        """The same sets, but for frames that jaws explain far better than the tips `believed`."""
+        for row in np.flatnonzero(tips.number) if self.jaw_tables else ():
+            only = np.array([row])
+            fit = self.jaws.fit(observations.select(only), self.jaw_groups(tips.face[row].tolist()))
+            if fit is not None and fit.beats(float(believed.log_evidence[row])):
+                jaws = jaw_set(fit, tips.select(only)).with_force_error(
+                    self.disturbances.force_error
+                )
+                tips = tips.replaced(only, jaws)
+        return tips
+
+    def jaw_groups(self, pressed: list[int]) -> list[tuple[int, ...]]:
+        """Return groups of faces that jaws may cover where tips were read, as many as slots hold."""
+        return [group for group in self.jaws.groups(pressed) if len(group) <= self.priors.most]
 
     def _read_beside_magnet(
         self,
@@ -175,6 +208,7 @@ class Inversion:
         fewer = BesideMagnet(observations, self.magnet_columns).explains_with_fewer(
             search, believed
         )
+        fewer &= ~sets[0].jaws
         rows = np.flatnonzero((~sets[0].explained | fewer) & (sets[0].chip_out == NONE))
         if not len(rows):
             return sets

@@ -10,6 +10,7 @@ from jaxtyping import Bool, Float, Int
 from estimator.frames.dataset import NO_FACE
 from estimator.inversion.evidence import bounded_curvature, covariances
 from estimator.inversion.explained import UNEXPLAINED
+from estimator.inversion.jaws import JawFit
 from estimator.inversion.model.columns import Columns
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.priors import Priors, widths
@@ -28,7 +29,8 @@ class ContactSets(Columns):
     Attributes
     ----------
     face : (frame, contact) face numbers
-    xy_mm, force_n : (frame, contact, 2), (frame, contact), in the face's frame, and normal force
+    xy_mm, force_n : (frame, contact, 2), (frame, contact), in the face's frame, and normal force; of a
+        jaw its centre of pressure and net force
     covariance : (frame, contact, 3, 3) of x, y (mm) and force (N) of each contact, with what is uncertain
         of the others and, from scratch, of the set
     tangential_n, tangential_sigma_n : (frame, contact, 2), along x and y of the face, and their
@@ -39,7 +41,8 @@ class ContactSets(Columns):
     chip_out : (frame,) chip that was not believed, as the row of its sensor among all of the object;
         `NONE` where all were
     since_zero, since_zero_sigma : (frame, unknown) what changed since the zero and is no contact, in
-        the order and units of `Disturbances.nuisances`, and its standard deviations
+        the order and units of `Disturbances.nuisances`, and its standard deviations; NaN where jaws are read
+    tilt_deg : (frame, contact, 2) tilt of a jaw about x and y of its face; NaN for a tip
     """
 
     face: Int[np.ndarray, "frame contact"]
@@ -53,6 +56,7 @@ class ContactSets(Columns):
     chip_out: Int[np.ndarray, "frame"]
     since_zero: Float[np.ndarray, "frame unknown"]
     since_zero_sigma: Float[np.ndarray, "frame unknown"]
+    tilt_deg: Float[np.ndarray, "frame contact 2"]
 
     def replaced(self, rows: Int[np.ndarray, "some"], others: ContactSets) -> ContactSets:
         """The same with the sets of some frames replaced."""
@@ -66,6 +70,11 @@ class ContactSets(Columns):
         covariance = self.covariance.copy()
         covariance[..., 2, 2] += (relative * self.force_n) ** 2
         return replace(self, covariance=covariance)
+
+    @property
+    def jaws(self) -> Bool[np.ndarray, "frame"]:
+        """Return which frames are read as jaws over whole faces, not as tips."""
+        return np.isfinite(self.tilt_deg[:, 0, 0])
 
     @property
     def explained(self) -> Bool[np.ndarray, "frame"]:
@@ -130,7 +139,21 @@ def contact_sets(
         p_value,
         np.full(len(filled), NONE),
         *changes_since_zero(model, priors, observations, problems),
+        np.full((*filled.shape, 2), np.nan),
     )
+
+
+def jaw_set(fit: JawFit, tips: ContactSets) -> ContactSets:
+    """Return a frame that was read as these `tips` as jaws: one contact for each of them."""
+    count = len(fit.faces)
+    columns = [np.full_like(column, np.nan) if column.dtype.kind == "f" else column.copy()
+               for column in tips._columns()]  # fmt: skip
+    jaws = ContactSets(*columns)
+    jaws.face[:], jaws.face[0, :count] = NO_FACE, fit.faces
+    jaws.xy_mm[0, :count], jaws.force_n[0, :count] = fit.centre_mm, fit.pose[:, 0]
+    jaws.covariance[0, :count], jaws.tilt_deg[0, :count] = fit.covariance, fit.tilt_deg
+    jaws.odds[:], jaws.p_value[:] = 1.0, fit.p_value
+    return jaws
 
 
 def among_sets(

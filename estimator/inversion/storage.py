@@ -14,6 +14,7 @@ from design.errors import DAMAGED_CONTENT, StoreError
 from design.netcdf import FileKind, holds, read_netcdf, write_netcdf
 from design.spec.object import ObjectSpec
 from estimator.inversion.inversion import Inversion
+from estimator.inversion.jaws import JawTable
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.model.noise import Disturbances
 from estimator.inversion.model.spline import cubic_axis
@@ -38,8 +39,14 @@ _KIND = FileKind(
         "offset_counts": ("channel", "count"),
         "model_error": ("channel", "1"),
         "nuisances": ("channel unknown", "count"),
+        "jaws": ("jaw lean lean_y jaw_column", "N/mm, N, mm/mm or rad/mm"),
+        "jaw_faces": ("jaw", "1"),
+        "jaw_half_mm": ("jaw axis", "mm"),
     },
-    optional=("shear", "shear_x_mm", "shear_y_mm", "nuisances"),
+    optional=(
+        *("shear", "shear_x_mm", "shear_y_mm", "nuisances"),
+        *("jaws", "jaw_faces", "jaw_half_mm"),
+    ),
     attributes=("specification", "priors", "force_error", "nearest_mm", "nuisances"),
     schema=("inversion_schema", 3),
     origin="`instobj train SPEC --set training.model=inversion` makes one",
@@ -71,6 +78,10 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
         "model_error": disturbances.model_error,
         "nuisances": disturbances.columns if disturbances.nuisances else None,
     }
+    if tables := inversion.jaw_tables:
+        values["jaws"] = np.stack([jaw.values for jaw in tables]).astype(np.float32)
+        values["jaw_faces"] = np.array([jaw.face for jaw in tables])
+        values["jaw_half_mm"] = np.stack([jaw.half_mm for jaw in tables])
     attributes = {
         "specification": json.dumps(model.spec.model_dump(mode="json")),
         "priors": json.dumps(asdict(inversion.priors)),
@@ -136,6 +147,13 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
         along_x, along_y = (cubic_axis(values[name]) for name in ("shear_x_mm", "shear_y_mm"))
         per_n = values["shear"].astype(np.float32)
         shear = PressTable(values["faces"], along_x, along_y, root, per_n)
+    jaw_tables = ()
+    if "jaws" in values:
+        columns = (values[name] for name in ("jaw_faces", "jaw_half_mm", "jaws"))
+        jaw_tables = tuple(
+            JawTable(int(face), half, table.astype(float))
+            for face, half, table in zip(*columns, strict=True)
+        )
     described = json.loads(attributes["priors"])
     for name in ("number", "force_n", "spacing_mm"):
         described[name] = tuple(described[name])
@@ -151,4 +169,5 @@ def _assembled(values: dict[str, np.ndarray], attributes: dict[str, Any]) -> Inv
             _nuisances(values, json.loads(attributes["nuisances"])),
         ),
         Priors(**described),
+        jaw_tables,
     )

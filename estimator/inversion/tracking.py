@@ -11,12 +11,13 @@ from jaxtyping import Bool, Float
 from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
+from estimator.inversion.jaws import JawFit
 from estimator.inversion.lying import lying_chip_beside, lying_chips
 from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observations, Problems, empty
-from estimator.inversion.readings import ContactSets
+from estimator.inversion.readings import ContactSets, jaw_set
 from estimator.inversion.search import Hypotheses, together
 
 _STEPS = 3
@@ -64,6 +65,7 @@ class Tracker:
         self._error = inversion.error_share()
         self._pressed = 0
         self._strange, self._sound, self._chip_out = 0, 0, NONE
+        self._jaws: JawFit | None = None
         self.beside_magnet = False
         self._widened = 1.0
 
@@ -77,17 +79,63 @@ class Tracker:
         plain = disturbances.observed(
             np.mean(self._window, axis=0)[None], np.array([len(self._window)]), drift_counts
         )
+        followed = self._follow_jaws(plain)
+        if followed is not None:
+            return followed
         self._believe_again(plain)
-        last = self._last
+        last, anew = self._last, self.seen_anew
         sets = self._followed(self._seen(plain))
+        # Tips that go on as they were need no other kind of contact.
+        changed = last is None or sets.number[0] != last.number[0] or self.seen_anew > anew
+        if changed or not sets.explained[0]:
+            sets = self._try_jaws(plain, sets)
         self._strange = 0 if sets.explained[0] else self._strange + 1
         if self._strange:
             sets = self._diagnosed(plain, last, sets)
-        elif self._is_magnet(plain):
+        elif self._jaws is None and self._is_magnet(plain):
             sets = self._turned(plain, None, NONE, magnet=True)
         if self.beside_magnet:
             sets = replace(sets, p_value=np.zeros(1))
         return replace(sets, chip_out=np.full(1, self._chip_out))
+
+    def _follow_jaws(self, plain: Observations) -> ContactSets | None:
+        """Return the jaws of the frame before refitted; None where they no longer explain what is seen."""
+        if self._jaws is None:
+            return None
+        last_fit, self._jaws, self._last = self._jaws, None, None
+        fit = self.inversion.jaws.fit(plain, [last_fit.faces], last_fit)
+        assert fit is not None
+        force, sigma = fit.pose[:, 0], np.sqrt(fit.covariance[:, 2, 2])
+        if fit.p_value < _STRAINED or np.any(force < _FAINT * sigma):
+            return None
+        self._jaws = fit
+        nothing = self.inversion.reading(
+            plain,
+            empty(plain, np.zeros(1, int), self.inversion.priors.most),
+            np.ones(1),
+            self._error,
+        )
+        return self._jaw_set(fit, nothing)
+
+    def _try_jaws(self, plain: Observations, tips: ContactSets) -> ContactSets:
+        """Return the frame's jaws where these are far more probable than the tips just read."""
+        if (
+            not self.inversion.jaw_tables
+            or not tips.number[0]
+            or self._chip_out != NONE
+            or self.beside_magnet
+            or self._last is None
+        ):
+            return tips
+        fit = self.inversion.jaws.fit(plain, self.inversion.jaw_groups(tips.face[0].tolist()))
+        evidence = self.inversion.search.judged(self._last).log_evidence
+        if fit is None or not fit.beats(float(evidence[0])):
+            return tips
+        self._jaws = fit
+        return self._jaw_set(fit, tips)
+
+    def _jaw_set(self, fit: JawFit, tips: ContactSets) -> ContactSets:
+        return jaw_set(fit, tips).with_force_error(self.inversion.disturbances.force_error)
 
     @property
     def believed(self) -> Bool[np.ndarray, "channel"]:

@@ -43,6 +43,7 @@ COLUMNS: tuple[str, ...] = (
     *("frame", "time_s", "contacts", "odds", "next_contacts", "next_odds", "p_value", "explained"),
     *("chip_out", *FIELD, "contact", "face", "x_mm", "y_mm", "position_radius_mm", "force_n"),
     *("force_halfwidth_n", "tangential_x_n", "tangential_y_n", "tangential_sigma_n"),
+    *("kind", "tilt_x_deg", "tilt_y_deg"),
 )
 
 
@@ -88,6 +89,7 @@ def contacts_in_file(
         "frames with contact": int((best.number > 0).sum()),
         "most contacts": int(best.number.max(initial=0)),
         "largest total force N": round(float(np.nansum(best.force_n, axis=1).max(initial=0)), 3),
+        "frames with jaws over whole faces": int(best.jaws.sum()),
         "frames that no contact explains": int((~best.explained).sum()),
         "frames without a chip that was not believed": int((best.chip_out != NONE).sum()),
     }
@@ -198,6 +200,8 @@ def _field_change(inversion: Inversion, best: ContactSets, row: int) -> dict[str
         if nuisance.name == AMBIENT_FIELD:
             along_axes = slice(first, first + 3)
             sigma = float(best.since_zero_sigma[row, along_axes].max())
+            if np.isnan(sigma):  # beside jaws it is not read
+                break
             values = (*best.since_zero[row, along_axes].tolist(), sigma)
             return dict(zip(FIELD, (round(value, 2) for value in values), strict=True))
         first += nuisance.columns.shape[1]
@@ -238,12 +242,15 @@ def _rows(
                 "tangential_x_n": best.tangential_n[row, slot, 0],
                 "tangential_y_n": best.tangential_n[row, slot, 1],
                 "tangential_sigma_n": best.tangential_sigma_n[row, slot].max(),
+                "tilt_x_deg": best.tilt_deg[row, slot, 0],
+                "tilt_y_deg": best.tilt_deg[row, slot, 1],
             }
+            kind = {"kind": "jaw" if best.jaws[row] else "tip"}
             own = {
                 name: "" if np.isnan(value) else round(float(value), 3)
                 for name, value in values.items()
             }
-            yield shared | {"contact": slot + 1, "face": int(best.face[row, slot])} | own
+            yield shared | {"contact": slot + 1, "face": int(best.face[row, slot])} | own | kind
 
 
 def _document(

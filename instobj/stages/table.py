@@ -288,13 +288,13 @@ STAGES: dict[str, Stage] = {
     ),
     "inversion": Stage(
         "estimator: tables of the forward model",
-        ("presses", "signals"),
+        ("response", "presses", "signals"),
         (
             *(*_WHERE_THINGS_ARE, "core", "sensors", "environment", "as_built", "mechanics"),
             *("indenter", "inversion", "limits.use", "tolerances", "seed"),
         ),
         make_inversion,
-        version=6,
+        version=7,
         of_others=tangential_mechanics,
     ),
     "contact_metrics": Stage(

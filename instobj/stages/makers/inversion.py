@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -50,6 +51,7 @@ def tangential_mechanics(spec: ObjectSpec) -> dict[str, tuple[str, ObjectSpec]]:
 def make_inversion(context: StageContext, folder: Path) -> None:
     """The estimator of the design, as wrong as `[tolerances]` make it."""
     from estimator.inversion.inversion import inversion
+    from estimator.inversion.jaws import jaw_tables
     from estimator.inversion.model.noise import design_error
     from estimator.inversion.storage import save_inversion
 
@@ -60,10 +62,10 @@ def make_inversion(context: StageContext, folder: Path) -> None:
     modulus = context.spec.tolerances.modulus_relative
     shear = stored_shear(context)
     context.step("tables of presses")
-    save_inversion(
-        inversion(context.spec, forces, motions, signals, error, modulus, shear),
-        INVERSION.path(folder),
-    )
+    tips = inversion(context.spec, forces, motions, signals, error, modulus, shear)
+    context.step("tables of jaws over whole faces")
+    jaws = jaw_tables(context.spec, context.read(RESPONSE))
+    save_inversion(replace(tips, jaw_tables=jaws), INVERSION.path(folder))
 
 
 def make_contact_metrics(context: StageContext, folder: Path) -> None:

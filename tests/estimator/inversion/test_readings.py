@@ -26,6 +26,7 @@ def sets(covariance, face=(3, 0)):
         one,
         np.full(len(one), -1),
         *[np.zeros((len(one), 0))] * 2,
+        np.full_like(xy, np.nan),
     )
 
 

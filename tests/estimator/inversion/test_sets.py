@@ -276,7 +276,7 @@ def test_a_summary_of_blind_starts_tells_ranks_and_their_range():
 EXPLAINED = ContactSets(
     np.zeros((1, 1), int), np.zeros((1, 1, 2)), np.zeros((1, 1)), np.zeros((1, 1, 3, 3)),
     np.zeros((1, 1, 2)), np.zeros((1, 1, 2)), np.ones(1), np.ones(1), np.full(1, NONE),
-    np.zeros((1, 0)), np.zeros((1, 0)),
+    np.zeros((1, 0)), np.zeros((1, 0)), np.full((1, 1, 2), np.nan),
 )  # fmt: skip
 
 
@@ -293,6 +293,7 @@ class Watched(Tracker):
         )
         inversion = SimpleNamespace(
             window_frames=1,
+            jaw_tables=(),
             disturbances=disturbances,
             error_share=lambda: self,
             reading=lambda seen, found, odds, error: EXPLAINED,

@@ -28,6 +28,7 @@ def sets_of(face, xy, force):
         ones,
         np.full(len(ones), -1),
         *[np.zeros((len(ones), 0))] * 2,
+        pulls,
     )
 
 
