@@ -17,9 +17,9 @@ from jaxtyping import Float
 
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.surface import sealed_body_surface
 from design.spec.object import ObjectSpec
 from estimator.recordings.formats.robot import lerobot_features, write_bag
-from fem.mesh.surfaces import sealed_body_surface
 
 if TYPE_CHECKING:
     import trimesh
