@@ -65,7 +65,7 @@ def run_live(
     """Serve and record a source; as `live`."""
     settings = PageSettings(
         source.spec.model_dump_json(), source.scene, source.models, *source.zeroing.of_raw,
-        options.address, options.page_port, token,
+        options.address, options.page_port, token, options.foxglove,
     )  # fmt: skip
     state = Collection(source.readings, source.readings.first_places)
     with (
@@ -75,7 +75,8 @@ def run_live(
         progress.stage(f"live, {source.name}"),
     ):
         session = _Session(source, state, Recorder(state), page)
-        progress.say(f"open {page.url} in a browser; Ctrl-C ends")
+        shown = page.url if options.foxglove else f"open {page.url} in a browser"
+        progress.say(f"{shown}; Ctrl-C ends")
         failure = _follow(session, options, progress)
     return _ended(session, failure)
 

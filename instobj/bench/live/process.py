@@ -17,10 +17,12 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 from design.errors import InputError, InstobjError
+from design.imports import missing_extra
 from design.spec.object import ObjectSpec
 from estimator.deploy.zeroing import ZeroMode
-from instobj.bench.live.contacts import open_estimator
+from instobj.bench.live.contacts import frame_document, open_estimator
 from instobj.bench.live.watch import Watch
+from instobj.robot import foxglove_channels
 
 _READY, _FAILED = b"R", b"E"
 _MOST_WAITING = 2000
@@ -43,9 +45,12 @@ class PageSettings:
     address: str
     port: int
     token: str
+    foxglove: Path | None = None
 
     def url(self, port: int) -> str:
-        """Return where a browser of this machine finds the page."""
+        """Return where a browser of this machine finds the page, or what is written for Foxglove."""
+        if self.foxglove is not None:
+            return str(self.foxglove)
         host = "127.0.0.1" if self.address in ("localhost", "0.0.0.0", "::") else self.address  # noqa: S104
         host = f"[{host}]" if ":" in host else host
         return f"http://{host}:{port}/" + (f"?token={self.token}" if self.token else "")
@@ -145,10 +150,36 @@ def serve_page(connection: Connection, settings: PageSettings) -> None:
         spec = ObjectSpec.model_validate_json(settings.spec)
         estimator = open_estimator(spec, settings.models, settings.zero, settings.zero_frames)
         watch = Watch(spec, estimator, 0 if settings.zero == "none" else settings.zero_frames)
+        if settings.foxglove is not None:
+            _show_in_foxglove(connection, settings.foxglove, watch)
+            return
         asyncio.run(_serve(connection, settings, watch))
-    except (InstobjError, OSError) as error:
+    except (InstobjError, OSError, ModuleNotFoundError) as error:
+        missing = missing_extra(error) if isinstance(error, ModuleNotFoundError) else None
         with suppress(OSError):
-            connection.send_bytes(_FAILED + str(error).encode())
+            connection.send_bytes(_FAILED + (missing or str(error)).encode())
+
+
+def _show_in_foxglove(connection: Connection, target: Path, watch: Watch) -> None:
+    """Send contacts to Foxglove in place of the page, until the reader's end closes."""
+    if watch.estimator is None:
+        raise InputError(f"--page {target} shows contacts, which an estimator reads. Give --model")
+    sent_s = 0.0
+    with foxglove_channels(target, watch.spec) as send:
+
+        def show() -> None:
+            nonlocal sent_s
+            reading = watch.reading
+            if reading.arrived_s > sent_s:  # rows may come while there is no zero
+                sent_s = reading.arrived_s
+                send(frame_document(watch.spec, reading.read, reading.time_s))
+
+        connection.send_bytes(_READY + b"0")
+        receiving = threading.Thread(target=_receive, args=(connection, watch), daemon=True)
+        receiving.start()
+        watch.on_reading = show
+        while receiving.is_alive():
+            read_for_viewers(watch)
 
 
 async def _serve(connection: Connection, settings: PageSettings, watch: Watch) -> None:
@@ -200,7 +231,12 @@ def _receive(connection: Connection, watch: Watch) -> None:
 
 def read_frames(watch: Watch) -> None:
     while True:
-        begun_s = time.monotonic()
-        watch.read_next()
-        if not watch.needs_every_frame:
-            time.sleep(max(0.0, _READ_EVERY_S - (time.monotonic() - begun_s)))
+        read_for_viewers(watch)
+
+
+def read_for_viewers(watch: Watch) -> None:
+    """Read the next rows, as often as a screen shows them."""
+    begun_s = time.monotonic()
+    watch.read_next()
+    if not watch.needs_every_frame:
+        time.sleep(max(0.0, _READ_EVERY_S - (time.monotonic() - begun_s)))
