@@ -23,6 +23,7 @@ EXTRAS = {
     "traitlets": "notebook",
     "rosbags": "robot",
     "pyarrow": "robot",
+    "mcap": "robot",
     "foxglove": "robot",
 }
 """Module → extra of instobj that brings it; a test compares with pyproject.toml."""
