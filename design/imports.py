@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib import import_module
+from importlib import import_module, metadata
 from types import ModuleType
 from typing import Any
 
@@ -23,19 +23,34 @@ EXTRAS = {
     "traitlets": "notebook",
     "rosbags": "robot",
     "pyarrow": "robot",
+    "mcap": "robot",
     "foxglove": "robot",
 }
 """Module → extra of instobj that brings it; a test compares with pyproject.toml."""
 
 
+LIGHT = "instobj-robot"
+"""Distribution of the same packages without what only designs and trains (`robot/pyproject.toml`)."""
+
+
 def missing_extra(error: ImportError) -> str | None:
-    """Return how to install a module that an extra brings; None where it is no extra's."""
+    """Return how to install a module that an extra or the whole of instobj brings; None for others."""
     module = (error.name or "").partition(".")[0]
-    if module not in EXTRAS:
+    offered = _extras_of_light()
+    if module not in EXTRAS and offered is None:
         return None
-    return (
-        f"this needs {module}, which is not installed. Run: pip install 'instobj[{EXTRAS[module]}]'"
-    )
+    extra = EXTRAS.get(module)
+    source = LIGHT if extra in (offered or ()) else "instobj"
+    wanted = f"'{source}[{extra}]'" if extra else source
+    return f"this needs {module}, which is not installed. Run: pip install {wanted}"
+
+
+def _extras_of_light() -> list[str] | None:
+    """Return the extras of the light distribution; None where it is not what is installed."""
+    try:
+        return metadata.metadata(LIGHT).get_all("Provides-Extra", [])
+    except metadata.PackageNotFoundError:
+        return None
 
 
 @contextmanager

@@ -14,12 +14,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Float
+from scipy.spatial.transform import Rotation
 
+from design.body.surface_chart import FaceFrame
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.layout.places.contact_grid import contact_grid
+from design.layout.surface import sealed_body_surface
 from design.spec.object import ObjectSpec
+from estimator.frames.heatmap import mm_to_pixel
 from estimator.recordings.formats.robot import lerobot_features, write_bag
-from fem.mesh.surfaces import sealed_body_surface
 
 if TYPE_CHECKING:
     import trimesh
@@ -42,6 +46,22 @@ def is_foxglove(target: Path | None) -> bool:
     return target is not None and (target.suffix == ".mcap" or _port(target) is not None)
 
 
+def new_mcap_file(out: Path | None, stem: str) -> Path | None:
+    """Return the MCAP file that frames of a recording go to; None where `out` is a folder or none.
+
+    Raises
+    ------
+    InputError
+        The file is there already, or the target shows a board live.
+    """
+    if out is None or not is_foxglove(out):
+        return None
+    if out.suffix != ".mcap" or out.exists():
+        why = "exists already" if out.exists() else "shows the frames of a board live"
+        raise InputError(f"{out} {why}. Give a new file such as --out {stem}_contacts.mcap")
+    return out
+
+
 def _port(target: Path) -> int | None:
     name, _, port = str(target).partition(":")
     if name != "foxglove" or not (port.isdigit() or not port):
@@ -50,11 +70,13 @@ def _port(target: Path) -> int | None:
 
 
 @contextmanager
-def foxglove_channels(target: Path, spec: ObjectSpec) -> Iterator[Callable[[Document], None]]:
+def foxglove_channels(target: Path, spec: ObjectSpec) -> Iterator[Callable[..., None]]:
     """Send frames to an MCAP file, or to Foxglove's live view on 127.0.0.1.
 
-    Channels: /instobj/contacts (the document), /instobj/wrench (N and N m about the object's origin)
-    and /instobj/scene (the surface, and an arrow for each contact) in the frame "object".
+    Channels: /instobj/contacts (the document), /instobj/wrench (N and N m about the object's origin),
+    /instobj/heatmap_<face> (normal force, N, at the nearest location of the contact grid; a curved
+    face's lies in the plane that touches its middle) and /instobj/scene (the surface, and an arrow
+    for each contact) in the frame "object". Scene and heatmaps have Foxglove's own schemas.
 
     Parameters
     ----------
@@ -66,12 +88,13 @@ def foxglove_channels(target: Path, spec: ObjectSpec) -> Iterator[Callable[[Docu
     Returns
     -------
     context manager
-        Gives a function that sends one frame, a document of `instobj predict --port`.
+        Gives a function that sends one frame, a document of `instobj predict --port`, and takes
+        another first part of the topics (`topic="/left"`).
 
     Raises
     ------
     InputError
-        The file exists, or the port is taken.
+        The file exists, the port is taken, or a frame has no stamp from 0 on.
     ImportError
         The extra `instobj[robot]` is not installed.
 
@@ -96,18 +119,33 @@ def foxglove_channels(target: Path, spec: ObjectSpec) -> Iterator[Callable[[Docu
     except (OSError, RuntimeError) as error:
         raise InputError(f"cannot write to {target}: {error}. Give another name or port") from None
     try:
-        yield _sender(spec, context)
+        topics: dict[str, Callable[[Document], None]] = {}
+
+        def send(document: Document, topic: str = "/instobj") -> None:
+            if not document["time_s"] >= 0:
+                raise InputError(
+                    f"{target} needs stamps from 0 on, which the frames lack. Leave it out"
+                )
+            if topic not in topics:
+                topics[topic] = _sender(spec, context, topic)
+            topics[topic](document)
+
+        yield send
     finally:
         end()
 
 
-def _sender(spec: ObjectSpec, context: Any) -> Callable[[Document], None]:
+def _sender(spec: ObjectSpec, context: Any, topic: str) -> Callable[[Document], None]:
     from foxglove import Channel
-    from foxglove.channels import SceneUpdateChannel
+    from foxglove.channels import GridChannel, SceneUpdateChannel
 
-    contacts = Channel("/instobj/contacts", message_encoding="json", context=context)
-    wrench = Channel("/instobj/wrench", message_encoding="json", context=context)
-    scene = SceneUpdateChannel("/instobj/scene", context=context)
+    contacts = Channel(f"{topic}/contacts", message_encoding="json", context=context)
+    wrench = Channel(f"{topic}/wrench", message_encoding="json", context=context)
+    scene = SceneUpdateChannel(f"{topic}/scene", context=context)
+    heatmaps = {
+        frame.number: (frame, GridChannel(f"{topic}/heatmap_{frame.number}", context=context))
+        for frame in face_frames(spec)
+    }
     body, frames = sealed_body_surface(spec), count()
 
     def send(document: Document) -> None:
@@ -119,6 +157,8 @@ def _sender(spec: ObjectSpec, context: Any) -> Callable[[Document], None]:
             key: dict(zip("xyz", value.tolist(), strict=True)) for key, value in named.items()
         }
         wrench.log({"frame_id": _FRAME, **values}, log_time=time_ns)
+        for frame, channel in heatmaps.values():
+            channel.log(_heatmap(spec, frame, document["contacts"], time_ns), log_time=time_ns)
         shown = None if next(frames) % _BODY_EVERY else body
         scene.log(_scene(spec, document["contacts"], time_ns, shown), log_time=time_ns)
 
@@ -159,16 +199,45 @@ def _placed(
         yield frame.to_object(np.append(xy, 0.0)), frame.axes_at(xy), contact
 
 
+def _heatmap(spec: ObjectSpec, frame: FaceFrame, contacts: list[Document], time_ns: int) -> Any:
+    """Return the normal force (N) of one face's contacts at the nearest locations, as foxglove.Grid."""
+    from foxglove import messages as m
+
+    grid, pitch_mm = contact_grid(spec), spec.contact_grid.pitch_mm
+    force_n = np.zeros((len(grid.y_mm), len(grid.x_mm)), "<f4")  # a row of the grid runs along x
+    own = [contact for contact in contacts if contact["face"] == frame.number]
+    xy_mm = np.array([[contact["x_mm"], contact["y_mm"]] for contact in own]).reshape(-1, 2)
+    x, y = mm_to_pixel(xy_mm, grid.x_mm, grid.y_mm).T
+    np.add.at(force_n, (y, x), [contact["force_n"] for contact in own])
+    # The grid begins at the outer corner of its first location, half a pitch before the centre
+    corner_mm = np.array([grid.x_mm[0], grid.y_mm[0]]) - pitch_mm / 2
+    place_m = 1e-3 * frame.to_object(np.append(corner_mm, 0.0))
+    number = m.PackedElementFieldNumericType.Float32
+    return m.Grid(
+        timestamp=m.Timestamp(*divmod(time_ns, 1_000_000_000)),
+        frame_id=_FRAME,
+        pose=_pose(place_m, Rotation.from_matrix(frame.axes_at(np.zeros(2)))),
+        column_count=force_n.shape[1],
+        cell_size=m.Vector2(x=1e-3 * pitch_mm, y=1e-3 * pitch_mm),
+        row_stride=force_n.strides[0],
+        cell_stride=force_n.itemsize,
+        fields=[m.PackedElementField(name="force_n", offset=0, type=number)],
+        data=force_n.tobytes(),
+    )
+
+
+def _pose(point_m: np.ndarray, rotation: Rotation) -> Any:
+    from foxglove import messages as m
+
+    quaternion = dict(zip("xyzw", rotation.as_quat().tolist(), strict=True))
+    position = dict(zip("xyz", point_m.tolist(), strict=True))
+    return m.Pose(position=m.Vector3(**position), orientation=m.Quaternion(**quaternion))
+
+
 def _scene(
     spec: ObjectSpec, contacts: list[Document], time_ns: int, body: trimesh.Trimesh | None
 ) -> Any:
     from foxglove import messages as m
-    from scipy.spatial.transform import Rotation
-
-    def pose(point_m: np.ndarray, rotation: Rotation) -> Any:
-        quaternion = dict(zip("xyzw", rotation.as_quat().tolist(), strict=True))
-        position = dict(zip("xyz", point_m.tolist(), strict=True))
-        return m.Pose(position=m.Vector3(**position), orientation=m.Quaternion(**quaternion))
 
     arrows = []
     for point_mm, axes, contact in _placed(spec, contacts):
@@ -178,7 +247,7 @@ def _scene(
         tail_m = 1e-3 * point_mm + length_m * axes[:, 2]
         arrows.append(
             m.ArrowPrimitive(
-                pose=pose(tail_m, inwards),
+                pose=_pose(tail_m, inwards),
                 shaft_length=0.75 * length_m,
                 shaft_diameter=0.002,
                 head_length=0.25 * length_m,
@@ -191,7 +260,7 @@ def _scene(
         points = (1e-3 * body.triangles.reshape(-1, 3)).tolist()
         corners = [m.Point3(**dict(zip("xyz", point, strict=True))) for point in points]
         surface = m.TriangleListPrimitive(
-            pose=pose(np.zeros(3), Rotation.identity()), points=corners, color=m.Color(**_GREY)
+            pose=_pose(np.zeros(3), Rotation.identity()), points=corners, color=m.Color(**_GREY)
         )
         entities["body"] = {"triangles": [surface]}
     stamp = m.Timestamp(*divmod(time_ns, 1_000_000_000))

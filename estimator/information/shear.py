@@ -32,8 +32,7 @@ from estimator.signals.live import live_in_press
 from estimator.signals.monotone import monotone_cubic
 from estimator.signals.nuisances import nuisance_columns
 from estimator.signals.presses import Signals
-from fem.presses.results import MagnetMotions
-from fem.presses.shear import ShearMotions
+from fem.presses.results import MagnetMotions, ShearMotions
 
 _STEP_N = 0.2
 """Half of the central difference: the field bends by 1e-5 of its slope over it."""

@@ -77,6 +77,21 @@ class MagnetMotions:
         return motion.reshape(-1, *motion.shape[-2:])
 
 
+@dataclass(frozen=True)
+class ShearMotions:
+    """Motion of every magnet per newton of tangential force at every contact location and depth.
+
+    `motion_per_n` (face, place, step, tangent, magnet, 6): mm and rad per N along the face's x and
+    y, in the object's frame; zero where the press found no contact, NaN at places that a face has
+    not.
+    """
+
+    faces: Int[np.ndarray, "face"]
+    grid: PlaceGrid
+    depth_mm: Float[np.ndarray, "step"]
+    motion_per_n: Float[np.ndarray, "face place step 2 magnet 6"]
+
+
 def save_presses(forces: PressForces, motions: MagnetMotions | None, path: Path | str) -> None:
     """Write both as one NetCDF file with units; without magnets, the forces alone."""
     values = {

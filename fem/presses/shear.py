@@ -10,12 +10,11 @@ exact for the pressure on an incompressible half-space; Johnson, Contact Mechani
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import scipy.sparse as sp
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
 from design.errors import InputError
 from design.layout.body import face_frames
@@ -29,6 +28,7 @@ from fem.linear.magnets import mean_motion_functionals
 from fem.linear.response import ElasticSystem, ResponseOperator, elastic_system, face_pressure_loads
 from fem.linear.sparse import columns_of, rows_of, shape_of
 from fem.mesh.tetrahedra import TetMesh
+from fem.presses.results import ShearMotions
 from fem.presses.table import press_places, surface_weights_mm2
 
 _LEAST_FORCE_N = 1e-9
@@ -45,21 +45,6 @@ _SHEAR = FileKind(
     },
     coordinates={"face": ("face", ""), "depth_mm": ("step", "mm"), "tangent": ("tangent", "")},
 )
-
-
-@dataclass(frozen=True)
-class ShearMotions:
-    """Motion of every magnet per newton of tangential force at every contact location and depth.
-
-    `motion_per_n` (face, place, step, tangent, magnet, 6): mm and rad per N along the face's x and
-    y, in the object's frame; zero where the press found no contact, NaN at places that a face has
-    not.
-    """
-
-    faces: Int[np.ndarray, "face"]
-    grid: PlaceGrid
-    depth_mm: Float[np.ndarray, "step"]
-    motion_per_n: Float[np.ndarray, "face place step 2 magnet 6"]
 
 
 def simulate_shear(

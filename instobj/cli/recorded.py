@@ -27,7 +27,12 @@ def recordings(
     spec: Annotated[
         Path | None, typer.Option(help="Specification of the object, for its contact grid.")
     ] = None,
-    out: Out = HERE,
+    out: Annotated[
+        Path,
+        typer.Option(
+            help="Folder for runs/; NAME.mcap: write one recording as a bag of ROS 2, unchanged."
+        ),
+    ] = HERE,
     as_json: AsJson = False,
 ) -> None:
     """Read recordings, find and correct their faults, and write a data set to train on."""

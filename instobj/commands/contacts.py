@@ -31,7 +31,7 @@ from instobj.commands.readings import (
     unexplained_text,
     zeroed_data_set,
 )
-from instobj.robot import foxglove_channels, is_foxglove
+from instobj.robot import foxglove_channels, new_mcap_file
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 
@@ -64,7 +64,7 @@ def contacts_in_file(
         A bad model or file, readings of another object, or no zero in the whole file.
     """
     inversion = load_inversion(model_path)
-    mcap = _mcap_file(out, path)
+    mcap = new_mcap_file(out, path.stem)
     target = prediction_path("contacts.csv", path, None if mcap else out)
     judged: list[dict[str, Any]] = []
     texts: list[str] = []
@@ -120,16 +120,6 @@ def contacts_on_port(
 def contacts_of(inversion: Inversion, frame: LiveFrame) -> dict[str, Any]:
     """Return a board's frame as `instobj predict --port` prints it."""
     return _document(inversion, frame.number, frame.time_s, frame.found) | frame.line
-
-
-def _mcap_file(out: Path | None, path: Path) -> Path | None:
-    """Return the MCAP file that frames of a recording go to; refused before any work where they cannot."""
-    if out is None or not is_foxglove(out):
-        return None
-    if out.suffix != ".mcap" or out.exists():
-        why = "exists already" if out.exists() else "shows the frames of a --port live"
-        raise InputError(f"{out} {why}. Give a new file such as --out {path.stem}_contacts.mcap")
-    return out
 
 
 def shown_in_foxglove(documents: Iterable[str], model_path: Path, out: Path) -> Iterator[str]:

@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> dict[str, Any]:
     """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found.
 
+    Where `out` is NAME.mcap, one recording is written there as a bag, as it is.
+
     `spec` gives the contact grid, the sensed faces, the chip's range and the size of an object that
     is not the paper's cube.
 
@@ -48,6 +50,8 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
     from estimator.recordings.combine import combine, faults_between
     from estimator.recordings.reading import read_recording
 
+    if out.suffix == ".mcap":
+        return _converted(files, out)
     require_writable(out)
     progress = ProgressLine()
     grid_mm, limits, recorded_object = (None, None, None) if spec is None else _as_specified(spec)
@@ -71,6 +75,15 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
         "files": file_rows([target]),
         "next": f"instobj train {target}",
     }
+
+
+def _converted(files: list[Path], out: Path) -> dict[str, Any]:
+    from estimator.recordings.formats.robot import write_bag
+
+    if len(files) != 1:
+        raise InputError(f"{out} takes one recording; got {len(files)}. Convert one at a time")
+    write_bag(files[0], out)
+    return {"command": "recordings", "files": file_rows([out])}
 
 
 def travel_forces(spec: ObjectSpec) -> TravelForces:

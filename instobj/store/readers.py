@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     from fem.large_strain.correction import StrainCorrection
     from fem.linear.response import ResponseOperator
     from fem.mesh.tetrahedra import TetMesh
-    from fem.presses.results import MagnetMotions, PressForces
-    from fem.presses.shear import ShearMotions
+    from fem.presses.results import MagnetMotions, PressForces, ShearMotions
 
 Content = TypeVar("Content")
 

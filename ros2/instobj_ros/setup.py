@@ -9,6 +9,6 @@ setup(
         ("share/instobj_ros", ["package.xml"]),
         ("share/instobj_ros/launch", ["launch/contacts.launch.py"]),
     ],
-    install_requires=["setuptools", "instobj[bench]"],
+    install_requires=["setuptools", "instobj-robot"],
     entry_points={"console_scripts": ["contacts = instobj_ros.contacts:main"]},
 )

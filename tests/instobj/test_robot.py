@@ -1,11 +1,14 @@
 """Contacts as channels of Foxglove: what an MCAP file and a live view hold."""
 
 import json
+import struct
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
 
 from design.errors import InputError
 from design.layout.body import face_frame
@@ -48,7 +51,8 @@ def test_an_mcap_file_holds_every_frame_with_its_stamp(tmp_path):
         for frame in frames:
             send(frame)
     read = messages(tmp_path / "a.mcap")
-    assert set(read) == {"/instobj/contacts", "/instobj/wrench", "/instobj/scene"}
+    heatmaps = {f"/instobj/heatmap_{face}" for face in range(1, 6)}
+    assert set(read) == {"/instobj/contacts", "/instobj/wrench", "/instobj/scene"} | heatmaps
     stamps = [time_ns for time_ns, _ in read["/instobj/contacts"]]
     assert stamps == [round(1e9 * frame["time_s"]) for frame in frames]
     assert [json.loads(data) for _, data in read["/instobj/contacts"]] == frames
@@ -57,6 +61,97 @@ def test_an_mcap_file_holds_every_frame_with_its_stamp(tmp_path):
     # the body comes with the first frame alone
     sizes = [len(data) for _, data in read["/instobj/scene"]]
     assert sizes[0] > 5 * max(sizes[1:])
+
+
+def test_a_heatmap_holds_the_force_where_its_cell_lies_in_the_object(tmp_path):
+    pressed = [contact(3, 4.6, -7.4, 2.0), contact(3, 4.4, -7.6, 1.5), contact(1, 0.0, 0.0, 9.0)]
+    with foxglove_channels(tmp_path / "a.mcap", SPEC) as send:
+        send({"time_s": 0.0, "contacts": pressed})
+    ((_, data),) = messages(tmp_path / "a.mcap")["/instobj/heatmap_3"]
+    cells, grid = decoded_grid(data)
+    assert cells.sum() == pytest.approx(3.5)
+    row, column = np.unravel_index(cells.argmax(), cells.shape)
+    assert cells[row, column] == pytest.approx(3.5)
+    # the cell's middle, by the grid's own pose and cell size, is the location (4.5, −7.5) of face 3
+    middle = np.array([column + 0.5, row + 0.5, 0]) * np.append(grid.cell_m, 0)
+    place_m = grid.position_m + grid.rotation.apply(middle)
+    expected_mm = face_frame(SPEC, 3).to_object(np.array([4.5, -7.5, 0.0]))
+    assert_allclose(1e3 * place_m, expected_mm, atol=1e-6)
+
+
+def test_scene_and_heatmaps_have_schemas_that_foxglove_brings(tmp_path):
+    with foxglove_channels(tmp_path / "a.mcap", SPEC) as send:
+        send({"time_s": 0.0, "contacts": []})
+    from mcap.reader import make_reader
+
+    with (tmp_path / "a.mcap").open("rb") as file:
+        summary = make_reader(file).get_summary()
+    channels = summary.channels.values()
+    named = {
+        c.topic: summary.schemas[c.schema_id].name
+        for c in channels
+        if "json" not in c.message_encoding
+    }
+    assert named.pop("/instobj/scene") == "foxglove.SceneUpdate"
+    assert set(named) == {f"/instobj/heatmap_{face}" for face in range(1, 6)}
+    assert set(named.values()) == {"foxglove.Grid"}
+    others = {summary.schemas[c.schema_id].encoding for c in channels if c.topic not in named}
+    assert others <= {"jsonschema", "protobuf"}  # which Foxglove shows by itself
+
+
+def test_a_frame_without_a_stamp_is_refused(tmp_path):
+    with (
+        pytest.raises(InputError, match=r"a\.mcap needs stamps"),
+        foxglove_channels(tmp_path / "a.mcap", SPEC) as send,
+    ):
+        send({"time_s": float("nan"), "contacts": []})
+
+
+def decoded_grid(data):
+    """Cells, and pose and size of a cell, of a message foxglove.Grid, by its public numbers of fields
+    (protobuf: 3 pose, 4 columns, 5 size of a cell, 9 data)."""
+    fields = protobuf_fields(data)
+    pose, cell = protobuf_fields(fields[3]), protobuf_fields(fields[5])
+    position, turn = protobuf_fields(pose[1]), protobuf_fields(pose[2])
+    (columns,) = struct.unpack("<I", fields[4])
+    quaternion = [double(turn, k) for k in (1, 2, 3, 4)]
+    return np.frombuffer(fields[9], "<f4").reshape(-1, columns), SimpleNamespace(
+        position_m=np.array([double(position, k) for k in (1, 2, 3)]),
+        rotation=Rotation.from_quat(quaternion),
+        cell_m=np.array([double(cell, k) for k in (1, 2)]),
+    )
+
+
+def double(fields, number):
+    """A number, 0 where protobuf leaves it out."""
+    return struct.unpack("<d", fields.get(number, bytes(8)))[0]
+
+
+def protobuf_fields(data):
+    """Bytes of each field of a protobuf message, by number; the last where one is repeated."""
+    fields, at = {}, 0
+
+    def varint():
+        nonlocal at
+        value = shift = 0
+        while True:
+            byte = data[at]
+            at += 1
+            value |= (byte & 127) << shift
+            shift += 7
+            if byte < 128:
+                return value
+
+    while at < len(data):
+        key = varint()
+        length = {1: 8, 5: 4}.get(key & 7)
+        if key & 7 == 0:
+            fields[key >> 3] = struct.pack("<Q", varint())
+            continue
+        length = varint() if length is None else length
+        fields[key >> 3] = data[at : at + length]
+        at += length
+    return fields
 
 
 def messages(path):

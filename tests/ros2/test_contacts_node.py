@@ -76,6 +76,9 @@ class Node:
         self.topics[topic] = Publisher()
         return self.topics[topic]
 
+    def destroy_lifecycle_publisher(self, publisher):
+        self.topics = {name: kept for name, kept in self.topics.items() if kept is not publisher}
+
     def get_logger(self):
         return SimpleNamespace(error=self.errors.append)
 
@@ -148,6 +151,10 @@ def test_a_press_is_published_with_its_place_and_its_force(
             pressed = [m for m in list(node.topics["/instobj/contacts"].messages) if m.contacts]
         node.on_deactivate(None)
     assert node.errors == []
+    # a recording of the frames begins with the rest that gives the zero, before the first contacts
+    first = node.topics["/instobj/frames"].messages[0].header.stamp
+    read_first = node.topics["/instobj/contacts"].messages[0].header.stamp
+    assert (first.sec, first.nanosec) < (read_first.sec, read_first.nanosec)
     (layout,) = node.topics["/instobj/layout"].messages
     assert layout.channels == list(CHANNELS)
     read = pressed[-1].contacts[0]
@@ -169,6 +176,65 @@ def test_a_press_is_published_with_its_place_and_its_force(
         name = message.__msgtype__
         again = store.deserialize_cdr(store.serialize_cdr(message, name), name)
         assert str(again.__msgtype__) == name
+
+
+def test_a_node_that_is_cleaned_up_is_configured_again(contacts_node, monkeypatch, tmp_path):
+    save_inversion(inverted(), tmp_path / "contacts.nc")
+    monkeypatch.setattr(Node, "parameters", {"model": str(tmp_path / "contacts.nc")})
+    node = contacts_node.ContactNode()
+    assert node.on_configure(None) == "success"
+    first = dict(node.topics)
+    assert node.on_cleanup(None) == "success"
+    assert node.topics == {}
+    assert node.on_configure(None) == "success"
+    assert set(node.topics) == set(first)
+
+
+def test_the_launch_file_starts_the_reader_and_shows_a_urdf(monkeypatch, tmp_path):
+    """With stand-ins of launch that keep what they are given."""
+    kept = {name: lambda *given, **named: SimpleNamespace(given=given, **named) for name in (
+        "LaunchDescription", "DeclareLaunchArgument", "OpaqueFunction", "LifecycleNode", "Node"
+    )}  # fmt: skip
+    values = {"model": "contacts.nc", "port": "/dev/ttyACM0", "urdf": ""}
+    stands = {
+        "launch": kept,
+        "launch.actions": kept,
+        "launch_ros.actions": kept,
+        "launch.substitutions": {
+            "LaunchConfiguration": lambda name: SimpleNamespace(perform=lambda _: values[name])
+        },
+    }
+    for name, content in stands.items():
+        module = ModuleType(name)
+        vars(module).update(content)
+        monkeypatch.setitem(sys.modules, name, module)
+    path = ROS2 / "instobj_ros" / "launch" / "contacts.launch.py"
+    launch = importlib.util.module_from_spec(
+        spec := importlib.util.spec_from_file_location("contacts_launch", path)
+    )
+    spec.loader.exec_module(launch)
+    (*arguments, _) = launch.generate_launch_description().given[0]
+    assert {argument.given[0] for argument in arguments} == set(values)
+    (reader,) = launch.nodes(None)
+    assert reader.parameters == [{"model": "contacts.nc", "port": "/dev/ttyACM0"}]
+    assert (reader.package, reader.autostart) == ("instobj_ros", True)
+    values["urdf"] = str(tmp_path / "object.urdf")
+    (tmp_path / "object.urdf").write_text("<robot/>")
+    _, publisher = launch.nodes(None)
+    assert publisher.parameters == [{"robot_description": "<robot/>"}]
+
+
+def test_the_packages_name_what_they_use():
+    texts = {path.stem: path.read_text() for path in (ROS2 / "instobj_msgs" / "msg").glob("*.msg")}
+    cmake = (ROS2 / "instobj_msgs" / "CMakeLists.txt").read_text()
+    for name, text in texts.items():
+        assert f"msg/{name}.msg" in cmake
+        for package in ("geometry_msgs", "std_msgs"):
+            if f"{package}/" in text:
+                assert f"find_package({package} REQUIRED)" in cmake
+    depended = (ROS2 / "instobj_ros" / "package.xml").read_text()
+    for package in ("rclpy", "instobj_msgs", "geometry_msgs"):
+        assert f"depend>{package}</" in depended
 
 
 def test_a_model_that_is_not_there_keeps_the_node_unconfigured(

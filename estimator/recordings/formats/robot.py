@@ -4,6 +4,8 @@ A bag (a rosbag2 folder, or one `.mcap` or `.db3` file of it) has two topics. Th
 columns come once, as `instobj_msgs/Layout` on /instobj/layout, and numbers often, as
 `instobj_msgs/Frame` on /instobj/frames. A LeRobot data set (version 3: `meta/info.json` and Parquet
 files) names its channels in the feature `observation.hall_counts`; every episode is a session.
+An MCAP file that ROS did not write is read where a JSON topic names its numbers so: {"time_s": 0.1,
+"F1-X1": 12, …}; without `time_s` the file's own stamps count.
 Stamps are kept to 1 ns, numbers exactly.
 """
 
@@ -14,14 +16,17 @@ import io
 import json
 import math
 import re
+import shutil
+import tempfile
 from collections.abc import Iterator
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from design.errors import InputError, RecordingError
-from design.files import require_regular_file
+from design.files import atomic_path, require_regular_file
 
 LAYOUT, FRAMES = "/instobj/layout", "/instobj/frames"
 HALL_COUNTS = "observation.hall_counts"
@@ -40,6 +45,9 @@ float64[] labels   # NaN: not known
 """,
 }
 """Definition of each message; `ros2/instobj_msgs/msg` has the same."""
+_MISSING = re.compile(r"#\s*missing\s*=\s*(\S+)\s*")
+_MCAP = b"\x89MCAP0\r\n\x01"
+"""First bytes of an MCAP file, with its header's mark."""
 _CHANNEL = re.compile(r"F[1-6]-[XYZ]\d\d?")
 _SUFFIXES = (".mcap", ".db3")
 _NS = 1_000_000_000
@@ -63,21 +71,24 @@ def robot_csv(path: Path) -> bytes:
     ImportError
         The extra `instobj[robot]` is not installed.
     """
-    rows = _lerobot_rows(path) if (path / "meta").is_dir() else _bag_rows(path)
+    if (path / "meta").is_dir():
+        rows = _lerobot_rows(path)
+    else:
+        rows = _json_rows(path) if _is_other_mcap(path) else _bag_rows(path)
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue().encode()
 
 
 def write_bag(recording: Path | str, bag: Path | str) -> None:
-    """Write a generic CSV as a rosbag2 folder with one MCAP file, which Foxglove opens too.
+    """Write a recording as a rosbag2 folder, or as its one MCAP file, which Foxglove opens too.
 
     Parameters
     ----------
     recording : path
-        Generic CSV with stamps (`time_s`, s) from 0 on.
+        Generic CSV, bag or LeRobot data set with stamps (`time_s`, s) from 0 on.
     bag : path
-        Folder to be made.
+        Folder to be made; NAME.mcap is the one file alone.
 
     Returns
     -------
@@ -86,7 +97,7 @@ def write_bag(recording: Path | str, bag: Path | str) -> None:
     Raises
     ------
     InputError
-        No such file, the folder exists, or stamps (`time_s`) are missing or below 0.
+        No such file, the bag exists, or stamps (`time_s`) are missing or below 0.
     ImportError
         The extra `instobj[robot]` is not installed.
 
@@ -99,16 +110,60 @@ def write_bag(recording: Path | str, bag: Path | str) -> None:
     >>> sorted(path.name for path in Path("presses_bag").iterdir())
     ['metadata.yaml', 'presses_bag.mcap']
     """
-    from rosbags import rosbag2
-
     path = Path(bag)
     if path.exists():
         raise InputError(f"{path} exists already. Give the bag another name")
-    content = require_regular_file(Path(recording), f"no recording at {recording}").read_text()
-    header, *cells = csv.reader(content.splitlines())
-    rows = [[float(cell) if cell.strip() else math.nan for cell in row] for row in cells]
-    if "time_s" not in header or min(row[header.index("time_s")] for row in rows) < 0:
-        raise InputError(f"{recording} needs stamps from 0 on in a column time_s (s). Add them")
+    table = _numbers_of(Path(recording))
+    if path.suffix != ".mcap":
+        _write_folder(path, *table)
+        return
+    with tempfile.TemporaryDirectory() as folder, atomic_path(path) as temporary:
+        _write_folder(Path(folder) / "bag", *table)
+        shutil.move(Path(folder) / "bag" / "bag.mcap", temporary)
+
+
+def _numbers_of(path: Path) -> tuple[list[str], list[int], list[list[float]]]:
+    """Return names, stamps (ns) and rows (NaN: none) of a generic CSV or of what robots wrote."""
+    if is_robot_file(path):
+        content = robot_csv(path).decode()
+    else:
+        content = require_regular_file(path, f"no recording at {path}").read_text()
+    lines = [line for line in content.splitlines() if line.strip()]
+    mark = _MISSING.fullmatch(lines[0]) if lines else None
+    header, *cells = csv.reader(lines[bool(mark) :] or [""])
+    header = [name.strip() for name in header]
+    if "time_s" not in header or not any(_CHANNEL.fullmatch(name) for name in header):
+        raise InputError(
+            f"{path} has no columns time_s (s) and F1-X1 …, which a bag needs. Give a generic CSV "
+            "(`instobj docs recordings`)"
+        )
+    time = header.index("time_s")
+    try:
+        missing = float(mark[1]) if mark else math.nan
+        # Decimal: a clock's stamp with 1 ns has more digits than a float
+        stamps_ns = [round(Decimal(row[time].strip() or "nan") * _NS) for row in cells]
+        rows = [
+            [float(cell) if cell.strip() else math.nan for _, cell in zip(header, row, strict=True)]
+            for row in cells
+        ]
+    except (ValueError, ArithmeticError, IndexError):
+        raise InputError(
+            f"{path} needs numbers in all cells, and stamps in time_s (s). Mend it"
+        ) from None
+    if min(stamps_ns, default=-1) < 0:
+        raise InputError(f"{path} needs stamps from 0 on in a column time_s (s). Add them")
+    for n, name in enumerate(header):
+        if _CHANNEL.fullmatch(name) or name.endswith("_face"):  # as the generic format has it
+            for row in rows:
+                row[n] = math.nan if row[n] == missing else row[n]
+    return header, stamps_ns, rows
+
+
+def _write_folder(
+    path: Path, header: list[str], stamps_ns: list[int], rows: list[list[float]]
+) -> None:
+    from rosbags import rosbag2
+
     store, time = _typestore(), header.index("time_s")
     channels = [n for n, name in enumerate(header) if name[:1] == "F"]
     labels = [n for n in range(len(header)) if n != time and n not in channels]
@@ -124,10 +179,8 @@ def write_bag(recording: Path | str, bag: Path | str) -> None:
             for topic, name in zip((LAYOUT, FRAMES), MESSAGES, strict=True)
         ]
         names = layout([header[n] for n in channels], [header[n] for n in labels])
-        for number, row in enumerate(rows):
-            stamp_ns = round(row[time] * _NS)
-            if not number:
-                writer.write(topics[0], stamp_ns, _serialized(store, names))
+        writer.write(topics[0], stamps_ns[0], _serialized(store, names))
+        for stamp_ns, row in zip(stamps_ns, rows, strict=True):
             counts = [row[n] for n in channels]
             message = frame(
                 header_type(stamp_type(*divmod(stamp_ns, _NS)), ""),
@@ -166,6 +219,53 @@ def _bag_rows(path: Path) -> Iterator[list[Any]]:
             f"it is no bag that can be read to its end: its {size} bytes are cut off, damaged, or of another "
             "format. Copy or record it again"
         ) from error
+
+
+def _is_other_mcap(path: Path) -> bool:
+    """Return whether a file is MCAP that ROS 2 did not write, by the profile of its header."""
+    if path.suffix != ".mcap" or not path.is_file():
+        return False
+    with path.open("rb") as file:
+        head = file.read(64)
+    # mark, u8 length of the record, u4 length of the profile, profile
+    length = int.from_bytes(head[17:21], "little")
+    return head.startswith(_MCAP) and len(head) > 21 and head[21 : 21 + length] != b"ros2"
+
+
+def _json_rows(path: Path) -> Iterator[list[Any]]:
+    from mcap.exceptions import McapError
+    from mcap.reader import make_reader
+
+    topics: dict[str, str] = {}
+    names: list[str] = []
+    read_topic = None
+    with path.open("rb") as file:
+        try:
+            for schema, channel, message in make_reader(file).iter_messages():
+                topics[channel.topic] = (
+                    f"{channel.message_encoding} {schema.name if schema else ''}"
+                )
+                values = json.loads(message.data) if channel.message_encoding == "json" else None
+                if not isinstance(values, dict):
+                    continue
+                if read_topic is None and any(_CHANNEL.fullmatch(name) for name in values):
+                    names = [name for name in values if name != "time_s"]
+                    read_topic = channel.topic
+                    yield ["time_s", *names]
+                if channel.topic == read_topic:
+                    stamp = values.get("time_s", Decimal(message.log_time) / _NS)
+                    yield [stamp, *(values.get(name, "") for name in names)]
+        except (McapError, ValueError) as error:
+            raise RecordingError(
+                f"it is no MCAP file that can be read to its end. Record it again ({error})"
+            ) from None
+    if read_topic is None:
+        told = ", ".join(f"{topic} ({kind.strip()})" for topic, kind in sorted(topics.items()))
+        raise RecordingError(
+            f"it has the topics {told or 'none'}; counts are read from a json topic with fields F1-X1 …, "
+            f"or from {LAYOUT} and {FRAMES} (`instobj docs recordings`). Export the topic with the counts "
+            "as CSV, and give that to `instobj adopt`"
+        )
 
 
 def _rows_of_messages(bag: Any, store: Any) -> Iterator[list[Any]]:

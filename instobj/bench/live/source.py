@@ -42,6 +42,7 @@ class LiveOptions:
     remote : whether an address that other machines reach is meant
     record : whether to record from the beginning
     seconds : how long; None until Ctrl-C
+    foxglove : MCAP file, or foxglove[:PORT], in place of the page
     """
 
     spec: Path | None
@@ -55,6 +56,7 @@ class LiveOptions:
     remote: bool = False
     record: bool = False
     seconds: float | None = None
+    foxglove: Path | None = None
 
     @property
     def token(self) -> str:

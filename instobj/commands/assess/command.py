@@ -35,6 +35,7 @@ from instobj.commands.assess.groups import (
 from instobj.commands.assess.sentences import sentences, warnings_of
 from instobj.commands.assess.tracks import (
     ReadRecording,
+    frame_documents,
     load_estimators,
     read_grasps_of,
     recordings_in,
@@ -42,6 +43,7 @@ from instobj.commands.assess.tracks import (
 from instobj.commands.readings import Zeroing
 from instobj.figures.grasps import GroupPicture, draw_grasps
 from instobj.report.pages import write_page
+from instobj.robot import foxglove_channels, new_mcap_file
 from instobj.store.publish import file_rows, require_writable, run_folder, run_name
 from instobj.store.stage import write_json
 
@@ -74,7 +76,7 @@ class AssessOptions:
 
 def assess(options: AssessOptions) -> dict[str, Any]:
     """Measure the grasps of all recordings and rank the groups; writes page, figure, CSV and JSON to
-    `runs/<name>/assess/`.
+    `runs/<name>/assess/`. Where `options.out` is an MCAP file, contacts go there too.
 
     Raises
     ------
@@ -89,6 +91,9 @@ def assess(options: AssessOptions) -> dict[str, Any]:
     limits = () if options.limit is None else tuple(read_limits(options.limit))
     files = [recordings_in(path) for path in options.paths]
     names = _names(options.paths)
+    mcap = new_mcap_file(options.out, options.paths[0].stem)
+    if mcap is not None:
+        options = replace(options, out=Path())
     require_writable(options.out)
     estimators = load_estimators(options.model, options.spec)
     spec = estimators.spec
@@ -105,7 +110,24 @@ def assess(options: AssessOptions) -> dict[str, Any]:
             f"{', '.join(map(str, options.paths))}: the estimator reads less than a touch of two jaws. "
             "Check that the recording is of this object and that it begins at rest (--zero)"
         )
-    return _document(options, protocol, conditions, groups)
+    document = _document(options, protocol, conditions, groups)
+    if mcap is None:
+        return document
+    _show_tracks(mcap, spec, groups)
+    return document | {"files": [*document["files"], *file_rows([mcap])]}
+
+
+def _show_tracks(mcap: Path, spec: ObjectSpec, groups: list[Group]) -> None:
+    """Write the contacts of all recordings to an MCAP file; of several each has topics of its own."""
+    tracks = {
+        f"/{_file_name(group.name)}/{_file_name(recording.read.path.name)}": recording.read.track
+        for group in groups
+        for recording in group.recordings
+    }
+    with foxglove_channels(mcap, spec) as send:
+        for topic, track in tracks.items():
+            for frame in frame_documents(track):
+                send(frame, topic if len(tracks) > 1 else "/instobj")
 
 
 def conditions_of(spec: ObjectSpec) -> Conditions:

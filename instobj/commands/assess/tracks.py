@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -161,6 +162,21 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
         )
     track = _networks_track(frames, estimators.networks)
     return ReadRecording(path, track, cells, "networks", texts, faults)
+
+
+def frame_documents(track: ContactTrack) -> Iterator[dict[str, Any]]:
+    """Yield frames as `instobj predict --port` prints them, as far as a track tells."""
+    for row in range(len(track)):
+        contacts = []
+        for slot in np.flatnonzero(track.face[row] != NO_FACE).tolist():
+            values = (*track.xy_mm[row, slot].tolist(), *track.force_n[row, slot].tolist())
+            names = ("x_mm", "y_mm", "tangential_x_n", "tangential_y_n", "force_n")
+            read = {
+                name: value for name, value in zip(names, values, strict=True) if value == value
+            }
+            contacts.append({"face": int(track.face[row, slot])} | read)
+        stamp = {"frame": row, "time_s": float(track.time_s[row])}
+        yield stamp | {"explained": bool(track.explained[row]), "contacts": contacts}
 
 
 def _frames_of(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from threading import Event, Thread
 from typing import Any
 
@@ -23,13 +24,14 @@ NS = 1_000_000_000
 """Nanoseconds of a second."""
 
 
-class KeptReadings(LiveContacts):
-    """Reader that keeps the raw counts of the last frame."""
+class HeardContacts(LiveContacts):
+    """Reader that hands on the raw counts of every frame, also of those that give the zero."""
 
-    raw_counts: np.ndarray
+    heard: Callable[[np.ndarray, float], None]
 
     def feed(self, raw_counts: np.ndarray, time_s: float, left_out: Any = None) -> Any:
-        self.raw_counts = raw_counts
+        """Hand a frame on, and read it."""
+        self.heard(raw_counts, time_s)
         return super().feed(raw_counts, time_s, left_out)
 
 
@@ -75,6 +77,12 @@ class ContactNode(LifecycleNode):
         self._end()
         return super().on_deactivate(state)
 
+    def on_cleanup(self, state: Any) -> TransitionCallbackReturn:
+        """Close the topics, so that the node can be configured with another model."""
+        for publisher in (self._layout, self._frames, self._contacts, self._wrench):
+            self.destroy_lifecycle_publisher(publisher)
+        return TransitionCallbackReturn.SUCCESS
+
     def on_shutdown(self, state: Any) -> TransitionCallbackReturn:
         """Stop to read."""
         self._end()
@@ -89,7 +97,8 @@ class ContactNode(LifecycleNode):
         return self.get_parameter(name).value
 
     def _read(self) -> None:
-        reader = KeptReadings(self._inversion)
+        reader = HeardContacts(self._inversion)
+        reader.heard = self._publish_frame
         port, baud = self._value("port"), self._value("baud")
         channels = [
             f"F{face}-{'XYZ'[axis]}{chip + 1}" for face, chip, axis in self._inversion.channels
@@ -99,24 +108,30 @@ class ContactNode(LifecycleNode):
             for frame in live_frames(reader, self._inversion.channels, port, baud):
                 if self._stop.is_set():
                     return
-                self._publish(frame, reader.raw_counts)
+                self._publish(frame)
         except InputError as error:  # unplugged, or another object
             self.get_logger().error(str(error))
 
-    def _publish(self, frame: Any, raw_counts: np.ndarray) -> None:
-        """Publish the readings, the contacts and their wrench with the frame's own stamp."""
+    def _stamp(self, header: Any, time_s: float) -> None:
+        header.frame_id = self._value("frame_id")
+        header.stamp.sec, header.stamp.nanosec = divmod(round(time_s * NS), NS)
+
+    def _publish_frame(self, raw_counts: np.ndarray, time_s: float) -> None:
+        """Publish the readings; a recording of them begins with the rest that gives the zero."""
         readings = Frame(labels=[])
-        readings.header.frame_id = self._value("frame_id")
-        stamp = readings.header.stamp
-        stamp.sec, stamp.nanosec = divmod(round(frame.time_s * NS), NS)
+        self._stamp(readings.header, time_s)
         counts = [
             float(raw_counts[face - 1, chip, axis]) for face, chip, axis in self._inversion.channels
         ]
         readings.counts, readings.valid = counts, np.isfinite(counts).tolist()
         self._frames.publish(readings)
+
+    def _publish(self, frame: Any) -> None:
+        """Publish the contacts and their wrench with the frame's own stamp."""
         document = contacts_of(self._inversion, frame)
         spec = self._inversion.model.spec
-        contacts = Contacts(header=readings.header, contacts=[])
+        contacts = Contacts(contacts=[])
+        self._stamp(contacts.header, frame.time_s)
         contacts.explained, contacts.p_value = document["explained"], document["p_value"]
         contacts.left_out = document["left_out"]
         for point_mm, push_n, contact in contact_forces(spec, document["contacts"]):
@@ -131,7 +146,7 @@ class ContactNode(LifecycleNode):
             )
         self._contacts.publish(contacts)
         force_n, torque_nm = contact_wrench(spec, document["contacts"])
-        wrench = WrenchStamped(header=readings.header)
+        wrench = WrenchStamped(header=contacts.header)
         wrench.wrench.force, wrench.wrench.torque = (
             Vector3(**_xyz(force_n)),
             Vector3(**_xyz(torque_nm)),

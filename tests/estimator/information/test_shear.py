@@ -18,8 +18,7 @@ from estimator.information.shear import (
 )
 from estimator.signals.interpolation import signal_gradient
 from estimator.signals.presses import press_signals
-from fem.presses.results import MagnetMotions, PressForces
-from fem.presses.shear import ShearMotions
+from fem.presses.results import MagnetMotions, PressForces, ShearMotions
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 SPEC = coarse_spec(score={"force_n": 6.0, "channels": "own"}, limits={"use": "bench"})

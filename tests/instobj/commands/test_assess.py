@@ -89,6 +89,30 @@ def test_what_cannot_be_said_is_said(ranked):
     assert "load cells lie in the 90 % interval" in texts
 
 
+def test_contacts_of_all_recordings_go_to_one_mcap_file(bench):
+    mcap = pytest.importorskip("mcap.reader")
+    arguments = ("assess", "rough", "gentle", "--model", "model", "--json", "--out", "grasps.mcap")
+    done = run(*arguments, cwd=bench)
+    assert done.returncode == 0, done.stderr
+    files = {row["path"].rpartition("/")[2] for row in json.loads(done.stdout)["files"]}
+    assert {"assess.html", "grasps.mcap"} <= files
+    with (bench / "grasps.mcap").open("rb") as file:
+        sent = [
+            (channel.topic, message.log_time, json.loads(message.data))
+            for _, channel, message in mcap.make_reader(file).iter_messages()
+            if channel.topic.endswith("/contacts")
+        ]
+    for name in ("rough", "gentle"):
+        frames = load_frames(bench / name / "day1.nc")
+        stamps = [stamp for topic, stamp, _ in sent if topic == f"/{name}/day1.nc/contacts"]
+        assert sorted(stamps) == sorted(round(1e9 * t) for t in frames.time_s)
+    strongest = max(sum(c["force_n"] for c in frame["contacts"]) for _, _, frame in sent)
+    assert strongest == pytest.approx(2 * max(ROUGH_N), rel=0.2)
+    again = run(*arguments, cwd=bench)
+    assert again.returncode == 2
+    assert "grasps.mcap exists already" in again.stderr
+
+
 def test_a_gripper_against_itself_is_not_ranked(bench):
     done = run("assess", "gentle/day1.nc", "gentle2.nc", "--model", "model", "--json", cwd=bench)
     assert done.returncode == 2

@@ -111,7 +111,10 @@ def test_files_beside_the_page_are_linked(tmp_path):
 
 
 def test_the_page_says_what_to_change_first_and_of_delta_near_its_end(tmp_path):
-    content = {"decision": "Take magnets of N52", "deltas": [{"area": "corner", "raw": 4.1, "over": 0.3}]}
+    content = {
+        "decision": "Take magnets of N52",
+        "deltas": [{"area": "corner", "raw": 4.1, "over": 0.3}],
+    }
     told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, **content))
     assert "Take magnets of N52" in told.split("Press it")[0]
     before, after = told.split("Convex-hull sensitivity δ", 1)

@@ -5,12 +5,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.testing import assert_array_equal
+from numpy.testing import assert_allclose, assert_array_equal
 
 from design.errors import InputError, RecordingError
 from estimator.adoption.text_table import read_text_table
 from estimator.recordings.formats.files import read_signals, read_table
-from estimator.recordings.formats.robot import HALL_COUNTS, MESSAGES, lerobot_features, write_bag
+from estimator.recordings.formats.robot import (
+    HALL_COUNTS,
+    MESSAGES,
+    lerobot_features,
+    robot_csv,
+    write_bag,
+)
+from tests.support.cli import run
 from tests.support.recordings.generic_csv import write_generic_csv
 
 rosbag2 = pytest.importorskip("rosbags.rosbag2")
@@ -150,3 +157,98 @@ def test_an_error_names_its_file_once_wherever_it_is_raised(tmp_path):
         with pytest.raises(RecordingError) as error:
             read(path)
         assert str(error.value).count(str(path)) == 1
+
+
+def test_one_mcap_file_holds_every_count_and_stamp_and_can_be_converted_again(tmp_path):
+    # stamps of a clock with 1 ns, which no float has, the largest count of 24 bits, a gap
+    stamps = ["1700000000.123456789", "1700000000.223456788", "1700000001.000000001"]
+    cells = ["16777215,,1", "-7.25,3,0", "2.125,2,0"]
+    rows = "".join(f"{stamp},{row}\n" for stamp, row in zip(stamps, cells, strict=True))
+    (tmp_path / "a.csv").write_text("# missing = -7.25\ntime_s,F1-X1,F1-Y1,rest\n" + rows)
+    assert run("recordings", "a.csv", "--out", "b.mcap", cwd=tmp_path).returncode == 0
+    assert run("recordings", "b.mcap", "--out", "c.mcap", cwd=tmp_path).returncode == 0
+    for name in ("b.mcap", "c.mcap"):
+        header, *lines = robot_csv(tmp_path / name).decode().splitlines()
+        assert header == "time_s,F1-X1,F1-Y1,rest"
+        assert [line.partition(",")[0] for line in lines] == stamps
+        assert [line.partition(",")[2] for line in lines] == ["16777215,,1", ",3,0", "2.125,2,0"]
+
+
+@pytest.mark.parametrize(
+    ("files", "content", "said"),
+    [
+        (["a.csv"], "a,b\n1,2\n", "no columns time_s"),
+        (["a.csv"], "", "no columns time_s"),
+        (["a.csv"], "time_s,F1-X1\n0,word\n", "needs numbers"),
+        (["a.csv"], "time_s,F1-X1\n0,1\n0.1\n", "needs numbers"),
+        (["a.csv"], "# missing = word\ntime_s,F1-X1\n0,1\n", "needs numbers"),
+        (["a.csv"], "F1-X1,time_s\n1,\n", "needs numbers"),
+        (["a.csv", "a.csv"], "time_s,F1-X1\n0,1\n", "takes one recording"),
+        (["none.csv"], "", "no recording at none.csv"),
+    ],
+)
+def test_what_cannot_become_a_bag_is_one_error(tmp_path, files, content, said):
+    (tmp_path / "a.csv").write_text(content)
+    done = run("recordings", *files, "--out", "b.mcap", cwd=tmp_path)
+    assert done.returncode == 2
+    assert said in done.stderr
+    assert not (tmp_path / "b.mcap").exists()
+
+
+def write_mcap(path, profile, encoding, schema, messages, topic="/hall"):
+    """An MCAP file of another program: one topic, (stamp in ns, bytes) each."""
+    writer_of = pytest.importorskip("mcap.writer")
+    with path.open("wb") as file:
+        writer = writer_of.Writer(file)
+        writer.start(profile=profile, library="other")
+        known = writer.register_schema(*schema) if schema else 0
+        channel = writer.register_channel(topic, encoding, known)
+        for stamp_ns, data in messages:
+            writer.add_message(channel, stamp_ns, data, stamp_ns)
+        writer.finish()
+
+
+@pytest.mark.parametrize("stamped", [True, False])
+def test_json_of_another_program_is_read_where_fields_are_channels(tmp_path, stamped):
+    stamps_ns = [1_700_000_000_123_456_789, 1_700_000_000_223_456_789, 1_700_000_000_323_456_789]
+    messages = []
+    for number, stamp_ns in enumerate(stamps_ns):
+        values = {"F2-X1": 16777213 + number, "F2-Z3": -number} | (
+            {"time_s": number / 8} if stamped else {}
+        )
+        messages.append((stamp_ns, json.dumps(values).encode()))
+    write_mcap(tmp_path / "a.mcap", "", "json", ("hall", "jsonschema", b"{}"), messages)
+    time_s, counts = read_signals(tmp_path / "a.mcap")
+    assert_array_equal(counts[:, 1, 0, 0], [16777213, 16777214, 16777215])
+    assert_array_equal(counts[:, 1, 2, 2], [0, -1, -2])
+    expected = [0, 0.125, 0.25] if stamped else np.array(stamps_ns) / 1e9
+    assert_allclose(time_s, expected, rtol=0, atol=5e-7)
+
+
+@pytest.mark.parametrize(
+    ("profile", "encoding", "schema", "data"),
+    [
+        ("", "json", None, b'{"values": [1, 2]}'),
+        ("", "json", None, b"[1, 2]"),
+        ("", "protobuf", ("my.Counts", "protobuf", b"\x0a"), b"\x08\x01"),
+        ("ros1", "ros1", ("std_msgs/Int32MultiArray", "ros1msg", b"int32[] data"), b"\0\0\0\0"),
+        ("ros2", "cdr", ("std_msgs/msg/Int32", "ros2msg", b"int32 data"), bytes(8)),
+    ],
+)
+def test_other_topics_are_named_with_what_would_be_needed(
+    tmp_path, profile, encoding, schema, data
+):
+    write_mcap(tmp_path / "a.mcap", profile, encoding, schema, [(5, data)])
+    with pytest.raises(RecordingError, match=r"/hall.*/instobj/layout.*Export.*adopt") as error:
+        read_signals(tmp_path / "a.mcap")
+    if profile != "ros2":
+        assert f"/hall ({encoding}" in str(error.value)
+
+
+def test_a_cut_file_of_another_program_is_one_error(tmp_path):
+    messages = [(k, json.dumps({"F1-X1": k}).encode()) for k in range(400)]
+    write_mcap(tmp_path / "a.mcap", "", "json", None, messages)
+    whole = (tmp_path / "a.mcap").read_bytes()
+    (tmp_path / "a.mcap").write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(RecordingError, match="read to its end"):
+        read_signals(tmp_path / "a.mcap")
