@@ -20,13 +20,11 @@ FACE = 1
 SEEDS = range(3)
 
 
-@pytest.fixture(scope="module")
-def mechanics(tmp_path_factory):
-    """The small cube, its response and its object for simulators."""
-    folder = tmp_path_factory.mktemp("mechanics")
+def mechanics_of(folder, count):
+    """The small cube, its response and its object for simulators, pressed at `count` places a side."""
     lend_mechanics(folder)
     spec = tiny_cube().changed(
-        contact_grid={"count": (8, 8), "pitch_mm": 3.0},
+        contact_grid={"count": (count, count), "pitch_mm": 3.0},
         press={"depths_mm": (0.25, 0.5, 1.0, 1.5, 2.0, 2.5)},
     )
     response = Run(spec, root=folder).read(RESPONSE)
@@ -35,6 +33,16 @@ def mechanics(tmp_path_factory):
     save_inversion(inversion(spec, forces, motions, signals, 0.0, 0.0), folder / "contacts.nc")
     faces = refined_faces(spec, response)
     return spec, response, faces, HallObject(folder / "contacts.nc", seed=None)
+
+
+@pytest.fixture(scope="module")
+def mechanics(tmp_path_factory):
+    return mechanics_of(tmp_path_factory.mktemp("mechanics"), 8)
+
+
+@pytest.fixture(scope="module")
+def to_the_edge(tmp_path_factory):
+    return mechanics_of(tmp_path_factory.mktemp("edge"), 13)
 
 
 def error_by_state(mechanics, places, depths):
@@ -67,3 +75,21 @@ def test_two_contacts_on_a_face_are_within_their_error(mechanics, seed, distance
     middle = rng.uniform(-1, 1, 2) * (11 - abs(half))
     places, depths = np.stack([middle + half, middle - half]), rng.uniform(0.6, 2.4, (2, 2))
     assert max(error_by_state(mechanics, places, depths)) < largest
+
+
+def test_contacts_near_an_edge_are_within_their_error_where_presses_reach_there(to_the_edge):
+    rng = np.random.default_rng(0)
+    for away_mm in (5.0, 3.0, 2.0):
+        place = np.array([[21.0 - away_mm, rng.uniform(-12, 12)]])
+        depths = rng.uniform(0.6, 2.4, (2, 1))
+        for turned in (place, -place, place[:, ::-1]):
+            assert max(error_by_state(to_the_edge, turned, depths)) < 0.02
+
+
+@pytest.mark.parametrize(("beyond_mm", "largest"), [(0.0, 0.02), (0.5, 0.2), (1.0, 0.4)])
+def test_beyond_the_outermost_presses_the_error_grows_as_stated(mechanics, beyond_mm, largest):
+    rng, depths = np.random.default_rng(0), np.array([[1.0], [2.0]])
+    for _ in range(3):
+        place = np.array([[12.0 + beyond_mm, rng.uniform(-10, 10)]])
+        error = max(error_by_state(mechanics, place, depths))
+        assert beyond_mm * 0.2 < error < largest
