@@ -26,9 +26,11 @@ def travel_of(
     from estimator.calibration.known_travel.model import travel_model
     from studies.recorded.travel_bound import bound_test
     from studies.recorded.travel_places import readers
+    from studies.recorded.travel_replay import SimulatedPresses, replay_recording, replay_row
 
     spec = load_spec(path, overrides)
-    model = travel_model(spec, Run(spec).read(PRESSES)[1])
+    presses = Run(spec).read(PRESSES)
+    model = travel_model(spec, presses[1])
     found = fits_and_judged(model, recording_of(spec, folder), spec.seed)
     tables = {
         f"places read, learnt where {name}": [
@@ -37,6 +39,11 @@ def travel_of(
         ]
         for name, parts in found.items()
     }
+    fitted, _, judged = found["registered"]
+    replayed = replay_recording(model, SimulatedPresses(spec, *presses), fitted, judged, spec.seed)
+    tables["presses replayed through the simulated object"] = [
+        replay_row(f"{spec.name}, registered", replayed)
+    ]
     if repeats is not None:
         again = recording_of(spec, repeats)
         tests = {name: bound_test(model, fitted, again) for name, (fitted, *_) in found.items()}
@@ -44,6 +51,39 @@ def travel_of(
             _bound_row(name, test) for name, test in tests.items()
         ]
     return {"command": "travel", "object": spec.name, "tables": tables}
+
+
+def replay_of_log(
+    path: Path, log: Path, statements: list[str], overrides: list[str]
+) -> dict[str, Any]:
+    """Replay the presses of a log of levels of travel, at the places that the fit of `instobj adopt`
+    has not seen. The fit's shift of the magnets is left out: both predictions are of the design."""
+    from dataclasses import replace
+
+    from estimator.adoption.fit import SCALES, Moving, fit_object, halves_of_places
+    from estimator.adoption.identify import identify
+    from estimator.calibration.known_travel.model import travel_model
+    from instobj.commands.adopt import read_answers
+    from instobj.commands.adopt_fit import pressed_readings
+    from studies.recorded.travel_replay import SimulatedPresses, replay_log, replay_row
+
+    spec, answers = load_spec(path, overrides), read_answers(statements)
+    presses = Run(spec).read(PRESSES)
+    simulated = SimulatedPresses(spec, *presses)
+    thing, rows = Moving.from_table(travel_model(spec, presses[1])), []
+    for face, pressed in pressed_readings(identify([log], answers), answers, spec).items():
+        live = pressed.complete
+        half = halves_of_places(live, spec.seed)
+        fit = fit_object(thing, live.select(half))
+        # the last numbers of SCALES are the shift of the magnets
+        design = replace(fit, numbers=fit.numbers * (np.arange(len(SCALES)) < 6))
+        found = replay_log(simulated, design, live.select(~half), spec.seed)
+        rows.append(replay_row(f"{spec.name}, face {face}", found))
+    return {
+        "command": "travel",
+        "object": spec.name,
+        "tables": {"presses replayed through the simulated object": rows},
+    }
 
 
 def _bound_row(name: str, test: BoundTest) -> dict[str, Any]:

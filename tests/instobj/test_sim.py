@@ -15,8 +15,7 @@ from estimator.inversion.storage import save_inversion
 from estimator.signals.presses import press_signals
 from fem.presses.viscoelastic import relaxed_force_n
 from instobj.sim import HallObject
-from tests.estimator.inversion.test_tangential import PULLING, shear_of
-from tests.support.mechanics.inverted import inverted, presses
+from tests.support.mechanics.inverted import PULLING, inverted, presses, shear_of
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 
