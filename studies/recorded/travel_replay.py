@@ -68,7 +68,8 @@ class SimulatedPresses:
     ) -> Changes:
         """Return the changes at places of the face and travels beyond contact, mT."""
         given = np.column_stack([xy_mm, travel_mm])
-        inside = np.clip(given, *([end(axis) for axis in self._axes] for end in (np.min, np.max)))
+        low, high = np.array([(axis[0], axis[-1]) for axis in self._axes]).T
+        inside = np.clip(given, low, high)
         points = self._frame.to_object(np.pad(inside[:, :2], ((0, 0), (0, 1))))
         # every press is an object of its own with one contact
         force = np.maximum(self._force_n(inside), 0.0)
