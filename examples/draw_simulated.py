@@ -1,7 +1,7 @@
 """Draw `docs/simulated.png`: the paper's cube lifted in MuJoCo by two jaws, each of two tips.
 
-    instobj build examples/paper_cube.toml --twin
-    MUJOCO_GL=osmesa python examples/draw_simulated.py runs/paper_cube/twin/paper_cube.xml docs/simulated.png
+instobj build examples/paper_cube.toml --twin
+MUJOCO_GL=osmesa python examples/draw_simulated.py runs/paper_cube/twin/paper_cube.xml docs/simulated.png
 """
 
 import sys

@@ -249,11 +249,11 @@ class HallObject:
         contacts = data.contact
         second = model.geom_bodyid[contacts.geom] == number
         mine = np.flatnonzero(second.any(axis=1))
-        along, force = np.zeros(6), np.empty((len(mine), 3))
+        wrench, force = np.zeros(6), np.empty((len(mine), 3))
         for row, index in enumerate(mine):
-            mujoco.mj_contactForce(model, data, index, along)  # pyright: ignore[reportAttributeAccessIssue]
+            mujoco.mj_contactForce(model, data, index, wrench)  # pyright: ignore[reportAttributeAccessIssue]
             # rows of the frame are the contact's axes; the force is that on the second body
-            on_second = along[:3] @ contacts.frame[index].reshape(3, 3)
+            on_second = wrench[:3] @ contacts.frame[index].reshape(3, 3)
             force[row] = on_second if second[index, 1] else -on_second
         points, position = contacts.pos[mine][None], data.xpos[number][None]
         rotation = data.xmat[number].reshape(1, 3, 3)

@@ -1,4 +1,4 @@
-"""What the steps of a simulation leave behind: forces that relaxed, and frames under way."""
+"""State of an object between steps of a simulation: forces that relaxed, and frames under way."""
 
 from __future__ import annotations
 

@@ -55,8 +55,8 @@ margins = np.arange(1.0, 3.0, 0.05)
 safe = [m for m in margins if all((forces_of(m, s) >= needed_n).all() for s in range(5))]
 judged_n = np.array([forces_of(safe[0], seed) for seed in range(100, 110)])
 fixed_n = np.full(len(WEIGHTS_N), 1.2 * needed_n.max())
-shown = np.column_stack([judged_n.mean(axis=0), fixed_n, needed_n])
-plt.plot(WEIGHTS_N, shown, label=["felt", "fixed", "needed"])
+shown_n = judged_n.mean(axis=0), fixed_n, needed_n
+plt.plot(WEIGHTS_N, np.transpose(shown_n), label=["felt", "fixed", "needed"])
 plt.gca().set(xlabel="weight, N", ylabel="squeeze, N")
 plt.legend()
 plt.show()
