@@ -337,3 +337,23 @@ def test_friction_of_mujoco_is_felt(rubbed, cone):
     frictionless = change(cube, place, [5.0])
     assert relative(frictionless, expected) > 0.1
     assert relative(seen, expected) < 0.03
+
+
+@pytest.mark.parametrize("first", [True, False])
+def test_a_contact_is_felt_whichever_of_its_bodies_mujoco_names_first(path, first):
+    mujoco = pytest.importorskip("mujoco", reason="the simulator is not installed")
+    cube = HallObject(path, seed=None)
+    # MuJoCo names boxes in the order of the file; the small one weighs 5 N
+    bodies = [
+        '<body name="cube"><geom name="cube" type="box" size="0.021 0.021 0.021"/></body>',
+        '<body pos="0.004 0.002 0.0219"><joint type="slide" axis="0 0 1"/>'
+        '<geom type="box" size="0.001 0.001 0.001" mass="0.5097"/></body>',
+    ]
+    text = "".join(bodies if first else bodies[::-1])
+    scene = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{text}</worldbody></mujoco>")
+    data = mujoco.MjData(scene)
+    for _ in range(1000):
+        mujoco.mj_step(scene, data)
+    assert (data.contact.geom[:, 0] == scene.geom("cube").id).all() == first
+    seen = cube.read_mujoco(scene, data, "cube") - cube.rest_counts
+    assert relative(seen, change(cube, on_face(cube, 1, (4.0, 2.0)), [5.0])) < 0.05
