@@ -9,14 +9,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
+from design.errors import InputError
 from design.layout.body import face_frames
-from estimator.inversion.model.arrays import Array, float64, library, like
+from estimator.inversion.model.arrays import Array, float32, float64, library, like, zeros
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.model.joint_response import joint_response
 from estimator.inversion.model.places import surface_places
+from estimator.inversion.model.table import PressTable
+from estimator.inversion.steps import Relaxation, Sampling
 from estimator.inversion.storage import load_inversion
 from estimator.signals.hall import full_scale_counts
-from estimator.signals.nuisances import ambient_field
+from estimator.signals.nuisances import ambient_field, warmth
 from estimator.signals.presses import rest_counts
 
 if TYPE_CHECKING:
@@ -25,24 +29,25 @@ if TYPE_CHECKING:
 __all__ = ["HallObject"]
 
 _MM_PER_M = 1e3
-_PYRAMIDAL = 0
-"""MuJoCo's number of a friction cone with edges, `mjCONE_PYRAMIDAL`."""
 _NEAR_IN_TIPS = 1.0
 """Contacts this many tip radii apart press the same silicone by exp(-1)."""
 
 
 class HallObject:
-    """Hall sensors of one object under the contacts of a simulator; a call of `read` is one frame.
+    """Hall sensors of one object under the contacts of a simulator; a call of `read` is one step.
 
     Stored presses say what each contact changes. What contacts do to each other follows from the
     curvature of each magnet's field. Silicone yields less the harder it is pressed, so contacts
-    near each other are looked up at the force that they have together. Places and forces beyond
-    the outermost presses of a face are read at the nearest of these. Normal forces alone count,
-    and sides without sensors feel nothing.
+    near each other are looked up at the force that they have together. Sides without sensors feel
+    nothing. Friction counts where the file holds tangential forces: `inversion.tangential_share`
+    above 0 in the training, which needs flat faces.
 
     Against joint contact mechanics of tips of 5 mm radius on the paper's cube, 0.8 to 14 N, the
     largest error of 60 states is 0.8 % of the signals (rms) for one contact. For two on a face it
     is 2.1 % at 10.5 mm, 1.3 % at 15 mm and 0.9 % at 22 mm from each other, on two faces 1.3 %.
+    Places and forces beyond the outermost presses of a face are read at the nearest of these: the
+    error grows by some 30 % of the signals per mm. So set `contact_grid` to reach as far as
+    contacts do: pressed to 19.5 mm of a face of 21 mm, contacts 2 mm from its edge err by 2 %.
 
     Parameters
     ----------
@@ -51,17 +56,21 @@ class HallObject:
     ambient_ut : (3,)
         Uniform field in the world, µT; it turns in the object's frame as the object turns.
     seed : int or None
-        Of the noise. None leaves out noise, rounding to counts and clipping.
+        Of noise and drift. None leaves out noise, drift, rounding to counts and clipping.
+    delay_s : float
+        From the sampling of a frame to its arrival, s. Frames are taken at `sensors.frame_rate_hz`
+        where steps have a duration, and the last that arrived is returned.
 
     Attributes
     ----------
     spec : ObjectSpec
     rest_counts : (sensor, 3) expected counts without contact and without ambient field
+    feels_friction : whether tangential forces change the counts
 
     Raises
     ------
     InputError
-        No such file, or another one.
+        No such file, another one, or a negative delay.
     StoreError
         Damaged.
 
@@ -80,40 +89,59 @@ class HallObject:
         contacts: Path | str,
         ambient_ut: tuple[float, float, float] = (0.0, 0.0, 0.0),
         seed: int | None = 0,
+        delay_s: float = 0.0,
     ) -> None:
+        if not delay_s >= 0:
+            raise InputError(f"delay_s is a time of 0 s or more; got {delay_s:g}. Give 0 for none")
         model = load_inversion(contacts).model
         self.spec: ObjectSpec = model.spec
         frames = {frame.number: frame for frame in face_frames(self.spec)}
         faces = [frames[number] for number in model.signals.faces.tolist()]
         self.rest_counts = rest_counts(self.spec)
+        self.feels_friction = model.shear is not None
         field = ambient_field(self.spec.changed(tolerances={"earth_field_ut": 1.0}))
-        ambient = np.asarray(ambient_ut, float)
-        self._tables = surface_places(faces), joint_response(model)
+        warm = warmth(self.spec.changed(tolerances={"temperature_k": 1.0}))
+        tables = [surface_places(faces), joint_response(model)]
+        self._tables = tables if model.shear is None else [*tables, model.shear]
         self._arrays = {
             "low": model.bounds[0],
             "high": model.bounds[1],
             "rest": self.rest_counts.ravel(),
-            "ambient_ut": ambient,
+            "ambient_ut": np.asarray(ambient_ut, float),
             "counts_per_ut": (field.columns / field.deviation).T,
+            "counts_per_k": warm.columns[:, 0],
             "noise": np.asarray(self.spec.sensors.noise_counts, float),
             "faces": np.arange(len(faces)),
+            "tangents": np.stack([frame.axes[:, :2] for frame in faces]),
         }
         self._seed = seed
-        self._relaxation = _Relaxation(self.spec)
-        self._known: dict[str, tuple[Any, Any, dict[str, Array], Callable[..., Array]]] = {}
+        self._delay_s = delay_s
+        self._known: dict[str, tuple[Any, dict[str, Array], Callable[..., Array]]] = {}
+        self.reset()
 
     def __repr__(self) -> str:
         sensors = len(self.rest_counts)
         return f"HallObject of {self.spec.name}: counts of {sensors} sensors × 3 axes"
 
+    def reset(self) -> None:
+        """Begin anew, as after a new zero: no relaxation, no frame under way, another drift.
+
+        `read` does so by itself where the number of objects changes.
+        """
+        self._objects = 0
+        self._relaxation = Relaxation(self.spec.silicone.prony)
+        self._sampling = Sampling(self.spec.sensors.frame_rate_hz, self._delay_s)
+        self._drift: Array = None
+
     def read(
         self,
         points_mm: Float[Array, "*object contact 3"],
-        force_n: Float[Array, "*object contact"],
+        force_n: Float[Array, "*object contact"] | Float[Array, "*object contact 3"],
         rotation: Float[Array, "*object 3 3"] | None = None,
         step_s: float = 0.0,
+        warming_k: float | Float[Array, "object"] = 0.0,
     ) -> Float[Array, "*object sensor 3"]:
-        """Return the counts of one frame, of one object or of many alike.
+        """Return the counts that are read after one step, of one object or of many alike.
 
         NumPy's arrays or tensors of torch; tensors are worked on where they are. Many objects take
         one call a step, and slots of fewer contacts are filled with forces of 0.
@@ -122,75 +150,134 @@ class HallObject:
         ----------
         points_mm : (contact, 3) or (object, contact, 3)
             Contact points in the object's frame.
-        force_n : (contact,) or (object, contact)
-            Normal forces, N.
+        force_n : (contact,), (object, contact), or with a last axis of 3
+            Normal forces, N; or forces on the object in its frame. Of these the part into the face
+            presses, what pulls off counts as 0, and the part along the face is friction.
         rotation : (3, 3) or (object, 3, 3)
             Columns are the object's axes in the world; turns the ambient field.
         step_s : float
             Time since the last call, s. Forces relax by it where the silicone has `prony` terms.
+            Without it the frame of this instant is returned.
+        warming_k : float or (object,)
+            Temperature of all magnets above that of the zero, K.
         """
         of_one = points_mm.ndim == 2
         points, force = float64(points_mm), float64(force_n)
         if of_one:
             points, force = points[None], force[None]
-        places, response, arrays, draw = self._prepare(points)
-        face, place = places.nearest(points.reshape(-1, 3))
-        face = face.reshape(force.shape)
+        if self._objects not in (0, len(points)):
+            self.reset()
+        self._objects = len(points)
+        (places, response, *shear), arrays, draw = self._prepare(points)
+        face, place, normal = places.nearest(points.reshape(-1, 3))
+        face, pull = face.reshape(points.shape[:2]), None
+        if force.ndim == 3:
+            normal = normal.reshape(points.shape)
+            # friction along x and y of the face; i coordinate of the object, t tangent
+            pull = library(force).einsum("oci,ocit->oct", force, arrays["tangents"][face])
+            force = (-(force * normal).sum(-1)).clip(0.0)
         # a slot without force has no face
         face = library(face).where(force > 0, face, NONE)
         place = place.reshape(*force.shape, 2).clip(arrays["low"][:2], arrays["high"][:2])
-        on_face = face[..., None] == arrays["faces"]
-        force = force * self._relaxation.stiffening(on_face, force, step_s)
+        stiffening: Any = 1.0
+        if self.spec.silicone.prony:
+            on_face = face[..., None] == arrays["faces"]
+            stiffening = self._relaxation.stiffening(on_face, force, step_s)
+        force = force * stiffening
         together = self._force_together(face, place, force)
         share = force / (together + (together == 0))
         contact = library(place).concatenate(
             [place, together.clip(None, arrays["high"][2])[..., None]], -1
         )
+        changes = response.changes(face, contact, share)
+        if pull is not None and shear:
+            pull = pull * like(pull, stiffening)[..., None]
+            changes = changes + _friction_changes(shear[0], face, contact, pull)
+        if not isinstance(warming_k, float) or warming_k:
+            warming = like(points, warming_k).reshape(-1, 1)
+            # remanence, and with it what contacts change, falls with temperature
+            changes = changes * (1 + NDFEB_REMANENCE_PER_KELVIN * warming)
+            changes = changes + warming * arrays["counts_per_k"]
         turned = arrays["ambient_ut"]
         if rotation is not None:
             # rotationᵀ · field of each object
             turned = turned @ float64(rotation)
-        expected = arrays["rest"] + turned @ arrays["counts_per_ut"]
-        expected = expected + response.changes(face, contact, share)
-        shape = self.rest_counts.shape if of_one else (len(force), *self.rest_counts.shape)
-        return self._read_out(expected.reshape(shape), arrays["noise"], draw)
+        expected = arrays["rest"] + turned @ arrays["counts_per_ut"] + changes
+        shape = (len(force), *self.rest_counts.shape)
+        counts = self._read_out(expected.reshape(shape), arrays["noise"], draw)
+        counts = self._sampling.arrived(counts, step_s)
+        return counts[0] if of_one else counts
+
+    def read_world(
+        self,
+        points_m: Float[Array, "object contact 3"],
+        force_n: Float[Array, "object contact 3"],
+        position_m: Float[Array, "object 3"],
+        rotation: Float[Array, "object 3 3"],
+        step_s: float = 0.0,
+    ) -> Float[Array, "object sensor 3"]:
+        """Return the counts of many objects from contacts as simulators give them: in the world.
+
+        Parameters
+        ----------
+        points_m : (object, contact, 3)
+            Contact points, m. Slots of no contact hold NaN, or any point and no force.
+        force_n : (object, contact, 3)
+            Forces on the object, N: normal force and friction.
+        position_m, rotation : (object, 3) and (object, 3, 3)
+            The object's origin, m, and its axes as columns.
+        step_s : float
+            Time since the last call, s.
+        """
+        empty = ~library(points_m).isfinite(points_m).all(-1)[..., None]
+        away = float64(points_m) - float64(position_m)[:, None]
+        rotation = float64(rotation)
+        # rows · rotation are coordinates along the object's axes
+        points_mm = _MM_PER_M * library(away).where(empty, 0.0, away) @ rotation
+        force = library(away).where(empty, 0.0, float64(force_n)) @ rotation
+        return self.read(points_mm, force, rotation, step_s)
 
     def read_mujoco(self, model: Any, data: Any, body: str) -> Float[np.ndarray, "sensor 3"]:
-        """Return the counts of one frame under the contacts of a MuJoCo body.
+        """Return the counts after one step under the contacts of a MuJoCo body.
 
         `model` and `data` are MuJoCo's; call it once a step, after `mj_step`. The body's frame is
         the object's, in metres.
         """
-        number = model.body(body).id
-        rotation = data.xmat[number].reshape(3, 3)
-        all_contacts = data.contact
-        touches = (model.geom_bodyid[all_contacts.geom] == number).any(axis=1)
-        mine = touches & (all_contacts.efc_address >= 0)
-        points_mm = _MM_PER_M * (all_contacts.pos[mine] - data.xpos[number]) @ rotation
-        rows = np.ones(int(mine.sum()), int)
-        # Edges of a friction pyramid share the normal force; an elliptic cone has it in its first row
-        if model.opt.cone == _PYRAMIDAL:
-            rows = np.maximum(2 * (all_contacts.dim[mine] - 1), 1)
-        first = all_contacts.efc_address[mine]
-        force = [data.efc_force[k : k + n].sum() for k, n in zip(first, rows, strict=True)]
-        return self.read(points_mm, np.array(force), rotation, model.opt.timestep)
+        import mujoco
 
-    def _prepare(self, reference: Array) -> tuple[Any, Any, dict[str, Array], Callable[..., Array]]:
+        number = model.body(body).id
+        contacts = data.contact
+        second = model.geom_bodyid[contacts.geom] == number
+        mine = np.flatnonzero(second.any(axis=1))
+        wrench, force = np.zeros(6), np.empty((len(mine), 3))
+        for row, index in enumerate(mine):
+            mujoco.mj_contactForce(model, data, index, wrench)  # pyright: ignore[reportAttributeAccessIssue]
+            # rows of the frame are the contact's axes; the force is that on the second body
+            on_second = wrench[:3] @ contacts.frame[index].reshape(3, 3)
+            force[row] = on_second if second[index, 1] else -on_second
+        points, position = contacts.pos[mine][None], data.xpos[number][None]
+        rotation = data.xmat[number].reshape(1, 3, 3)
+        return self.read_world(points, force[None], position, rotation, model.opt.timestep)[0]
+
+    def _prepare(self, reference: Array) -> tuple[Any, dict[str, Array], Callable[..., Array]]:
         """Return tables, arrays and the source of noise as arrays of the reference's kind."""
         on_host = isinstance(reference, np.ndarray)
         device = "" if on_host else str(reference.device)
         if device not in self._known:
-            places, response = (table.moved_to(reference) for table in self._tables)
+            tables = [table.moved_to(reference) for table in self._tables]
             arrays = {name: like(reference, array) for name, array in self._arrays.items()}
-            self._known[device] = places, response, arrays, _noise_source(reference, self._seed)
+            self._known[device] = tables, arrays, _noise_source(reference, self._seed)
         return self._known[device]
 
     def _read_out(self, expected: Array, sigma: Array, draw: Callable[..., Array]) -> Array:
-        """Return whole counts with the chips' noise, clipped; as expected without a seed."""
+        """Return whole counts with noise and drift, clipped; as expected without a seed."""
         if self._seed is None:
             return expected
+        if self._drift is None:
+            self._drift = draw(expected.shape) * self.spec.sensors.drift_counts
         limit = full_scale_counts(self.spec.sensors)
-        return (expected + draw(expected.shape) * sigma).round().clip(-limit, limit)
+        noise = draw(expected.shape) * sigma
+        return (expected + self._drift + noise).round().clip(-limit, limit)
 
     def _force_together(
         self,
@@ -199,6 +286,8 @@ class HallObject:
         force_n: Float[Array, "object contact"],
     ) -> Float[Array, "object contact"]:
         """Return the force (N) of each contact and of neighbours, who count less with distance."""
+        if force_n.shape[1] == 1:
+            return force_n
         reach_mm = _NEAR_IN_TIPS * self.spec.indenter.radius_mm
         apart = place[:, :, None] - place[:, None]
         # squares over x and y; a contact is its own neighbour in full
@@ -216,42 +305,15 @@ def _noise_source(reference: Array, seed: int | None) -> Callable[..., Array]:
     return lambda shape: reference.new_empty(shape).normal_(generator=generator)
 
 
-class _Relaxation:
-    """Forces that relaxed silicone bears, as forces of the elastic presses that move magnets as far.
-
-    A Prony series (`fem.presses.viscoelastic`), by face: contacts of a simulator come and go, and
-    the sum over a face is what lasts.
-    """
-
-    def __init__(self, spec: ObjectSpec) -> None:
-        self._fraction = np.array([term.fraction for term in spec.silicone.prony])
-        self._time_s = np.array([term.time_s for term in spec.silicone.prony])
-        self._memory_n: Array = None
-        self._elastic_n: Array = None
-
-    def stiffening(
-        self,
-        on_face: Array,
-        force_n: Float[Array, "object contact"],
-        step_s: float,
-    ) -> Any:
-        """Return the factor on the force of each contact (object, contact, face) after a step."""
-        if not len(self._fraction):
-            return 1.0
-        felt = (on_face * force_n[..., None]).sum(1)
-        fraction, time_s = (
-            like(force_n, given)[:, None, None] for given in (self._fraction, self._time_s)
-        )
-        if self._memory_n is None:
-            self._memory_n, self._elastic_n = 0 * fraction * felt, 0 * felt
-        decay = library(fraction).exp(-step_s / time_s)
-        # memory' = decay memory + gain (elastic' - elastic); gain of a linear rise within the step
-        gain = (1 - decay) * time_s / step_s if step_s else 0 * decay + 1
-        held = (fraction * (decay * self._memory_n - gain * self._elastic_n)).sum(0)
-        lasting = 1 - fraction.sum() + (fraction * gain).sum()
-        # felt = (1 - sum of fractions) elastic' + sum of fractions memory', solved for elastic'
-        elastic = (felt - held).clip(0.0) / lasting
-        self._memory_n = decay * self._memory_n + gain * (elastic - self._elastic_n)
-        self._elastic_n = elastic
-        factor = elastic / (felt + (felt == 0))
-        return (on_face * factor[:, None]).sum(-1)
+def _friction_changes(
+    shear: PressTable,
+    face: Int[Array, "object contact"],
+    contact: Float[Array, "object contact 3"],
+    pull_n: Float[Array, "object contact 2"],
+) -> Float[Array, "object channel"]:
+    """Return what friction changes, counts: each contact's counts per newton along x and y."""
+    touching = face != NONE
+    per_n = zeros(shear.coefficients, (*face.shape, shear.coefficients.shape[-1]))
+    per_n[touching] = shear.expected(face[touching], contact[touching])
+    per_n = per_n.reshape(*face.shape, 2, -1)
+    return (per_n * float32(pull_n)[..., None]).sum((1, 2))

@@ -70,7 +70,9 @@ def conventions(
 
 @app.command()
 def cycles(
-    recording: Annotated[Path, typer.Argument(help="Folder with sensor.csv and states.csv.")],
+    recording: Annotated[
+        Path, typer.Argument(help="Folder with sensor.csv and states.csv, or a log.")
+    ],
     as_json: AsJson = False,
 ) -> None:
     """Loading cycles at one place: what elasticity, lag and relaxation explain of force and field."""
@@ -82,17 +84,26 @@ def cycles(
 @app.command()
 def travel(
     spec: Spec,
-    recording: Annotated[Path, typer.Argument(help="Folder with sensor.csv and states.csv.")],
+    recording: Annotated[
+        Path, typer.Argument(help="Folder with sensor.csv and states.csv, or a log.")
+    ],
     repeats: Annotated[
         Path | None, typer.Argument(help="The same of repeated presses on that machine.")
+    ] = None,
+    known: Annotated[
+        list[str] | None, typer.Option(help="Of a log: as for `instobj adopt`.")
     ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Presses of known travel: places read, the bound of the place, what residuals point to."""
-    from studies.recorded.travel import travel_of
+    """Presses of known travel: places read, the bound of the place, what residuals point to, and
+    the presses replayed through the simulated object."""
+    from studies.recorded.travel import replay_of_log, travel_of
 
+    if recording.is_file():
+        show(replay_of_log(spec, recording, known or [], overrides or []), as_json)
+        return
     show(travel_of(spec, recording, repeats, out, overrides or []), as_json)
 
 

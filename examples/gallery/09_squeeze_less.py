@@ -25,9 +25,8 @@ felt = np.append(0.0, np.linalg.norm(press.delta_counts.values, axis=(1, 2)))
 # %%
 # A loop with the object's own compliance
 # ---------------------------------------
-# The jaw closes by small steps and reads 16 frames at each. The object's force follows from its
-# compliance, and the policy sees counts with noise alone. It stops at the force that friction
-# needs, with a margin.
+# The jaw closes by small steps and reads 16 frames at each. The policy sees counts with noise
+# alone. It stops at the force that friction needs, with a margin.
 NOISE = np.mean(run.spec.sensors.noise_counts) / 4  # of the mean of 16 frames
 WEIGHTS_N, FRICTION, STEP_MM = np.linspace(0.4, 2.0, 9), 0.5, 0.02
 
@@ -53,10 +52,9 @@ def forces_of(margin, seed):
 needed_n = WEIGHTS_N / (2 * FRICTION)
 margins = np.arange(1.0, 3.0, 0.05)
 safe = [m for m in margins if all((forces_of(m, s) >= needed_n).all() for s in range(5))]
-judged_n = np.array([forces_of(safe[0], seed) for seed in range(100, 110)])
+judged_n = np.mean([forces_of(safe[0], seed) for seed in range(100, 110)], axis=0)
 fixed_n = np.full(len(WEIGHTS_N), 1.2 * needed_n.max())
-shown = np.column_stack([judged_n.mean(axis=0), fixed_n, needed_n])
-plt.plot(WEIGHTS_N, shown, label=["felt", "fixed", "needed"])
+plt.plot(WEIGHTS_N, np.transpose([judged_n, fixed_n, needed_n]), label=["felt", "fixed", "needed"])
 plt.gca().set(xlabel="weight, N", ylabel="squeeze, N")
 plt.legend()
 plt.show()

@@ -7,6 +7,7 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
+from design.errors import InputError
 from design.layout.body import face_frame
 from design.spec.silicone import PronyTermSpec
 from estimator.inversion.inversion import inversion
@@ -14,7 +15,7 @@ from estimator.inversion.storage import save_inversion
 from estimator.signals.presses import press_signals
 from fem.presses.viscoelastic import relaxed_force_n
 from instobj.sim import HallObject
-from tests.support.mechanics.inverted import inverted
+from tests.support.mechanics.inverted import PULLING, inverted, presses, shear_of
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 
 
@@ -157,11 +158,11 @@ def test_an_empty_slot_is_no_contact(cube):
 def test_tensors_have_the_chips_noise_and_whole_counts(path):
     cube = HallObject(path, seed=3)
     points, force = torch.zeros((400, 0, 3)), torch.zeros((400, 0))
-    frames = cube.read(points, force)
-    assert torch.equal(frames, frames.round())
-    deviation = frames.std(0).mean(0).numpy()
+    first, second = cube.read(points, force), cube.read(points, force)
+    assert torch.equal(first, first.round())
+    deviation = (second - first).std(0).mean(0).numpy() / 2**0.5
     np.testing.assert_allclose(deviation, cube.spec.sensors.noise_counts, rtol=0.05)
-    assert torch.equal(frames, HallObject(path, seed=3).read(points, force))
+    assert torch.equal(first, HallObject(path, seed=3).read(points, force))
 
 
 def test_a_force_beyond_the_presses_is_read_as_their_largest(cube):
@@ -193,6 +194,109 @@ def test_places_on_a_ball_are_found(tmp_path):
             assert relative(change(cube, point, [3.0]), stored) < 0.02
 
 
+def test_every_object_drifts_from_its_zero_until_it_is_reset(path):
+    cube = HallObject(path, seed=5)
+    points, force = np.zeros((300, 0, 3)), np.zeros((300, 0))
+
+    def drift():
+        frames = np.mean([cube.read(points, force) for _ in range(16)], axis=0)
+        return (frames - cube.rest_counts).ravel()
+
+    first, later = drift(), drift()
+    cube.reset()
+    zeroed = drift()
+    drifts, noise = cube.spec.sensors.drift_counts, max(cube.spec.sensors.noise_counts)
+    np.testing.assert_allclose([first.std(), zeroed.std()], drifts, rtol=0.03)
+    assert (later - first).std() < noise
+    assert abs(np.corrcoef(first, zeroed)[0, 1]) < 0.05
+
+
+def test_warm_magnets_show_less_at_rest_and_under_a_contact(cube):
+    place, share = on_face(cube, 1, (1.0, 2.0)), 1 - 0.0011 * 20
+    nothing = np.empty((0, 3)), np.empty(0)
+    warm_rest = cube.read(*nothing, warming_k=20.0)
+    np.testing.assert_allclose(warm_rest, share * cube.rest_counts, rtol=1e-6)
+    warm = cube.read(place, np.array([4.0]), warming_k=20.0) - warm_rest
+    np.testing.assert_allclose(warm, share * change(cube, place, [4.0]), rtol=1e-6)
+    both = cube.read(np.stack([place] * 2), np.full((2, 1), 4.0), warming_k=np.array([0.0, 20.0]))
+    np.testing.assert_allclose(both[1] - warm_rest, warm, atol=1e-9)
+    np.testing.assert_allclose(both[0] - cube.rest_counts, change(cube, place, [4.0]), atol=1e-9)
+
+
+def test_frames_come_at_the_chips_rate_and_arrive_late(path):
+    cube = HallObject(path, seed=None, delay_s=0.03)
+    rate = cube.spec.sensors.frame_rate_hz
+    place, step_s = on_face(cube, 1, (0.0, 0.0)), 0.001
+    forces = np.linspace(0.5, 6.0, 1000)
+    seen = [cube.read(place, np.array([f]), step_s=step_s)[1, 2] for f in forces]
+    fresh = HallObject(path, seed=None)
+    now = [fresh.read(place, np.array([f]))[1, 2] for f in forces]
+    news = np.flatnonzero(np.diff(seen)) + 1
+    np.testing.assert_allclose(np.diff(news) * step_s, 1 / rate, atol=1.5 * step_s)
+    age = [index - now.index(seen[index]) for index in news]
+    np.testing.assert_allclose(np.array(age) * step_s, 0.03, atol=1.5 * step_s)
+    with pytest.raises(InputError, match="delay_s"):
+        HallObject(path, delay_s=-1.0)
+
+
+@pytest.fixture(scope="module")
+def rubbed(tmp_path_factory):
+    """The object with counts of tangential forces, and its model."""
+    spec = PULLING
+    estimator = inversion(spec, *presses(), model_error=0.0, force_error=0.0, shear=shear_of(spec))
+    target = tmp_path_factory.mktemp("rubbed") / "contacts.nc"
+    save_inversion(estimator, target)
+    return HallObject(target, seed=None), estimator.model
+
+
+@pytest.mark.parametrize("face", [1, 2, 3, 4, 5])
+def test_friction_adds_what_tangential_forces_change(rubbed, face):
+    cube, model = rubbed
+    axes, place = face_frame(cube.spec, face).axes, on_face(cube, face, (2.0, -3.0))
+    pressing = np.array([[0.0, 0.0, -5.0]]) @ axes.T
+    rubbing = np.array([[1.5, -0.7, -5.0]]) @ axes.T
+    np.testing.assert_allclose(cube.read(place, pressing), cube.read(place, np.array([5.0])))
+    per_n = model.shear.values(np.array([face - 1]), np.array([[2.0, -3.0, 5.0]]))[0, 0]
+    expected = np.array([1.5, -0.7]) @ per_n.reshape(2, -1)
+    added = cube.read(place, rubbing) - cube.read(place, pressing)
+    np.testing.assert_allclose(added.ravel(), expected, atol=1e-3)
+
+
+def test_what_pulls_off_a_face_and_friction_without_its_table_change_nothing(rubbed, path):
+    cube, plain = rubbed[0], HallObject(path, seed=None)
+    place = on_face(cube, 1, (2.0, -3.0))
+    assert cube.feels_friction
+    assert not plain.feels_friction
+    np.testing.assert_array_equal(cube.read(place, np.array([[2.0, 0.0, 5.0]])), cube.rest_counts)
+    rubbed_too = plain.read(place, np.array([[2.0, 0.0, -5.0]]))
+    np.testing.assert_allclose(rubbed_too, plain.read(place, np.array([5.0])))
+
+
+def test_tensors_read_friction_and_warmth_as_arrays_do(rubbed):
+    cube = rubbed[0]
+    points, force, rotation = several(cube)
+    vectors = np.random.default_rng(4).normal(0, 3, points.shape) * (force > 0)[..., None]
+    warming = np.linspace(-5, 15, len(points))
+    given = points, vectors, rotation
+    arrays = cube.read(*given, warming_k=warming)
+    tensors = cube.read(*map(torch.as_tensor, given), warming_k=torch.as_tensor(warming))
+    assert abs(arrays - cube.rest_counts).max() > 50
+    np.testing.assert_allclose(tensors.numpy(), arrays, atol=1e-3)
+
+
+@pytest.mark.parametrize("kind", [np.asarray, torch.as_tensor])
+def test_contacts_in_the_world_are_those_on_the_object(rubbed, kind):
+    cube = rubbed[0]
+    points, force, rotation = several(cube)
+    vectors = np.random.default_rng(4).normal(0, 3, points.shape) * (force > 0)[..., None]
+    position = np.random.default_rng(6).normal(0, 1, (len(points), 3))
+    world = points * 1e-3 @ rotation.swapaxes(1, 2) + position[:, None]
+    # slots without contact hold no number, as Isaac Lab has it
+    world[force == 0], pushed = np.nan, vectors @ rotation.swapaxes(1, 2)
+    seen = cube.read_world(*map(kind, (world, pushed, position, rotation)))
+    np.testing.assert_allclose(np.asarray(seen), cube.read(points, vectors, rotation), atol=1e-3)
+
+
 @pytest.mark.parametrize("cone", ["pyramidal", "elliptic"])
 def test_contacts_of_mujoco_are_felt_where_they_are(path, cone):
     mujoco = pytest.importorskip("mujoco", reason="the simulator is not installed")
@@ -207,5 +311,49 @@ def test_contacts_of_mujoco_are_felt_where_they_are(path, cone):
     data = mujoco.MjData(scene)
     for _ in range(1000):
         mujoco.mj_step(scene, data)
+    seen = cube.read_mujoco(scene, data, "cube") - cube.rest_counts
+    assert relative(seen, change(cube, on_face(cube, 1, (4.0, 2.0)), [5.0])) < 0.05
+
+
+@pytest.mark.parametrize("cone", ["pyramidal", "elliptic"])
+def test_friction_of_mujoco_is_felt(rubbed, cone):
+    mujoco = pytest.importorskip("mujoco", reason="the simulator is not installed")
+    cube = rubbed[0]
+    # friction holds a ball that weighs 5 N against 1 N along x and -0.5 N along y
+    scene = mujoco.MjModel.from_xml_string(f"""
+        <mujoco><option timestep="0.001" cone="{cone}" impratio="100"/><worldbody>
+          <body name="cube"><geom type="box" size="0.021 0.021 0.021" friction="0.9"/></body>
+          <body pos="0.004 0.002 0.0259"><joint type="slide" axis="0 0 1"/>
+            <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>
+            <geom type="sphere" size="0.005" mass="0.5097" friction="0.9"/></body>
+        </worldbody></mujoco>""")
+    data = mujoco.MjData(scene)
+    data.qfrc_applied[:] = [0.0, 1.0, -0.5]
+    for _ in range(300):
+        mujoco.mj_step(scene, data)
+    seen = cube.read_mujoco(scene, data, "cube") - cube.rest_counts
+    place = 1e3 * data.contact.pos[:1]
+    expected = cube.read(place, np.array([[1.0, -0.5, -5.0]])) - cube.rest_counts
+    frictionless = change(cube, place, [5.0])
+    assert relative(frictionless, expected) > 0.1
+    assert relative(seen, expected) < 0.03
+
+
+@pytest.mark.parametrize("first", [True, False])
+def test_a_contact_is_felt_whichever_of_its_bodies_mujoco_names_first(path, first):
+    mujoco = pytest.importorskip("mujoco", reason="the simulator is not installed")
+    cube = HallObject(path, seed=None)
+    # MuJoCo names boxes in the order of the file; the small one weighs 5 N
+    bodies = [
+        '<body name="cube"><geom name="cube" type="box" size="0.021 0.021 0.021"/></body>',
+        '<body pos="0.004 0.002 0.0219"><joint type="slide" axis="0 0 1"/>'
+        '<geom type="box" size="0.001 0.001 0.001" mass="0.5097"/></body>',
+    ]
+    text = "".join(bodies if first else bodies[::-1])
+    scene = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{text}</worldbody></mujoco>")
+    data = mujoco.MjData(scene)
+    for _ in range(1000):
+        mujoco.mj_step(scene, data)
+    assert (data.contact.geom[:, 0] == scene.geom("cube").id).all() == first
     seen = cube.read_mujoco(scene, data, "cube") - cube.rest_counts
     assert relative(seen, change(cube, on_face(cube, 1, (4.0, 2.0)), [5.0])) < 0.05

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.inversion.model.arrays import Array, apply_in_chunks, float32, like, zeros
+from estimator.inversion.model.arrays import Array, apply_in_chunks, float32, library, like, zeros
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.model.table import PressTable
 
@@ -75,8 +75,8 @@ class JointResponse:
         together = shared.sum(1)
         # (Σ w m)(Σ w m)ᵀ − Σ w m mᵀ of each body: 0 for one contact, however often it is split
         pairs = together[..., :, None] * together[..., None, :]
-        for number in range(contacts):
-            pairs = pairs - shared[:, number, :, :, None] * each[:, number, :, None]
+        # o object, c contact, b body, i and j components of its motion
+        pairs = pairs - library(shared).einsum("ocbi,ocbj->obij", shared, each)
         return pairs.reshape(objects, -1) @ self.curvature
 
 

@@ -54,12 +54,13 @@ class SurfacePlaces:
 
     def nearest(
         self, points_mm: Float[Array, "n 3"]
-    ) -> tuple[Int[Array, "n"], Float[Array, "n 2"]]:
-        """Return the nearest face of each point (-1: none) and the place on it, mm."""
+    ) -> tuple[Int[Array, "n"], Float[Array, "n 2"], Float[Array, "n 3"]]:
+        """Return the nearest face of each point (-1: none), the place on it (mm) and its normal."""
         xp = library(points_mm)
         sample = apply_in_chunks(self._nearest_sample, _CHUNK, points_mm)
         away = points_mm - self.point_mm[sample]
-        height = (away * self.normal[sample]).sum(-1)
+        normal = self.normal[sample]
+        height = (away * normal).sum(-1)
         # s sample, i in the face's plane, j coordinate of the object
         shift = xp.einsum("sij,sj->si", self.across[sample], away)
         share = (self.xy_mm[sample] + shift) / self.half_mm[sample]
@@ -68,7 +69,7 @@ class SurfacePlaces:
         )
         on_face = (outside <= 1 + 1e-9) & (abs(height) <= _OFF_SURFACE_MM)
         place = self.place_mm[sample] + self.rate[sample] * shift
-        return xp.where(on_face, self.face[sample], -1), place
+        return xp.where(on_face, self.face[sample], -1), place, normal
 
     def _nearest_sample(self, points_mm: Float[Array, "n 3"]) -> Int[Array, "n"]:
         # |p − s|² without the |p|² that all samples share

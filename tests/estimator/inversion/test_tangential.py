@@ -8,33 +8,22 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
-from design.layout.places.contact_grid import contact_grid
-from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import inversion
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.readings import tangential_forces
 from estimator.inversion.storage import load_inversion, save_inversion
 from tests.support.mechanics.inverted import (
-    SPEC,
+    PULLING,
+    SHARE,
     contacts,
     frame_covariance,
     inverted,
     noisy_counts,
     presses,
+    shear_of,
 )
 
-SHARE, FRAMES = 0.5, 150
-PULLING = SPEC.changed(inversion=SPEC.inversion.changed(tangential_share=SHARE))
-
-
-def shear_of(spec):
-    """Some 58 counts per newton, other at every place and depth."""
-    grid, depth = contact_grid(spec), np.asarray(spec.press.depths_mm)
-    slope = np.random.default_rng(1).normal(0, 58, (5, 1, 1, 2, 15, 3))
-    turned = 1 + 0.02 * grid.xy_mm[:, 0] + 0.01 * grid.xy_mm[:, 1]
-    growing = 1 + 0.1 * depth
-    per_n = slope * (turned[:, None] * growing)[None, :, :, None, None, None]
-    return ShearSignals(np.arange(1, 6), grid, depth, per_n)
+FRAMES = 150
 
 
 @pytest.fixture(scope="module")

@@ -4,12 +4,27 @@ from functools import lru_cache
 
 import numpy as np
 
+from design.layout.places.contact_grid import contact_grid
+from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import Inversion, inversion
 from estimator.signals.presses import press_signals
 from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
 from tests.support.recordings.frame_sets import frame_set
 
 SPEC = coarse_spec(contact_grid={"count": (9, 9), "pitch_mm": 3.0})
+SHARE = 0.5
+PULLING = SPEC.changed(inversion=SPEC.inversion.changed(tangential_share=SHARE))
+"""The same object where contacts may pull sideways."""
+
+
+def shear_of(spec):
+    """Some 58 counts per newton, other at every place and depth."""
+    grid, depth = contact_grid(spec), np.asarray(spec.press.depths_mm)
+    slope = np.random.default_rng(1).normal(0, 58, (5, 1, 1, 2, 15, 3))
+    turned = 1 + 0.02 * grid.xy_mm[:, 0] + 0.01 * grid.xy_mm[:, 1]
+    growing = 1 + 0.1 * depth
+    per_n = slope * (turned[:, None] * growing)[None, :, :, None, None, None]
+    return ShearSignals(np.arange(1, 6), grid, depth, per_n)
 
 
 @lru_cache(maxsize=1)
