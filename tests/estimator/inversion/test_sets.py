@@ -8,7 +8,6 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from estimator.inversion import evidence, posterior, readings, search
-from studies.blind_start import summary_of, worst_mm
 from estimator.inversion.evidence import bounded_curvature
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.priors import Priors, fitting_sets, standing_probes
@@ -16,6 +15,7 @@ from estimator.inversion.problems import Observations, Problems, empty
 from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, Search
 from estimator.inversion.tracking import Tracker
+from studies.blind_start import summary_of, worst_mm
 
 PRIORS = Priors((0.25, 0.25, 0.25, 0.25), 2, 800.0, (0.5, 10.5))
 CHANNELS = 6
