@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -23,8 +24,10 @@ from design.layout.body import face_frames
 from design.spec.object import ObjectSpec
 from estimator.inversion.model.forward import ContactModel
 from estimator.inversion.problems import BLIND, Observations
-from fem.linear.response import ResponseOperator
-from fem.presses.jaws import JawFace, jaw_faces
+
+if TYPE_CHECKING:  # readers on a robot have no finite elements
+    from fem.linear.response import ResponseOperator
+    from fem.presses.jaws import JawFace
 
 MOST_LEAN = 2.0
 """Share in the table: the depth gained from the middle to a border, over the depth at the middle."""
@@ -103,6 +106,8 @@ class JawFit:
 
 def jaw_tables(spec: ObjectSpec, response: ResponseOperator) -> tuple[JawTable, ...]:
     """Press a jaw on each flat rectangular face at all leans of the table; none on curved bodies."""
+    from fem.presses.jaws import jaw_faces
+
     flat = [frame.number for frame in face_frames(spec) if frame.flat and not frame.round]
     return tuple(map(_table, jaw_faces(spec, response, flat))) if flat else ()
 

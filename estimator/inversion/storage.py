@@ -77,11 +77,8 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
         "offset_counts": disturbances.offset_counts,
         "model_error": disturbances.model_error,
         "nuisances": disturbances.columns if disturbances.nuisances else None,
+        **_jaw_values(inversion.jaw_tables),
     }
-    if tables := inversion.jaw_tables:
-        values["jaws"] = np.stack([jaw.values for jaw in tables]).astype(np.float32)
-        values["jaw_faces"] = np.array([jaw.face for jaw in tables])
-        values["jaw_half_mm"] = np.stack([jaw.half_mm for jaw in tables])
     attributes = {
         "specification": json.dumps(model.spec.model_dump(mode="json")),
         "priors": json.dumps(asdict(inversion.priors)),
@@ -95,6 +92,16 @@ def save_inversion(inversion: Inversion, path: Path | str) -> None:
         "nearest_mm": model.nearest_mm,
     }
     write_netcdf(_KIND, path, values, attributes)
+
+
+def _jaw_values(tables: tuple[JawTable, ...]) -> dict[str, np.ndarray | None]:
+    if not tables:
+        return dict.fromkeys(("jaws", "jaw_faces", "jaw_half_mm"))
+    return {
+        "jaws": np.stack([jaw.values for jaw in tables]).astype(np.float32),
+        "jaw_faces": np.array([jaw.face for jaw in tables]),
+        "jaw_half_mm": np.stack([jaw.half_mm for jaw in tables]),
+    }
 
 
 def load_inversion(path: Path | str) -> Inversion:
