@@ -39,7 +39,7 @@ def test_the_leaders_come_first_and_the_rest_of_the_front_after_them(tmp_path):
     trials = kept.finished
     values = np.array([trial.values for trial in trials])
     history = History(
-        OBJECTIVES, values, np.ones(len(trials), bool), np.array([9.0, 9.0]), (),
+        OBJECTIVES, values, np.ones(len(trials), bool), np.array([9.0, 9.0]),
         np.arange(1, 1 + len(trials)),
     )  # fmt: skip
     best = Promoted(f"trial {trials[5].number}", trials[5].number, space.spec, {})
