@@ -205,10 +205,10 @@ def _heatmap(spec: ObjectSpec, frame: FaceFrame, contacts: list[Document], time_
 
     grid, pitch_mm = contact_grid(spec), spec.contact_grid.pitch_mm
     force_n = np.zeros((len(grid.y_mm), len(grid.x_mm)), "<f4")  # a row of the grid runs along x
-    own = [contact for contact in contacts if contact["face"] == frame.number]
-    xy_mm = np.array([[contact["x_mm"], contact["y_mm"]] for contact in own]).reshape(-1, 2)
+    on_face = [contact for contact in contacts if contact["face"] == frame.number]
+    xy_mm = np.array([[contact["x_mm"], contact["y_mm"]] for contact in on_face]).reshape(-1, 2)
     x, y = mm_to_pixel(xy_mm, grid.x_mm, grid.y_mm).T
-    np.add.at(force_n, (y, x), [contact["force_n"] for contact in own])
+    np.add.at(force_n, (y, x), [contact["force_n"] for contact in on_face])
     # The grid begins at the outer corner of its first location, half a pitch before the centre
     corner_mm = np.array([grid.x_mm[0], grid.y_mm[0]]) - pitch_mm / 2
     place_m = 1e-3 * frame.to_object(np.append(corner_mm, 0.0))

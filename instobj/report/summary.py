@@ -212,7 +212,7 @@ def _unreached(result: StoredResult) -> dict[str, str]:
 
 
 def cross_face_rows(folder: Path) -> list[dict[str, Any]]:
-    """What faces think that they feel when another is pressed; no rows with one sensed face."""
+    """Rows of forces that faces read while another is pressed; no rows with one sensed face."""
     content = CROSS_FACE.read(folder)
     return [
         {

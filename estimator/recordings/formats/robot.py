@@ -260,10 +260,12 @@ def _json_rows(path: Path) -> Iterator[list[Any]]:
                 f"it is no MCAP file that can be read to its end. Record it again ({error})"
             ) from None
     if read_topic is None:
-        told = ", ".join(f"{topic} ({kind.strip()})" for topic, kind in sorted(topics.items()))
+        topic_list = ", ".join(
+            f"{topic} ({kind.strip()})" for topic, kind in sorted(topics.items())
+        )
         raise RecordingError(
-            f"it has the topics {told or 'none'}; counts are read from a json topic with fields F1-X1 …, "
-            f"or from {LAYOUT} and {FRAMES} (`instobj docs recordings`). Export the topic with the counts "
+            f"it has the topics {topic_list or 'none'}; counts are read from a json topic with fields "
+            f"F1-X1 …, or from {LAYOUT} and {FRAMES} (`instobj docs recordings`). Export the topic with the counts "
             "as CSV, and give that to `instobj adopt`"
         )
 

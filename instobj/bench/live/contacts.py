@@ -195,11 +195,11 @@ def placed_contact(
     return [*place, *force, *point, *axes[:, 2], *pushed]
 
 
-def frame_document(spec: ObjectSpec, found: Found, time_s: float) -> dict[str, Any]:
+def frame_document(spec: ObjectSpec, reading: Found, time_s: float) -> dict[str, Any]:
     """Return a frame as `instobj predict --port` prints it, as far as the page knows it."""
     contacts = []
     names = ("x_mm", "y_mm", "position_radius_mm", "force_n", "force_halfwidth_n")
-    for row in found.contacts:
+    for row in reading.contacts:
         place = int(row[0]), float(row[1]), float(row[2])
         _, axes = _place_on_body(spec, place)
         pull_n = axes.T @ row[12:]  # along the face's x and y, and the outward normal
@@ -207,7 +207,7 @@ def frame_document(spec: ObjectSpec, found: Found, time_s: float) -> dict[str, A
         contacts.append(
             {"face": place[0]} | dict(zip(names, row[1:6].tolist(), strict=True)) | tangential
         )
-    stamp = {"time_s": time_s, "explained": found.explained, "chip_out": found.chip_out}
+    stamp = {"time_s": time_s, "explained": reading.explained, "chip_out": reading.chip_out}
     return stamp | {"contacts": contacts}
 
 

@@ -51,11 +51,11 @@ class ServedPage:
 
     url: str
     serving: threading.Thread
-    asked: queue.SimpleQueue[str]
+    commands_asked: queue.SimpleQueue[str]
 
     def commands(self) -> list[str]:
         """Return what viewers asked for since the last time."""
-        return [self.asked.get() for _ in range(self.asked.qsize())]
+        return [self.commands_asked.get() for _ in range(self.commands_asked.qsize())]
 
     @property
     def alive(self) -> bool:
@@ -73,11 +73,11 @@ def serve_page(watch: Watch, settings: PageSettings) -> Iterator[ServedPage]:
         An address that cannot be listened on.
     """
     started: Future[tuple[asyncio.AbstractEventLoop, asyncio.Event, int]] = Future()
-    asked: queue.SimpleQueue[str] = queue.SimpleQueue()
+    commands_asked: queue.SimpleQueue[str] = queue.SimpleQueue()
 
     def run() -> None:
         try:
-            asyncio.run(_serve(watch, settings, asked, started))
+            asyncio.run(_serve(watch, settings, commands_asked, started))
         except OSError as error:
             where = f"{settings.address}:{settings.port}"
             started.set_exception(
@@ -91,7 +91,7 @@ def serve_page(watch: Watch, settings: PageSettings) -> Iterator[ServedPage]:
         serving.start()
         loop, ended, port = started.result()
         threading.Thread(target=read_frames, args=(watch,), daemon=True).start()
-        yield ServedPage(settings.url(port), serving, asked)
+        yield ServedPage(settings.url(port), serving, commands_asked)
         call_within(loop, ended.set)
         serving.join(_CLOSING_S)
     finally:
@@ -133,7 +133,7 @@ def show_in_foxglove(watch: Watch, target: Path) -> Iterator[ServedPage]:
 async def _serve(
     watch: Watch,
     settings: PageSettings,
-    asked: queue.SimpleQueue[str],
+    commands_asked: queue.SimpleQueue[str],
     started: Future[tuple[asyncio.AbstractEventLoop, asyncio.Event, int]],
 ) -> None:
     ended, loop = asyncio.Event(), asyncio.get_running_loop()
@@ -141,7 +141,7 @@ async def _serve(
     def command(text: str) -> None:
         if text == "zero":
             watch.rezero()
-        asked.put(text)
+        commands_asked.put(text)
 
     page = Page(watch, settings.scene, settings.address, settings.token, command)
     watch.on_reading = lambda: call_within(loop, page.wake)

@@ -68,7 +68,7 @@ def front_rows(history: History) -> list[int]:
 
 
 def pareto_front(values: Float[np.ndarray, "n 2"]) -> Bool[np.ndarray, "n"]:
-    """Return those that no other is better than or equal to in both (and better in one)."""
+    """Return the trials than which no other is better or equal in both (and better in one)."""
     no_worse = np.all(values[None] <= values[:, None], axis=2)
     better = np.any(values[None] < values[:, None], axis=2)
     return ~np.any(no_worse & better, axis=1)
