@@ -265,8 +265,8 @@ def _json_rows(path: Path) -> Iterator[list[Any]]:
         )
         raise RecordingError(
             f"it has the topics {topic_list or 'none'}; counts are read from a json topic with fields "
-            f"F1-X1 …, or from {LAYOUT} and {FRAMES} (`instobj docs recordings`). Export the topic with the counts "
-            "as CSV, and give that to `instobj adopt`"
+            f"F1-X1 …, or from {LAYOUT} and {FRAMES} (`instobj docs recordings`). Export the topic with "
+            "the counts as CSV, and give that to `instobj adopt`"
         )
 
 
