@@ -370,7 +370,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=23,
+        version=24,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""
