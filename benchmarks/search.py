@@ -177,10 +177,10 @@ def agreement(
         score = batch_scores([scorer], [layouts], ())
     result: dict[str, Any] = {"layouts": count, "motions_scaled_by": scale}
     for name, exact in zip(_SCORES, plain.T, strict=True):
-        found = score[name].numpy()
+        batched = score[name].numpy()
         result[name] = {
-            "median_error": float(np.median(abs(found / exact - 1))),
-            "rank_correlation": float(spearmanr(found, exact).statistic),  # pyright: ignore[reportAttributeAccessIssue],
+            "median_error": float(np.median(abs(batched / exact - 1))),
+            "rank_correlation": float(spearmanr(batched, exact).statistic),  # pyright: ignore[reportAttributeAccessIssue],
         }
     return result
 

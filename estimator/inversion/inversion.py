@@ -18,7 +18,7 @@ from estimator.frames.face_data import Channel
 from estimator.information.shear import ShearSignals
 from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
-from estimator.inversion.jaws import Jaws, JawTable
+from estimator.inversion.jaws import JawFit, Jaws, JawTable
 from estimator.inversion.lying import lying_chips
 from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
@@ -184,17 +184,25 @@ class Inversion:
         """The same sets, but for frames that jaws explain far better than the tips `believed`."""
         for row in np.flatnonzero(tips.number) if self.jaw_tables else ():
             only = np.array([row])
-            fit = self.jaws.fit(observations.select(only), self.jaw_groups(tips.face[row].tolist()))
-            if fit is not None and fit.beats(float(believed.log_evidence[row])):
-                jaws = jaw_set(fit, tips.select(only)).with_force_error(
-                    self.disturbances.force_error
-                )
-                tips = tips.replaced(only, jaws)
+            evidence = float(believed.log_evidence[row])
+            fit = self.better_jaws(observations.select(only), tips.select(only), evidence)
+            if fit is not None:
+                tips = tips.replaced(only, self.jaw_reading(fit, tips.select(only)))
         return tips
 
-    def jaw_groups(self, pressed: list[int]) -> list[tuple[int, ...]]:
-        """Return groups of faces that jaws may cover where tips were read, as many as slots hold."""
-        return [group for group in self.jaws.groups(pressed) if len(group) <= self.priors.most]
+    def better_jaws(
+        self, observations: Observations, tips: ContactSets, log_evidence: float
+    ) -> JawFit | None:
+        """Return the jaws of one frame; None where they are not far more probable than its tips."""
+        groups = self.jaws.groups(tips.face[0].tolist()) if self.jaw_tables else []
+        # every jaw takes a slot of a contact
+        fitting = [group for group in groups if len(group) <= self.priors.most]
+        fit = self.jaws.fit(observations, fitting)
+        return fit if fit is not None and fit.beats(log_evidence) else None
+
+    def jaw_reading(self, fit: JawFit, tips: ContactSets) -> ContactSets:
+        """Return a frame's jaws in place of its tips."""
+        return jaw_set(fit, tips).with_force_error(self.disturbances.force_error)
 
     def _read_beside_magnet(
         self,

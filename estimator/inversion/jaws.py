@@ -161,15 +161,14 @@ class Jaws:
         # −1 is the cosine between normals of opposite faces
         return {a: b for a, b in pairs if normals[a] @ normals[b] < -1 + 1e-6}
 
-    def fit(
-        self,
-        observations: Observations,
-        groups: Sequence[tuple[int, ...]],
-        last: JawFit | None = None,
-    ) -> JawFit | None:
-        """Return the most probable jaws of one frame; from the frame before where `last` is given."""
-        fits = [self._fitted(observations, group, last) for group in groups]
+    def fit(self, observations: Observations, groups: Sequence[tuple[int, ...]]) -> JawFit | None:
+        """Return the most probable jaws of one frame on some group of faces."""
+        fits = [self._fitted(observations, group) for group in groups]
         return max(fits, key=lambda fit: fit.log_evidence, default=None)
+
+    def refit(self, observations: Observations, last: JawFit) -> JawFit:
+        """Return the jaws of the frame before, as they are in this one."""
+        return self._fitted(observations, last.faces, last.pose.ravel())
 
     def _tables_of(self, group: tuple[int, ...]) -> list[JawTable]:
         return [table for face in group for table in self.tables if table.face == face]
@@ -186,18 +185,18 @@ class Jaws:
         return self.model.counts_of_motions(moved)
 
     def _fitted(
-        self, observations: Observations, group: tuple[int, ...], last: JawFit | None
+        self,
+        observations: Observations,
+        group: tuple[int, ...],
+        start: Float[np.ndarray, "k"] | None = None,
     ) -> JawFit:
         count = len(group)
         width = np.tile([self.most_n, 2 * MOST_LEAN, 2 * MOST_LEAN], count)
-        if last is not None and last.faces == group:
-            start, rounds = last.pose.ravel(), _ROUNDS_FROM_LAST
-        else:
-            start, rounds = None, _ROUNDS
         problem = _Problem(self, observations, group, width)
-        pose, misfit, curvature = problem.descend(
-            problem.start() if start is None else start, rounds
-        )
+        if start is None:
+            pose, misfit, curvature = problem.descend(problem.start(), _ROUNDS)
+        else:
+            pose, misfit, curvature = problem.descend(start, _ROUNDS_FROM_LAST)
         volume = np.linalg.slogdet(curvature)[1]
         # Laplace: (2π)^{k/2} e^{−misfit} / √det H over the volume of the even priors
         evidence = 0.5 * (3 * count * np.log(2 * np.pi) - volume) - misfit - np.log(width).sum()

@@ -17,7 +17,7 @@ from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observations, Problems, empty
-from estimator.inversion.readings import ContactSets, jaw_set
+from estimator.inversion.readings import ContactSets
 from estimator.inversion.search import Hypotheses, together
 
 _STEPS = 3
@@ -65,7 +65,7 @@ class Tracker:
         self._error = inversion.error_share()
         self._pressed = 0
         self._strange, self._sound, self._chip_out = 0, 0, NONE
-        self._jaws: JawFit | None = None
+        self._jaws: tuple[JawFit, ContactSets] | None = None
         self.beside_magnet = False
         self._widened = 1.0
 
@@ -102,40 +102,27 @@ class Tracker:
         """Return the jaws of the frame before refitted; None where they no longer explain what is seen."""
         if self._jaws is None:
             return None
-        last_fit, self._jaws, self._last = self._jaws, None, None
-        fit = self.inversion.jaws.fit(plain, [last_fit.faces], last_fit)
-        assert fit is not None
+        (last, reading), self._jaws, self._last = self._jaws, None, None
+        fit = self.inversion.jaws.refit(plain, last)
         force, sigma = fit.pose[:, 0], np.sqrt(fit.covariance[:, 2, 2])
         if fit.p_value < _STRAINED or np.any(force < _FAINT * sigma):
             return None
-        self._jaws = fit
-        nothing = self.inversion.reading(
-            plain,
-            empty(plain, np.zeros(1, int), self.inversion.priors.most),
-            np.ones(1),
-            self._error,
-        )
-        return self._jaw_set(fit, nothing)
+        return self._believe_jaws(fit, reading)
 
     def _try_jaws(self, plain: Observations, tips: ContactSets) -> ContactSets:
         """Return the frame's jaws where these are far more probable than the tips just read."""
-        if (
-            not self.inversion.jaw_tables
-            or not tips.number[0]
-            or self._chip_out != NONE
-            or self.beside_magnet
-            or self._last is None
-        ):
+        if self._chip_out != NONE or self.beside_magnet or self._last is None:
             return tips
-        fit = self.inversion.jaws.fit(plain, self.inversion.jaw_groups(tips.face[0].tolist()))
-        evidence = self.inversion.search.judged(self._last).log_evidence
-        if fit is None or not fit.beats(float(evidence[0])):
+        if not self.inversion.jaw_tables or not tips.number[0]:
             return tips
-        self._jaws = fit
-        return self._jaw_set(fit, tips)
+        evidence = float(self.inversion.search.judged(self._last).log_evidence[0])
+        fit = self.inversion.better_jaws(plain, tips, evidence)
+        return tips if fit is None else self._believe_jaws(fit, tips)
 
-    def _jaw_set(self, fit: JawFit, tips: ContactSets) -> ContactSets:
-        return jaw_set(fit, tips).with_force_error(self.inversion.disturbances.force_error)
+    def _believe_jaws(self, fit: JawFit, tips: ContactSets) -> ContactSets:
+        reading = self.inversion.jaw_reading(fit, tips)
+        self._jaws = fit, reading
+        return reading
 
     @property
     def believed(self) -> Bool[np.ndarray, "channel"]:

@@ -99,8 +99,8 @@ def replay_of_log(
         fit = fit_object(thing, live.select(half))
         # the last numbers of SCALES are the shift of the magnets
         design = replace(fit, numbers=fit.numbers * (np.arange(len(SCALES)) < 6))
-        found = replay_log(simulated, design, live.select(~half), spec.seed)
-        rows.append(replay_row(f"{spec.name}, face {face}", found))
+        replay = replay_log(simulated, design, live.select(~half), spec.seed)
+        rows.append(replay_row(f"{spec.name}, face {face}", replay))
     return {
         "command": "travel",
         "object": spec.name,

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 POISSON_STEP, LARGEST_POISSON = 0.15, 0.45
-"""By how much Poisson's ratio is changed to see whether it matters, and up to where."""
+"""Change of Poisson's ratio that shows whether it matters, and the largest ratio tried."""
 _LEAN_RAD, _LN_TRAVEL, _CHIP_SHARE = 0.05, 0.2, 0.1
 """Prior standard deviations: machine against face, travel's scale, every entry of a chip's matrix."""
 _DRAWS = 500
@@ -192,13 +192,13 @@ def other_mechanics(run: Run) -> dict[str, tuple[Run, Callable[[float], str]]]:
             lambda share: f"{100 * share:.0f} % {interface}",
         ),
     }
-    found: dict[str, tuple[Run, Callable[[float], str]]] = {}
+    rivals: dict[str, tuple[Run, Callable[[float], str]]] = {}
     for name, (fields, words) in changes.items():
         try:
-            found[name] = Run(spec.changed(**fields), run.progress), words
+            rivals[name] = Run(spec.changed(**fields), run.progress), words
         except SpecError as error:
             run.progress.say(f"{name} is not questioned: {error}")
-    return found
+    return rivals
 
 
 def suspect_rows(suspects: list[FreedAssumption]) -> list[dict[str, Any]]:
