@@ -106,7 +106,7 @@ function summary(now, shown) {
   if (counted) parts.push(`${counted.lost} lost, ${counted.damaged} damaged lines, ${counted.restarts} restarts`);
   if (recording) parts.push(recording.on || recording.rows ? `${recording.rows} rows in ${recording.file}${recording.unlabelled ? `, ${recording.unlabelled} frames without a force not written` : ""}` : "not recording");
   parts.push(`${fixed(shown.perSecond, 0)} pictures/s, ${fixed(shown.latencyMs.p50, 0)} ms old (99 %: ${fixed(shown.latencyMs.p99, 0)})`);
-  if (shown.dropped || now.unsent) parts.push(`${shown.dropped + (now.unsent ?? 0)} frames not shown here`);
+  if (shown.dropped) parts.push(`${shown.dropped} frames not shown here`);
   return parts.filter(Boolean).join(" · ");
 }
 
