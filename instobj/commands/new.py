@@ -155,13 +155,15 @@ def designed(request: Request) -> Made:
     The most generous shell that takes everything is the start; where what is found under it cannot be
     made, what rules place so that it can.
     """
-    best = next(iter(scored_first(request, next(placements(request)))), None)
-    checked = _checked_seams(best) if best is not None else None
-    if checked is not None and {finding.check for finding in checked[1]} <= _OF_THE_BODY:
-        return checked
+    placed = next(placements(request))
+    checks = map(_checked_seams, scored_first(request, placed))
+    first = next(checks, None)
+    if first is not None and {finding.check for finding in first[1]} <= _OF_THE_BODY:
+        return first
     by_rules = made(request)
-    for tables in scored_first(request, by_rules[0]):
-        checked = _checked_seams(tables)
+    if by_rules[0] != placed:  # else the search goes on where it stood
+        checks, first = map(_checked_seams, scored_first(request, by_rules[0])), None
+    for checked in chain([first], checks):
         if checked is not None and len(checked[1]) <= len(by_rules[1]):
             return checked
     return by_rules
