@@ -14,7 +14,8 @@ from design.placement.objects import (
     spec_of,
 )
 from design.spec.object import ObjectSpec
-from estimator.layouts.without_mesh import BRIEF, FirstScore, LevelWithoutMesh, coarse, first_score
+from estimator.layouts.without_mesh import BRIEF, FirstScore, first_score
+from instobj.commands.first_layout import improved
 from instobj.stages.resources import needed_gib, search_seconds
 
 MOST_GIB = 12.0
@@ -93,7 +94,7 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         if placed is None or spec_of(placed).body.sensed != spec.body.sensed:
             continue
         placed["sensors"]["range_mt"] = spec.sensors.range_mt
-        within = first_score(_walked(spec_of(placed))).within
+        within = first_score(spec_of(improved(placed, *BRIEF)[0])).within
         if within > best or within == 1:
             more = magnets if magnets > spec.magnets.count else None
             best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))
@@ -107,12 +108,6 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         "NO-GO is to be expected, and no number of parts tried here helps much: take a smaller body, a "
         "softer silicone, or raise limits.position_bound_mm"
     )
-
-
-def _walked(spec: ObjectSpec) -> ObjectSpec:
-    """The specification with parts at the end of brief walks, not checked for how it is assembled."""
-    level = LevelWithoutMesh.create(coarse(spec))
-    return (level and level.layout_at(level.walked(*BRIEF, seed=0)[0])) or spec
 
 
 def _percent(share: float) -> str:

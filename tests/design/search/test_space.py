@@ -202,7 +202,7 @@ def test_a_space_without_the_start_says_so(search):
 
 WRONG = {
     "block": {"vary": {"magnet_part": ["B5x5x1"]}},
-    "not a known part": {"vary": {"magnet_part": ["D99x1"]}},
+    "is not in the catalogue": {"vary": {"magnet_part": ["D99x1"]}},
     "'N99' is not in the catalogue": {"vary": {"magnet_grade": ["N35", "N99"]}},
     "is sold in one grade": {
         "vary": {"magnet_grade": ["N35"], "magnet_part": ["D6x1", "MP 12x5x2 / N38"]}

@@ -60,7 +60,7 @@ def test_fins_of_the_mould_cast_them(name, style):
     ("name", "slits", "told"),
     [
         ("cylinder", {"depth_mm": 7.5}, "mm of silicone over the core"),
-        ("cylinder", {"width_mm": 26.0}, "no slit along its height"),
+        ("cylinder", {"width_mm": 26.0}, "no slit along an edge of 50 mm"),
         ("sphere", {}, "fins in their seam would hook"),
         ("ellipsoid", {}, "two halves"),
         ("pad", {}, "has none"),
