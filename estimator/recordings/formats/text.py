@@ -110,8 +110,8 @@ def _unpacked(path: Path, content: bytes) -> bytes:
         raise RecordingError(f"{path} is a damaged gzip file ({error}). Copy it anew") from None
     if not unpacker.eof:
         raise RecordingError(
-            f"{path} is a gzip file that is damaged or cut off, or holds more than {_LARGEST_BYTES >> 20} MiB. Copy it "
-            "anew, or unpack it and give its parts"
+            f"{path} is a gzip file that is cut off or damaged, or holds more than "
+            f"{_LARGEST_BYTES >> 20} MiB. Copy it anew, or unpack it and give its parts"
         )
     return text
 
