@@ -86,9 +86,10 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
     )
     best, help_text = score.within + _MORE_WITHIN, ""
     for sensors_more, count in _MORE:
-        if spec.magnets.count >= count and not sensors_more:
+        # without a number asked for, more magnets were tried already: they were no better, or cannot be made
+        magnets = spec.magnets.count if request.magnets is None else max(count, spec.magnets.count)
+        if magnets == spec.magnets.count and not sensors_more:
             continue
-        magnets = max(count, spec.magnets.count)
         larger = replace(request, sensors=request.sensors + sensors_more, magnets=magnets)
         placed = next(fitting_tables(larger, (shell,), COARSE), None)
         if placed is None or spec_of(placed).body.sensed != spec.body.sensed:

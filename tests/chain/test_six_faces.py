@@ -13,7 +13,7 @@ from estimator.recordings.boards.lines import Frame, Header
 from estimator.recordings.formats.files import read_table
 from instobj.bench.firmware.project import project_files
 from instobj.bench.live.source import data_set_table
-from instobj.bench.live.watch import HEADER, Watch, channel_names, row_message
+from instobj.bench.live.watch import Watch, channel_names
 from tests.support.avr.board import built, field_mt, messages, needs_simulator, of, world
 from tests.support.cli import run
 from tests.support.recordings.generic_csv import write_generic_csv
@@ -104,8 +104,8 @@ def test_the_live_page_takes_every_chip_of_six_faces():
     names = channel_names(spec)
     assert (len(names), names[0], names[-1]) == (6 * 9 * 3, "F1-X1", "F6-Z9")
     watch = Watch(spec, None, 0)
-    watch.take(HEADER + json.dumps(names).encode())
-    watch.take(row_message(1.0, 1.0, tuple(np.arange(len(names)) * 1.0)))
+    watch.take_header(names)
+    watch.take_row(1.0, 1.0, (np.arange(len(names)) * 1.0).tolist())
     ((row,), _) = watch.rows_after(0, 1)
     np.testing.assert_array_equal(row.raw, np.arange(len(names)))
     assert row.left_out.shape == (6, 9, 3)

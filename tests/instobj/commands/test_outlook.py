@@ -76,6 +76,15 @@ def test_parts_that_bring_the_last_locations_within_the_limit_are_named():
     assert re.search(r"; \d more .* would bring every location within the limit", told)
 
 
+def test_more_magnets_are_named_only_where_a_number_was_asked_for():
+    """Without one, `new` has tried more by itself: they were no better, or cannot be made."""
+    request = Request("pad", (60.0, 42.0, 11.0), sensors=1)
+    spec = spec_of(placed(replace(request, magnets=2)))
+    score = first_score(spec)
+    assert "--magnets" in parts_that_help(replace(request, magnets=2), spec, score)
+    assert "--magnets" not in parts_that_help(request, spec, score)
+
+
 def test_no_parts_are_named_where_all_locations_are_within_the_limit(big):
     request, tables = big
     assert parts_that_help(request, spec_of(tables), FirstScore(0.1, 0.2, 1.0)) == ""
