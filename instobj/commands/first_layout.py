@@ -24,7 +24,15 @@ from design.placement.objects import (
 from design.spec.object import ObjectSpec
 from design.spec.sensors import SensorSpec
 from estimator.field.seating import all_stay
-from estimator.layouts.without_mesh import BRIEF, BROKEN, LevelWithoutMesh, coarse, first_score
+from estimator.layouts.without_mesh import (
+    BRIEF,
+    BROKEN,
+    FirstScore,
+    LevelWithoutMesh,
+    coarse,
+    first_score,
+)
+from instobj.commands.outlook import percent_text
 from instobj.commands.run import check
 
 _WALKS, _STEPS = 16, 30
@@ -37,6 +45,10 @@ _THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
 """Longest edge of a body from which a shell so thick is tried, all mm."""
 _SHARES = (1.0, 0.9, 0.75)
 """Shares of the way from the start, where what was found breaks a check."""
+_MORE = ((0, 9), (1, 9), (2, 9))
+"""Sensors more on each face, and magnets at least, that are tried, the cheapest first."""
+_MORE_WITHIN = 0.05
+"""Share of locations that must come within the limit to be named."""
 
 
 def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
@@ -157,3 +169,51 @@ def _with_places(tables: Tables, laid: ObjectSpec) -> Tables:
     parts = ("magnets", "sensors")
     places = {part: {"positions_mm": content[part]["positions_mm"]} for part in parts}
     return tables | {part: tables[part] | keys for part, keys in places.items()}
+
+
+def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> str:
+    """Say which number of parts on each face brings all locations within the limit, or most of them; nothing
+    where all are."""
+    if score.within == 1:
+        return ""
+    shell = ShellVariant(
+        spec.shell.thickness_mm,
+        spec.shell.pocket_diameter_mm,
+        spec.shell.pocket_depth_mm,
+        spec.magnets.sizes[0].height_mm,
+    )
+    best, help_text = score.within + _MORE_WITHIN, ""
+    for sensors_more, count in _MORE:
+        # without a number asked for, more magnets were tried already: they were no better, or cannot be made
+        magnets = spec.magnets.count if request.magnets is None else max(count, spec.magnets.count)
+        if magnets == spec.magnets.count and not sensors_more:
+            continue
+        larger = replace(request, sensors=request.sensors + sensors_more, magnets=magnets)
+        placed = next(fitting_tables(larger, (shell,), COARSE), None)
+        if placed is None or spec_of(placed).body.sensed != spec.body.sensed:
+            continue
+        placed["sensors"]["range_mt"] = spec.sensors.range_mt
+        within = first_score(spec_of(improved(placed, *BRIEF)[0])).within
+        if within > best or within == 1:
+            more = magnets if magnets > spec.magnets.count else None
+            best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))
+        if within == 1:
+            return (
+                f"NO-GO is to be expected; {help_text} would bring every location within the limit"
+            )
+    if help_text:
+        return f"NO-GO is to be expected; {help_text} would bring {percent_text(best)} within the limit"
+    return (
+        "NO-GO is to be expected, and no number of parts tried here helps much: take a smaller body, a "
+        "softer silicone, or raise limits.position_bound_mm"
+    )
+
+
+def _parts_text(sensors_more: int, counts: tuple[int, int | None]) -> str:
+    sensors, magnets = counts
+    options = [f"--sensors {sensors}"] * bool(sensors_more)
+    options += [f"--magnets {magnets}"] * (magnets is not None)
+    several = "s" * (sensors_more > 1)
+    words = [f"{sensors_more} more sensor{several} on each face"] * bool(sensors_more)
+    words += [f"{magnets} magnets on each face"] * (magnets is not None)
+    return f"{' and '.join(words)} ({' '.join(options)})"

@@ -38,12 +38,11 @@ from design.spec.body import BodySpec
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
 from estimator.layouts.without_mesh import first_score
-from instobj.commands.first_layout import scored_first
+from instobj.commands.first_layout import parts_that_help, scored_first
 from instobj.commands.outlook import (
     chosen_text,
     expected_text,
     next_step_text,
-    parts_that_help,
     with_edges_that_fit,
 )
 from instobj.commands.specification_file import specification_text

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from design.errors import InputError
 from design.placement.objects import (
-    COARSE,
     Request,
-    ShellVariant,
     Tables,
-    fitting_tables,
     spec_of,
 )
 from design.spec.object import ObjectSpec
-from estimator.layouts.without_mesh import BRIEF, FirstScore, first_score
-from instobj.commands.first_layout import improved
+from estimator.layouts.without_mesh import FirstScore, first_score
 from instobj.stages.resources import needed_gib, search_seconds
 
 MOST_GIB = 12.0
@@ -24,10 +18,6 @@ _SMALL_MM = 60.0
 """Bodies no longer than this fit with the usual edges: a cube of that size needs 8 GiB."""
 _EDGE_STEP, _LONGEST = 1.1, 3.0
 """Steps in which edges grow, and by how much at most: beyond, the shell is one element thick."""
-_MORE = ((0, 9), (1, 9), (2, 9))
-"""Sensors more on each face, and magnets at least, that are tried, the cheapest first."""
-_MORE_WITHIN = 0.05
-"""Share of locations that must come within the limit to be named."""
 
 
 def with_edges_that_fit(request: Request, tables: Tables, most_gib: float = MOST_GIB) -> Tables:
@@ -60,7 +50,7 @@ def expected_text(spec: ObjectSpec, score: FirstScore) -> str:
     return (
         f"expect position bounds of {score.median_mm:.2g} mm (median, within a factor of two) and "
         f"{score.percentile_95_mm:.2g} mm (95th percentile, within three); "
-        f"{_percent(score.within)} of the contact locations within "
+        f"{percent_text(score.within)} of the contact locations within "
         f"limits.position_bound_mm = {spec.limits.position_bound_mm:g} mm"
     )
 
@@ -73,57 +63,9 @@ def outlook_text(spec: ObjectSpec) -> str:
         return f"position bounds are known after `instobj score` only: {error}"
 
 
-def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> str:
-    """Say which number of parts on each face brings all locations within the limit, or most of them; nothing
-    where all are."""
-    if score.within == 1:
-        return ""
-    shell = ShellVariant(
-        spec.shell.thickness_mm,
-        spec.shell.pocket_diameter_mm,
-        spec.shell.pocket_depth_mm,
-        spec.magnets.sizes[0].height_mm,
-    )
-    best, help_text = score.within + _MORE_WITHIN, ""
-    for sensors_more, count in _MORE:
-        # without a number asked for, more magnets were tried already: they were no better, or cannot be made
-        magnets = spec.magnets.count if request.magnets is None else max(count, spec.magnets.count)
-        if magnets == spec.magnets.count and not sensors_more:
-            continue
-        larger = replace(request, sensors=request.sensors + sensors_more, magnets=magnets)
-        placed = next(fitting_tables(larger, (shell,), COARSE), None)
-        if placed is None or spec_of(placed).body.sensed != spec.body.sensed:
-            continue
-        placed["sensors"]["range_mt"] = spec.sensors.range_mt
-        within = first_score(spec_of(improved(placed, *BRIEF)[0])).within
-        if within > best or within == 1:
-            more = magnets if magnets > spec.magnets.count else None
-            best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))
-        if within == 1:
-            return (
-                f"NO-GO is to be expected; {help_text} would bring every location within the limit"
-            )
-    if help_text:
-        return f"NO-GO is to be expected; {help_text} would bring {_percent(best)} within the limit"
-    return (
-        "NO-GO is to be expected, and no number of parts tried here helps much: take a smaller body, a "
-        "softer silicone, or raise limits.position_bound_mm"
-    )
-
-
-def _percent(share: float) -> str:
+def percent_text(share: float) -> str:
     """Whole per cent, but all only where it is all."""
     return f"{min(round(100 * share), 99) if share < 1 else 100} %"
-
-
-def _parts_text(sensors_more: int, counts: tuple[int, int | None]) -> str:
-    sensors, magnets = counts
-    options = [f"--sensors {sensors}"] * bool(sensors_more)
-    options += [f"--magnets {magnets}"] * (magnets is not None)
-    several = "s" * (sensors_more > 1)
-    words = [f"{sensors_more} more sensor{several} on each face"] * bool(sensors_more)
-    words += [f"{magnets} magnets on each face"] * (magnets is not None)
-    return f"{' and '.join(words)} ({' '.join(options)})"
 
 
 def next_step_text(spec: ObjectSpec) -> str:

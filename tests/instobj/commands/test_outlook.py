@@ -16,13 +16,12 @@ from design.placement.objects import (
     spec_of,
 )
 from estimator.layouts.without_mesh import FirstScore, first_score
-from instobj.commands.first_layout import improved
+from instobj.commands.first_layout import improved, parts_that_help
 from instobj.commands.new import placed_text
 from instobj.commands.outlook import (
     expected_text,
     next_step_text,
     outlook_text,
-    parts_that_help,
     with_edges_that_fit,
 )
 from instobj.commands.run import check_specifications
