@@ -52,7 +52,7 @@ class HallObject:
     Parameters
     ----------
     contacts : path
-        `contacts.nc` of a run (`instobj train SPEC --set training.model=inversion`).
+        `contacts.nc` of a run (`instobj train SPEC`).
     ambient_ut : (3,)
         Uniform field in the world, µT; it turns in the object's frame as the object turns.
     seed : int or None

@@ -108,7 +108,7 @@ class ProtocolSpec(SpecPart):
 
 
 class InversionSpec(SpecPart):
-    """Contacts read by inverting the forward model, with `training.model = "inversion"`.
+    """Contacts read by inverting the forward model (`training.model = "inversion"`, the default).
 
     Up to `contacts` at once anywhere on the sensed faces.
     `probes`: "free" contacts stand and bear anyhow; "known" are the paper's probes, at most one a
@@ -131,22 +131,22 @@ class InversionSpec(SpecPart):
 
 
 class TrainingSpec(SpecPart):
-    """Contact estimator, one per face.
+    """Contact estimator that `instobj train` makes.
 
-    `model`: "compact" reads the face's own sensors, "whole-object" those of every face, so that
-    it copes with presses on other faces; "inversion" is no network but the most probable contacts
-    of the forward model (`[inversion]`), for which nothing else here counts. With
-    `history_frames` the estimator also reads the change over that number of frames, which separates loading
-    from unloading (hysteresis of the silicone). `ensemble`: networks that are averaged, each
+    `model`: "inversion" is no network but the most probable contacts of the forward model
+    (`[inversion]`), for which nothing else here counts. Two are networks, one per face: "compact" reads
+    the face's own sensors, "whole-object" those of every face, so that it copes with presses on
+    other faces. A data set by itself says nothing of the design: its default is "compact". With
+    `history_frames` a network also reads the change over that number of frames, which separates
+    loading from unloading (hysteresis of the silicone). `ensemble`: networks that are averaged, each
     stopped and calibrated by its own fold of the presses. `trees`: extremely randomised trees
     with each network, whose answers are weighed in. `process`: a Gaussian process answers where
     a frame is novel. Left out, these four follow from the data (`estimator.networks.defaults`).
-    `twins`: simulated objects
-    that `instobj run --to pretraining` draws within `[tolerances]`, or `--twin` within what
-    labelled presses leave possible.
+    `twins`: simulated objects that `instobj run --to pretraining` draws within `[tolerances]`, or
+    `--twin` within what labelled presses leave possible.
     """
 
-    model: Literal["compact", "whole-object", "inversion"] = "compact"
+    model: Literal["inversion", "compact", "whole-object"] = "inversion"
     history_frames: Annotated[int, Field(ge=0, le=100)] | None = None
     hidden_units: Annotated[
         tuple[Annotated[int, Field(ge=1, le=10_000_000)], ...], Field(min_length=1, max_length=20)

@@ -197,6 +197,10 @@ def probe_tips_mm(spec: ObjectSpec, tips: int, pose: ProbePose) -> Float[np.ndar
     return places @ np.array([[c, s], [-s, c]]) + np.array([x, y], float)
 
 
+class NoRoom(InputError):
+    """Faces on which as many tips as wanted do not fit at once."""
+
+
 def random_case(
     spec: ObjectSpec, rng: np.random.Generator, place_id: int, contacts: int
 ) -> ContactCase:
@@ -213,7 +217,7 @@ def random_case(
         ):
             share = np.concatenate([[1.0], rng.uniform(0.5, 1.0, contacts - 1)])
             return ContactCase(face, xy, np.arange(contacts), share, place_id)
-    raise InputError(
+    raise NoRoom(
         f"{contacts} tips of this indenter do not find room on faces "
         f"{faces.tolist()}. Lower collection.contacts or name more faces"
     )

@@ -49,11 +49,11 @@ _KIND = FileKind(
     ),
     attributes=("specification", "priors", "force_error", "nearest_mm", "nuisances"),
     schema=("inversion_schema", 3),
-    origin="`instobj train SPEC --set training.model=inversion` makes one",
+    origin="`instobj train SPEC` makes one",
     remedy="Train it anew",
     others={
-        "signal_counts": "a data set, not an estimator. Give the contacts.nc that `instobj train "
-        "--set training.model=inversion` wrote"
+        "signal_counts": "a data set, not an estimator. Give the contacts.nc that `instobj train SPEC` "
+        "wrote"
     },
 )
 

@@ -61,9 +61,10 @@ def train(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Train contact estimators on simulated presses or a data set; judge them on held-out presses.
+    """Make the contact estimator of a specification or a data set, and judge it on unseen presses.
 
-    With --set training.model=inversion: tables of the forward model, for contacts on all faces at once.
+    Of a specification: tables of the forward model, for contacts on all faces at once. Of a data set, or
+    with --set training.model=compact: networks, one per face.
     """
     if export:
         if start or twin or on or overrides:
@@ -121,8 +122,8 @@ def predict(
     inverts = is_inversion(model)
     if is_foxglove(out) and not inverts:
         raise InputError(
-            f"{model} reads one face; --out {out} shows contacts of the whole object. Give contacts.nc "
-            "(training.model = 'inversion')"
+            f"{model} reads one face; --out {out} shows contacts of the whole object. Give contacts.nc, "
+            "which `instobj train SPEC` writes"
         )
     if inverts:
         from instobj.commands.contacts import contacts_in_file as in_file

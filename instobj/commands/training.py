@@ -325,5 +325,6 @@ def settings_of(overrides: list[str]) -> tuple[TrainingSpec, int]:
                 f"--set {override}: a data set takes only seed, training.* and inversion.* settings. "
                 "Give the specification instead of the data set to change the object"
             )
-    spec = parse_spec(with_overrides({"name": "data-set"}, overrides), "--set")
+    content = {"name": "data-set", "training": {"model": "compact"}}
+    spec = parse_spec(with_overrides(content, overrides), "--set")
     return spec.training, spec.seed

@@ -42,14 +42,11 @@ if TYPE_CHECKING:
 
 Inputs = dict[str, Path]
 
-PAPER_TABLE_1 = {
-    1: (0.999, 15.3e-4, 1.82, 0.278, 1.0),
-    2: (0.999, 67.8e-4, 2.09, 0.380, 1.0),
-    3: (0.997, 127e-4, 3.23, 0.479, 1.0),
-    4: (0.999, 60.4e-4, 1.99, 0.370, 1.0),
-    5: (0.999, 25.5e-4, 2.09, 0.410, 1.0),
-}
-"""Knopke et al., Table I: A_sim, E_loc (pixels), E_f (%), E_f (N), A_non; random frame split."""
+_ESTIMATOR_COLUMNS = (
+    *("tips a face", "force", "frames", "number right %", "distance mm", "95th percentile mm"),
+    *("possible mm", "total force N", "place in 90 % region %", "force in 90 % interval %"),
+)
+"""Figures of the contacts read, for each number of tips and range of force."""
 _PAPER_PARTS = ("arrangement", "body", "shell", "core", "magnets", "sensors", "silicone")
 
 
@@ -90,8 +87,7 @@ def write_report(spec: ObjectSpec, inputs: Inputs, path: Path) -> None:
         compliance=readers.TIED_COMPLIANCE_MAP.path(inputs["press_curves"]),
         deformation=deformation_section(spec, inputs, protocol),
         core=core_section(spec, inputs["presses"], inputs["slip"]),
-        estimators=_estimators(inputs),
-        held_out=readers.HELD_OUT_PICTURE.path(inputs["metrics"]),
+        **_estimator(inputs),
         parts=part_rows(inputs["build"]),
         parts_picture=readers.PARTS_PICTURE.path(inputs["build"]),
         parts_folder=f"../../cad_out/{quote(spec.name)}/",
@@ -230,17 +226,17 @@ def _discretisation(spec: ObjectSpec, inputs: Inputs) -> dict[str, Any]:
     }
 
 
-def _estimators(inputs: Inputs) -> list[dict[str, Any]]:
-    """Figures of every face, each next to the paper's."""
-    keys = ("similarity", "location_error_px", "force_error_percent", "force_error_n")
-    rows = []
-    for face in readers.METRICS.read(inputs["metrics"])["faces"]:
-        paper = PAPER_TABLE_1.get(face["face"], (None,) * 5)
-        ours = [*(face[key] for key in keys), face["non_contact_accuracy"]]
-        figures = [(shown(mine), shown(theirs)) for mine, theirs in zip(ours, paper, strict=True)]
-        counts = f"{face['contact_frames']} + {face['rest_frames']}"
-        rows.append({"face": face["face"], "figures": figures, "frames": counts})
-    return rows
+def _estimator(inputs: Inputs) -> dict[str, Any]:
+    """Contacts read on simulated presses: rows, picture (None where none was read) and what was judged."""
+    content = readers.CONTACT_METRICS.read(inputs["contact_metrics"])
+    rows = [[shown(row[name]) for name in _ESTIMATOR_COLUMNS] for row in content["contacts"]]
+    picture = readers.CONTACT_PICTURE.path(inputs["contact_metrics"]) if rows else None
+    return {
+        "estimator_header": _ESTIMATOR_COLUMNS,
+        "estimator_rows": rows,
+        "estimator_picture": picture,
+        "estimator_judged": content["judged"],
+    }
 
 
 def files_beside(inputs: Inputs) -> list[tuple[str, list[Link]]]:

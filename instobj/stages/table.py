@@ -302,7 +302,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=9,
+        version=10,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
@@ -361,7 +361,7 @@ STAGES: dict[str, Stage] = {
             "weak_areas",
             "frames",
             "robustness",
-            "metrics",
+            "contact_metrics",
             "surroundings",
             "press_curves",
             "alternatives",
@@ -370,7 +370,7 @@ STAGES: dict[str, Stage] = {
         ),
         ("name", "limits", "silicone"),
         make_report,
-        version=24,
+        version=25,
     ),
 }
 """Stages in the order in which a command works through the ones that it needs."""

@@ -33,7 +33,6 @@ COARSE = [
     "protocol.presses_per_place=4",
     "protocol.frames_per_press=8",
     "protocol.rest_frames_per_press=4",
-    "training.epochs=2",
 ]
 OVERRIDES = [part for change in COARSE for part in ("--set", change)]
 

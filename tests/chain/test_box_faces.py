@@ -42,8 +42,6 @@ force_n = 4.0
 presses_per_place = 4
 frames_per_press = 8
 rest_frames_per_press = 4
-[training]
-epochs = 2
 """
 BOXES = {"closed": ([], (1, 2, 3, 4, 5, 6)), "two_open": ([5, 6], (1, 2, 3, 4))}
 

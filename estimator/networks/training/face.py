@@ -198,7 +198,7 @@ def _described(
         references=len(network.coverage.reference),
     )
     return FaceModel(
-        name=training.model,
+        name="whole-object" if training.model == "whole-object" else "compact",
         face=settings.face,
         channels=channels,
         grid_x_mm=frames.grid_x_mm,

@@ -70,23 +70,40 @@ def make_inversion(context: StageContext, folder: Path) -> None:
 
 def make_contact_metrics(context: StageContext, folder: Path) -> None:
     """Measure readings of one to three contacts anywhere on an object that the inversion has not seen; single
-    ones pull sideways where it expects that."""
+    ones pull sideways where it expects that. Where such contacts cannot be simulated the result says why."""
+    from estimator.frames.collection import joined
     from estimator.frames.contact_traces import JointMechanics
     from estimator.tolerances.virtual_object import drawn_assembly, twin_signals
 
     spec = context.spec
+    if reason := _why_not_judged(spec):
+        content = {"judged": f"nothing, as {reason}", "frames": 0, "contacts": []}
+        write_json(content, CONTACT_METRICS.path(folder))
+        return
     assembly = drawn_assembly(spec, spec.seed + _OBJECT_SEED)
     signals = twin_signals(spec, assembly, *context.read(PRESSES))
     mechanics = JointMechanics(context.read(RESPONSE), context.read(CORRECTION), assembly)
-    frames = _presses_anywhere(spec, signals, mechanics, context)
-    judged = "one to three contacts anywhere on a virtual object within the tolerances"
+    parts = _presses_anywhere(spec, signals, mechanics, context)
+    frames, most = joined(parts), ("one contact", "one or two contacts", "one to three contacts")
+    judged = f"{most[len(parts) - 1]} anywhere on a virtual object within the tolerances"
     write_contact_metrics(context.read(INVERSION), frames, judged, folder, context.step)
+
+
+def _why_not_judged(spec: ObjectSpec) -> str:
+    """Return why contacts anywhere cannot be simulated jointly; "" where they can."""
+    if spec.mechanics.slip.slipped:
+        return "contacts at once cannot be simulated on a core that has slipped"
+    if spec.indenter.tip_count > 1:
+        return f"the indenter presses with {spec.indenter.tip_count} tips at once"
+    return ""
 
 
 def _presses_anywhere(
     spec: ObjectSpec, signals: Any, mechanics: Any, context: StageContext
-) -> FrameSet:
-    from estimator.frames.collection import joined, simulate_collection
+) -> list[FrameSet]:
+    """Return frames of presses by one, two and three tips; small faces have room for fewer."""
+    from estimator.frames.collection import simulate_collection
+    from estimator.frames.contact_cases import NoRoom
 
     shear, parts = stored_shear(context), []
     for contacts in (1, 2, 3):
@@ -101,8 +118,13 @@ def _presses_anywhere(
             protocol=protocol,
             seed=(spec.seed + _OBJECT_SEED + contacts) % LARGEST_SEED,
         )
-        parts.append(simulate_collection(wanted, signals, context.key, mechanics, shear=shear))
-    return joined(parts)
+        try:
+            parts.append(simulate_collection(wanted, signals, context.key, mechanics, shear=shear))
+        except NoRoom:
+            if contacts == 1:
+                raise
+            break
+    return parts
 
 
 def write_contact_metrics(

@@ -62,8 +62,8 @@ def page_of(spec, tmp_path, **content):
     check = Check("bound", "2 mm", "≤ 1 mm", 2.0, "face 1")
     context = {name: [] for name in TABLES} | dict.fromkeys(TEXTS, "")
     context |= dict.fromkeys(PICTURES, tmp_path / "picture.png")
-    row = {"face": 1, "figures": [("0.91", "0.999")] * 5, "frames": "8 + 2"}
-    context |= {"estimators": [row], "held_out": tmp_path / "picture.png"}
+    context |= {"estimator_header": ["frames"], "estimator_rows": [["157"]]}
+    context |= {"estimator_judged": "contacts", "estimator_picture": tmp_path / "picture.png"}
     context |= {"parts_folder": "../../cad_out/a/", "files": []}
     context |= {"verdict": Verdict((check,), "bound", 0.5), "seat_error": SEAT_ERROR}
     context["saturation"] = "Of 200 virtual objects out of range: 0.0 % at rest."
@@ -77,18 +77,22 @@ def page_of(spec, tmp_path, **content):
 def test_other_objects_are_told_nothing_of_the_paper_s_cube(tmp_path, name):
     spec = load_spec(EXAMPLES / f"{name}.toml")
     told = read(page_of(spec, tmp_path))
-    assert "0.91" in told
-    assert "0.999" not in told
+    assert "Platsil" not in told
     assert "Knopke" not in told
     assert "paper" not in told
     assert "paper" not in envelope_text(spec, {"shallowest_peak_mm": 1.0, "deepest_peak_mm": 2.0})
 
 
-def test_the_paper_s_cube_stands_beside_the_paper_s_table(tmp_path):
-    spec = load_spec(EXAMPLES / "paper_cube.toml")
-    told = read(page_of(spec, tmp_path))
-    assert "0.91 0.999" in told
-    assert "Table I of Knopke" in told
+def test_the_paper_s_cube_is_told_of_its_silicone(tmp_path):
+    assert "Platsil" in read(page_of(load_spec(EXAMPLES / "paper_cube.toml"), tmp_path))
+
+
+def test_an_estimator_that_was_not_judged_says_why_and_shows_no_table(tmp_path):
+    content = {"estimator_rows": [], "estimator_judged": "nothing, as the core has slipped"}
+    told = read(page_of(parse_spec({"name": "a"}, "a"), tmp_path, **content))
+    assert "Judged: nothing, as the core has slipped." in told
+    assert "157" not in told
+    assert "157" in read(page_of(parse_spec({"name": "a"}, "a"), tmp_path))
 
 
 def test_texts_are_text_not_markup(tmp_path):

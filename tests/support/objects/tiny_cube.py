@@ -27,6 +27,7 @@ CHANGES = (
     "contact_grid.pitch_mm=6.0",
     "press.depths_mm=[1.0, 2.0]",
     "score.force_n=2.0",
+    'training.model="compact"',
     "training.epochs=2",
     "training.hidden_units=[8, 8]",
     "training.ensemble=1",
