@@ -33,7 +33,7 @@ def test_simulated_presses_do_not_take_the_place_of_a_recording(specification, t
 
     assert chain("signals", "discretisation") == [["signals", "discretisation"]]
     if source == "simulated":
-        assert (chain("report"), trained()) == ([["report"]], [["networks"]])
+        assert (chain("report"), trained()) == ([["report"]], [["inversion"]])
         return
     for command in (lambda: chain("report"), trained):
         with pytest.raises(
