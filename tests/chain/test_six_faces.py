@@ -46,7 +46,7 @@ def recorded(tmp_path, name, **made):
     """A board's recording of presses: its lines are replayed, and `collect` writes them down."""
     frames = synthetic_frames(rest=8, **made)
     write_generic_csv(data_set_table(frames), tmp_path / f"{name}_lines.csv")
-    arguments = ["--replay", f"{name}_lines.csv@0", "--cells", 1, "--tips", 1, "--zero", 8]
+    arguments = ["--replay", f"{name}_lines.csv@0", "--zero", 8]
     done("bench", "collect", name, *arguments, "--json", cwd=tmp_path)
     return tmp_path / f"{name}.csv"
 
