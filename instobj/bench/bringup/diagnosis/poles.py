@@ -86,7 +86,6 @@ def _relative(
     given = spec.tolerances
     seats = (
         given.magnet_seat_mm,
-        given.magnet_seat_depth_mm,
         given.sensor_seat_mm,
         given.core_shift_mm,
     )

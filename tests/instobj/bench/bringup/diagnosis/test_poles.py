@@ -17,7 +17,6 @@ from tests.support.physics_pages import assert_page, chosen
 SPEC = SMALL.changed(
     tolerances=SMALL.tolerances.changed(
         magnet_seat_mm=0.1,
-        magnet_seat_depth_mm=0.15,
         sensor_seat_mm=0.2,
         core_shift_mm=0.3,
         magnet_tilt_deg=1.0,
