@@ -28,7 +28,7 @@ from instobj.bench.bringup.simulated import (
 )
 from instobj.bench.bringup.verdict import Verdict, judge
 
-CROSS_AXIS = "sensors.cross_axis_tolerance=0.01"
+CROSS_AXIS = "sensors.chip_spread=[0.0,0.01]"
 
 
 def errors(made: SimulatedObject, verdict: Verdict, times_s: float) -> dict[str, float]:

@@ -12,7 +12,6 @@ from design.spec.assembly import AsBuiltSpec
 from design.spec.magnets import MagnetSpec
 from design.spec.object import ObjectSpec
 from design.spec.sensors import SensorSpec
-from design.spec.silicone import SiliconeSpec
 
 STRUCTURE = (
     "magnet_count",
@@ -20,7 +19,6 @@ STRUCTURE = (
     "sensor_count",
     "sensor_chip",
     "shell_thickness_mm",
-    "silicone",
 )
 """Choices between which places are not comparable; a batch is scored structure by structure."""
 SIZE = "_size"
@@ -43,8 +41,6 @@ def with_structure(spec: ObjectSpec, params: Mapping[str, Any]) -> ObjectSpec:
         counted = _constructed(spec, {"magnets": update.get("magnets", spec.magnets)})
         parts = tuple(choices_of_magnets(counted, params, "size"))
         update |= _with_magnets(spec, _changes_for_parts(counted.magnets, parts))
-    if "silicone" in chosen:
-        update["silicone"] = SiliconeSpec(name=chosen["silicone"])
     update |= _with_sizes(spec, update.get("shell", spec.shell), chosen)
     update["sensors"] = _with_sensors(spec, chosen)
     return _constructed(spec, update)
@@ -189,5 +185,4 @@ def structure_choices(spec: ObjectSpec) -> dict[str, Any]:
         "sensor_count": sensors.count_per_face,
         "sensor_chip": sensors.chip,
         "shell_thickness_mm": spec.shell.thickness_mm,
-        "silicone": spec.silicone.name,
     }

@@ -108,15 +108,14 @@ class TolerancesSpec(SpecPart):
     """Spread of assembly, material and surroundings (standard deviations; 0 leaves one out).
 
     Magnets, sensors and channels vary independently of each other; core, silicone, temperature and
-    surroundings are common to the whole object. `magnet_seat_mm` is each of the two lateral
-    directions, `magnet_seat_depth_mm` the third; `sensor_seat_mm` and `core_shift_mm` each of three.
+    surroundings are common to the whole object. `magnet_seat_mm`, `sensor_seat_mm` and
+    `core_shift_mm` are each of three directions.
     `core_yaw_deg` turns the core about z in the shell. `modulus_relative` is the deviation of ln E.
     `earth_field_ut` is the field's size: its direction is unknown when the signals are zeroed, and
     again in the press, because a gripper turns the object.
     """
 
     magnet_seat_mm: SpreadMm = 0.1
-    magnet_seat_depth_mm: SpreadMm = 0.1
     magnet_tilt_deg: SpreadDeg = 2.0
     remanence_relative: Spread = 0.02
     sensor_seat_mm: SpreadMm = 0.1

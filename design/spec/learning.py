@@ -167,6 +167,10 @@ LIMITS_OF_USE: dict[str, dict[str, float]] = {
 }
 
 
+SATURATION_MARGIN = 0.1
+"""Share of the sensors' range that stays free in the deepest press: magnets come 5 % stronger."""
+
+
 class LimitsSpec(SpecPart):
     """Go or no-go limits of the report; those left out are the `use`'s.
 
@@ -178,7 +182,6 @@ class LimitsSpec(SpecPart):
     use: Use = "grasp"
     position_bound_mm: Annotated[float, Field(ge=0.001, le=100)] = 1.5
     detectable_force_n: Force = 5.0
-    saturation_margin: Annotated[float, Field(gt=0, lt=1)] = 0.1
 
     @model_validator(mode="before")
     @classmethod

@@ -66,7 +66,6 @@ class VarySpec(SpecPart):
     sensor_reach_mm: Length | None = None
     sensor_chip: Annotated[tuple[Literal["inward", "outward"], ...], Some, Distinct] | None = None
     shell_thickness_mm: Annotated[tuple[Wall, ...], Some, Distinct] | None = None
-    silicone: Annotated[tuple[str, ...], Some, Distinct] | None = None
 
     @model_validator(mode="after")
     def _is_possible(self) -> VarySpec:
@@ -91,7 +90,7 @@ class SearchLimitsSpec(SpecPart):
     `times_start` says how many times the starting specification's value a score may have at most
     (`sensitivity_ratio`: at least); `position_over_limit` may not grow unless it says otherwise: what gets
     worse beyond `limits.position_bound_mm` is made up for elsewhere. At rest and in the deepest press
-    `limits.saturation_margin` of the sensors' range stays free, and 95 % of virtual objects keep every chip
+    a tenth of the sensors' range stays free, and 95 % of virtual objects keep every chip
     within it.
     """
 

@@ -29,6 +29,7 @@ Turns = Annotated[tuple[tuple[Angle, Angle, Angle], ...], Field(min_length=1, ma
 Axis = Literal["X", "Y", "Z"]
 Noise = Annotated[float, Field(gt=0, le=32_768)]
 """White noise of one axis (rms counts)."""
+ChipSpread = Annotated[float, Field(ge=0, lt=0.5)]
 BUS_KHZ = 400.0
 """Clock of the one bus of all sensors: the I²C bus's fast mode (NXP UM10204)."""
 FACES_OF_A_CUBE = 5
@@ -47,8 +48,8 @@ class SensorSpec(SpecPart):
     each; it turns X, Y, Z from the face's x, y, n. `range_mt`, `counts_per_mt` and
     `noise_counts` are those of `part` where they are left out; the default part's noise, gain and
     drift were measured on the recordings (16× averaging, ±40 mT). `averaging` is the number of
-    conversions in a reading. With tolerances (rms) above 0, simulated chips are drawn with the
-    specification's seed: the gain of each axis and the share of other axes in it.
+    conversions in a reading. With a `chip_spread` above 0, simulated chips are drawn with the
+    specification's seed: the gain of each axis and the share of other axes in it (rms).
     Where sensors sit in the shell (`arrangement`), each is a rigid board of `package_mm`
     (tangential, radial, thick) on its pocket's floor, sensing at its centre. `chip_mm` is the chip
     with its leads on the board (as `package_mm`), for the checks alone.
@@ -75,8 +76,7 @@ class SensorSpec(SpecPart):
     counts_per_mt: Annotated[float, Field(ge=0.1, le=1e6)] = 820.0
     range_mt: FieldRange = 40.0
     noise_counts: tuple[Noise, Noise, Noise] = (22.0, 22.0, 11.0)
-    gain_tolerance: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
-    cross_axis_tolerance: Annotated[float, Field(ge=0, lt=0.5)] = 0.0
+    chip_spread: tuple[ChipSpread, ChipSpread] = (0.0, 0.0)
     zeroing_counts: Counts = 10.0
     drift_counts: Counts = 60.0
     frame_rate_hz: Annotated[float, Field(ge=0.01, le=1e5)] = 10.5

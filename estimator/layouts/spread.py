@@ -87,7 +87,7 @@ def channel_spread(
     of_own = torch.einsum("lsai,ijlsm->lsajm", axes, own_change.by_motion)
     by_magnet = torch.einsum("lsai,ilsm->lsam", axes, own_change.field)
     seat, tilt = sizes.magnet_seat_mm, float(np.deg2rad(sizes.magnet_tilt_deg))
-    weights = axes.new_tensor([seat, seat, sizes.magnet_seat_depth_mm, tilt, tilt, 0.0])
+    weights = axes.new_tensor([seat, seat, seat, tilt, tilt, 0.0])
     square = (of_own * weights[:, None]).square().sum((-1, -2))
     square = square + (sizes.remanence_relative * by_magnet).square().sum(-1)
     field = (own_change.field.sum(-1) + others.field.sum(-1)).permute(1, 2, 0)

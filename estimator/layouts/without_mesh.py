@@ -27,6 +27,7 @@ from design.search.space import (
     with_layout,
 )
 from design.search.structure import with_structure
+from design.spec.learning import SATURATION_MARGIN
 from design.spec.object import ObjectSpec
 from design.spec.search import OVER_LIMIT
 from estimator.layouts.batch import layouts_of
@@ -116,8 +117,8 @@ class LevelWithoutMesh:
             scorers = group_scorers(structured)
         except InputError:
             return None
-        free, full = structured.limits.saturation_margin, full_scale_counts(structured.sensors)
-        limits = {"largest_counts": (1 - free) * full, "kept_counts": full}
+        full = full_scale_counts(structured.sensors)
+        limits = {"largest_counts": (1 - SATURATION_MARGIN) * full, "kept_counts": full}
         return cls(space, LowestFidelity(layout_space(space, structured), scorers, limits), start)
 
     @property

@@ -62,7 +62,7 @@ def chip_errors(sensors: SensorSpec, count: int, seed: int) -> ChipErrors:
     """
     rng = np.random.default_rng([seed, _CHIPS])
     diagonal = np.eye(3, dtype=bool)
-    rms = np.where(diagonal, sensors.gain_tolerance, sensors.cross_axis_tolerance)
+    rms = np.where(diagonal, *sensors.chip_spread)
     matrix = np.eye(3) + rms * rng.standard_normal((count, 3, 3))
     return ChipErrors(matrix, np.zeros((count, 3)))
 

@@ -26,7 +26,7 @@ from estimator.signals.hall import ChipErrors
 
 CONTRIBUTIONS = {
     "magnet_seat": ("magnet_seat_mm", "magnet seat, lateral"),
-    "magnet_depth": ("magnet_seat_depth_mm", "magnet seat, depth"),
+    "magnet_depth": ("magnet_seat_mm", "magnet seat, depth"),
     "magnet_tilt": ("magnet_tilt_deg", "magnet tilt"),
     "remanence": ("remanence_relative", "remanence"),
     "sensor_seat": ("sensor_seat_mm", "sensor seat"),
@@ -186,7 +186,7 @@ def _moved_magnets(
 ) -> MagnetLayout:
     axes = face_axes(spec, magnets.face)
     lateral = tolerances.magnet_seat_mm * numbers["magnet_seat"].reshape(-1, 2)
-    depth = tolerances.magnet_seat_depth_mm * numbers["magnet_depth"]
+    depth = tolerances.magnet_seat_mm * numbers["magnet_depth"]
     tilt = np.deg2rad(tolerances.magnet_tilt_deg) * numbers["magnet_tilt"].reshape(-1, 2)
     # Drawn in the face's frame, wanted in the object's: m magnet, j axis of the face, i coordinate
     shift = np.einsum("mij,mj->mi", axes, np.column_stack([lateral, depth]))

@@ -12,7 +12,6 @@ from instobj.bench.rig import cli as rig_cli
 from instobj.cli.options import (
     HERE,
     AsJson,
-    Forces,
     LoadPort,
     Out,
     Overrides,
@@ -44,7 +43,6 @@ def collect(
     replay: Replay = None,
     load_port: LoadPort = None,
     place: Places = None,
-    force: Forces = None,
     zero: Annotated[
         int,
         typer.Option(
@@ -53,11 +51,6 @@ def collect(
     ] = 20,
     seconds: Seconds = None,
     frames: Annotated[int | None, typer.Option(min=1, help="Stop after this many frames.")] = None,
-    session: Annotated[
-        int | None, typer.Option(min=1, help="Session number (default: continue the last session).")
-    ] = None,
-    cells: Annotated[int | None, typer.Option(min=1, max=9, help="Number of load cells.")] = None,
-    tips: Annotated[int | None, typer.Option(min=1, max=9, help="Tips per load cell.")] = None,
     as_json: AsJson = False,
 ) -> None:
     """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
@@ -67,8 +60,8 @@ def collect(
     serial_port, baud = port_and_baud(port)
     file, speed = replayed_file(replay)
     options = CollectOptions(
-        out, serial_port, file, load_port, baud, speed, tuple(place or ()), tuple(force or ()),
-        cells, tips, session, zero, seconds, frames,
+        out, serial_port, file, load_port, baud, speed, tuple(place or ()),
+        zero_frames=zero, seconds=seconds, frames=frames,
     )  # fmt: skip
     show(collect_frames(options), as_json)
 
@@ -126,20 +119,16 @@ def live(
     ] = None,
     load_port: LoadPort = None,
     place: Places = None,
-    force: Forces = None,
     zero: Zero = None,
     page: Annotated[
         str,
         typer.Option(
             metavar="[ADDRESS:]PORT",
-            help="Where the page is served: TCP port (0: any free one), and network address. "
-            "NAME.mcap or foxglove[:PORT] shows contacts in Foxglove instead.",
+            help="Where the page is served: TCP port (0: any free one), and network address; other "
+            "machines need the access token that is printed. NAME.mcap or foxglove[:PORT] shows contacts "
+            "in Foxglove instead.",
         ),
     ] = "127.0.0.1:8765",
-    remote: Annotated[
-        bool,
-        typer.Option("--remote", help="Let other machines connect; an access token is printed."),
-    ] = False,
     seconds: Seconds = None,
     as_json: AsJson = False,
     overrides: Overrides = None,
@@ -158,11 +147,11 @@ def live(
     address, page_port = _served_at("0" if foxglove else page)
     readings = CollectOptions(
         record or Path(f"{spec.stem if spec else 'demo'}_live"), serial_port, file, load_port, baud,
-        speed, tuple(place or ()), tuple(force or ()), zero_frames=zero_frames,
+        speed, tuple(place or ()), zero_frames=zero_frames,
     )  # fmt: skip
     options = LiveOptions(
         spec, readings, tuple(model or ()), demo, Zeroing(mode, zero_frames),
-        tuple(overrides or ()), address, page_port, remote,
+        tuple(overrides or ()), address, page_port,
         record is not None, seconds, foxglove,
     )  # fmt: skip
     show(show_live(options), as_json)

@@ -180,12 +180,13 @@ def run(
 @app.command(rich_help_panel=JUDGE)
 def score(
     specs: Specs,
-    shear: Annotated[
-        bool, typer.Option("--shear", help="Also Cramér–Rao bounds of (x, y, F, Fx, Fy).")
-    ] = False,
-    body: Annotated[
-        str | None,
-        typer.Option(help="jaw: also bounds of a flat jaw over each face, beside those of tips."),
+    also: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="shear|jaw",
+            help="Bounds beside those of tips: of (x, y, F, Fx, Fy), or of a flat jaw over each face; can "
+            "be repeated.",
+        ),
     ] = None,
     out: Out = HERE,
     as_json: AsJson = False,
@@ -194,7 +195,7 @@ def score(
     """Sensitivity, Cramér–Rao bounds and maps of every contact location; designs side by side."""
     from instobj.commands.comparison import score_designs
 
-    show(score_designs(specs, shear, body, out, overrides or []), as_json)
+    show(score_designs(specs, also or [], out, overrides or []), as_json)
 
 
 @app.command(rich_help_panel=KEEP)
@@ -205,12 +206,10 @@ def store(
     free: Annotated[
         str | None,
         typer.Option(
-            metavar="SIZE", help="Space to free, e.g. 5GB; least recently used results go first."
+            metavar="SIZE|AGE",
+            help="Space to free, e.g. 5GB, least recently used results first; or those not used for so "
+            "long, e.g. 30d.",
         ),
-    ] = None,
-    older_than: Annotated[
-        str | None,
-        typer.Option(metavar="AGE", help="Remove only results not used for this long, e.g. 30d."),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -218,7 +217,7 @@ def store(
     from instobj.commands.stored import look_after_store
     from instobj.store.content import store_root
 
-    result = look_after_store(store_root(), verify, free, older_than)
+    result = look_after_store(store_root(), verify, free)
     show(result, as_json)
     if result["damaged"]:
         raise typer.Exit(1)
@@ -275,9 +274,11 @@ def run_command(command: typer.Typer, arguments: list[str] | None = None) -> Non
 
 def _instead_of(error: typer.TyperException) -> str:
     """Return what to write in place of an option that is none: gone with 0.2.0, or a key."""
-    name = getattr(error, "option_name", "")
-    if instead := OPTIONS.get(name):
-        return f" It went with 0.2.0: {instead}"
+    name, context = getattr(error, "option_name", ""), getattr(error, "ctx", None)
+    of_command = f"{context.info_name} {name}" if context is not None else name
+    if instead := OPTIONS.get(of_command) or OPTIONS.get(name):
+        stop = "" if str(error)[-1] in ".?" else "."
+        return f"{stop} It went with 0.2.0: {instead}"
     # only keys of a specification have a dot in their names
     return f". Keys are set by --set: --set {name.lstrip('-')}=VALUE" if "." in name else ""
 

@@ -60,16 +60,9 @@ Places = Annotated[
     list[str] | None,
     typer.Option(
         "--place",
-        metavar="FACE:X,Y",
-        help="Contact location of a load cell, mm, one per cell; :X,Y per further tip of the cell.",
-    ),
-]
-Forces = Annotated[
-    list[float] | None,
-    typer.Option(
-        "--force",
-        metavar="N",
-        help="Constant force (N) if no load cell is connected, e.g. a dead weight; one per cell.",
+        metavar="FACE:X,Y[=N]",
+        help="Contact location of a load cell, mm, one per cell; :X,Y per further tip of the cell; - where "
+        "nothing is pressed yet, -:- by two tips. =N: constant force (N) without a load cell, e.g. a weight.",
     ),
 ]
 Seconds = Annotated[float | None, typer.Option(min=0, help="Stop after this many seconds.")]

@@ -73,9 +73,6 @@ def adopt(
 def validate(
     spec: Spec,
     recordings: Recordings,
-    exchanges: Annotated[
-        int, typer.Option(min=1, help="Number of permutations for the null distribution.")
-    ] = 19,
     out: Out = HERE,
     as_json: AsJson = False,
     overrides: Overrides = None,
@@ -83,4 +80,4 @@ def validate(
     """Predicted against recorded presses, every figure with its permutation null."""
     from instobj.commands.recorded.validate import validate_on
 
-    show(validate_on(spec, recordings, exchanges, out, overrides or []), as_json)
+    show(validate_on(spec, recordings, out, overrides or []), as_json)

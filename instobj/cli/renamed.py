@@ -45,11 +45,31 @@ OPTIONS = {
     "--page-port": "--page PORT",
     "--seed": "--set seed=NUMBER",
     "--speed": "--replay FILE@SPEED",
+    "collect --cells": "--place - for each load cell",
+    "collect --force": "--place FACE:X,Y=N",
+    "collect --session": "another OUT: each recording is a session of its own",
+    "collect --tips": "--place -:- for a load cell of two tips, -:-:- for three",
+    "live --force": "--place FACE:X,Y=N",
+    "live --remote": "--page ADDRESS:PORT alone: a token is made where other machines reach the address",
+    "rig --depth": "--plan depths_mm=1,2",
+    "rig --dwell": "--plan dwell_s=0.5",
+    "rig --full": "--plan full_n=15",
+    "rig --load-scale": "--load-port PORT=SCALE",
+    "rig --presses": "--plan presses=40",
+    "rig --reference-every": "--plan reference_every=10",
+    "rig --repeats": "--plan repeats=1",
+    "rig --speed": "--plan speed_mm_s=1",
+    "rig --strokes": "--plan strokes=9",
+    "rig --turn": "--middle X,Y,Z,TURN",
+    "score --body": "--also jaw",
+    "score --shear": "--also shear",
+    "store --older-than": "--free 30d",
+    "validate --exchanges": "nothing: nulls have 19 permutations",
     "--storage": "--out FOLDER",
     "--unit": "--scale 10 for cm, 1000 for m, 25.4 for in",
     "--zero-frames": "--zero MODE:FRAMES",
 }
-"""Options before 0.2.0 → what to write instead, or what holds now."""
+"""Options before 0.2.0, of one command where it is named → what to write instead, or what holds now."""
 
 ANYTHING = {"allow_extra_args": True, "ignore_unknown_options": True}
 """Settings of a command that takes whatever stands behind it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,25 +24,27 @@ MOST = 4
 
 
 def score_designs(
-    paths: list[Path], shear: bool, body: str | None, out: Path, overrides: list[str]
+    paths: list[Path], also: Sequence[str], out: Path, overrides: list[str]
 ) -> dict[str, Any]:
     """Bring each specification to its scores; two to four of them get `comparison.html` as well.
 
-    With `body` "jaw" a flat jaw over each face is scored too.
+    `also` "shear" adds bounds of tangential forces, "jaw" those of a flat jaw over each face.
 
     Raises
     ------
     InputError
-        A bad specification, two of one name, an unknown body, or a jaw on a curved face.
+        A bad specification, two of one name, an unknown word in `also`, or a jaw on a curved face.
     """
-    if body not in (None, "jaw"):
-        raise InputError(
-            f"--body {body!r} is not known beside tips. Give --body jaw, or leave it out"
-        )
-    stages = ("scores", "weak_areas", *(("shear_scores",) if shear else ()), "discretisation")
+    for word in also:
+        if word not in ("shear", "jaw"):
+            raise InputError(
+                f"--also {word!r} is not known. Give --also shear, --also jaw, or both"
+            )
+    sheared = ("shear_scores",) if "shear" in also else ()
+    stages = ("scores", "weak_areas", *sheared, "discretisation")
     compared = 1 < len(paths) <= MOST
     result = run_chain(paths, (*stages, "scene") if compared else stages, out, overrides)
-    for path in paths if body else ():
+    for path in paths if "jaw" in also else ():
         run = Run(load_spec(path, overrides))
         title = (
             f"{run.spec.name}: a flat jaw over each face at {run.spec.score.force_n:g} N, and tips"

@@ -16,9 +16,7 @@ _SECONDS = {"h": 3600, "d": 86_400, "w": 604_800}
 """Seconds of each unit."""
 
 
-def look_after_store(
-    root: Path, by_hash: bool, space: str | None, older_than: str | None
-) -> dict[str, Any]:
+def look_after_store(root: Path, by_hash: bool, to_free: str | None) -> dict[str, Any]:
     """Return what lies in the store, after space was freed where that is asked.
 
     Raises
@@ -28,15 +26,14 @@ def look_after_store(
     StoreError
         The store cannot be written.
     """
-    least_bytes = None if space is None else _read(space, _BYTES, "--free", "5GB")
-    age_s = None if older_than is None else _read(older_than, _SECONDS, "--older-than", "30d")
+    wanted = None if to_free is None else _size_or_age(to_free)
     if not root.is_dir():
         raise InputError(
             f"there is no store {root}. Go to the folder where instobj ran, or set INSTOBJ_STORE"
         )
     freed: list[Entry] = []
-    if least_bytes is not None or age_s is not None:
-        freed = _freed(root, least_bytes, age_s or 0.0)
+    if wanted is not None:
+        freed = _freed(root, *wanted)
     stored = entries(root, by_hash)
     damaged = [entry for entry in stored if entry.state == DAMAGED]
     return {
@@ -63,15 +60,19 @@ def _freed(root: Path, least_bytes: int | None, age_s: float) -> list[Entry]:
         ) from error
 
 
-def _read(text: str, units: dict[str, int], option: str, example: str) -> int:
+def _size_or_age(text: str) -> tuple[int | None, float]:
+    """Bytes to free of a size, and the least age (s) of what goes; all that is older, of an age."""
     match = re.fullmatch(r"(\d+(?:\.\d+)?)\s*([A-Za-z]+)", text.strip())
-    names = {name.lower(): count for name, count in units.items()}
-    if match is None or match[2].lower() not in names:
-        raise InputError(
-            f"{option} must be a number with one of {', '.join(units)}; got {text!r}. Give it like "
-            f"{example}"
-        )
-    return round(float(match[1]) * names[match[2].lower()])
+    unit = match[2].lower() if match else ""
+    for units in (_BYTES, _SECONDS):
+        for name, count in units.items():
+            if match and name.lower() == unit:
+                number = round(float(match[1]) * count)
+                return (number, 0.0) if units is _BYTES else (None, number)
+    raise InputError(
+        f"--free must be a number with one of {', '.join((*_BYTES, *_SECONDS))}; got {text!r}. Give it "
+        "like 5GB, or 30d for what was not used for 30 days"
+    )
 
 
 def _row(entry: Entry) -> dict[str, Any]:

@@ -86,7 +86,7 @@ def tolerance_text(spec: ObjectSpec, name: str) -> str:
     t = spec.tolerances
     sizes = {
         "magnet_seat": f"{t.magnet_seat_mm:g} mm",
-        "magnet_depth": f"{t.magnet_seat_depth_mm:g} mm",
+        "magnet_depth": f"{t.magnet_seat_mm:g} mm",
         "magnet_tilt": f"{t.magnet_tilt_deg:g}°",
         "remanence": f"{100 * t.remanence_relative:g} %",
         "sensor_seat": f"{t.sensor_seat_mm:g} mm",

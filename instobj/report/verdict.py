@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from design.layout.places.coverage import cell_areas_mm2, covered_share
-from design.spec.learning import LimitsSpec
+from design.spec.learning import SATURATION_MARGIN, LimitsSpec
 from design.spec.object import ObjectSpec
 from estimator.information.scores import PlaceScores, weakest_place
 from estimator.tolerances.saturation import KEPT_BY, Saturation
@@ -63,12 +63,12 @@ def worst_ratio(
     return max(
         position_bound_mm / limits.position_bound_mm,
         detectable_force_n / limits.detectable_force_n,
-        _range_ratio(limits, margin, objects_margin),
+        _range_ratio(margin, objects_margin),
     )
 
 
-def _range_ratio(limits: LimitsSpec, margin: float, objects_margin: float) -> float:
-    return max((1 - margin) / (1 - limits.saturation_margin), 1 - objects_margin)
+def _range_ratio(margin: float, objects_margin: float) -> float:
+    return max((1 - margin) / (1 - SATURATION_MARGIN), 1 - objects_margin)
 
 
 def judge(
@@ -138,8 +138,8 @@ def _saturation(spec: ObjectSpec, margin: float, objects: Saturation) -> Check:
         "How strong: sensor range left free in the deepest press, by the design; virtual objects whose "
         "chips all stay within it",
         f"{100 * margin:.0f} %; {100 * (1 - objects.out_share[-1]):.1f} %",
-        f"≥ {100 * spec.limits.saturation_margin:g} %; ≥ {100 * KEPT_BY:g} %",
-        _range_ratio(spec.limits, margin, objects.margin[-1]),
+        f"≥ {100 * SATURATION_MARGIN:g} %; ≥ {100 * KEPT_BY:g} %",
+        _range_ratio(margin, objects.margin[-1]),
         f"{spec.sensors.part}, ±{spec.sensors.range_mt:g} mT; {objects_text(objects)}",
     )
 

@@ -34,7 +34,7 @@ from instobj.store.content import store_root
 from instobj.store.readers import SECOND_FIDELITY, SIGNALS
 
 _KEPT = {field.name for field in fields(FidelityScore)}
-_SCORER_CHOICES = ("sensor_chip", "shell_thickness_mm", "silicone")
+_SCORER_CHOICES = ("sensor_chip", "shell_thickness_mm")
 """Layouts that share these choices and the magnets' sizes share mechanics and scorers."""
 
 Score = Callable[[ObjectSpec], FidelityScore]

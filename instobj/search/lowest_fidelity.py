@@ -33,6 +33,7 @@ from design.search.space import (
     with_layout,
 )
 from design.search.structure import size_variants, with_structure
+from design.spec.learning import SATURATION_MARGIN
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, SearchSpec
 from design.spec_io import parse_spec
@@ -182,8 +183,10 @@ def structure_fidelity(
     structured = with_structure(space.spec, params)
     limits = structured.search.limits.times_start
     most_counts = full_scale_counts(structured.sensors) / start.counts_over_lowest
-    free = structured.limits.saturation_margin
-    at_most = {"largest_counts": (1 - free) * most_counts, "kept_counts": most_counts} | {
+    at_most = {
+        "largest_counts": (1 - SATURATION_MARGIN) * most_counts,
+        "kept_counts": most_counts,
+    } | {
         name: 1 / (factor * start.scores[name])
         if name in OBJECTIVES_TO_MAXIMIZE
         else factor * start.scores[name]

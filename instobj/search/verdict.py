@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from design.spec.learning import SATURATION_MARGIN
 from design.spec.object import ObjectSpec
 from design.spec.search import OBJECTIVES_TO_MAXIMIZE, OVER_LIMIT, SearchSpec
 from estimator.layouts.fidelity import FidelityScore, regressed_share
@@ -98,7 +99,7 @@ def excess(search: SearchSpec, layout: Promoted, start: Promoted, level: str) ->
     """Shares by which limits are exceeded."""
     reached = layout.levels[level]
     excesses = {
-        "saturation_margin": layout.spec.limits.saturation_margin - reached.saturation_margin,
+        "saturation_margin": SATURATION_MARGIN - reached.saturation_margin,
         "objects_margin": -reached.objects_margin,
     }
     for name, factor in search.limits.times_start.items():
@@ -127,10 +128,10 @@ def objections(
                 f"outweighs what got better: {name} misses its limit by {100 * share:.2g} %"
             )
         elif name == "saturation_margin":
-            free, least = best.levels[level].saturation_margin, best.spec.limits.saturation_margin
+            free, least = best.levels[level].saturation_margin, SATURATION_MARGIN
             reasons.append(
                 f"{100 * free:.2g} % of the sensors' range stays free in the deepest press, less than "
-                f"limits.saturation_margin = {least:g}"
+                f"{100 * least:g} %"
             )
         elif name == "objects_margin":
             reasons.append(

@@ -105,7 +105,8 @@ def test_an_object_is_taken_from_firmware_to_predictions(tmp_path):
     with bench(law=thing.law, counts=thing.counts, channels=channels) as made:
         arguments = ["--port", made.port, "--board-port", made.board_port, "--face", FACE]
         arguments += ["--middle", ",".join(f"{v:g}" for v in MIDDLE_MM), "--yes", "--json"]
-        arguments += ["--depth", 1, "--depth", 2, "--depth", 2.5, "--speed", 2, "--repeats", 2]
+        for part in ("depths_mm=1,2,2.5", "speed_mm_s=2", "repeats=2"):
+            arguments += ["--plan", part]
         pressed = done("bench", "rig", "walk.toml", *arguments, cwd=tmp_path)
     assert pressed["presses"] == 32 + 5
     assert np.ptp(pressed["reference_n"]) < 0.3
@@ -179,12 +180,10 @@ def test_a_recording_of_the_rig_is_validated_and_trains_with_the_twin(tmp_path):
             "rig",
             "walk.toml",
             *arguments,
-            "--depth",
-            1,
-            "--depth",
-            2,
-            "--speed",
-            2,
+            "--plan",
+            "depths_mm=1,2",
+            "--plan",
+            "speed_mm_s=2",
             cwd=tmp_path,
         )
     told = done("recordings", "walk.nc", "--spec", "walk.toml", "--json", cwd=tmp_path)

@@ -118,7 +118,7 @@ def test_an_unknown_command_or_option_is_noticed():
     assert _unknown_in("instobj score cube.toml --speed 3") == ["--speed"]
     assert _unknown_in("score --resume") == ["--resume"]
     assert _unknown_in("--no-such-option") == ["--no-such-option"]
-    assert not _unknown_in("instobj score cube.toml --shear")
+    assert not _unknown_in("instobj score cube.toml --also shear")
 
 
 def _key_exists(key: str) -> bool:

@@ -13,14 +13,14 @@ from estimator.recordings.boards.lines import encode_frame, encode_header
 SMALL_TEXT = """name = "small"
 [sensors]
 count_per_face = 2
-cross_axis_tolerance = 0.01
+chip_spread = [0.0, 0.01]
 [magnets]
 positions_mm = [[0, 0], [10, 6]]
 """
 SMALL = ObjectSpec.model_validate(
     {
         "name": "small",
-        "sensors": {"count_per_face": 2, "cross_axis_tolerance": 0.01},
+        "sensors": {"count_per_face": 2, "chip_spread": [0.0, 0.01]},
         "magnets": {"positions_mm": [[0, 0], [10, 6]]},
     }
 )
@@ -36,7 +36,7 @@ BOX = ObjectSpec.model_validate(
             "count_per_face": 2,
             "radius_mm": 3.5,
             "positions_mm": [_NEAR, _FAR, _NEAR, _FAR, _NEAR],
-            "cross_axis_tolerance": 0.01,
+            "chip_spread": [0.0, 0.01],
         },
         "magnets": {"positions_mm": [[0.0, 0.0], [0.0, 6.6]]},
     }

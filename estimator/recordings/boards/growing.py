@@ -71,7 +71,7 @@ def growing_recording(
     channels: Sequence[str],
     cells: int,
     tips: int,
-    session: int | None,
+    session: int | None = None,
     travel: bool = False,
 ) -> Iterator[GrowingRecording]:
     """Open a recording to append to; its last session goes on unless another is given. `travel` adds
@@ -112,7 +112,7 @@ def _resume(handle: int, path: Path, columns: list[str]) -> tuple[int, int, floa
     if first != header:
         raise RecordingError(
             f"{path} is there with other columns ({first[:60]}…; wanted {header[:60]}…). Give "
-            "another name, or the same channels, --cells and --tips"
+            "another name, or the same channels, load cells and tips"
         )
     os.ftruncate(handle, whole)
     return len(rows), *_last(path, rows), len(content) - whole

@@ -62,7 +62,7 @@ def collect(options: CollectOptions) -> dict[str, Any]:
             with (
                 closing(load_lines(options)) as loads,
                 growing_recording(
-                    options.csv_path, state.channels, state.cells, state.tips, options.session
+                    options.csv_path, state.channels, state.cells, state.tips
                 ) as growing,
             ):
                 _run(chain([first], stream), loads, state, growing, progress)
@@ -70,7 +70,7 @@ def collect(options: CollectOptions) -> dict[str, Any]:
             failure = error
     if growing is None or not growing.rows_before + growing.rows_added:
         raise failure or InputError(
-            f"no labelled frame came ({_counts_text(state)}). Give a load cell's lines, or --force"
+            f"no labelled frame came ({_counts_text(state)}). Give a load cell's lines, or --place FACE:X,Y=N"
         )
     try:
         frames = finish_recording(options.csv_path, options.target)

@@ -119,7 +119,7 @@ def take_load(load: Load, state: Collection, clock: BoardClock) -> None:
     if load.cell > state.cells or len(load.tips_mm) > state.tips:
         raise InputError(
             f"a line came from load cell {load.cell} with {len(load.tips_mm)} tips; this recording "
-            f"holds {state.cells} cells and {state.tips} tips. Give --cells and --tips"
+            f"holds {state.cells} cells and {state.tips} tips. Give --place - for each cell, -:- for two tips"
         )
     time_s = clock.time_s(load.board_ms, time.time())
     state.loads[load.cell] = (time_s, load)
@@ -143,7 +143,7 @@ def take_frame(frame: Frame, time_s: float, state: Collection, growing: GrowingR
     if zeroing:
         state.zero_left -= 1
         state.zero_counts.append(frame.counts)
-        state.waiting = bool(state.options.forces_n)
+        state.waiting = any(force_n is not None for force_n in state.options.forces_n)
 
 
 def _label(cell: int, time_s: float, zeroing: bool, state: Collection) -> list[float] | None:
@@ -169,10 +169,10 @@ def _force_n(
         return _label_at(time_s, load, state.readings[cell])
     if cell in state.loads or state.options.load_port is not None:
         return None
-    given = state.options.forces_n[cell - 1 : cell]
+    given_n = next(iter(state.options.forces_n[cell - 1 : cell]), None)
     if place is None:
-        return 0.0 if given or state.zero_left else None
-    return given[0] if given else None
+        return 0.0 if given_n is not None or state.zero_left else None
+    return given_n
 
 
 def _label_at(time_s: float, last: Load, readings: deque[tuple[float, float]]) -> float:

@@ -10,17 +10,19 @@ import sys
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from math import isfinite
 from pathlib import Path
 
 from design.errors import InputError
 from estimator.recordings.boards.link import replay_chunks, serial_chunks
 
+_NOWHERE = re.compile(r"-(?::-)*")
 _PLACE = re.compile(r"([1-6])((?::-?\d+(?:\.\d*)?,-?\d+(?:\.\d*)?)+)")
 
 
 @dataclass(frozen=True)
 class CollectOptions:
-    """Options of the command line; `places` and `forces_n` are those of load cells 1, 2, …"""
+    """Options of the command line; `places` are those of load cells 1, 2, …, `tips` the most of one."""
 
     out: Path
     port: str | None = None
@@ -29,10 +31,8 @@ class CollectOptions:
     baud: int = 115_200
     speed: float = 1.0
     places: tuple[str, ...] = ()
-    forces_n: tuple[float, ...] = ()
     cells: int | None = None
     tips: int | None = None
-    session: int | None = None
     zero_frames: int = 20
     seconds: float | None = None
     frames: int | None = None
@@ -55,8 +55,13 @@ class CollectOptions:
     @property
     def first_places(self) -> list[Place | None]:
         """Return what each load cell presses at first."""
-        places = [parse_place(text) for text in self.places]
+        places = [parse_place(text.partition("=")[0]) for text in self.places]
         return places + [None] * ((self.cells or 1) - len(places))
+
+    @property
+    def forces_n(self) -> list[float | None]:
+        """Return the constant force (N) of each load cell that `=N` gives one."""
+        return [_force_n(text) for text in self.places]
 
     def enough(self, frames: int, seconds: float) -> bool:
         """Return whether this many frames, or this long, are what was asked for."""
@@ -74,23 +79,38 @@ class Place:
 
 
 def parse_place(text: str) -> Place | None:
-    """`3:1.5,4.5` is face 3 at (1.5, 4.5) mm, `3:0,7.5:0,-7.5` two tips, `-` nothing pressed.
+    """`3:1.5,4.5` is face 3 at (1.5, 4.5) mm, `3:0,7.5:0,-7.5` two tips, `-` or `-:-` nothing pressed.
 
     Raises
     ------
     InputError
         Anything else.
     """
-    if text == "-":
+    if _NOWHERE.fullmatch(text):
         return None
     match = _PLACE.fullmatch(text)
     if match is None:
         raise InputError(
             f"{text!r} is not a contact location. Give FACE:X,Y in mm, such as 3:1.5,-4.5, with :X,Y "
-            "for each further tip, or - where nothing is pressed"
+            "for each further tip, or - where nothing is pressed (-:- by two tips)"
         )
     pairs = [pair.split(",") for pair in match[2][1:].split(":")]
     return Place(int(match[1]), tuple((float(x), float(y)) for x, y in pairs))
+
+
+def _force_n(text: str) -> float | None:
+    place, equals, given = text.partition("=")
+    if not equals:
+        return None
+    try:
+        force_n = float(given)
+    except ValueError:
+        force_n = float("nan")
+    if not isfinite(force_n):
+        raise InputError(
+            f"--place {text}: {given!r} is no force in N. Give one, such as {place}=9.81"
+        )
+    return force_n
 
 
 def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptions]:
@@ -99,13 +119,13 @@ def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptio
     Raises
     ------
     InputError
-        Not exactly one source, a recording replayed into itself, or more places than cells and tips.
+        Not exactly one source, a recording replayed into itself, or no places.
     """
     if (options.port is None) == (options.replay is None):
         raise InputError("give either --port or --replay: where the readings come from")
-    places = [parse_place(text) for text in options.places]
-    cells = max(1, len(places), len(options.forces_n))
-    tips = max([1, *(len(place.tips_mm) for place in places if place)])
+    _ = options.first_places, options.forces_n  # refused before a port is opened
+    cells = max(1, len(options.places))
+    tips = max([1, *(max(1, text.count(":") + text.startswith("-")) for text in options.places)])
     if options.replay is not None:
         from estimator.recordings.formats.files import read_table
 
@@ -117,14 +137,7 @@ def open_source(options: CollectOptions) -> tuple[Generator[bytes], CollectOptio
         cells, tips = max(cells, table.tip_xy_mm.shape[1]), max(tips, table.tip_xy_mm.shape[2])
     else:
         chunks = serial_chunks(options.port or "", options.baud)
-    filled = replace(options, cells=options.cells or cells, tips=options.tips or tips)
-    if (filled.cells or 0) < len(places) or any(
-        p and len(p.tips_mm) > (filled.tips or 0) for p in places
-    ):
-        raise InputError(
-            f"more contact locations than --cells {filled.cells} and --tips {filled.tips} allow. Raise them"
-        )
-    return chunks, filled
+    return chunks, replace(options, cells=options.cells or cells, tips=options.tips or tips)
 
 
 @dataclass

@@ -37,7 +37,6 @@ class Recorder:
                     self.state.channels,
                     self.state.cells,
                     self.state.tips,
-                    options.session,
                 )
             )
         except InstobjError as error:

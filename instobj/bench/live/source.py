@@ -39,7 +39,6 @@ class LiveOptions:
     Attributes
     ----------
     address, page_port : that the page is served on
-    remote : whether an address that other machines reach is meant
     record : whether to record from the beginning
     seconds : how long; None until Ctrl-C
     foxglove : MCAP file, or foxglove[:PORT], in place of the page
@@ -53,28 +52,14 @@ class LiveOptions:
     overrides: tuple[str, ...] = ()
     address: str = "127.0.0.1"
     page_port: int = 8765
-    remote: bool = False
     record: bool = False
     seconds: float | None = None
     foxglove: Path | None = None
 
     @property
     def token(self) -> str:
-        """Return what a browser must know where others reach the page; empty on the loopback.
-
-        Raises
-        ------
-        InputError
-            Such an address without `--remote`.
-        """
-        if is_loopback(self.address):
-            return ""
-        if not self.remote:
-            raise InputError(
-                f"{self.address} can be reached from other machines, which then see and zero the "
-                "readings. Add --remote if that is meant (a token is made), or give --page a port alone"
-            )
-        return secrets.token_urlsafe(16)
+        """Return what a browser must know where others reach the page; empty on the loopback."""
+        return "" if is_loopback(self.address) else secrets.token_urlsafe(16)
 
 
 @dataclass(frozen=True)

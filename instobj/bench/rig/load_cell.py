@@ -118,7 +118,7 @@ class LoadCell:
             raise NoReading(
                 f"at rest the load cell's readings scatter by {self.noise_n:.3g} N, more than "
                 f"{100 * _NOISE_SHARE:g} % of the limit of {limit_n:.3g} N. Is its scale right (mN or grams "
-                "read as N)? --load-scale, or its figures in the specification"
+                "read as N)? --load-port PORT=SCALE, or its figures in the specification"
             )
         self.tare_n, self.tared = float(last.mean()), True
 

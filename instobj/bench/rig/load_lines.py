@@ -55,7 +55,9 @@ def forces_on(port: str, baud: int, scale: float | None) -> Generator[list[float
     """
     chunks: Iterator[bytes] = serial_chunks(port, baud, timeout_s=0.0)
     if scale == 0:
-        raise InputError("--load-scale must not be 0. Give newtons per unit of the numbers sent")
+        raise InputError(
+            "--load-port PORT=0 has no force. Give newtons per unit of the numbers sent"
+        )
     decoder = LineDecoder() if scale is None else NumberLines(scale)
     for chunk in chunks:
         if isinstance(decoder, NumberLines):

@@ -78,7 +78,7 @@ def touched_surface(
     if uneven > UNEVEN_MM:
         raise InputError(
             f"heights of touch on face {face} leave a plane by {uneven:.2f} mm. Check that this face "
-            "lies up, that --middle and --turn are right, and that the object cannot move"
+            "lies up, that --middle is right, and that the object cannot move"
         )
     z, along_x, along_y = plane.tolist()
     return Surface(spec, face, (z, along_x, along_y), uneven)

@@ -63,16 +63,16 @@ class PressSettings:
         rising = all(a < b for a, b in zip((0.0, *self.depths_mm), self.depths_mm, strict=False))
         if not self.depths_mm or not rising:
             raise InputError(
-                f"--depth must grow from above 0, got {list(self.depths_mm)}. Give mm below the "
-                "height of first touch, such as --depth 1 --depth 2"
+                f"--plan depths_mm must grow from above 0, got {list(self.depths_mm)}. Give mm below "
+                "the height of first touch, such as --plan depths_mm=1,2"
             )
         if not self.full_n >= _LEAST_FULL_N:
-            raise InputError(f"--full {self.full_n:g} N must be {_LEAST_FULL_N:g} or more")
+            raise InputError(f"--plan full_n={self.full_n:g} must be {_LEAST_FULL_N:g} N or more")
         least_mm = max(self.approach_mm, self.lift_mm)
         if min(self.approach_mm, self.lift_mm) <= 0 or self.clearance_mm < least_mm:
             raise InputError(f"clearance {self.clearance_mm:g} mm must be {least_mm:g} mm or more")
         if not 1 <= self.strokes <= _MOST_STROKES:
-            raise InputError(f"--strokes {self.strokes} must be 1 to {_MOST_STROKES}")
+            raise InputError(f"--plan strokes={self.strokes} must be 1 to {_MOST_STROKES}")
 
     @property
     def limit_n(self) -> float:
@@ -165,7 +165,7 @@ def bounded_depths_mm(
     if not (depths <= deepest_mm).any():
         raise InputError(
             f"at {depths[0]:g} mm, the least of press.depths_mm, more than {_LIMIT_SHARE * full_n:g} N are "
-            f"expected. Raise --full, or give --depth below {deepest_mm:.2f}"
+            f"expected. Raise full_n, or give --plan depths_mm below {deepest_mm:.2f}"
         )
     return depths[depths <= deepest_mm]
 

@@ -40,7 +40,7 @@ def press_code(settings: PressSettings, surface_mm: float, safe_mm: float) -> li
     if used > RECEIVE_BYTES:
         raise InputError(
             f"a press with {len(settings_of_press.depths_mm)} stops takes {used} characters, and the machine "
-            f"holds {RECEIVE_BYTES}: the tip would stay down if the cable came out. Give fewer --depth"
+            f"holds {RECEIVE_BYTES}: the tip would stay down if the cable came out. Give fewer depths_mm"
         )
     return parts
 

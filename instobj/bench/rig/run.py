@@ -168,9 +168,9 @@ def _require_bounded(law: ContactLaw, settings: PressSettings) -> None:
     deepest_mm, most_mm = settings.depths_mm[-1], law.depth_mm(settings.limit_n)
     if deepest_mm > most_mm:
         raise InputError(
-            f"--depth {deepest_mm:g}: about {law.force_n(deepest_mm):.0f} N are expected there, and "
-            f"everything stops at {settings.limit_n:.3g} N. Give --depth below {most_mm:.2f}, or "
-            "raise --full"
+            f"--plan depths_mm={deepest_mm:g}: about {law.force_n(deepest_mm):.0f} N are expected there, and "
+            f"everything stops at {settings.limit_n:.3g} N. Give --plan depths_mm below {most_mm:.2f}, or "
+            "raise full_n"
         )
 
 

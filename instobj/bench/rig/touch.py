@@ -198,6 +198,7 @@ def _stiffness(
         raise InputError(
             f"{depth_mm:.2f} mm below its first touch the load cell says {forces_n[-1]:.2g} N, and about "
             f"{station.witnesses.law.force_n(depth_mm):.2g} N are expected{likely_unit(ratio)}. Correct "
-            "--load-scale or the load cell's figures in the specification; or is silicone's modulus wrong?"
+            "--load-port PORT=SCALE or the load cell's figures in the specification; or is silicone's "
+            "modulus wrong?"
         )
     return ratio

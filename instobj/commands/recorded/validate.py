@@ -14,6 +14,7 @@ from design.errors import InputError
 from design.layout.places.positions import sensor_layout
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
+from instobj.commands.recorded.validate_travel import EXCHANGES, validate_on_travel
 from instobj.stages.makers.twin import TRUSTED_PERCENT
 from instobj.stages.run import Run
 from instobj.store.progress import ProgressLine
@@ -87,7 +88,7 @@ def _self_test_texts(result: SelfTest) -> list[str]:
 
 
 def validate_on(
-    path: Path, recordings: list[Path], exchanges: int, out: Path, overrides: list[str]
+    path: Path, recordings: list[Path], out: Path, overrides: list[str]
 ) -> dict[str, Any]:
     """Predicted against recorded presses, each figure with its permutation null.
 
@@ -102,7 +103,6 @@ def validate_on(
     )
     from estimator.recordings.formats.travel import is_travel_recording
     from estimator.recordings.reading import read_recording
-    from instobj.commands.recorded.validate_travel import validate_on_travel
     from instobj.commands.training import travel_forces
 
     if any(is_travel_recording(file) for file in recordings):
@@ -111,7 +111,7 @@ def validate_on(
                 f"of presses of known travel one recording is validated; got {len(recordings)}. Give one "
                 "folder"
             )
-        return validate_on_travel(path, recordings[0], exchanges, out, overrides)
+        return validate_on_travel(path, recordings[0], out, overrides)
     folder = next((file for file in recordings if file.is_dir()), None)
     if folder is not None:
         raise InputError(
@@ -131,7 +131,7 @@ def validate_on(
     require_presses_of(spec, presses)
     absent = sensors_not_recorded(spec, read)
     problem, agreements, predictions = _compare(run, presses)
-    tests = _calibrations(problem, exchanges, run.progress)
+    tests = _calibrations(problem, run.progress)
     freed = groups_freed(problem) if tests else {}
     document = _document(problem, agreements, predictions, tests, freed)
     document["sensors_not_recorded"] = absent
@@ -165,14 +165,12 @@ def _compare(run: Run, presses: RecordedPresses) -> tuple[Problem, list[Agreemen
     return Problem(spec, design, presses, moving, rest, model), agreements, predictions
 
 
-def _calibrations(
-    problem: Problem, exchanges: int, progress: ProgressLine
-) -> list[CalibrationTest]:
+def _calibrations(problem: Problem, progress: ProgressLine) -> list[CalibrationTest]:
     from estimator.calibration.pose_fit import calibration_test, folds_by_case, folds_by_press
 
     presses = problem.presses
     rng = np.random.default_rng((problem.spec.seed, 9))
-    order = exchanged_cases(presses, exchanges, rng)
+    order = exchanged_cases(presses, EXCHANGES, rng)
     if len(presses.cases) < _LEAST_CASES or not len(order):
         return []
     named = {

@@ -19,10 +19,11 @@ if TYPE_CHECKING:
     from estimator.calibration.known_travel.fit import Fitted
     from estimator.recordings.formats.travel import TravelRecording
 
+EXCHANGES = 19
+"""Permutations of the null: 1 of 20 is the p that judgements ask for."""
 
-def validate_on_travel(
-    path: Path, folder: Path, exchanges: int, out: Path, overrides: list[str]
-) -> dict[str, Any]:
+
+def validate_on_travel(path: Path, folder: Path, out: Path, overrides: list[str]) -> dict[str, Any]:
     """Registered on 5 % and calibrated on 10 % of the places, judged on all others.
 
     Results go to `runs/<name>/travel.{json,png}`.
@@ -42,7 +43,7 @@ def validate_on_travel(
     with run.progress.stage("registration, calibration, nulls"):
         judged = fits_and_judged(model, recording, spec.seed)
         agreements = {
-            name: travel_agreement(model, *parts, exchanges, seed=spec.seed)
+            name: travel_agreement(model, *parts, EXCHANGES, seed=spec.seed)
             for name, parts in judged.items()
         }
     fits = {name: fit for name, (fit, *_) in judged.items()}

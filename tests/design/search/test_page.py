@@ -31,7 +31,6 @@ CASES = {
         "vary": {
             "magnet_part": ["D4x2", "MP 12x5x2 / N38"],
             "shell_thickness_mm": [8.0, 9.5],
-            "silicone": ["Ecoflex 00-30", "Dragon Skin 20"],
             "sensor_chip": ["inward", "outward"],
         }
     },

@@ -35,7 +35,6 @@ EVERYTHING = {
     "sensor_reach_mm": 9.0,
     "sensor_chip": ["inward", "outward"],
     "shell_thickness_mm": [8.0, 9.0],
-    "silicone": ["Platsil Gel-10", "Ecoflex 00-30"],
 }
 
 

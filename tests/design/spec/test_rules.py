@@ -201,7 +201,7 @@ def test_what_is_no_sense_is_refused_with_what_was_meant(changes, words):
         ("magnets.height_mm=[1,-2,1,1,1]", "0 and less than or equal to 1000; got -2"),
         ("magnets.tilt_deg=[[31,0]]", "or equal to -30 and less than or equal to 30; got 31"),
         ("contact_grid.count=[1,5]", "or equal to 2 and less than or equal to 100; got 1"),
-        ("limits.saturation_margin=2", "0 and less than 1; got 2"),
+        ("sensors.chip_spread=[2,0]", "or equal to 0 and less than 0.5; got 2"),
         ("seed=-1", "or equal to 0 and less than or equal to 2147483647; got -1"),
     ],
 )

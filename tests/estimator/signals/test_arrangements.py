@@ -161,8 +161,7 @@ def test_chips_within_their_tolerances_have_the_stated_spread():
         {
             "name": "c",
             "sensors": {
-                "gain_tolerance": 0.03,
-                "cross_axis_tolerance": 0.01,
+                "chip_spread": [0.03, 0.01],
             },
         }
     ).sensors
@@ -176,7 +175,7 @@ def test_chips_within_their_tolerances_have_the_stated_spread():
 
 
 def test_real_chips_change_counts_as_their_matrix_says():
-    off = {"gain_tolerance": 0.05, "cross_axis_tolerance": 0.02}
+    off = {"chip_spread": [0.05, 0.02]}
     real, ideal = coarse_spec(sensors=off), coarse_spec()
     chips = chip_errors(real.sensors, 15, real.seed)
     nominal = rest_counts(ideal)

@@ -56,7 +56,7 @@ def test_an_object_that_stands_still_has_none():
 
 def test_gains_of_drawn_chips_count():
     """Errors of chips that the specification draws scale the field's columns as they do its counts."""
-    wrong = CUBE.changed(sensors=CUBE.sensors.changed(gain_tolerance=0.1))
+    wrong = CUBE.changed(sensors=CUBE.sensors.changed(chip_spread=(0.1, 0.0)))
     north = wrong.environment.changed(earth_field_ut=10.0, earth_direction=(1.0, 0.0, 0.0))
     change = rest_counts(wrong.changed(environment=north)) - rest_counts(wrong)
     columns = nuisance_columns(wrong)[:, 0] * 10 / (np.sqrt(2 / 3) * 50)

@@ -83,8 +83,7 @@ def of_states():
 
 
 def of_chips_and_surroundings():
-    tolerances = {"gain_tolerance": 0.05, "cross_axis_tolerance": 0.02}
-    errors = chip_errors(SPEC.sensors.changed(**tolerances), 15, 7)
+    errors = chip_errors(SPEC.sensors.changed(chip_spread=(0.05, 0.02)), 15, 7)
     yield "matrices of drawn chips", errors.matrix
     around = changed(environment={"earth_field_ut": 48.0})
     felt = surroundings(around)

@@ -14,9 +14,7 @@ from estimator.tolerances import assembly, budget, selftest, virtual_object
 from estimator.tolerances.budget import Spread
 
 SPEC = ObjectSpec(name="cube")
-SIZES = SPEC.tolerances.changed(
-    magnet_seat_mm=0.2, sensor_seat_mm=0.3, sensor_rotation_deg=2.0, magnet_seat_depth_mm=0.4
-)
+SIZES = SPEC.tolerances.changed(magnet_seat_mm=0.2, sensor_seat_mm=0.3, sensor_rotation_deg=2.0)
 
 
 def test_bodies_sit_aside_by_their_own_seats():

@@ -16,6 +16,7 @@ from typer.main import get_command
 
 from design.processes import ONE_THREAD
 from instobj.cli.app import app
+from instobj.cli.renamed import OPTIONS
 from tests.support.cli import CUBE, assert_one_clear_error, run, run_apart
 from tests.support.objects.body_cases import BODIES, CORE, GRID, ONE
 
@@ -238,6 +239,37 @@ def test_a_cost_of_a_slip_wants_a_slip(tmp_path):
 )
 def test_options_of_one_text_and_those_that_went_say_what_to_write(words, told, tmp_path):
     assert_one_clear_error(run(*words.split(), cwd=tmp_path), told)
+
+
+@pytest.mark.parametrize(("option", "instead"), sorted(OPTIONS.items()))
+def test_every_option_that_went_says_what_to_write(option, instead, tmp_path):
+    """Options that went from one command alone are asked of that one."""
+    command, _, name = option.rpartition(" ")
+    command = command or "selftest"
+    group = ["bench"] if command in bench_commands() else []
+    done = run(*group, command, name, "1", cwd=tmp_path)
+    assert_one_clear_error(done, f"No such option: {name}", f"It went with 0.2.0: {instead}")
+
+
+def bench_commands():
+    bench = get_command(app).commands["bench"]
+    return bench.commands
+
+
+def shown_options(command):
+    """Yield every option of a command and of those in its group, but for those that are not shown."""
+    for inner in getattr(command, "commands", {}).values():
+        if not inner.hidden:
+            yield from shown_options(inner)
+    yield from (one for one in command.params if one.param_type_name == "option")
+
+
+MOST_OPTIONS = 130
+"""Options of all commands, at most: a new one takes the place of another."""
+
+
+def test_the_commands_gain_no_option():
+    assert 100 < len(list(shown_options(get_command(app)))) <= MOST_OPTIONS
 
 
 def test_an_interrupt_that_a_destructor_meets_is_not_forgotten():

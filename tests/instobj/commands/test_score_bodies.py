@@ -1,4 +1,4 @@
-"""`instobj score --body`: what is known beside tips, and what is refused."""
+"""`instobj score --also jaw`: what is known beside tips, and what is refused."""
 
 from pathlib import Path
 
@@ -11,5 +11,5 @@ CUBE = Path(__file__).parents[3] / "examples" / "paper_cube.toml"
 
 
 def test_only_jaws_are_known_beside_tips(tmp_path):
-    with pytest.raises(InputError, match="--body 'ball' is not known"):
-        score_designs([CUBE], False, "ball", tmp_path, [])
+    with pytest.raises(InputError, match="--also 'ball' is not known"):
+        score_designs([CUBE], ["ball"], tmp_path, [])

@@ -33,7 +33,7 @@ FAULTS = {
     "mean is not better": replace(START, median_position_bound_mm=0.1),
     "median_false_force_n misses its limit by 50 %": replace(BETTER, median_false_force_n=1.8),
     "sensitivity_ratio misses its limit by 1e+02 %": replace(BETTER, sensitivity_ratio=0.15),
-    "1 % of the sensors' range stays free in the deepest press, less than limits.saturation_margin = 0.1": (
+    "1 % of the sensors' range stays free in the deepest press, less than 10 %": (
         replace(BETTER, saturation_margin=0.01)
     ),
     "leave their range by 3 % in the deepest press of more than 5 % of virtual objects": (

@@ -96,7 +96,7 @@ def test_the_command_lists_and_frees_by_age(tmp_path):
     listed = json.loads(run("store", "--json", cwd=tmp_path).stdout)
     assert [row["stage"] for row in listed["entries"]] == ["mesh", "scores"]
     assert all(row["state"] == "result" for row in listed["entries"])
-    done = run("store", "--older-than", "30d", "--json", cwd=tmp_path)
+    done = run("store", "--free", "30d", "--json", cwd=tmp_path)
     freed = json.loads(done.stdout)
     assert [row["stage"] for row in freed["freed"]] == ["mesh"]
     assert freed["freed_bytes"] > 2000
@@ -115,7 +115,7 @@ def test_the_command_finds_a_flipped_bit_and_says_so(tmp_path):
 
 @pytest.mark.parametrize(
     ("words", "said"),
-    [(("--free", "5 apples"), "5GB"), (("--older-than", "soon"), "30d"), ((), "INSTOBJ_STORE")],
+    [(("--free", "5 apples"), "5GB"), (("--free", "soon"), "30d"), ((), "INSTOBJ_STORE")],
 )
 def test_what_cannot_be_read_is_one_error(tmp_path, words, said):
     if words:

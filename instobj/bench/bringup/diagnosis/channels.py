@@ -97,8 +97,8 @@ def held_readings(
     noise = share[:, None, None] * np.asarray(sensors.noise_counts)
     relative = np.sqrt(
         tolerances.sensor_gain_relative**2
-        + sensors.gain_tolerance**2
-        + 2 * sensors.cross_axis_tolerance**2
+        + sensors.chip_spread[0] ** 2
+        + 2 * sensors.chip_spread[1] ** 2
         + 2 * np.deg2rad(tolerances.sensor_rotation_deg) ** 2
         + tolerances.remanence_relative**2
         + _TREMOR_COUNTS**2

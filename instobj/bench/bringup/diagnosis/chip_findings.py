@@ -87,7 +87,7 @@ def _gains(
 
 
 def _tolerance(spec: ObjectSpec) -> float:
-    return float(np.hypot(spec.tolerances.sensor_gain_relative, spec.sensors.gain_tolerance))
+    return float(np.hypot(spec.tolerances.sensor_gain_relative, spec.sensors.chip_spread[0]))
 
 
 def widest_gain_sd(spec: ObjectSpec, axes: Int[np.ndarray, "chip"]) -> Float[np.ndarray, "chip"]:

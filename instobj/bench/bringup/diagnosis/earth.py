@@ -86,7 +86,7 @@ def from_earth(
     has_reading = np.isfinite(means)
     first = np.where(has_reading, means, 0).sum(axis=0) / np.maximum(has_reading.sum(axis=0), 1)
     scale = 1e-3 * spec.sensors.counts_per_mt
-    tolerance = float(np.hypot(spec.tolerances.sensor_gain_relative, spec.sensors.gain_tolerance))
+    tolerance = float(np.hypot(spec.tolerances.sensor_gain_relative, spec.sensors.chip_spread[0]))
     times = (times_s - times_s.mean())[:, None, None]
     unknowns = {
         "field_ut": Unknown(_OPEN_FIELD_UT, (3,)),

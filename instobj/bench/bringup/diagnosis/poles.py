@@ -84,12 +84,9 @@ def _relative(
     spec: ObjectSpec, distance_mm: Float[np.ndarray, "pocket chip"]
 ) -> Float[np.ndarray, "pocket chip"]:
     given = spec.tolerances
-    seats = (
-        given.magnet_seat_mm,
-        given.magnet_seat_depth_mm,
-        given.sensor_seat_mm,
-        given.core_shift_mm,
-    )
+    # along the distance and across it, at the magnet
+    at_magnet = (given.magnet_seat_mm, given.magnet_seat_mm)
+    seats = (*at_magnet, given.sensor_seat_mm, given.core_shift_mm)
     turns = np.deg2rad([given.magnet_tilt_deg, given.sensor_rotation_deg, given.core_yaw_deg])
     fixed = np.sum(turns**2) + given.remanence_relative**2 + given.sensor_gain_relative**2
     return np.sqrt(fixed + (3 * np.linalg.norm(seats) / distance_mm) ** 2)

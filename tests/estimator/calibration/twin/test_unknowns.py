@@ -43,7 +43,7 @@ def test_a_number_moves_its_own_part_by_one_standard_deviation():
         FACE.assembly(numbers(magnet_depth=(1, 1.0))).scene.magnets.centre_mm
         - design.magnets.centre_mm
     )
-    assert_allclose(np.linalg.norm(moved[magnet[1]]), SPEC.tolerances.magnet_seat_depth_mm)
+    assert_allclose(np.linalg.norm(moved[magnet[1]]), SPEC.tolerances.magnet_seat_mm)
     assert_allclose(np.delete(moved, magnet[1], axis=0), 0, atol=1e-12)
     stronger = FACE.assembly(numbers(remanence=(0, -2.0))).scene.magnets.strength
     assert_allclose(stronger[magnet[0]], 1 - 2 * SPEC.tolerances.remanence_relative)

@@ -9,7 +9,7 @@ from instobj.bench.bringup.simulated import brought_up, parse_fault, simulated_o
 from instobj.bench.bringup.verdict import judge
 from tests.support.new_objects import BOX, SMALL
 
-SPEC = ObjectSpec.model_validate({"name": "cube", "sensors": {"cross_axis_tolerance": 0.01}})
+SPEC = ObjectSpec.model_validate({"name": "cube", "sensors": {"chip_spread": [0.0, 0.01]}})
 PLANTED = {
     "swap=F1-S2,F3-S1": ("swapped chips", "F1-S2 and F3-S1"),
     "turn=F5-S1": ("turned chip", "F5-S1"),

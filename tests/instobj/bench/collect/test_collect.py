@@ -112,12 +112,12 @@ def test_the_place_from_the_command_line_and_typed(tmp_path, collected):
     with dummy_board(unplaced) as port:
         options = {"port": port, "zero_frames": 0, "frames": 40}
         collected(**options, places=("3:0,7.5:0,-7.5",))
-        collected(**options, tips=2, session=4, typed="nonsense\n1:-3,6\n")
+        collected(**options, places=("-:-",), typed="nonsense\n1:-3,6\n")
     table = read_table(tmp_path / "cube.nc")
     assert table.tip_xy_mm[0, 0].tolist() == [[0, 7.5], [0, -7.5]]
     assert (table.face[0, 0], table.face[-1, 0]) == (3, 1)
     np.testing.assert_array_equal(table.tip_xy_mm[-1, 0], [[-3, 6], [np.nan, np.nan]])
-    assert table.case.tolist() == [1] * 40 + [4] * 40
+    assert table.case.tolist() == [1] * 80
 
 
 def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
@@ -126,7 +126,7 @@ def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
 
     with dummy_board(bare) as port:
         command = [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port]
-        command += ["--force", "9.81", "--place", "3:0,0", "--zero", "15", "--frames", "40"]
+        command += ["--place", "3:0,0=9.81", "--zero", "15", "--frames", "40"]
         process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE, text=True)
         while rows_of(tmp_path) < 15:
             time.sleep(0.05)
@@ -276,7 +276,7 @@ def test_a_replay_is_the_recording_again(tmp_path, collected):
         ({"port": "/dev/none"}, "cannot open /dev/none.*Ports found"),
         ({"replay": Path("none.csv")}, "no recording at"),
         ({"port": "x", "places": ("7:0,0",)}, "'7:0,0' is not a contact location"),
-        ({"port": "x", "places": ("3:0,0:1,1",), "tips": 1}, "--tips 1"),
+        ({"port": "x", "places": ("3:0,0=heavy",)}, "'heavy' is no force in N"),
     ],
 )
 def test_what_cannot_be_collected(collected, options, words):

@@ -189,7 +189,6 @@ def test_a_data_set_is_replayed_with_its_labels():
         ({}, "give one of --port, --replay and --demo.* got 0"),
         ({"port": "/dev/nothing", "demo": True}, "got 2"),
         ({"port": "/dev/nothing"}, "give the specification"),
-        ({"demo": True, "address": "10.0.0.1"}, "can be reached from other machines.* --remote"),
     ],
 )
 def test_what_cannot_be_shown(tmp_path, given, words):
@@ -222,7 +221,7 @@ def test_a_port_that_cannot_be_opened_is_told_before_solids_are_built(tmp_path, 
 def test_only_other_addresses_have_a_token(tmp_path):
     readings = CollectOptions(tmp_path / "x")
     assert LiveOptions(None, readings).token == ""
-    far = LiveOptions(None, readings, address="192.168.0.5", remote=True)
+    far = LiveOptions(None, readings, address="192.168.0.5")
     assert len(far.token) >= 20
     assert far.token != far.token
 

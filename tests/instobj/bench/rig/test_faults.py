@@ -576,8 +576,8 @@ def test_numbers_of_a_cell_on_its_own_line_are_checked_too(tmp_path):
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
-        ({"depths_mm": (4.0,)}, "about 29 N are expected there.*--depth below"),
-        ({"depths_mm": (9.0,), "full_n": 400.0}, "--depth below 7.6"),  # the shell is 8 mm thick
+        ({"depths_mm": (4.0,)}, "about 29 N are expected there.*depths_mm below"),
+        ({"depths_mm": (9.0,), "full_n": 400.0}, "depths_mm below 7.6"),  # the shell is 8 mm thick
     ],
 )
 def test_depths_that_the_specification_does_not_bear_are_refused(tmp_path, settings, words):

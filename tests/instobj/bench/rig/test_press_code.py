@@ -76,11 +76,11 @@ def test_every_stroke_is_one_part_and_ends_clear_of_the_surface():
 def test_a_press_and_its_retraction_fit_into_the_machine_or_are_refused():
     (part,) = press_code(PressSettings((1.0, 2.0, 3.0, 4.0)), -112.345, -107.345)
     assert sum(len(line) + 1 for line in part) <= 127
-    with pytest.raises(InputError, match="Give fewer --depth"):
+    with pytest.raises(InputError, match="Give fewer depths_mm"):
         press_code(PressSettings((1.0, 1.5, 2.0, 2.5, 3.0, 4.0)), -112.345, -107.345)
 
 
 @pytest.mark.parametrize("wrong", [{"strokes": 0}, {"strokes": 2, "lift_mm": 9.0}])
 def test_strokes_that_cannot_be_done_are_refused(wrong):
-    with pytest.raises(InputError, match=r"(--strokes|clearance)"):
+    with pytest.raises(InputError, match=r"(strokes=|clearance)"):
         PressSettings((1.0,), **wrong)

@@ -288,8 +288,8 @@ def killed(made, given, when):
         made.board_port,
     ]
     arguments += ["--out", str(given.out), "--face", "3", "--middle", "-150,-100,-8", "--yes"]
-    arguments += ["--depth", "1", "--depth", "2", "--speed", "4", "--presses", "3"]
-    arguments += ["--reference-every", "0"]
+    for part in ("depths_mm=1,2", "speed_mm_s=4", "presses=3", "reference_every=0"):
+        arguments += ["--plan", part]
     code = "from instobj.cli.app import main; main()"
     process = subprocess.Popen([sys.executable, "-c", code, *arguments])
     made.plan = once(lambda made: process.kill(), when)

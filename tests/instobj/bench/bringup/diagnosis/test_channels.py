@@ -114,7 +114,7 @@ def test_the_errors_of_held_readings_are_those_of_all_tolerances_together():
             remanence_relative=0.04,
             sensor_seat_mm=0.2,
         ),
-        sensors=SMALL.sensors.changed(gain_tolerance=0.02, cross_axis_tolerance=0.015),
+        sensors=SMALL.sensors.changed(chip_spread=(0.02, 0.015)),
     )
     counts = np.zeros((3, CHIPS, 3))
     found = held_readings(spec, counts, np.array([0.25, 1.0, 0.04]), 6.0)
