@@ -19,7 +19,7 @@ from estimator.information.shear import ShearSignals
 from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
 from estimator.inversion.jaws import JawFit, Jaws, JawTable
-from estimator.inversion.lying import lying_chips
+from estimator.inversion.lying import log_evidence_without, lying_chips
 from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
 from estimator.inversion.model.noise import Disturbances, disturbances
@@ -86,8 +86,8 @@ class Inversion:
         return f"F{faces[face]}-{sensor + 1}"
 
     @cached_property
-    def magnet_columns(self) -> Float[np.ndarray, "channel k"]:
-        """Return what a magnet near the object adds, counts per standard deviation."""
+    def magnet_columns(self) -> tuple[Float[np.ndarray, "channel k"], ...]:
+        """Return what a magnet near the object adds, counts per standard deviation, by its distance."""
         return magnet_columns(self.model.spec)
 
     @cached_property
@@ -171,9 +171,13 @@ class Inversion:
             chip = lying_chips(search, observations.select(strange), error)
             rows, chip = strange[chip != NONE], chip[chip != NONE]
             if len(rows):
-                *again, _ = self.read_once(search, observations.select(rows).without(chip), error)
+                frames = observations.select(rows)
+                *again, sound = self.read_once(search, frames.without(chip), error)
+                lies = ~BesideMagnet(frames, self.magnet_columns).is_likelier_than_chip(
+                    search, believed.select(rows), log_evidence_without(search, frames, chip, sound)
+                )
                 sets = [
-                    old.replaced(rows, replace(new, chip_out=chip))
+                    old.replaced(rows[lies], replace(new.select(lies), chip_out=chip[lies]))
                     for old, new in zip(sets, again, strict=True)
                 ]
         return self._read_beside_magnet(search, observations, error, (sets[0], sets[1]), believed)
@@ -222,7 +226,7 @@ class Inversion:
             return sets
         frames = BesideMagnet(observations.select(rows), self.magnet_columns)
         *again, wide = self.read_once(search, frames.wide, error)
-        better = frames.comparable(wide) > believed.log_evidence[rows]
+        better = frames.log_evidence(search, wide.problems) > believed.log_evidence[rows]
         best, second = (
             old.replaced(rows[better], replace(new.select(better), p_value=np.zeros(better.sum())))
             for old, new in zip(sets, again, strict=True)

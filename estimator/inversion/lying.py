@@ -9,7 +9,8 @@ from estimator.inversion.explained import ErrorShare
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import BLIND, Observations, Problems
-from estimator.inversion.search import Search
+from estimator.inversion.search import Hypotheses, Search
+from estimator.signals.hall import full_scale_counts
 
 _EXPLAINS = 0.02
 """Least p value of a frame without the chip: of some fifteen tries on a frame that no contact explains
@@ -56,6 +57,23 @@ def lying_chip_beside(
     p_value = error.refitted_p_values(tried, fit, error.share)
     best = int(p_value.argmax())
     return int(chips[best]) if p_value[best] >= _EXPLAINS else NONE
+
+
+def log_evidence_without(
+    search: Search,
+    observations: Observations,
+    chip: Int[np.ndarray, "frame"],
+    sets: Hypotheses,
+) -> Float[np.ndarray, "frame"]:
+    """Return the log evidence of sets found without a chip, one a frame, on the scale of those of frames
+    in which all is believed: what the chip shows may be anything in its range."""
+    seen = observations.without(chip)
+    out = observations.sigma != seen.sigma
+    anywhere = np.log(2 * full_scale_counts(search.model.spec.sensors))
+    # 1 / range instead of 1 / (σ √(2π)) for each channel of the chip, and what the others share
+    lost = np.where(out, anywhere - np.log(np.sqrt(2 * np.pi) * observations.sigma), 0.0)
+    spread = observations.white.log_spread() - seen.white.log_spread()
+    return sets.log_evidence + spread - lost.sum(axis=1)
 
 
 def _p_without(

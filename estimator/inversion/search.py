@@ -8,7 +8,7 @@ best of all numbers together to the end: half of the time of fitting each, with 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -51,6 +51,11 @@ class Hypotheses:
 
     problems: Problems
     log_evidence: Float[np.ndarray, "problem"]
+
+    def select(self, rows: Int[np.ndarray, "some"]) -> Hypotheses:
+        """Return some of the sets, as sets of the frames 0, 1, 2, …"""
+        few = replace(self.problems.select(rows), frame=np.arange(len(rows)))
+        return Hypotheses(few, self.log_evidence[rows])
 
     def distinct(self) -> Hypotheses:
         """Return the sets without repeats; equal number and evidence mark a repeat."""

@@ -12,7 +12,7 @@ from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.inversion import Inversion
 from estimator.inversion.jaws import JawFit
-from estimator.inversion.lying import lying_chip_beside, lying_chips
+from estimator.inversion.lying import log_evidence_without, lying_chip_beside, lying_chips
 from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
@@ -31,7 +31,8 @@ _LONGEST_PAUSE = 8
 _WORSE = 0.1
 """A p value that falls by more than this ends the wait."""
 _LEARNT_EVERY = 5
-"""Interval, in pressed frames, at which the error of the model is learnt."""
+"""Interval, in pressed frames, at which the error of the model is learnt, and at which contacts that go on
+are weighed against a magnet."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
 _TRUSTED_AFTER = 8
@@ -92,7 +93,11 @@ class Tracker:
         self._strange = 0 if sets.explained[0] else self._strange + 1
         if self._strange:
             sets = self._diagnosed(plain, last, sets)
-        elif self._jaws is None and self._is_magnet(plain):
+        elif (
+            self._jaws is None
+            and (changed or self._pressed % _LEARNT_EVERY == 0)
+            and self._is_magnet(plain)
+        ):
             sets = self._turned(plain, None, NONE, magnet=True)
         if self.beside_magnet:
             sets = replace(sets, p_value=np.zeros(1))
@@ -132,7 +137,7 @@ class Tracker:
     def _seen(self, plain: Observations) -> Observations:
         """Return the frame without a chip that lies, or with a magnet near by, where that is believed."""
         if self.beside_magnet:
-            return plain.add_nuisances(self.inversion.magnet_columns)
+            return plain.add_nuisances(self.inversion.magnet_columns[0])
         return plain if self._chip_out == NONE else plain.without(np.array([self._chip_out]))
 
     def _believe_again(self, plain: Observations) -> None:
@@ -172,20 +177,31 @@ class Tracker:
             empty(plain, np.zeros(1, int), search.priors.most) if previous is None else previous
         )
         chip = lying_chip_beside(search, plain, previous, error)
-        if chip != NONE:
+        if chip != NONE and self._chip_lies(plain, previous, chip):
             return self._turned(plain, previous, chip, magnet=False)
         if self._is_magnet(plain):
             return self._turned(plain, None, NONE, magnet=True)
         if self._strange < 2 or self._strange & (self._strange - 1):
             return sets
         (chip,) = lying_chips(search, plain, error).tolist()
-        if chip != NONE:
+        if chip != NONE and self._chip_lies(plain, previous, chip):
             return self._turned(plain, None, chip, magnet=False)
         beside = self._turned(plain, None, NONE, magnet=True)
         if beside.explained[0]:
             return beside
         self.beside_magnet, self._last = False, contacts
         return sets
+
+    def _chip_lies(self, plain: Observations, contacts: Problems, chip: int) -> bool:
+        """Return whether a chip that lies is more probable than a magnet near by, with contacts near the
+        given ones."""
+        search, out = self.inversion.search, np.array([chip])
+        given = contacts.frame, contacts.face, contacts.contact, None, 1, _STEPS
+        fit = most_probable(search.model, search.priors, plain.without(out), *given).to_host()
+        sound = search.judged(fit)
+        beside = BesideMagnet(plain, self.inversion.magnet_columns)
+        evidence = log_evidence_without(search, plain, out, sound)
+        return not beside.is_likelier_than_chip(search, sound, evidence)[0]
 
     def _turned(
         self, plain: Observations, contacts: Problems | None, chip: int, magnet: bool

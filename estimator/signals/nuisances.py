@@ -20,11 +20,11 @@ from estimator.signals.presses import rest_counts
 
 AMBIENT_FIELD = "ambient field"
 """Name of the nuisance whose unknowns are x, y and z of a uniform field."""
-_MOMENT_AM2 = 0.13
-"""Deviation of a magnet's moment: Ø8 × 2.3 mm of 1.4 T. Strong ones are far from any contact anyway; a
-wider prior would leave weak ones at 80 mm to contacts."""
-_NEAREST_MM, _FARTHEST_MM = 25.0, 130.0
-"""Distances of such magnets beyond the farthest chip: nearer ones pull the object's own magnets."""
+_MOMENT_AM2 = 0.4
+"""Deviation of a foreign magnet's moment: Ø10 × 5 mm of 1.3 T."""
+_SHELLS_MM = ((25.0, 45.0), (45.0, 75.0), (75.0, 130.0))
+"""Distances of such magnets beyond the farthest chip: nearer ones pull the object's own magnets. One wide
+prior for all of them would leave far ones to contacts: it asks for gradients ten times as large."""
 _DRAWN_MAGNETS, _MAGNET_COLUMNS = 2000, 15
 """Magnets drawn, and columns kept: a uniform field, its 5 gradients and 7 second derivatives."""
 
@@ -88,29 +88,40 @@ def warmth(spec: ObjectSpec) -> Nuisance:
     return Nuisance("temperature", "K", deviation_k, deviation_k * per_k)
 
 
-def magnet_columns(spec: ObjectSpec) -> Float[np.ndarray, "channel k"]:
+def magnet_columns(spec: ObjectSpec) -> tuple[Float[np.ndarray, "channel k"], ...]:
     """Return columns A, with A Aᵀ the covariance of the counts that a magnet near the object adds.
 
-    No contact adds these. Magnets are drawn: dipoles in any direction and distance (log-uniform).
-    The columns kept hold all but 5 % of a channel's deviation; they feel steel with a moment too.
+    One array for each shell of distances, the nearest first. No contact adds these. Magnets are
+    drawn: dipoles in any direction and distance (log-uniform). The columns kept hold all but 5 % of
+    a channel's deviation; they feel steel with a moment too.
     """
-    place, rng = scene(spec), np.random.default_rng(0)
+    place = scene(spec)
     sensors_mm = place.sensors.position_mm
     farthest_mm = float(np.linalg.norm(sensors_mm, axis=1).max())
-    low, high = np.log([farthest_mm + _NEAREST_MM, farthest_mm + _FARTHEST_MM])
+    # n magnet, s sensor, a chip axis, c coordinate of the object
+    axes = spec.sensors.counts_per_mt * (place.chips.matrix @ place.sensors.axes)
+    columns = []
+    for shell_mm in _SHELLS_MM:
+        field_mt = _drawn_dipoles_mt(sensors_mm, farthest_mm + np.array(shell_mm))
+        counts = np.einsum("sac,nsc->nsa", axes, field_mt).reshape(_DRAWN_MAGNETS, -1)
+        _, size, rows = np.linalg.svd(counts / _DRAWN_MAGNETS**0.5, full_matrices=False)
+        columns.append((size[:_MAGNET_COLUMNS, None] * rows[:_MAGNET_COLUMNS]).T)
+    return tuple(columns)
+
+
+def _drawn_dipoles_mt(
+    sensors_mm: Float[np.ndarray, "sensor 3"], shell_mm: Float[np.ndarray, "2"]
+) -> Float[np.ndarray, "magnet sensor 3"]:
+    """Return the fields (mT) of dipoles drawn in a shell of distances from the middle."""
+    rng = np.random.default_rng(0)
     way = rng.standard_normal((_DRAWN_MAGNETS, 1, 3))
     way /= np.linalg.norm(way, axis=2, keepdims=True)
+    low, high = np.log(shell_mm)
     distance_mm = np.exp(rng.uniform(low, high, (_DRAWN_MAGNETS, 1, 1)))
     moment = _MOMENT_AM2 / 3**0.5 * rng.standard_normal((_DRAWN_MAGNETS, 1, 3))
     offset_mm = sensors_mm - distance_mm * way
     far_mm = np.linalg.norm(offset_mm, axis=2, keepdims=True)
     direction = offset_mm / far_mm
     # Dipole (Jackson, Classical Electrodynamics, 3rd ed., 5.56), μ0/4π = 1e-7; mT and mm: 1e3 · 1e9
-    field_mt = (
-        1e5 / far_mm**3 * (3 * direction * (direction * moment).sum(axis=2, keepdims=True) - moment)
-    )
-    # n magnet, s sensor, a chip axis, c coordinate of the object
-    axes = spec.sensors.counts_per_mt * (place.chips.matrix @ place.sensors.axes)
-    counts = np.einsum("sac,nsc->nsa", axes, field_mt).reshape(_DRAWN_MAGNETS, -1)
-    _, size, rows = np.linalg.svd(counts / _DRAWN_MAGNETS**0.5, full_matrices=False)
-    return (size[:_MAGNET_COLUMNS, None] * rows[:_MAGNET_COLUMNS]).T
+    along = (direction * moment).sum(axis=2, keepdims=True)
+    return 1e5 / far_mm**3 * (3 * direction * along - moment)

@@ -49,12 +49,22 @@ def earth_fields_t(rng, frames, earth_ut=50.0):
     return 1e-6 * earth_ut * direction / np.linalg.norm(direction, axis=2, keepdims=True)
 
 
-def zeroed_counts(spec, motion, rng, turned=True, earth_ut=50.0):
+def foreign_magnets_t(spec, rng, frames, distance_mm, moment_am2):
+    """Field (frame, sensor, 3) of a dipole anywhere at a distance from the middle, in any direction."""
+    sensors_m, field = sensor_layout(spec).position_mm / 1e3, []
+    for place, moment in rng.standard_normal((frames, 2, 3)):
+        position = 1e-3 * distance_mm * place / np.linalg.norm(place)
+        moment = moment_am2 * moment / np.linalg.norm(moment)
+        field.append(magpylib.misc.Dipole(moment=moment, position=position).getB(sensors_m))
+    return np.array(field)
+
+
+def zeroed_counts(spec, motion, rng, turned=True, earth_ut=50.0, foreign_t=0.0):
     """Changes of counts (frame, channel) against a zero of each frame's own, taken in another orientation
-    with the error that the specification has."""
+    with the error that the specification has; `foreign_t` has come since."""
     before, now = earth_fields_t(rng, len(motion), earth_ut)
     now = now if turned else before
     still = magnets_field_t(spec, np.zeros((1, *motion.shape[1:])))
     zero = expected_counts(spec, still + before[:, None])
     zero += spec.sensors.zeroing_counts * rng.standard_normal(zero.shape)
-    return read_out(spec, magnets_field_t(spec, motion) + now[:, None], rng) - zero
+    return read_out(spec, magnets_field_t(spec, motion) + now[:, None] + foreign_t, rng) - zero

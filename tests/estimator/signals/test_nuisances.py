@@ -1,6 +1,7 @@
 """Changes since the zero: sizes by hand, and the counts that the whole forward chain adds for them."""
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose
 
 from design.spec.object import ObjectSpec
@@ -63,12 +64,13 @@ def test_gains_of_drawn_chips_count():
     assert_allclose(columns, change.ravel(), atol=1e-8)
 
 
-def test_columns_of_a_magnet_hold_what_magnets_near_the_object_add():
-    """By the forward chain, with exact disks in place of dipoles: Ø10 × 5 mm at 70 mm of the middle."""
-    columns, rng = magnet_columns(CUBE), np.random.default_rng(5)
-    left, whole = [], []
+@pytest.mark.parametrize(("shell", "distance_mm"), [(0, 50), (1, 70), (2, 110)])
+def test_columns_of_a_magnet_hold_what_magnets_near_the_object_add(shell, distance_mm):
+    """By the forward chain, with exact disks in place of dipoles: Ø10 × 5 mm, in the shell of its distance."""
+    columns, rng = magnet_columns(CUBE)[shell], np.random.default_rng(5)
+    left, whole, size = [], [], []
     for place, axis in rng.standard_normal((12, 2, 3)):
-        position = tuple((70 * place / np.linalg.norm(place)).tolist())
+        position = tuple((distance_mm * place / np.linalg.norm(place)).tolist())
         magnet = {"position_mm": position, "axis": tuple(axis.tolist())}
         magnet |= {"diameter_mm": 10.0, "height_mm": 5.0, "remanence_t": 1.4}
         around = CUBE.environment.changed(magnets=[magnet])
@@ -76,4 +78,7 @@ def test_columns_of_a_magnet_hold_what_magnets_near_the_object_add():
         unknowns = np.linalg.lstsq(columns, change, rcond=None)[0]
         left.append(np.linalg.norm(change - columns @ unknowns))
         whole.append(np.linalg.norm(change))
+        size.append(np.linalg.norm(columns))
     assert np.linalg.norm(left) < 0.1 * np.linalg.norm(whole)
+    # what is expected of such a magnet is as large as what it adds
+    assert 0.5 < np.linalg.norm(whole) / np.linalg.norm(size) < 2

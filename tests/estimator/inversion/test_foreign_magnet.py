@@ -1,0 +1,116 @@
+"""Magnets near the object, by a second forward model: no place is believed, and light presses still are."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.stats import multivariate_normal
+
+from estimator.inversion.lying import log_evidence_without
+from estimator.inversion.magnets import BesideMagnet
+from estimator.inversion.model.forward import NONE
+from estimator.inversion.problems import empty
+from estimator.inversion.tracking import Tracker
+from tests.estimator.inversion.test_turned import motion_of, right
+from tests.support.mechanics.inverted import SPEC, contacts, inverted
+from tests.support.turned_frames import foreign_magnets_t, zeroed_counts
+
+FRAMES = 30
+STILL = np.zeros((FRAMES, 25, 6))
+
+
+def beside_magnet(distance_mm, moment_am2, motion=STILL, seed=11):
+    rng = np.random.default_rng(seed)
+    foreign_t = foreign_magnets_t(SPEC, rng, len(motion), distance_mm, moment_am2)
+    return zeroed_counts(SPEC, motion, rng, foreign_t=foreign_t)
+
+
+def doubting():
+    """A reader that believes its model wrong by 17 % of the signals."""
+    told = replace(inverted().disturbances, model_error=np.full(45, 0.17))
+    return replace(inverted(), disturbances=told)
+
+
+@pytest.mark.parametrize("reader", [inverted, doubting])
+def test_a_magnet_is_no_contact(reader):
+    """Its gradients are those of a press of 2 to 4 N, but for what the other chips show."""
+    magnets = [(60, 0.1), (80, 0.4), (90, 0.4), (110, 1.0)]
+    found, _ = reader().read(np.concatenate([beside_magnet(*magnet) for magnet in magnets]))
+    assert np.mean(found.explained & (found.number > 0)) <= 0.09
+    assert np.mean(found.number > 0) <= 0.12
+
+
+def test_a_tracker_believes_no_place_beside_a_magnet_at_80_mm():
+    found = [Tracker(inverted()).feed(frame) for frame in beside_magnet(80, 0.4)]
+    assert np.mean([one.explained[0] and one.number[0] > 0 for one in found]) <= 0.07
+
+
+def test_no_chip_is_blamed_for_a_magnet():
+    """Without any one chip, contacts explain one frame in ten."""
+    found, _ = inverted().read(beside_magnet(80, 0.4))
+    assert np.mean(found.chip_out != NONE) <= 0.03
+
+
+def test_contacts_beside_a_magnet_are_read_and_no_others():
+    face, contact = contacts(np.random.default_rng(3), FRAMES, 1, (5.0, 8.0))
+    found, _ = inverted().read(beside_magnet(80, 0.4, motion_of(face, contact)))
+    assert np.mean(right(found, face)) >= 0.8
+    assert np.mean(found.explained & (found.number > 1)) <= 0.12
+
+
+def test_light_presses_are_no_magnets():
+    """As many are read and believed as by a reader that knows no magnet."""
+    face, contact = contacts(np.random.default_rng(21), 60, 1, (1.0, 2.5))
+    counts = zeroed_counts(SPEC, motion_of(face, contact), np.random.default_rng(22))
+    reader = inverted()
+    believed = []
+    seen = reader.disturbances.observed(counts)
+    for found in (
+        reader.read(counts)[0],
+        reader.read_once(reader.search, seen, reader.error_share())[0],
+    ):
+        believed.append(np.mean(found.explained & right(found, face)))
+    assert believed[1] > 0.4, "else nothing is to be lost"
+    assert believed[0] > believed[1] - 0.05
+
+
+def nothing_seen(frames):
+    counts = np.random.default_rng(5).normal(0, 60, (frames, 45))
+    seen = inverted().disturbances.observed(counts)
+    sets = inverted().search.judged(empty(seen, np.arange(frames), 6))
+    covariance = [np.diag(sigma**2) + seen.columns @ seen.columns.T for sigma in seen.still]
+    return seen, sets, counts, covariance
+
+
+def test_evidence_of_a_magnet_is_that_of_normal_densities():
+    """By scipy's: the mean over the shells, over the density without a magnet, but for a constant."""
+    seen, sets, counts, covariance = nothing_seen(4)
+    shells = inverted().magnet_columns
+    beside = BesideMagnet(seen, shells).log_evidence(inverted().search, sets.problems)
+    expected = []
+    for frame, plain in zip(counts, covariance, strict=True):
+        near = [multivariate_normal(cov=plain + a @ a.T).logpdf(frame) for a in shells]
+        far = multivariate_normal(cov=plain).logpdf(frame)
+        expected.append(np.logaddexp.reduce(near) - np.log(len(shells)) - far)
+    gained = beside - sets.log_evidence
+    assert_allclose(gained - gained[0], np.array(expected) - expected[0], atol=1e-6)
+    assert -3 < gained[0] - expected[0] <= 0, "odds of a magnet: rare, not excluded"
+
+
+def test_evidence_of_a_chip_that_lies_is_that_of_the_other_channels():
+    """By scipy's densities: those of the chip's own are even over the range of counts."""
+    seen, _, counts, covariance = nothing_seen(3)
+    out = np.array([0, 6, 14])
+    search = inverted().search
+    without = search.judged(empty(seen.without(out), np.arange(3), 6))
+    evidence = log_evidence_without(search, seen, out, without)
+    plain = search.judged(empty(seen, np.arange(3), 6)).log_evidence
+    for row, chip in enumerate(out):
+        kept = np.arange(45) // 3 != chip
+        others = multivariate_normal(cov=covariance[row][np.ix_(kept, kept)]).logpdf(
+            counts[row, kept]
+        )
+        whole = multivariate_normal(cov=covariance[row]).logpdf(counts[row])
+        expected = others - 3 * np.log(2 * 32767) - whole
+        assert evidence[row] - plain[row] == pytest.approx(expected, abs=0.05)
