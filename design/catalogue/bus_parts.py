@@ -108,7 +108,8 @@ class Board:
     takes pins of `load_pins` (HX711) or one of `analog_pins`, the first ones unless others are asked
     for; `adc` is what its analogue readings are made of: volts of full scale, steps, and the share of
     the sensor's 5 V that reaches the pin. `load_line_us` is the time of reading and of preparing a
-    line `L`, without its characters.
+    line `L`, without its characters. `battery_pin` reads half a battery's voltage; a board that has
+    one sends by ESP-NOW to a second board, which stands on USB.
     """
 
     name: str
@@ -126,6 +127,7 @@ class Board:
     analog_pins: tuple[str, ...]
     adc: tuple[float, int, float]
     load_line_us: float
+    battery_pin: str = ""
 
 
 BOARDS = read_table("boards", Board)

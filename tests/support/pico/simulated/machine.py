@@ -46,10 +46,16 @@ class Pin:
 
 
 class ADC:
-    """Twelve bits, shown as sixteen."""
+    """Twelve bits, shown as sixteen; a battery of 3.8 V behind a divider of two equal resistors."""
 
-    def __init__(self, pin):
-        assert world.load.pins == (pin.number,)
+    ATTN_11DB = 3
+
+    def __init__(self, pin, atten=None):
+        self.battery = pin.number == world.scene.BATTERY
+        assert (self.battery and atten == ADC.ATTN_11DB) or world.load.pins == (pin.number,)
+
+    def read_uv(self):
+        return 1_900_000
 
     def read_u16(self):
         steps = max(0, min(4095, int(world.load.at(world.now_us() / 1000) / 3300 * 4096)))

@@ -1,4 +1,4 @@
-"""The module `plan.py` of the Pico's firmware: pins, addresses and settings of an object."""
+"""The module `plan.py` of the MicroPython firmware: pins, addresses and settings of an object."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _PARTS = 256
 
 def gpio_of(pin: str) -> int:
     """Number of a pin by its name."""
-    return int(pin.removeprefix("GP"))
+    return int(pin[2:])  # GP12, or IO12 on ESP32s
 
 
 def plan_module(spec: ObjectSpec, plan: BusPlan) -> str:
@@ -43,6 +43,7 @@ def plan_module(spec: ObjectSpec, plan: BusPlan) -> str:
         "CONVERSION_MS": conversion,
         "AXES": tuple(1 + "XYZ".index(axis) for axis in axes_in_order(spec)),
         "RESET": None if plan.reset is None else gpio_of(plan.reset),
+        "BATTERY": gpio_of(plan.board.battery_pin) if plan.board.battery_pin else None,
         "BUSES": tuple(buses),
         "CHANNELS": ",".join(channel_names(spec, plan)),
         **chip_settings(spec, plan),
