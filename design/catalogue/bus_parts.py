@@ -78,6 +78,10 @@ def frame_ms(conversion_ms: float, busy_ms: float) -> float:
     return max(conversion_ms, busy_ms)
 
 
+EXPANDER_NAME = "MCP23017"
+EXPANDER_ADDRESSES = tuple(range(0x20, 0x28))
+EXPANDER_OUTPUTS = tuple(f"GP{port}{bit}" for port in "AB" for bit in range(8))
+"""Outputs of 25 mA each, 125 mA together (Microchip DS20001952), which power sensors."""
 MUX_NAME = "TCA9548A"
 MUX_ADDRESSES = tuple(range(0x70, 0x78))
 MUX_CHANNELS = 8

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from design.catalogue.bus_parts import EXPANDER_OUTPUTS
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
@@ -73,6 +74,8 @@ def _load_cell(spec: ObjectSpec, plan: BusPlan) -> dict[str, object]:
     return {"LOAD_CELL": plan.load.kind, "LOAD_PINS": pins, **load_settings(spec, plan, sum_of)}
 
 
-def _place(chip: ChipOnBus) -> tuple[int | None, ...]:
-    supply = None if chip.supply is None else gpio_of(chip.supply)
+def _place(chip: ChipOnBus) -> tuple[int | tuple[int, int] | None, ...]:
+    supply = None if chip.supply_pin is None else gpio_of(chip.supply_pin)
+    if chip.expander is not None:
+        supply = (chip.expander, EXPANDER_OUTPUTS.index(chip.supply))
     return (chip.bus, chip.factory, chip.address, chip.multiplexer, chip.channel, supply)

@@ -16,7 +16,7 @@ from design.wiring.wires import wires_of
 from instobj.bench.firmware.drawing import wiring_svg
 from instobj.bench.firmware.mega2560_plan import plan_header
 from instobj.bench.firmware.micropython_plan import plan_module
-from instobj.bench.firmware.settings import family_of
+from instobj.bench.firmware.settings import family_of, supply_text
 from instobj.store.readers import ORDERS
 
 _SOURCES = Path(__file__).parent
@@ -97,12 +97,12 @@ def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
 
 def _row(chip: ChipOnBus) -> str:
     channel = "" if chip.channel is None else f"0x{chip.multiplexer:02X} channel {chip.channel}"
-    cells = (chip.label, chip.part, channel, f"0x{chip.address:02X}", chip.supply or "3.3 V")
+    cells = (chip.label, chip.part, channel, f"0x{chip.address:02X}", supply_text(chip))
     return f"| {' | '.join(cells)} |"
 
 
 def _install_micropython(plan: BusPlan) -> str:
-    program = "main.py plan.py chip.py bus.py sensors.py load_cell.py link.py"
+    program = "main.py plan.py chip.py bus.py expander.py sensors.py load_cell.py link.py"
     bridge = _INSTALL_BRIDGE if plan.board.battery_pin else ""
     return _INSTALL_MICROPYTHON.format(files=program) + bridge
 

@@ -69,11 +69,14 @@ def test_followed_along_its_wires_every_pad_reaches_the_board(plan):
                 end = onward[
                     re.sub(r" S([DC])\d$", lambda m: f" S{m[1]}{'A' if m[1] == 'D' else 'L'}", end)
                 ]
+            if "MCP23017" in end:  # powered by the sensor's own output, which the strip's 3V3 feeds
+                assert end == f"MCP23017 0x{chip.expander:02X} (bus {chip.bus}) {chip.supply}"
+                end = onward[end.replace(chip.supply, "VIN")]
             assert onward[end].startswith("board ")
             if pad in ("SDA", "SCL"):
                 pin = getattr(plan.board.buses[chip.bus], pad.lower())
                 assert onward[end].split()[1] == pin
-            if pad == "VCC" and chip.supply:
+            if pad == "VCC" and chip.supply_pin:
                 assert onward[end].split()[1] == chip.supply
 
 

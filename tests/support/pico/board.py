@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from design.catalogue.bus_parts import PICO
+from design.catalogue.bus_parts import EXPANDER_OUTPUTS, PICO
 from design.wiring.bus_plan import choose_plan
 from estimator.recordings.boards.lines import LineDecoder
 from estimator.recordings.boards.link import serial_chunks
@@ -41,7 +41,7 @@ def built(spec, folder, faults=(), end_ms=2000, load=((0, 0.0),), sps=80, board=
             chip.factory,
             chip.multiplexer,
             chip.channel,
-            _pin(chip.supply),
+            _supply(chip),
             field_mt(k),
             celsius(k),
         )
@@ -50,6 +50,7 @@ def built(spec, folder, faults=(), end_ms=2000, load=((0, 0.0),), sps=80, board=
     scene = {
         "CHIPS": chips,
         "MULTIPLEXERS": list(plan.multiplexers),
+        "EXPANDERS": list(plan.expanders),
         "RESET": _pin(plan.reset),
         "FAULTS": list(faults),
         "END_MS": end_ms,
@@ -78,6 +79,13 @@ def packets_of(folder):
     """Packets that a wireless object sent: (MAC, bytes) each."""
     lines = (folder / "air.txt").read_text().splitlines()
     return [tuple(map(bytes.fromhex, line.split())) for line in lines]
+
+
+def _supply(chip):
+    """Number of a pin, or address and output of an expander."""
+    if chip.expander is None:
+        return _pin(chip.supply)
+    return chip.expander, EXPANDER_OUTPUTS.index(chip.supply)
 
 
 def _pin(name):

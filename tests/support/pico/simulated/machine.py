@@ -81,7 +81,8 @@ class I2C:
             raise OSError(_ETIMEDOUT)
         world.advance(int(9 * (1 + count) * self.bit_us) + 1)
         found = [placed for placed in world.chips if placed.answers(self.number, address)]
-        if not found and (self.number, address) not in world.channels:
+        parts = list(world.channels) + world.present()
+        if not found and (self.number, address) not in parts:
             raise OSError(_EIO)
         return found
 
@@ -91,6 +92,8 @@ class I2C:
             placed.chip.write(data)
         if (self.number, address) in world.channels:
             world.channels[self.number, address] = data[0]
+        if (self.number, address) in world.expanders:
+            world.expanders[self.number, address].write(data)
 
     def readfrom_into(self, address, buffer):
         found = self._begin(address, len(buffer))
