@@ -103,12 +103,12 @@ def _board_ends(plan: BusPlan) -> list[tuple[str, str, str]]:
         ]
     ends += [
         (
-            f"strip {_switched(plan, chip.supply)}",
-            f"board {_buffered_pin(plan, chip.supply)}",
+            f"strip {_switched(plan, chip.supply_pin)}",
+            f"board {_buffered_pin(plan, chip.supply_pin)}",
             "VCC",
         )
         for chip in plan.chips
-        if chip.supply_pin
+        if chip.supply_pin is not None
     ]
     return ends
 
