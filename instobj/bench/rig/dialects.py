@@ -30,8 +30,9 @@ class Dialect:
     """Words of a kind of machine.
 
     `hold` stops it at once, `reset` empties its buffers and is answered by a greeting. It answers
-    `queries` with its limits, and `travel` judges them. `room_bytes` of lines are held by it and emptied by `reset`; 0:
-    it would carry them out after a stop, so it gets one line at a time. `boot_s`: its time to start.
+    `queries` with its limits, and `travel` judges them. `room_bytes` of lines are held by it and emptied
+    by `reset`; 0: it would carry them out after a stop, so it gets one line at a time. `boot_s`: its
+    time to start.
     """
 
     speech: Callable[[], Speech]
