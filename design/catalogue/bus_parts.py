@@ -78,6 +78,10 @@ def frame_ms(conversion_ms: float, busy_ms: float) -> float:
     return max(conversion_ms, busy_ms)
 
 
+EXPANDER_NAME = "MCP23017"
+EXPANDER_ADDRESSES = tuple(range(0x20, 0x28))
+EXPANDER_OUTPUTS = tuple(f"GP{port}{bit}" for port in "AB" for bit in range(8))
+"""Outputs of 25 mA each, 125 mA together (Microchip DS20001952), which power sensors."""
 MUX_NAME = "TCA9548A"
 MUX_ADDRESSES = tuple(range(0x70, 0x78))
 MUX_CHANNELS = 8
@@ -108,7 +112,8 @@ class Board:
     takes pins of `load_pins` (HX711) or one of `analog_pins`, the first ones unless others are asked
     for; `adc` is what its analogue readings are made of: volts of full scale, steps, and the share of
     the sensor's 5 V that reaches the pin. `load_line_us` is the time of reading and of preparing a
-    line `L`, without its characters.
+    line `L`, without its characters. `battery_pin` reads half a battery's voltage; a board that has
+    one sends by ESP-NOW to a second board, which stands on USB.
     """
 
     name: str
@@ -126,6 +131,7 @@ class Board:
     analog_pins: tuple[str, ...]
     adc: tuple[float, int, float]
     load_line_us: float
+    battery_pin: str = ""
 
 
 BOARDS = read_table("boards", Board)

@@ -33,8 +33,9 @@ class Order:
 
 
 HX711, LOAD_CELL, VERNIER, BTA_ADAPTER = "HX711", "load cell", "force sensor", "BTA adapter"
-MUX, SHIFTER, BUFFER, RESISTOR, WIRE, STRIP, SCREW, GLUE, PRIMER, ADHESIVE, RELEASE = (
+MUX, EXPANDER, SHIFTER, BUFFER, RESISTOR, WIRE, STRIP, SCREW, GLUE, PRIMER, ADHESIVE, RELEASE = (
     "multiplexer board",
+    "expander board",
     "level shifter",
     "supply buffer",
     "pull-up resistor",

@@ -18,16 +18,18 @@ Row = TypeVar("Row")
 def read_table(file: str, row: type[Row]) -> dict[str, Row]:
     """Return the rows of `file`.toml by their names, each a dataclass of type `row`.
 
-    Rows hold their name where they have a field for it. A key that is no field, or a value of another
-    type, is a fault of the file, which pydantic reports.
+    Rows hold their name where they have a field for it. A row with the key `like` has what it does not
+    give from that earlier row. A key that is no field, or a value of another type, is a fault of the
+    file, which pydantic reports.
     """
     text = (Path(__file__).parent / f"{file}.toml").read_text(encoding="utf-8")
     named = any(field.name == "name" for field in fields(row))  # pyright: ignore[reportArgumentType]
     strict = TypeAdapter(with_config(ConfigDict(extra="forbid"))(row))
-    return {
-        name: strict.validate_python(values | ({"name": name} if named else {}))
-        for name, values in tomllib.loads(text).items()
-    }
+    whole: dict[str, dict[str, object]] = {}
+    for name, values in tomllib.loads(text).items():
+        base = whole[values.pop("like")] if "like" in values else {}
+        whole[name] = base | values | ({"name": name} if named else {})
+    return {name: strict.validate_python(values) for name, values in whole.items()}
 
 
 def row_named(rows: Mapping[str, Row], name: str, key: str, otherwise: str = "") -> Row:

@@ -17,7 +17,7 @@ from design.catalogue.bus_parts import (
     BusChip,
     bus_chip,
 )
-from design.catalogue.orders import BUFFER, MUX, ORDERS, RESISTOR, SHIFTER
+from design.catalogue.orders import BUFFER, EXPANDER, MUX, ORDERS, RESISTOR, SHIFTER
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.wiring.bus_limits import (
@@ -43,7 +43,7 @@ class BusPlan:
     """A plan that works: chips in the order of the frame's channels, and its figures.
 
     `capacitance_pf` is the capacitance of the largest line as the board sees it with one channel switched on;
-    `reset` the output that resets the multiplexers.
+    `reset` the output that resets multiplexers and expanders.
     """
 
     board: Board
@@ -70,19 +70,26 @@ class BusPlan:
         return tuple(sorted(addresses))
 
     @property
+    def expanders(self) -> tuple[tuple[int, int], ...]:
+        """Bus and address of every I/O expander."""
+        return _expanders(self.chips)
+
+    @property
     def pins(self) -> int:
         """Pins of the board besides supply and ground."""
-        supplies = sum(chip.supply is not None for chip in self.chips)
+        supplies = sum(chip.supply_pin is not None for chip in self.chips)
         loads = 0 if self.load is None else len(self.load.pins)
         return 2 * len(self.buses) + supplies + (self.reset is not None) + loads
 
     @property
     def wires(self) -> int:
-        """Four for each sensor, five for each multiplexer, those to the board's pins, and the load cell's."""
-        supplies = sum(chip.supply is not None for chip in self.chips)
+        """Four for each sensor, five for each multiplexer or expander,
+        those to the board's pins, and the load cell's."""
+        supplies = sum(chip.supply_pin is not None for chip in self.chips)
         to_board = 2 * len(self.buses) + supplies + 2
         loads = [] if self.load is None else self.load.wires(self.board)
-        return 4 * len(self.chips) + 5 * len(self.multiplexers) + to_board + len(loads)
+        parts = len(self.multiplexers) + len(self.expanders)
+        return 4 * len(self.chips) + 5 * parts + to_board + len(loads)
 
     @property
     def cost_eur(self) -> float:
@@ -173,7 +180,8 @@ def _plan(spec: ObjectSpec, board: Board, lead_mm: float, way: str, buses: int) 
     free = replace(board, outputs=_pins_left(board.outputs, load))
     chips = dealt(way, bare_chips(spec, lead_mm), free, buses)
     require_current(chips, chip, board, load)
-    reset = free.outputs[0] if chips[0].multiplexer is not None else None
+    resets = chips[0].multiplexer is not None or chips[0].expander is not None
+    reset = free.outputs[0] if resets else None
     khz, capacitance, pullup = _clock(spec, board, chips)
     time, baud = _rate(spec, board, chip, chips, khz, load)
     extras = _extras(board, chips, load)
@@ -190,7 +198,7 @@ def require_current(
     chips: Sequence[ChipOnBus], family: BusChip, board: Board, load: LoadCellPlan | None
 ) -> None:
     needed_ma = len(chips) * family.supply_ma
-    from_outputs = chips[0].supply is not None and board.logic_v == _CHIP_V
+    from_outputs = chips[0].supply_pin is not None and board.logic_v == _CHIP_V
     if load is not None and board.logic_v == _CHIP_V and not from_outputs:
         needed_ma += load.rail_ma
     given_ma = board.outputs_ma if from_outputs else board.rail_ma
@@ -224,7 +232,16 @@ def largest_line_pf(chips: Sequence[ChipOnBus]) -> float:
         line = (chip.bus, chip.multiplexer, chip.channel)
         loads[line] = loads.get(line, 0.0) + PIN_PF + WIRE_PF_PER_MM * chip.wire_mm
     muxes = Counter(bus for bus, mux in {(c.bus, c.multiplexer) for c in chips} if mux is not None)
-    return max(PIN_PF * (1 + 2 * muxes[bus]) + load for (bus, _, _), load in loads.items())
+    expanders = Counter(bus for bus, _ in _expanders(chips))
+    return max(
+        PIN_PF * (1 + 2 * muxes[bus] + expanders[bus]) + load for (bus, _, _), load in loads.items()
+    )
+
+
+def _expanders(chips: Sequence[ChipOnBus]) -> tuple[tuple[int, int], ...]:
+    """Bus and address of every I/O expander."""
+    places = {(chip.bus, chip.expander) for chip in chips if chip.expander is not None}
+    return tuple(sorted(places))
 
 
 def _rate(
@@ -262,7 +279,7 @@ def _extras(
     muxes = len({(c.bus, c.multiplexer) for c in chips if c.multiplexer is not None})
     buses = len({c.bus for c in chips})
     lines = 2 * (buses + len({(c.bus, c.multiplexer, c.channel) for c in chips if muxes}))
-    counts = {RESISTOR: lines, MUX: muxes}
+    counts = {RESISTOR: lines, MUX: muxes, EXPANDER: len(_expanders(chips))}
     if board.logic_v > _CHIP_V and not muxes:
         counts[SHIFTER] = buses
         counts[BUFFER] = -(-sum(c.supply is not None for c in chips) // _BUFFERS_A_PACKAGE)

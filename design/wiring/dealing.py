@@ -1,7 +1,8 @@
 """Ways to keep chips of one part apart on I²C buses: which chip at which bus, channel, address, pin.
 
 Chips that differ in their factory addresses; chips powered one after another that are given other
-addresses at every start, as the paper's object does; multiplexers with one chip per channel;
+addresses at every start, by pins of the board as the paper's
+object does, or of an I/O expander; multiplexers with one chip per channel;
 multiplexers with chips of different addresses on each channel.
 """
 
@@ -11,17 +12,29 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from design.catalogue.bus_parts import MUX_ADDRESSES, MUX_CHANNELS, Board, BusChip, bus_chip
+from design.catalogue.bus_parts import (
+    EXPANDER_ADDRESSES,
+    EXPANDER_NAME,
+    EXPANDER_OUTPUTS,
+    MUX_ADDRESSES,
+    MUX_CHANNELS,
+    Board,
+    BusChip,
+    bus_chip,
+)
 from design.spec.object import ObjectSpec
 from design.wiring.lengths import wire_lengths_mm
 
-FACTORY, STARTED, MULTIPLEXED, MIXED = (
+FACTORY, STARTED, EXPANDED, MULTIPLEXED, MIXED = (
     "factory-addresses",
     "one-by-one",
+    "expander",
     "multiplexers",
     "mixed-multiplexers",
 )
-WAYS = (FACTORY, STARTED, MULTIPLEXED, MIXED)
+WAYS = (FACTORY, STARTED, EXPANDED, MULTIPLEXED, MIXED)
+_EXPANDER_V = 3.3
+"""Supply of sensors and expanders."""
 _FIRST_ADDRESS = 0x10
 """First free I²C address that is dealt out; the last one is 0x6F."""
 
@@ -35,7 +48,8 @@ class ChipOnBus:
     """One sensor: its face and number there, part, and how it is reached.
 
     `factory` is the address after power-up, `address` the one at which it is read; `multiplexer` is
-    that chip's address and `supply` the output that powers the sensor (None: always powered).
+    that chip's address and `supply` the output that powers the sensor (None:
+    always powered), of the board or of the `expander` of that address.
     """
 
     face: int
@@ -49,6 +63,12 @@ class ChipOnBus:
     multiplexer: int | None = None
     channel: int | None = None
     supply: str | None = None
+    expander: int | None = None
+
+    @property
+    def supply_pin(self) -> str | None:
+        """The board's pin that powers the sensor."""
+        return None if self.expander is not None else self.supply
 
     @property
     def label(self) -> str:
@@ -105,11 +125,45 @@ def _deal_factory(
     )
 
 
+def _require_movable(family: BusChip) -> None:
+    if not family.movable:
+        raise CannotError(f"the address of {family.name} cannot be changed while it runs")
+
+
+def _free_addresses(family: BusChip) -> list[int]:
+    """Addresses that neither a chip after power-up nor an expander has."""
+    taken = {address for _, address in family.addresses} | set(EXPANDER_ADDRESSES)
+    return [a for a in range(_FIRST_ADDRESS, 0x70) if a not in taken]
+
+
+def _deal_expanded(
+    chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
+) -> tuple[ChipOnBus, ...]:
+    _require_movable(family)
+    if board.logic_v > _EXPANDER_V:
+        raise CannotError(
+            f"{EXPANDER_NAME} would feed sensors with the board's {board.logic_v:g} V"
+        )
+    if not board.outputs:
+        raise CannotError("no pin of the board is left to reset expanders")
+    factory = {address for _, address in family.addresses}
+    addresses = [a for a in EXPANDER_ADDRESSES if a not in factory]
+    free, room = _free_addresses(family), len(addresses) * len(EXPANDER_OUTPUTS)
+    powered = []
+    for dealt in _split_over_buses(chips, buses):
+        if len(dealt) > min(room, len(free)):
+            raise CannotError(f"{len(dealt)} chips on a bus, which has {len(free)} free addresses")
+        for k, chip in enumerate(dealt):
+            number, output = divmod(k, len(EXPANDER_OUTPUTS))
+            place = {"supply": EXPANDER_OUTPUTS[output], "expander": addresses[number]}
+            powered.append(replace(chip, address=free[k], **place))
+    return tuple(powered)
+
+
 def _deal_started(
     chips: list[ChipOnBus], family: BusChip, board: Board, buses: int
 ) -> tuple[ChipOnBus, ...]:
-    if not family.movable:
-        raise CannotError(f"the address of {family.name} cannot be changed while it runs")
+    _require_movable(family)
     outputs = board.outputs
     if len(chips) > len(outputs):
         raise CannotError(
@@ -140,6 +194,7 @@ def _deal_mixed(
 _DEALT: dict[str, Callable[..., tuple[ChipOnBus, ...]]] = {
     FACTORY: _deal_factory,
     STARTED: _deal_started,
+    EXPANDED: _deal_expanded,
     MULTIPLEXED: _deal_multiplexed,
     MIXED: _deal_mixed,
 }

@@ -90,6 +90,11 @@ def load_cell_plan(cell: LoadCellSpec, board: Board) -> LoadCellPlan | None:
     if cell.kind == "none":
         return None
     room = board.load_pins if cell.kind == "hx711" else board.analog_pins
+    if not room:
+        raise InputError(
+            f"load_cell.kind = {cell.kind!r}: {board.title} has no pin for it. Take "
+            'load_cell.kind = "hx711", or another --board'
+        )
     pins = cell.pins or room[: 2 if cell.kind == "hx711" else 1]
     wrong = [pin for pin in pins if pin not in room]
     if wrong or len(set(pins)) < len(pins):

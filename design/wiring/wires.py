@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from design.catalogue.bus_parts import MUX_NAME
+from design.catalogue.bus_parts import EXPANDER_NAME, MUX_NAME
 from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
 
@@ -59,16 +59,18 @@ def _end(plan: BusPlan, chip: ChipOnBus, pad: str) -> str:
     """Return where the wire of a sensor's pad ends."""
     if pad == "GND":
         return "strip GND"
+    if pad == "VCC" and chip.expander is not None:
+        return f"{_part(EXPANDER_NAME, chip.bus, chip.expander)} {chip.supply}"
     if pad == "VCC":
         return f"strip {_switched(plan, chip.supply)}" if chip.supply else "strip 3V3"
     if chip.multiplexer is None:
         return f"strip bus {chip.bus} {pad}"
     line = {"SDA": "SD", "SCL": "SC"}[pad]
-    return f"{_mux(chip.bus, chip.multiplexer)} {line}{chip.channel}"
+    return f"{_part(MUX_NAME, chip.bus, chip.multiplexer)} {line}{chip.channel}"
 
 
-def _mux(bus: int, address: int) -> str:
-    return f"{MUX_NAME} 0x{address:02X} (bus {bus})"
+def _part(name: str, bus: int, address: int) -> str:
+    return f"{name} 0x{address:02X} (bus {bus})"
 
 
 def _switched(plan: BusPlan, supply: str) -> str:
@@ -89,8 +91,9 @@ def _board_ends(plan: BusPlan) -> list[tuple[str, str, str]]:
             (f"strip bus {bus} SDA", f"board {pins.sda}{shifted}", "SDA"),
             (f"strip bus {bus} SCL", f"board {pins.scl}{shifted}", "SCL"),
         ]
-    for bus, address in plan.multiplexers:
-        name = _mux(bus, address)
+    parts = [_part(MUX_NAME, *place) for place in plan.multiplexers]
+    parts += [_part(EXPANDER_NAME, *place) for place in plan.expanders]
+    for name, (bus, _) in zip(parts, (*plan.multiplexers, *plan.expanders), strict=True):
         ends += [
             (f"{name} VIN", "strip 3V3", "VCC"),
             (f"{name} GND", "strip GND", "GND"),
@@ -100,12 +103,12 @@ def _board_ends(plan: BusPlan) -> list[tuple[str, str, str]]:
         ]
     ends += [
         (
-            f"strip {_switched(plan, chip.supply)}",
-            f"board {_buffered_pin(plan, chip.supply)}",
+            f"strip {_switched(plan, chip.supply_pin)}",
+            f"board {_buffered_pin(plan, chip.supply_pin)}",
             "VCC",
         )
         for chip in plan.chips
-        if chip.supply
+        if chip.supply_pin is not None
     ]
     return ends
 

@@ -93,8 +93,8 @@ def tell_columns(table: TextTable, columns: str | None = None) -> ForeignLog:
     chips = columns_of["chips"]
     if not chips or len(chips) % 3:
         raise RecordingError(
-            f"{len(chips)} of its {width} columns are left for chips, which take three each. "
-            "State the columns: --known columns=time,face,place,level,chips (- leaves one out)"
+            f"{len(chips)} of its {width} columns are left for chips, sensors of three "
+            "columns each. State the columns: --known columns=time,face,place,level,chips (- leaves one out)"
         )
     by_chip = None
     if table.names is not None:
@@ -102,7 +102,7 @@ def tell_columns(table: TextTable, columns: str | None = None) -> ForeignLog:
     values, labels = table.values, columns_of["force"] or columns_of["level"]
     time_s = values[:, columns_of["time"][0]] if columns_of["time"] else None
     said = [f"{len(columns_of[role])} {role}" for role in ROLES[:-1] if columns_of[role]]
-    note = f"columns told {source}: {', '.join([*said, f'{len(chips) // 3} chips'])}"
+    note = f"columns told {source}: {', '.join([*said, f'{len(chips) // 3} chips of three axes'])}"
     stated = "" if table.names is None else " ".join(table.names[k] for k in labels)
     return ForeignLog(
         values[:, chips], by_chip, values[:, columns_of["face"]], values[:, columns_of["place"]],

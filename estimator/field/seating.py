@@ -160,7 +160,10 @@ def _places(spec: ObjectSpec, worst: int, neighbour: int) -> Iterator[str]:
 
 
 def all_stay(spec: ObjectSpec, **changes: Any) -> bool:
-    """Return whether no magnet is pulled out while it is set, with these changes of `[magnets]`."""
+    """Return whether no magnet is pulled out while it is set, with these changes of `[magnets]`; those on
+    a core are glued."""
+    if spec.arrangement == "sensors-in-shell":
+        return True
     tried = spec.changed(magnets=spec.magnets.changed(**changes))
     # beyond a curved patch there is no surface: fields of such places would never converge
     if not np.isfinite(magnet_layout(tried).centre_mm).all():

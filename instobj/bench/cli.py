@@ -69,7 +69,12 @@ def collect(
 @app.command()
 def firmware(
     spec: Spec,
-    board: Annotated[str, typer.Option(help="Board that reads the sensors: mega2560 or pico.")],
+    board: Annotated[
+        str,
+        typer.Option(
+            help="Board that reads the sensors: mega2560, pico, esp32c3, esp32s3; -espnow: wireless."
+        ),
+    ],
     topology: Annotated[
         str | None,
         typer.Option(

@@ -52,8 +52,9 @@ def adopt(
         typer.Option(
             "--known",
             metavar="KEY=VALUE|FILE",
-            help="What the log cannot tell (columns, axes, label, step_mm, pitch_mm), or a TOML file of "
-            "these; can be repeated.",
+            help="What the log cannot tell, such as step_mm=1.0, pitch_mm=[10,12], label=travel, axes=chip "
+            "or columns=time,face,place,level,chips (a chip is one sensor, three columns); or a TOML file "
+            "of these; can be repeated.",
         ),
     ] = None,
     spec: Annotated[

@@ -71,6 +71,11 @@ def adopt_logs(
             files.append(fitted)
             if complaint := complaint_about(text, fitted):
                 texts.append(f"{fitted.name} does not pass `instobj check`: {complaint}")
+            else:
+                from instobj.commands.first_layout import gain_text  # loads torch
+
+                with progress.stage("a better layout of the same parts"):
+                    texts.append(gain_text(tomllib.loads(text)))
             further = {"next": f"instobj score {fitted}"}
     write_json(document, target / "adoption.json")
     questions = open_questions(identified, answers, spec is not None)
@@ -159,20 +164,23 @@ def open_questions(identified: Identified, answers: Known, with_spec: bool) -> l
     questions = []
     if identified.kind == "level" and answers.step_mm is None:
         questions.append(
-            {"question": "How far apart are two levels?", "answer": "--known step_mm=MM"}
+            {
+                "question": "How much deeper does the tip go from one level to the next?",
+                "answer": "--known step_mm=1.0 (mm)",
+            }
         )
     if identified.orders and answers.pitch_mm is None:
         questions.append(
             {
-                "question": "How far apart are rows of places, and places in a row?",
-                "answer": "--known pitch_mm=[MM,MM]",
+                "question": "How far apart were the places that were pressed?",
+                "answer": "--known pitch_mm=[10,12] (10 mm from row to row, 12 mm within a row)",
             }
         )
     if not with_spec:
         questions.append(
             {
-                "question": "What is the object? It also tells arrangement, axes and magnets.",
-                "answer": "--spec FILE (instobj new writes one)",
+                "question": "Which body, sensors and magnets has the object? A fit starts from them.",
+                "answer": "--spec my_object.toml (instobj new writes one)",
             }
         )
     return questions

@@ -15,7 +15,7 @@ from design.imports import EXTRAS
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("design", "fem", "estimator", "instobj", "studies")
-ON_BOARDS = ROOT / "instobj" / "bench" / "firmware" / "pico"
+ON_BOARDS = ROOT / "instobj" / "bench" / "firmware" / "micropython"
 """MicroPython, which has modules of its own."""
 IMPORTED_BY_OTHERS = {"networkx": "torch"}
 """What trimesh imports for graphs of faces, which we ask for, and does not require → who does."""

@@ -1,4 +1,4 @@
-"""A press rig in memory: a Grbl machine, a board, a load cell and an object, in simulated time.
+"""A press rig in memory: a machine, a board, a load cell and an object, in simulated time.
 
 Nothing waits: the rig's own clock is this bench, and time passes when it naps. The object knows nothing of
 what the rig expects of it: a layered contact of its own, and chips that read dipoles which sink under
@@ -13,13 +13,15 @@ import numpy as np
 
 from estimator.recordings.boards.lines import Load, encode_frame, encode_header, encode_load
 from instobj.bench.rig.clock import Clock
-from instobj.bench.rig.grbl import GrblLink
+from instobj.bench.rig.dialects import DIALECTS
 from instobj.bench.rig.journal import new_journal
 from instobj.bench.rig.load_lines import NumberLines
+from instobj.bench.rig.machine import MachineLink
 from instobj.bench.rig.mounting import Mounting
 from instobj.bench.rig.plan import PressSettings, press_plan
 from instobj.bench.rig.run import carry_out, check_plan, make_ready, new_station
 from tests.support.grbl_simulator import GrblSimulator
+from tests.support.marlin_simulator import MarlinSimulator
 
 FRAME_S, STEP_S = 0.1, 0.01
 MIDDLE_MM, TOP_MM = np.array([-150.0, -100.0]), -18.0
@@ -54,9 +56,9 @@ class Silicone:
         return self.MOMENT_MT_MM3 * dipoles.sum(axis=1)
 
 
-class Grbl(GrblSimulator):
-    """As a line that never waits; `heard` and `said` change what passes. Where its tip is stays when it
-    loses its supply: only what it reports starts anew."""
+class OnLine:
+    """A machine as a line that never waits; `heard` and `said` change what passes. Where its tip is stays
+    when it loses its supply: only what it reports starts anew."""
 
     def __init__(self, **settings):
         self.shift = np.zeros(3)
@@ -72,8 +74,8 @@ class Grbl(GrblSimulator):
         super().power_on()
         self.shift = real - self.position
 
-    def _home(self):
-        done = super()._home()
+    def _home(self, *words):
+        done = super()._home(*words)
         if done and self.state == "Idle":
             self.shift = np.zeros(3)
         return done
@@ -86,13 +88,26 @@ class Grbl(GrblSimulator):
         return len(data)
 
 
+class Grbl(OnLine, GrblSimulator):
+    pass
+
+
+class Marlin(OnLine, MarlinSimulator):
+    pass
+
+
+MACHINES = {"grbl": Grbl, "marlin": Marlin}
+
+
 class Bench(Clock):
     """Everything; `cell` changes a reading (N, None: says nothing), `board` the bytes of a frame, `act` is
     called at every step of time."""
 
-    def __init__(self, silicone=None, seed=0, noise_n=0.01, numbers=False, **settings):
+    def __init__(
+        self, silicone=None, seed=0, noise_n=0.01, numbers=False, dialect="grbl", **settings
+    ):
         self.silicone, self.rng = silicone or Silicone(), np.random.default_rng(seed)
-        self.machine = Grbl(**settings)
+        self.dialect, self.machine = dialect, MACHINES[dialect](**settings)
         self.noise_n, self.numbers = noise_n, numbers
         self.now, self.frames = 1000.0, 0
         self.cell = lambda force_n: force_n
@@ -172,13 +187,13 @@ def at_bench(bench, spec, settings, folder: Path, middle_z_mm=TOP_MM, presses=1)
     mounting = Mounting((*MIDDLE_MM.tolist(), middle_z_mm), 0.0)
     recording = folder / "run.csv"
     journal = new_journal(recording, plan, mounting)
-    link = GrblLink(bench.machine, "machine", clock=bench)
+    link = MachineLink(bench.machine, "machine", clock=bench, dialect=DIALECTS[bench.dialect])
     loads = bench.loads() if bench.numbers else None
     station = new_station(link, bench.chunks(), loads, spec, plan.settings.limit_n)
 
     def go():
         make_ready(station)
-        check_plan(spec, journal, station.machine.settings)
+        check_plan(spec, journal, station.machine)
         carry_out(station, spec, journal, recording, lambda _: None)
 
     yield station, go, journal

@@ -13,6 +13,7 @@ from design.wiring.bus_limits import FAST_KHZ
 from design.wiring.bus_plan import BusPlan, Choice, choose_plan
 from design.wiring.dealing import WAYS
 from instobj.bench.firmware.project import project_files, write_project
+from instobj.bench.firmware.settings import supply_text
 from instobj.store.publish import file_rows, require_writable, run_folder
 
 
@@ -89,7 +90,7 @@ def chip_rows(plan: BusPlan) -> list[dict[str, Any]]:
             "channel": "" if chip.channel is None else str(chip.channel),
             "address": f"0x{chip.address:02X}",
             "from": "" if chip.address == chip.factory else f"0x{chip.factory:02X}",
-            "supply": chip.supply or "3.3 V",
+            "supply": supply_text(chip),
         }
         for chip in plan.chips
     ]

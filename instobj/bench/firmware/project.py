@@ -15,8 +15,8 @@ from design.wiring.dealing import ChipOnBus
 from design.wiring.wires import wires_of
 from instobj.bench.firmware.drawing import wiring_svg
 from instobj.bench.firmware.mega2560_plan import plan_header
-from instobj.bench.firmware.pico_plan import plan_module
-from instobj.bench.firmware.settings import family_of
+from instobj.bench.firmware.micropython_plan import plan_module
+from instobj.bench.firmware.settings import family_of, supply_text
 from instobj.store.readers import ORDERS
 
 _SOURCES = Path(__file__).parent
@@ -32,9 +32,10 @@ def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
         Settings that the chip cannot take.
     """
     driver = family_of(plan).driver
+    folder = "mega2560" if plan.board is MEGA2560 else "micropython"
     files = {
         path.name: path.read_text(encoding="utf-8")
-        for path in sorted((_SOURCES / plan.board.name).iterdir())
+        for path in sorted((_SOURCES / folder).iterdir())
         if path.is_file() and (path.stem == driver or path.stem not in _DRIVERS)
     }
     if plan.board is MEGA2560:
@@ -42,6 +43,11 @@ def project_files(spec: ObjectSpec, plan: BusPlan) -> dict[str, str]:
     else:
         files["chip.py"] = files.pop(f"{driver}.py")
         files["plan.py"] = plan_module(spec, plan)
+        if plan.board.battery_pin:
+            files["link.py"] = files["radio.py"]
+        else:
+            files["link.py"] = files.pop("usb.py")
+            del files["radio.py"], files["bridge.py"]
     return {**files, "README.md": _readme(spec, plan), **_bench_files(spec, plan)}
 
 
@@ -66,7 +72,7 @@ def _readme(spec: ObjectSpec, plan: BusPlan) -> str:
         rate=spec.sensors.frame_rate_hz,
         baud=plan.baud,
         pullup=plan.pullup_kohm,
-        install=_INSTALL_MEGA if mega else _INSTALL_PICO,
+        install=_INSTALL_MEGA if mega else _install_micropython(plan),
         plan="plan.h" if mega else "plan.py",
         rows="\n".join(_row(chip) for chip in plan.chips),
         load=_load_text(spec, plan),
@@ -91,18 +97,27 @@ def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
 
 def _row(chip: ChipOnBus) -> str:
     channel = "" if chip.channel is None else f"0x{chip.multiplexer:02X} channel {chip.channel}"
-    cells = (chip.label, chip.part, channel, f"0x{chip.address:02X}", chip.supply or "3.3 V")
+    cells = (chip.label, chip.part, channel, f"0x{chip.address:02X}", supply_text(chip))
     return f"| {' | '.join(cells)} |"
+
+
+def _install_micropython(plan: BusPlan) -> str:
+    program = "main.py plan.py chip.py bus.py expander.py sensors.py load_cell.py link.py"
+    bridge = _INSTALL_BRIDGE if plan.board.battery_pin else ""
+    return _INSTALL_MICROPYTHON.format(files=program) + bridge
 
 
 _INSTALL_MEGA = """\
     sudo apt install gcc-avr avr-libc binutils-avr make avrdude
     make
     make flash PORT=/dev/ttyACM0"""
-_INSTALL_PICO = """\
-    # MicroPython 1.22 or newer on the board: micropython.org/download/RPI_PICO
+_INSTALL_MICROPYTHON = """\
+    # MicroPython 1.25 or newer on the board: micropython.org/download
     pip install mpremote
-    mpremote cp *.py : + reset"""
+    mpremote cp {files} : + reset"""
+_INSTALL_BRIDGE = """
+    # a second board of the same kind, which stays on USB
+    mpremote cp radio.py usb.py : + cp bridge.py :main.py + reset"""
 _README = """\
 # Firmware of {name} for the {board}
 {count} sensors by {way}, {rate:g} frames per second, {baud} baud; pull-ups {pullup:g} kΩ on every bus line.

@@ -9,6 +9,7 @@ from design.catalogue.hall_sensors import hall_part
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
+from design.wiring.dealing import ChipOnBus
 from design.wiring.load_cell import newtons_per_step, zero_steps
 
 _MLX_SETTINGS = {4.9: (7, 0), 9.8: (4, 0), 24.6: (0, 0), 49.2: (0, 1)}
@@ -18,6 +19,12 @@ _MLX_SETTINGS = {4.9: (7, 0), 9.8: (4, 0), 24.6: (0, 0), 49.2: (0, 1)}
 def family_of(plan: BusPlan) -> BusChip:
     """Family of the plan's chips."""
     return bus_chip(plan.chips[0].part)
+
+
+def supply_text(chip: ChipOnBus) -> str:
+    """Return what powers a sensor."""
+    expander = "" if chip.expander is None else f"0x{chip.expander:02X} "
+    return f"{expander}{chip.supply or '3.3 V'}"
 
 
 def channel_names(spec: ObjectSpec, plan: BusPlan) -> list[str]:

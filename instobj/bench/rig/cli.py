@@ -24,14 +24,17 @@ def rig(
     machine: Annotated[
         str,
         typer.Option(
-            help="grbl: press with a Grbl machine and record; poses: list of poses for a robot arm."
+            help="grbl, marlin: press with a machine of that controller and record (grblHAL: grbl); "
+            "poses: list of poses for a robot arm."
         ),
     ] = "grbl",
     out: Annotated[
         Path | None,
         typer.Option(help="Recording (default: NAME.csv), or list of poses (.csv or .json)."),
     ] = None,
-    port: Annotated[str | None, typer.Option(help="Serial port of the machine.")] = None,
+    port: Annotated[
+        str | None, typer.Option(metavar="PORT[@BAUD]", help="Serial port of the machine.")
+    ] = None,
     board_port: Annotated[
         str | None,
         typer.Option(

@@ -14,6 +14,7 @@ from design.spec_io import load_spec
 from estimator.recordings.boards.growing import finish_recording
 from instobj.bench.collect.options import stop_on_signals
 from instobj.bench.rig.adaptive import adaptive_order
+from instobj.bench.rig.dialects import dialect_named
 from instobj.bench.rig.journal import Journal, journal_path, new_journal, resumed_journal
 from instobj.bench.rig.mounting import Mounting
 from instobj.bench.rig.plan import (
@@ -28,7 +29,6 @@ from instobj.bench.rig.run import Ports, carry_out, check_plan, station_on
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 
-MACHINES = ("grbl", "poses")
 ADAPTIVE_PRESSES = 40
 """Presses of an adaptive run, unless another number is given."""
 
@@ -61,15 +61,14 @@ def rig(options: RigOptions, confirm: Callable[[list[str]], bool]) -> dict[str, 
         Bad options, a plan that the machine cannot do, or a run that was stopped (all that was
         recorded stays, and `resume` goes on).
     """
-    if options.machine not in MACHINES:
-        raise InputError(
-            f"--machine {options.machine!r} is not known. Choose {' or '.join(MACHINES)}"
-        )
     spec = load_spec(options.spec, list(options.overrides))
     if options.machine == "poses":
         return _listed(spec, options)
+    dialect_named(options.machine)
     if options.ports is None:
-        raise InputError("--machine grbl needs --port (the machine) and --board-port (the sensors)")
+        raise InputError(
+            f"--machine {options.machine} needs --port (the machine) and --board-port (the sensors)"
+        )
     return _pressed(spec, options, options.ports, confirm)
 
 
@@ -131,8 +130,9 @@ def _pressed(
     journal = _journal(spec, options, recording)
     progress = ProgressLine()
     limit_n = journal.plan.settings.limit_n
-    with station_on(ports, spec, limit_n) as station, stop_on_signals(station.stop):
-        plan_texts = check_plan(spec, journal, station.machine.settings)
+    dialect = dialect_named(options.machine)
+    with station_on(ports, dialect, spec, limit_n) as station, stop_on_signals(station.stop):
+        plan_texts = check_plan(spec, journal, station.machine)
         if not confirm(plan_texts):
             raise InputError("nothing was moved: the plan was not confirmed")
         with progress.stage("rig"):

@@ -9,8 +9,7 @@ import numpy as np
 
 from design.errors import InputError
 from instobj.bench.rig.clock import Listening
-from instobj.bench.rig.grbl import MachineFault, until
-from instobj.bench.rig.grbl_lines import ALARMS
+from instobj.bench.rig.machine import MachineFault, until
 from instobj.bench.rig.mounting import safe_height_mm
 from instobj.bench.rig.phases import Phase
 from instobj.bench.rig.plan import PressSettings
@@ -39,16 +38,16 @@ def greet(station: Station) -> None:
     Raises
     ------
     MachineFault
-        It does not speak Grbl 1.1.
+        It does not speak its dialect.
     """
     link = station.machine
-    halt(link)
-    link.send("$$")
+    halt(link, link.dialect.boot_s)
+    link.send(*link.dialect.queries)
     until(
         link,
         station.tick,
         lambda: bool(link.settings) and not link.unanswered,
-        "its settings ($$)",
+        f"its settings ({', '.join(link.dialect.queries)})",
         _PATIENCE_S,
     )
 
@@ -58,7 +57,7 @@ def home(station: Station) -> None:
     link = station.machine
     station.enter(Phase.HOMING)
     try:
-        link.send("$H")
+        link.send(*link.dialect.home)
         until(
             link,
             station.tick,
@@ -67,12 +66,11 @@ def home(station: Station) -> None:
             _HOMING_S,
         )
         if link.alarm is not None:
-            why = ALARMS.get(link.alarm, "unknown")
-            raise MachineFault(f"{link.where}: homing ended in ALARM:{link.alarm} ({why})")
+            raise MachineFault(f"{link.where}: homing ended in {link.alarm.why}")
     except BaseException:
         station.enter(Phase.LOST)
         raise
-    station.safe_mm = safe_height_mm(link.settings, math.inf)
+    station.safe_mm = safe_height_mm(link.travel.top_mm, math.inf)
     station.enter(Phase.ABOVE, station.safe_mm)
     link.trusted, link.lost = True, False
     station.expect()
@@ -243,7 +241,7 @@ def _strokes(
         largest_n = max(largest_n, station.cell.force_n)
         return largest_n >= settings.full_n
 
-    parts = press_code(settings, surface_mm, station.safe_mm)
+    parts = press_code(settings, surface_mm, station.safe_mm, station.machine.dialect.room_bytes)
     # Heights are sent with two digits: the floor is as much lower.
     station.enter(Phase.PRESSING, surface_mm - settings.depths_mm[-1] - 0.006)
     for part in parts:

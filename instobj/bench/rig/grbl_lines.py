@@ -1,4 +1,4 @@
-"""Lines and single characters of Grbl 1.1, the controller of most small milling machines and printers.
+"""Lines and single characters of Grbl 1.1 and grblHAL, controllers of most small milling machines.
 
 Every line sent is answered by `ok` or `error:n`, in their order. `ALARM:n`, the greeting after a reset
 and `[…]` remarks come by themselves; `?` is answered by `<State|MPos:x,y,z|…>` whenever it is sent
@@ -8,18 +8,30 @@ and `[…]` remarks come by themselves; `?` is answered by `<State|MPos:x,y,z|�
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-STATUS, FEED_HOLD, SOFT_RESET = b"?", b"!", b"\x18"
+from design.errors import InputError
+from instobj.bench.rig.replies import (
+    Alarm,
+    Done,
+    Greeting,
+    Refused,
+    Reply,
+    Setting,
+    State,
+    Travel,
+)
+
 RECEIVE_BYTES = 127
 """Bytes that are safe to fill, of its 128 for lines that it has not read yet."""
-TRAVEL_SETTINGS = (130, 131, 132)
-PULL_OFF_SETTING = 27
-KEPT_POSITION = 2
+_NEEDED = {"$22": 1, "$20": 1, "$13": 0}
+_TRAVEL, _PULL_OFF = ("$130", "$131", "$132"), "$27"
+_KEPT_POSITION = 2
 """The alarm after which the machine still knows where it is."""
-ALARMS = {
+_ALARMS = {
     1: "a limit switch was hit; the position is lost",
     2: "a move would leave the machine's travel",
     3: "reset while moving; the position is lost",
@@ -27,8 +39,10 @@ ALARMS = {
     7: "a door was opened while homing",
     8: "homing did not leave the limit switch",
     9: "homing found no limit switch",
+    10: "the emergency stop is pressed",
+    11: "it must be homed first",
 }
-ERRORS = {
+_ERRORS = {
     1: "a letter was expected",
     2: "a number is damaged",
     3: "unknown $ command",
@@ -45,7 +59,7 @@ ERRORS = {
     36: "unused words",
 }
 _STATUS_LINE = re.compile(r"<([A-Z][a-z]+)(?::(\d+))?\|(.*)>")
-_SETTING = re.compile(r"\$(\d+)=(-?\d+(?:\.\d+)?)")
+_SETTING = re.compile(r"(\$\d+)=(-?\d+(?:\.\d+)?)")
 _GREETING = re.compile(r"(Grbl|GrblHAL) |.*for help\]$", re.IGNORECASE)
 """Greeting of Grbl and grblHAL; the end alone where the beginning was lost."""
 _AXES = 3
@@ -53,62 +67,21 @@ _AXES = 3
 _NUMBERED = re.compile(r"(error|ALARM):(\d+)")
 
 
-@dataclass(frozen=True)
-class Done:
-    """`ok`: the oldest line that was not answered is."""
-
-
-@dataclass(frozen=True)
-class Refused:
-    """`error:n`: the oldest line that was not answered was not carried out."""
-
-    code: int
-
-
-@dataclass(frozen=True)
-class Alarm:
-    """The machine stopped by itself."""
-
-    code: int
-
-
-@dataclass(frozen=True)
-class Greeting:
-    """Said after every reset."""
-
-
-@dataclass(frozen=True)
-class Setting:
-    """One of the machine's settings, `$number=value`."""
-
-    number: int
-    value: float
-
-
-@dataclass(frozen=True)
-class State:
-    """State of the machine, and where its tool is in the machine's frame (mm)."""
-
-    name: str
-    detail: int | None
-    position_mm: tuple[float, float, float]
-
-    @property
-    def held(self) -> bool:
-        """Return whether a feed hold has come to its end."""
-        return self.name == "Hold" and self.detail == 0
-
-
-Reply = Done | Refused | Alarm | Greeting | Setting | State
-
-
 @dataclass
-class ReplyReader:
-    """Bytes to replies; remembers the unfinished line and the offset of work coordinates."""
+class GrblSpeech:
+    """Bytes to replies, lines to bytes; remembers the unfinished line and the offset of work coordinates."""
 
+    status: bytes = b"?"
     damaged: int = 0
     _rest: bytes = b""
     _offset_mm: tuple[float, ...] | None = None
+
+    def encode(self, line: str) -> bytes:
+        """Return the bytes of a line: this is the dialect in which lines are written here."""
+        return f"{line}\n".encode()
+
+    def restart(self) -> None:
+        """Nothing is remembered that a reset ends."""
 
     def feed(self, data: bytes) -> list[Reply]:
         """Replies that `data` completes; remarks are skipped, damaged lines counted."""
@@ -124,9 +97,9 @@ class ReplyReader:
         if _GREETING.match(text):
             return Greeting()
         if match := _NUMBERED.fullmatch(text):
-            return (Refused if match[1] == "error" else Alarm)(int(match[2]))
+            return _fault(text, match[1], int(match[2]))
         if match := _SETTING.fullmatch(text):
-            return Setting(int(match[1]), float(match[2]))
+            return Setting(match[1], float(match[2]))
         if match := _STATUS_LINE.fullmatch(text):
             return self._state(match[1], match[2], match[3].split("|"))
         return None
@@ -155,3 +128,33 @@ class ReplyReader:
             return None
         x, y, z = position
         return State(name, None if detail is None else int(detail), (x, y, z))
+
+
+def _fault(text: str, kind: str, code: int) -> Reply:
+    if kind == "error":
+        return Refused(f"{text} ({_ERRORS.get(code, 'unknown')})")
+    return Alarm(f"{text} ({_ALARMS.get(code, 'unknown')})", code == _KEPT_POSITION)
+
+
+def grbl_travel(settings: Mapping[str, float]) -> Travel:
+    """Room of a machine by its settings: after homing from minus the travel to 0.
+
+    Raises
+    ------
+    InputError
+        A setting is missing, homing or soft limits are off, or it reports inches.
+    """
+    missing = [name for name in (*_NEEDED, _PULL_OFF, *_TRAVEL) if name not in settings]
+    if missing:
+        raise InputError(f"the machine did not tell {', '.join(missing)}. Is it Grbl 1.1?")
+    # grblHAL packs further switches into higher bits of $20 and $22.
+    wrong = [
+        f"{name}={value}" for name, value in _NEEDED.items() if int(settings[name]) & 1 != value
+    ]
+    if wrong:
+        raise InputError(
+            f"set {', '.join(wrong)} on the machine: homing by limit switches ($22) and soft limits ($20) "
+            "keep the tip where coordinates mean something, and it must report mm ($13)"
+        )
+    x, y, z = (-settings[name] for name in _TRAVEL)
+    return Travel((x, y, z), (0.0, 0.0, 0.0), -settings[_PULL_OFF])

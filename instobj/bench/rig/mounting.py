@@ -1,8 +1,8 @@
 """Mounting of an object under a machine that presses straight down, and checks against its travel.
 
-The machine's frame is Grbl's: after homing X, Y and Z run from minus the travel ($130 to $132) to 0,
-Z upwards. The pressed face lies up; its middle is at the mounting's X and Y, its x axis is turned from
-the machine's X by an angle, counter-clockwise seen from above.
+The machine's frame is its own after homing, Z upwards: a Grbl's runs from minus the travel to 0. The
+pressed face lies up; its middle is at the mounting's X and Y, its x axis is turned from the machine's X by
+an angle, counter-clockwise seen from above.
 """
 
 from __future__ import annotations
@@ -16,13 +16,12 @@ from jaxtyping import Float
 from design.errors import InputError
 from design.layout.body import face_frame
 from design.spec.object import ObjectSpec
-from instobj.bench.rig.grbl_lines import PULL_OFF_SETTING, TRAVEL_SETTINGS
+from instobj.bench.rig.replies import Travel
 
 LARGEST_TILT_DEG = 3.0
 """Largest lean of a face at its places on a machine that presses straight down."""
 UNEVEN_MM = 0.3
 """Departure of touched points from a plane that is reported."""
-_NEEDED = {22: 1, 20: 1, 13: 0}
 
 
 @dataclass(frozen=True)
@@ -110,42 +109,26 @@ def require_upright(spec: ObjectSpec, face: int, xy_mm: Float[np.ndarray, "place
         )
 
 
-def require_travel(settings: dict[int, float], corners_mm: Sequence[tuple[str, float]]) -> None:
-    """Check the machine's settings, and that coordinates (axis X, Y or Z; mm) lie within its travel.
+def require_travel(travel: Travel, corners_mm: Sequence[tuple[str, float]]) -> None:
+    """Check that coordinates (axis X, Y or Z; mm) lie within the machine's travel.
 
     Raises
     ------
     InputError
-        Homing or soft limits are off, it reports inches, or a coordinate lies outside.
+        A coordinate lies outside.
     """
-    needed = (*_NEEDED, PULL_OFF_SETTING, *TRAVEL_SETTINGS)
-    missing = [f"${number}" for number in needed if number not in settings]
-    if missing:
-        raise InputError(f"the machine did not tell {', '.join(missing)}. Is it Grbl 1.1?")
-    # grblHAL packs further switches into higher bits of $20 and $22.
-    wrong = [f"${n}={value}" for n, value in _NEEDED.items() if int(settings[n]) & 1 != value]
-    if wrong:
-        raise InputError(
-            f"set {', '.join(wrong)} on the machine: homing by limit switches ($22) and soft limits ($20) "
-            "keep the tip where coordinates mean something, and it must report mm ($13)"
-        )
     for axis, value in corners_mm:
-        least = -settings[TRAVEL_SETTINGS["XYZ".index(axis)]]
-        if not least <= value <= 0:
+        low, high = (ends["XYZ".index(axis)] for ends in (travel.low_mm, travel.high_mm))
+        if not low <= value <= high:
             raise InputError(
-                f"the plan reaches {axis} = {value:.1f} mm; the machine's travel is {least:g} to 0 "
-                f"(${TRAVEL_SETTINGS['XYZ'.index(axis)]}). Mount the object elsewhere, or correct --middle"
+                f"the plan reaches {axis} = {value:.1f} mm; the machine's travel is {low:g} to {high:g}. "
+                "Mount the object elsewhere, or correct --middle"
             )
 
 
-def highest_mm(settings: dict[int, float]) -> float:
-    """Machine Z after homing."""
-    return -settings[PULL_OFF_SETTING]
-
-
-def safe_height_mm(settings: dict[int, float], wanted_mm: float) -> float:
+def safe_height_mm(top_mm: float, wanted_mm: float) -> float:
     """Machine Z for moves in the air: whole millimetres, and nowhere above that after homing."""
-    return float(min(np.floor(highest_mm(settings)), np.ceil(wanted_mm)))
+    return float(min(np.floor(top_mm), np.ceil(wanted_mm)))
 
 
 def relief_mm(

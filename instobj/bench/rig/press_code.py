@@ -1,24 +1,25 @@
 """G-code of presses, in parts that the machine holds as a whole.
 
-Each part ends with the tip clear of the object, so that it rises even if nobody speaks to the
-machine any more.
+Each part ends with the tip clear of the object: a machine that holds the whole part raises the tip even
+if nobody speaks to it any more.
 """
 
 from __future__ import annotations
 
 from design.errors import InputError
-from instobj.bench.rig.grbl_lines import RECEIVE_BYTES
 from instobj.bench.rig.plan import PressSettings
 
 
-def press_code(settings: PressSettings, surface_mm: float, safe_mm: float) -> list[list[str]]:
+def press_code(
+    settings: PressSettings, surface_mm: float, safe_mm: float, room_bytes: int
+) -> list[list[str]]:
     """Lines of a press, in parts to be sent as a whole: one part per stroke. The last one ends at the
     safe height (mm), the others `lift_mm` above the surface.
 
     Raises
     ------
     InputError
-        A part does not fit into the machine's buffer.
+        A part does not fit into the machine's buffer (0: it gets a line at a time).
     """
     settings_of_press, near = settings, f"G53G0Z{_mm(surface_mm + settings.approach_mm)}"
     away = f"G53G0Z{_mm(safe_mm)}"
@@ -37,10 +38,10 @@ def press_code(settings: PressSettings, surface_mm: float, safe_mm: float) -> li
             [*again, away],
         ]
     used = max(sum(len(line) + 1 for line in part) for part in parts)
-    if used > RECEIVE_BYTES:
+    if room_bytes and used > room_bytes:
         raise InputError(
             f"a press with {len(settings_of_press.depths_mm)} stops takes {used} characters, and the machine "
-            f"holds {RECEIVE_BYTES}: the tip would stay down if the cable came out. Give fewer depths_mm"
+            f"holds {room_bytes}: the tip would stay down if the cable came out. Give fewer depths_mm"
         )
     return parts
 

@@ -28,14 +28,13 @@ from instobj.bench.rig.cycle import (
     raise_and_listen,
     take_tare,
 )
-from instobj.bench.rig.grbl import GrblLink, MachineFault, grbl_link, until
-from instobj.bench.rig.grbl_lines import TRAVEL_SETTINGS
+from instobj.bench.rig.dialects import Dialect
 from instobj.bench.rig.journal import Journal
 from instobj.bench.rig.load_cell import LoadCell, largest_reading_n
 from instobj.bench.rig.load_lines import forces_on
+from instobj.bench.rig.machine import MachineFault, MachineLink, machine_link, until
 from instobj.bench.rig.mounting import (
     Surface,
-    highest_mm,
     relief_mm,
     require_travel,
     require_upright,
@@ -69,7 +68,9 @@ class Ports:
 
 
 @contextmanager
-def station_on(ports: Ports, spec: ObjectSpec, limit_n: float) -> Iterator[Station]:
+def station_on(
+    ports: Ports, dialect: Dialect, spec: ObjectSpec, limit_n: float
+) -> Iterator[Station]:
     """Machine, board and load cell, connected; nothing moves.
 
     Raises
@@ -81,14 +82,14 @@ def station_on(ports: Ports, spec: ObjectSpec, limit_n: float) -> Iterator[Stati
     if ports.load is not None:
         loads = forces_on(ports.load, ports.board_baud, ports.load_scale)
     board = serial_chunks(ports.board, ports.board_baud, timeout_s=0.0)
-    with grbl_link(ports.machine) as link:
+    with machine_link(ports.machine, dialect) as link:
         station = new_station(link, board, loads, spec, limit_n, ports.lost_s)
         make_ready(station)
         yield station
 
 
 def new_station(
-    machine: GrblLink,
+    machine: MachineLink,
     board: Iterator[bytes],
     loads: Iterator[list[float]] | None,
     spec: ObjectSpec,
@@ -125,7 +126,7 @@ def make_ready(station: Station) -> None:
         ) from None
 
 
-def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -> list[str]:
+def check_plan(spec: ObjectSpec, journal: Journal, machine: MachineLink) -> list[str]:
     """The plan in words, checked against the machine.
 
     Raises
@@ -136,14 +137,15 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
     plan, mounting = journal.plan, journal.mounting
     places = np.concatenate([plan.places_mm, touch_places(face_places(spec, plan.face))])
     require_upright(spec, plan.face, places)
-    machine = mounting.machine_mm(face_frame(spec, plan.face).to_plane(places))
-    low, high = machine.min(axis=0), machine.max(axis=0)
+    travel = machine.travel
+    reached_mm = mounting.machine_mm(face_frame(spec, plan.face).to_plane(places))
+    low, high = reached_mm.min(axis=0), reached_mm.max(axis=0)
     corners = [(axis, float(end[k])) for k, axis in enumerate("XY") for end in (low, high)]
-    require_travel(settings, corners)
-    press_code(plan.settings, -settings[TRAVEL_SETTINGS[2]], highest_mm(settings))
+    require_travel(travel, corners)
+    press_code(plan.settings, travel.low_mm[2], travel.top_mm, machine.dialect.room_bytes)
     expected = _expected_mm(spec, journal, places)
     lowest_mm = float(expected.min()) - BELOW_MM - plan.settings.depths_mm[-1]
-    require_travel(settings, [("Z", lowest_mm), ("Z", float(expected.max()))])
+    require_travel(travel, [("Z", lowest_mm), ("Z", float(expected.max()))])
     _require_bounded(contact_law(spec), plan.settings)
     press, presses_left, strokes_text = plan.settings, len(journal.remaining), ""
     if press.strokes > 1:
@@ -155,7 +157,7 @@ def check_plan(spec: ObjectSpec, journal: Journal, settings: dict[int, float]) -
         f"face {plan.face} of {plan.object_name}: {presses_left} of {len(plan)} presses to do, about "
         f"{plan.seconds * presses_left / len(plan) / 60:.0f} minutes",
         f"machine's frame: X {low[0]:.1f} to {high[0]:.1f}, Y {low[1]:.1f} to {high[1]:.1f} mm, Z from "
-        f"{highest_mm(settings):g} mm down to the surface at {expected.min():.1f} to {expected.max():.1f} "
+        f"{travel.top_mm:g} mm down to the surface at {expected.min():.1f} to {expected.max():.1f} "
         f"mm; {BELOW_MM:g} mm below it the way down ends, whatever the load cell says",
         f"stops {', '.join(f'{depth:g}' for depth in press.depths_mm)} mm below the first touch, "
         f"{press.speed_mm_s:g} mm/s{strokes_text}; a press ends at {press.full_n:g} N, "
@@ -246,7 +248,7 @@ def _presses(station: Station, spec: ObjectSpec, journal: Journal, say: Say) -> 
         f"{stiffness:.2f} times as stiff as expected; presses end {settings.depths_mm[-1]:.2f} mm deep"
     )
     wanted_mm = _highest(surface, journal) + plan.settings.clearance_mm
-    station.safe_mm = safe_height_mm(station.machine.settings, wanted_mm)
+    station.safe_mm = safe_height_mm(station.machine.travel.top_mm, wanted_mm)
     raise_and_listen(station)
     rest_frames = max(5, round(plan.settings.rest_s * spec.sensors.frame_rate_hz))
     for number in journal.remaining:

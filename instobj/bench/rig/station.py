@@ -13,10 +13,10 @@ from estimator.recordings.boards.growing import GrowingRecording
 from estimator.recordings.boards.lines import Frame, Header, LineDecoder, Load
 from estimator.recordings.boards.link import BoardClock
 from instobj.bench.rig.clock import Listening
-from instobj.bench.rig.grbl import GrblLink, MachineFault
-from instobj.bench.rig.grbl_lines import State
 from instobj.bench.rig.load_cell import LoadCell
+from instobj.bench.rig.machine import MachineFault, MachineLink
 from instobj.bench.rig.phases import DOWNWARD, Phase, require_following
+from instobj.bench.rig.replies import State
 from instobj.bench.rig.rows import Rows
 from instobj.bench.rig.stop import lift
 from instobj.bench.rig.witnesses import Witnesses
@@ -58,7 +58,7 @@ class Station:
     nothing but its own line is heard; what the others said meanwhile is thrown away.
     """
 
-    machine: GrblLink
+    machine: MachineLink
     board: Iterator[bytes] | None
     loads: Iterator[list[float]] | None
     limit_n: float

@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from instobj.bench.rig.grbl import GrblLink, MachineFault
-from instobj.bench.rig.grbl_lines import ALARMS, KEPT_POSITION, State
+from instobj.bench.rig.machine import MachineFault, MachineLink
+from instobj.bench.rig.replies import Alarm, State
 
 ARRIVED_MM = 0.03
 """Reports have three digits and steps of machines are finer; a lost character changes tenths at least."""
@@ -31,7 +31,7 @@ _BY_HAND = (
 )
 
 
-def lift(link: GrblLink, safe_mm: float) -> tuple[float, bool]:
+def lift(link: MachineLink, safe_mm: float) -> tuple[float, bool]:
     """Stop the feed, forget all lines, lift the tip to the safe height; returns the height (mm) at which
     it was stopped, and whether Ctrl-C came meanwhile (it must not end this).
 
@@ -57,13 +57,17 @@ def lift(link: GrblLink, safe_mm: float) -> tuple[float, bool]:
             link.trusted = True
             return stopped_mm, interrupted
         alarm = link.alarm or alarm
-        if link.lost or alarm not in (None, KEPT_POSITION) or link.clock.now_s() > give_up_s:
+        if link.lost or not _is_known_after(alarm) or link.clock.now_s() > give_up_s:
             break
     link.lost = True
     raise MachineFault(f"{why}. {_BY_HAND}")
 
 
-def halt(link: GrblLink) -> State | None:
+def _is_known_after(alarm: Alarm | None) -> bool:
+    return alarm is None or alarm.keeps_position
+
+
+def halt(link: MachineLink, patience_s: float = _PATIENCE_S) -> State | None:
     """Hold the feed and empty the machine's buffers; its state before the reset that does it.
 
     Raises
@@ -73,7 +77,7 @@ def halt(link: GrblLink) -> State | None:
     """
     link.trusted = False
     still = _Still(link)
-    _asked(link, link.hold, still.held)
+    _asked(link, link.hold, still.held, patience_s)
     last_state, greeted = link.state, link.greetings
     _asked(link, link.reset, lambda: link.greetings > greeted)
     link.alarm, wanted_states = None, link.states + 2
@@ -81,15 +85,15 @@ def halt(link: GrblLink) -> State | None:
     return last_state
 
 
-def _lifted(link: GrblLink, safe_mm: float, alarm: int | None) -> float:
+def _lifted(link: MachineLink, safe_mm: float, alarm: Alarm | None) -> float:
     last_state = halt(link)
     state = link.state
     if state is None or last_state is None or link.lost:
         raise MachineFault(f"{link.where} was reset, or lost its supply")
-    if state.name == "Alarm" and alarm == KEPT_POSITION:
+    if state.name == "Alarm" and alarm is not None and alarm.keeps_position:
         link.send("$X")
     elif state.name == "Alarm":
-        why = ALARMS.get(alarm or 0, "locked")
+        why = "locked" if alarm is None else alarm.why
         link.lost = True
         raise MachineFault(f"{link.where} is in an alarm ({why}) and cannot lift the tip")
     # A controller that starts anew calls the place where it is zero: an upward move from there leads down.
@@ -104,7 +108,7 @@ def _lifted(link: GrblLink, safe_mm: float, alarm: int | None) -> float:
     return state.position_mm[2]
 
 
-def _wait_until_up(link: GrblLink, safe_mm: float) -> None:
+def _wait_until_up(link: MachineLink, safe_mm: float) -> None:
     """Wait for the machine's own reports: an `ok` may be lost, and says only that a line was read."""
     still = _Still(link)
 
@@ -121,7 +125,7 @@ def _wait_until_up(link: GrblLink, safe_mm: float) -> None:
 class _Still:
     """Judge of a machine that stands still, by reports that are new since this was made."""
 
-    def __init__(self, link: GrblLink) -> None:
+    def __init__(self, link: MachineLink) -> None:
         self.link, self._first = link, link.states + 2
         self._seen, self._equal, self._last = link.states, 0, None
 
@@ -143,7 +147,7 @@ class _Still:
 
 
 def _asked(
-    link: GrblLink,
+    link: MachineLink,
     ask: Callable[[], None],
     met: Callable[[], bool],
     patience_s: float = _PATIENCE_S,

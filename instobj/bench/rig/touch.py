@@ -9,7 +9,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from instobj.bench.rig.contact_law import LARGEST_RATIO, likely_unit
 from instobj.bench.rig.cycle import raise_and_listen, require_at, settle, take_tare, travel
-from instobj.bench.rig.grbl import until
+from instobj.bench.rig.machine import until
 from instobj.bench.rig.mounting import safe_height_mm
 from instobj.bench.rig.phases import Phase
 from instobj.bench.rig.plan import PressSettings
@@ -70,7 +70,7 @@ def touched(
         station.surface_mm = wanted_mm + off_mm
         coarse_mm = _coarse(station)
         highest_mm = min(station.safe_mm, coarse_mm + settings.clearance_mm)
-        station.safe_mm = safe_height_mm(station.machine.settings, highest_mm)
+        station.safe_mm = safe_height_mm(station.machine.travel.top_mm, highest_mm)
         steps = _steps(station, coarse_mm)
         station.machine.send(f"G53G0Z{station.safe_mm:g}")
         settle(station)

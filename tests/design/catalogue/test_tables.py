@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import pytest
 from pydantic import ValidationError
 
+from design.catalogue.bus_parts import BOARDS
 from design.catalogue.printers import PRINTERS, Printer
 from design.catalogue.tables import read_table, row_named
 from design.errors import InputError
@@ -30,3 +31,11 @@ def test_a_key_that_is_no_field_is_refused():
 def test_another_name_is_refused_with_all_names():
     with pytest.raises(InputError, match=r"printer.name = 'laser' .* fdm-0.4.*sls, or measure"):
         row_named(PRINTERS, "laser", "printer.name", ", or measure")
+
+
+def test_a_row_like_another_has_its_values_and_its_own_name():
+    usb, wireless = BOARDS["esp32s3"], BOARDS["esp32s3-espnow"]
+    assert wireless.buses == usb.buses
+    assert (usb.name, wireless.name) == ("esp32s3", "esp32s3-espnow")
+    assert wireless.battery_pin not in (*wireless.outputs, *wireless.load_pins, usb.battery_pin)
+    assert usb.logic_v == BOARDS["pico"].logic_v

@@ -8,7 +8,7 @@ from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.wiring.bus_limits import FrameTime, largest_capacitance_pf, pullup_kohm
 from design.wiring.bus_plan import all_plans, choose_plan
-from design.wiring.dealing import FACTORY, MIXED, MULTIPLEXED, STARTED
+from design.wiring.dealing import EXPANDED, FACTORY, MIXED, MULTIPLEXED, STARTED
 from design.wiring.lengths import wire_lengths_mm
 
 MLX = {"part": "MLX90393", "range_mt": 49.2, "noise_counts": [5.0, 5.0, 5.0]}
@@ -41,7 +41,7 @@ def test_every_chip_is_reached_alone(board, sensors):
             factory = dict(bus_chip(chip.part).addresses).values()
             assert chip.factory in factory
             assert chip.address not in range(0x70, 0x78)
-        outputs = [chip.supply for chip in plan.chips if chip.supply] + [plan.reset] * bool(
+        outputs = [chip.supply_pin for chip in plan.chips if chip.supply_pin] + [plan.reset] * bool(
             plan.reset
         )
         assert len(set(outputs)) == len(outputs)
@@ -179,7 +179,7 @@ def test_load_cells_that_make_no_sense_are_refused(cell, words):
 
 def test_a_tle493d_is_named_by_its_address_and_not_moved():
     choice = all_plans(object_of(**TLE), MEGA2560)
-    assert dict(choice.refused).keys() == {FACTORY, STARTED}
+    assert dict(choice.refused).keys() == {FACTORY, STARTED, EXPANDED}
     mixed = next(plan for plan in choice.plans if plan.way == MIXED)
     assert [chip.part[-2:] for chip in mixed.chips[:5]] == ["A0", "A1", "A2", "A3", "A0"]
     alone = next(plan for plan in choice.plans if plan.way == MULTIPLEXED)

@@ -6,6 +6,7 @@ import pytest
 
 from design.catalogue.bus_parts import MEGA2560, MUX_ADDRESSES, PICO, bus_chip
 from design.wiring.dealing import (
+    EXPANDED,
     FACTORY,
     MIXED,
     MULTIPLEXED,
@@ -46,6 +47,23 @@ def test_chips_started_one_by_one_get_a_free_address_and_an_output_each():
         dealt(STARTED, chips(most + 1), MEGA2560, 1)
     with pytest.raises(CannotError, match="cannot be changed while it runs"):
         dealt(STARTED, chips(2, "MLX90393"), MEGA2560, 1)
+
+
+def test_expanders_power_sixteen_chips_each_away_from_all_addresses_of_chips():
+    """0x22 is an address of a TMAG5273: no expander has it."""
+    found = dealt(EXPANDED, chips(33), PICO, 1)
+    assert [chip.expander for chip in found] == [0x20] * 16 + [0x21] * 16 + [0x23]
+    assert [found[k].supply for k in (0, 7, 8, 15, 16)] == ["GPA0", "GPA7", "GPB0", "GPB7", "GPA0"]
+    addresses = [chip.address for chip in found]
+    assert len(set(addresses)) == 33
+    assert not set(addresses) & {0x35, 0x22, 0x78, 0x44, *range(0x20, 0x28)}
+    assert all(chip.supply_pin is None for chip in found)
+    with pytest.raises(CannotError, match="free addresses"):
+        dealt(EXPANDED, chips(90), PICO, 1)
+    with pytest.raises(CannotError, match="cannot be changed while it runs"):
+        dealt(EXPANDED, chips(2, "MLX90393"), PICO, 1)
+    with pytest.raises(CannotError, match="5 V"):
+        dealt(EXPANDED, chips(2), MEGA2560, 1)
 
 
 @pytest.mark.parametrize(("way", "per_channel"), [(MULTIPLEXED, 1), (MIXED, 4)])

@@ -60,7 +60,7 @@ def test_stated_columns_hold_and_wrong_ones_are_refused():
     assert log.face.shape[1] == 0
     with pytest.raises(RecordingError, match="cannot be placed"):
         tell_columns(table([LOG.columns()]), "face,what,level,chips")
-    with pytest.raises(RecordingError, match="three each"):
+    with pytest.raises(RecordingError, match="three columns each"):
         tell_columns(table([LOG.columns()]), "face,place,chips")
 
 

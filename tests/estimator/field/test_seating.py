@@ -12,7 +12,7 @@ from design.errors import InputError
 from design.spec.assembly import AsBuiltSpec, BuiltMagnet
 from design.spec.object import ObjectSpec
 from design.spec_io import load_spec
-from estimator.field.seating import ADHESION_N_PER_MM, require_seated, seats
+from estimator.field.seating import ADHESION_N_PER_MM, all_stay, require_seated, seats
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 PAIR = ((-5.0, 0.0), (5.0, 0.0))
@@ -117,3 +117,9 @@ def test_an_object_that_stands_already_is_judged_as_designed():
     flipped = AsBuiltSpec(magnets=(BuiltMagnet(face=1, magnet=2, flipped=True),))
     built = cube(positions_mm=PAIR, height_mm=2.5).changed(as_built=flipped)
     require_seated(built)
+
+
+def test_magnets_on_a_core_under_chips_are_glued_whatever_their_number():
+    reverse = ObjectSpec(name="cube", arrangement="sensors-in-shell")
+    assert all_stay(reverse)
+    assert all_stay(reverse.changed(magnets={"positions_mm": [[0.0, 0.0]]}))

@@ -46,7 +46,7 @@ def test_answers_leave_fewer_questions_and_json_holds_each_finding_with_its_null
     )
     found = json.loads(done.stdout)
     assert [question["answer"] for question in found["questions"]] == [
-        "--spec FILE (instobj new writes one)"
+        "--spec my_object.toml (instobj new writes one)"
     ]
     assert found["adoption"]["chips_of_face"] == {"2": [4, 5, 6]}
     (order,) = found["adoption"]["orders_of_places"]

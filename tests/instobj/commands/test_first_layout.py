@@ -1,12 +1,14 @@
 """First layouts by their score: better than what rules place, within all limits, the same every time."""
 
+import re
+
 import numpy as np
 import pytest
 
 from design.fabrication.layout import failures, layout_findings
 from design.placement.objects import COARSE, SHELL_VARIANTS, Request, first_fit, spec_of
-from estimator.layouts.without_mesh import LevelWithoutMesh, coarse, first_score
-from instobj.commands.first_layout import improved
+from estimator.layouts.without_mesh import BRIEF, LevelWithoutMesh, coarse, first_score
+from instobj.commands.first_layout import gain_text, improved
 from instobj.commands.run import check
 
 PAD = Request("pad", (60.0, 42.0, 11.0), sensors=2, magnets=4)
@@ -53,3 +55,30 @@ def test_bounds_of_few_places_are_those_of_more(placed):
     coarser = spec.changed(contact_grid=spec.contact_grid.changed(pitch_mm=6.5))
     medians = [first_score(one).median_mm for one in (fine, coarser)]
     np.testing.assert_allclose(*medians, rtol=0.35)
+
+
+def test_what_a_better_layout_would_gain_is_what_first_scores_say(placed, moved):
+    """Both bounds fall; of the better layout itself next to nothing is left to gain."""
+    said = gain_text(placed)
+    shares = [float(share) for share in re.findall(r"(\d+) % smaller", said)]
+    assert len(shares) == 2
+    found, _ = improved(placed, *BRIEF)
+    before, after = first_score(spec_of(placed)), first_score(spec_of(found))
+    assert shares[0] == pytest.approx(100 * (1 - after.median_mm / before.median_mm), abs=1)
+    assert shares[1] == pytest.approx(
+        100 * (1 - after.percentile_95_mm / before.percentile_95_mm), abs=1
+    )
+    turned = found | {"sensors": found["sensors"] | {"rotations_deg": [[0, 0, 90.0]] * 2}}
+    left = [float(share) for share in re.findall(r"(\d+) % smaller", gain_text(turned))]
+    assert sum(left) < 0.5 * sum(shares)
+
+
+def test_turns_of_chips_change_bounds_by_the_ratio_of_their_axes_noise_at_most(placed):
+    """Any turn's noise lies between that of all axes as quiet and that of all as noisy as one."""
+    noises = spec_of(placed).sensors.noise_counts
+    quiet, actual, noisy = (
+        first_score(spec_of(placed).changed(sensors={"noise_counts": each})).median_mm
+        for each in ([min(noises)] * 3, list(noises), [max(noises)] * 3)
+    )
+    assert quiet <= actual <= noisy
+    assert noisy / quiet <= max(noises) / min(noises) + 1e-6

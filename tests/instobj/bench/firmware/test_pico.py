@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from design.spec.object import ObjectSpec
-from design.wiring.dealing import MIXED, MULTIPLEXED, STARTED
+from design.wiring.dealing import EXPANDED, MIXED, MULTIPLEXED, STARTED
 from estimator.recordings.boards.lines import Frame, Status
 from tests.support.avr.board import celsius, field_mt
 from tests.support.pico.board import built, messages, needs_micropython
@@ -33,6 +33,7 @@ def counts_of(found):
     ("way", "sensors", "counts_per_mt"),
     [
         (STARTED, {}, 32768 / 40),
+        (EXPANDED, {}, 32768 / 40),
         (MULTIPLEXED, {"part": "TMAG5273B1", "range_mt": 80.0}, 32768 / 80),
         (MIXED, MLX, 1e3 / 1.502),
         (MIXED, TLE, 15.4),
@@ -81,6 +82,32 @@ def test_a_sensor_that_never_lets_go_of_the_bus_is_cut_off(tmp_path):
     silent = np.isnan(counts).any(axis=2)
     assert silent.any()
     assert not silent[-3:].any()
+
+
+def test_sensors_that_an_expander_powers_are_lost_and_found_with_it(tmp_path):
+    """The expander is absent at first; later a chip holds the bus, which only its reset can cut off."""
+    faults = [("dead", -0x20, 0, 900), ("stuck", 9, 2500, 2650)]
+    built(object_of(), tmp_path, faults, end_ms=5200, way=EXPANDED)
+    counts, frames = counts_of(messages(tmp_path)[0])
+    silent = np.isnan(counts).any(axis=2)
+    ms = np.array([frame.board_ms for frame in frames])
+    assert silent[ms < 900].all()
+    assert not silent[(ms > 2200) & (ms < 2500)].any()
+    assert silent[(ms > 2500) & (ms < 3000)].any()
+    assert not silent[-3:].any()
+
+
+def test_sensors_on_each_other_s_supply_are_read_in_each_other_s_place(tmp_path):
+    """Wrong wiring: supplies of the first two are exchanged, which their fields tell."""
+    plan = built(object_of(), tmp_path, end_ms=900, way=EXPANDED)
+    module = tmp_path / "plan.py"
+    text = module.read_text()
+    swapped = text.replace("(32, 0)", "(32, 99)").replace("(32, 1)", "(32, 0)")
+    module.write_text(swapped.replace("(32, 99)", "(32, 1)"))
+    counts, _ = counts_of(messages(tmp_path)[0])
+    right = expected(plan, 32768 / 40)
+    np.testing.assert_array_equal(counts[-1][:2], right[[1, 0]])
+    np.testing.assert_array_equal(counts[-1][2:], right[2:])
 
 
 def test_a_program_that_waits_too_long_is_ended_by_its_watchdog(tmp_path):

@@ -12,6 +12,7 @@ import pytest
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from estimator.recordings.boards.lines import encode_header
+from instobj.bench.rig.dialects import DIALECTS
 from tests.support.rig_in_memory import CHANNELS, FRAME_S, TOP_MM, Bench, Silicone, at_bench
 
 SPEC = ObjectSpec(name="cube", contact_grid={"count": [2, 2], "pitch_mm": 12.0})
@@ -292,14 +293,14 @@ def lost_at_random(bench):
 
 
 def no_ok(data):
-    return data.replace(b"ok\r\n", b"")
+    return re.sub(rb"ok\r?\n", b"", data)
 
 
 def position_frozen(bench):
     when, last = in_press(bench), []
 
     def said(data):
-        if when.begun and b"MPos" in data:
+        if when.begun and (b"MPos" in data or b"Count" in data):
             last.append(data)
             return last[0]
         return data
@@ -317,10 +318,12 @@ def starts_anew_at_the_stop(bench):
     """The reset that a stop asks for takes the machine's supply down: it greets, unlocked, at zero."""
     when = in_press(bench, lambda: bench.machine.refuse.append(2))
 
+    reset = DIALECTS[bench.dialect].reset
+
     def heard(data):
-        if b"\x18" in data:
+        if reset in data:
             reset_to_zero(bench.machine)
-        return data.replace(b"\x18", b"")
+        return data.replace(reset, b"")
 
     bench.machine.heard = from_then(when, heard)
 
@@ -328,12 +331,12 @@ def starts_anew_at_the_stop(bench):
 def lifting_line_lost(bench):
     """Whatever lifts the tip after a fault in a press never arrives."""
     when = in_press(bench, lambda: bench.machine.refuse.append(2))
-    bench.machine.heard = from_then(when, lambda data: b"" if b"G53G0Z" in data else data)
+    bench.machine.heard = from_then(when, lambda data: b"" if b"G0Z" in data else data)
 
 
 def deeper_by_a_digit(bench):
     """The second stop of a press arrives as 6 mm deeper."""
-    bench.machine.heard = lambda data: data.replace(b"G53Z-20\n", b"G53Z-26\n")
+    bench.machine.heard = lambda data: re.sub(rb"Z-20(?=\n|F)", b"Z-26", data)
 
 
 STILL, BOARD_STILL = "stands still", "board in a row are the same"
@@ -466,15 +469,79 @@ def test_no_fault_drives_the_tip_into_the_object(tmp_path, name):
         assert re.search(words, error), error
 
 
+AT_MARLIN = {
+    name: FAULTS[name][1]
+    for name in (
+        *("cell dead on its way down", "a tenth, from a press on", "end of scale in a press"),
+        *("silent in a press", "frames stuck in a press", "chips dead in a press"),
+        *("another header while stopping", "reset in a press", "reset to zero, unlocked"),
+        *("reset while stopping", "reset to zero while stopping", "alarm in a press", "ok late"),
+        *("deaf machine", "silent machine", "position frozen", "line fails while stopping"),
+        *("Ctrl-C in a press", "Ctrl-C while stopping", "the lifting line lost", "an axis stuck"),
+        *("ok lost in a press", "ok lost on its way down"),
+    )
+} | {
+    "a line refused": f"checksum mismatch.*{UP}",
+    "a digit changed on its way to a press": f"checksum mismatch.*{UP}",
+    "characters lost": UP,
+    "a machine that starts anew at the stop": "was reset, or lost its supply.*by hand",
+}
+"""Faults of sensors that are as with a Grbl, and those of the machine in Marlin's words."""
+
+
+@pytest.mark.parametrize("name", AT_MARLIN)
+def test_no_fault_drives_a_tip_on_marlin_into_the_object(tmp_path, name):
+    bench = Bench(dialect="marlin")
+    FAULTS[name][0](bench)
+    error, done = ended(bench, tmp_path)
+    require_unharmed(bench)
+    assert not bench.machine.overflowed
+    if AT_MARLIN[name] is None:
+        assert error is None
+        assert len(done) == 2
+    else:
+        require_told(bench, error)
+        assert re.search(AT_MARLIN[name], error), error
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_a_stop_ends_the_stroke_and_what_waits_behind_it(tmp_path, dialect):
+    """The second stop of the press, 2 mm deep, waits behind the first when the force is beyond the limit."""
+    bench = Bench(dialect=dialect)
+    FAULTS["end of scale in a press"][0](bench)
+    ended(bench, tmp_path)
+    assert 1.2 < max(bench.depths) < 1.6
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"emergency_parser": False}, "built without EMERGENCY_PARSER"),
+        ({"soft": "OFF"}, "soft limits are off"),
+        ({"switches": ("x_min", "y_min", "z_min")}, "homes downwards"),
+        ({"switches": ("x_max", "y_max", "z_max", "z_probe")}, "homes downwards"),
+    ],
+)
+def test_a_marlin_that_cannot_be_stopped_or_would_home_onto_the_object_is_refused(
+    tmp_path, wrong, words
+):
+    bench = Bench(dialect="marlin", **wrong)
+    error, _ = ended(bench, tmp_path)
+    assert re.search(words, error), error
+    assert bench.machine.lines == []
+    assert bench.depth_mm == pytest.approx(-18.0)
+
+
 FAST = SETTINGS | {"speed_mm_s": 4.0, "strokes": 3, "pause_s": 0.6, "depths_mm": DEPTHS_MM[1:]}
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("stiffer", [0.6, 1.0, 1.6, 2.4])
 @pytest.mark.parametrize("settings", [SETTINGS, FAST])
+@pytest.mark.parametrize("dialect", DIALECTS)
 @pytest.mark.parametrize("name", FAULTS)
-def test_no_fault_harms_other_objects_at_other_speeds(tmp_path, name, settings, stiffer):
-    bench = Bench(Silicone(stiffer), seed=1)
+def test_no_fault_harms_other_objects_at_other_speeds(tmp_path, name, dialect, settings, stiffer):
+    bench = Bench(Silicone(stiffer), seed=1, dialect=dialect)
     FAULTS[name][0](bench)
     error, _ = ended(bench, tmp_path, settings)
     require_unharmed(bench)
@@ -484,9 +551,10 @@ def test_no_fault_harms_other_objects_at_other_speeds(tmp_path, name, settings, 
 
 @pytest.mark.parametrize("stiffer", [0.5, 1.5])
 @pytest.mark.parametrize("numbers", [False, True])
-@pytest.mark.parametrize("kind", [lambda _: None, four_axes, grblhal])
+@pytest.mark.parametrize("kind", [lambda _: None, four_axes, grblhal, "marlin"])
 def test_a_sound_rig_does_its_plan(tmp_path, stiffer, numbers, kind):
-    bench = Bench(Silicone(stiffer), numbers=numbers)
+    dialect, kind = ("marlin", FAULTS["ok late"][0]) if kind == "marlin" else ("grbl", kind)
+    bench = Bench(Silicone(stiffer), numbers=numbers, dialect=dialect)
     kind(bench)
     error, done = ended(bench, tmp_path)
     assert error is None

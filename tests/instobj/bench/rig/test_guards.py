@@ -7,8 +7,8 @@ from design.spec.load_cell import LoadCellSpec
 from design.spec.object import ObjectSpec
 from instobj.bench.rig.chips import Chips, NoWitness
 from instobj.bench.rig.contact_law import contact_law
-from instobj.bench.rig.grbl import GrblLink, MachineFault
 from instobj.bench.rig.load_cell import LoadCell, NoReading, largest_reading_n
+from instobj.bench.rig.machine import MachineFault, MachineLink
 from instobj.bench.rig.phases import Phase, require_following
 
 
@@ -26,7 +26,7 @@ class Sink:
 
 def test_no_line_below_the_floor_leaves_for_the_machine():
     line = Sink()
-    link = GrblLink(line, "machine")
+    link = MachineLink(line, "machine")
     with pytest.raises(MachineFault, match="It was not sent"):
         link.send("G53G0Z-1")  # before any floor is set
     link.floor_mm = -10.0

@@ -7,7 +7,7 @@ import pytest
 from design.spec.object import ObjectSpec
 from instobj.bench.rig import cycle
 from instobj.bench.rig.clock import Clock
-from instobj.bench.rig.grbl import GrblLink, MachineFault, until
+from instobj.bench.rig.machine import MachineFault, MachineLink, until
 from instobj.bench.rig.run import new_station
 from instobj.bench.rig.station import Silence
 
@@ -36,7 +36,7 @@ def silent_station(clock):
     """A machine that answers nothing, no board and no load cell; what it says is given by hand."""
     said = []
     line = SimpleNamespace(read=lambda _: said.pop() if said else b"", write=len)
-    link = GrblLink(line, "machine", clock=clock)
+    link = MachineLink(line, "machine", clock=clock)
     nothing = iter(lambda: b"", None)
     made = new_station(link, nothing, None, ObjectSpec(name="cube"), 5.0, LOST_S)
     made.machine.trusted = True

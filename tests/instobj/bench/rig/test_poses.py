@@ -66,6 +66,8 @@ def test_unknown_kinds_of_lists_and_machines_are_refused(tmp_path):
         rig(RigOptions(path, "poses", tmp_path / "poses.txt"), lambda _: False)
     with pytest.raises(InputError, match="--machine 'ender' is not known"):
         rig(RigOptions(path, "ender"), lambda _: False)
+    with pytest.raises(InputError, match=r"a stop would wait for a network.*--machine marlin"):
+        rig(RigOptions(path, "octoprint"), lambda _: True)
 
 
 def test_every_place_is_pressed_once_per_round_with_returns_to_the_middle(tmp_path):

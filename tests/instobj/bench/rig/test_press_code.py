@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from design.errors import InputError
-from instobj.bench.rig.grbl import GrblLink
+from instobj.bench.rig.grbl_lines import RECEIVE_BYTES
+from instobj.bench.rig.machine import MachineLink
 from instobj.bench.rig.plan import PressSettings
 from instobj.bench.rig.press_code import press_code
 from tests.support.grbl_simulator import GrblSimulator
@@ -33,9 +34,9 @@ def heights(settings, out_s=np.inf):
     machine = GrblSimulator(_22=0)
     machine.position[2] = SAFE_MM
     wire = Wire(machine)
-    link = GrblLink(wire, "machine", trusted=True, floor_mm=SURFACE_MM - 3.0)
+    link = MachineLink(wire, "machine", trusted=True, floor_mm=SURFACE_MM - 3.0)
     machine.give()
-    for part in press_code(settings, SURFACE_MM, SAFE_MM):
+    for part in press_code(settings, SURFACE_MM, SAFE_MM, RECEIVE_BYTES):
         link.send_whole(part)
     found = []
     while machine.now < settings.seconds:
@@ -66,7 +67,7 @@ def test_left_alone_at_any_moment_the_machine_ends_with_the_tip_clear(out_s):
 
 
 def test_every_stroke_is_one_part_and_ends_clear_of_the_surface():
-    parts = press_code(PressSettings((1.5, 3.0), strokes=6), -112.345, -107.0)
+    parts = press_code(PressSettings((1.5, 3.0), strokes=6), -112.345, -107.0, RECEIVE_BYTES)
     assert len(parts) == 6
     assert all(sum(len(line) + 1 for line in part) <= 127 for part in parts)
     assert all(part[-2:] == ["G53G0Z-111.84", "G4P1"] for part in parts[:-1])
@@ -74,10 +75,10 @@ def test_every_stroke_is_one_part_and_ends_clear_of_the_surface():
 
 
 def test_a_press_and_its_retraction_fit_into_the_machine_or_are_refused():
-    (part,) = press_code(PressSettings((1.0, 2.0, 3.0, 4.0)), -112.345, -107.345)
+    (part,) = press_code(PressSettings((1.0, 2.0, 3.0, 4.0)), -112.345, -107.345, RECEIVE_BYTES)
     assert sum(len(line) + 1 for line in part) <= 127
     with pytest.raises(InputError, match="Give fewer depths_mm"):
-        press_code(PressSettings((1.0, 1.5, 2.0, 2.5, 3.0, 4.0)), -112.345, -107.345)
+        press_code(PressSettings((1.0, 1.5, 2.0, 2.5, 3.0, 4.0)), -112.345, -107.345, RECEIVE_BYTES)
 
 
 @pytest.mark.parametrize("wrong", [{"strokes": 0}, {"strokes": 2, "lift_mm": 9.0}])

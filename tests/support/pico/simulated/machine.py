@@ -46,10 +46,16 @@ class Pin:
 
 
 class ADC:
-    """Twelve bits, shown as sixteen."""
+    """Twelve bits, shown as sixteen; a battery of 3.8 V behind a divider of two equal resistors."""
 
-    def __init__(self, pin):
-        assert world.load.pins == (pin.number,)
+    ATTN_11DB = 3
+
+    def __init__(self, pin, atten=None):
+        self.battery = pin.number == world.scene.BATTERY
+        assert (self.battery and atten == ADC.ATTN_11DB) or world.load.pins == (pin.number,)
+
+    def read_uv(self):
+        return 1_900_000
 
     def read_u16(self):
         steps = max(0, min(4095, int(world.load.at(world.now_us() / 1000) / 3300 * 4096)))
@@ -75,7 +81,8 @@ class I2C:
             raise OSError(_ETIMEDOUT)
         world.advance(int(9 * (1 + count) * self.bit_us) + 1)
         found = [placed for placed in world.chips if placed.answers(self.number, address)]
-        if not found and (self.number, address) not in world.channels:
+        parts = list(world.channels) + world.present()
+        if not found and (self.number, address) not in parts:
             raise OSError(_EIO)
         return found
 
@@ -85,6 +92,8 @@ class I2C:
             placed.chip.write(data)
         if (self.number, address) in world.channels:
             world.channels[self.number, address] = data[0]
+        if (self.number, address) in world.expanders:
+            world.expanders[self.number, address].write(data)
 
     def readfrom_into(self, address, buffer):
         found = self._begin(address, len(buffer))

@@ -210,7 +210,42 @@ class Placed:
 
 chips = [Placed(number, *what) for number, what in enumerate(scene.CHIPS)]
 channels = dict.fromkeys(scene.MULTIPLEXERS, 0)
+
+
+class Expander:
+    """MCP23017: outputs power chips where their direction is out and their latch is set."""
+
+    def __init__(self, bus, address):
+        self.bus, self.address = bus, address
+        self.reset()
+
+    def reset(self):
+        self.directions, self.latches = 0xFFFF, 0
+        self.switch()
+
+    def write(self, data):
+        both = data[1] | data[2] << 8
+        if data[0] == 0x14:
+            self.latches = both
+        elif data[0] == 0x00:
+            self.directions = both
+        self.switch()
+
+    def switch(self):
+        for placed in chips:
+            if placed.bus == self.bus and isinstance(placed.supply, tuple):
+                address, bit = placed.supply
+                if address == self.address:
+                    placed.power((self.latches & ~self.directions) >> bit & 1)
+
+
+def present():
+    """Places of expanders that answer."""
+    return [place for place in expanders if not faulty("dead", -place[1])]
+
+
 holder, clocks_left = [None], [0]
+expanders = {place: Expander(*place) for place in scene.EXPANDERS}
 
 
 def hold(placed, clocks):
@@ -231,6 +266,8 @@ def set_pin(pin, value):
     if pin == scene.RESET and not value:
         for place in channels:
             channels[place] = 0
+        for expander in expanders.values():
+            expander.reset()
         if holder[0] is not None and holder[0].multiplexer is not None:
             holder[0] = None
 

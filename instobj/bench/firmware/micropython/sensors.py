@@ -5,6 +5,7 @@ import time
 import plan
 from bus import Bus
 from chip import RESULTS, move, read, setup, undervoltage
+from expander import Expander, Output
 from machine import Pin
 
 ATTEMPTS = 2
@@ -14,29 +15,47 @@ class Sensors:
     def __init__(self):
         self.supply_errors = 0
         self.alive = [False] * len(plan.PLACES)
-        self.pins = [None if p[5] is None else Pin(p[5], Pin.OUT, value=0) for p in plan.PLACES]
+        self.expanders = {}
         self.reset = None if plan.RESET is None else Pin(plan.RESET, Pin.OUT, value=1)
         self.open_route = {}
         self.buses = [Bus(*bus, plan.HERTZ, self.recover) for bus in plan.BUSES]
+        self.pins = [self.supply_of(place) for place in plan.PLACES]
         self.buffer = bytearray(RESULTS)
-        self.reset_multiplexers()
+        self.reset_parts()
         time.sleep_ms(20)  # supplies fall, so that every chip has its factory address again
         for number in range(len(self.alive)):
             self.revive(number)
         time.sleep_ms(plan.CONVERSION_MS)
 
-    def reset_multiplexers(self):
+    def supply_of(self, place):
+        """The pin that powers a sensor, of the board or of an expander."""
+        bus, supply = place[0], place[5]
+        if supply is None:
+            return None
+        if isinstance(supply, int):
+            return Pin(supply, Pin.OUT, value=0)
+        if (bus, supply[0]) not in self.expanders:
+            self.expanders[bus, supply[0]] = Expander(self.buses[bus], supply[0])
+        return Output(self.expanders[bus, supply[0]], supply[1])
+
+    def reset_parts(self):
+        """Close all channels of multiplexers, and cut off all outputs of expanders."""
         self.open_route = {}
+        for expander in self.expanders.values():
+            expander.latches = 0
         if self.reset is not None:
             self.reset.value(0)
             time.sleep_us(2)
             self.reset.value(1)
 
     def recover(self, stuck):
-        self.reset_multiplexers()
+        if stuck or not self.expanders:
+            self.reset_parts()
         for number, pin in enumerate(self.pins):
-            if stuck and pin is not None:
+            if stuck and pin is not None and not self.expanders:
                 self.lose(number)
+            elif stuck and pin is not None:  # cut off by the reset, without the bus
+                self.alive[number] = False
 
     def reach(self, place):
         """Open the channel of the sensor's multiplexer, and close the one open before."""

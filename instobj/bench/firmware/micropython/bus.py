@@ -1,10 +1,10 @@
 """I2C buses: transfers that end in time, and recovery of a bus that hangs."""
 
 import time
+from errno import ETIMEDOUT  # ESP32s have another number than others
 
 from machine import I2C, Pin
 
-TIMED_OUT = 110  # ETIMEDOUT
 TIMEOUT_US = 2500
 CLOCKS_TO_FREE = 9
 
@@ -33,7 +33,7 @@ class Bus:
             return True
         except OSError as error:
             Bus.errors += 1
-            if error.args[0] == TIMED_OUT:
+            if error.args[0] == ETIMEDOUT:
                 self.recover()
             return False
 

@@ -1,7 +1,8 @@
-"""The module `plan.py` of the Pico's firmware: pins, addresses and settings of an object."""
+"""The module `plan.py` of the MicroPython firmware: pins, addresses and settings of an object."""
 
 from __future__ import annotations
 
+from design.catalogue.bus_parts import EXPANDER_OUTPUTS
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import BusPlan
 from design.wiring.dealing import ChipOnBus
@@ -20,7 +21,7 @@ _PARTS = 256
 
 def gpio_of(pin: str) -> int:
     """Number of a pin by its name."""
-    return int(pin.removeprefix("GP"))
+    return int(pin[2:])  # GP12, or IO12 on ESP32s
 
 
 def plan_module(spec: ObjectSpec, plan: BusPlan) -> str:
@@ -43,6 +44,7 @@ def plan_module(spec: ObjectSpec, plan: BusPlan) -> str:
         "CONVERSION_MS": conversion,
         "AXES": tuple(1 + "XYZ".index(axis) for axis in axes_in_order(spec)),
         "RESET": None if plan.reset is None else gpio_of(plan.reset),
+        "BATTERY": gpio_of(plan.board.battery_pin) if plan.board.battery_pin else None,
         "BUSES": tuple(buses),
         "CHANNELS": ",".join(channel_names(spec, plan)),
         **chip_settings(spec, plan),
@@ -72,6 +74,8 @@ def _load_cell(spec: ObjectSpec, plan: BusPlan) -> dict[str, object]:
     return {"LOAD_CELL": plan.load.kind, "LOAD_PINS": pins, **load_settings(spec, plan, sum_of)}
 
 
-def _place(chip: ChipOnBus) -> tuple[int | None, ...]:
-    supply = None if chip.supply is None else gpio_of(chip.supply)
+def _place(chip: ChipOnBus) -> tuple[int | tuple[int, int] | None, ...]:
+    supply = None if chip.supply_pin is None else gpio_of(chip.supply_pin)
+    if chip.expander is not None:
+        supply = (chip.expander, EXPANDER_OUTPUTS.index(chip.supply))
     return (chip.bus, chip.factory, chip.address, chip.multiplexer, chip.channel, supply)

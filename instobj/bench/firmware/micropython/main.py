@@ -1,8 +1,6 @@
 """Frames of all sensors at a fixed rate, a status line a second, the channels on ? (see README.md)."""
 
 import gc
-import select
-import sys
 import time
 
 import machine
@@ -10,6 +8,7 @@ import micropython
 import plan
 from bus import Bus
 from chip import celsius
+from link import Link
 from load_cell import load_cell, newtons
 from sensors import Sensors
 
@@ -29,21 +28,29 @@ def crc16(data: ptr8, count: int) -> int:
     return crc
 
 
-def send(cells):
+def send(link, cells):
     body = ",".join(cells)
     data = body.encode()
-    sys.stdout.write(f"${body}*{crc16(data, len(data)):04X}\n")
+    link.write(f"${body}*{crc16(data, len(data)):04X}\n")
 
 
-def send_header():
-    send(("H", "1", plan.CHANNELS))
+def send_header(link):
+    send(link, ("H", "1", plan.CHANNELS))
 
 
-def send_loads(load):
+def send_loads(link, load):
     """Lines of all readings of the load cell since the last ones."""
     load.poll()
     for ms, value in load.take():
-        send(("L", str(ms), "1", newtons(value)))
+        send(link, ("L", str(ms), "1", newtons(value)))
+
+
+def battery_mv():
+    """Return the battery's voltage behind a divider of two equal resistors, empty where there is none."""
+    if plan.BATTERY is None:
+        return ""
+    adc = machine.ADC(machine.Pin(plan.BATTERY), atten=machine.ADC.ATTN_11DB)
+    return str(2 * adc.read_uv() // 1000)
 
 
 def frame_cells(sensors, load, sequence, values):
@@ -59,7 +66,7 @@ def frame_cells(sensors, load, sequence, values):
 
 
 def status_cells(sensors, cause, values):
-    cells = ["S", str(time.ticks_ms()), ""]
+    cells = ["S", str(time.ticks_ms()), battery_mv()]
     for count in (sensors.supply_errors, Bus.errors, Bus.recoveries):
         cells.append(str(count))
     cells.append(cause)
@@ -68,49 +75,37 @@ def status_cells(sensors, cause, values):
     return cells
 
 
-def asked(poll):
-    """Return whether a ? came."""
-    came = False
-    while poll.poll(0):
-        character = sys.stdin.read(1)
-        if not character:  # nobody is there
-            break
-        came = character == "?" or came
-    return came
-
-
-def wait_until(due_us, poll, load):
+def wait_until(due_us, link, load):
     while time.ticks_diff(due_us, time.ticks_us()) > 0:
-        if asked(poll):
-            send_header()
-        send_loads(load)
+        if link.asked():
+            send_header(link)
+        send_loads(link, load)
         time.sleep_us(min(1000, max(0, time.ticks_diff(due_us, time.ticks_us()))))
 
 
 def run():
     cause = "watchdog" if machine.reset_cause() == machine.WDT_RESET else "power"
-    poll = select.poll()
-    poll.register(sys.stdin, select.POLLIN)
+    link = Link()
     watchdog = machine.WDT(timeout=WATCHDOG_MS)
     sensors, load = Sensors(), load_cell()
     values = [None] * len(plan.PLACES)
-    send_header()
+    send_header(link)
     due_us, status_ms, sequence, statuses = time.ticks_us(), time.ticks_ms(), 0, 0
     while True:
         watchdog.feed()
-        wait_until(due_us, poll, load)
+        wait_until(due_us, link, load)
         cells = frame_cells(sensors, load, sequence, values)
-        send_loads(load)
-        send(cells)
+        send_loads(link, load)
+        send(link, cells)
         sequence = (sequence + 1) % 65536
         due_us = time.ticks_add(due_us, plan.FRAME_US)
         if time.ticks_diff(time.ticks_ms(), status_ms) >= STATUS_MS:
             status_ms = time.ticks_add(status_ms, STATUS_MS)
-            send(status_cells(sensors, cause, values))
+            send(link, status_cells(sensors, cause, values))
             sensors.watch()
             statuses += 1
             if statuses % STATUS_A_HEADER == 0:
-                send_header()
+                send_header(link)
         gc.collect()
 
 
