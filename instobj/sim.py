@@ -124,7 +124,7 @@ class HallObject:
         return f"HallObject of {self.spec.name}: counts of {sensors} sensors × 3 axes"
 
     def reset(self) -> None:
-        """Begin anew, as after a new zero: no relaxation, no frame under way, another drift.
+        """Begin again, as after a new zero: no relaxation, no frame under way, another drift.
 
         `read` does so by itself where the number of objects changes.
         """

@@ -1,1 +1,1 @@
-"""Quality of estimators, beside what is possible at best."""
+"""Quality of estimators, next to what is possible at best."""

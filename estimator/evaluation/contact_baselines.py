@@ -1,4 +1,4 @@
-"""Simple readings of contacts, beside which those by inversion stand."""
+"""Simple readings of contacts, with which those by inversion are compared."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from estimator.inversion.readings import ContactSets
     from estimator.networks.face_model import FaceModel
 
-Found = list[tuple[int, float, float, float]]
+FrameContacts = list[tuple[int, float, float, float]]
 """Face, x, y (mm) and force (N) of the contacts of a frame."""
 
 
@@ -26,29 +26,29 @@ def pursued(inversion: Inversion, frames: FrameSet) -> ContactSets:
     from estimator.frames.windows import all_counts
 
     presses, faces = inversion.search.dictionary, inversion.model.signals.faces
-    seen = inversion.disturbances.observed(all_counts(frames))
-    every: list[Found] = []
-    for counts, sigma in zip(seen.counts, seen.sigma, strict=True):
+    observed = inversion.disturbances.observed(all_counts(frames))
+    contacts: list[FrameContacts] = []
+    for counts, sigma in zip(observed.counts, observed.sigma, strict=True):
         white, target = (presses.counts / sigma).T.astype(float), counts / sigma
         chosen: list[int] = []
-        scale, left = np.zeros(0), target
+        scale, residual = np.zeros(0), target
         while len(chosen) < inversion.priors.most:
-            along = left @ white / np.linalg.norm(white, axis=0)
-            tried = [*chosen, int(np.argmax(along))]
+            correlation = residual @ white / np.linalg.norm(white, axis=0)
+            tried = [*chosen, int(np.argmax(correlation))]
             refitted, misfit = nnls(white[:, tried], target)
-            if left @ left - misfit**2 < 3 * np.log(len(target)):
+            if residual @ residual - misfit**2 < 3 * np.log(len(target)):
                 break
             chosen, scale = tried, refitted
-            left = target - white[:, chosen] @ scale
+            residual = target - white[:, chosen] @ scale
         contact = presses.contact[chosen, 0]
-        every.append(
+        contacts.append(
             [
                 (int(faces[presses.face[k]]), x, y, factor * force)
                 for k, (x, y, force), factor in zip(chosen, contact, scale, strict=True)
                 if factor > 0
             ]
         )
-    return contact_sets_of(every)
+    return contact_sets_of(contacts)
 
 
 def patches(
@@ -62,25 +62,25 @@ def patches(
     from estimator.metrics.heatmaps import NON_CONTACT_SHARE
     from estimator.networks.face_model import predict_heatmaps
 
-    every: list[Found] = [[] for _ in rows]
+    contacts: list[FrameContacts] = [[] for _ in rows]
     for model, smallest_n in models:
         limit = NON_CONTACT_SHARE * smallest_n
-        for found, heatmap in zip(every, predict_heatmaps(model, frames)[rows], strict=True):
+        for row, heatmap in zip(contacts, predict_heatmaps(model, frames)[rows], strict=True):
             patch, count = label(heatmap >= limit, np.ones((3, 3)))  # pyright: ignore[reportGeneralTypeIssues]
             for number in range(1, count + 1):
                 i, j = center_of_mass(heatmap, patch, number)
                 x, y = (
-                    float(np.interp(at, np.arange(len(grid)), grid))
-                    for at, grid in ((i, model.grid_x_mm), (j, model.grid_y_mm))
+                    float(np.interp(index, np.arange(len(grid)), grid))
+                    for index, grid in ((i, model.grid_x_mm), (j, model.grid_y_mm))
                 )
-                found.append((model.face, x, y, float(heatmap[patch == number].sum())))
-    return contact_sets_of(every)
+                row.append((model.face, x, y, float(heatmap[patch == number].sum())))
+    return contact_sets_of(contacts)
 
 
 def training_mean(trained: FrameSet, frames: int) -> ContactSets:
     """One contact on every face that training presses, at the mean of its places with the mean of its
     forces, whatever a frame shows."""
-    mean: Found = []
+    mean: FrameContacts = []
     for face in np.unique(trained.contact_face[trained.contact_face > 0]).tolist():
         here = (trained.contact_face == face) & trained.valid[:, None]
         x, y = trained.contact_xy_mm[here].mean(axis=0)
@@ -89,19 +89,19 @@ def training_mean(trained: FrameSet, frames: int) -> ContactSets:
     return contact_sets_of([mean] * frames)
 
 
-def contact_sets_of(every: list[Found]) -> ContactSets:
+def contact_sets_of(contacts: list[FrameContacts]) -> ContactSets:
     """Without any uncertainty."""
     from estimator.inversion.model.forward import NONE
     from estimator.inversion.readings import ContactSets
 
-    slots = max(1, *map(len, every))
-    values = np.full((len(every), slots, 4), np.nan)
-    for row, found in zip(values, every, strict=True):
-        row[: len(found)] = np.array(found).reshape(-1, 4)
+    slots = max(1, *map(len, contacts))
+    values = np.full((len(contacts), slots, 4), np.nan)
+    for row, frame in zip(values, contacts, strict=True):
+        row[: len(frame)] = np.array(frame).reshape(-1, 4)
     face = np.nan_to_num(values[..., 0]).astype(int)
     unknown = np.full((*face.shape, 3, 3), np.nan)
-    pulls, ones = np.full((*face.shape, 2), np.nan), np.ones(len(every))
-    out = np.full(len(every), NONE)
+    pulls, ones = np.full((*face.shape, 2), np.nan), np.ones(len(contacts))
+    out = np.full(len(contacts), NONE)
     places = face, values[..., 1:3], values[..., 3]
-    none = np.zeros((len(every), 0))
+    none = np.zeros((len(contacts), 0))
     return ContactSets(*places, unknown, pulls, pulls, ones, ones, out, none, none, pulls)

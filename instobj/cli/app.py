@@ -311,7 +311,7 @@ def _warning_line(
 
 
 def _note_interrupts() -> list[int]:
-    """Interrupts received so far, besides raising KeyboardInterrupt as usual."""
+    """Interrupts received so far, apart from raising KeyboardInterrupt as usual."""
     received: list[int] = []
 
     def note(number: int, frame: object) -> None:

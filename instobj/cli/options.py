@@ -148,8 +148,8 @@ def port_and_baud(port: str | None) -> tuple[str | None, int]:
     InputError
         What follows the last @ is no number of 300 or more.
     """
-    name, at, baud = (port or "").rpartition("@")
-    if not at:
+    name, separator, baud = (port or "").rpartition("@")
+    if not separator:
         return port, BAUD
     if not baud.isdecimal() or int(baud) < 300:
         raise InputError(
@@ -194,9 +194,9 @@ def zero_and_frames(text: str | None, frames: int) -> tuple[ZeroMode | None, int
         return None, frames
     mode, colon, given = text.partition(":")
     many = int(given) if given.isdecimal() else 0 if colon else frames
-    for known in get_args(ZeroMode):
-        if mode == known and many >= _FEWEST_FRAMES:
-            return known, many
+    for name in get_args(ZeroMode):
+        if mode == name and many >= _FEWEST_FRAMES:
+            return name, many
     raise InputError(
         f"--zero {text}: give rest, first or none, with :FRAMES of {_FEWEST_FRAMES} or more where "
         f"{frames} are not wanted, such as rest:20"

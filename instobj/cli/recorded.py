@@ -80,7 +80,7 @@ def validate(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Predicted against recorded presses, every figure beside its permutation null."""
+    """Predicted against recorded presses, every figure with its permutation null."""
     from instobj.commands.recorded.validate import validate_on
 
     show(validate_on(spec, recordings, exchanges, out, overrides or []), as_json)

@@ -78,25 +78,25 @@ def _print_findings(console: Console, item: dict[str, Any]) -> None:
     console.rule(f"{item['name']}: fabrication on {item['printer']}, {item['silicone']}")
     rows = [
         {
-            "status": found["status"],
-            "part": found["part"],
-            "check": found["check"],
-            "value": found["value"],
-            "limit": found["limit"],
-            "unit": found["unit"],
-            "place, mm": "" if found["place_mm"] is None else _place(found["place_mm"]),
+            "status": finding["status"],
+            "part": finding["part"],
+            "check": finding["check"],
+            "value": finding["value"],
+            "limit": finding["limit"],
+            "unit": finding["unit"],
+            "place, mm": "" if finding["place_mm"] is None else _place(finding["place_mm"]),
         }
-        for found in item["findings"]
-        if found["status"] != "pass"
+        for finding in item["findings"]
+        if finding["status"] != "pass"
     ]
     console.print(f"{len(item['findings']) - len(rows)} of {len(item['findings'])} checks pass")
     if rows:
         _print_rows(console, "not passed", rows)
     alike: dict[tuple[str, str, str], list[str]] = {}
-    for found in item["findings"]:
-        if found["status"] != "pass":
-            told = found["status"], found["check"], found["what"]
-            alike.setdefault(told, []).append(found["part"])
+    for finding in item["findings"]:
+        if finding["status"] != "pass":
+            key = finding["status"], finding["check"], finding["what"]
+            alike.setdefault(key, []).append(finding["part"])
     for (status, check, what), parts in alike.items():
         console.print(f"{status}: {', '.join(parts)}, {check}: {what}")
     _print_files(console, item["files"])
@@ -172,7 +172,7 @@ def _laid_out(
 
 
 def _columns(rows: list[dict[str, Any]]) -> list[list[str]]:
-    """Of every column its name and its values, as printed."""
+    """Name and values of every column, as printed."""
     return [[name, *(shown(row[name]) for row in rows)] for name in rows[0]]
 
 
@@ -230,7 +230,7 @@ def _print_files(console: Console, files: Any) -> None:
     paths = [Path(row["path"]) for row in files]
     lines = [f"wrote {row['path']} ({_size(row['bytes'])})" for row in files]
     if len(paths) > _ALL_NAMED:
-        lines = [_in_folder(folder, files) for folder in _folders(paths)]
+        lines = [_folder_line(folder, files) for folder in _folders(paths)]
     ranked = (
         path
         for name in _OPENED_FIRST
@@ -241,7 +241,7 @@ def _print_files(console: Console, files: Any) -> None:
         console.print(line, soft_wrap=True)
 
 
-def _in_folder(folder: Path, files: Any) -> str:
+def _folder_line(folder: Path, files: Any) -> str:
     inside = [row["bytes"] for row in files if Path(row["path"]).is_relative_to(folder)]
     return f"wrote {len(inside)} files, {_size(sum(inside))}, to {folder}/"
 
@@ -249,7 +249,9 @@ def _in_folder(folder: Path, files: Any) -> str:
 def _folders(paths: list[Path]) -> list[Path]:
     """Folders of the paths that lie within no other of them."""
     parents = {path.parent for path in paths}
-    return sorted(one for one in parents if not any(other in one.parents for other in parents))
+    return sorted(
+        folder for folder in parents if not any(parent in folder.parents for parent in parents)
+    )
 
 
 def _size(count: int) -> str:

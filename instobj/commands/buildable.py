@@ -12,8 +12,10 @@ from instobj.store.readers import FINDINGS
 
 def failed_checks(spec: ObjectSpec) -> dict[tuple[str, str], Finding]:
     """Return by part and check all that `instobj check --fabrication` fails; from the store, or made."""
-    findings = [Finding.from_dict(found) for found in Run(spec).read(FINDINGS)["findings"]]
-    return {(one.part, one.check): one for one in findings if one.status == "fail"}
+    findings = [Finding.from_dict(row) for row in Run(spec).read(FINDINGS)["findings"]]
+    return {
+        (finding.part, finding.check): finding for finding in findings if finding.status == "fail"
+    }
 
 
 def require_makeable(spec: ObjectSpec) -> None:
@@ -30,11 +32,11 @@ def require_makeable(spec: ObjectSpec) -> None:
         raise InputError(f"{spec.name} is not built, as check --fabrication fails on it:{listed}")
 
 
-def why_unbuildable(found: ObjectSpec, start: ObjectSpec) -> str:
+def why_unbuildable(layout: ObjectSpec, start: ObjectSpec) -> str:
     """Return what fails in a layout and not in the start, which is what a search can answer for; or ""."""
-    unseated = why_unseated(found)
+    unseated = why_unseated(layout)
     if unseated and not why_unseated(start):
         return unseated
-    new = failed_checks(found)
-    known = failed_checks(start) if new else {}
-    return "; ".join(finding.told for key, finding in new.items() if key not in known)
+    new = failed_checks(layout)
+    failed_before = failed_checks(start) if new else {}
+    return "; ".join(finding.told for key, finding in new.items() if key not in failed_before)

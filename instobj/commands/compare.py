@@ -1,4 +1,4 @@
-"""Layouts beside each other: one table and one figure of their scores."""
+"""Comparison of layouts: one table and one figure of their scores."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ def comparison_picture(specs: list[ObjectSpec], out: Path) -> Path:
 
 def comparison_row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
     """Scores of one object as tables show them."""
-    there, weakest = scores.judged, weakest_place(scores)
-    bound = scores.position_bound_mm[there]
-    mid_edge = np.stack([area_places(scores.grid, "mid_edge", own) for own in scores.places])
-    at_mid_edge = scores.position_bound_mm[mid_edge & there]
+    judged, weakest = scores.judged, weakest_place(scores)
+    bound = scores.position_bound_mm[judged]
+    mid_edge = np.stack([area_places(scores.grid, "mid_edge", places) for places in scores.places])
+    at_mid_edge = scores.position_bound_mm[mid_edge & judged]
     return {
         "object": spec.name,
         "press N": spec.score.force_n,
-        "places that reach it %": round(100 * there.sum() / scores.places.sum(), 1),
+        "places that reach it %": round(100 * judged.sum() / scores.places.sum(), 1),
         "surface covered %": round(100 * covered_share(spec)),
         "bounds read": spec.score.channels,
         "place mm": float(np.median(bound)),
@@ -48,11 +48,11 @@ def comparison_row(spec: ObjectSpec, scores: PlaceScores) -> dict[str, Any]:
         "places within limit %": round(
             100 * float(np.mean(bound <= spec.limits.position_bound_mm)), 1
         ),
-        "place after 15 min mm": float(np.median(scores.position_bound_drifted_mm[there])),
-        "force N": float(np.median(scores.force_bound_n[there])),
-        "detect N": float(np.median(scores.detectable_force_n[there])),
+        "place after 15 min mm": float(np.median(scores.position_bound_drifted_mm[judged])),
+        "force N": float(np.median(scores.force_bound_n[judged])),
+        "detect N": float(np.median(scores.detectable_force_n[judged])),
         "own channels": 3 * spec.sensors.count_per_face,
-        "δ, counts^channels/N": float(np.median(scores.delta_raw[there])),
+        "δ, counts^channels/N": float(np.median(scores.delta_raw[judged])),
     }
 
 

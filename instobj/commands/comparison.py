@@ -65,15 +65,15 @@ def jaw_rows(run: Run) -> list[dict[str, float]]:
 
     scores, rows = run.read(SCORES), []
     for jaw in jaw_bounds(run.spec, jaw_faces(run.spec, run.read(RESPONSE))):
-        at = scores.faces.tolist().index(jaw.face)
-        tips = scores.judged[at]
+        index = scores.faces.tolist().index(jaw.face)
+        tips = scores.judged[index]
         rows.append(
             {
                 "face": jaw.face,
                 "σ force N": jaw.force_bound_n,
-                "of tips N": float(np.median(scores.force_bound_n[at, tips])),
+                "of tips N": float(np.median(scores.force_bound_n[index, tips])),
                 "σ centre mm": jaw.centre_bound_mm,
-                "σ place of tips mm": float(np.median(scores.position_bound_mm[at, tips])),
+                "σ place of tips mm": float(np.median(scores.position_bound_mm[index, tips])),
                 "σ tilt °": jaw.tilt_bound_deg,
                 "drifted N": jaw.force_bound_drifted_n,
                 "mm": jaw.centre_bound_drifted_mm,
@@ -86,7 +86,7 @@ def jaw_rows(run: Run) -> list[dict[str, float]]:
 def write_comparison_page(
     specs: list[ObjectSpec], scenes: list[Path], scores: list[dict[str, Any]], figure: Path
 ) -> Path:
-    """Write `comparison.html` beside the figure, from the folders of the scenes."""
+    """Write `comparison.html` next to the figure, from the folders of the scenes."""
     names = [spec.name for spec in specs]
     return write_page(
         figure.with_name("comparison.html"),

@@ -50,7 +50,7 @@ COLUMNS: tuple[str, ...] = (
 def contacts_in_file(
     model_path: Path, path: Path, out: Path | None, zeroing: Zeroing
 ) -> dict[str, Any]:
-    """Read every frame of a file; writes `<stem>.contacts.csv` beside it, one row per contact.
+    """Read every frame of a file; writes `<stem>.contacts.csv` next to it, one row per contact.
 
     With a folder `out` it is `out/runs/<name>/contacts.csv`, named as `run_name` says. Where `out` is an
     MCAP file, frames go there too (`instobj.robot.foxglove_channels`).
@@ -69,11 +69,11 @@ def contacts_in_file(
     judged: list[dict[str, Any]] = []
     texts: list[str] = []
     if is_data_set(path):
-        number, time_s, best, second, judged = _in_data_set(inversion, path, zeroing)
+        number, time_s, best, second, judged = _read_data_set(inversion, path, zeroing)
         unread = 0
     else:
         stream = recorded_stream(path)
-        number, time_s, best, unread = _in_recording(inversion, stream, zeroing)
+        number, time_s, best, unread = _read_recording(inversion, stream, zeroing)
         second, texts = None, stream.texts
     rows = _rows(inversion, number, time_s, best, second)
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
@@ -112,14 +112,14 @@ def contacts_on_port(
         A bad model or port, or readings of another object.
     """
     inversion = load_inversion(model_path)
-    reader = LiveContacts(inversion, *zeroing.of_raw)
+    reader = LiveContacts(inversion, *zeroing.raw_settings)
     frames = islice(live_frames(reader, inversion.channels, port, baud), count)
     return (json.dumps(contacts_of(inversion, frame)) for frame in frames)
 
 
 def contacts_of(inversion: Inversion, frame: LiveFrame) -> dict[str, Any]:
     """Return a board's frame as `instobj predict --port` prints it."""
-    return _document(inversion, frame.number, frame.time_s, frame.found) | frame.line
+    return _document(inversion, frame.number, frame.time_s, frame.reading) | frame.line
 
 
 def shown_in_foxglove(documents: Iterable[str], model_path: Path, out: Path) -> Iterator[str]:
@@ -130,7 +130,7 @@ def shown_in_foxglove(documents: Iterable[str], model_path: Path, out: Path) -> 
             yield document
 
 
-def _in_data_set(
+def _read_data_set(
     inversion: Inversion, path: Path, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets, ContactSets, list[dict[str, Any]]]:
     from estimator.frames.windows import window_means
@@ -166,10 +166,10 @@ def require_read_sensors(inversion: Inversion, frames: FrameSet, path: Path) -> 
         )
 
 
-def _in_recording(
+def _read_recording(
     inversion: Inversion, stream: Stream, zeroing: Zeroing
 ) -> tuple[np.ndarray, np.ndarray, ContactSets, int]:
-    reader, progress = LiveContacts(inversion, *zeroing.of_raw), ProgressLine()
+    reader, progress = LiveContacts(inversion, *zeroing.raw_settings), ProgressLine()
 
     def step(number: int) -> None:
         if number % _STEP == 0:
@@ -178,9 +178,9 @@ def _in_recording(
     with progress.stage(f"contacts in {stream.path}"):
         frames = recorded_frames(reader, inversion.channels, stream, zeroing, step)
     read = [frame for frame in frames if frame[2] is not None]
-    numbers, time_s, found = zip(*read, strict=True)
+    numbers, time_s, readings = zip(*read, strict=True)
     unread = len(frames) - len(read)
-    return np.array(numbers), np.array(time_s), ContactSets.joined(found), unread
+    return np.array(numbers), np.array(time_s), ContactSets.joined(readings), unread
 
 
 def _field_change(inversion: Inversion, best: ContactSets, row: int) -> dict[str, float | str]:
@@ -236,17 +236,17 @@ def _rows(
                 "tilt_y_deg": best.tilt_deg[row, slot, 1],
             }
             kind = {"kind": "jaw" if best.jaws[row] else "tip"}
-            own = {
+            rounded = {
                 name: "" if np.isnan(value) else round(float(value), 3)
                 for name, value in values.items()
             }
-            yield shared | {"contact": slot + 1, "face": int(best.face[row, slot])} | own | kind
+            yield shared | {"contact": slot + 1, "face": int(best.face[row, slot])} | rounded | kind
 
 
 def _document(
-    inversion: Inversion, number: int, time_s: float, found: ContactSets
+    inversion: Inversion, number: int, time_s: float, reading: ContactSets
 ) -> dict[str, Any]:
-    rows = list(_rows(inversion, np.array([number]), np.array([time_s]), found, None))
+    rows = list(_rows(inversion, np.array([number]), np.array([time_s]), reading, None))
     of_frame = ("frame", "time_s", "odds", "p_value", "chip_out", *FIELD)
     contacts = [
         {name: row[name] for name in COLUMNS[10 + len(FIELD) :] if row[name] != ""}

@@ -27,14 +27,14 @@ class DataStage(NamedTuple):
 
 def stage_key(stage: str, inputs: dict[str, Any]) -> str:
     """Key of a stage's result."""
-    return content_key(_of(stage, inputs))
+    return content_key(_provenance(stage, inputs))
 
 
 def made_or_stored(
     stage: str, inputs: dict[str, Any], make: Callable[[Path], None], progress: ProgressLine
 ) -> StoredResult:
     """A stage's result, made where it is not stored."""
-    return stored(store_root(), stage, _of(stage, inputs), make, progress.say)
+    return stored(store_root(), stage, _provenance(stage, inputs), make, progress.say)
 
 
 def work_through(
@@ -70,7 +70,7 @@ def work_through(
     }
 
 
-def _of(stage: str, inputs: dict[str, Any]) -> dict[str, Any]:
+def _provenance(stage: str, inputs: dict[str, Any]) -> dict[str, Any]:
     from instobj.stages.table import STAGES
 
     return inputs | {"version": STAGES[stage].version}

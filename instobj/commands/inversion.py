@@ -27,7 +27,7 @@ def invert_on_data_set(
     on: Path | None = None,
 ) -> dict[str, Any]:
     """Calibrate the twin of a data set's object on its training presses, and judge its inversion on
-    those held out, or on another data set `on` beside simple readings; results go to `runs/<name>`.
+    those held out, or on another data set `on` next to simple readings; results go to `runs/<name>`.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def invert_on_data_set(
         )
     _, seed = settings_of(overrides)
     frames, progress = load_frames(path), ProgressLine()
-    of_inversion = [one for one in overrides if one.strip().startswith("inversion.")]
+    of_inversion = [entry for entry in overrides if entry.strip().startswith("inversion.")]
     twin = simulated_twin(twin_spec, of_inversion, frames)
     inputs = {"data_set": file_key(path), "seed": seed, "twin": twin.inputs}
     split = split_presses(frames, seed)
@@ -65,11 +65,11 @@ def invert_on_data_set(
     if on is not None:
         trained = frames.select(split.train)
         judging = _judged_elsewhere(path, trained, on, twin.spec, overrides, progress)
-    every = {
+    networks_of_faces = {
         "networks": DataStage("inversion", f"calibrating on {path}", calibrate),
         "metrics": judging,
     }
-    return work_through(path, out, inputs, [every[stage] for stage in stages], progress)
+    return work_through(path, out, inputs, [networks_of_faces[stage] for stage in stages], progress)
 
 
 def _judged_elsewhere(
@@ -80,7 +80,7 @@ def _judged_elsewhere(
     overrides: list[str],
     progress: ProgressLine,
 ) -> DataStage:
-    """Contacts of another data set, beside the networks of the same training presses, matching pursuit
+    """Contacts of another data set, next to the networks of the same training presses, matching pursuit
     and the mean of the labels."""
     from estimator.evaluation.contact_baselines import patches, pursued, training_mean
     from estimator.frames.dataset import load_frames
@@ -91,17 +91,17 @@ def _judged_elsewhere(
 
     frames = load_frames(on)
     require_same_object(spec, frames)
-    kept = [one for one in overrides if one.partition("=")[0].strip() != "training.model"]
-    networks = [one for one in kept if not one.strip().startswith("inversion.")]
+    kept = [entry for entry in overrides if entry.partition("=")[0].strip() != "training.model"]
+    networks = [entry for entry in kept if not entry.strip().startswith("inversion.")]
 
     def judge(folder: Path, made: Results) -> None:
         model = INVERSION.read(made["inversion"].folder)
-        every = [
-            (one, force_reference(face_data(trained, face).heatmap_n).smallest_contact_n)
-            for face, one in trained_networks(path, networks, progress).items()
+        networks_of_faces = [
+            (entry, force_reference(face_data(trained, face).heatmap_n).smallest_contact_n)
+            for face, entry in trained_networks(path, networks, progress).items()
         ]
         baselines: Baselines = {
-            "networks' patches": lambda rows: patches(every, frames, rows),
+            "networks' patches": lambda rows: patches(networks_of_faces, frames, rows),
             "matching pursuit": lambda rows: pursued(model, frames.select(rows)),
             "mean of the training labels": lambda rows: training_mean(trained, len(rows)),
         }

@@ -69,35 +69,35 @@ def _describe_test(path: Path, out: Path) -> dict[str, Any]:
     summary: dict[str, Any] = {"modulus": _modulus_row(fit.modulus), "solids": rows}
     summary["ranges"] = [
         {
-            "to stretch": one.to_stretch,
-            "points": one.points,
-            "solid": one.fit.solid,
-            "E MPa": one.fit.youngs_modulus_mpa,
-            "from": one.low_mpa,
-            "to": one.high_mpa,
-            "rms %": one.fit.residual_percent,
-            "stable": one.fit.stable,
+            "to stretch": fit_of_range.to_stretch,
+            "points": fit_of_range.points,
+            "solid": fit_of_range.fit.solid,
+            "E MPa": fit_of_range.fit.youngs_modulus_mpa,
+            "from": fit_of_range.low_mpa,
+            "to": fit_of_range.high_mpa,
+            "rms %": fit_of_range.fit.residual_percent,
+            "stable": fit_of_range.fit.stable,
         }
-        for one in fits_by_range(fit.test)
+        for fit_of_range in fits_by_range(fit.test)
     ]
-    known = _in_catalogue(fit.test.details.get("Material", ""))
-    if known is not None:
-        summary["catalogue"] = _modulus_row(known.modulus)
-    told = [text for text in (left_out(fit.test), _by_crosshead(fit.test)) if text]
-    return ({"texts": told} if told else {}) | _document(path.stem, summary, [figure])
+    silicone = _catalogue_silicone(fit.test.details.get("Material", ""))
+    if silicone is not None:
+        summary["catalogue"] = _modulus_row(silicone.modulus)
+    texts = [text for text in (left_out(fit.test), _crosshead_text(fit.test)) if text]
+    return ({"texts": texts} if texts else {}) | _document(path.stem, summary, [figure])
 
 
-def _in_catalogue(material: str) -> Silicone | None:
-    """By its name as published files write it: without spaces, Ecoflex 00-30 as EcoFlex30."""
+def _catalogue_silicone(material: str) -> Silicone | None:
+    """Silicone of the catalogue by its name in published files: no spaces, Ecoflex 00-30 as EcoFlex30."""
 
     def plain(name: str) -> str:
         return "".join(letter for letter in name.lower() if letter.isalnum()).replace("00", "")
 
-    found = [silicone for name, silicone in SILICONES.items() if plain(name) == plain(material)]
-    return found[0] if found else None
+    silicones = [silicone for name, silicone in SILICONES.items() if plain(name) == plain(material)]
+    return silicones[0] if silicones else None
 
 
-def _by_crosshead(test: TensileTest) -> str:
+def _crosshead_text(test: TensileTest) -> str:
     """Return what a strain that is not measured on the specimen does to the modulus; empty where it is."""
     if "crosshead" not in test.details.get("Strain calculation", "").lower():
         return ""

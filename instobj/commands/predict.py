@@ -55,7 +55,7 @@ _DIGITS = {"frame": 0, "time_s": 6, "contact": 4}
 def predict_file(
     model_path: Path, path: Path, out: Path | None = None, zeroing: Zeroing = FOLLOW_REST
 ) -> dict[str, Any]:
-    """Read every frame of a file; writes `<stem>.prediction_face_<n>.csv` beside it.
+    """Read every frame of a file; writes `<stem>.prediction_face_<n>.csv` next to it.
 
     With a folder `out` it is `out/runs/<name>/prediction_face_<n>.csv`, named as `run_name` says. Models
     in a folder of their own (`own_folder`) name it too: `prediction_twin_face_<n>.csv`.
@@ -75,30 +75,34 @@ def predict_file(
         A folder that cannot be written to.
     """
     model = load_deployed(model_path)
-    kind = f"{own}_" if (own := own_folder_of(model_path)) else ""
+    kind = f"{folder}_" if (folder := own_folder_of(model_path)) else ""
     target = prediction_path(f"prediction_{kind}face_{model.face}.csv", path, out)
     texts: list[str] = []
     if is_data_set(path):
         frames = zeroed_data_set(path, zeroing)
         grid_mm = model.grid_x_mm, model.grid_y_mm
         require_same_object(model.channels, grid_mm, frames, str(path))
-        told, found = predict_with_gaps(model, frames)
-        rows = _rows(np.flatnonzero(told), frames.time_s[told], found)
-        unread, before = int(np.sum(~told)), 0
+        readable, prediction = predict_with_gaps(model, frames)
+        rows = _rows(np.flatnonzero(readable), frames.time_s[readable], prediction)
+        unread, first_frame = int(np.sum(~readable)), 0
     else:
-        reader = LiveReader(model, *zeroing.of_raw)
+        reader = LiveReader(model, *zeroing.raw_settings)
         stream = recorded_stream(path)
         read, texts = recorded_frames(reader, model.channels, stream, zeroing), stream.texts
-        rows = [_row(number, time_s, found) for number, time_s, found in read if found is not None]
+        rows = [
+            _row(number, time_s, prediction)
+            for number, time_s, prediction in read
+            if prediction is not None
+        ]
         unread = len(read) - len(rows)
-        before = read[0][0] if read else 0
+        first_frame = read[0][0] if read else 0
     write_table(target, list(COLUMNS), ([row[name] for name in COLUMNS] for row in rows))
     forces = [row["force_n"] for row in rows]
     summary = {
         "face": model.face,
         "frames": len(rows),
         "frames that lack a reading": unread,
-        "frames before a zero": before,
+        "frames before a zero": first_frame,
         "frames with contact": sum(row["contact"] > 0.5 for row in rows),
         "novel frames": sum(row["novelty"] > NOVEL_FROM for row in rows),
         "largest force N": max(forces, default=0.0),
@@ -163,39 +167,39 @@ def predict_port(
         readings.
     """
     model = load_deployed(model_path)
-    reader = LiveReader(model, *zeroing.of_raw)
+    reader = LiveReader(model, *zeroing.raw_settings)
     frames = islice(live_frames(reader, model.channels, port, baud), count)
     return (_document(frame) for frame in frames)
 
 
 def _document(frame: LiveFrame) -> str:
-    novel = {"novel": bool(frame.found.novel[0])}
-    return json.dumps(_row(frame.number, frame.time_s, frame.found) | novel | frame.line)
+    novel = {"novel": bool(frame.reading.novel[0])}
+    return json.dumps(_row(frame.number, frame.time_s, frame.reading) | novel | frame.line)
 
 
-def _row(number: int, time_s: float, found: Prediction) -> dict[str, float]:
-    return _rows(np.array([number]), np.array([time_s]), found)[0]
+def _row(number: int, time_s: float, prediction: Prediction) -> dict[str, float]:
+    return _rows(np.array([number]), np.array([time_s]), prediction)[0]
 
 
-def _rows(number: np.ndarray, time_s: np.ndarray, found: Prediction) -> list[dict[str, float]]:
+def _rows(number: np.ndarray, time_s: np.ndarray, prediction: Prediction) -> list[dict[str, float]]:
     columns = {
         "frame": number,
         "time_s": time_s,
-        "contact": found.contact,
-        "force_n": found.force_n,
-        "force_low_n": np.maximum(found.force_n - found.force_halfwidth_n, 0.0),
-        "force_high_n": found.force_n + found.force_halfwidth_n,
-        "x_mm": found.xy_mm[:, 0],
-        "y_mm": found.xy_mm[:, 1],
-        "position_radius_mm": found.position_radius_mm,
-        "novelty": found.novelty,
+        "contact": prediction.contact,
+        "force_n": prediction.force_n,
+        "force_low_n": np.maximum(prediction.force_n - prediction.force_halfwidth_n, 0.0),
+        "force_high_n": prediction.force_n + prediction.force_halfwidth_n,
+        "x_mm": prediction.xy_mm[:, 0],
+        "y_mm": prediction.xy_mm[:, 1],
+        "position_radius_mm": prediction.position_radius_mm,
+        "novelty": prediction.novelty,
     }
     rounded = [np.round(columns[name], _DIGITS.get(name, 3)).tolist() for name in COLUMNS]
     return [dict(zip(COLUMNS, values, strict=True)) for values in zip(*rounded, strict=True)]
 
 
 def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]:
-    """Write an ONNX file for each trained estimator, beside it or in `out`; a folder is its estimators,
+    """Write an ONNX file for each trained estimator, next to it or in `out`; a folder is its estimators,
     with those of the folders of their own in it (`own_folder`), which are kept apart in `out` too.
 
     One that inverts the forward model is what the robot reads already: it is read once, and copied to
@@ -220,7 +224,9 @@ def _targets(models: list[Path], out: Path | None) -> dict[Path, Path]:
     for path in models:
         name = path.name if _inverts(path) else f"{path.stem}.onnx"
         target = path.parent / name if out is None else out / own_folder_of(path) / name
-        taken = {there.resolve(): model for model, there in targets.items()}.get(target.resolve())
+        taken = {other_target.resolve(): model for model, other_target in targets.items()}.get(
+            target.resolve()
+        )
         if taken is not None and taken.resolve() != path.resolve():
             raise InputError(
                 f"{taken} and {path} would both become {target}. Leave --out out, or export one at a time "
@@ -254,14 +260,14 @@ def _models_at(path: Path) -> list[Path]:
     if not path.is_dir():
         return [path]
     folders = (path, *(path / name for name in OWN_FOLDERS))
-    found = [
+    model_paths = [
         model
         for folder in folders
         for model in (*face_model_paths(folder), *folder.glob(INVERSION.name))
     ]
-    if not found:
+    if not model_paths:
         raise InputError(
             f"{path} holds no trained estimator (face_<n>.safetensors or {INVERSION.name}). Give the "
             "folder that `instobj train` wrote to, or its files"
         )
-    return found
+    return model_paths

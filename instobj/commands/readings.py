@@ -24,14 +24,14 @@ from instobj.store.publish import require_writable, require_writable_folder, run
 
 @dataclass(frozen=True)
 class Zeroing:
-    """How raw counts become changes against rest (`estimator.deploy.zeroing`); by default they follow
+    """Conversion of raw counts to changes against rest (`estimator.deploy.zeroing`); by default they follow
     rest, except those of data sets."""
 
     mode: ZeroMode | None = None
     frames: int = ZERO_FRAMES
 
     @property
-    def of_raw(self) -> tuple[ZeroMode, int]:
+    def raw_settings(self) -> tuple[ZeroMode, int]:
         """Mode and frames for raw counts."""
         return self.mode or "rest", self.frames
 
@@ -49,7 +49,7 @@ _REPEATED = 0.2
 
 @runtime_checkable
 class Reader(Zeroed, Protocol):
-    """Takes raw counts frame by frame; None while there is no zero. `miss` tells of a frame that lacks a
+    """Takes raw counts frame by frame; None while there is no zero. `miss` counts a frame that lacks a
     reading and is passed over."""
 
     @property
@@ -68,12 +68,12 @@ class Reader(Zeroed, Protocol):
 
 
 class LiveFrame(NamedTuple):
-    """What a reader finds in a frame of a board, its number and stamp, and the state of the line and of
+    """Reading of a frame of a board, its number and stamp, and the state of the line and of
     its readings."""
 
     number: int
     time_s: float
-    found: Any
+    reading: Any
     line: dict[str, int | str]
 
 
@@ -113,8 +113,8 @@ def recorded_stream(path: Path) -> Stream:
     from estimator.recordings.reading import loaded_frames
 
     time_s, raw = read_signals(path)
-    known, faults = without_faults(raw, STREAM)
-    left_out, texts = np.isnan(known) & ~np.isnan(raw), list(map(str, faults))
+    believed, faults = without_faults(raw, STREAM)
+    left_out, texts = np.isnan(believed) & ~np.isnan(raw), list(map(str, faults))
     return Stream(path, time_s, raw, left_out, texts, loaded_frames(path))
 
 
@@ -213,17 +213,17 @@ def live_frames(
             reader.miss()
             continue
         left_out = np.isnan(believed) & ~np.isnan(reading.counts)
-        found = reader.feed(reading.counts, reading.time_s, left_out)
+        reading_found = reader.feed(reading.counts, reading.time_s, left_out)
         on_end, heard = 0, True
-        if found is not None:
+        if reading_found is not None:
             line = decoder.statistics
-            told = {
+            state = {
                 "damaged_lines": line.damaged_lines,
                 "lost_frames": line.lost_frames,
                 "unread_frames": unread,
                 "left_out": sound.text,
             }
-            yield LiveFrame(number, reading.time_s, found, told)
+            yield LiveFrame(number, reading.time_s, reading_found, state)
 
 
 def unexplained_text(path: Path, unexplained: int, frames: int) -> list[str]:

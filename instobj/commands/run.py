@@ -34,7 +34,7 @@ from instobj.store.run_bar import expected_seconds
 
 @dataclass(frozen=True)
 class SpecCheck:
-    """What `check` found: how many magnets and sensors, and the field where it is largest at rest.
+    """Results of `check`: how many magnets and sensors, and the field where it is largest at rest.
 
     Attributes
     ----------
@@ -102,21 +102,21 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
     rows = []
     for path in specs:
         spec = load_spec(path, overrides)
-        found, cells = check(spec), cell_areas_mm2(spec)
+        checked, cells = check(spec), cell_areas_mm2(spec)
         across = boards_across_edges(spec)
         if across is not None:
             warnings.warn(across, stacklevel=2)
-        for told in (*seam_in_words(spec), *roughness_in_words(spec)):
-            warnings.warn(told, stacklevel=2)
+        for text in (*seam_in_words(spec), *roughness_in_words(spec)):
+            warnings.warn(text, stacklevel=2)
         rows.append(
             {
                 "spec": str(path),
                 "name": spec.name,
                 "spec_hash": spec_hash(spec),
-                "magnets": found.magnets,
-                "sensors": found.sensors,
-                "largest_field_at_rest_mt": round(found.largest_field_at_rest_mt, 3),
-                "range_mt": found.range_mt,
+                "magnets": checked.magnets,
+                "sensors": checked.sensors,
+                "largest_field_at_rest_mt": round(checked.largest_field_at_rest_mt, 3),
+                "range_mt": checked.range_mt,
                 "contact_locations": int(contact_places(spec).sum()),
                 "covered_share": round(covered_share(spec), 4),
                 "outlook": outlook_text(spec),
@@ -134,13 +134,13 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
 def fabrication_of(specs: list[Path], overrides: list[str], out: Path) -> list[dict[str, Any]]:
     """Findings of every specification, published to `cad_out/<name>`."""
     require_writable(out)
-    found = []
+    documents = []
     for path in specs:
         spec = load_spec(path, overrides)
         result = Run(spec).require("fabrication")
         content = FINDINGS.read(result.folder)
-        found.append(content | {"files": file_rows(publish(spec, result, out))})
-    return found
+        documents.append(content | {"files": file_rows(publish(spec, result, out))})
+    return documents
 
 
 def run_chain(
@@ -242,9 +242,9 @@ def run_one_object(
     run = Run(spec, progress or ProgressLine())
     files: list[Path] = []
     for name in stages:
-        known = set(run.results)
+        earlier = set(run.results)
         run.require(name)
-        for stage in [name, *(s for s in run.results if s not in known and s != name)]:
+        for stage in [name, *(s for s in run.results if s not in earlier and s != name)]:
             files += publish(spec, run.results[stage], out)
     return {
         "name": spec.name,
@@ -295,9 +295,9 @@ def run_estimator(
 
 
 def _results_name(path: Path, overrides: list[str]) -> str:
-    """Of the folder below `runs` that gets what is trained on a specification or a data set."""
-    known = path.suffix in (".nc", ".csv")
-    return run_name(path) if known else load_spec(path, overrides).name
+    """Name of the folder below `runs` that gets what is trained on a specification or a data set."""
+    is_data = path.suffix in (".nc", ".csv")
+    return run_name(path) if is_data else load_spec(path, overrides).name
 
 
 def _require_trainable(path: Path, start: Path | None, twin: Path | None, on: Path | None) -> None:
@@ -325,18 +325,18 @@ _INVERTING = {"networks": "inversion", "metrics": "contact_metrics"}
 
 
 def _require_distinct_names(names: list[str], paths: list[Path]) -> None:
-    seen: dict[str, Path] = {}
+    path_of: dict[str, Path] = {}
     for name, path in zip(names, paths, strict=True):
-        if name in seen:
+        if name in path_of:
             raise InputError(
-                f"{seen[name]} and {path} are both named {name!r}, and would write to the "
+                f"{path_of[name]} and {path} are both named {name!r}, and would write to the "
                 "same folders. Rename one"
             )
-        seen[name] = path
+        path_of[name] = path
 
 
 _TRAINED = {"frames", "networks", "metrics", "inversion", "contact_metrics"}
-"""Stages whose files have the names of those that `instobj recordings` and training on them write."""
+"""Stages whose files have the names of files that `instobj recordings` and training on them write."""
 
 
 def _require_no_recording(spec: ObjectSpec, stages: tuple[str, ...], out: Path) -> None:

@@ -31,7 +31,7 @@ ESSENTIAL = {
     "search.seconds",
     *(f"search.vary.{key}" for key in ("layouts", "magnet_reach_mm", "sensor_reach_mm")),
 }
-"""Keys that are written beside those placed; the others have their defaults."""
+"""Keys that are written next to those placed; the others have their defaults."""
 
 _HEADING = re.compile(r"\[([\w.]+)\]")
 _LINE = re.compile(r"(?:# )?(\w+) = ")
@@ -63,7 +63,7 @@ def specification_text(name: str, out: Path, tables: Tables | None = None) -> st
     if kind.from_file:
         values["body.file"] = Path(os.path.relpath(values["body.file"], out)).as_posix()
     comments = _comments(kind) if tables is not None else {}
-    text = text.replace("OTHER KINDS", ", ".join(other for other in KINDS if other != kind.name))
+    text = text.replace("OTHER KINDS", ", ".join(name for name in KINDS if name != kind.name))
     return _filled(text, keys, values, comments)
 
 
@@ -108,7 +108,7 @@ def _not_taken(kind: type[BodyKind]) -> set[str]:
 
 
 def _comments(kind: type[BodyKind]) -> dict[str, str]:
-    """Return what stands beside keys and above tables of a placed object of a kind."""
+    """Return what stands next to keys and above tables of a placed object of a kind."""
     bored = _OF_BORED if kind.openable and not kind.opens_sides else {}
     return _COMMENTS | bored | dict(kind.comments)
 

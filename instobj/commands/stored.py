@@ -37,26 +37,26 @@ def look_after_store(
     freed: list[Entry] = []
     if least_bytes is not None or age_s is not None:
         freed = _freed(root, least_bytes, age_s or 0.0)
-    found = entries(root, by_hash)
-    damaged = [entry for entry in found if entry.state == DAMAGED]
+    stored = entries(root, by_hash)
+    damaged = [entry for entry in stored if entry.state == DAMAGED]
     return {
         "command": "store",
         "store": str(root),
-        "bytes": sum(entry.size for entry in found),
+        "bytes": sum(entry.size for entry in stored),
         "freed_bytes": sum(entry.size for entry in freed),
         "freed": [_row(entry) for entry in freed],
-        "entries": [_row(entry) for entry in found],
+        "entries": [_row(entry) for entry in stored],
         "verified": "hash" if by_hash else "size",
         "damaged": len(damaged),
-        "texts": _texts(root, found, freed, damaged),
-        "tables": {"stored": _by_stage(found)} if found else {},
+        "texts": _texts(root, stored, freed, damaged),
+        "tables": {"stored": _stage_rows(stored)} if stored else {},
     }
 
 
 def _freed(root: Path, least_bytes: int | None, age_s: float) -> list[Entry]:
-    before = time.time() - age_s
+    latest = time.time() - age_s
     try:
-        return free(root, lambda entry: entry.last_used <= before, least_bytes)
+        return free(root, lambda entry: entry.last_used <= latest, least_bytes)
     except OSError as error:
         raise StoreError(
             f"cannot free space in {root}: {error.strerror}. Make the store writable"
@@ -85,9 +85,9 @@ def _row(entry: Entry) -> dict[str, Any]:
     }
 
 
-def _by_stage(found: list[Entry]) -> list[dict[str, Any]]:
+def _stage_rows(stored: list[Entry]) -> list[dict[str, Any]]:
     groups: dict[tuple[str, str], list[Entry]] = {}
-    for entry in found:
+    for entry in stored:
         groups.setdefault((entry.stage, entry.state), []).append(entry)
     now = time.time()
     return [
@@ -104,9 +104,9 @@ def _by_stage(found: list[Entry]) -> list[dict[str, Any]]:
     ]
 
 
-def _texts(root: Path, found: list[Entry], freed: list[Entry], damaged: list[Entry]) -> list[str]:
-    total = sum(entry.size for entry in found) / 1e6
-    texts = [f"{root}: {len(found)} entries, {total:.1f} MB"]
+def _texts(root: Path, stored: list[Entry], freed: list[Entry], damaged: list[Entry]) -> list[str]:
+    total = sum(entry.size for entry in stored) / 1e6
+    texts = [f"{root}: {len(stored)} entries, {total:.1f} MB"]
     if freed:
         texts.append(
             f"freed {sum(entry.size for entry in freed) / 1e6:.1f} MB, {len(freed)} entries"

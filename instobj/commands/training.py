@@ -54,24 +54,30 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
         return _converted(files, out)
     require_writable(out)
     progress = ProgressLine()
-    grid_mm, limits, recorded_object = (None, None, None) if spec is None else _as_specified(spec)
+    grid_mm, limits, recorded_object = (
+        (None, None, None) if spec is None else _specified_checks(spec)
+    )
     mechanics = None if recorded_object is None else travel_forces(recorded_object)
-    found = []
+    recordings = []
     for path in files:
         with progress.stage(f"reading {path}"):
-            found.append(read_recording(path, grid_mm, limits, mechanics))
-    frames = found[0].frames if len(found) == 1 else combine(found)
+            recordings.append(read_recording(path, grid_mm, limits, mechanics))
+    frames = recordings[0].frames if len(recordings) == 1 else combine(recordings)
     frames, absent = (
         (frames, []) if recorded_object is None else models_of_object(frames, recorded_object)
     )
-    between = faults_between(found)
+    between = faults_between(recordings)
     target = run_folder(out, "+".join(path.stem for path in files)) / FRAMES.name
     save_frames(frames, target)
     return {
         "command": "recordings",
-        "reports": [recording.report.as_dict() for recording in found],
+        "reports": [recording.report.as_dict() for recording in recordings],
         "between": [vars(fault) for fault in between],
-        "texts": [*(str(recording.report) for recording in found), *map(str, between), *absent],
+        "texts": [
+            *(str(recording.report) for recording in recordings),
+            *map(str, between),
+            *absent,
+        ],
         "files": file_rows([target]),
         "next": f"instobj train {target}",
     }
@@ -142,13 +148,13 @@ def run_on_data_set(
             frames, split, MODELS.read(made["networks"].folder), folder, progress.step
         )
 
-    every = (
+    stages_in_order = (
         DataStage("networks", f"training on {path}", train),
         DataStage("metrics", "held-out presses", evaluate),
     )
-    asked = [stage for stage in every if stage.name in (*stages, "networks")]
+    chosen = [stage for stage in stages_in_order if stage.name in (*stages, "networks")]
     folder = own_folder(start is not None, twin is not None)
-    document = work_through(path, out, inputs, asked, progress, folder)
+    document = work_through(path, out, inputs, chosen, progress, folder)
     document["summary"] |= {"presses of the data set": data_parts(frames, split)}
     return document
 
@@ -279,7 +285,7 @@ def models_of_object(frames: FrameSet, spec: ObjectSpec) -> tuple[FrameSet, list
     return replace(frames, signal_counts=signals), said
 
 
-def _as_specified(path: Path) -> tuple[Grid, Limits, ObjectSpec]:
+def _specified_checks(path: Path) -> tuple[Grid, Limits, ObjectSpec]:
     """Contact grid and limits of an object, and the object."""
     from design.layout.places.contact_grid import contact_grid
     from design.spec_io import load_spec

@@ -64,7 +64,7 @@ def run_live(
     source: LiveSource, options: LiveOptions, token: str, progress: ProgressLine
 ) -> dict[str, Any]:
     """Serve and record a source; as `live`."""
-    mode, zero_frames = source.zeroing.of_raw
+    mode, zero_frames = source.zeroing.raw_settings
     estimator = open_estimator(source.spec, source.models, mode, zero_frames)
     watch = Watch(source.spec, estimator, 0 if mode == "none" else zero_frames)
     if options.foxglove is not None:

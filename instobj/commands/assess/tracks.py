@@ -165,7 +165,7 @@ def read_grasps_of(path: Path, estimators: Estimators, zeroing: Zeroing) -> Read
 
 
 def frame_documents(track: ContactTrack) -> Iterator[dict[str, Any]]:
-    """Yield frames as `instobj predict --port` prints them, as far as a track tells."""
+    """Yield frames as `instobj predict --port` prints them, as far as a track holds it."""
     for row in range(len(track)):
         contacts = []
         for slot in np.flatnonzero(track.face[row] != NO_FACE).tolist():
@@ -246,7 +246,7 @@ class _Zeros:
 
     def rezero(self, level: np.ndarray | None = None) -> None:
         """Take the zero from the frames that follow, or the level given."""
-        self.level = StreamZero(*self._zeroing.of_raw, self._read, level=level)
+        self.level = StreamZero(*self._zeroing.raw_settings, self._read, level=level)
 
 
 def _stillness(estimators: Estimators, frames: FrameSet) -> ReadStill:

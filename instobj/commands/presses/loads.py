@@ -42,7 +42,7 @@ def press_loads(
     """Press all places together, to their depths, each to one force, or with uniform patches (radius
     in mm, MPa).
 
-    Places that cannot be pressed are told of under "refused"; the others are kept. Results go to
+    Places that cannot be pressed are reported under "refused"; the others are kept. Results go to
     `runs/<name>/press_<place>_linear/`.
 
     Raises

@@ -48,7 +48,7 @@ class CheckedPlaces:
     refused: tuple[dict[str, Any], ...]
 
 
-def places_given(at: Sequence[str]) -> list[Place]:
+def places_given(coordinate: Sequence[str]) -> list[Place]:
     """Places of every `--at FACE:X,Y[,DEPTH]`; without a depth they are pressed 2 mm deep.
 
     Raises
@@ -56,9 +56,9 @@ def places_given(at: Sequence[str]) -> list[Place]:
     InputError
         None is given, or one cannot be read.
     """
-    if not at:
+    if not coordinate:
         raise InputError(f"no contact location to press. Give --at. {_EXAMPLE}")
-    return [_place_at(text, _DEPTH_MM) for text in at]
+    return [_place_at(text, _DEPTH_MM) for text in coordinate]
 
 
 def jaw_given(text: str) -> list[Place]:
@@ -83,7 +83,7 @@ def check_places(
     whole: bool = False,
     over_edges: bool = False,
 ) -> CheckedPlaces:
-    """Tell places that can be pressed from those that cannot.
+    """Separate places that can be pressed from the others.
 
     `whole`: nothing may hang over a border. `over_edges`: the tip may roll over it.
 
@@ -147,8 +147,8 @@ def _require_place(
             f"{place.face} ({2 * half[0]:.4g} × {2 * half[1]:.4g} mm). Use a smaller indenter"
         )
     at_the_end = path_mm(spec.indenter, [place.depth_mm])[0] if to_depth else (0.0, 0.0)
-    for axis, (name, at) in enumerate((("x", place.x_mm), ("y", place.y_mm))):
-        ends = [at + side + way for side in reach[:, axis] for way in (0, at_the_end[axis])]
+    for axis, (name, coordinate) in enumerate((("x", place.x_mm), ("y", place.y_mm))):
+        ends = [coordinate + side + way for side in reach[:, axis] for way in (0, at_the_end[axis])]
         if max(map(abs, ends)) > half[axis] + 1e-9:
             does = "lands at" if hangs[axis] else "reaches"
             raise InputError(

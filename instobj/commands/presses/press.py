@@ -1,4 +1,4 @@
-"""One press with large deformation beside small strain: mesh, press, table, figure and files."""
+"""One press with large deformation next to small strain: mesh, press, table, figure and files."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 _WORTHWHILE_GAIN = 0.05
 _LEAST_CASES = 3
-"""With fewer, no place is left to calibrate on beside the unseen one and one to exchange it with."""
+"""With fewer, no place is left to calibrate on besides the unseen one and one to exchange it with."""
 _NO_MODULUS = "labelled by travel: the ratio of moduli found tells nothing about the silicone"
 
 
@@ -40,27 +40,27 @@ def self_test_of(path: Path, resting: Path, overrides: list[str]) -> dict[str, A
     from estimator.tolerances.selftest import rest_model, self_test
 
     spec = load_spec(path, overrides)
-    found = read_resting(resting, spec)
+    rest = read_resting(resting, spec)
     progress = ProgressLine()
     with progress.stage("self-test"):
         progress.step("resting signals of objects within tolerance")
         model = rest_model(spec, spec.sensors.drift_counts)
         progress.step("hypotheses")
-        result = self_test(spec, model, found.counts)
+        result = self_test(spec, model, rest.counts)
     hypotheses = [
         {"hypothesis": h.name, "log odds": h.log_odds, "fit": h.fit} for h in result.hypotheses
     ]
     return {
         "command": "selftest",
         "spec_hash": spec_hash(spec),
-        "frames": found.frames,
-        "silent": found.silent,
+        "frames": rest.frames,
+        "silent": rest.silent,
         "hypotheses": hypotheses,
         "believed": result.believed,
         "false_alarm_rate": result.false_alarm_rate,
         "healthy_objects": result.healthy_objects,
-        "texts": [*_silent_texts(found.silent), *_self_test_texts(result)],
-        "passed": result.believed and not result.best.faults and not found.silent,
+        "texts": [*_silent_texts(rest.silent), *_self_test_texts(result)],
+        "passed": result.believed and not result.best.faults and not rest.silent,
     }
 
 
@@ -89,7 +89,7 @@ def _self_test_texts(result: SelfTest) -> list[str]:
 def validate_on(
     path: Path, recordings: list[Path], exchanges: int, out: Path, overrides: list[str]
 ) -> dict[str, Any]:
-    """Predicted against recorded presses, each figure beside its permutation null.
+    """Predicted against recorded presses, each figure with its permutation null.
 
     Results go to `runs/<name>/validation.{json,png}`.
     """
@@ -135,7 +135,9 @@ def validate_on(
     freed = groups_freed(problem) if tests else {}
     document = _document(problem, agreements, predictions, tests, freed)
     document["sensors_not_recorded"] = absent
-    document["labelled_by_travel"] = any(one.frames.travel_mm is not None for one in read)
+    document["labelled_by_travel"] = any(
+        recording.frames.travel_mm is not None for recording in read
+    )
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
     write_json(document, target / "validation.json")
@@ -190,17 +192,19 @@ def exchanged_cases(presses: RecordedPresses, count: int, rng: np.random.Generat
     All of them differ, and from the true order; fewer than `count` where there are no more.
     """
     faces = [tuple(sorted({contact[0] for contact in case})) for case in presses.cases]
-    groups = [[k for k, own in enumerate(faces) if own == group] for group in sorted(set(faces))]
+    groups = [
+        [k for k, pressed in enumerate(faces) if pressed == group] for group in sorted(set(faces))
+    ]
     true = tuple(range(len(faces)))
     possible = prod(factorial(len(group)) for group in groups) - 1
-    found: set[tuple[int, ...]] = set()
-    while len(found) < min(count, possible):
+    orders: set[tuple[int, ...]] = set()
+    while len(orders) < min(count, possible):
         order = np.arange(len(faces))
         for group in groups:
             order[group] = rng.permutation(group)
-        found.add(tuple(order.tolist()))
-        found.discard(true)
-    return np.array(sorted(found), dtype=int).reshape(-1, len(faces))
+        orders.add(tuple(order.tolist()))
+        orders.discard(true)
+    return np.array(sorted(orders), dtype=int).reshape(-1, len(faces))
 
 
 def _document(
@@ -223,11 +227,11 @@ def _document(
         "cases": [[list(contact) for contact in case] for case in presses.cases],
         "youngs_modulus_mpa": spec.silicone.youngs_modulus_mpa,
         "share_beyond_deepest_press": _share_beyond(problem),
-        "agreement": [asdict(found) for found in agreements],
-        "verdicts": [verdict(spec, found) for found in agreements],
+        "agreement": [asdict(agreement) for agreement in agreements],
+        "verdicts": [verdict(spec, agreement) for agreement in agreements],
         "calibration": asdict(calibrated),
         "calibration_tests": [asdict(test) for test in tests],
-        "freed": {name: asdict(found) for name, found in freed.items()},
+        "freed": {name: asdict(agreement) for name, agreement in freed.items()},
         "channels": channel_rows(presses, predictions, channel_names(spec)),
     }
 
@@ -274,7 +278,8 @@ def _published(
                     ),
                     "calibrated on some presses, judged on others": calibration_rows(document),
                     "what the residuals point to: freed by itself, judged on other places": [
-                        {"freed": name, **found} for name, found in document["freed"].items()
+                        {"freed": name, **agreement}
+                        for name, agreement in document["freed"].items()
                     ],
                 },
                 "files": file_rows([target / "validation.json", figure]),
@@ -297,23 +302,23 @@ def not_recorded_texts(absent: list[tuple[int, int]], sensors: int) -> list[str]
 def agreement_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
     """One row per figure of merit and set of channels: value, null, p."""
     rows = []
-    for found in document["agreement"]:
+    for agreement in document["agreement"]:
         for title, key in (
             ("cosine", "cosine"),
             ("signs right", "signs"),
             ("scatter of size ×/÷", "size_spread"),
             ("scatter of modulus ×/÷", "modulus_spread"),
         ):
-            rows.append({"channels": found["what"], "figure": title, **found[key]})
+            rows.append({"channels": agreement["what"], "figure": title, **agreement[key]})
         for title, key in (
             ("recorded / predicted size", "size_ratio"),
             ("effective modulus MPa", "modulus_mpa"),
         ):
             rows.append(
                 {
-                    "channels": found["what"],
+                    "channels": agreement["what"],
                     "figure": title,
-                    "value": found[key],
+                    "value": agreement[key],
                     **dict.fromkeys(("null", "p", "exchanges")),
                 }
             )
@@ -337,7 +342,7 @@ def calibration_rows(document: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def calibration_texts(document: dict[str, Any]) -> list[str]:
-    """In words: what calibration is worth on presses that it has not seen."""
+    """Sentences on what calibration is worth on presses that it has not seen."""
     cases = len(document["cases"])
     if not document["calibration_tests"]:
         return [
@@ -351,8 +356,8 @@ def calibration_text(test: dict[str, Any]) -> str:
     """One kind of unseen presses."""
     from estimator.calibration.validation import SIGNIFICANCE, cannot_be_told
 
-    before, after, null = (test[key]["own_cosine"] for key in ("design", "after", "null"))
-    helps = after - before >= _WORTHWHILE_GAIN and test["p_own_cosine"] <= SIGNIFICANCE
+    design_cosine, after, null = (test[key]["own_cosine"] for key in ("design", "after", "null"))
+    helps = after - design_cosine >= _WORTHWHILE_GAIN and test["p_own_cosine"] <= SIGNIFICANCE
     worth = "it helps there" if helps else "it is worth little there"
     if untold := cannot_be_told(1 + test["permutations"]):
         worth = f"whether it helps there {untold}"
@@ -363,7 +368,7 @@ def calibration_text(test: dict[str, Any]) -> str:
             "included"
         )
     return (
-        f"calibration judged on {test['unseen']}: own-face cosine {before:.2f} → {after:.2f} (null of the "
-        f"same fit {null:.2f}, p {test['p_own_cosine']:.2g}), share of the change left "
+        f"calibration judged on {test['unseen']}: own-face cosine {design_cosine:.2f} → {after:.2f} (null of "
+        f"the same fit {null:.2f}, p {test['p_own_cosine']:.2g}), share of the change left "
         f"{test['design']['left_share']:.2f} → {test['after']['left_share']:.2f}: {worth}"
     )

@@ -40,12 +40,12 @@ def validate_on_travel(
         recording = recording_of(spec, folder)
     model = travel_model(spec, run.read(PRESSES)[1])
     with run.progress.stage("registration, calibration, nulls"):
-        found = fits_and_judged(model, recording, spec.seed)
+        judged = fits_and_judged(model, recording, spec.seed)
         agreements = {
             name: travel_agreement(model, *parts, exchanges, seed=spec.seed)
-            for name, parts in found.items()
+            for name, parts in judged.items()
         }
-    fits = {name: fit for name, (fit, *_) in found.items()}
+    fits = {name: fit for name, (fit, *_) in judged.items()}
     document = _document(spec, folder, agreements, fits)
     target = run_folder(out, spec.name)
     target.mkdir(parents=True, exist_ok=True)
@@ -100,7 +100,7 @@ def _document(
             }
             for name, fitted in fits.items()
         },
-        "agreement": {name: found.summary() for name, found in agreements.items()},
+        "agreement": {name: judged.summary() for name, judged in agreements.items()},
     }
 
 
@@ -110,7 +110,7 @@ def _published(
     agreement = document["agreement"]
     return {
         "command": "validate",
-        "texts": [_text(name, found) for name, found in agreement.items()],
+        "texts": [_text(name, judged) for name, judged in agreement.items()],
         "validation": json.loads(json.dumps(document)),
         "objects": [
             {
@@ -126,34 +126,34 @@ def _published(
 
 def _tables(document: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
     return {
-        f"{name}, judged on all other places": agreement_rows(found)
-        for name, found in document["agreement"].items()
+        f"{name}, judged on all other places": agreement_rows(judged)
+        for name, judged in document["agreement"].items()
     }
 
 
-def _text(name: str, found: dict[str, Any]) -> str:
-    null = found["nulls, median and best"]["places exchanged"]
-    every = found["all"]
+def _text(name: str, judged: dict[str, Any]) -> str:
+    null = judged["nulls, median and best"]["places exchanged"]
+    whole = judged["all"]
     return (
-        f"{name}: median cosine {every['cosine']:.3f} (places exchanged {null['cosine'][0]:.3f}), "
-        f"{100 * every['explained']:.0f} % of the change explained ({100 * null['explained'][0]:.0f} %), "
-        f"{100 * every['between']:.0f} % of what differs between presses "
-        f"({100 * null['between'][0]:.0f} %); order of chips number {found['order of chips']}"
+        f"{name}: median cosine {whole['cosine']:.3f} (places exchanged {null['cosine'][0]:.3f}), "
+        f"{100 * whole['explained']:.0f} % of the change explained ({100 * null['explained'][0]:.0f} %), "
+        f"{100 * whole['between']:.0f} % of what differs between presses "
+        f"({100 * null['between'][0]:.0f} %); order of chips number {judged['order of chips']}"
     )
 
 
-def agreement_rows(found: dict[str, Any]) -> list[dict[str, Any]]:
+def agreement_rows(judged: dict[str, Any]) -> list[dict[str, Any]]:
     """One row a group of presses, rival or null."""
-    beyond = next(key for key in found if key.startswith("beyond"))
-    rows = [{"presses of": "all", **found["all"]}, {"presses of": beyond, **found[beyond]}]
-    rows += [{"presses of": name, **one} for name, one in found["by travel"].items()]
-    rows += [{"presses of": name, **one} for name, one in found["rivals"].items()]
-    for name, null in found["nulls, median and best"].items():
+    beyond = next(key for key in judged if key.startswith("beyond"))
+    rows = [{"presses of": "all", **judged["all"]}, {"presses of": beyond, **judged[beyond]}]
+    rows += [{"presses of": name, **figures} for name, figures in judged["by travel"].items()]
+    rows += [{"presses of": name, **figures} for name, figures in judged["rivals"].items()]
+    for name, null in judged["nulls, median and best"].items():
         for place, which in enumerate(("median", "best")):
             rows.append(
                 {
                     "presses of": f"{name} ({which})",
-                    "presses": found["all"]["presses"],
+                    "presses": judged["all"]["presses"],
                     **{figure: values[place] for figure, values in null.items()},
                     "size": None,
                 }
