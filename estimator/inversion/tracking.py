@@ -34,6 +34,9 @@ _LEARNT_EVERY = 5
 """Interval, in pressed frames, at which the error of the model is learnt."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
+_MAGNET_EVERY = 4
+"""Interval, in frames whose contacts go on as they were, at which a magnet is tried in their place: more
+than half of such a frame's time."""
 _TRUSTED_AFTER = 8
 """Frames in a row that must be explained with all chips and no magnet. A channel of ten times its
 noise agrees by chance in one of four."""
@@ -65,6 +68,7 @@ class Tracker:
         self._error = inversion.error_share()
         self._pressed = 0
         self._strange, self._sound, self._chip_out = 0, 0, NONE
+        self._untried = 0
         self._jaws: tuple[JawFit, ContactSets] | None = None
         self.beside_magnet = False
         self._widened = 1.0
@@ -92,8 +96,10 @@ class Tracker:
         self._strange = 0 if sets.explained[0] else self._strange + 1
         if self._strange:
             sets = self._diagnosed(plain, last, sets)
-        elif self._jaws is None and self._is_magnet(plain):
-            sets = self._turned(plain, None, NONE, magnet=True)
+        elif self._jaws is None:
+            self._untried = 0 if changed else (self._untried + 1) % _MAGNET_EVERY
+            if not self._untried and self._is_magnet(plain):
+                sets = self._turned(plain, None, NONE, magnet=True)
         if self.beside_magnet:
             sets = replace(sets, p_value=np.zeros(1))
         return replace(sets, chip_out=np.full(1, self._chip_out))
