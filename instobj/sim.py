@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -12,16 +12,18 @@ from jaxtyping import Float, Int
 from design.catalogue.magnets import NDFEB_REMANENCE_PER_KELVIN
 from design.errors import InputError
 from design.layout.body import face_frames
+from design.spec_io import load_spec
 from estimator.inversion.model.arrays import Array, float32, float64, library, like, zeros
-from estimator.inversion.model.forward import NONE
-from estimator.inversion.model.joint_response import joint_response
-from estimator.inversion.model.places import surface_places
+from estimator.inversion.model.forward import NONE, ContactModel, contact_model
+from estimator.inversion.model.joint_response import JointResponse, joint_response
+from estimator.inversion.model.places import SurfacePlaces, surface_places
 from estimator.inversion.model.table import PressTable
 from estimator.inversion.steps import Relaxation, Sampling
 from estimator.inversion.storage import load_inversion
 from estimator.signals.hall import full_scale_counts
 from estimator.signals.nuisances import ambient_field, warmth
 from estimator.signals.presses import rest_counts
+from instobj.store.readers import PRESSES, SHEAR, SIGNALS
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
@@ -45,14 +47,15 @@ class HallObject:
     Against joint contact mechanics of tips of 5 mm radius on the paper's cube, 0.8 to 14 N, the
     largest error of 60 states is 0.8 % of the signals (rms) for one contact. For two on a face it
     is 2.1 % at 10.5 mm, 1.3 % at 15 mm and 0.9 % at 22 mm from each other, on two faces 1.3 %.
-    Places and forces beyond the outermost presses of a face are read at the nearest of these: the
-    error grows by some 30 % of the signals per mm. So set `contact_grid` to reach as far as
-    contacts do: pressed to 19.5 mm of a face of 21 mm, contacts 2 mm from its edge err by 2 %.
+    Of a specification presses are simulated out to the edges of all faces: up to the edges and corners
+    the largest error is 2 %. `contacts.nc` holds those of `contact_grid` alone. Places and forces
+    beyond the outermost are read at the nearest: the error grows by 30 % of the signals per mm.
 
     Parameters
     ----------
-    contacts : path
-        `contacts.nc` of a run (`instobj train SPEC`).
+    source : path
+        Specification (`.toml`), or `contacts.nc` of a run, as of a calibrated twin (`instobj train
+        FRAMES --twin SPEC --set training.model=inversion`).
     ambient_ut : (3,)
         Uniform field in the world, µT; it turns in the object's frame as the object turns.
     seed : int or None
@@ -70,7 +73,7 @@ class HallObject:
     Raises
     ------
     InputError
-        No such file, another one, or a negative delay.
+        No such file, another one, an invalid specification, or a negative delay.
     StoreError
         Damaged.
 
@@ -86,14 +89,14 @@ class HallObject:
 
     def __init__(
         self,
-        contacts: Path | str,
+        source: Path | str,
         ambient_ut: tuple[float, float, float] = (0.0, 0.0, 0.0),
         seed: int | None = 0,
         delay_s: float = 0.0,
     ) -> None:
         if not delay_s >= 0:
             raise InputError(f"delay_s is a time of 0 s or more; got {delay_s:g}. Give 0 for none")
-        model = load_inversion(contacts).model
+        model = _pressed_to_the_edges(source) if _is_spec(source) else load_inversion(source).model
         self.spec: ObjectSpec = model.spec
         frames = {frame.number: frame for frame in face_frames(self.spec)}
         faces = [frames[number] for number in model.signals.faces.tolist()]
@@ -169,30 +172,10 @@ class HallObject:
             self.reset()
         self._objects = len(points)
         (places, response, *shear), arrays, draw = self._prepare(points)
-        face, place, normal = places.nearest(points.reshape(-1, 3))
-        face, pull = face.reshape(points.shape[:2]), None
-        if force.ndim == 3:
-            normal = normal.reshape(points.shape)
-            # friction along x and y of the face; i coordinate of the object, t tangent
-            pull = library(force).einsum("oci,ocit->oct", force, arrays["tangents"][face])
-            force = (-(force * normal).sum(-1)).clip(0.0)
-        # a slot without force has no face
-        face = library(face).where(force > 0, face, NONE)
-        place = place.reshape(*force.shape, 2).clip(arrays["low"][:2], arrays["high"][:2])
-        stiffening: Any = 1.0
-        if self.spec.silicone.prony:
-            on_face = face[..., None] == arrays["faces"]
-            stiffening = self._relaxation.stiffening(on_face, force, step_s)
-        force = force * stiffening
-        together = self._force_together(face, place, force)
-        share = force / (together + (together == 0))
-        contact = library(place).concatenate(
-            [place, together.clip(None, arrays["high"][2])[..., None]], -1
-        )
-        changes = response.changes(face, contact, share)
-        if pull is not None and shear:
-            pull = pull * like(pull, stiffening)[..., None]
-            changes = changes + _friction_changes(shear[0], face, contact, pull)
+        felt = _find_places(places, arrays, points, force)
+        pressed, changes = self._changes(response, arrays, felt, step_s)
+        if felt.pull_n is not None and shear:
+            changes = changes + _friction_changes(shear[0], pressed, felt)
         if not isinstance(warming_k, float) or warming_k:
             warming = like(points, warming_k).reshape(-1, 1)
             # remanence, and with it what contacts change, falls with temperature
@@ -203,8 +186,9 @@ class HallObject:
             # rotationᵀ · field of each object
             turned = turned @ float64(rotation)
         expected = arrays["rest"] + turned @ arrays["counts_per_ut"] + changes
-        shape = (len(force), *self.rest_counts.shape)
-        counts = self._read_out(expected.reshape(shape), arrays["noise"], draw)
+        counts = self._read_out(
+            expected.reshape(len(points), *self.rest_counts.shape), arrays["noise"], draw
+        )
         counts = self._sampling.arrived(counts, step_s)
         return counts[0] if of_one else counts
 
@@ -269,6 +253,21 @@ class HallObject:
             self._known[device] = tables, arrays, _noise_source(reference, self._seed)
         return self._known[device]
 
+    def _changes(
+        self, response: JointResponse, arrays: dict[str, Array], felt: _OnFaces, step_s: float
+    ) -> tuple[_Pressed, Float[Array, "object channel"]]:
+        """Return at which force and stiffness each contact is looked up, and what all change, counts."""
+        force, stiffening = felt.force_n, 1.0
+        if self.spec.silicone.prony:
+            on_face = felt.face[..., None] == arrays["faces"]
+            stiffening = self._relaxation.stiffening(on_face, force, step_s)
+        force = force * stiffening
+        together = self._force_together(felt.face, felt.place_mm, force)
+        share = force / (together + (together == 0))
+        largest = together.clip(None, arrays["high"][2])[..., None]
+        contact = library(largest).concatenate([felt.place_mm, largest], -1)
+        return _Pressed(contact, stiffening), response.changes(felt.face, contact, share)
+
     def _read_out(self, expected: Array, sigma: Array, draw: Callable[..., Array]) -> Array:
         """Return whole counts with noise and drift, clipped; as expected without a seed."""
         if self._seed is None:
@@ -305,13 +304,63 @@ def _noise_source(reference: Array, seed: int | None) -> Callable[..., Array]:
     return lambda shape: reference.new_empty(shape).normal_(generator=generator)
 
 
+class _OnFaces(NamedTuple):
+    """Contacts of objects on their faces: face (`NONE`: empty), place, normal force, friction or None."""
+
+    face: Int[Array, "object contact"]
+    place_mm: Float[Array, "object contact 2"]
+    force_n: Float[Array, "object contact"]
+    pull_n: Float[Array, "object contact 2"] | None
+
+
+class _Pressed(NamedTuple):
+    """Places (mm) and forces (N) at which contacts are looked up, and by how much relaxed forces grew."""
+
+    contact: Float[Array, "object contact 3"]
+    stiffening: Any
+
+
+def _find_places(
+    places: SurfacePlaces, arrays: dict[str, Array], points_mm: Array, force_n: Array
+) -> _OnFaces:
+    """Return where contact points are pressed by which forces; what pulls off counts as 0."""
+    face, place, normal = places.nearest(points_mm.reshape(-1, 3))
+    shape = points_mm.shape[:2]
+    face, pull = face.reshape(shape), None
+    if force_n.ndim == 3:
+        # friction along x and y of the face; i coordinate of the object, t tangent
+        pull = library(force_n).einsum("oci,ocit->oct", force_n, arrays["tangents"][face])
+        force_n = (-(force_n * normal.reshape(points_mm.shape)).sum(-1)).clip(0.0)
+    # a slot without force has no face
+    face = library(face).where(force_n > 0, face, NONE)
+    place = place.reshape(*shape, 2).clip(arrays["low"][:2], arrays["high"][:2])
+    return _OnFaces(face, place, force_n, pull)
+
+
+def _is_spec(source: Path | str) -> bool:
+    return Path(source).suffix == ".toml"
+
+
+def _pressed_to_the_edges(spec_path: Path | str) -> ContactModel:
+    """Return the forward model of a specification with presses wherever its tip lands on a face."""
+    from estimator.information.shear import shear_signals
+    from instobj.stages.run import Run
+
+    spec = load_spec(Path(spec_path))
+    spec = spec.changed(contact_grid=spec.contact_grid.changed(count="fill"))
+    run, shear = Run(spec), None
+    forces, motions = run.read(PRESSES)
+    if spec.inversion.tangential_share:
+        shear = shear_signals(spec, motions, run.read(SHEAR))
+    return contact_model(spec, forces, motions, run.read(SIGNALS), shear)
+
+
 def _friction_changes(
-    shear: PressTable,
-    face: Int[Array, "object contact"],
-    contact: Float[Array, "object contact 3"],
-    pull_n: Float[Array, "object contact 2"],
+    shear: PressTable, pressed: _Pressed, felt: _OnFaces
 ) -> Float[Array, "object channel"]:
     """Return what friction changes, counts: each contact's counts per newton along x and y."""
+    face, contact = felt.face, pressed.contact
+    pull_n = felt.pull_n * like(contact, pressed.stiffening)[..., None]
     touching = face != NONE
     per_n = zeros(shear.coefficients, (*face.shape, shear.coefficients.shape[-1]))
     per_n[touching] = shear.expected(face[touching], contact[touching])

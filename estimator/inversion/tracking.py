@@ -32,7 +32,7 @@ _WORSE = 0.1
 """A p value that falls by more than this ends the wait."""
 _LEARNT_EVERY = 5
 """Interval, in pressed frames, at which the error of the model is learnt, and at which contacts that go on
-are weighed against a magnet."""
+are weighed against a magnet: more than half of such a frame's time."""
 _STRAINED = 0.02
 """p value below which one more contact is tried."""
 _TRUSTED_AFTER = 8

@@ -7,14 +7,16 @@ import hashlib
 from functools import lru_cache
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from design.files import atomic_path
 from instobj.report.cells import table_of
 from instobj.viewer.bundling import program
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
 
 _TEMPLATES = Path(__file__).parent / "templates"
 _STEPS = 51
@@ -64,6 +66,9 @@ def policy() -> str:
 
 @lru_cache(maxsize=1)
 def _environment() -> Environment:
+    # a robot's environment has no jinja2: it shows tables, and writes no pages
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
     environment = Environment(
         loader=FileSystemLoader(_TEMPLATES),
         autoescape=True,

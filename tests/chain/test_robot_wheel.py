@@ -15,6 +15,7 @@ from estimator.inversion.storage import save_inversion
 from estimator.recordings.boards.lines import encode_frame
 from tests.support.mechanics.inverted import inverted, noisy_counts
 from tests.support.recordings.dummy_board import dummy_board
+from tests.support.recordings.made_recordings import gripper_arrays, write_gripper
 
 ROOT = Path(__file__).parents[2]
 NOT_BROUGHT = {
@@ -96,6 +97,15 @@ def test_first_contacts_of_a_board_need_nothing_else(tmp_path):
     read = [contact for frame in frames for contact in frame["contacts"]]
     assert {contact["face"] for contact in read} == {3}
     assert np.median([contact["force_n"] for contact in read]) == pytest.approx(7.0, rel=0.2)
+
+
+def test_a_recording_becomes_a_data_set_with_nothing_else(tmp_path):
+    cases = ((54, 57), (23, 28))
+    file = write_gripper(tmp_path / "g.csv", gripper_arrays(cases), cases)
+    done = run_without(NOT_BROUGHT, "recordings", file, "--out", tmp_path)
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert (tmp_path / "runs" / "g" / "frames.nc").is_file()
+    assert "6 presses of 2 contact cases" in done.stdout
 
 
 @pytest.mark.parametrize(
