@@ -8,7 +8,7 @@ others round it add is given by the strain that each of them resists (`fem.candi
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -65,19 +65,6 @@ class FaceCandidates:
 
 
 @dataclass(frozen=True)
-class InterpolationError:
-    """Interpolated against directly evaluated motions at random points between candidates.
-
-    Relative to the rms (the largest, for `worst`) motion of the pressed face's own points.
-    """
-
-    displacement_rms: float
-    displacement_worst: float
-    rotation_rms: float
-    rotation_worst: float
-
-
-@dataclass(frozen=True)
 class Influence:
     """Motion (c, ω) of a magnet, mm and rad, for each strain round another (`STRAINS` of
     `fem.candidates.rigid_body`), in a frame whose x points from that one to it along the face and whose z
@@ -115,7 +102,6 @@ class CandidateMotions:
     candidates: tuple[FaceCandidates, ...]
     by_candidate: Float32[np.ndarray, "candidate face mode 6"]
     presses: Float32[np.ndarray, "face place step mode"]
-    error: InterpolationError
     jeffery_parameter: float
     """Share of strain that turns magnets: `RigidBody.jeffery_parameter`."""
     strain: Float32[np.ndarray, "candidate mode 5"]
@@ -263,7 +249,6 @@ def save_candidates(motions: CandidateMotions, folder: Path | str) -> None:
     for lattice in motions.candidates:
         for name in ("x_mm", "y_mm", "depth_mm"):
             arrays[f"candidate_{name}_{lattice.face}"] = getattr(lattice, name)
-    arrays |= {f"error_{name}": np.array(value) for name, value in asdict(motions.error).items()}
     with atomic_path(Path(folder) / _TABLE_FILE) as temporary, temporary.open("wb") as stream:
         np.savez(stream, **arrays)  # pyright: ignore[reportArgumentType]
 
@@ -280,7 +265,6 @@ def load_candidates(folder: Path | str) -> CandidateMotions:
             )
             for face in data["candidate_faces"]
         )
-        names = InterpolationError.__dataclass_fields__
         return CandidateMotions(
             data["faces"],
             PlaceGrid(data["place_x_mm"], data["place_y_mm"]),
@@ -290,7 +274,6 @@ def load_candidates(folder: Path | str) -> CandidateMotions:
             lattices,
             by_candidate,
             data["presses"],
-            InterpolationError(**{name: float(data[f"error_{name}"]) for name in names}),
             float(data["turns_with_plane"]),
             data["strain"],
             Influence(

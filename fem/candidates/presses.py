@@ -9,7 +9,7 @@ the same mesh).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -29,7 +29,6 @@ from fem.candidates.motions import (
     CandidateMotions,
     FaceCandidates,
     Influence,
-    InterpolationError,
     known_places,
     save_candidates,
 )
@@ -52,8 +51,6 @@ _LEAST_MODE = 3e-4
 """Share of the largest mode below which a mode of the candidates is left out: such modes change position
 bounds by less than 0.1 % (rms over places of fourteen layouts of the paper's cube; 1.5 % at most), modes
 below 1e-3 by 0.24 % (3 %)."""
-_TEST_POINTS_PER_FACE = 60
-"""Random points of each face at which the interpolation is tested."""
 _CHUNK = 128
 """Right-hand sides solved at once: it bounds the memory."""
 
@@ -109,8 +106,7 @@ def simulate_candidates(
         )
         for name in ("force_n", "depth_mm", "deepest_n")
     )
-    tests = _test_points(spec, lattices)
-    recorded, body, between = _record(spec, mesh, response, presses, lattices, tests, progress)
+    recorded, body, between = _record(spec, mesh, response, presses, lattices, progress)
     modes = max(len(face_motions.presses.T) for face_motions in recorded)
     count = sum(len(lattice) for lattice in lattices)
     motions_file = Path(folder) / MOTIONS_FILE
@@ -129,7 +125,6 @@ def simulate_candidates(
         strain[face_motions.under_face, :used] = face_motions.strain
     by_candidate.flush()
     faces = np.array([surface.number for surface in response.surfaces])
-    unknown = InterpolationError(*(4 * [np.nan]))
     table = CandidateMotions(
         faces,
         press_lattice(spec),
@@ -139,12 +134,10 @@ def simulate_candidates(
         lattices,
         by_candidate,
         mixed,
-        unknown,
         body.jeffery_parameter,
         strain,
         between,
     )
-    table = with_error(table, tests, [face_motions.at_tests for face_motions in recorded])
     save_candidates(table, folder)
     return table
 
@@ -181,13 +174,12 @@ def presses_at_forces(
 
 @dataclass(frozen=True)
 class _Recorded:
-    """Motions under presses of one face, in its own modes: motions of candidates and of test points,
-    strain round candidates under that face, and what each press has of every mode."""
+    """Motions under presses of one face, in its own modes: motions of candidates, strain round candidates
+    under that face, and what each press has of every mode."""
 
     under_face: slice
     strain: Float32[np.ndarray, "own_candidate mode 5"]
     by_candidate: Float32[np.ndarray, "candidate mode 6"]
-    at_tests: Float32[np.ndarray, "test mode 6"]
     presses: Float32[np.ndarray, "press mode"]
 
 
@@ -197,7 +189,6 @@ def _record(
     response: ResponseOperator,
     presses: list[PressesAtForce],
     lattices: tuple[FaceCandidates, ...],
-    tests: list[np.ndarray],
     progress: Progress | None,
 ) -> tuple[list[_Recorded], RigidBody, Influence]:
     """Record every pressed face; return the magnet that moves so and how others move it too."""
@@ -207,20 +198,16 @@ def _record(
         np.repeat(known_places(spec, candidates), len(candidates.depth_mm))
         for candidates in lattices
     ]
-    points = [
-        *(candidates.xyd_mm[here] for candidates, here in zip(lattices, is_known, strict=True)),
-        *tests,
-    ]
-    filled, count, recorded = filled_candidates(lattices, is_known), sum(map(len, tests)), []
+    filled, recorded = filled_candidates(lattices, is_known), []
     with Factorization(system.matrix) as factor:
         body, tied = tied_magnets(spec, system, factor, lattices)
         between = influence(spec, system.space, body, tied, lattices)
         placed = [
-            _placed(spec, lattice.face, xyd)
-            for lattice, xyd in zip(lattices * 2, points, strict=True)
+            _placed(spec, lattice.face, lattice.xyd_mm[here])
+            for lattice, here in zip(lattices, is_known, strict=True)
         ]
         rows = rows_of([candidate_rows(system.space, *place, body) for place in placed])
-        strained = [strain_rows(system.space, *place, body) for place in placed[: len(lattices)]]
+        strained = [strain_rows(system.space, *place, body) for place in placed]
         for index, press in enumerate(presses):
             share, patterns = _patterns(press.pressure_mpa)
             loads = tractions[:, response.face_loads(index)] @ patterns.T
@@ -241,8 +228,7 @@ def _record(
                     filled_candidates((lattices[under],), [is_known[under]])(
                         strain.transpose(0, 2, 1)
                     ),
-                    filled(motion[: len(motion) - count]),
-                    motion[len(motion) - count :],
+                    filled(motion),
                     (share @ of_patterns).astype(np.float32),
                 )
             )
@@ -289,18 +275,6 @@ def _placed(
     return points, axes
 
 
-def _test_points(spec: ObjectSpec, lattices: tuple[FaceCandidates, ...]) -> list[np.ndarray]:
-    """Random (x, y, depth) among the candidates of every face, where a pocket lies under its patch."""
-    random, inside = np.random.default_rng(1), []
-    for lattice in lattices:
-        frame = face_frame(spec, lattice.face)
-        ends = lattice.xyd_mm.min(0), lattice.xyd_mm.max(0)
-        points = random.uniform(*ends, (_TEST_POINTS_PER_FACE, 3))
-        beside = abs(frame.to_plane(points[:, :2])) + spec.shell.pocket_diameter_mm / 2
-        inside.append(points[frame.covers(beside)])
-    return inside
-
-
 def values_on_grid(
     has_place: Bool[np.ndarray, "place"], values: Float[np.ndarray, "own *step"]
 ) -> Float[np.ndarray, "place *step"]:
@@ -331,30 +305,3 @@ def filled_candidates(
         return extended.reshape(-1, *values.shape[1:])
 
     return filled
-
-
-def with_error(
-    table: CandidateMotions,
-    tests: list[np.ndarray],
-    direct: Sequence[Float32[np.ndarray, "test mode 6"]],
-) -> CandidateMotions:
-    """The table with the error of its interpolation on the pressed faces' own test points."""
-    exact, wrong = [], []
-    ends = np.cumsum([len(points) for points in tests])
-    for lattice, points, end in zip(table.candidates, tests, ends, strict=True):
-        for row in np.flatnonzero(table.faces == lattice.face).tolist():
-            index, weight = table.weights(lattice.face, points)
-            # m test point, k of its 64 candidates, r mode, v of 6 motions
-            interpolated = np.einsum("mk,mkrv->mrv", weight, table.by_candidate[index, row])
-            direct_modes = direct[row][end - len(points) : end]
-            modes = table.presses[row].reshape(-1, table.presses.shape[-1])
-            exact.append(modes[:, : direct_modes.shape[1]] @ direct_modes)
-            wrong.append(modes @ interpolated - exact[-1])
-    exact, wrong = (
-        np.concatenate([m.reshape(-1, 2, 3) for m in parts]) for parts in (exact, wrong)
-    )
-    size, miss = np.linalg.norm(exact, axis=2), np.linalg.norm(wrong, axis=2)
-    rms = np.sqrt(np.mean(miss**2, axis=0) / np.mean(size**2, axis=0))
-    worst = miss.max(axis=0) / size.max(axis=0)
-    error = InterpolationError(*(float(v) for v in (rms[0], worst[0], rms[1], worst[1])))
-    return replace(table, error=error)

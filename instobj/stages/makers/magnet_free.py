@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -10,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from instobj.store.readers import (
     COMPLIANCE,
-    INTERPOLATION_ERROR,
     PLAIN_FORCES,
     PLAIN_MESH,
     PLAIN_RESPONSE,
@@ -91,11 +89,7 @@ def make_candidates(context: StageContext, folder: Path) -> None:
     response = context.read(PLAIN_RESPONSE)
     lattices = candidate_lattices(context.spec)
     context.step("contact at every location, then one factorization for all presses")
-    motions = simulate_candidates(
-        context.spec, mesh, response, lattices, folder, progress=context.step
-    )
-    report = json.dumps(asdict(motions.error), indent=2) + "\n"
-    (INTERPOLATION_ERROR.path(folder)).write_text(report, encoding="utf-8")
+    simulate_candidates(context.spec, mesh, response, lattices, folder, progress=context.step)
 
 
 def make_second_fidelity(context: StageContext, folder: Path) -> None:

@@ -130,8 +130,8 @@ def test_at_a_candidate_interpolation_gives_its_own_motion(table):
     assert_allclose(found, motion_of(table)[:, :, :, first + index], rtol=0, atol=1e-6)
 
 
-def test_the_stated_interpolation_error_is_that_of_direct_evaluation(cube, table, fields, body):
-    """At other points than those it was measured at; a lattice of 4 mm is a coarse one."""
+def test_between_candidates_motions_are_those_of_direct_evaluation(cube, table, fields, body):
+    """On a lattice of 4 mm, a coarse one: displacements to a tenth (rms), rotations to a quarter."""
     frame, lattice = face_frames(cube.spec)[FACE - 1], table.candidates[FACE - 1]
     low, high = lattice.xyd_mm.min(axis=0), lattice.xyd_mm.max(axis=0)
     xyd = np.random.default_rng(9).uniform(low, high, (60, 3))
@@ -139,21 +139,9 @@ def test_the_stated_interpolation_error_is_that_of_direct_evaluation(cube, table
     direct = candidate_rows(cube.space, points, frame.axes, body) @ fields
     direct = np.moveaxis(direct.reshape(len(xyd), 6, -1), 2, 0)
     miss = table.motions_at(FACE, xyd[:, :2], xyd[:, 2])[FACE - 1, :, 1] - direct
-    for part, stated in (
-        (slice(0, 3), table.error.displacement_rms),
-        (slice(3, 6), table.error.rotation_rms),
-    ):
+    for part, most in ((slice(0, 3), 0.1), (slice(3, 6), 0.25)):
         rms = np.sqrt(np.mean(miss[..., part] ** 2) / np.mean(direct[..., part] ** 2))
-        assert stated / 2 < rms < 2 * stated
-    assert table.error.displacement_rms < 0.1
-    assert table.error.displacement_rms < table.error.displacement_worst < 0.3
-
-
-@pytest.mark.slow  # quick ones: the stated error of a lattice, and the order of convolution
-def test_a_finer_lattice_interpolates_better(cube, spec, table, tmp_path):
-    lattices = candidate_lattices(spec, pitch_mm=2.5)
-    finer = simulate(spec, cube.mesh, cube.response, lattices, tmp_path, force_shares=(0.5, 1.0))
-    assert finer.error.displacement_rms < 0.6 * table.error.displacement_rms
+        assert rms < most
 
 
 def test_a_table_comes_back_from_its_folder_memory_mapped(table, folder):
@@ -162,7 +150,6 @@ def test_a_table_comes_back_from_its_folder_memory_mapped(table, folder):
     np.testing.assert_array_equal(loaded.by_candidate, table.by_candidate)
     for name in ("faces", "force_n", "depth_mm", "presses"):
         np.testing.assert_array_equal(getattr(loaded, name), getattr(table, name))
-    assert loaded.error == table.error
     for read, saved in zip(loaded.candidates, table.candidates, strict=True):
         assert read.face == saved.face
         np.testing.assert_array_equal(read.xyd_mm, saved.xyd_mm)

@@ -3,10 +3,8 @@
 import numpy as np
 from numpy.testing import assert_allclose
 
-from design.layout.places.contact_grid import PlaceGrid
-from fem.candidates.motions import CandidateMotions, FaceCandidates, InterpolationError
-from fem.candidates.presses import filled_candidates, values_on_grid, with_error
-from tests.support.mechanics.candidate_cases import no_influence
+from fem.candidates.motions import FaceCandidates
+from fem.candidates.presses import filled_candidates, values_on_grid
 
 
 def lattice(face):
@@ -46,40 +44,3 @@ def test_places_that_a_face_has_not_are_missing():
     there = np.array([True, False, True])
     found = values_on_grid(there, np.array([[1.0, 2.0], [3.0, 4.0]]))
     assert_allclose(found, [[1, 2], [np.nan, np.nan], [3, 4]])
-
-
-def test_the_error_of_interpolation_is_of_the_pressed_face_s_own_points_by_hand():
-    """All candidates shift by 1 mm and turn by 2 rad; what is true differs at two of three points."""
-    axis = np.arange(4.0) - 1
-    lattices = tuple(FaceCandidates(face, axis, axis, 2 + np.arange(4.0)) for face in (1, 3))
-    motion = np.zeros((128, 2, 2, 6), np.float32)
-    motion[:, :, 0, 0], motion[:, :, 1, 4] = 0.5, 4.0
-    presses = np.broadcast_to(np.float32([2.0, 0.5]), (2, 1, 1, 2))
-    places = PlaceGrid(np.zeros(1), np.zeros(1))
-    none = InterpolationError(0.0, 0.0, 0.0, 0.0)
-    one = np.ones((2, 1, 1))
-    faces, deepest = np.array([1, 3]), np.ones((2, 1))
-    table = CandidateMotions(
-        faces,
-        places,
-        one,
-        one,
-        deepest,
-        lattices,
-        motion,
-        presses,
-        none,
-        0.0,
-        np.zeros((128, 2, 5), np.float32),
-        no_influence(lattices[0].depth_mm),
-    )
-    miss = np.array([[0, 0.3, 0, 0, 0, 0.1], [0, 0, 0.4, 0.2, 0, 0], [0, 0, 0, 0, 0, 0]])
-    true = [np.full((3, 2, 6), 50.0, np.float32) for _ in range(2)]  # of presses of the other face
-    for point, row in enumerate((0, 0, 1)):
-        true[row][point] = motion[0, 0] + miss[point] * np.array([[0.25], [1.0]])
-    points = [np.array([[0.2, -0.3, 2.5], [1.1, 0.4, 3.2]]), np.array([[-0.5, 0.6, 2.7]])]
-    error = with_error(table, points, true).error
-    assert_allclose(error.displacement_rms, np.sqrt((0.09 + 0.16) / (1.09 + 1.16 + 1)))
-    assert_allclose(error.displacement_worst, 0.4 / np.sqrt(1.16))
-    assert_allclose(error.rotation_rms, np.sqrt((0.01 + 0.04) / (4.01 + 4.04 + 4)))
-    assert_allclose(error.rotation_worst, 0.2 / np.sqrt(4.04))

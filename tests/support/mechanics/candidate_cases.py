@@ -29,7 +29,6 @@ from estimator.signals.presses import Signals
 from fem.candidates.motions import (
     CandidateMotions,
     Influence,
-    InterpolationError,
     candidate_lattices,
 )
 from fem.candidates.presses import compressed
@@ -90,7 +89,6 @@ def table_of(spec, lattices, force_n, per_share):
     for row, (rows, mode) in enumerate(parts):
         by_candidate[:, row, : mode.shape[1]] = rows
         presses[row, :, :, : mode.shape[1]] = mode[:, None] * SHARES[:, None]
-    nan = InterpolationError(*4 * [np.nan])
     deepest = 1.5 * force_n.max(axis=2)
     places = press_lattice(spec)
     return CandidateMotions(
@@ -102,7 +100,6 @@ def table_of(spec, lattices, force_n, per_share):
         lattices,
         by_candidate,
         presses,
-        nan,
         0.0,
         np.zeros((len(by_candidate), modes, 5), np.float32),
         no_influence(lattices[0].depth_mm),
