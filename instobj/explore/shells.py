@@ -13,8 +13,11 @@ from instobj.explore.design import SHELL_TABLES
 from instobj.explore.engine import Explorer, is_stored, open_coarse_explorer, open_explorer
 from instobj.search.apart import WorkerProcess
 from instobj.stages.resources import search_seconds
+from instobj.store.keys import content_key
 
 _MINUTE_S, _LONGEST_S = 60.0, 12 * 3600.0
+_NAME_LENGTH = 16
+"""Hexadecimal digits of a shell's name: two alike are less likely than 1e-15."""
 
 
 @dataclass
@@ -104,7 +107,7 @@ class Shells:
 def shell_key(spec: ObjectSpec) -> str:
     """Return what tells shells apart that the page can ask for."""
     tables = {name: getattr(spec, name).model_dump(mode="json") for name in SHELL_TABLES}
-    return json.dumps(tables, sort_keys=True)
+    return content_key(tables)[:_NAME_LENGTH]
 
 
 def _mechanics(_: None) -> Callable[[str], None]:

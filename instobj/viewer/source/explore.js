@@ -20,10 +20,13 @@ const RED = 0xe01b24;
 const WORSE = [0.5, 2];
 const SIZES = ["size-x", "size-y", "size-z"];
 const MOVED_PX = 4;
+const CHECK_EVERY_MS = 300;
 const ENDLESS = 1e9; // of what no force is enough for: darker than all
 
 const copy = (value) => JSON.parse(JSON.stringify(value));
 const made = (tag, properties) => Object.assign(document.createElement(tag), properties);
+// What stays as it is costs no layout.
+const write = (element, text) => element.textContent !== text && (element.textContent = text);
 const rounded = (value) => Math.round(value / STEP_MM) / (1 / STEP_MM);
 
 async function post(question, body) {
@@ -137,7 +140,9 @@ async function startExplore() {
     checking = true;
     do {
       checkAgain = false;
+      const rest = new Promise((done) => setTimeout(done, CHECK_EVERY_MS)); // of the processor, for the hand
       await ask("limits", { design: state.design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [], faces: [] }] })).then(showLimits);
+      await rest;
     } while (checkAgain);
     checking = false;
   }
@@ -171,9 +176,12 @@ async function startExplore() {
       ["magnets; chips", `${answer.magnets}; ${answer.sensors}`, pinned ? `${pinned.answer.magnets}; ${pinned.answer.sensors}` : ""],
       ["price of both, €; work by hand, min", answer.price_and_minutes.map(Math.round).join("; "), pinned?.answer.price_and_minutes.map(Math.round).join("; ")],
     ];
-    find("numbers").replaceChildren(...rows.map(([name, ...values]) => rowOf(name, values.map((value = "") => (value === null ? "∞" : typeof value === "number" ? shownNumber(value) : value)))));
+    if (!find("numbers").rows.length) find("numbers").replaceChildren(...rows.map(([name]) => rowOf(name, ["", ""])));
+    rows.forEach(([name, ...values], k) => [name, ...values].forEach((value = "", column) => {
+      write(find("numbers").rows[k].cells[column], value === null ? "∞" : typeof value === "number" ? shownNumber(value) : value);
+    }));
     const [x, y] = xyOf(now.place);
-    find("worst").textContent = `The worst place is on face ${content.faces[now.face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm, at the white ball.`;
+    write(find("worst"), `The worst place is on face ${content.faces[now.face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm, at the white ball.`);
     presser.markWorst(now.face, now.place);
   }
   const xyOf = (place) => Array.from(arrays.place_xy_mm.data.subarray(2 * place, 2 * place + 2));
