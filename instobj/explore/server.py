@@ -213,7 +213,8 @@ def application(session: Session, checking: Executor) -> web.Application:
     async def confirmed(query: dict[str, Any]) -> dict[str, Any]:
         design, (path, force) = session.design(query), (session.work.path, query["force_n"])
         explorer = session.shells.explorer_of(design)
-        return {"rows": await to_thread(confirmed_rows, explorer, path, force)}
+        rows = await to_thread(confirmed_rows, explorer, path, force)
+        return {"rows": rows, "channels": design.score.channels}
 
     async def stop(_: dict[str, Any]) -> dict[str, Any]:
         await session.work.stop()

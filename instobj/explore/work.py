@@ -142,7 +142,7 @@ class Work:
 
 def _told(trial: Trial, spec: ObjectSpec) -> str:
     name = spec.search.objectives[0]
-    return f"trial {trial.number}: {LABELS[name]} {trial.scores[name]:.3g}"
+    return f"trial {trial.number}: {LABELS[name]} {trial.scores[name]:.3g}, over all forces"
 
 
 def _folder(path: Path) -> Path:

@@ -44,7 +44,7 @@ export function makeWork({ find, ask, frozen, now, renew, take }) {
     }));
   }
   async function showConfirmed() {
-    const { rows } = await ask("confirmed", confirming);
+    const { rows, channels } = await ask("confirmed", confirming);
     confirming = null;
     const ratio = ({ page, chain }) => (page === null || chain === null ? "–" : shownNumber(chain / page));
     find("confirmed").replaceChildren(...rows.map((one) => {
@@ -55,6 +55,7 @@ export function makeWork({ find, ask, frozen, now, renew, take }) {
       return line;
     }));
     find("confirmed-head").hidden = !rows.length;
+    find("confirmed-note").textContent = rows.length && channels === "all" ? "The chain reads the chips of all faces, the page those of the pressed face: part of the difference." : "";
   }
   async function begin(question, also) {
     try {

@@ -1,4 +1,4 @@
-"""The command `explore`: a specification, or what is requested from nothing, and the time to its first map."""
+"""The command `explore`: a specification, or what is requested from nothing, with its first map."""
 
 import time
 

@@ -10,15 +10,35 @@ from design.errors import InputError
 from design.search.space import search_space, start_params, with_layout
 from design.spec_io import load_spec
 from instobj.explore.design import design_of, kept_file, with_design
-from instobj.explore.work import Work
+from instobj.explore.engine import open_coarse_explorer
+from instobj.explore.work import Work, confirmed_rows
 from instobj.search.trials import Trial, open_trials
+from instobj.stages.run import Run
 
+TINY = """name = "tiny"
+[body]
+sensed_faces = [1]
+[contact_grid]
+count = [3, 3]
+pitch_mm = 6.0
+[press]
+depths_mm = [1.0, 2.0]
+[mesh]
+edge_mm = 8.0
+surface_edge_mm = 3.0
+envelope_mm = 0.1
+[score]
+channels = "own"
+[search]
+forces_n = [2.0]
+"""
 CUBE = 'name = "mine"\n[search]\nseconds = 60\n'
 
 
 @pytest.fixture
 def cube(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))  # without any mechanics
     (tmp_path / "mine.toml").write_text(CUBE)
     return tmp_path / "mine.toml"
 
@@ -38,10 +58,10 @@ def ended(begin):
 
 
 def test_a_refused_search_is_told_with_its_command_and_reason(cube):
-    told = ended(lambda work: work.improve(cube, 1.0))
-    assert told["command"] == f"instobj optimize {cube} --set search.seconds=1"
+    told = ended(lambda work: work.improve(cube, 30.0))
+    assert told["command"] == f"instobj optimize {cube} --set search.seconds=30"
     assert told["failed"]
-    assert "ends before a search has a result" in told["line"] or "about" in told["line"]
+    assert "search.seconds = 30 ends before a search has a result" in told["line"]
 
 
 def test_a_command_is_stopped_at_once_and_only_one_runs(cube):
@@ -94,3 +114,19 @@ def test_a_design_that_is_there_is_not_saved_again(cube):
     assert kept_file(changed, cube) == path
     assert load_spec(path).silicone.youngs_modulus_mpa == changed.silicone.youngs_modulus_mpa
     assert load_spec(path).shell.thickness_mm == 9.5
+
+
+def test_a_confirmed_design_shows_page_and_chain_side_by_side(tmp_path, monkeypatch):
+    monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
+    path = tmp_path / "tiny.toml"
+    path.write_text(TINY)
+    explorer = open_coarse_explorer(load_spec(path))
+    assert confirmed_rows(explorer, path, 2.0) == []  # nothing is computed here
+    scores = Run(load_spec(path, ["score.force_n=2.0"])).scores
+    rows = {one["name"]: one for one in confirmed_rows(explorer, path, 2.0)}
+    place = rows["error of the place, mm: half are below"]
+    assert place["chain"] == pytest.approx(float(np.nanmedian(scores.position_bound_mm)))
+    quick = explorer.judge(load_spec(path), 2.0).position_bound_mm
+    assert place["page"] == pytest.approx(float(np.nanmedian(quick)))
+    assert 0.3 < place["chain"] / place["page"] < 3  # both read the chips of the pressed face
+    assert rows["error of the force, N: worst"]["chain"] == float(scores.force_bound_n.max())
