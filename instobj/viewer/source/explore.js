@@ -6,7 +6,7 @@ import { addNumber, boxOf, makeMagnet, makePool, quaternionOf } from "./layouts.
 import { drawLegend, makeMaps, placeOn, shownNumber } from "./maps.js";
 import { COLOURS, geometryOf, outline, solid } from "./object.js";
 import { makePresser } from "./presser.js";
-import { label, makeView } from "./view.js";
+import { facing, label, makeView } from "./view.js";
 import { makeWork } from "./work.js";
 
 const TITLES = {
@@ -372,10 +372,6 @@ function freePlace(taken, face) {
   const places = shares.map((share) => share.map((part, axis) => rounded(0.55 * part * face.half_mm[axis])));
   const near = places.map((at) => Math.min(...taken.map(([x, y]) => Math.hypot(x - at[0], y - at[1])), Infinity));
   return places[near.indexOf(Math.max(...near))];
-}
-
-function facing(face, camera) {
-  return camera.position.clone().sub(new Vector3(...face.centre_mm)).dot(new Vector3(...face.normal)) > 0;
 }
 
 function makeBody({ content, arrays }, view) {

@@ -2,10 +2,10 @@
 // told, and each chip's counts.
 import { Mesh, MeshLambertMaterial, SphereGeometry, Vector3 } from "three";
 import { numbers, row } from "./archive.js";
-import { makeEllipse } from "./ellipse.js";
+import { circleOf, makeEllipse } from "./ellipse.js";
 import { shownNumber } from "./maps.js";
+import { facing } from "./view.js";
 
-const NOTHING = { most: NaN, least: NaN, turn: 0 };
 const [PRESSED, WORST] = [0xd81b9a, 0xffffff];
 
 export function makePresser({ scene, body, parts, maps, view, find }) {
@@ -14,7 +14,7 @@ export function makePresser({ scene, body, parts, maps, view, find }) {
   const normals = numbers(arrays.silicone_normals);
   const rest = numbers(arrays.silicone_mm);
   let shown = [];
-  const circle = (face, place) => shown.find((one) => one.face === face && one.place === place)?.circle ?? NOTHING;
+  const circle = (face, place) => shown.find((one) => one.face === face && one.place === place)?.circle ?? circleOf(null);
   const rings = [0, 1].map(() => makeEllipse(scene, body, circle, view, PRESSED));
   const [worst, ...balls] = [WORST, PRESSED, PRESSED].map((color) => {
     const mesh = new Mesh(new SphereGeometry(view.size / (color === WORST ? 45 : 60), 24, 16), new MeshLambertMaterial({ color, depthTest: false, transparent: true, opacity: 0.9 }));
@@ -27,8 +27,7 @@ export function makePresser({ scene, body, parts, maps, view, find }) {
     mesh.position.fromArray(arrays.place_mm.data, 3 * (face * places + place));
     mesh.userData.face = content.faces[face];
   };
-  const seen = ({ centre_mm: centre, normal }, camera) => camera.position.clone().sub(new Vector3(...centre)).dot(new Vector3(...normal)) > 0;
-  view.before.push((camera) => [worst, ...balls].forEach((mesh) => (mesh.visible = Boolean(mesh.userData.face) && seen(mesh.userData.face, camera))));
+  view.before.push((camera) => [worst, ...balls].forEach((mesh) => (mesh.visible = Boolean(mesh.userData.face) && facing(mesh.userData.face, camera))));
 
   // The skin's own normal at a place: a curved face has another one at each.
   function dentAt({ face, place }, profile) {
@@ -43,7 +42,7 @@ export function makePresser({ scene, body, parts, maps, view, find }) {
     return { origin, normal: new Vector3(...normal), profile };
   }
   function show(presses, { counts, noise_counts: noise, position_mm2: ellipses, motions, skin_mm: profile }, xys, force) {
-    shown = presses.map((press, k) => ({ ...press, circle: circleOf(ellipses[k]) }));
+    shown = presses.map((press, k) => ({ ...press, circle: circleOf(ellipses[k][0], ellipses[k][1], ellipses[k][3]) }));
     body.bend(shown.map((press) => dentAt(press, profile)));
     parts.move({ face: presses[0].face, motions });
     rings.forEach((ring, k) => {
@@ -83,11 +82,4 @@ export function makePresser({ scene, body, parts, maps, view, find }) {
     view.redraw();
   }
   return { show, release, markWorst: (face, place) => put(worst, face, place) };
-}
-
-// Half axes and direction of an ellipse of one standard deviation, from a covariance.
-function circleOf([xx, xy, , yy]) {
-  if (xx === null) return NOTHING;
-  const [half, apart] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
-  return { most: Math.sqrt(half + apart), least: Math.sqrt(Math.max(0, half - apart)), turn: Math.atan2(2 * xy, xx - yy) / 2 };
 }

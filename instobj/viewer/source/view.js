@@ -31,6 +31,11 @@ export function label(text, size, colour = "#1c1c1c") {
   return sprite;
 }
 
+// Whether a face looks at the camera.
+export function facing(face, camera) {
+  return camera.position.clone().sub(new Vector3(...face.centre_mm)).dot(new Vector3(...face.normal)) > 0;
+}
+
 function axes(size, corner) {
   const group = new Group();
   const colours = [0xb3261e, 0x2e7d32, 0x1652b8];

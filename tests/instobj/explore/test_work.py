@@ -43,27 +43,6 @@ def cube(tmp_path, monkeypatch):
     return tmp_path / "mine.toml"
 
 
-def ended(begin):
-    """What a command told once it ended."""
-
-    async def run():
-        work = Work()
-        await begin(work)
-        while work.running:
-            await asyncio.sleep(0.05)
-        await asyncio.sleep(0.2)
-        return work.told()
-
-    return asyncio.run(run())
-
-
-def test_a_refused_search_is_told_with_its_command_and_reason(cube):
-    told = ended(lambda work: work.improve(cube, 30.0))
-    assert told["command"] == f"instobj optimize {cube} --set search.seconds=30"
-    assert told["failed"]
-    assert "search.seconds = 30 ends before a search has a result" in told["line"]
-
-
 def test_a_command_is_stopped_at_once_and_only_one_runs(cube):
     async def run():
         work = Work()
