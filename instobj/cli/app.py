@@ -31,6 +31,8 @@ from instobj.cli.options import (
     MEASURE,
     TARGETS,
     AsJson,
+    BodyKind,
+    BodySize,
     Out,
     Overrides,
     Specs,
@@ -67,14 +69,8 @@ def first_session(context: typer.Context) -> None:
 @app.command(rich_help_panel=DESIGN)
 def new(
     name: Annotated[str, typer.Argument(help="Name of the object.")],
-    kind: Annotated[
-        str | None,
-        typer.Option(help="Kind of body (see `instobj docs bodies`).", show_default=False),
-    ] = None,
-    size: Annotated[
-        str | None,
-        typer.Option(metavar="X Y Z", help="Box around the body, mm.", show_default=False),
-    ] = None,
+    kind: BodyKind = None,
+    size: BodySize = None,
     sensors: Annotated[
         int | None, typer.Option(min=1, max=12, help="Sensors per face (default: 3).")
     ] = None,

@@ -22,6 +22,12 @@ Sources = Annotated[
     list[Path],
     typer.Argument(help="Specifications (TOML) or data sets (NetCDF).", show_default=False),
 ]
+BodyKind = Annotated[
+    str | None, typer.Option(help="Kind of body (see `instobj docs bodies`).", show_default=False)
+]
+BodySize = Annotated[
+    str | None, typer.Option(metavar="X Y Z", help="Box around the body, mm.", show_default=False)
+]
 Out = Annotated[Path, typer.Option(help="Folder for cad_out/ and runs/.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout.")]
 Overrides = Annotated[

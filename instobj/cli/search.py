@@ -12,6 +12,8 @@ from instobj.cli.options import (
     HERE,
     JUDGE,
     AsJson,
+    BodyKind,
+    BodySize,
     Out,
     Overrides,
     Spec,
@@ -60,7 +62,11 @@ def sweep(
 
 @app.command(rich_help_panel=DESIGN)
 def explore(
-    spec: Spec,
+    spec: Annotated[
+        Path | None, typer.Argument(help="Specification (TOML).", show_default=False)
+    ] = None,
+    kind: BodyKind = None,
+    size: BodySize = None,
     page: Annotated[
         int, typer.Option(min=0, max=65535, help="TCP port on this machine; 0: any free one.")
     ] = 8766,
@@ -71,7 +77,9 @@ def explore(
     as_json: AsJson = False,
     overrides: Overrides = None,
 ) -> None:
-    """Move magnets and sensors by hand in the browser; the map follows."""
+    """Move magnets and sensors by hand in the browser; the map follows. Begins from nothing with --kind."""
+    from instobj.commands.new import request_of, size_of
     from instobj.explore.command import explore as explore_by_hand
 
-    show(explore_by_hand(spec, page, export, overrides or []), as_json)
+    request = request_of(kind, None if size is None else size_of(size, kind))
+    show(explore_by_hand(spec, request, page, export, overrides or []), as_json)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
@@ -12,31 +13,50 @@ from aiohttp import web
 
 from design.errors import InputError
 from design.files import atomic_path
+from design.placement.asked import place_parts
+from design.placement.objects import Request
 from design.spec_io import load_spec
-from instobj.explore.engine import open_explorer
+from instobj.commands.new import new_specification
+from instobj.explore.engine import is_stored, open_coarse_explorer, open_explorer
 from instobj.explore.server import ADDRESS, Session, application
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
 
 
-def explore(spec: Path, port: int, export: Path | None, overrides: list[str]) -> dict[str, Any]:
-    """Serve the page until it is stopped, or write it to a file.
+def explore(
+    spec: Path | None,
+    request: Request | None,
+    port: int,
+    export: Path | None,
+    overrides: list[str],
+) -> dict[str, Any]:
+    """Serve the page of a specification, or of a new one for what is requested, until it is stopped; or
+    write it to a file.
 
     Raises
     ------
     InputError
-        A specification that the quick model cannot judge, or a port that cannot be listened on.
+        Neither or both of a specification and a request, a specification that the quick model cannot judge,
+        or a port that cannot be listened on.
     """
     progress = ProgressLine()
+    if request is not None and spec is None:
+        spec = requested_specification(request, progress.say)
+    elif request is not None or spec is None:
+        raise InputError(
+            "explore takes a specification, or --kind and --size of a new one. Give one of them"
+        )
     design = load_spec(spec, overrides)
-    progress.say(
-        "mechanics of the shell without magnets: minutes the first time, seconds afterwards"
-    )
-    session = Session(open_explorer(design), spec)
     if export is not None:
+        progress.say(
+            "mechanics of the shell without magnets: minutes the first time, seconds afterwards"
+        )
+        session = Session(open_explorer(design), spec)
         with atomic_path(export) as temporary:
             temporary.write_text(session.exported(), encoding="utf-8")
         return {"command": "explore", "files": file_rows([export])}
+    opened = open_explorer(design) if is_stored(design) else open_coarse_explorer(design)
+    session = Session(opened, spec)
     try:
         listening = socket.create_server((ADDRESS, port))
     except OSError as error:
@@ -48,3 +68,20 @@ def explore(spec: Path, port: int, export: Path | None, overrides: list[str]) ->
         app = application(session, checking)
         web.run_app(app, sock=listening, print=None, access_log=None)
     return {"command": "explore", "files": []}
+
+
+def requested_specification(request: Request, say: Callable[[str], None]) -> Path:
+    """Return the specification of what is requested, placed by rules; one from before is taken again.
+
+    Raises
+    ------
+    InputError
+        As `new_specification`.
+    """
+    size = "x".join(f"{edge:g}" for edge in request.size_mm)
+    name = f"{request.kind}_{size}"
+    path = Path(f"{name}.toml")
+    if path.is_file():
+        say(f"{path} is there from before: it is opened again")
+        return path
+    return new_specification(name, Path(), request, lambda asked: (place_parts(asked), []))

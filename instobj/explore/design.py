@@ -20,7 +20,7 @@ from instobj.commands.specification_file import line_with_value
 from instobj.search.outcome.write import write_specification
 
 Design = Mapping[str, Mapping[str, Any]]
-"""Keys of [magnets] and [sensors] that the page changes."""
+"""Keys of [magnets], [sensors], [shell], [silicone] and [body] that the page changes."""
 _OF_EACH_MAGNET = (
     *("depth_mm", "tilt_deg", "north", "part", "grade", "remanence_t"),
     *("diameter_mm", "inner_diameter_mm", "height_mm", "size_mm"),
@@ -28,7 +28,12 @@ _OF_EACH_MAGNET = (
 _KEYS = {
     "magnets": {"positions_mm", *_OF_EACH_MAGNET},
     "sensors": {"positions_mm", "depth_below_core_face_mm", "range_mt", "chip"},
+    "shell": {"thickness_mm"},
+    "silicone": {"name"},
+    "body": {"size_mm"},
 }
+SHELL_TABLES = ("shell", "silicone", "body")
+"""Tables that the mechanics of the shell depends on."""
 _NAMED = re.compile(
     r"magnets\.\w+\[(?P<magnet>\d+)\]|magnet (?P<nth>\d+) of|sensors? (?P<sensor>\d+)(?: and (?P<other>\d+))?"
 )
@@ -37,7 +42,7 @@ _NAMED = re.compile(
 def design_of(spec: ObjectSpec) -> dict[str, dict[str, Any]]:
     """Return the design of a specification: what is given for each magnet as lists, the rest as it is;
     None of places and depths that follow from other keys."""
-    magnets, sensors = spec.magnets, spec.sensors
+    magnets = spec.magnets
     one_each: dict[str, Any] = {
         key: _lists(value)
         for key in _OF_EACH_MAGNET
@@ -49,8 +54,12 @@ def design_of(spec: ObjectSpec) -> dict[str, dict[str, Any]]:
         "tilt_deg": _lists(magnets.tilt_deg or ((0.0, 0.0),) * magnets.count),
         "north": list(magnets.north or ("outward",) * magnets.count),
     }
-    of_sensors = {key: _lists(getattr(sensors, key)) for key in _KEYS["sensors"]}
-    return {"magnets": one_each, "sensors": of_sensors}
+    others = {
+        table: {key: _lists(getattr(getattr(spec, table), key)) for key in keys}
+        for table, keys in _KEYS.items()
+        if table != "magnets"
+    }
+    return {"magnets": one_each, **others}
 
 
 def with_design(spec: ObjectSpec, design: Design) -> ObjectSpec:
@@ -75,9 +84,10 @@ def with_design(spec: ObjectSpec, design: Design) -> ObjectSpec:
         of_sensors["count_per_face"] = len(places[0])
     if "range_mt" in of_sensors:
         of_sensors |= _rescaled(spec, of_sensors["range_mt"])
+    silicone = changed.pop("silicone", {})  # another one brings all its figures
     parts = {
         table: getattr(spec, table).changed(**values) for table, values in changed.items() if values
-    }
+    } | ({"silicone": silicone} if silicone else {})
     return spec.changed(**parts)
 
 
@@ -151,6 +161,21 @@ def save_design(design: ObjectSpec, source: Path) -> tuple[Path, bool]:
     return path, False
 
 
+def kept_file(design: ObjectSpec, source: Path) -> Path:
+    """Return the file that holds a design: the specification, one that was saved of it, or a new one.
+
+    Raises
+    ------
+    InputError, StoreError
+        As `save_design`.
+    """
+    saved = sorted(source.parent.glob(f"{_stem(source)}_explored_*.toml"))
+    for path in filter(Path.is_file, (source, *saved)):
+        if load_spec(path).changed(name=design.name) == design:
+            return path
+    return save_design(design, source)[0]
+
+
 def _changes(start: ObjectSpec, design: ObjectSpec) -> dict[str, Any]:
     """Return values that differ by their dotted keys, as TOML has them."""
     old, new = (spec.model_dump(mode="json", exclude={"as_built"}) for spec in (start, design))
@@ -166,10 +191,13 @@ def _changes(start: ObjectSpec, design: ObjectSpec) -> dict[str, Any]:
 
 
 def _free_path(source: Path) -> Path:
-    stem = re.sub(r"_explored_\d+$", "", source.stem)
     numbers = range(1, 10_000)
-    paths = (source.with_name(f"{stem}_explored_{number}.toml") for number in numbers)
+    paths = (source.with_name(f"{_stem(source)}_explored_{number}.toml") for number in numbers)
     return next(path for path in paths if not path.exists())
+
+
+def _stem(source: Path) -> str:
+    return re.sub(r"_explored_\d+$", "", source.stem)
 
 
 def edited_text(text: str, changes: Mapping[str, Any]) -> str:

@@ -24,15 +24,20 @@ from estimator.layouts.bounds import bounds
 from estimator.layouts.presses.basis import PressBasis, press_bases
 from estimator.layouts.presses.changes import PressChanges, press_changes
 from estimator.layouts.presses.counts import counts_when_pressed
+from estimator.layouts.presses.layer import layer_basis, layer_of
 from estimator.layouts.scorer import (
     LayoutScorer,
     clamp_to_candidates,
     layout_scorer,
     require_scorable,
 )
+from estimator.layouts.without_mesh import coarse
 from estimator.signals.hall import full_scale_counts
 from fem.candidates.motions import load_candidates
 from instobj.stages.run import Run
+
+_PROFILE_REACH, _PROFILE_NODES = 4.0, 33
+"""Thicknesses of the shell round a press in which its skin is drawn bent, and distances in that."""
 
 
 @dataclass(frozen=True)
@@ -64,24 +69,48 @@ class Summary:
 
 @dataclass(frozen=True)
 class Pressed:
-    """Readings of a face's chips in presses at every place of the grid: change in counts, its noise (one
-    standard deviation), and the covariance of the place that they give (mm²); NaN where there is none."""
+    """What a face's chips and bodies do in presses at every place of the grid; NaN where there is none.
 
-    counts: Float[np.ndarray, "place sensor 3"]
+    Attributes
+    ----------
+    changes : ∂/∂x, ∂/∂y, ∂/∂F of every channel and its change in the press itself, in standard deviations
+        of its noise per mm and N
+    noise_counts : one standard deviation of the axes X, Y and Z
+    motions : displacement (mm) and small rotation (rad) of each body in the silicone, in the face's frame
+    """
+
+    changes: Float[np.ndarray, "place channel 4"]
     noise_counts: Float[np.ndarray, "3"]
-    position_mm2: Float[np.ndarray, "place 2 2"]
+    motions: Float[np.ndarray, "place body 6"]
+
+    def counts(self, places: Sequence[int]) -> Float[np.ndarray, "sensor 3"]:
+        """Return the change in counts while all of these places are pressed: signals are linear here."""
+        change = self.changes[list(places), :, 3].sum(axis=0)
+        return change.reshape(-1, 3) * self.noise_counts
+
+    def position_mm2(self, places: Sequence[int]) -> Float[np.ndarray, "press 2 2"]:
+        """Return the covariance of each place (mm²) where place and force of all these presses are sought
+        at once."""
+        slopes = self.changes[list(places), :, :3]
+        # each press first, the others behind it: bounds are those of the first two parameters
+        ordered = [np.hstack(list(np.roll(slopes, -k, axis=0))) for k in range(len(places))]
+        if np.isnan(slopes).any():
+            return np.full((len(places), 2, 2), np.nan)
+        return cramer_rao_bounds(np.stack(ordered), np.ones(slopes.shape[1])).position_mm2
 
 
 @dataclass(frozen=True)
 class Explorer:
     """The mechanics of one shell, for any layout of magnets and sensors in it; `open_explorer` makes it.
 
-    `presses` by face: of each size of magnet the presses to every one of `forces_n`.
+    `presses` by face: of each size of magnet the presses to every one of `forces_n`. `coarse`: by the closed
+    form of a layer, at few places, instead of the shell's own mechanics.
     """
 
     spec: ObjectSpec
     forces_n: tuple[float, ...]
     presses: Mapping[int, Sequence[tuple[PressBasis, ...]]]
+    coarse: bool = False
 
     @property
     def grid(self) -> PlaceGrid:
@@ -125,7 +154,7 @@ class Explorer:
 
     @one_thread()
     def press(self, design: ObjectSpec, face: int, force_n: float) -> Pressed:
-        """Return what the chips of a face read in presses on it.
+        """Return what chips and bodies of a face do in presses on it.
 
         Raises
         ------
@@ -138,9 +167,8 @@ class Explorer:
         sigma = presses.scorers[0].sigma_counts.double().numpy()
         # (place, channel, x y F and the change itself), in standard deviations of each channel
         white = presses.changes[0].by_parameter[:, 0].permute(2, 0, 1).double().numpy()
-        ellipses = cramer_rao_bounds(white[:, :, :3], np.ones(white.shape[1])).position_mm2
-        counts = white[:, :, 3].reshape(len(white), -1, 3) * sigma
-        return Pressed(self._fill_grid(face, counts), sigma, self._fill_grid(face, ellipses))
+        motions = presses.motions(design.magnets.count)
+        return Pressed(self._fill_grid(face, white), sigma, self._fill_grid(face, motions))
 
     def _face_presses(
         self, design: ObjectSpec, face: int, forces_n: Sequence[float]
@@ -187,6 +215,17 @@ class _FacePresses:
             pressed = counts_when_pressed(self.scorers[-1], self.layouts, self.changes[-1]).counts
         return max(float(pressed.abs().max()), float(self.changes[-1].resting_counts.abs().max()))
 
+    def motions(self, magnets: int) -> Float[np.ndarray, "location body 6"]:
+        """Motions of the face's own bodies at the first force."""
+        parts = self.changes[0].motions
+        bodies = parts[0][2].shape[1] if parts[0][0] is None else magnets
+        moved = np.zeros((parts[0][1].count, bodies, 6))
+        for which, basis, rows in parts:
+            # the last of four blocks of columns is the motion itself (`PressBasis.own_table`)
+            own = rows[0].double() @ basis.own_table.basis[:, -basis.count :].double()
+            moved[:, slice(None) if which is None else list(which)] = own.permute(2, 0, 1).numpy()
+        return moved
+
 
 def _same_places(a: Layouts, b: Layouts) -> bool:
     return all(
@@ -211,6 +250,15 @@ def _crossings_n(
     share = (DETECTION_DISTANCE - low) / np.where(high > low, high - low, 1.0)
     crossing = force[after - 1] + share * (force[after] - force[after - 1])
     return np.where(reached.any(axis=0), crossing, np.inf)
+
+
+def skin_profile_mm(spec: ObjectSpec, force_n: float) -> Float[np.ndarray, "distance 3"]:
+    """Return how the skin moves round a press, by the closed form of a layer: distance along the surface,
+    displacement inwards and away from the press (mm)."""
+    layer = layer_of(spec)
+    away = np.linspace(0, _PROFILE_REACH * spec.shell.thickness_mm, _PROFILE_NODES)
+    moved = layer.motions(np.column_stack([away, 0 * away]), np.zeros(1), force_n)[:, 0, 3]
+    return np.column_stack([away, -moved[:, 2], moved[:, 0]])
 
 
 def summary_of(values: Float[np.ndarray, "face place"]) -> Summary:
@@ -242,3 +290,28 @@ def open_explorer(spec: ObjectSpec) -> Explorer:
         for face in spec.body.sensed
     }
     return Explorer(spec, forces_n, presses)
+
+
+def open_coarse_explorer(spec: ObjectSpec) -> Explorer:
+    """Set up presses by the closed form of a layer, which takes seconds: at few contact locations, and
+    alike for every size of magnet.
+
+    Raises
+    ------
+    InputError
+        Refused by `require_scorable`, or a shell or a face without room for candidates.
+    """
+    require_scorable(spec)
+    forces_n, few = tuple(sorted(spec.scoring_forces_n)), coarse(spec)
+    by_force = [few.changed(score=few.score.changed(force_n=force)) for force in forces_n]
+    presses = {}
+    for face in spec.body.sensed:
+        bases = tuple(layer_basis(one, face) for one in by_force)
+        presses[face] = [bases] * len(size_variants(spec))
+    return Explorer(spec, forces_n, presses, coarse=True)
+
+
+def is_stored(spec: ObjectSpec) -> bool:
+    """Return whether the mechanics of a specification's shell is stored."""
+    variants = size_variants(spec)
+    return all(Run(one, checked=False).stored("candidates") is not None for one in variants)

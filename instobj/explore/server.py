@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import base64
 import json
-from asyncio import get_running_loop
-from collections.abc import Awaitable, Callable
+from asyncio import get_running_loop, to_thread
+from collections.abc import Awaitable, Callable, Sequence
 from concurrent.futures import Executor
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -17,9 +17,17 @@ from aiohttp import web
 
 from design.errors import InputError, InstobjError
 from design.spec.object import ObjectSpec
-from instobj.explore.design import broken_limits, save_design, shown_places, with_design
-from instobj.explore.engine import Explorer, summary_of
+from instobj.explore.design import (
+    broken_limits,
+    kept_file,
+    save_design,
+    shown_places,
+    with_design,
+)
+from instobj.explore.engine import Explorer, Pressed, skin_profile_mm, summary_of
 from instobj.explore.scene import explorer_scene
+from instobj.explore.shells import Shells
+from instobj.explore.work import Work, confirmed_rows
 from instobj.report.remedies import price_and_minutes
 from instobj.search.outcome.layouts import parts_of
 from instobj.viewer.bundling import program
@@ -32,12 +40,16 @@ _LARGEST_BYTES = 100_000
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
-@dataclass(frozen=True)
+@dataclass
 class Session:
-    """Mechanics that the page explores: mechanics, and the specification's file."""
+    """What the page explores: shells, the specification with its file, and long work."""
 
     explorer: Explorer
     source: Path
+    work: Work = field(default_factory=Work)
+
+    def __post_init__(self) -> None:
+        self.shells = Shells.of(self.explorer)
 
     def answer(self, question: str, query: dict[str, Any]) -> dict[str, Any]:
         """Return the answer to one of `QUESTIONS` about a design.
@@ -69,13 +81,15 @@ class Session:
 
     def judged(self, design: ObjectSpec, query: dict[str, Any]) -> dict[str, Any]:
         """Return figures at every place, where parts are, and what they cost."""
-        judgement = self.explorer.judge(design, query["force_n"])
+        explorer = self.shells.explorer_of(design)
+        judgement = explorer.judge(design, query["force_n"])
         figures = {"position": judgement.position_bound_mm, "force": judgement.force_bound_n}
         if query["figure"] == "least":
-            figures["least"] = self.explorer.least_forces_n(design)
+            figures["least"] = explorer.least_forces_n(design)
         faces = len(design.body.sensed)
         counts = (faces * design.magnets.count, faces * design.sensors.count_per_face)
         return {
+            "scene": self.shells.name_of(design),
             "values": _jsonable(figures[query["figure"]].ravel()),
             "summary": {name: _summary(values) for name, values in figures.items()},
             "beyond": judgement.beyond,
@@ -88,19 +102,17 @@ class Session:
 
     def range_used(self, design: ObjectSpec, query: dict[str, Any]) -> dict[str, Any]:
         """Return the share of the chips' range that is used."""
-        return {"range_used": self.explorer.range_used(design)}
+        return {"range_used": self.shells.explorer_of(design).range_used(design)}
 
     def pressed(self, design: ObjectSpec, query: dict[str, Any]) -> dict[str, Any]:
-        """Return readings of a face's chips in presses, at one place or at all."""
-        readings = self.explorer.press(design, query["face"], query["force_n"])
-        which = slice(None) if query.get("place") is None else [query["place"]]
-        return {
-            "counts": _jsonable(
-                readings.counts[which].reshape(-1, readings.counts[0].size).round(1)
-            ),
-            "noise_counts": _jsonable(readings.noise_counts.round(1)),
-            "position_mm2": _jsonable(readings.position_mm2[which].reshape(-1, 4)),
+        """Return what happens in presses at some places of a face at once, and how the skin bends."""
+        readings = self._press(design, query)
+        return _pressed(readings, query["places"]) | {
+            "skin_mm": skin_profile_mm(design, float(query["force_n"])).round(4).tolist()
         }
+
+    def _press(self, design: ObjectSpec, query: dict[str, Any]) -> Pressed:
+        return self.shells.explorer_of(design).press(design, query["face"], query["force_n"])
 
     def saved(self, design: ObjectSpec, query: dict[str, Any]) -> dict[str, Any]:
         """Save the design; return the file and the commands that go on with it."""
@@ -108,12 +120,17 @@ class Session:
         names = [f"instobj {command} {path}" for command in ("check", "run", "explore")]
         return {"file": str(path), "comments_kept": kept, "commands": names}
 
+    def scene(self, design: ObjectSpec) -> bytes:
+        """Return the body, places and accuracy of a design's shell, for the page."""
+        shells = self.shells
+        return explorer_scene(shells.explorer_of(design), shells.name_of(design))
+
     def exported(self) -> str:
         """Return the page with all answers about its first design in it, to look at and to press."""
         from instobj.report.pages import policy
 
         data = json.dumps(self._all_answers(), separators=(",", ":")).replace("<", "\\u003c")
-        scene = base64.b64encode(explorer_scene(self.explorer)).decode()
+        scene = base64.b64encode(self.scene(self.explorer.spec)).decode()
         head = f'<meta http-equiv="Content-Security-Policy" content="{policy()}">'
         held = (
             f'<script type="application/json" id="answers">{data}</script>'
@@ -132,9 +149,13 @@ class Session:
             for figure in ("position", "force", "least"):
                 query = {"figure": figure, "force_n": force}
                 answers[f"judge {figure} {force:g}"] = self.judged(spec, query)
+            skin = skin_profile_mm(spec, force).round(4).tolist()
             for face in explorer.presses:
-                query = {"face": face, "force_n": force}
-                answers[f"press {face} {force:g}"] = self.pressed(spec, query)
+                readings = self._press(spec, {"face": face, "force_n": force})
+                answers[f"press {face} {force:g}"] = [
+                    _pressed(readings, [place]) | {"skin_mm": skin}
+                    for place in range(len(explorer.grid.xy_mm))
+                ]
         return answers
 
 
@@ -149,7 +170,6 @@ QUESTIONS: dict[str, Callable[[Session, ObjectSpec, dict[str, Any]], dict[str, A
 def application(session: Session, checking: Executor) -> web.Application:
     """Return the server's routes, behind its guard; limits are checked by `checking`, which hands that drag
     a part do not wait for."""
-    scene = explorer_scene(session.explorer)
 
     async def index(request: web.Request) -> web.Response:
         text, headers = PAGE.read_text(encoding="utf-8"), page_headers(request.host)
@@ -158,31 +178,76 @@ def application(session: Session, checking: Executor) -> web.Application:
     async def read_program(_: web.Request) -> web.Response:
         return web.Response(text=program(), content_type="text/javascript")
 
-    async def read_scene(_: web.Request) -> web.Response:
+    async def read_scene(request: web.Request) -> web.Response:
+        design = session.explorer.spec
+        if request.can_read_body:
+            design = session.design(await request.json())
+        await session.shells.open(design)
+        scene = await to_thread(session.scene, design)
         return web.Response(body=scene, content_type="application/octet-stream")
+
+    async def limits(query: dict[str, Any]) -> dict[str, Any]:
+        design = session.design(query)
+        return {"broken": await get_running_loop().run_in_executor(checking, broken_limits, design)}
+
+    async def state(query: dict[str, Any]) -> dict[str, Any]:
+        design = session.design(query)
+        await session.shells.open(design)
+        return {
+            "scene": session.shells.name_of(design),
+            "refined": session.shells.told(design),
+            "refining": session.shells.is_refining(design),
+            "work": await to_thread(session.work.told),
+        }
+
+    async def improve(query: dict[str, Any]) -> dict[str, Any]:
+        path = await to_thread(kept_file, session.design(query), session.source)
+        await session.work.improve(path, float(query["seconds"]))
+        return {}
+
+    async def confirm(query: dict[str, Any]) -> dict[str, Any]:
+        path = await to_thread(kept_file, session.design(query), session.source)
+        await session.work.confirm(path, query["force_n"])
+        return {}
+
+    async def confirmed(query: dict[str, Any]) -> dict[str, Any]:
+        design, (path, force) = session.design(query), (session.work.path, query["force_n"])
+        explorer = session.shells.explorer_of(design)
+        rows = await to_thread(confirmed_rows, explorer, path, force)
+        return {"rows": rows, "channels": design.score.channels}
+
+    async def stop(_: dict[str, Any]) -> dict[str, Any]:
+        await session.work.stop()
+        return {}
+
+    awaited = (limits, state, improve, confirm, confirmed, stop)
+    by_name = {handler.__name__: handler for handler in awaited}
 
     async def answer(request: web.Request) -> web.Response:
         try:
             query, question = await request.json(), request.match_info["question"]
-            if question == "limits":
-                design = session.design(query)
-                broken = await get_running_loop().run_in_executor(checking, broken_limits, design)
-                answered = {"broken": broken}
-            else:
-                answered = session.answer(question, query)
+            if question in by_name:
+                return web.json_response(await by_name[question](query))
+            await session.shells.open(session.design(query))
+            return web.json_response(session.answer(question, query))
         except InstobjError as error:
             return web.json_response({"error": str(error)}, status=400)
         except json.JSONDecodeError:
             return web.json_response({"error": "no JSON. Reload the page"}, status=400)
-        return web.json_response(answered)
+
+    async def end(_: web.Application) -> None:
+        session.shells.close()
+        await session.work.stop()
 
     app = web.Application(middlewares=[_guard], client_max_size=_LARGEST_BYTES)
+    app.on_cleanup.append(end)
     app.add_routes(
         [
             web.get("/", index),
             web.get("/program.js", read_program),
             web.get("/scene", read_scene),
-            web.post(f"/{{question:limits|{'|'.join(QUESTIONS)}}}", answer),
+            web.post("/scene", read_scene),
+            web.post(f"/{{question:{'|'.join([*by_name, *QUESTIONS])}}}", answer),
         ]
     )
     return app
@@ -194,6 +259,18 @@ async def _guard(request: web.Request, handler: Handler) -> web.StreamResponse:
     if reason := refusal(request.host, request.headers.get("Origin"), ADDRESS):
         raise web.HTTPForbidden(text=reason)
     return await handler(request)
+
+
+def _pressed(readings: Pressed, places: Sequence[int]) -> dict[str, Any]:
+    ellipses = readings.position_mm2(places).reshape(-1, 4)
+    return {
+        "counts": _jsonable(readings.counts(places).ravel().round(1)),
+        "noise_counts": _jsonable(readings.noise_counts.round(1)),
+        "position_mm2": [_jsonable(one) for one in ellipses],
+        "motions": [
+            _jsonable(body.round(5)) for body in readings.motions[list(places)].sum(axis=0)
+        ],
+    }
 
 
 def _summary(values: np.ndarray) -> dict[str, Any]:

@@ -143,21 +143,42 @@ def search_key(spec: ObjectSpec) -> str:
     return content_key({name: part for name, part in content.items() if name not in _MATTERS_NOT})
 
 
-def _read(path: Path, head: dict[str, str]) -> KeptTrials:
-    content = path.read_bytes()
-    whole = content.rfind(b"\n") + 1
-    lines = content[:whole].decode(errors="replace").splitlines()
+def read_trials(path: Path) -> list[Trial]:
+    """Return the finished trials in a file that a search may be writing; none where there is no file.
+
+    Raises
+    ------
+    InputError
+        It is no file of a search, or holds a line that is no trial.
+    """
+    content = path.read_bytes() if path.is_file() else b""
+    return _trials(path, _records(path, content)) if b"\n" in content else []
+
+
+def _records(path: Path, content: bytes) -> list[dict[str, Any]]:
+    """Return the first line and the whole ones after it."""
+    lines = content[: content.rfind(b"\n") + 1].decode(errors="replace").splitlines()
     records = [_record(path, number, line) for number, line in enumerate(lines, start=1)]
-    if not records or records[0].keys() != head.keys():
+    if not records or records[0].keys() != {"search", "specification"}:
         raise InputError(f"{path} is no file of a search. Move it away to start anew")
-    _require_same(path, records[0], head)
+    return records
+
+
+def _trials(path: Path, records: list[dict[str, Any]]) -> list[Trial]:
     try:
-        trials = [_trial(**record) for record in records[1:]]
+        return [_trial(**record) for record in records[1:]]
     except TypeError as error:
         raise InputError(
             f"{path} holds a trial that cannot be read ({error}). Restore the file from a copy, or move "
             "it away to start anew"
         ) from None
+
+
+def _read(path: Path, head: dict[str, str]) -> KeptTrials:
+    content = path.read_bytes()
+    records = _records(path, content)
+    _require_same(path, records[0], head)
+    trials, whole = _trials(path, records), content.rfind(b"\n") + 1
     if whole < len(content):
         with path.open("r+b") as stream:
             stream.truncate(whole)

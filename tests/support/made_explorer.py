@@ -13,6 +13,7 @@ FORCES_N = (2.0, 5.0, 8.0)
 def made_explorer():
     """Of the paper's cube with 5 × 4 contact locations on a face."""
     spec = made_up_spec()
+    spec = spec.changed(search=spec.search.changed(forces_n=FORCES_N))
     motions = made_up_motions(spec)
     faces = spec.body.sensed
     return Explorer(spec, FORCES_N, {f: [press_bases(spec, motions, f, FORCES_N)] for f in faces})

@@ -16,6 +16,13 @@ function lineOf(colour) {
   return line;
 }
 
+// Half axes and direction of one standard deviation, from a covariance; none where its first entry is null.
+export function circleOf(xx, xy, yy) {
+  if (xx === null) return { most: NaN, least: NaN, turn: 0 };
+  const [half, apart] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
+  return { most: Math.sqrt(half + apart), least: Math.sqrt(Math.max(0, half - apart)), turn: Math.atan2(2 * xy, xx - yy) / 2 };
+}
+
 // Bounds are in x and y along a face: on a curved one the ellipse is taken down onto the body along the
 // normal at the face's middle.
 export function makeEllipse({ content, arrays }, object, circle, view, colour) {

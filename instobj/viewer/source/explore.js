@@ -1,12 +1,13 @@
 // The page of `instobj explore`: parts are dragged by hand, and the map of what is told follows. The page
 // holds the design; its server judges it, or the page's own answers where it was exported.
-import { Mesh, MeshLambertMaterial, Plane, Raycaster, SphereGeometry, Vector2, Vector3 } from "three";
-import { bytesOf, readArchive } from "./archive.js";
-import { makeEllipse } from "./ellipse.js";
+import { Mesh, MeshLambertMaterial, Plane, Quaternion, Raycaster, Vector2, Vector3 } from "three";
+import { bytesOf, numbers, readArchive } from "./archive.js";
 import { addNumber, boxOf, makeMagnet, makePool, quaternionOf } from "./layouts.js";
 import { drawLegend, makeMaps, placeOn, shownNumber } from "./maps.js";
 import { COLOURS, geometryOf, outline, solid } from "./object.js";
-import { label, makeView } from "./view.js";
+import { makePresser } from "./presser.js";
+import { facing, label, makeView } from "./view.js";
+import { makeWork } from "./work.js";
 
 const TITLES = {
   position: ["Error of the place, one standard deviation", "mm"],
@@ -17,11 +18,15 @@ const STEP_MM = 0.1;
 const WITHIN = 0.95;
 const RED = 0xe01b24;
 const WORSE = [0.5, 2];
+const SIZES = ["size-x", "size-y", "size-z"];
 const MOVED_PX = 4;
+const CHECK_EVERY_MS = 300;
 const ENDLESS = 1e9; // of what no force is enough for: darker than all
 
 const copy = (value) => JSON.parse(JSON.stringify(value));
 const made = (tag, properties) => Object.assign(document.createElement(tag), properties);
+// What stays as it is costs no layout.
+const write = (element, text) => element.textContent !== text && (element.textContent = text);
 const rounded = (value) => Math.round(value / STEP_MM) / (1 / STEP_MM);
 
 async function post(question, body) {
@@ -35,44 +40,64 @@ async function post(question, body) {
 // Answers that were written into the page.
 function heldAnswers(element) {
   const held = JSON.parse(element.textContent);
-  return async (question, { figure, force_n: force, face, place }) => {
+  return async (question, { figure, force_n: force, face, places }) => {
     if (question === "limits" || question === "range") return held[question];
     if (question === "judge") return held[`judge ${figure} ${force}`];
-    const all = held[`press ${face} ${force}`];
-    return { ...all, counts: [all.counts[place]], position_mm2: [all.position_mm2[place]] };
+    return held[`press ${face} ${force}`][places[0]];
   };
 }
 
-async function fetchScene() {
+// Body, places and accuracy of a design's shell; of the server's own where there is no design yet.
+async function fetchScene(design) {
   const held = document.getElementById("scene");
-  return readArchive(held ? bytesOf(held.textContent) : new Uint8Array(await (await fetch("/scene")).arrayBuffer()));
+  if (held) return readArchive(bytesOf(held.textContent));
+  const answer = await fetch("/scene", design && { method: "POST", body: JSON.stringify({ design }), headers: { "Content-Type": "application/json" } });
+  return readArchive(new Uint8Array(await answer.arrayBuffer()));
 }
 
 async function startExplore() {
   const find = (name) => document.querySelector(`[data-name="${name}"]`);
-  const scene = await fetchScene();
-  const { content, arrays } = scene;
+  let scene = await fetchScene();
+  let { content, arrays } = scene;
   const held = document.getElementById("answers");
   const ask = held ? heldAnswers(held) : post;
   document.body.classList.toggle("frozen", Boolean(held));
   find("name").textContent = held ? `${content.name}, to look at and press` : `${content.name}, explored`;
   if (held) find("hint").textContent = "drag: turn · shift and click: press";
-  find("accuracy").textContent = content.accuracy;
   content.forces_n.forEach((force) => find("force").append(new Option(`${force} N`, force)));
   content.ranges_mt.forEach((range) => find("range").append(new Option(`±${range} mT`, range)));
+  content.silicones.forEach((name) => find("silicone").append(new Option(name)));
+  find("of-size").hidden = !content.sizable;
   find("force").value = String(content.forces_n[Math.floor(content.forces_n.length / 2)]);
 
   const view = makeView(find("canvas"), content.size_mm);
-  const body = makeBody(scene, view);
-  const places = arrays.place_xy_mm.shape[0];
-  arrays.map_live = { data: new Float32Array(content.faces.length * places).fill(NaN) };
-  content.maps = [{ stem: "live", weak: "high", log: true }];
-  const maps = makeMaps(scene, body, view);
-  const parts = makeParts(view, content);
-  const presser = makePresser(scene, body, view, find);
-  const state = { design: copy(content.design), answer: null, broken: [], used: null, pinned: null, chosen: null, pressed: null };
+  const alwaysThere = new Set(view.scene.children);
+  const state = { design: copy(content.design), answer: null, broken: [], used: null, pinned: null, chosen: null, presses: [] };
   const history = { past: [], future: [] };
   const latencies = [];
+  let body, places, maps, parts, presser;
+
+  // The object of a shell, in place of the one before.
+  function build(made) {
+    scene = made;
+    ({ content, arrays } = made);
+    view.before.length = 0;
+    view.scene.children.filter((one) => !alwaysThere.has(one)).forEach((one) => {
+      view.scene.remove(one);
+      one.traverse((part) => part.geometry?.dispose());
+    });
+    places = arrays.place_xy_mm.shape[0];
+    arrays.map_live = { data: new Float32Array(content.faces.length * places).fill(NaN) };
+    content.maps = [{ stem: "live", weak: "high", log: true }];
+    body = makeBody(scene, view);
+    maps = makeMaps(scene, body, view);
+    parts = makeParts(view, content);
+    presser = makePresser({ scene, body, parts, maps, view, find });
+    state.presses = [];
+    find("accuracy").textContent = content.accuracy;
+    body.fade(Number(find("opacity").value) / 100);
+  }
+  build(scene);
 
   // One question at a time; what changes meanwhile is asked next, with the newest design only.
   let [busy, again, asked] = [false, false, 0];
@@ -85,12 +110,13 @@ async function startExplore() {
     const from = asked;
     asked = 0;
     try {
-      state.answer = await ask("judge", question(state.design));
+      state.answer = await judged(state.design);
       find("trouble").textContent = "";
       show();
       if (from) requestAnimationFrame(() => requestAnimationFrame(() => latencies.push(performance.now() - from)));
-      if (state.pressed) await press(state.pressed);
+      if (state.presses.length) await press(state.presses);
       checkLimits();
+      if (!content.scene.endsWith("full")) work.watch();
     } catch (error) {
       find("trouble").textContent = error.message;
     }
@@ -99,20 +125,31 @@ async function startExplore() {
     await ask("range", { design: state.design }).then((found) => (state.used = found.range_used), () => (state.used = null));
     fillNumbers();
   }
+  // Another shell has other places, and so has a shell whose own mechanics came.
+  async function judged(design) {
+    let answer = await ask("judge", question(design));
+    while (answer.scene !== content.scene) {
+      build(await fetchScene(design));
+      answer = await ask("judge", question(design));
+    }
+    return answer;
+  }
   // Beside the map, as it takes longer; the newest design is checked at the end.
   async function checkLimits() {
     if (checking) return void (checkAgain = true);
     checking = true;
     do {
       checkAgain = false;
+      const rest = new Promise((done) => setTimeout(done, CHECK_EVERY_MS)); // of the processor, for the hand
       await ask("limits", { design: state.design }).catch(({ message }) => ({ broken: [{ text: message, magnets: [], sensors: [], faces: [] }] })).then(showLimits);
+      await rest;
     } while (checkAgain);
     checking = false;
   }
 
   function show() {
     const { answer, pinned } = state;
-    const difference = find("difference").checked && pinned;
+    const difference = find("difference").checked && pinned?.answer.scene === answer.scene;
     const [[title, unit], force_n] = [TITLES[find("figure").value], find("force").value];
     answer.values.forEach((value, k) => {
       arrays.map_live.data[k] = value === null ? (arrays.there.data[k] ? ENDLESS : NaN) : difference ? value / pinned.answer.values[k] : value;
@@ -139,9 +176,12 @@ async function startExplore() {
       ["magnets; chips", `${answer.magnets}; ${answer.sensors}`, pinned ? `${pinned.answer.magnets}; ${pinned.answer.sensors}` : ""],
       ["price of both, €; work by hand, min", answer.price_and_minutes.map(Math.round).join("; "), pinned?.answer.price_and_minutes.map(Math.round).join("; ")],
     ];
-    find("numbers").replaceChildren(...rows.map(([name, ...values]) => rowOf(name, values.map((value = "") => (value === null ? "∞" : typeof value === "number" ? shownNumber(value) : value)))));
+    if (!find("numbers").rows.length) find("numbers").replaceChildren(...rows.map(([name]) => rowOf(name, ["", ""])));
+    rows.forEach(([name, ...values], k) => [name, ...values].forEach((value = "", column) => {
+      write(find("numbers").rows[k].cells[column], value === null ? "∞" : typeof value === "number" ? shownNumber(value) : value);
+    }));
     const [x, y] = xyOf(now.place);
-    find("worst").textContent = `The worst place is on face ${content.faces[now.face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm, at the white ball.`;
+    write(find("worst"), `The worst place is on face ${content.faces[now.face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm, at the white ball.`);
     presser.markWorst(now.face, now.place);
   }
   const xyOf = (place) => Array.from(arrays.place_xy_mm.data.subarray(2 * place, 2 * place + 2));
@@ -155,7 +195,7 @@ async function startExplore() {
     fillNumbers();
   }
   function paintBroken() {
-    parts.paint(state.broken, state.chosen);
+    parts.paint(state.broken, state.chosen, oneList(state.design));
     view.redraw();
   }
 
@@ -172,9 +212,10 @@ async function startExplore() {
   }
   const change = (act) => { remember(); act(state.design); update(performance.now()); };
 
+  const oneList = ({ magnets }) => !Array.isArray(magnets.positions_mm[0][0]);
   // Lists of places: one for all faces, one for each sensed face, or one for each face of a cube.
   function listsOf({ magnets, sensors }, kind) {
-    if (kind === "magnet") return content.one_list ? [magnets.positions_mm] : magnets.positions_mm;
+    if (kind === "magnet") return oneList({ magnets }) ? [magnets.positions_mm] : magnets.positions_mm;
     return (sensors.positions_mm ??= copy(state.answer.shown.sensors_mm));
   }
   function placesOf(design, kind, face) {
@@ -193,7 +234,7 @@ async function startExplore() {
     find("of-tilt").hidden = !magnet || !content.tiltable;
     find("remove").disabled = !chosen;
     find("part").textContent = chosen ? `Part: ${magnet ? "magnet" : "chip"} ${chosen.number + 1} of face ${content.faces[chosen.face].number}` : "Part: none chosen, click one";
-    find("alike").textContent = content.one_list ? "A magnet moves alike on every face; a chip on its face alone." : "Magnets and chips move on their face alone; depth, pole and tilt are alike on every face.";
+    find("alike").textContent = oneList(design) ? "A magnet moves alike on every face; a chip on its face alone." : "Magnets and chips move on their face alone; depth, pole and tilt are alike on every face.";
     ["x", "y"].forEach((axis, k) => setNumber(axis, chosen && shownXy(chosen)[k]));
     if (magnet) {
       setNumber("depth", (design.magnets.depth_mm ?? state.answer.shown.depth_mm)[chosen.number]);
@@ -202,6 +243,9 @@ async function startExplore() {
     }
     find("range").value = String(design.sensors.range_mt);
     setNumber("chip-depth", design.sensors.depth_below_core_face_mm);
+    setNumber("thickness", design.shell.thickness_mm);
+    find("silicone").value = design.silicone.name;
+    SIZES.forEach((name, axis) => setNumber(name, design.body.size_mm[axis]));
   }
   function setNumber(name, value) {
     const box = find(name);
@@ -209,13 +253,23 @@ async function startExplore() {
     if (document.activeElement !== box) box.value = box.disabled ? "" : String(value);
   }
 
-  async function press(at) {
-    state.pressed = at;
-    const answer = await ask("press", { design: state.design, face: content.faces[at.face].number, place: at.place, force_n: Number(find("force").value) });
-    presser.show(at, answer, xyOf(at.place), Number(find("force").value));
+  // One press, or two on a face at once.
+  async function press(presses) {
+    state.presses = presses;
+    find("release").disabled = !presses.length;
+    if (!presses.length) return presser.release();
+    const force = Number(find("force").value);
+    const [{ face }] = presses;
+    const question = { design: state.design, face: content.faces[face].number, places: presses.map(({ place }) => place), force_n: force };
+    const answer = await ask("press", question);
+    if (state.presses === presses) presser.show(presses, answer, presses.map(({ place }) => xyOf(place)), force);
   }
 
   const on = (name, event, act) => find(name).addEventListener(event, act);
+  const work = makeWork({
+    find, ask, frozen: Boolean(held), now: () => ({ design: state.design, scene: content.scene, force: Number(find("force").value) }), renew: () => update(),
+    take: (design) => change(() => { state.design = copy(design); state.chosen = null; }),
+  });
   async function refit() {
     state.ends = null;
     if (state.pinned) state.pinned.answer = await ask("judge", question(state.pinned.design));
@@ -250,6 +304,10 @@ async function startExplore() {
   on("north", "change", () => change(({ magnets }) => (magnets.north[state.chosen.number] = find("north").value)));
   on("range", "change", () => change(({ sensors }) => (sensors.range_mt = Number(find("range").value))));
   on("chip-depth", "change", () => change(({ sensors }) => (sensors.depth_below_core_face_mm = Number(find("chip-depth").value))));
+  on("thickness", "change", () => change(({ shell }) => (shell.thickness_mm = Number(find("thickness").value))));
+  on("silicone", "change", () => change(({ silicone }) => (silicone.name = find("silicone").value)));
+  SIZES.forEach((name, axis) => on(name, "change", () => change((design) => (design.body.size_mm[axis] = Number(find(name).value)))));
+  on("release", "click", () => press([]));
   for (const kind of ["magnet", "sensor"]) {
     on(`add-${kind}`, "click", () => change((design) => {
       listsOf(design, kind).forEach((list) => list.push(freePlace(list, content.faces[0])));
@@ -264,23 +322,26 @@ async function startExplore() {
   }));
 
   joinPointer({
-    stage: document.querySelector(".stage"), canvas: find("canvas"), view, body, parts, content, maps, frozen: Boolean(held),
+    stage: document.querySelector(".stage"), canvas: find("canvas"), view, now: () => ({ body, parts, content, maps }), frozen: Boolean(held),
     choose(part) { state.chosen = part; paintBroken(); showPart(); },
     begin: remember,
     move({ kind, face, number }, xy, at) {
       placesOf(state.design, kind, face)[number] = xy;
       update(at);
     },
-    press(face, x, y) {
+    press(face, x, y, second) {
       const far = Array.from({ length: places }, (_, place) => (arrays.there.data[face * places + place] ? Math.hypot(xyOf(place)[0] - x, xyOf(place)[1] - y) : Infinity));
-      press({ face, place: far.indexOf(Math.min(...far)) });
+      const there = { face, place: far.indexOf(Math.min(...far)) };
+      const [first] = state.presses;
+      const both = second && !held && first?.face === face && first.place !== there.place;
+      press(both ? [first, there] : [there]).catch(({ message }) => (find("trouble").textContent = message));
     },
   });
-  body.fade(Number(find("opacity").value) / 100);
   await update();
+  work.watch();
   window.instobjExplore = {
-    state: () => state, idle: () => !busy && !again && !checking, latencies: () => latencies, forget: () => (latencies.length = 0),
-    where: (kind, index) => parts.where(kind, index, view), map: () => Array.from(arrays.map_live.data),
+    state: () => state, idle: () => !busy && !again && !checking, exact: () => content.scene.endsWith("full"), latencies: () => latencies, forget: () => (latencies.length = 0),
+    where: (kind, index) => parts.where(kind, index, view), at: (kind, index) => parts.at(kind, index), dent: () => body.deepest(), map: () => Array.from(arrays.map_live.data),
   };
   document.getElementById("instobj-explore").dataset.ready = "yes";
 }
@@ -313,10 +374,6 @@ function freePlace(taken, face) {
   return places[near.indexOf(Math.max(...near))];
 }
 
-function facing(face, camera) {
-  return camera.position.clone().sub(new Vector3(...face.centre_mm)).dot(new Vector3(...face.normal)) > 0;
-}
-
 function makeBody({ content, arrays }, view) {
   const skin = new MeshLambertMaterial({ color: COLOURS.silicone, transparent: true });
   const silicone = solid(geometryOf(arrays, "silicone"), skin, []);
@@ -335,7 +392,37 @@ function makeBody({ content, arrays }, view) {
     view.redraw();
   };
   const still = new Vector3();
-  return { silicone, offset: () => still, fade };
+  const rest = numbers(arrays.silicone_mm);
+  // The skin with dents: each moves what lies round it, less so deeper down, where the core holds it.
+  function bend(dents) {
+    const { position } = silicone.front.geometry.attributes;
+    position.array.set(rest);
+    dents.forEach((dent) => push(position.array, rest, dent, content.thickness_mm));
+    position.needsUpdate = true;
+    silicone.front.geometry.computeVertexNormals();
+  }
+  // Largest displacement of the skin, mm.
+  const deepest = () => silicone.front.geometry.attributes.position.array.reduce((most, value, k) => Math.max(most, Math.abs(value - rest[k])), 0);
+  return { silicone, offset: () => still, fade, bend, deepest };
+}
+
+// `profile`: distance from the press, displacement inwards and away from it.
+function push(position, rest, { origin, normal, profile }, thickness) {
+  const [from, reach] = [new Vector3(), profile.at(-1)[0]];
+  const step = profile[1][0];
+  for (let v = 0; v < rest.length; v += 3) {
+    from.set(rest[v] - origin.x, rest[v + 1] - origin.y, rest[v + 2] - origin.z);
+    const deep = -from.dot(normal);
+    const far = from.addScaledVector(normal, deep).length();
+    if (far >= reach || deep >= thickness) continue;
+    const k = Math.min(profile.length - 2, Math.floor(far / step));
+    const [inward, outward] = [1, 2].map((c) => profile[k][c] + (far / step - k) * (profile[k + 1][c] - profile[k][c]));
+    const share = 1 - Math.max(0, deep) / thickness;
+    from.multiplyScalar(far ? outward / far : 0).addScaledVector(normal, -inward);
+    position[v] += share * from.x;
+    position[v + 1] += share * from.y;
+    position[v + 2] += share * from.z;
+  }
 }
 
 // Magnets and chips where the last answer has them; each knows its face and its number on it.
@@ -354,11 +441,32 @@ function makeParts(view, content) {
     made[kind].push(object);
     return object;
   }
-  function place({ magnets, chips, boards }) {
+  const moving = boardsMove ? "board" : "magnet";
+  let [rest, shift] = [null, null];
+  function place(layout) {
+    rest = layout;
+    const { magnets, chips, boards } = layout;
     counts = { magnet: magnets.length, sensor: boards.length, board: boards.length };
     for (const [kind, list] of [["magnet", magnets], ["sensor", chips], ["board", boards]]) {
-      pools[kind].place(list.map((one) => ({ ...one, turn: quaternionOf(one.axes) })));
+      pools[kind].place(list.map((one, index) => ({ ...one, ...moved(kind, index, one), half: one.half })));
     }
+  }
+  // Where a part stands in the press that `shift` holds: motions of a face's bodies in its frame, mm and rad.
+  function moved(kind, index, { at, axes }) {
+    const turn = quaternionOf(axes);
+    const face = Math.floor(index / perFace(kind));
+    const motion = kind === moving && shift?.face === face ? shift.motions[index % perFace(kind)] : null;
+    if (!motion || motion.includes(null)) return { at, turn };
+    const { x, y, normal } = content.faces[face];
+    const inObject = (a, b, c) => new Vector3().addScaledVector(new Vector3(...x), a).addScaledVector(new Vector3(...y), b).addScaledVector(new Vector3(...normal), c);
+    const spin = inObject(...motion.slice(3));
+    const angle = spin.length();
+    if (angle) turn.premultiply(new Quaternion().setFromAxisAngle(spin.divideScalar(angle), angle));
+    return { at: inObject(...motion).add(new Vector3(...at)).toArray(), turn };
+  }
+  function move(press) {
+    shift = press;
+    if (rest) place(rest);
   }
   const signs = makePool(view, () => label("!", 1, "#e01b24"));
   let limits = [];
@@ -375,11 +483,11 @@ function makeParts(view, content) {
     signs.place(marked.map((one) => ({ at: one.position.toArray(), turn: one.quaternion, half: Array(3).fill(view.size / 6) })));
   });
   // Broken parts red, the chosen one bright; magnets of one list are alike on every face.
-  function paint(broken, chosen) {
+  function paint(broken, chosen, oneList) {
     limits = broken;
     for (const kind of ["magnet", "sensor"]) {
       shown(kind).forEach((object, index) => {
-        const here = chosen?.kind === kind && chosen.number === index % perFace(kind) && (faceOf(kind, index) === content.faces[chosen.face] || (kind === "magnet" && content.one_list));
+        const here = chosen?.kind === kind && chosen.number === index % perFace(kind) && (faceOf(kind, index) === content.faces[chosen.face] || (kind === "magnet" && oneList));
         const red = isBroken(kind, index);
         object.traverse((mesh) => {
           mesh.material?.color.setHex(red ? RED : mesh.userData.colour);
@@ -403,50 +511,11 @@ function makeParts(view, content) {
     const at = shown(kind)[index].position.clone().project(camera);
     return [box.left + ((at.x + 1) / 2) * box.width, box.top + ((1 - at.y) / 2) * box.height];
   }
-  return { place, paint, under, where };
+  const at = (kind, index) => shown(kind)[index].position.toArray();
+  return { place, move, paint, under, where, at };
 }
 
-// Press at a place: a ball there, the ellipse of what is told, and each chip's counts.
-function makePresser(scene, body, view, find) {
-  const { content, arrays } = scene;
-  const places = arrays.place_xy_mm.shape[0];
-  let found = null;
-  const circle = (face, place) => (found && found.face === face && found.place === place ? found.circle : { most: NaN, least: NaN, turn: 0 });
-  const ring = makeEllipse(scene, body, circle, view, 0xd81b9a);
-  const [ball, worst] = [[0xd81b9a, 60], [0xffffff, 45]].map(([color, size]) => {
-    const mesh = new Mesh(new SphereGeometry(view.size / size, 24, 16), new MeshLambertMaterial({ color, depthTest: false, transparent: true, opacity: 0.9 }));
-    mesh.renderOrder = 7;
-    mesh.visible = false;
-    return mesh;
-  });
-  view.scene.add(ring.line, ball, worst);
-  const put = (mesh, face, place) => {
-    mesh.position.fromArray(arrays.place_mm.data, 3 * (face * places + place));
-    mesh.userData.face = content.faces[face];
-  };
-  view.before.push((camera) => [ball, worst].forEach((mesh) => (mesh.visible = Boolean(mesh.userData.face) && facing(mesh.userData.face, camera))));
-  function show({ face, place }, { counts: [counts], noise_counts: noise, position_mm2: [[xx, xy, , yy]] }, [x, y], force) {
-    const [half, apart] = [(xx + yy) / 2, Math.hypot((xx - yy) / 2, xy)];
-    found = { face, place, circle: xx === null ? { most: NaN, least: NaN, turn: 0 } : { most: Math.sqrt(half + apart), least: Math.sqrt(Math.max(0, half - apart)), turn: Math.atan2(2 * xy, xx - yy) / 2 } };
-    ring.hide();
-    ring.draw(face, NaN);
-    ring.draw(face, place);
-    put(ball, face, place);
-    const { most, least } = found.circle;
-    find("pressed").textContent = `${force} N on face ${content.faces[face].number} at (${x.toFixed(1)}, ${y.toFixed(1)}) mm. The place is told to ${shownNumber(most)} × ${shownNumber(least)} mm (one standard deviation); the ring holds 95 of 100 readings. Change of this face's chips in counts, with one standard deviation of noise; bold stands out of it:`;
-    find("press-head").hidden = false;
-    find("counts").replaceChildren(...Array.from({ length: counts.length / 3 }, (_, chip) => {
-      const own = counts.slice(3 * chip, 3 * chip + 3);
-      const line = rowOf(`${chip + 1}`, own.map((count, axis) => `${count.toFixed(0).replace("-", "−")} ± ${noise[axis].toFixed(0)}`));
-      own.forEach((count, axis) => (line.cells[axis + 1].style.fontWeight = Math.abs(count) > 3 * noise[axis] ? "700" : ""));
-      return line;
-    }));
-    view.redraw();
-  }
-  return { show, markWorst: (face, place) => put(worst, face, place) };
-}
-
-function joinPointer({ stage, canvas, view, body, parts, content, maps, frozen, choose, begin, move, press }) {
+function joinPointer({ stage, canvas, view, now, frozen, choose, begin, move, press }) {
   const caster = new Raycaster();
   const [plane, at] = [new Plane(), new Vector3()];
   let drag = null;
@@ -454,10 +523,11 @@ function joinPointer({ stage, canvas, view, body, parts, content, maps, frozen, 
     const box = canvas.getBoundingClientRect();
     caster.setFromCamera(new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2), view.camera);
   }
-  function pressUnder() {
+  function pressUnder(second) {
+    const { body, content, maps } = now();
     const [hit] = caster.intersectObject(body.silicone.front, false);
     const face = hit ? Math.max(...[hit.face.a, hit.face.b, hit.face.c].map((v) => maps.owner[v])) : -1;
-    if (face >= 0) press(face, ...placeOn(content.faces[face], hit.point.x, hit.point.y, hit.point.z));
+    if (face >= 0) press(face, ...placeOn(content.faces[face], hit.point.x, hit.point.y, hit.point.z), second);
   }
   // Before the camera's own listener on the canvas hears of it.
   stage.addEventListener("pointerdown", (event) => {
@@ -465,8 +535,9 @@ function joinPointer({ stage, canvas, view, body, parts, content, maps, frozen, 
     aim(event);
     if (event.shiftKey) {
       event.stopPropagation();
-      return pressUnder();
+      return pressUnder(event.altKey);
     }
+    const { parts, content } = now();
     const found = !frozen && parts.under(caster);
     if (!found) return;
     event.stopPropagation();
@@ -484,7 +555,7 @@ function joinPointer({ stage, canvas, view, body, parts, content, maps, frozen, 
     if (!caster.ray.intersectPlane(plane, at)) return;
     if (!drag.moved) begin();
     drag.moved = true;
-    const face = content.faces[drag.face];
+    const face = now().content.faces[drag.face];
     const local = at.add(drag.off).sub(new Vector3(...face.centre_mm));
     const xy = [face.x, face.y].map((axis, k) => rounded(Math.min(WITHIN * face.half_mm[k], Math.max(-WITHIN * face.half_mm[k], local.dot(new Vector3(...axis))))));
     move(drag, xy, event.timeStamp);

@@ -6,7 +6,7 @@ import {
 import { drawFront } from "./front.js";
 import { shownNumber } from "./maps.js";
 import { COLOURS, geometryOf } from "./object.js";
-import { label, makeView } from "./view.js";
+import { facing, label, makeView } from "./view.js";
 
 const PLAYED_MS = 2500;
 
@@ -148,8 +148,7 @@ function makeShell(geometry, colour, opacity, view) {
 
 export function addNumber(face, view) {
   const sprite = label(String(face.number), view.size / 8);
-  const normal = new Vector3(...face.normal);
-  sprite.position.set(...face.centre_mm).addScaledVector(normal, view.size * 0.09);
+  sprite.position.set(...face.centre_mm).addScaledVector(new Vector3(...face.normal), view.size * 0.09);
   view.scene.add(sprite);
-  view.before.push((camera) => (sprite.visible = camera.position.clone().sub(sprite.position).dot(normal) > 0));
+  view.before.push((camera) => (sprite.visible = facing(face, camera)));
 }

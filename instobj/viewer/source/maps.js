@@ -157,7 +157,10 @@ export function drawLegend(box, found) {
   if (found.map.weak === "high") stops.reverse();
   box.querySelector(".scale").style.background = `linear-gradient(to right, ${stops})`;
   const ticks = box.querySelectorAll(".ticks span");
-  ticks.forEach((tick, index) => (tick.textContent = shownNumber(found.at(index / (ticks.length - 1)))));
+  ticks.forEach((tick, index) => {
+    const text = shownNumber(found.at(index / (ticks.length - 1)));
+    if (tick.textContent !== text) tick.textContent = text; // a hand that drags redraws it often
+  });
   const { title, unit, log, force_n: force } = found.map;
   box.querySelector(".title").textContent = `${title}, ${unit} at ${force} N${log ? ", logarithmic" : ""}. Dark is weak; grey: not judged.`;
 }

@@ -2,7 +2,7 @@
 import { CylinderGeometry, Group, Mesh, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3 } from "three";
 import { arrow } from "./arrow.js";
 import { numbers, row } from "./archive.js";
-import { makeEllipse } from "./ellipse.js";
+import { circleOf, makeEllipse } from "./ellipse.js";
 
 export function makePress(scene, object, view) {
   const { content, arrays } = scene;
@@ -123,12 +123,7 @@ export function makePress(scene, object, view) {
       arrows[s].point(sensorAt[s], field.normalize(), sigmas > 1 ? length : 0);
     });
   }
-  function circle(face, place) {
-    const [xx, xy, yy] = row(arrays.ellipse_mm2, face * places + place, 3);
-    const half = (xx + yy) / 2;
-    const apart = Math.hypot((xx - yy) / 2, xy);
-    return { most: Math.sqrt(half + apart), least: Math.sqrt(Math.max(0, half - apart)), turn: Math.atan2(2 * xy, xx - yy) / 2 };
-  }
+  const circle = (face, place) => circleOf(...row(arrays.ellipse_mm2, face * places + place, 3));
   function set(face, place, step) {
     Object.assign(state, { face, place, step });
     const mix = blend(step);

@@ -31,6 +31,11 @@ export function label(text, size, colour = "#1c1c1c") {
   return sprite;
 }
 
+// Whether a face looks at the camera.
+export function facing(face, camera) {
+  return camera.position.clone().sub(new Vector3(...face.centre_mm)).dot(new Vector3(...face.normal)) > 0;
+}
+
 function axes(size, corner) {
   const group = new Group();
   const colours = [0xb3261e, 0x2e7d32, 0x1652b8];
@@ -46,15 +51,19 @@ function axes(size, corner) {
   return group;
 }
 
-// Whether a program draws in place of graphics hardware.
-function drawsInSoftware(gl) {
+// Whether a program draws in place of graphics hardware: there smooth edges cost more than half of a picture.
+function drawsInSoftware() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return false;
   const named = gl.getExtension("WEBGL_debug_renderer_info");
-  return /swiftshader|llvmpipe|software/i.test(named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : "");
+  const drawnBy = named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : "";
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(drawnBy);
 }
 
 // While the camera moves, pictures that come too slowly get fewer pixels; once it rests one is drawn in full.
-function makePace(renderer, redraw) {
-  let moving = drawsInSoftware(renderer.getContext()) ? 0.6 : 1;
+function makePace(renderer, redraw, slow) {
+  let moving = slow ? 0.6 : 1;
   let [before, rest] = [0, 0];
   const full = () => Math.min(devicePixelRatio, 2);
   function still() {
@@ -77,7 +86,8 @@ function makePace(renderer, redraw) {
 }
 
 export function makeView(canvas, sizeMm) {
-  const renderer = new WebGLRenderer({ canvas, antialias: true });
+  const slow = drawsInSoftware();
+  const renderer = new WebGLRenderer({ canvas, antialias: !slow });
   renderer.setClearColor(BACKGROUND);
   renderer.localClippingEnabled = true;
   const scene = new Scene();
@@ -111,7 +121,7 @@ export function makeView(canvas, sizeMm) {
     if (!asked) requestAnimationFrame(draw);
     asked = true;
   }
-  const pace = makePace(renderer, redraw);
+  const pace = makePace(renderer, redraw, slow);
   // From the front corner; or, keeping the direction, from another distance.
   function look(distance = 4.3, lift = 0, keep = false) {
     const way = keep ? camera.position.clone().sub(controls.target) : new Vector3(0.57, -0.68, 0.46);

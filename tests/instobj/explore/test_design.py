@@ -70,7 +70,7 @@ def test_another_range_has_its_gain_and_the_same_noise_in_mt(cube):
 
 def test_keys_that_the_page_does_not_change_are_refused(cube):
     spec = load_spec(cube)
-    for design in ({"magnets": {"shape": "ring"}}, {"body": {"size_mm": [1, 1, 1]}}):
+    for design in ({"magnets": {"shape": "ring"}}, {"body": {"kind": "sphere"}}):
         with pytest.raises(InputError, match="a design has no"):
             with_design(spec, design)
     with pytest.raises(InputError, match=r"magnets\.north needs one entry"):

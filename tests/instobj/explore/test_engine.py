@@ -6,13 +6,16 @@ import torch
 from numpy.testing import assert_allclose
 
 from design.errors import InputError
+from design.layout.pockets import magnet_bodies
 from estimator.information.fisher import DETECTION_DISTANCE
 from estimator.layouts.batch import layouts_of
 from estimator.layouts.batch_scores import batch_scores
+from estimator.layouts.presses.layer import layer_of
 from estimator.layouts.scorer import layout_scorer
+from estimator.layouts.without_mesh import first_score
 from estimator.signals.hall import full_scale_counts
 from instobj.explore.design import design_of, with_design
-from instobj.explore.engine import summary_of
+from instobj.explore.engine import open_coarse_explorer, skin_profile_mm, summary_of
 from tests.support.made_explorer import FORCES_N, made_explorer
 
 
@@ -21,6 +24,11 @@ def moved(**magnets):
     spec = made_explorer().spec
     design = design_of(spec)
     return with_design(spec, design | {"magnets": design["magnets"] | magnets})
+
+
+def counts_of(pressed):
+    """Change in counts of every channel, press by press."""
+    return np.stack([pressed.counts([k]).ravel() for k in range(len(pressed.changes))])
 
 
 DESIGNS = {
@@ -65,21 +73,23 @@ def test_a_press_tells_the_ellipse_whose_size_the_map_shows():
     mapped = explorer.judge(design, 5.0).position_bound_mm
     for row, face in enumerate(explorer.presses):
         pressed = explorer.press(design, face, 5.0)
-        size = np.sqrt(np.trace(pressed.position_mm2, axis1=1, axis2=2))
+        told = [pressed.position_mm2([place])[0] for place in range(len(pressed.changes))]
+        size = np.sqrt(np.trace(told, axis1=1, axis2=2))
         assert_allclose(size, mapped[row], rtol=2e-3)
 
 
 def test_the_least_force_is_where_the_counts_stand_five_sigma_off_rest():
     explorer = made_explorer()
     # Chips so noisy that half of the places are felt at 5 N, others between two forces or never.
-    counts = np.linalg.norm(explorer.press(explorer.spec, 3, 5.0).counts, axis=(1, 2))
+    white = explorer.press(explorer.spec, 3, 5.0)
+    counts = np.linalg.norm(counts_of(white), axis=1)
     noise = float(np.median(counts)) / DETECTION_DISTANCE
     noisy = explorer.spec.sensors.changed(noise_counts=(noise,) * 3, zeroing_counts=0.0)
     design = explorer.spec.changed(sensors=noisy)
     least = explorer.least_forces_n(design)
     face, row = 3, list(explorer.presses).index(3)
     presses = [explorer.press(design, face, force) for force in FORCES_N]
-    distance = [np.linalg.norm(one.counts / one.noise_counts, axis=(1, 2)) for one in presses]
+    distance = [np.linalg.norm(one.changes[:, :, 3], axis=1) for one in presses]
     for place, found in enumerate(least[row]):
         expected = np.interp(
             DETECTION_DISTANCE, [0.0, *(d[place] for d in distance)], [0.0, *FORCES_N], right=np.inf
@@ -108,6 +118,56 @@ def test_the_range_in_use_is_the_searchs_largest_counts_over_full_scale():
         scores = batch_scores(scorers, [layouts_of(design, f) for f in explorer.presses], ())
     largest = explorer.range_used(design) * full_scale_counts(design.sensors)
     assert_allclose(largest, float(scores["largest_counts"]), rtol=1e-7)
+
+
+def test_two_presses_at_once_add_up_and_blur_each_other():
+    """By another way: Schur's complement of the second press in the information of both."""
+    explorer, places = made_explorer(), [7, 12]
+    pressed = explorer.press(explorer.spec, 3, 5.0)
+    one, other = (pressed.changes[place, :, :3] for place in places)
+    seen = one.T @ one - one.T @ other @ np.linalg.solve(other.T @ other, other.T @ one)
+    both = pressed.position_mm2(places)
+    assert_allclose(both[0], np.linalg.inv(seen)[:2, :2], rtol=1e-6)
+    assert_allclose(both, pressed.position_mm2(places[::-1])[::-1], rtol=1e-6)
+    alone = pressed.position_mm2([7])[0]
+    assert np.trace(both[0]) > 1.05 * np.trace(alone)
+    assert_allclose(pressed.counts(places), pressed.counts([7]) + pressed.counts([12]))
+
+
+def test_the_first_look_has_the_bounds_of_new_and_few_places():
+    spec = made_explorer().spec
+    explorer = open_coarse_explorer(spec)
+    force = spec.score.force_n
+    summary = summary_of(explorer.judge(spec, force).position_bound_mm)
+    expected = first_score(spec)
+    assert summary.median == pytest.approx(expected.median_mm, rel=1e-4)
+    assert summary.percentile_95 == pytest.approx(expected.percentile_95_mm, rel=1e-4)
+
+
+def test_magnets_move_in_a_press_as_disks_in_the_layer():
+    """In the face's frame: displacements and rotations of every magnet of the face under each press."""
+    spec = made_explorer().spec
+    explorer = open_coarse_explorer(spec)
+    force = spec.score.force_n
+    motions = explorer.press(spec, 3, force).motions
+    bodies = magnet_bodies(spec)[list(explorer.presses).index(3)]
+    for number, body in enumerate(bodies):
+        away = body.centre_mm[:2] - explorer.grid.xy_mm
+        moved = layer_of(spec).motions(away, -body.centre_mm[2:], force)[:, 0, 3]
+        largest = np.abs(moved[:, :3]).max()
+        # rows between candidates and a basis of few vectors: a twentieth of the largest
+        assert_allclose(motions[:, number, :3], moved[:, :3], atol=0.05 * largest)
+        assert_allclose(motions[:, number, 3:], moved[:, 3:], atol=0.05 * np.abs(moved).max())
+
+
+def test_the_skin_is_pressed_as_deep_as_the_layer_says_and_keeps_its_volume():
+    spec = made_explorer().spec
+    away, inward, _ = skin_profile_mm(spec, 5.0).T
+    assert inward[0] == pytest.approx(layer_of(spec).contact(5.0)[1], rel=0.02)
+    # An incompressible layer: what goes in round the press comes out farther away.
+    volume = np.trapezoid(inward * away, away) / np.trapezoid(abs(inward) * away, away)
+    assert abs(volume) < 0.1
+    assert inward.min() < 0
 
 
 def test_forces_and_faces_that_are_not_at_hand_are_refused():

@@ -3,17 +3,19 @@
 import asyncio
 import socket
 import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 from aiohttp import web
 
+from design.layout.body import face_frames
 from instobj.explore.design import with_design
-from instobj.explore.engine import summary_of
+from instobj.explore.engine import open_coarse_explorer, summary_of
 from instobj.explore.server import Session, application
 from tests.support.browser import Browser, chromium
-from tests.support.made_explorer import made_explorer
+from tests.support.made_explorer import FORCES_N, made_explorer
 
 pytestmark = pytest.mark.skipif(chromium() is None, reason="no Chromium on this machine")
 READY = (
@@ -32,6 +34,7 @@ def served(tmp_path_factory):
     (folder / "cube.toml").write_text(
         'name = "cube"  # mine\n[contact_grid]\ncount = [5, 4]\npitch_mm = 6.0\n'
         f"[sensors]\n{noise}[tolerances]\nearth_field_ut = {spec.tolerances.earth_field_ut}\n"
+        f"[search]\nforces_n = {list(FORCES_N)}\n"
     )
     app = application(Session(made_explorer(), folder / "cube.toml"), ThreadPoolExecutor(1))
     listening = socket.create_server(("127.0.0.1", 0))
@@ -148,7 +151,7 @@ def test_a_press_shows_each_chips_counts(page):
     mouse(page, "mousePressed", x, y, modifiers=8)
     mouse(page, "mouseReleased", x, y, modifiers=8)
     page.wait("document.querySelectorAll('[data-name=counts] tr').length === 3")
-    at = page.ask("instobjExplore.state().pressed")
+    (at,) = page.ask("instobjExplore.state().presses")
     explorer = made_explorer()
     face = list(explorer.presses)[at["face"]]
     pressed = explorer.press(explorer.spec, face, 5.0)
@@ -156,9 +159,78 @@ def test_a_press_shows_each_chips_counts(page):
         "Array.from(document.querySelectorAll('[data-name=counts] td'), (cell) => "
         "Number(cell.textContent.split(' ±')[0].replace('−', '-')))"
     )
-    np.testing.assert_allclose(told, pressed.counts[at["place"]].ravel(), atol=0.56)
-    most = np.sqrt(np.linalg.eigvalsh(pressed.position_mm2[at["place"]])[-1])
-    assert f"told to {most:#.3g}" in shown(page, "pressed")
+    np.testing.assert_allclose(told, pressed.counts([at["place"]]).ravel(), atol=0.56)
+    most = np.sqrt(np.linalg.eigvalsh(pressed.position_mm2([at["place"]])[0])[-1])
+    assert f"mm to {most:#.3g} ×" in shown(page, "pressed")
+
+
+def shift_click(page, x, y, alt=False):
+    for kind in ("mousePressed", "mouseReleased"):
+        mouse(page, kind, x, y, modifiers=9 if alt else 8)
+
+
+def test_two_presses_bend_the_skin_and_move_the_magnets(page):
+    presses = "instobjExplore.state().presses"
+    x, y = page.ask(f'instobjExplore.where("magnet", {MAGNET})')
+    before = np.array(page.ask(f'instobjExplore.at("magnet", {MAGNET})'))
+    assert page.ask("instobjExplore.dent()") == 0
+    shift_click(page, x, y)
+    page.wait("instobjExplore.dent() > 0.1")
+    (first,) = page.ask(presses)
+    shift_click(page, *page.ask(f'instobjExplore.where("magnet", {MAGNET - 2})'), alt=True)
+    page.wait("document.querySelector('[data-name=pressed]').innerText.includes('Both presses')")
+    places = [one["place"] for one in page.ask(presses)]
+    assert places[0] == first["place"] != places[1]
+    explorer = made_explorer()
+    face = list(explorer.presses)[first["face"]]
+    pressed = explorer.press(explorer.spec, face, 5.0)
+    told = page.ask(
+        "Array.from(document.querySelectorAll('[data-name=counts] td'), (cell) => "
+        "Number(cell.textContent.split(' ±')[0].replace('−', '-')))"
+    )
+    np.testing.assert_allclose(told, pressed.counts(places).ravel(), atol=0.56)
+    frame = face_frames(explorer.spec)[first["face"]]
+    moved = pressed.motions[places, MAGNET % 5, :3].sum(axis=0) @ frame.axes.T
+    now = np.array(page.ask(f'instobjExplore.at("magnet", {MAGNET})'))
+    np.testing.assert_allclose(now - before, moved, atol=2e-4)
+    click(page, "release")
+    assert page.ask("instobjExplore.dent()") == 0
+    np.testing.assert_array_equal(page.ask(f'instobjExplore.at("magnet", {MAGNET})'), before)
+
+
+def test_a_thicker_shell_is_judged_coarse_within_ten_seconds_and_undone_to_the_digit(page):
+    map_before = page.ask("instobjExplore.map()")
+    began = time.monotonic()
+    page.ask(
+        "(() => { const one = document.querySelector('[data-name=thickness]'); one.value = '10'; "
+        "one.dispatchEvent(new Event('change')); })()"
+    )
+    page.wait("instobjExplore.idle() && !instobjExplore.exact()")
+    assert time.monotonic() - began < 10
+    spec = with_design(made_explorer().spec, design(page))
+    assert spec.shell.thickness_mm == 10
+    judged = open_coarse_explorer(spec).judge(spec, 5.0)
+    np.testing.assert_allclose(
+        page.ask("instobjExplore.map()"), np.float32(judged.position_bound_mm.ravel()), rtol=1e-6
+    )
+    assert shown(page, "accuracy").startswith("First look")
+    assert "own mechanics is being computed" in shown(page, "refined")
+    click(page, "undo")
+    page.wait("instobjExplore.exact()")
+    page.wait("instobjExplore.idle()")
+    assert page.ask("instobjExplore.map()") == map_before
+    assert shown(page, "accuracy").startswith("Quick model")
+
+
+def test_a_search_is_begun_with_the_command_that_is_shown(page, served):
+    _, folder = served
+    page.ask("document.querySelector('[data-name=seconds]').value = 30")
+    click(page, "improve")
+    page.wait("document.querySelector('[data-name=work-line]').innerText.startsWith('ended early')")
+    command = f"instobj optimize {folder}/cube.toml --set search.seconds=30"
+    assert shown(page, "work-command") == command
+    assert "search.seconds = 30 ends before a search has a result" in shown(page, "work-line")
+    assert page.ask("document.querySelector('[data-name=improve]').disabled") is False
 
 
 def test_another_force_and_a_pinned_design(page):

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from aiohttp import ClientSession, web
 
-from instobj.explore.design import design_of
-from instobj.explore.engine import summary_of
+from instobj.explore.design import design_of, with_design
+from instobj.explore.engine import open_coarse_explorer, summary_of
 from instobj.explore.server import Session, application
 from tests.support.made_explorer import made_explorer
 
@@ -67,7 +67,7 @@ def test_answers_are_the_engines_figures(session):
             session,
             ("POST", "/judge", {}, question(figure="force", force_n=8.0)),
             ("POST", "/limits", {}, question()),
-            ("POST", "/press", {}, question(face=3, place=7, force_n=8.0)),
+            ("POST", "/press", {}, question(face=3, places=[7], force_n=8.0)),
         )
     )
     found = explorer.judge(explorer.spec, 8.0)
@@ -75,7 +75,7 @@ def test_answers_are_the_engines_figures(session):
     assert judged["summary"]["position"]["worst"] == summary_of(found.position_bound_mm).worst
     assert (judged["magnets"], judged["sensors"]) == (25, 15)
     assert limits == {"broken": []}
-    counts = explorer.press(explorer.spec, 3, 8.0).counts[7]
+    counts = explorer.press(explorer.spec, 3, 8.0).counts([7])
     np.testing.assert_allclose(np.reshape(pressed["counts"], (3, 3)), counts, atol=0.051)
 
 
@@ -86,11 +86,37 @@ def test_answers_are_the_engines_figures(session):
         ("/judge", "{}", "asked wrongly"),
         ("/judge", question(figure="colour", force_n=5.0), "asked wrongly"),
         ("/judge", question(figure="force", force_n=7.0), "no presses to 7 N"),
-        ("/press", question(face=3, place=900, force_n=5.0), "asked wrongly"),
-        ("/judge", json.dumps({"design": {"body": {"size_mm": 1}}}), "a design has no body"),
+        ("/press", question(face=3, places=[900], force_n=5.0), "asked wrongly"),
+        ("/judge", json.dumps({"design": {"body": {"kind": "box"}}}), "a design has no body"),
     ],
 )
 def test_a_wrong_question_is_answered_with_what_is_wrong(session, path, body, told):
     ((status, text, _),) = ask(session, ("POST", path, {}, body))
     assert status == 400
     assert told in json.loads(text)["error"]
+
+
+def test_another_shell_is_answered_coarse_at_once_and_said_to_be_refined(session):
+    design = design_of(made_explorer().spec)
+    design["shell"] = {"thickness_mm": 10.0}
+    body = json.dumps({"design": design, "figure": "position", "force_n": 5.0})
+    (_, judged, _), (_, state, _) = ask(
+        session, ("POST", "/judge", {}, body), ("POST", "/state", {}, body)
+    )
+    spec = with_design(made_explorer().spec, design)
+    expected = open_coarse_explorer(spec).judge(spec, 5.0).position_bound_mm
+    np.testing.assert_allclose(json.loads(judged)["values"], expected.ravel(), rtol=1e-9)
+    told = json.loads(state)
+    assert told["scene"] == json.loads(judged)["scene"]
+    assert told["scene"].endswith("coarse")
+    assert told["refining"]
+    assert "own mechanics is being computed" in told["refined"]
+
+
+def test_a_shell_without_room_is_told_with_what_is_wrong(session):
+    design = design_of(made_explorer().spec)
+    design["silicone"] = {"name": "chewing gum"}
+    body = json.dumps({"design": design, "figure": "position", "force_n": 5.0})
+    ((status, text, _),) = ask(session, ("POST", "/judge", {}, body))
+    assert status == 400
+    assert "chewing gum" in json.loads(text)["error"]
