@@ -78,6 +78,10 @@ class Layouts:
         """The layouts of another face."""
         return self.by_face.get(face, self)
 
+    def seen_from(self, face: int) -> Layouts:
+        """The same layouts of all faces, as those of another one."""
+        return layouts_by_face(self.by_face, face)
+
     def map_faces(self, change: Callable[[Layouts, int | None], Layouts]) -> Layouts:
         """With a change made to the layouts of every face: by its number, or None of one for all."""
         if self.face is None:

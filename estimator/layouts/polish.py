@@ -113,11 +113,15 @@ def judge(
 ) -> Judged:
     """Score layouts at points of the unit cube; differentiable."""
     of_face = {scorer.presses.face: scorer for scorer in lowest.scorers}
-    laid = {face: layouts_at(lowest.space, unit, polarity, face) for face in of_face}
-    near = {
-        face: clamp_to_candidates(of_face[face], layouts_of_face)
-        for face, layouts_of_face in laid.items()
-    }
+    first = next(iter(of_face))
+    laid = {first: layouts_at(lowest.space, unit, polarity, first)}
+    near = {first: clamp_to_candidates(of_face[first], laid[first])}
+    for face in [*of_face][1:]:
+        if laid[first].by_face:  # layouts of all faces: parts are placed once
+            laid[face], near[face] = (each[first].seen_from(face) for each in (laid, near))
+        else:
+            laid[face] = layouts_at(lowest.space, unit, polarity, face)
+            near[face] = clamp_to_candidates(of_face[face], laid[face])
     named = {*objectives, *lowest.at_most}
     scores = batch_scores(
         lowest.scorers,

@@ -65,11 +65,15 @@ def layouts_at(
     values = space.low + unit * space.span
     if len(space.groups) == 1:
         return _layouts(space, values, polarity, face, 0)
-    layouts_of_faces = {
-        number: _layouts(space, values, polarity, number, index)
-        for index, group in enumerate(space.groups)
-        for number in group
-    }
+    layouts_of_faces: dict[int, Layouts] = {}
+    for index, group in enumerate(space.groups):
+        # Sensors that stay lie on each face as they do; else the faces of a group share one object.
+        each = (
+            [_layouts(space, values, polarity, group[0], index)] * len(group)
+            if space.sensors
+            else [_layouts(space, values, polarity, number, index) for number in group]
+        )
+        layouts_of_faces |= dict(zip(group, each, strict=True))
     return layouts_by_face(layouts_of_faces, face)
 
 

@@ -24,9 +24,9 @@ from estimator.layouts.limits.parts import (
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
-    to_object,
     worst_of_faces,
 )
+from estimator.layouts.surfaces import to_object
 
 
 def broken_on_flat_faces_mm(

@@ -152,20 +152,16 @@ def pocket_gaps_across_edges_mm(
     return missing_between_prisms_mm(first, second, radius, least).sum(dim=(2, 3)).amax(dim=0)
 
 
-def to_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
-    turn = torch.as_tensor(frame.axes.T.copy(), dtype=local_mm.dtype)
-    return local_mm @ turn + torch.as_tensor(frame.centre_mm.copy(), dtype=local_mm.dtype)
-
-
 def placed_pockets(frame: FaceFrame, pockets: Pockets) -> Prisms:
     """Pockets of a face in the object's frame: ends of their axes, and these."""
-    turn = torch.as_tensor(frame.axes.copy(), dtype=pockets.floor.dtype)
-    centre = torch.as_tensor(frame.centre_mm.copy(), dtype=pockets.floor.dtype)
-    floor, top, axis = (
-        # i object coordinate, j face axis, l layout, m magnet
-        torch.einsum("ij,jlm->ilm", turn, part)
-        for part in (pockets.floor, pockets.top, pockets.axis)
-    )
+    return in_object(frame, (pockets.floor, pockets.top, pockets.axis))
+
+
+def in_object(frame: FaceFrame, prisms: Prisms) -> Prisms:
+    """The same of ends and axes in the coordinates of the face's plane."""
+    turn, centre = (prisms[0].new_tensor(part.tolist()) for part in (frame.axes, frame.centre_mm))
+    # i object coordinate, j face axis, l layout, m magnet
+    floor, top, axis = (torch.einsum("ij,jlm->ilm", turn, part) for part in prisms)
     return floor + centre[:, None, None], top + centre[:, None, None], axis
 
 

@@ -21,9 +21,9 @@ from estimator.layouts.limits.parts import (
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
-    to_object,
     worst_of_faces,
 )
+from estimator.layouts.surfaces import to_object
 
 
 def broken_in_reverse_mm(
