@@ -26,7 +26,8 @@ class LayoutSpace:
     """A structure of a search space as tensors; `layout_space` makes it.
 
     `low` and `span` take the unit cube to values; `groups` are the faces that share a layout, and maps
-    those of `design.search.space` for each; no maps of sensors where they stay.
+    those of `design.search.space` for each; no maps of sensors where they stay. `gap_mm` of silicone is left
+    between pockets, where that is more than can be cast.
     """
 
     structured: ObjectSpec
@@ -35,6 +36,7 @@ class LayoutSpace:
     groups: tuple[tuple[int, ...], ...]
     magnets: tuple[PlaceMap, ...]
     sensors: tuple[PlaceMap, ...]
+    gap_mm: float = 0.0
 
 
 def layout_space(

@@ -80,7 +80,9 @@ def broken_on_surfaces_mm(
     violations = {
         "pocket gap": worst(lambda n: pocket_gaps_mm(*of_faces[n][:2], radius, pocket_gap_mm)),
         "pockets near the edge": worst(lambda n: past_border(by_number[n], pockets[n])),
-        "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
+        "pocket gap across an edge": pocket_gaps_across_edges_mm(
+            spec, placed, radius, pocket_gap_mm
+        ),
         "seal": worst(lambda n: unsealed_mm(by_number[n], laid[n], pockets[n])),
         "chip near a magnet": worst(chips_near_magnets, judged if moving else (face,)),
     }

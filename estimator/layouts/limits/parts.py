@@ -133,7 +133,7 @@ def missing_beside_hole_mm(
 
 
 def pocket_gaps_across_edges_mm(
-    spec: ObjectSpec, placed: dict[int, Prisms], radius: Float[Tensor, "magnet"]
+    spec: ObjectSpec, placed: dict[int, Prisms], radius: Float[Tensor, "magnet"], gap_mm: float
 ) -> Float[Tensor, "layout"]:
     """Silicone missing between the pockets of two adjacent faces, where most is missing."""
     pairs = [(first.number, second.number) for first, second in neighbours(face_frames(spec))]
@@ -148,7 +148,7 @@ def pocket_gaps_across_edges_mm(
         return floor, top, axis
 
     first, second = prisms_of_side(0), prisms_of_side(1)
-    least = spec.silicone.thinnest_wall_mm + SLACK_MM
+    least = gap_mm + SLACK_MM
     return missing_between_prisms_mm(first, second, radius, least).sum(dim=(2, 3)).amax(dim=0)
 
 
