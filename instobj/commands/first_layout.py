@@ -65,7 +65,10 @@ def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
         more, loss = _with_more_magnets(request, few)
         if loss < least - _WORTH:
             yield more
-    yield from (few, start[1])
+    yield few
+    # nearer to the start, where that cannot be made
+    yield improved(start[1], _BRIEF)[0]
+    yield start[1]
 
 
 def _with_more_magnets(request: Request, few: Tables) -> tuple[Tables, float]:
