@@ -37,7 +37,9 @@ def other_magnets(
         each = [_magnets_of_patch(patch, layouts) for patch in presses.patches[1:]]
         centre, axis = (torch.stack(parts) for parts in zip(*each, strict=True))
         # g other face, j axis of its frame, i axis of this one's, b layout, m magnet
-        turned, axes = (torch.einsum("gij,gbmj->ibmg", presses.turn, part) for part in (centre, axis))
+        turned, axes = (
+            torch.einsum("gij,gbmj->ibmg", presses.turn, part) for part in (centre, axis)
+        )
         return turned + presses.shift_mm.T[:, None, None], axes
     centre, axis = own_magnets(presses, layouts)
     turned = torch.einsum("gij,jbm->ibmg", presses.turn, centre)

@@ -143,7 +143,7 @@ class LevelWithoutMesh:
         kept = replace(self.lowest, space=replace(self.lowest.space, gap_mm=gap_mm))
         return replace(self, lowest=kept)
 
-    def walked(self, best: Points, number: int, seed: int = 0) -> Points:
+    def walked(self, best: Float[np.ndarray, "1 variable"], number: int, seed: int = 0) -> Points:
         """Layouts on the ways from the `best` one so far to ends of walks down the gradient, which begin there
         and at places round it: round `number` of `ROUNDS`."""
         spread, rate = ROUNDS[number]

@@ -122,13 +122,14 @@ def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
 def improved(tables: Tables, rounds: int = len(ROUNDS), seed: int = 0) -> tuple[Tables, float]:
     """Tables with magnets and sensors where the score is best, and what they are worth, less for better.
 
-    They stay as they are where nothing better passes `check`, or where they break a limit to begin with. As
-    many layouts are scored on every machine, so that the result does not depend on its speed.
+    They stay as they are where nothing better passes `check`, and are worth nothing (infinity) where they
+    break a limit and two rounds of walks do not mend it. As many layouts are scored on every machine, so
+    that the result does not depend on its speed.
     """
     level = LevelWithoutMesh.create(coarse(spec_of(tables)))
-    if level is None or (worth := float(level.losses(level.point)[0])) > BROKEN:
+    if level is None:
         return tables, np.inf
-    best, placed = level.point, tables
+    best, worth, placed = level.point, float(level.losses(level.point)[0]), tables
     for number in range(rounds):
         points = level.walked(best, number, seed)
         for _ in range(_TRIED):
@@ -136,16 +137,19 @@ def improved(tables: Tables, rounds: int = len(ROUNDS), seed: int = 0) -> tuple[
             first = int(losses.argmin())
             if losses[first] >= worth:
                 break
-            laid = level.layout_at(points[first])
-            if laid is not None and _passes(laid):
+            broken = losses[first] > BROKEN
+            laid = None if broken else level.layout_at(points[first])
+            if broken or (laid is not None and _passes(laid)):
                 best, worth = points[[first]], float(losses[first])
-                placed = _with_places(tables, laid)
+                placed = placed if laid is None else _with_places(tables, laid)
                 break
             # Magnets that pull each other out are kept apart from now on.
             if laid is not None:
                 level = level.with_gap(max(level.gap_mm, gap_that_holds_mm(laid)))
             points = np.delete(points, first, axis=0)
-    return placed, worth
+        if worth > BROKEN and number:
+            break
+    return placed, worth if worth < BROKEN else np.inf
 
 
 def _passes(spec: ObjectSpec) -> bool:

@@ -112,7 +112,9 @@ def _unlike(by_number: Mapping[int, Surface], laid: Mapping[int, Layouts]) -> li
     """Return faces that stand for all: of sides of one shape with the same layouts the first, where all four
     are sensed, so that the object is the same from each of them."""
     turned = by_number.keys() >= _SIDES
-    keys = {n: (s.shape, id(laid[n])) if turned and n in _SIDES else n for n, s in by_number.items()}
+    keys = {
+        n: (s.shape, id(laid[n])) if turned and n in _SIDES else n for n, s in by_number.items()
+    }
     return [*{key: number for number, key in reversed(keys.items())}.values()]
 
 

@@ -63,7 +63,7 @@ def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     assert told.startswith("NO-GO is to be expected; ")
     asked = {key: int(count) for key, count in re.findall(r"--(sensors|magnets) (\d+)", told)}
     assert asked
-    more, _ = improved(placed(replace(request, **asked)), 8, 25)
+    more, _ = improved(placed(replace(request, **asked)), rounds=3)
     assert first_score(spec_of(more)).within > score.within + 0.05
 
 
