@@ -169,8 +169,10 @@ def all_stay(spec: ObjectSpec, **changes: Any) -> bool:
 
 
 def gap_that_holds_mm(spec: ObjectSpec) -> float:
-    """Return the gap of pockets (mm) at which the pair that pulls most would stay, about: forces of magnets go
-    with the fourth power of their distance; 0 where all stay."""
+    """Return the gap of pockets (mm) at which the pair that pulls most would stay, about; 0 where all stay.
+
+    Forces of magnets go with the fourth power of their distance.
+    """
     seated, layout = seats(spec), magnet_layout(spec)
     worst = int(seated.excess.argmax())
     if seated.excess[worst] <= 1:

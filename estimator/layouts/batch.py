@@ -30,6 +30,8 @@ class Layouts:
         north inward
     sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
     by_face : layouts of all faces by number, this one's (`face`) too, where they are not all the same
+    at_places : what is worked out of these very places (`estimator.layouts.surfaces`), the places beside it;
+        layouts made by `replace` share it
     """
 
     magnet_mm: Float[Tensor, "layout magnet 3"]
@@ -38,6 +40,9 @@ class Layouts:
     sensor_mm: Float[Tensor, "layout sensor 2"]
     by_face: Mapping[int, Layouts] = field(default_factory=dict)
     face: int | None = None
+    at_places: dict[Hashable, tuple[Tensor, Tensor]] = field(
+        default_factory=dict, repr=False, compare=False
+    )
     _kept: dict[Hashable, tuple[tuple[Any, ...], Any]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )

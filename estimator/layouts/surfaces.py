@@ -76,8 +76,8 @@ class Surface:
         self, layouts: Layouts
     ) -> tuple[Float[Tensor, "layout sensor 3"], Float[Tensor, "layout sensor 3 3"]]:
         """Sensing points (mm) and chips' axes as columns, in the coordinates of `of_chips`."""
-        values = self._placed("chips", layouts, layouts.sensor_mm, self._chips)
-        return values[..., :3], values[..., 3:].unflatten(-1, (3, 3))
+        values = self._placed("sensors", layouts, layouts.sensor_mm, self._sensors)
+        return values[..., :3], values[..., 3:12].unflatten(-1, (3, 3))
 
     def boards(
         self, layouts: Layouts
@@ -88,34 +88,43 @@ class Surface:
     ]:
         """Points of the core's surface over sensors (mm); radial, tangential and normal direction as columns,
         in the coordinates of `core`; and by how much boards lie deeper than on a flat core (mm)."""
-        values = self._placed("boards", layouts, layouts.sensor_mm, self._boards)
+        values = self._placed("sensors", layouts, layouts.sensor_mm, self._sensors)[..., 12:]
         return values[..., :3], values[..., 3:12].unflatten(-1, (3, 3)), values[..., 12]
 
     def _placed(self, part: str, layouts: Layouts, places: Tensor, function: _Function) -> Tensor:
-        """Values at places, worked out once for faces of the same shape that share layouts."""
-        return layouts.kept((part, self.shape), (), lambda: pointwise(function, places))
+        """Values at places, worked out once for faces of the same shape that share these places."""
+        kept, key = layouts.at_places, (part, self.shape, id(places))
+        if key not in kept:
+            kept[key] = places, pointwise(function, places)
+        return kept[key][1]
 
     def _magnets(self, xyd_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 12"]:
         xy = clamp_to_patch_mm(self.frame, xyd_mm[:, :2])
         return _joined(*self.frame.raised(np.column_stack([xy, -xyd_mm[:, 2]])))
 
-    def _chips(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 12"]:
-        depth = np.full(len(xy_mm), boards_depth_mm(self.spec))
-        if self.spec.arrangement == "sensors-in-core":
-            depth = self.spec.sensors.depth_below_core_face_mm + self.sinks_mm(xy_mm)
+    def _sensors(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n values"]:
+        """Chips, and in the core their boards, whose sinks take longest."""
+        if self.spec.arrangement == "sensors-in-shell":
+            return self._chips(xy_mm, np.full(len(xy_mm), boards_depth_mm(self.spec)))
+        sink = self.sinks_mm(xy_mm)
+        chips = self._chips(xy_mm, self.spec.sensors.depth_below_core_face_mm + sink)
+        return np.column_stack([chips, self._boards(xy_mm), sink])
+
+    def _chips(
+        self, xy_mm: Float[np.ndarray, "n 2"], depth_mm: Float[np.ndarray, "n"]
+    ) -> Float[np.ndarray, "n 12"]:
         xy = clamp_to_patch_mm(self.of_chips, xy_mm)
-        point, axes = self.of_chips.raised(np.column_stack([xy, -depth]))
+        point, axes = self.of_chips.raised(np.column_stack([xy, -depth_mm]))
         board = board_frame(_azimuths(xy_mm))
         return _joined(point, axes @ board @ chip_on_board(self.spec.sensors))
 
-    def _boards(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 13"]:
+    def _boards(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 12"]:
         xy, azimuth = clamp_to_patch_mm(self.core, xy_mm), _azimuths(xy_mm)
         point, axes = self.core.raised(np.column_stack([xy, 0 * azimuth]))
         tangent, across, normal = axes.transpose(2, 0, 1)
         cosine, sine = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
         radial, tangential = cosine * tangent + sine * across, cosine * across - sine * tangent
-        turned = np.stack([radial, tangential, normal], axis=-1)
-        return np.column_stack([_joined(point, turned), self.sinks_mm(xy_mm)])
+        return _joined(point, np.stack([radial, tangential, normal], axis=-1))
 
     def sinks_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
         """Return how much deeper boards lie than on a flat core; beyond `reach_mm` as just within it."""

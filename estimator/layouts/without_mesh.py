@@ -144,8 +144,8 @@ class LevelWithoutMesh:
         return replace(self, lowest=kept)
 
     def walked(self, best: Float[np.ndarray, "1 variable"], number: int, seed: int = 0) -> Points:
-        """Layouts on the ways from the `best` one so far to ends of walks down the gradient, which begin there
-        and at places round it: round `number` of `ROUNDS`."""
+        """Layouts on the ways from the `best` one so far to ends of walks down the gradient, which begin
+        there and at places round it: round `number` of `ROUNDS`."""
         spread, rate = ROUNDS[number]
         drawn = np.random.default_rng((seed, number)).normal(0, spread, (_WALKS - 1, best.shape[1]))
         begin = np.concatenate([best, np.clip(best + drawn, 0, 1)])

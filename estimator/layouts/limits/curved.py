@@ -29,11 +29,11 @@ from estimator.layouts.limits.parts import (
     Pockets,
     boards_of,
     chips_near_magnets_mm,
+    in_object,
     missing_beside_hole_mm,
     outlines_mm,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
-    in_object,
     pockets_of,
 )
 from estimator.layouts.surfaces import (
