@@ -42,6 +42,7 @@ from instobj.commands.first_layout import parts_that_help, scored_first
 from instobj.commands.outlook import (
     chosen_text,
     expected_text,
+    memory_text,
     next_step_text,
     with_edges_that_fit,
 )
@@ -86,7 +87,7 @@ def new_specification(
         )
     if target.exists():
         raise InputError(f"{target} is already there. Choose another name, or move it away")
-    require_writable(out)  # before parts are placed, which takes half a minute
+    require_writable(out)  # before parts are placed, which takes long
     tables: Tables | None = None
     if request is not None:
         tables, failed = (design or designed)(request)
@@ -112,11 +113,12 @@ def placed_text(path: Path, request: Request | None = None) -> str:
     helps = "" if request is None else parts_that_help(request, spec, score)
     lines = (
         f"{spec!r}".removeprefix("ObjectSpec "),
-        chosen_text(spec),
+        chosen_text(spec, placed=request is not None),
         expected_text(spec, score),
         f"contact locations cover {100 * covered_share(spec):.0f} % of the sensed surface",
         helps,
         next_step_text(spec),
+        memory_text(spec),
     )
     return "\n".join(filter(None, lines))
 
