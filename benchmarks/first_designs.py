@@ -24,7 +24,6 @@ from instobj.commands.new import designed
 
 KINDS = ("box", "cylinder", "capsule", "sphere", "ellipsoid", "dome", "pad")
 _EDGES_MM, _ROUND_KINDS = (30.0, 120.0), ("cylinder", "capsule", "dome")
-_WALKS, _STEPS = 24, 60
 
 
 def measure(requests: int, seconds: float) -> Result:
@@ -67,10 +66,10 @@ def random_request(number: int) -> Request:
 def _row(request: Request, tables: Tables, fails: bool, seconds: float) -> Result:
     first = first_score(spec_of(tables))
     began, seed = time.process_time(), 0
-    best, least = improved(tables, 1, 1)
+    best, least = improved(tables, 0)
     while time.process_time() - began < seconds:
         seed += 1
-        moved, loss = improved(best, _WALKS, _STEPS, seed)
+        moved, loss = improved(best, seed=seed)
         best, least = (moved, loss) if loss < least else (best, least)
     longer = first_score(spec_of(best))
     return {

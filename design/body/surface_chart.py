@@ -176,11 +176,18 @@ class FaceFrame:
     def to_object(self, xyz_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
         """Points given as (x, y, height above the surface) in mm, in the object's frame."""
         xyz = np.asarray(xyz_mm, float)
+        return self.centre_mm + self.raised(xyz)[0] @ self.axes.T
+
+    def raised(
+        self, xyz_mm: Float[np.ndarray, "*n 3"]
+    ) -> tuple[Float[np.ndarray, "*n 3"], Float[np.ndarray, "*n 3 3"]]:
+        """Points given as (x, y, height above the surface) in mm, and the surface's axes there as columns,
+        both in `plane_coordinates`: the same of faces whose reliefs are the same."""
         if self.flat:
-            return self.centre_mm + xyz @ self.axes.T
-        height, slope = self.relief.evaluate(xyz[..., :2])
-        local = np.concatenate([xyz[..., :2], height[..., None]], axis=-1)
-        return self.centre_mm + (local + xyz[..., 2:] * _normals(slope)) @ self.axes.T
+            return xyz_mm, np.broadcast_to(np.eye(3), (*xyz_mm.shape, 3))
+        height, slope = self.relief.evaluate(xyz_mm[..., :2])
+        axes, foot = _local_axes(slope), np.concatenate([xyz_mm[..., :2], height[..., None]], -1)
+        return foot + xyz_mm[..., 2:] * axes[..., 2], axes
 
     def plane_coordinates(self, points_mm: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
         """(x, y, height over the frame's plane) of points in the object's frame."""

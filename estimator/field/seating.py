@@ -171,6 +171,20 @@ def all_stay(spec: ObjectSpec, **changes: Any) -> bool:
     return bool(seats(tried).excess.max() <= 1)
 
 
+def gap_that_holds_mm(spec: ObjectSpec) -> float:
+    """Return the gap of pockets (mm) at which the pair that pulls most would stay, about; 0 where all stay.
+
+    Forces of magnets go with the fourth power of their distance.
+    """
+    seated, layout = seats(spec), magnet_layout(spec)
+    worst = int(seated.excess.argmax())
+    if seated.excess[worst] <= 1:
+        return 0.0
+    neighbour = int(seated.by_each_n[worst].argmax())
+    apart_mm = float(np.linalg.norm(layout.centre_mm[worst] - layout.centre_mm[neighbour]))
+    return apart_mm * float(seated.excess[worst]) ** 0.25 - spec.shell.pocket_diameter_mm
+
+
 def _name(spec: ObjectSpec, magnet: int) -> str:
     face, number = divmod(magnet, spec.magnets.count)
     return f"magnet {number + 1} of face {spec.body.sensed[face]}"

@@ -30,6 +30,8 @@ class Layouts:
         north inward
     sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
     by_face : layouts of all faces by number, this one's (`face`) too, where they are not all the same
+    at_places : what is worked out of these very places (`estimator.layouts.surfaces`), the places beside it;
+        layouts made by `replace` share it
     """
 
     magnet_mm: Float[Tensor, "layout magnet 3"]
@@ -38,6 +40,9 @@ class Layouts:
     sensor_mm: Float[Tensor, "layout sensor 2"]
     by_face: Mapping[int, Layouts] = field(default_factory=dict)
     face: int | None = None
+    at_places: dict[Hashable, tuple[Tensor, Tensor]] = field(
+        default_factory=dict, repr=False, compare=False
+    )
     _kept: dict[Hashable, tuple[tuple[Any, ...], Any]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
@@ -77,6 +82,10 @@ class Layouts:
     def layouts_of_face(self, face: int) -> Layouts:
         """The layouts of another face."""
         return self.by_face.get(face, self)
+
+    def seen_from(self, face: int) -> Layouts:
+        """The same layouts of all faces, as those of another one."""
+        return layouts_by_face(self.by_face, face)
 
     def map_faces(self, change: Callable[[Layouts, int | None], Layouts]) -> Layouts:
         """With a change made to the layouts of every face: by its number, or None of one for all."""

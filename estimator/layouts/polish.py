@@ -113,11 +113,15 @@ def judge(
 ) -> Judged:
     """Score layouts at points of the unit cube; differentiable."""
     of_face = {scorer.presses.face: scorer for scorer in lowest.scorers}
-    laid = {face: layouts_at(lowest.space, unit, polarity, face) for face in of_face}
-    near = {
-        face: clamp_to_candidates(of_face[face], layouts_of_face)
-        for face, layouts_of_face in laid.items()
-    }
+    first = next(iter(of_face))
+    laid = {first: layouts_at(lowest.space, unit, polarity, first)}
+    near = {first: clamp_to_candidates(of_face[first], laid[first])}
+    for face in [*of_face][1:]:
+        if laid[first].by_face:  # layouts of all faces: parts are placed once
+            laid[face], near[face] = (each[first].seen_from(face) for each in (laid, near))
+        else:
+            laid[face] = layouts_at(lowest.space, unit, polarity, face)
+            near[face] = clamp_to_candidates(of_face[face], laid[face])
     named = {*objectives, *lowest.at_most}
     scores = batch_scores(
         lowest.scorers,
@@ -383,32 +387,34 @@ def descend(
     """The best points on walks of `steps` (Adam) within the unit cube, each by itself, or of fewer once
     the time is `over`.
 
-    No point ends worse than it began.
+    No point ends worse than it began. Steps shrink along half a cosine. Written out: PyTorch's optimizers
+    load its compiler, which takes 1.5 s.
     """
-    point = unit.clone().requires_grad_()
-    walk = torch.optim.Adam([point], lr=rate)
-    schedule = torch.optim.lr_scheduler.CosineAnnealingLR(walk, max(steps, 1))
+    point, mean, square = unit.clone(), torch.zeros_like(unit), torch.zeros_like(unit)
     best, least = unit.clone(), torch.full((len(unit),), torch.inf, dtype=unit.dtype)
     for step in range(steps + 1):
-        loss = loss_at(point)
+        loss = loss_at(point.requires_grad_())
         better = loss.detach() < least
         least = torch.where(better, loss.detach(), least)
         best = torch.where(better[:, None], point.detach(), best)
-        if over():
+        if over() or step == steps:
             break
-        if step < steps:
-            walk.zero_grad()
-            loss.sum().backward()
-            _forget_undefined(point)
-            walk.step()
-            schedule.step()
-            with torch.no_grad():
-                point.clamp_(0, 1)
+        (slope,) = torch.autograd.grad(loss.sum(), point)
+        slope = _defined(slope)
+        # Kingma and Ba (arXiv:1412.6980), algorithm 1: means of slopes and of their squares, unbiased
+        mean.lerp_(slope, 1 - _KEPT_SLOPE)
+        square.mul_(_KEPT_SQUARE).addcmul_(slope, slope, value=1 - _KEPT_SQUARE)
+        size = rate * (1 + np.cos(np.pi * step / steps)) / 2 / (1 - _KEPT_SLOPE ** (step + 1))
+        scale = (square / (1 - _KEPT_SQUARE ** (step + 1))).sqrt() + 1e-8
+        point = (point.detach() - size * mean / scale).clamp(0, 1)
     return best
 
 
-def _forget_undefined(point: Tensor) -> None:
-    """A layout whose gradient is not finite stays where it is."""
-    if point.grad is not None:
-        defined: Bool[Tensor, "layout"] = point.grad.isfinite().all(dim=1)
-        point.grad.nan_to_num_(0.0, 0.0, 0.0).mul_(defined[:, None])
+_KEPT_SLOPE, _KEPT_SQUARE = 0.9, 0.999
+"""Shares of the means that a step of Adam keeps (β₁, β₂), its authors' defaults."""
+
+
+def _defined(slope: Float[Tensor, "layout variable"]) -> Float[Tensor, "layout variable"]:
+    """A layout whose slope is not finite stays where it is."""
+    defined: Bool[Tensor, "layout"] = slope.isfinite().all(dim=1)
+    return torch.where(defined[:, None], slope, 0.0)

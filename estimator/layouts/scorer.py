@@ -137,8 +137,17 @@ def require_scorable(spec: ObjectSpec) -> None:
 def clamp_to_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
     """Magnets, or boards in the silicone, beyond the candidates at the nearest of their places."""
 
+    same: dict[tuple[object, ...], Layouts] = {}
+
     def nearest(layouts_of_face: Layouts, face: int | None) -> Layouts:
         first, last = _ends_of_bodies_mm(scorer, face)
+        # faces that share layouts and candidates go on sharing
+        key = id(layouts_of_face), *first.flatten().tolist(), *last.flatten().tolist()
+        if key not in same:
+            same[key] = within(layouts_of_face, first, last)
+        return same[key]
+
+    def within(layouts_of_face: Layouts, first: Tensor, last: Tensor) -> Layouts:
         if scorer.sensors_move:
             xy = torch.maximum(
                 torch.minimum(layouts_of_face.sensor_mm, last[..., :2]), first[..., :2]

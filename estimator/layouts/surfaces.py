@@ -7,7 +7,7 @@ to its middle, so that everything is finite: limits of their own keep parts on t
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -23,6 +23,7 @@ from design.layout.places.positions import chip_on_board, sinks_of_boards_mm
 from design.layout.pockets import board_frame, boards_depth_mm
 from design.spec.cached_geometry import cached_geometry
 from design.spec.object import ObjectSpec
+from estimator.layouts.batch import Layouts
 
 _STEP = 1e-4
 """Step of central differences, mm: in double precision good to 1e-8 mm."""
@@ -52,53 +53,78 @@ class Surface:
         """Places of the frame's plane as lengths along the surface, as candidates have them."""
         return pointwise(self.frame.from_plane, xy_mm)
 
+    @cached_property
+    def shape(self) -> Hashable:
+        """What places in the frames' own coordinates depend on: the same of faces that are turned copies."""
+        frames = self.frame, self.core
+        return tuple((frame.relief, frame.half_extents_mm, frame.round) for frame in frames)
+
+    @property
+    def of_chips(self) -> FaceFrame:
+        """The face that boards are mounted on."""
+        return self.core if self.spec.arrangement == "sensors-in-core" else self.frame
+
     def magnets(
-        self, xyd_mm: Float[Tensor, "*n 3"]
-    ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"]]:
-        """Centres of magnets at (x, y, depth), mm, and axes as columns of the surface over them (the
-        third its normal), in the object's frame."""
-        values = pointwise(self._magnets, xyd_mm)
+        self, layouts: Layouts
+    ) -> tuple[Float[Tensor, "layout magnet 3"], Float[Tensor, "layout magnet 3 3"]]:
+        """Centres of magnets (mm) and axes as columns of the surface over them (the third its normal), in
+        the coordinates of `frame`."""
+        values = self._placed("magnets", layouts, layouts.magnet_mm, self._magnets)
         return values[..., :3], values[..., 3:].unflatten(-1, (3, 3))
 
     def chips(
-        self, xy_mm: Float[Tensor, "*n 2"]
-    ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"]]:
-        """Sensing points (mm) and chips' axes as rows, in the object's frame."""
-        values = pointwise(self._chips, xy_mm)
-        return values[..., :3], values[..., 3:].unflatten(-1, (3, 3))
+        self, layouts: Layouts
+    ) -> tuple[Float[Tensor, "layout sensor 3"], Float[Tensor, "layout sensor 3 3"]]:
+        """Sensing points (mm) and chips' axes as columns, in the coordinates of `of_chips`."""
+        values = self._placed("sensors", layouts, layouts.sensor_mm, self._sensors)
+        return values[..., :3], values[..., 3:12].unflatten(-1, (3, 3))
 
     def boards(
-        self, xy_mm: Float[Tensor, "*n 2"]
-    ) -> tuple[Float[Tensor, "*n 3"], Float[Tensor, "*n 3 3"], Float[Tensor, "*n"]]:
-        """Points of the core's surface over sensors (mm); radial, tangential and normal direction as
-        rows, in the object's frame; and by how much boards lie deeper than on a flat core (mm)."""
-        values = pointwise(self._boards, xy_mm)
+        self, layouts: Layouts
+    ) -> tuple[
+        Float[Tensor, "layout sensor 3"],
+        Float[Tensor, "layout sensor 3 3"],
+        Float[Tensor, "layout sensor"],
+    ]:
+        """Points of the core's surface over sensors (mm); radial, tangential and normal direction as columns,
+        in the coordinates of `core`; and by how much boards lie deeper than on a flat core (mm)."""
+        values = self._placed("sensors", layouts, layouts.sensor_mm, self._sensors)[..., 12:]
         return values[..., :3], values[..., 3:12].unflatten(-1, (3, 3)), values[..., 12]
+
+    def _placed(self, part: str, layouts: Layouts, places: Tensor, function: _Function) -> Tensor:
+        """Values at places, worked out once for faces of the same shape that share these places."""
+        kept, key = layouts.at_places, (part, self.shape, id(places))
+        if key not in kept:
+            kept[key] = places, pointwise(function, places)
+        return kept[key][1]
 
     def _magnets(self, xyd_mm: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 12"]:
         xy = clamp_to_patch_mm(self.frame, xyd_mm[:, :2])
-        centre = self.frame.to_object(np.column_stack([xy, -xyd_mm[:, 2]]))
-        return np.concatenate([centre, self.frame.axes_at(xy).reshape(-1, 9)], axis=1)
+        return _joined(*self.frame.raised(np.column_stack([xy, -xyd_mm[:, 2]])))
 
-    def _chips(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 12"]:
-        frame, depth = self.core, self.spec.sensors.depth_below_core_face_mm + self.sinks_mm(xy_mm)
+    def _sensors(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n values"]:
+        """Chips, and in the core their boards, whose sinks take longest."""
         if self.spec.arrangement == "sensors-in-shell":
-            frame, depth = self.frame, np.full(len(xy_mm), boards_depth_mm(self.spec))
-        xy = clamp_to_patch_mm(frame, xy_mm)
-        point = frame.to_object(np.column_stack([xy, -depth]))
-        board = board_frame(_azimuths(xy_mm))
-        axes = frame.axes_at(xy) @ board @ chip_on_board(self.spec.sensors)
-        return np.concatenate([point, axes.transpose(0, 2, 1).reshape(-1, 9)], axis=1)
+            return self._chips(xy_mm, np.full(len(xy_mm), boards_depth_mm(self.spec)))
+        sink = self.sinks_mm(xy_mm)
+        chips = self._chips(xy_mm, self.spec.sensors.depth_below_core_face_mm + sink)
+        return np.column_stack([chips, self._boards(xy_mm), sink])
 
-    def _boards(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 13"]:
+    def _chips(
+        self, xy_mm: Float[np.ndarray, "n 2"], depth_mm: Float[np.ndarray, "n"]
+    ) -> Float[np.ndarray, "n 12"]:
+        xy = clamp_to_patch_mm(self.of_chips, xy_mm)
+        point, axes = self.of_chips.raised(np.column_stack([xy, -depth_mm]))
+        board = board_frame(_azimuths(xy_mm))
+        return _joined(point, axes @ board @ chip_on_board(self.spec.sensors))
+
+    def _boards(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 12"]:
         xy, azimuth = clamp_to_patch_mm(self.core, xy_mm), _azimuths(xy_mm)
-        point = self.core.to_object(np.column_stack([xy, 0 * azimuth]))
-        axes = self.core.axes_at(xy)
+        point, axes = self.core.raised(np.column_stack([xy, 0 * azimuth]))
         tangent, across, normal = axes.transpose(2, 0, 1)
         cosine, sine = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
         radial, tangential = cosine * tangent + sine * across, cosine * across - sine * tangent
-        sink = self.sinks_mm(xy_mm)[:, None]
-        return np.concatenate([point, radial, tangential, normal, sink], axis=1)
+        return _joined(point, np.stack([radial, tangential, normal], axis=-1))
 
     def sinks_mm(self, xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
         """Return how much deeper boards lie than on a flat core; beyond `reach_mm` as just within it."""
@@ -153,6 +179,22 @@ def clamp_to_patch_mm(
     share = np.asarray(xy_mm) / np.asarray(frame.half_extents_mm)
     size = np.linalg.norm(share, axis=1) if frame.round else abs(share).max(axis=1)
     return xy_mm * np.minimum(1.0, _WITHIN / np.maximum(size, 1e-12))[:, None]
+
+
+def to_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
+    """Points in the coordinates of a face's plane, in the object's frame."""
+    return turned_to_object(frame, local_mm) + local_mm.new_tensor(frame.centre_mm.tolist())
+
+
+def turned_to_object(frame: FaceFrame, rows: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
+    """Directions in the coordinates of a face's plane, in the object's frame."""
+    return rows @ rows.new_tensor(frame.axes.T.tolist())
+
+
+def _joined(
+    point: Float[np.ndarray, "n 3"], axes: Float[np.ndarray, "n 3 3"]
+) -> Float[np.ndarray, "n 12"]:
+    return np.concatenate([point, axes.reshape(-1, 9)], axis=1)
 
 
 def _azimuths(xy_mm: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:

@@ -26,7 +26,8 @@ class LayoutSpace:
     """A structure of a search space as tensors; `layout_space` makes it.
 
     `low` and `span` take the unit cube to values; `groups` are the faces that share a layout, and maps
-    those of `design.search.space` for each; no maps of sensors where they stay.
+    those of `design.search.space` for each; no maps of sensors where they stay. `gap_mm` of silicone is left
+    between pockets, where that is more than can be cast.
     """
 
     structured: ObjectSpec
@@ -35,6 +36,7 @@ class LayoutSpace:
     groups: tuple[tuple[int, ...], ...]
     magnets: tuple[PlaceMap, ...]
     sensors: tuple[PlaceMap, ...]
+    gap_mm: float = 0.0
 
 
 def layout_space(
@@ -65,11 +67,15 @@ def layouts_at(
     values = space.low + unit * space.span
     if len(space.groups) == 1:
         return _layouts(space, values, polarity, face, 0)
-    layouts_of_faces = {
-        number: _layouts(space, values, polarity, number, index)
-        for index, group in enumerate(space.groups)
-        for number in group
-    }
+    layouts_of_faces: dict[int, Layouts] = {}
+    for index, group in enumerate(space.groups):
+        # Sensors that stay lie on each face as they do; else the faces of a group share one object.
+        each = (
+            [_layouts(space, values, polarity, group[0], index)] * len(group)
+            if space.sensors
+            else [_layouts(space, values, polarity, number, index) for number in group]
+        )
+        layouts_of_faces |= dict(zip(group, each, strict=True))
     return layouts_by_face(layouts_of_faces, face)
 
 

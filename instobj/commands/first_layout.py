@@ -23,10 +23,10 @@ from design.placement.objects import (
 )
 from design.spec.object import ObjectSpec
 from design.spec.sensors import SensorSpec
-from estimator.field.seating import all_stay
+from estimator.field.seating import all_stay, gap_that_holds_mm
 from estimator.layouts.without_mesh import (
-    BRIEF,
     BROKEN,
+    ROUNDS,
     FirstScore,
     LevelWithoutMesh,
     coarse,
@@ -35,16 +35,16 @@ from estimator.layouts.without_mesh import (
 from instobj.commands.outlook import percent_text
 from instobj.commands.run import check
 
-_WALKS, _STEPS = 16, 30
-"""Walks side by side, and their steps: 4 s of one core on a box of five faces and five magnets."""
+_BRIEF = 2
+"""Rounds of walks where layouts are compared that are not taken."""
 _MANY = 9
 """Magnets of a face, where the usual number is seen too little."""
 _WORTH = 0.1
 """Gain that more magnets must bring, in logarithms, to be taken."""
 _THICK_FROM_MM = ((60.0, 8.0), (80.0, 12.0), (120.0, 16.0), (200.0, 24.0))
 """Longest edge of a body from which a shell so thick is tried, all mm."""
-_SHARES = (1.0, 0.9, 0.75)
-"""Shares of the way from the start, where what was found breaks a check."""
+_TRIED = 4
+"""Layouts of a round that are checked, where those before break a check."""
 _MORE = ((0, 9), (1, 9), (2, 9))
 """Sensors more on each face, and magnets at least, that are tried, the cheapest first."""
 _NAMED = 0.1
@@ -62,21 +62,24 @@ def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
     start = min(_starts(request, placed), key=itemgetter(0), default=None)
     if start is None:
         return
-    if request.magnets is None:
-        few, least = improved(start[1], *BRIEF)
-        if first_score(spec_of(few)).within < 1:
-            yield from _with_more_magnets(request, few, least - _WORTH)
-    yield from (improved(start[1])[0], start[1])
+    few, least = improved(start[1])
+    if request.magnets is None and first_score(spec_of(few)).within < 1:
+        more, loss = _with_more_magnets(request, few)
+        if loss < least - _WORTH:
+            yield more
+    yield few
+    # nearer to the start, where that cannot be made
+    yield improved(start[1], _BRIEF)[0]
+    yield start[1]
 
 
-def _with_more_magnets(request: Request, few: Tables, most: float) -> Iterator[Tables]:
-    """Yield a layout of `_MANY` magnets a face under the same shell that is worth less than `most`."""
+def _with_more_magnets(request: Request, few: Tables) -> tuple[Tables, float]:
+    """A layout of `_MANY` magnets a face under the same shell, and what it is worth; infinity for none."""
     shell = shell_variant_of(few)
     more = next(fitting_tables(replace(request, magnets=_MANY), (shell,), COARSE), None)
-    if more is not None and _faces(more) == _faces(few):
-        tables, loss = improved(more | {"sensors": few["sensors"]})
-        if loss < most:
-            yield tables
+    if more is None or _faces(more) != _faces(few):
+        return few, np.inf
+    return improved(more | {"sensors": few["sensors"]})
 
 
 def _starts(request: Request, placed: Tables) -> Iterator[tuple[float, Tables]]:
@@ -118,39 +121,37 @@ def _with_ranges(tables: Tables) -> Iterator[tuple[float, Tables]]:
             return
 
 
-def improved(
-    tables: Tables, walks: int = _WALKS, steps: int = _STEPS, seed: int = 0
-) -> tuple[Tables, float]:
+def improved(tables: Tables, rounds: int = len(ROUNDS), seed: int = 0) -> tuple[Tables, float]:
     """Tables with magnets and sensors where the score is best, and what they are worth, less for better.
 
-    They stay as they are where nothing better was found. As many layouts are scored on every machine, so
+    They stay as they are where nothing better passes `check`, and are worth nothing (infinity) where they
+    break a limit and two rounds of walks do not mend it. As many layouts are scored on every machine, so
     that the result does not depend on its speed.
     """
-    spec, worth = coarse(spec_of(tables)), np.inf
-    # Magnets across an edge pull each other out: as far apart as they are wide they rarely do.
-    for gap_mm in (0.0, spec.shell.pocket_diameter_mm):
-        level = LevelWithoutMesh.create(spec, gap_mm)
-        if level is None:
+    level = LevelWithoutMesh.create(coarse(spec_of(tables)))
+    if level is None:
+        return tables, np.inf
+    best, worth, placed = level.point, float(level.losses(level.point)[0]), tables
+    for number in range(rounds):
+        points = level.walked(best, number, seed)
+        for _ in range(_TRIED):
+            losses = level.losses(points)
+            first = int(losses.argmin())
+            if losses[first] >= worth:
+                break
+            broken = losses[first] > BROKEN
+            laid = None if broken else level.layout_at(points[first])
+            if broken or (laid is not None and _passes(laid)):
+                best, worth = points[[first]], float(losses[first])
+                placed = placed if laid is None else _with_places(tables, laid)
+                break
+            # Magnets that pull each other out are kept apart from now on.
+            if laid is not None:
+                level = level.with_gap(max(level.gap_mm, gap_that_holds_mm(laid)))
+            points = np.delete(points, first, axis=0)
+        if worth > BROKEN and number:
             break
-        worth = min(worth, float(level.losses(level.point)[0]))
-        for end in level.walked(walks, steps, seed):
-            moved, loss = _nearest_that_passes(level, end, worth)
-            if moved is not None:
-                return _with_places(tables, moved), loss
-    return tables, worth
-
-
-def _nearest_that_passes(
-    level: LevelWithoutMesh, end: np.ndarray, most: float
-) -> tuple[ObjectSpec | None, float]:
-    """The layout nearest to an end, on the way to it, that is worth less than `most` and breaks no check."""
-    for share in _SHARES:
-        point = level.point + share * (end - level.point)
-        loss = float(level.losses(point)[0])
-        laid = level.layout_at(point[0]) if loss < most else None
-        if laid is not None and _passes(laid):
-            return laid, loss
-    return None, most
+    return placed, worth if worth < BROKEN else np.inf
 
 
 def _passes(spec: ObjectSpec) -> bool:
@@ -222,7 +223,7 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         if placed is None or spec_of(placed).body.sensed != spec.body.sensed:
             continue
         placed["sensors"]["range_mt"] = spec.sensors.range_mt
-        within = first_score(spec_of(improved(placed, *BRIEF)[0])).within
+        within = first_score(spec_of(improved(placed, _BRIEF)[0])).within
         if within > best or within == 1:
             more = magnets if magnets > spec.magnets.count else None
             best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))

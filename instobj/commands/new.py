@@ -42,6 +42,7 @@ from instobj.commands.first_layout import parts_that_help, scored_first
 from instobj.commands.outlook import (
     chosen_text,
     expected_text,
+    memory_text,
     next_step_text,
     with_edges_that_fit,
 )
@@ -86,7 +87,7 @@ def new_specification(
         )
     if target.exists():
         raise InputError(f"{target} is already there. Choose another name, or move it away")
-    require_writable(out)  # before parts are placed, which takes half a minute
+    require_writable(out)  # before parts are placed, which takes long
     tables: Tables | None = None
     if request is not None:
         tables, failed = (design or designed)(request)
@@ -112,11 +113,12 @@ def placed_text(path: Path, request: Request | None = None) -> str:
     helps = "" if request is None else parts_that_help(request, spec, score)
     lines = (
         f"{spec!r}".removeprefix("ObjectSpec "),
-        chosen_text(spec),
+        chosen_text(spec, placed=request is not None),
         expected_text(spec, score),
         f"contact locations cover {100 * covered_share(spec):.0f} % of the sensed surface",
         helps,
         next_step_text(spec),
+        memory_text(spec),
     )
     return "\n".join(filter(None, lines))
 
@@ -136,7 +138,7 @@ def made(request: Request) -> tuple[Tables, list[Finding]]:
         if checked is None:
             continue
         best = checked if best is None or len(checked[1]) < len(best[1]) else best
-        checks = {finding.check for finding in checked[1]}
+        checks = _checks(checked)
         if not checks or checks <= _OF_THE_BODY:
             return best
         if checks == before and not all(map(_thin_mould, checked[1])):
@@ -155,17 +157,31 @@ def designed(request: Request) -> Made:
     made, what rules place so that it can.
     """
     placed = next(placements(request))
-    checks = map(_checked_seams, scored_first(request, placed))
-    first = next(checks, None)
-    if first is not None and {finding.check for finding in first[1]} <= _OF_THE_BODY:
-        return first
+    best = _first_that_can_be_made(scored_first(request, placed), _OF_THE_BODY)
+    if best is not None and _checks(best) <= _OF_THE_BODY:
+        return best
     by_rules = made(request)
-    if by_rules[0] != placed:  # else the search goes on where it stood
-        checks, first = map(_checked_seams, scored_first(request, by_rules[0])), None
-    for checked in chain([first], checks):
-        if checked is not None and len(checked[1]) <= len(by_rules[1]):
-            return checked
-    return by_rules
+    if by_rules[0] != placed:
+        best = _first_that_can_be_made(scored_first(request, by_rules[0]), _checks(by_rules))
+    return by_rules if best is None or len(best[1]) > len(by_rules[1]) else best
+
+
+def _first_that_can_be_made(layouts: Iterable[Tables], but: set[str]) -> Made | None:
+    """The first of some layouts of which nothing fails `but` these checks, else that with the fewest
+    failures; None of none."""
+    best: Made | None = None
+    for tables in layouts:
+        # a wall that numbers find thin may be thick enough as a solid
+        checked = _checked_seams(tables) or _checked(islice(seams_of(tables), 1))
+        if checked is not None and (best is None or len(checked[1]) < len(best[1])):
+            best = checked
+        if best is not None and _checks(best) <= but:
+            break
+    return best
+
+
+def _checks(checked: Made) -> set[str]:
+    return {finding.check for finding in checked[1]}
 
 
 def _checked_seams(tables: Tables) -> Made | None:

@@ -10,7 +10,7 @@ from design.placement.objects import (
 )
 from design.spec.object import ObjectSpec
 from estimator.layouts.without_mesh import FirstScore, first_score
-from instobj.stages.resources import needed_gib, search_seconds
+from instobj.stages.resources import needed_gib, require_memory, search_seconds
 
 MOST_GIB = 12.0
 """Memory of the response, at most: what a machine of 16 GiB has free."""
@@ -35,13 +35,16 @@ def with_edges_that_fit(request: Request, tables: Tables, most_gib: float = MOST
     return changed
 
 
-def chosen_text(spec: ObjectSpec) -> str:
-    """Say which magnets and which range the object has."""
+def chosen_text(spec: ObjectSpec, placed: bool) -> str:
+    """Say which magnets and which range the object has, and why where they were `placed` for a request."""
     magnets, sensors = spec.magnets, spec.sensors
     sizes = sorted({f"Ø{size.diameter_mm:g} × {size.height_mm:g} mm" for size in magnets.sizes})
+    parts = f"magnets {', '.join(sizes)} and sensors of ±{sensors.range_mt:g} mT"
+    if not placed:
+        return f"{parts}, as on the paper's cube"
     return (
-        f"magnets {', '.join(sizes)} and sensors of ±{sensors.range_mt:g} mT, placed where presses of "
-        f"{spec.score.force_n:g} N are located best, by the presses of a layer without a mesh"
+        f"{parts}: of the stock magnets, ranges and places that fit, those that locate presses of "
+        f"{spec.score.force_n:g} N best (judged without a mesh, by the presses of a flat layer)"
     )
 
 
@@ -61,6 +64,15 @@ def outlook_text(spec: ObjectSpec) -> str:
         return expected_text(spec, first_score(spec))
     except InputError as error:
         return f"position bounds are known after `instobj score` only: {error}"
+
+
+def memory_text(spec: ObjectSpec) -> str:
+    """Say that this machine cannot score the object, and which keys would help; nothing where it can."""
+    try:
+        require_memory("response", spec)
+    except InputError as error:
+        return f"this cannot be scored here: {error}"
+    return ""
 
 
 def percent_text(share: float) -> str:

@@ -95,7 +95,7 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
     from design.fit.seam import seam_in_words
     from design.layout.places.contact_places import contact_places
     from design.layout.places.coverage import cell_areas_mm2, covered_share
-    from instobj.commands.outlook import outlook_text
+    from instobj.commands.outlook import memory_text, outlook_text
     from instobj.report.uncertainty import force_spread_text, modulus_text
     from instobj.stages.makers.surroundings import surroundings_row
 
@@ -106,8 +106,9 @@ def check_specifications(specs: list[Path], overrides: list[str]) -> dict[str, A
         across = boards_across_edges(spec)
         if across is not None:
             warnings.warn(across, stacklevel=2)
-        for text in (*seam_in_words(spec), *roughness_in_words(spec)):
-            warnings.warn(text, stacklevel=2)
+        for text in (*seam_in_words(spec), *roughness_in_words(spec), memory_text(spec)):
+            if text:
+                warnings.warn(text, stacklevel=2)
         rows.append(
             {
                 "spec": str(path),

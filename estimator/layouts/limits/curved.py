@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,14 +29,21 @@ from estimator.layouts.limits.parts import (
     Pockets,
     boards_of,
     chips_near_magnets_mm,
+    in_object,
     missing_beside_hole_mm,
     outlines_mm,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
-    worst_of_faces,
 )
-from estimator.layouts.surfaces import Surface, clamp_to_patch_mm, pointwise, surfaces
+from estimator.layouts.surfaces import (
+    Surface,
+    clamp_to_patch_mm,
+    pointwise,
+    surfaces,
+    to_object,
+    turned_to_object,
+)
 
 _COVER_STEP_MM, _RIM_POINTS = 1.0, 24
 """Step of the nodes of the cover's splines along a face, about, and points on a magnet's rim."""
@@ -52,67 +60,80 @@ def broken_on_surfaces_mm(
     """
     by_number = surfaces(spec)
     laid = {number: layouts.layouts_of_face(number) for number in by_number}
-    pockets = {number: pockets_of(spec, layout) for number, layout in laid.items()}
-    turned = {n: surface.magnets(laid[n].magnet_mm) for n, surface in by_number.items()}
-    placed = {n: _placed(turned[n], laid[n], pockets[n]) for n in by_number}
+    pockets = {n: laid[n].kept("pockets", (), lambda n=n: pockets_of(spec, laid[n])) for n in laid}
+    of_faces = {n: _placed(surface, laid[n], pockets[n]) for n, surface in by_number.items()}
+    placed = {n: in_object(by_number[n].frame, prisms) for n, prisms in of_faces.items()}
+    centres = {n: to_object(s.frame, s.magnets(laid[n])[0]) for n, s in by_number.items()}
     moving = spec.search.vary.sensor_reach_mm is not None
-    radius = pockets[face].radius
+    radius, judged = pockets[face].radius, _unlike(by_number, laid)
+
+    def worst(
+        rule: Callable[[int], Float[Tensor, "layout"]], numbers: Sequence[int] = judged
+    ) -> Float[Tensor, "layout"]:
+        return torch.stack([rule(number) for number in numbers]).amax(dim=0)
+
+    def chips_near_magnets(number: int) -> Float[Tensor, "layout"]:
+        surface = by_number[number]
+        chips = to_object(surface.of_chips, surface.chips(laid[number])[0])
+        return chips_near_magnets_mm(spec, number, chips, centres)
+
     violations = {
-        "pocket gap": worst_of_faces(
-            [pocket_gaps_mm(floor, top, radius, pocket_gap_mm) for floor, top, _ in placed.values()]
+        "pocket gap": worst(lambda n: pocket_gaps_mm(*of_faces[n][:2], radius, pocket_gap_mm)),
+        "pockets near the edge": worst(lambda n: past_border(by_number[n], pockets[n])),
+        "pocket gap across an edge": pocket_gaps_across_edges_mm(
+            spec, placed, radius, pocket_gap_mm
         ),
-        "pockets near the edge": worst_of_faces(
-            [past_border(surface, pockets[n]) for n, surface in by_number.items()]
-        ),
-        "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
-        "seal": worst_of_faces(
-            [unsealed_mm(surface, laid[n], pockets[n]) for n, surface in by_number.items()]
-        ),
-        "chip near a magnet": worst_of_faces(
-            [
-                chips_near_magnets_mm(
-                    spec,
-                    number,
-                    surface.chips(laid[number].sensor_mm)[0],
-                    {n: centre for n, (centre, _) in turned.items()},
-                )
-                for number, surface in by_number.items()
-                if moving or number == face
-            ]
-        ),
+        "seal": worst(lambda n: unsealed_mm(by_number[n], laid[n], pockets[n])),
+        "chip near a magnet": worst(chips_near_magnets, judged if moving else (face,)),
     }
     if moving:
-        recesses = {
-            number: recess_boxes(surface, laid[number], boards_of(spec, laid[number]))
-            for number, surface in by_number.items()
-        }
+        boards = {n: laid[n].kept("boards", (), lambda n=n: boards_of(spec, laid[n])) for n in laid}
+        recesses = {n: recess_boxes(s, laid[n], boards[n]) for n, s in by_number.items()}
         # Recesses of all faces together: boards of two faces may meet at an edge.
         centre, axes, half_mm = (
             torch.cat(parts, dim=1) for parts in zip(*recesses.values(), strict=True)
         )
         least = board_gap_mm + SLACK_MM
         violations["board gap"] = missing_between_boxes_mm(centre, axes, half_mm, least)
-        violations["board beside the wire hole"] = worst_of_faces(
-            [boards_beside_hole(surface, recesses[n]) for n, surface in by_number.items()]
+        violations["board beside the wire hole"] = worst(
+            lambda n: boards_beside_hole(by_number[n], recesses[n])
         )
-        violations["boards near the edge"] = worst_of_faces(
-            [boards_past_edges(surface, laid[n], recesses[n]) for n, surface in by_number.items()]
+        violations["boards near the edge"] = worst(
+            lambda n: boards_past_edges(by_number[n], laid[n], recesses[n])
         )
     return violations
 
 
-def _placed(turned: tuple[Tensor, Tensor], layouts: Layouts, pockets: Pockets) -> Prisms:
-    """Return the pockets of a face in the object's frame, turned with the surface over each magnet."""
-    centre, axes = turned
-    # `pockets` stand on a flat face: take their ends about the magnet's centre there, and turn those.
-    local = torch.stack([*layouts.magnet_mm[..., :2].unbind(-1), -layouts.magnet_mm[..., 2]])
-    turn = axes.permute(2, 3, 0, 1)
-    # i object coordinate, j axis of the surface, l layout, m magnet
-    floor, top = (
-        centre.permute(2, 0, 1) + torch.einsum("ijlm,jlm->ilm", turn, ends - local)
-        for ends in (pockets.floor, pockets.top)
-    )
-    return floor, top, torch.einsum("ijlm,jlm->ilm", turn, pockets.axis)
+_SIDES = frozenset((2, 3, 4, 5))
+"""Faces that are turned into each other about z."""
+
+
+def _unlike(by_number: Mapping[int, Surface], laid: Mapping[int, Layouts]) -> list[int]:
+    """Return faces that stand for all: of sides of one shape with the same layouts the first, where all four
+    are sensed, so that the object is the same from each of them."""
+    turned = by_number.keys() >= _SIDES
+    keys = {
+        n: (s.shape, id(laid[n])) if turned and n in _SIDES else n for n, s in by_number.items()
+    }
+    return [*{key: number for number, key in reversed(keys.items())}.values()]
+
+
+def _placed(surface: Surface, layouts: Layouts, pockets: Pockets) -> Prisms:
+    """Return the pockets of a face in its frame, turned with the surface over each magnet."""
+
+    def turned() -> Prisms:
+        centre, axes = surface.magnets(layouts)
+        # `pockets` stand on a flat face: take their ends about the magnet's centre there, and turn those.
+        local = torch.stack([*layouts.magnet_mm[..., :2].unbind(-1), -layouts.magnet_mm[..., 2]])
+        turn = axes.permute(2, 3, 0, 1)
+        # i coordinate of the face, j axis of the surface, l layout, m magnet
+        floor, top = (
+            centre.permute(2, 0, 1) + torch.einsum("ijlm,jlm->ilm", turn, ends - local)
+            for ends in (pockets.floor, pockets.top)
+        )
+        return floor, top, torch.einsum("ijlm,jlm->ilm", turn, pockets.axis)
+
+    return layouts.kept(("placed pockets", surface.shape), (), turned)
 
 
 def past_border(surface: Surface, pockets: Pockets) -> Float[Tensor, "layout"]:
@@ -228,7 +249,9 @@ _Boxes = tuple[
 
 def recess_boxes(surface: Surface, layouts: Layouts, boards: Boards) -> _Boxes:
     """Return the boxes that boards take from the core: from its surface to the recess's floor."""
-    point, axes, sink = surface.boards(layouts.sensor_mm)
+    local, columns, sink = surface.boards(layouts)
+    point = to_object(surface.core, local)
+    axes = turned_to_object(surface.core, columns.transpose(-1, -2))
     deep = (surface.spec.core.recess_depth_mm + sink) / 2
     # A chip is not in the middle of its board: go along the board's radial axis to its centre.
     ahead = ((boards.centre - layouts.sensor_mm) * boards.radial).sum(-1)

@@ -24,9 +24,9 @@ from estimator.layouts.limits.parts import (
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
-    to_object,
     worst_of_faces,
 )
+from estimator.layouts.surfaces import to_object
 
 
 def broken_on_flat_faces_mm(
@@ -39,7 +39,9 @@ def broken_on_flat_faces_mm(
     missing = {
         "pocket gap": pocket_gaps_mm(pockets.floor, pockets.top, pockets.radius, pocket_gap_mm),
         "pockets near the edge": past_edges(spec, pockets),
-        "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, pockets.radius),
+        "pocket gap across an edge": pocket_gaps_across_edges_mm(
+            spec, placed, pockets.radius, pocket_gap_mm
+        ),
         "seal": unsealed_mm(spec, layouts, pockets),
         "chip near a magnet": _chips_near_magnets(
             spec, layouts, spec.body.sensed if moving else (face,)

@@ -133,7 +133,7 @@ def missing_beside_hole_mm(
 
 
 def pocket_gaps_across_edges_mm(
-    spec: ObjectSpec, placed: dict[int, Prisms], radius: Float[Tensor, "magnet"]
+    spec: ObjectSpec, placed: dict[int, Prisms], radius: Float[Tensor, "magnet"], gap_mm: float
 ) -> Float[Tensor, "layout"]:
     """Silicone missing between the pockets of two adjacent faces, where most is missing."""
     pairs = [(first.number, second.number) for first, second in neighbours(face_frames(spec))]
@@ -148,24 +148,20 @@ def pocket_gaps_across_edges_mm(
         return floor, top, axis
 
     first, second = prisms_of_side(0), prisms_of_side(1)
-    least = spec.silicone.thinnest_wall_mm + SLACK_MM
+    least = gap_mm + SLACK_MM
     return missing_between_prisms_mm(first, second, radius, least).sum(dim=(2, 3)).amax(dim=0)
-
-
-def to_object(frame: FaceFrame, local_mm: Float[Tensor, "*part 3"]) -> Float[Tensor, "*part 3"]:
-    turn = torch.as_tensor(frame.axes.T.copy(), dtype=local_mm.dtype)
-    return local_mm @ turn + torch.as_tensor(frame.centre_mm.copy(), dtype=local_mm.dtype)
 
 
 def placed_pockets(frame: FaceFrame, pockets: Pockets) -> Prisms:
     """Pockets of a face in the object's frame: ends of their axes, and these."""
-    turn = torch.as_tensor(frame.axes.copy(), dtype=pockets.floor.dtype)
-    centre = torch.as_tensor(frame.centre_mm.copy(), dtype=pockets.floor.dtype)
-    floor, top, axis = (
-        # i object coordinate, j face axis, l layout, m magnet
-        torch.einsum("ij,jlm->ilm", turn, part)
-        for part in (pockets.floor, pockets.top, pockets.axis)
-    )
+    return in_object(frame, (pockets.floor, pockets.top, pockets.axis))
+
+
+def in_object(frame: FaceFrame, prisms: Prisms) -> Prisms:
+    """The same of ends and axes in the coordinates of the face's plane."""
+    turn, centre = (prisms[0].new_tensor(part.tolist()) for part in (frame.axes, frame.centre_mm))
+    # i object coordinate, j face axis, l layout, m magnet
+    floor, top, axis = (torch.einsum("ij,jlm->ilm", turn, part) for part in prisms)
     return floor + centre[:, None, None], top + centre[:, None, None], axis
 
 

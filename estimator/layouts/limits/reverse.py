@@ -21,9 +21,9 @@ from estimator.layouts.limits.parts import (
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
-    to_object,
     worst_of_faces,
 )
+from estimator.layouts.surfaces import to_object
 
 
 def broken_in_reverse_mm(
@@ -52,7 +52,9 @@ def broken_in_reverse_mm(
         "pockets near the edge": worst_of_faces(
             [_past_edges(frame, boards[frame.number], SLACK_MM) for frame in face_frames(spec)]
         ),
-        "pocket gap across an edge": pocket_gaps_across_edges_mm(spec, placed, radius),
+        "pocket gap across an edge": pocket_gaps_across_edges_mm(
+            spec, placed, radius, pocket_gap_mm
+        ),
         "magnets in the core": worst_of_faces(
             [_magnets(spec, frame, magnets[frame.number]) for frame in core_frames(spec)]
         ),

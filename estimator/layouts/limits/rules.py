@@ -41,7 +41,7 @@ def constraint_violations_mm(
     """
     spec = space.structured
     all_layouts = list(layouts.by_face.values()) or [layouts]
-    pocket_gap, board_gap = spec.silicone.thinnest_wall_mm, spec.printer.wall_mm
+    pocket_gap, board_gap = max(spec.silicone.thinnest_wall_mm, space.gap_mm), spec.printer.wall_mm
     in_core = spec.arrangement == "sensors-in-core"
     broken = broken_on_surfaces_mm if faces_differ(spec) else broken_on_flat_faces_mm
     if in_core:

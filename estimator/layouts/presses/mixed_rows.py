@@ -9,7 +9,6 @@ from torch.nn.functional import embedding_bag, grid_sample, pad
 
 from design.errors import InputError
 from estimator.layouts.batch import Layouts
-from estimator.layouts.placed import magnets_under
 from estimator.layouts.presses.basis import Patch, PressBasis, StrainCoupling
 
 _BEYOND = 1e-4
@@ -181,10 +180,9 @@ def _moved_by_others(
     # l layout, i magnet that moves, j magnet that resists, m of 6 motions, s of 5 strains, r vector
     moved = torch.einsum("lijms,ljsr->limr", between, strain)
     if basis.patches and not basis.patches[0].surface.frame.flat:
-        face = torch.as_tensor(basis.patches[0].surface.frame.axes.copy(), dtype=moved.dtype)
         # On a curved face motions stand in each magnet's own axes: turn them into the face's frame.
         # t displacement or rotation, a own axis, b axis of the face's frame
-        axes = face.T @ magnets_under(basis.patches[0], layouts)[1]
+        axes = basis.patches[0].surface.magnets(layouts.layouts_of_face(basis.face))[1]
         moved = torch.einsum("liba,litar->litbr", axes, moved.unflatten(2, (2, 3))).flatten(2, 3)
     return pad(moved, (0, rank - moved.shape[3])).flatten(2).flatten(0, 1)
 

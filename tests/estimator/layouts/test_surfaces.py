@@ -12,7 +12,14 @@ from design.layout.places.positions import (
     sinks_of_boards_mm,
 )
 from design.layout.pockets import magnet_bodies, sensor_places
-from estimator.layouts.surfaces import clamp_to_patch_mm, pointwise, surfaces
+from estimator.layouts.batch import Layouts
+from estimator.layouts.surfaces import (
+    clamp_to_patch_mm,
+    pointwise,
+    surfaces,
+    to_object,
+    turned_to_object,
+)
 from tests.support.objects.body_cases import body_spec
 
 BODIES = ("capsule", "ellipsoid", "cylinder", "dome_on_core")
@@ -28,8 +35,26 @@ def laid(spec, face, surface):
     index = spec.body.sensed.index(face)
     xyd = np.array([body.centre_mm * [1, 1, -1] for body in magnet_bodies(spec)[index]])
     xy = np.array(sensor_places(spec)[index])[:, :2]
-    centre, axes = surface.magnets(torch.tensor(xyd))
-    return centre, axes[..., 2], *surface.chips(torch.tensor(xy))
+    return placed(surface, torch.tensor(xyd), torch.tensor(xy))
+
+
+def placed(surface, xyd, xy):
+    """The same of any places, in the object's frame."""
+    layouts = of_places(xyd, xy)
+    (centre, axes), (point, chips) = surface.magnets(layouts), surface.chips(layouts)
+    rows = turned_to_object(surface.of_chips, chips.transpose(-1, -2))
+    found = (
+        to_object(surface.frame, centre),
+        turned_to_object(surface.frame, axes[..., 2]),
+        to_object(surface.of_chips, point),
+        rows,
+    )
+    return [part[0] for part in found]
+
+
+def of_places(xyd, xy):
+    flat = torch.zeros_like(xyd[None, :, :2])
+    return Layouts(xyd[None], flat, torch.ones_like(flat[..., 0]), xy[None])
 
 
 def whole_chain(spec, face):
@@ -55,11 +80,18 @@ def test_gradients_are_those_of_the_surface():
         [[4.0, -5.0, 2.5], [-9.0, 3.0, 4.0]], dtype=torch.float64, requires_grad=True
     )
     xy = torch.tensor([[3.0, -4.0], [-5.0, 2.0]], dtype=torch.float64, requires_grad=True)
-    assert torch.autograd.gradcheck(surface.magnets, (xyd,), eps=1e-3, atol=1e-5)
+
+    def magnets(places):
+        return surface.magnets(of_places(places, xy))
+
+    def chips(places):
+        return surface.chips(of_places(xyd, places))
+
+    assert torch.autograd.gradcheck(magnets, (xyd,), eps=1e-3, atol=1e-5)
     assert torch.autograd.gradcheck(surface.lengths_mm, (xy,), eps=1e-3, atol=1e-5)
-    assert torch.autograd.gradcheck(surface.chips, (xy,), eps=1e-3, atol=1e-4)
-    depth = torch.autograd.grad(surface.magnets(xyd)[0].sum(), xyd)[0][:, 2]
-    assert_allclose(depth, -surface.magnets(xyd)[1][..., 2].detach().sum(dim=1), atol=1e-7)
+    assert torch.autograd.gradcheck(chips, (xy,), eps=1e-3, atol=1e-4)
+    depth = torch.autograd.grad(magnets(xyd)[0].sum(), xyd)[0][:, 2]
+    assert_allclose(depth, -magnets(xyd)[1][0, ..., 2].detach().sum(dim=1), atol=1e-7)
 
 
 def test_a_function_of_points_has_the_slopes_of_its_arguments():
@@ -78,9 +110,16 @@ def test_beside_its_patch_a_part_lies_at_the_border(spec):
             assert surface.frame.covers(near).all()
             assert not surface.frame.covers(1.001 * near).any()
             assert_allclose(near[0, 0] * xy[0, 1], near[0, 1] * xy[0, 0], atol=1e-9)
-            centre, normal = surface.magnets(torch.tensor([[*far[0], 2.5]]))
-            point, axes = surface.chips(torch.tensor(far))
-            assert all(torch.isfinite(values).all() for values in (centre, normal, point, axes))
+            found = placed(surface, torch.tensor([[*far[0], 2.5]]), torch.tensor(far))
+            assert all(torch.isfinite(values).all() for values in found)
+
+
+@pytest.mark.parametrize("sensed", [(1, 2, 3, 4, 5), (1, 2, 3)], ids=str)
+def test_faces_that_are_turned_copies_share_places_and_the_others_do_not(sensed):
+    """Of a cylinder, whose sides are alike and whose end is not."""
+    known = surfaces(body_spec("cylinder", body={"sensed_faces": list(sensed)}))
+    assert len({surface.shape for surface in known.values()}) == 2
+    assert known[2].shape == known[3].shape != known[1].shape
 
 
 def test_boards_sink_as_far_as_their_corners_need():

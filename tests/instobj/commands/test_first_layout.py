@@ -6,11 +6,21 @@ import numpy as np
 import pytest
 
 from design.fabrication.layout import failures, layout_findings
-from design.placement.objects import COARSE, SHELL_VARIANTS, Request, first_fit, spec_of
+from design.placement.objects import (
+    COARSE,
+    SHELL_VARIANTS,
+    Request,
+    ShellVariant,
+    first_fit,
+    fitting_tables,
+    spec_of,
+)
+from estimator.field.seating import all_stay, gap_that_holds_mm
 from estimator.layouts.without_mesh import BRIEF, LevelWithoutMesh, coarse, first_score
 from instobj.commands.first_layout import gain_text, improved
 from instobj.commands.run import check
 
+NEAR = [[-11.6, -1.1], [13.1, 9.0], [-17.4, 8.1], [-20.0, -2.2], [20.9, -7.5]]
 PAD = Request("pad", (60.0, 42.0, 11.0), sensors=2, magnets=4)
 
 
@@ -23,7 +33,7 @@ def placed():
 
 @pytest.fixture(scope="module")
 def moved(placed):
-    return improved(placed, walks=3, steps=12)
+    return improved(placed, rounds=2)
 
 
 def test_a_short_search_finds_better_places_that_pass_every_check(placed, moved):
@@ -39,13 +49,34 @@ def test_a_short_search_finds_better_places_that_pass_every_check(placed, moved)
 
 
 def test_the_same_seed_gives_the_same_places(placed, moved):
-    again, worth = improved(placed, walks=3, steps=12)
+    again, worth = improved(placed, rounds=2)
     assert (again, worth) == moved
 
 
 def test_a_start_that_nothing_beats_stays(placed):
-    """No step: the end of the only walk is its beginning."""
-    assert improved(placed, walks=1, steps=0)[0] == placed
+    assert improved(placed, rounds=0)[0] == placed
+
+
+def test_a_start_that_walks_do_not_mend_is_worth_nothing(placed):
+    """Chips of a small range, which saturate wherever they are."""
+    broken = placed | {"sensors": placed["sensors"] | {"range_mt": 0.5, "counts_per_mt": 1000.0}}
+    assert improved(broken) == (broken, np.inf)
+
+
+def test_magnets_that_pull_each_other_out_break_the_gap_at_which_they_would_stay():
+    """On a cylinder's sides, where two magnets that a walk brought together are turned to each other."""
+    shell = ShellVariant(8.0, 6.0, 5.0, 3.0)
+    placed = next(fitting_tables(Request("cylinder", (50.0, 50.0, 80.0), 2), (shell,), COARSE))
+    assert all_stay(spec_of(placed))
+    end = placed["magnets"]["positions_mm"][0]
+    together = spec_of(
+        placed | {"magnets": placed["magnets"] | {"positions_mm": [end, *4 * [NEAR]]}}
+    )
+    assert not all_stay(together)
+    gap, level = gap_that_holds_mm(together), LevelWithoutMesh.create(coarse(together))
+    broken = [float(one.losses(one.point)[0]) for one in (level, level.with_gap(gap))]
+    assert broken[0] + 0.5 < broken[1]
+    assert 0 < gap < 9
 
 
 def test_bounds_of_few_places_are_those_of_more(placed):

@@ -15,11 +15,14 @@ from design.placement.objects import (
     fitting_tables,
     spec_of,
 )
+from design.processes import MEMORY_SWITCH
+from design.spec_io import load_spec
 from estimator.layouts.without_mesh import FirstScore, first_score
 from instobj.commands.first_layout import improved, parts_that_help
 from instobj.commands.new import placed_text
 from instobj.commands.outlook import (
     expected_text,
+    memory_text,
     next_step_text,
     outlook_text,
     with_edges_that_fit,
@@ -63,7 +66,7 @@ def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     assert told.startswith("NO-GO is to be expected; ")
     asked = {key: int(count) for key, count in re.findall(r"--(sensors|magnets) (\d+)", told)}
     assert asked
-    more, _ = improved(placed(replace(request, **asked)), 8, 25)
+    more, _ = improved(placed(replace(request, **asked)), rounds=3)
     assert first_score(spec_of(more)).within > score.within + 0.05
 
 
@@ -98,6 +101,18 @@ def test_bounds_to_expect_are_said_with_how_sure_they_are_and_the_share_within_t
 def test_contact_locations_of_a_large_body_lie_farther_apart(big):
     assert big[1]["contact_grid"]["pitch_mm"] > 3
     assert placed(Request("box", (70.0, 50.0, 35.0), 2))["contact_grid"]["pitch_mm"] == 3
+
+
+def test_check_says_before_any_mesh_that_a_body_cannot_be_scored(big, tmp_path, monkeypatch):
+    """With the usual edges a box of 150 mm needs 38 GiB; with those of `new` it does not."""
+    request, tables = big
+    monkeypatch.setenv(MEMORY_SWITCH, "15.5")
+    paths = [tmp_path / "usual.toml", tmp_path / "longer.toml"]
+    for path, placed in zip(paths, (tables, with_edges_that_fit(request, tables)), strict=True):
+        path.write_text(specification_text(path.stem, tmp_path, placed), encoding="utf-8")
+    with pytest.warns(UserWarning, match="cannot be scored here.*response.*mesh.edge_mm"):
+        check_specifications(paths[:1], [])
+    assert memory_text(load_spec(paths[1], [])) == ""
 
 
 def test_check_says_the_bounds_of_new_and_why_where_it_cannot(big, tmp_path):
