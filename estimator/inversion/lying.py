@@ -67,12 +67,12 @@ def log_evidence_without(
 ) -> Float[np.ndarray, "frame"]:
     """Return the log evidence of sets found without a chip, one a frame, on the scale of those of frames
     in which all is believed: what the chip shows may be anything in its range."""
-    seen = observations.without(chip)
-    out = observations.sigma != seen.sigma
+    without_chip = observations.without(chip)
+    out = observations.sigma != without_chip.sigma
     anywhere = np.log(2 * full_scale_counts(search.model.spec.sensors))
     # 1 / range instead of 1 / (σ √(2π)) for each channel of the chip, and what the others share
     lost = np.where(out, anywhere - np.log(np.sqrt(2 * np.pi) * observations.sigma), 0.0)
-    spread = observations.white.log_spread() - seen.white.log_spread()
+    spread = observations.white.log_spread() - without_chip.white.log_spread()
     return sets.log_evidence + spread - lost.sum(axis=1)
 
 

@@ -62,8 +62,8 @@ def chips(
         frame, surface = presses.patches[0].surface.frame, presses.patches[index].surface
         local, columns = surface.chips(layouts.layouts_of_face(surface.number))
         turn = local.new_tensor(frame.axes.tolist())
-        point = to_object(surface.of_chips, local) - local.new_tensor(frame.centre_mm.tolist())
-        axes = turned_to_object(surface.of_chips, columns.transpose(-1, -2)) @ turn
+        point = to_object(surface.chip_frame, local) - local.new_tensor(frame.centre_mm.tolist())
+        axes = turned_to_object(surface.chip_frame, columns.transpose(-1, -2)) @ turn
         return (point @ turn).permute(2, 0, 1), axes
     depth = torch.full_like(layouts.sensor_mm[..., :1], -depth_mm)
     local = torch.cat([layouts.sensor_mm, depth], dim=-1)

@@ -144,10 +144,10 @@ def clamp_to_candidates(scorer: LayoutScorer, layouts: Layouts) -> Layouts:
         # faces that share layouts and candidates go on sharing
         key = id(layouts_of_face), *first.flatten().tolist(), *last.flatten().tolist()
         if key not in same:
-            same[key] = within(layouts_of_face, first, last)
+            same[key] = clamped(layouts_of_face, first, last)
         return same[key]
 
-    def within(layouts_of_face: Layouts, first: Tensor, last: Tensor) -> Layouts:
+    def clamped(layouts_of_face: Layouts, first: Tensor, last: Tensor) -> Layouts:
         if scorer.sensors_move:
             xy = torch.maximum(
                 torch.minimum(layouts_of_face.sensor_mm, last[..., :2]), first[..., :2]

@@ -60,7 +60,7 @@ class Surface:
         return tuple((frame.relief, frame.half_extents_mm, frame.round) for frame in frames)
 
     @property
-    def of_chips(self) -> FaceFrame:
+    def chip_frame(self) -> FaceFrame:
         """The face that boards are mounted on."""
         return self.core if self.spec.arrangement == "sensors-in-core" else self.frame
 
@@ -75,7 +75,7 @@ class Surface:
     def chips(
         self, layouts: Layouts
     ) -> tuple[Float[Tensor, "layout sensor 3"], Float[Tensor, "layout sensor 3 3"]]:
-        """Sensing points (mm) and chips' axes as columns, in the coordinates of `of_chips`."""
+        """Sensing points (mm) and chips' axes as columns, in the coordinates of `chip_frame`."""
         values = self._placed("sensors", layouts, layouts.sensor_mm, self._sensors)
         return values[..., :3], values[..., 3:12].unflatten(-1, (3, 3))
 
@@ -113,8 +113,8 @@ class Surface:
     def _chips(
         self, xy_mm: Float[np.ndarray, "n 2"], depth_mm: Float[np.ndarray, "n"]
     ) -> Float[np.ndarray, "n 12"]:
-        xy = clamp_to_patch_mm(self.of_chips, xy_mm)
-        point, axes = self.of_chips.raised(np.column_stack([xy, -depth_mm]))
+        xy = clamp_to_patch_mm(self.chip_frame, xy_mm)
+        point, axes = self.chip_frame.raised(np.column_stack([xy, -depth_mm]))
         board = board_frame(_azimuths(xy_mm))
         return _joined(point, axes @ board @ chip_on_board(self.spec.sensors))
 

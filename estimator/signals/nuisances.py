@@ -123,5 +123,5 @@ def _drawn_dipoles_mt(
     far_mm = np.linalg.norm(offset_mm, axis=2, keepdims=True)
     direction = offset_mm / far_mm
     # Dipole (Jackson, Classical Electrodynamics, 3rd ed., 5.56), μ0/4π = 1e-7; mT and mm: 1e3 · 1e9
-    along = (direction * moment).sum(axis=2, keepdims=True)
-    return 1e5 / far_mm**3 * (3 * direction * along - moment)
+    projection = (direction * moment).sum(axis=2, keepdims=True)
+    return 1e5 / far_mm**3 * (3 * direction * projection - moment)

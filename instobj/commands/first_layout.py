@@ -35,7 +35,7 @@ from estimator.layouts.without_mesh import (
 from instobj.commands.outlook import percent_text
 from instobj.commands.run import check
 
-_BRIEF = 2
+BRIEF = 2
 """Rounds of walks where layouts are compared that are not taken."""
 _MANY = 9
 """Magnets of a face, where the usual number is seen too little."""
@@ -69,7 +69,7 @@ def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
             yield more
     yield few
     # nearer to the start, where that cannot be made
-    yield improved(start[1], _BRIEF)[0]
+    yield improved(start[1], BRIEF)[0]
     yield start[1]
 
 
@@ -183,7 +183,7 @@ def gain_text(content: Tables) -> str:
     tables = content | {"sensors": dict(content["sensors"])}
     tables["sensors"].pop("rotations_deg", None)
     try:
-        now, better = (first_score(spec_of(t)) for t in (tables, improved(tables, *BRIEF)[0]))
+        now, better = (first_score(spec_of(t)) for t in (tables, improved(tables, BRIEF)[0]))
     except InputError as error:
         return f"what a better layout of the same parts would gain cannot be said: {error}"
     fallen = (
@@ -223,7 +223,7 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         if placed is None or spec_of(placed).body.sensed != spec.body.sensed:
             continue
         placed["sensors"]["range_mt"] = spec.sensors.range_mt
-        within = first_score(spec_of(improved(placed, _BRIEF)[0])).within
+        within = first_score(spec_of(improved(placed, BRIEF)[0])).within
         if within > best or within == 1:
             more = magnets if magnets > spec.magnets.count else None
             best, help_text = within, _parts_text(sensors_more, (larger.sensors, more))

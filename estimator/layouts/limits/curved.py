@@ -29,12 +29,12 @@ from estimator.layouts.limits.parts import (
     Pockets,
     boards_of,
     chips_near_magnets_mm,
-    in_object,
     missing_beside_hole_mm,
     outlines_mm,
     pocket_gaps_across_edges_mm,
     pocket_gaps_mm,
     pockets_of,
+    prisms_in_object,
 )
 from estimator.layouts.surfaces import (
     Surface,
@@ -62,7 +62,7 @@ def broken_on_surfaces_mm(
     laid = {number: layouts.layouts_of_face(number) for number in by_number}
     pockets = {n: laid[n].kept("pockets", (), lambda n=n: pockets_of(spec, laid[n])) for n in laid}
     of_faces = {n: _placed(surface, laid[n], pockets[n]) for n, surface in by_number.items()}
-    placed = {n: in_object(by_number[n].frame, prisms) for n, prisms in of_faces.items()}
+    placed = {n: prisms_in_object(by_number[n].frame, prisms) for n, prisms in of_faces.items()}
     centres = {n: to_object(s.frame, s.magnets(laid[n])[0]) for n, s in by_number.items()}
     moving = spec.search.vary.sensor_reach_mm is not None
     radius, judged = pockets[face].radius, _unlike(by_number, laid)
@@ -74,7 +74,7 @@ def broken_on_surfaces_mm(
 
     def chips_near_magnets(number: int) -> Float[Tensor, "layout"]:
         surface = by_number[number]
-        chips = to_object(surface.of_chips, surface.chips(laid[number])[0])
+        chips = to_object(surface.chip_frame, surface.chips(laid[number])[0])
         return chips_near_magnets_mm(spec, number, chips, centres)
 
     violations = {

@@ -154,10 +154,10 @@ def pocket_gaps_across_edges_mm(
 
 def placed_pockets(frame: FaceFrame, pockets: Pockets) -> Prisms:
     """Pockets of a face in the object's frame: ends of their axes, and these."""
-    return in_object(frame, (pockets.floor, pockets.top, pockets.axis))
+    return prisms_in_object(frame, (pockets.floor, pockets.top, pockets.axis))
 
 
-def in_object(frame: FaceFrame, prisms: Prisms) -> Prisms:
+def prisms_in_object(frame: FaceFrame, prisms: Prisms) -> Prisms:
     """The same of ends and axes in the coordinates of the face's plane."""
     turn, centre = (prisms[0].new_tensor(part.tolist()) for part in (frame.axes, frame.centre_mm))
     # i object coordinate, j face axis, l layout, m magnet

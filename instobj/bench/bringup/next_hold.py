@@ -100,8 +100,8 @@ def chips_part(
     k = np.arange(holds)
     by_hold = slope[:readings].reshape(holds, -1, slope.shape[1])
     of_pose = by_hold[:, :, :poses].reshape(holds, by_hold.shape[1], holds, -1)[k, :, k]
-    of_chips = by_hold[:, :, poses:]
+    chip_frame = by_hold[:, :, poses:]
     prior = slope[readings:][:poses, :poses].reshape(holds, -1, holds, poses // holds)
     normal = of_pose.mT @ of_pose + (prior**2)[k, :, k]
-    across = of_chips.mT @ of_pose
-    return of_chips.mT @ of_chips - across @ np.linalg.solve(normal, across.mT)
+    across = chip_frame.mT @ of_pose
+    return chip_frame.mT @ chip_frame - across @ np.linalg.solve(normal, across.mT)

@@ -12,8 +12,7 @@ from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.problems import empty
 from estimator.inversion.tracking import Tracker
-from tests.estimator.inversion.test_turned import motion_of, right
-from tests.support.mechanics.inverted import SPEC, contacts, inverted
+from tests.support.mechanics.inverted import SPEC, contacts, inverted, motion_of, right
 from tests.support.turned_frames import foreign_magnets_t, zeroed_counts
 
 FRAMES = 30

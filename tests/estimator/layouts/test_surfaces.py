@@ -42,11 +42,11 @@ def placed(surface, xyd, xy):
     """The same of any places, in the object's frame."""
     layouts = of_places(xyd, xy)
     (centre, axes), (point, chips) = surface.magnets(layouts), surface.chips(layouts)
-    rows = turned_to_object(surface.of_chips, chips.transpose(-1, -2))
+    rows = turned_to_object(surface.chip_frame, chips.transpose(-1, -2))
     found = (
         to_object(surface.frame, centre),
         turned_to_object(surface.frame, axes[..., 2]),
-        to_object(surface.of_chips, point),
+        to_object(surface.chip_frame, point),
         rows,
     )
     return [part[0] for part in found]

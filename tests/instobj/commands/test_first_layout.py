@@ -16,8 +16,8 @@ from design.placement.objects import (
     spec_of,
 )
 from estimator.field.seating import all_stay, gap_that_holds_mm
-from estimator.layouts.without_mesh import BRIEF, LevelWithoutMesh, coarse, first_score
-from instobj.commands.first_layout import gain_text, improved
+from estimator.layouts.without_mesh import LevelWithoutMesh, coarse, first_score
+from instobj.commands.first_layout import BRIEF, gain_text, improved
 from instobj.commands.run import check
 
 NEAR = [[-11.6, -1.1], [13.1, 9.0], [-17.4, 8.1], [-20.0, -2.2], [20.9, -7.5]]
@@ -93,7 +93,7 @@ def test_what_a_better_layout_would_gain_is_what_first_scores_say(placed, moved)
     said = gain_text(placed)
     shares = [float(share) for share in re.findall(r"(\d+) % smaller", said)]
     assert len(shares) == 2
-    found, _ = improved(placed, *BRIEF)
+    found, _ = improved(placed, BRIEF)
     before, after = first_score(spec_of(placed)), first_score(spec_of(found))
     assert shares[0] == pytest.approx(100 * (1 - after.median_mm / before.median_mm), abs=1)
     assert shares[1] == pytest.approx(

@@ -8,7 +8,7 @@ from design.layout.places.contact_grid import contact_grid
 from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import Inversion, inversion
 from estimator.signals.presses import press_signals
-from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, face_motion, synthetic_presses
 from tests.support.recordings.frame_sets import frame_set
 
 SPEC = coarse_spec(contact_grid={"count": (9, 9), "pitch_mm": 3.0})
@@ -79,3 +79,18 @@ def labelled_frames(face, xy, force):
     """Labelled frames without signals worth the name."""
     signal = np.zeros((len(face), 5, 3, 3))
     return frame_set(signal, face, xy, force, source="simulated")
+
+
+def motion_of(face, contact):
+    """Motions of the magnets under all contacts of each frame, by the object's own law."""
+    moved = np.zeros((len(face), 25, 6))
+    for row, slot in np.argwhere(face >= 0):
+        x, y, force = contact[row, slot]
+        moved[row] += face_motion(SPEC, face[row, slot] + 1, np.array([x, y]), np.array(force))
+    return moved
+
+
+def right(found, face):
+    """Frames with as many contacts on every face."""
+    faces = np.sort(np.where(face >= 0, face + 1, 0), axis=1)
+    return np.all(np.sort(found.face, axis=1) == faces, axis=1)
