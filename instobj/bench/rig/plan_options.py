@@ -15,7 +15,7 @@ class PlanKey(NamedTuple):
     least: float
     whole: bool
     of_settings: bool
-    told: str
+    meaning: str
 
 
 PLAN_KEYS = {
