@@ -49,8 +49,12 @@ def collect(
             min=0, help="Frames of the baseline, taken at the start with nothing touching."
         ),
     ] = 20,
-    seconds: Seconds = None,
-    frames: Annotated[int | None, typer.Option(min=1, help="Stop after this many frames.")] = None,
+    stop: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FRAMES|TIME", help="Stop after so many frames, 100, or seconds, 10s."
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Collect labelled frames from a board (or a replay) into a recording to calibrate with."""
@@ -59,6 +63,7 @@ def collect(
 
     serial_port, baud = port_and_baud(port)
     file, speed = replayed_file(replay)
+    frames, seconds = _end_of(stop)
     options = CollectOptions(
         out, serial_port, file, load_port, baud, speed, tuple(place or ()),
         zero_frames=zero, seconds=seconds, frames=frames,
@@ -241,6 +246,21 @@ def material(
     from instobj.commands.material import describe_material
 
     show(describe_material(source, out), as_json)
+
+
+def _end_of(stop: str | None) -> tuple[int | None, float | None]:
+    """Frames or seconds after which a recording ends, of `100` or `10s`."""
+    if stop is None:
+        return None, None
+    if stop.isdecimal() and int(stop):
+        return int(stop), None
+    try:
+        seconds = float(stop.removesuffix("s")) if stop.endswith("s") else -1.0
+    except ValueError:
+        seconds = -1.0
+    if not 0 <= seconds < float("inf"):
+        raise InputError(f"--stop {stop}: give frames, such as 100, or seconds, such as 10s")
+    return None, seconds
 
 
 def _served_at(page: str) -> tuple[str, int]:

@@ -47,6 +47,8 @@ OPTIONS = {
     "--speed": "--replay FILE@SPEED",
     "collect --cells": "--place - for each load cell",
     "collect --force": "--place FACE:X,Y=N",
+    "collect --frames": "--stop 100",
+    "collect --seconds": "--stop 10s",
     "collect --session": "another OUT: each recording is a session of its own",
     "collect --tips": "--place -:- for a load cell of two tips, -:-:- for three",
     "live --force": "--place FACE:X,Y=N",

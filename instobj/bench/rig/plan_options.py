@@ -10,7 +10,7 @@ from design.errors import InputError
 
 
 class PlanKey(NamedTuple):
-    """What a key of `--plan` sets: a choice of `RigOptions` or a field of `PressSettings`, whole or not."""
+    """Key of `--plan`: a choice of `RigOptions` or a field of `PressSettings`, whole or not."""
 
     least: float
     whole: bool

@@ -126,7 +126,7 @@ def test_weights_are_labelled_only_once_the_user_says_so(tmp_path):
 
     with dummy_board(bare) as port:
         command = [sys.executable, "-m", "instobj", "bench", "collect", "cube", "--port", port]
-        command += ["--place", "3:0,0=9.81", "--zero", "15", "--frames", "40"]
+        command += ["--place", "3:0,0=9.81", "--zero", "15", "--stop", "40"]
         process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE, text=True)
         while rows_of(tmp_path) < 15:
             time.sleep(0.05)
