@@ -2,8 +2,8 @@
 
 `meta/info.json` names the channels in the feature `observation.hall_counts`; every episode is a
 session. LeRobot's own stamps are single precision and evenly spaced, so the writer adds a recording's
-stamps and labels as features of their own. The layout is that of the data sets' `meta/info.json`
-(huggingface.co/docs/lerobot, dataset format).
+stamps and labels as further features. The layout follows LeRobot's documentation of its data sets
+(huggingface.co/docs/lerobot); no LeRobot package has read one so far.
 """
 
 from __future__ import annotations
@@ -102,10 +102,10 @@ def _write_episode(folder: Path, episode: int, columns: dict[str, np.ndarray]) -
     parquet.write_table(pyarrow.table(arrays), path)
 
 
-def _statistics(column: np.ndarray) -> dict[str, list[float | None]]:
+def _statistics(column: np.ndarray) -> dict[str, list[float]]:
     """Return least, largest, mean, deviation and number of each number of a feature, as LeRobot has them."""
     values = column.reshape(len(column), -1).astype(float)
-    # a channel without any reading has none of these: JSON knows no NaN
+    # JSON knows no NaN: of a channel without any reading all are 0
     some = np.isfinite(values)
     filled = np.where(some, values, 0.0)
     number = some.sum(axis=0).clip(1)
@@ -117,9 +117,7 @@ def _statistics(column: np.ndarray) -> dict[str, list[float | None]]:
         "mean": mean,
         "std": deviation,
     }
-    result: dict[str, list[float | None]] = {
-        name: [x if np.isfinite(x) else 0.0 for x in part.tolist()] for name, part in parts.items()
-    }
+    result = {name: np.where(np.isfinite(x), x, 0.0).tolist() for name, x in parts.items()}
     return result | {"count": [len(column)]}
 
 
