@@ -102,7 +102,7 @@ def _write_episode(folder: Path, episode: int, columns: dict[str, np.ndarray]) -
     parquet.write_table(pyarrow.table(arrays), path)
 
 
-def _statistics(column: np.ndarray) -> dict[str, list[float]]:
+def _statistics(column: np.ndarray) -> dict[str, list[Any]]:
     """Return least, largest, mean, deviation and number of each number of a feature, as LeRobot has them."""
     values = column.reshape(len(column), -1).astype(float)
     # JSON knows no NaN: of a channel without any reading all are 0
