@@ -23,12 +23,12 @@ from design.layout.places.contact_grid import contact_grid
 from design.layout.surface import sealed_body_surface
 from design.spec.object import ObjectSpec
 from estimator.frames.heatmap import mm_to_pixel
-from estimator.recordings.formats.robot import lerobot_features, write_bag
+from estimator.recordings.formats.robot import lerobot_features, write_bag, write_lerobot
 
 if TYPE_CHECKING:
     import trimesh
 
-__all__ = ["foxglove_channels", "lerobot_features", "write_bag"]
+__all__ = ["foxglove_channels", "lerobot_features", "write_bag", "write_lerobot"]
 
 Document = dict[str, Any]
 """One frame as `instobj predict` prints it."""

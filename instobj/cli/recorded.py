@@ -30,7 +30,8 @@ def recordings(
     out: Annotated[
         Path,
         typer.Option(
-            help="Folder for runs/; NAME.mcap: write one recording as a bag of ROS 2, unchanged."
+            help="Folder for runs/; NAME.mcap, NAME.lerobot: write one recording as a bag of ROS 2, or a "
+            "data set of LeRobot, unchanged."
         ),
     ] = HERE,
     as_json: AsJson = False,

@@ -36,7 +36,8 @@ if TYPE_CHECKING:
 def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> dict[str, Any]:
     """Read recordings into one data set, `runs/<stems>/frames.nc`, and say what was found.
 
-    Where `out` is NAME.mcap, one recording is written there as a bag, as it is.
+    Where `out` is NAME.mcap or NAME.lerobot, one recording is written there as a bag, or as a data set of
+    LeRobot, as it is.
 
     `spec` gives the contact grid, the sensed faces, the chip's range and the size of an object that
     is not the paper's cube.
@@ -50,7 +51,7 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
     from estimator.recordings.combine import combine, faults_between
     from estimator.recordings.reading import read_recording
 
-    if out.suffix == ".mcap":
+    if out.suffix in (".mcap", ".lerobot"):
         return _converted(files, out)
     require_writable(out)
     progress = ProgressLine()
@@ -84,11 +85,12 @@ def read_recordings(files: list[Path], out: Path, spec: Path | None = None) -> d
 
 
 def _converted(files: list[Path], out: Path) -> dict[str, Any]:
-    from estimator.recordings.formats.robot import write_bag
+    from estimator.recordings.formats.robot import write_bag, write_lerobot
 
     if len(files) != 1:
         raise InputError(f"{out} takes one recording; got {len(files)}. Convert one at a time")
-    write_bag(files[0], out)
+    write = write_bag if out.suffix == ".mcap" else write_lerobot
+    write(files[0], out)
     return {"command": "recordings", "files": file_rows([out])}
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from estimator.inversion.model.arrays import Array, apply_in_chunks, float32, library, like, zeros
+from estimator.inversion.model.arrays import Array, apply_in_chunks, float32, like, zeros
 from estimator.inversion.model.forward import NONE, ContactModel
 from estimator.inversion.model.table import PressTable
 
@@ -58,7 +58,8 @@ class JointResponse:
         expected = zeros(self.table.coefficients, (*face.shape, self.table.coefficients.shape[-1]))
         expected[touching] = self.table.expected(face[touching], contact[touching])
         weight = float32(share)[..., None]
-        alone = (expected[..., :channels] * weight).sum(1)
+        # sums each contact's share of its signals: (object, 1, contact) @ (object, contact, channel)
+        alone = (weight.swapaxes(1, 2) @ expected[..., :channels])[:, 0]
         if face.shape[1] < 2:
             return alone
         return alone + self._interaction(expected[..., channels:], weight)
@@ -75,8 +76,9 @@ class JointResponse:
         together = shared.sum(1)
         # (Σ w m)(Σ w m)ᵀ − Σ w m mᵀ of each body: 0 for one contact, however often it is split
         pairs = together[..., :, None] * together[..., None, :]
-        # o object, c contact, b body, i and j components of its motion
-        pairs = pairs - library(shared).einsum("ocbi,ocbj->obij", shared, each)
+        # sums w m mᵀ over contacts: (object, body, component, contact) @ (…, contact, component)
+        contact_last, contact_third = shared.swapaxes(1, 2).swapaxes(2, 3), each.swapaxes(1, 2)
+        pairs = pairs - contact_last @ contact_third
         return pairs.reshape(objects, -1) @ self.curvature
 
 

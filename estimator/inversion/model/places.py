@@ -61,8 +61,8 @@ class SurfacePlaces:
         away = points_mm - self.point_mm[sample]
         normal = self.normal[sample]
         height = (away * normal).sum(-1)
-        # s sample, i in the face's plane, j coordinate of the object
-        shift = xp.einsum("sij,sj->si", self.across[sample], away)
+        # each sample's change of place in its plane times the way from it
+        shift = (self.across[sample] @ away[..., None])[..., 0]
         share = (self.xy_mm[sample] + shift) / self.half_mm[sample]
         outside = xp.where(
             self.round[sample], (share**2).sum(-1), abs(share[:, 0]).clip(abs(share[:, 1]))

@@ -94,9 +94,9 @@ class PressTable:
         self, face: Int[Array, "n"], contact: Float[Array, "n 3"]
     ) -> Float[Array, "n channel"]:
         """Channels of contacts as in `values`, without derivatives."""
-        first, weights = self._weights(face, contact)
+        first, weights = self._weights(face, contact, 1)
         if isinstance(self.coefficients, np.ndarray):
-            return (weights[:, :1] @ self._blocks(*first))[:, 0]
+            return (weights @ self._blocks(*first))[:, 0]
         nf, channels = self.coefficients.shape[-2:]
         places, (*_, jf) = self._rows(*first[:3]), first
         rows = (places * nf + jf[:, None])[..., None] + like(jf, np.arange(4))
@@ -112,18 +112,23 @@ class PressTable:
         first, weights = self._weights(face, contact)
         return weights @ self._blocks(*first)
 
-    def _weights(self, face: Array, contact: Array) -> tuple[tuple[Array, ...], Array]:
-        """Return where each contact's 64 coefficients begin, and their weights for value and derivatives."""
+    def _weights(
+        self, face: Array, contact: Array, wanted: int = 4
+    ) -> tuple[tuple[Array, ...], Array]:
+        """Return where each contact's 64 coefficients begin, and their weights.
+
+        These are for the first `wanted` of value and derivatives by x, y and force.
+        """
         shifted_root = (contact[:, 2].clip(0.0) + _NEAR_ZERO_N) ** 0.5
         point = contact[:, 0], contact[:, 1], shifted_root - _FIRST_ROOT
         first, axis_weights = self._axes.weights(point)
         axis_weights[2, :, :, 1] /= (2 * shifted_root)[:, None]
         of_x, of_y, of_force = float32(axis_weights).reshape(3, len(face), 8)
-        take_x, take_y, take_force, _, _ = self._places
+        take_x, take_y, take_force = (take[:wanted] for take in self._places[:3])
         weights = chosen(of_y, take_y)
         weights *= chosen(of_force, take_force)
         weights = chosen(of_x, take_x)[..., None] * weights[:, :, None]
-        return (face, *first), weights.reshape(len(face), 4, 64)
+        return (face, *first), weights.reshape(len(face), wanted, 64)
 
     @cached_property
     def _axes(self) -> CubicAxes:

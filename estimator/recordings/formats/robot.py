@@ -2,8 +2,7 @@
 
 A bag (a rosbag2 folder, or one `.mcap` or `.db3` file of it) has two topics. The names of all
 columns come once, as `instobj_msgs/Layout` on /instobj/layout, and numbers often, as
-`instobj_msgs/Frame` on /instobj/frames. A LeRobot data set (version 3: `meta/info.json` and Parquet
-files) names its channels in the feature `observation.hall_counts`; every episode is a session.
+`instobj_msgs/Frame` on /instobj/frames. LeRobot data sets: `estimator.recordings.formats.lerobot`.
 An MCAP file that ROS did not write is read where a JSON topic names its numbers so: {"time_s": 0.1,
 "F1-X1": 12, …}; without `time_s` the file's own stamps count.
 Stamps are kept to 1 ns, numbers exactly.
@@ -27,9 +26,9 @@ import numpy as np
 
 from design.errors import InputError, RecordingError
 from design.files import atomic_path, require_regular_file
+from estimator.recordings.formats.lerobot import counts_feature, data_set_rows, write_data_set
 
 LAYOUT, FRAMES = "/instobj/layout", "/instobj/frames"
-HALL_COUNTS = "observation.hall_counts"
 MESSAGES = {
     "instobj_msgs/msg/Layout": """\
 # Names of the numbers of each Frame, sent once (transient local).
@@ -72,7 +71,7 @@ def robot_csv(path: Path) -> bytes:
         The extra `instobj[robot]` is not installed.
     """
     if (path / "meta").is_dir():
-        rows = _lerobot_rows(path)
+        rows = data_set_rows(path)
     else:
         rows = _json_rows(path) if _is_other_mcap(path) else _bag_rows(path)
     text = io.StringIO()
@@ -120,6 +119,55 @@ def write_bag(recording: Path | str, bag: Path | str) -> None:
     with tempfile.TemporaryDirectory() as folder, atomic_path(path) as temporary:
         _write_folder(Path(folder) / "bag", *table)
         shutil.move(Path(folder) / "bag" / "bag.mcap", temporary)
+
+
+def write_lerobot(recording: Path | str, folder: Path | str) -> None:
+    """Write a recording as a LeRobot data set (version 2.1) of raw counts.
+
+    Consecutive frames of one session are an episode. `timestamp` is even, as LeRobot wants it; the
+    feature `instobj.time_ns` keeps the stamps, `instobj.labels` all labels.
+
+    Parameters
+    ----------
+    recording : path
+        Generic CSV, bag or LeRobot data set with stamps (`time_s`, s) from 0 on. Counts are whole
+        numbers of 24 bits at most.
+    folder : path
+        Folder to be made.
+
+    Returns
+    -------
+    None
+
+    Raises
+    ------
+    InputError
+        No such file, the folder exists, or stamps (`time_s`) are missing or below 0.
+    ImportError
+        The extra `instobj[robot]` is not installed.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> import instobj
+    >>> _ = Path("a.csv").write_text("time_s,F1-X1\\n0.0,12\\n0.1,15\\n")
+    >>> instobj.robot.write_lerobot("a.csv", "presses.lerobot")
+    >>> sorted(path.name for path in Path("presses.lerobot").iterdir())
+    ['data', 'meta']
+    """
+    path = Path(folder)
+    if path.exists():
+        raise InputError(f"{path} exists already. Give the data set another name")
+    header, stamps_ns, rows = _numbers_of(Path(recording))
+    values, time = np.array(rows), header.index("time_s")
+    channels = [n for n, name in enumerate(header) if _CHANNEL.fullmatch(name)]
+    labels = [n for n in range(len(header)) if n != time and n not in channels]
+    named = [header[n] for n in labels], values[:, labels]
+    stamps = np.array(stamps_ns, np.int64)
+    with tempfile.TemporaryDirectory(dir=path.absolute().parent) as temporary:
+        made = Path(temporary) / "set"
+        write_data_set(made, [header[n] for n in channels], values[:, channels], stamps, named)
+        made.rename(path)
 
 
 def _numbers_of(path: Path) -> tuple[list[str], list[int], list[list[float]]]:
@@ -342,29 +390,4 @@ def lerobot_features(channels: list[str]) -> dict[str, dict[str, Any]]:
     wrong = [name for name in channels if not _CHANNEL.fullmatch(name)]
     if wrong:
         raise InputError(f"{wrong[0]!r} is no channel. Give names such as F1-X1")
-    return {HALL_COUNTS: {"dtype": "float32", "shape": (len(channels),), "names": list(channels)}}
-
-
-def _lerobot_rows(path: Path) -> Iterator[list[Any]]:
-    from pyarrow import parquet
-
-    try:
-        features = json.loads((path / "meta/info.json").read_text())["features"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise RecordingError(f"its meta/info.json cannot be read ({error})") from None
-    names = (features.get(HALL_COUNTS) or {}).get("names")
-    if not names:
-        raise RecordingError(
-            f"its features are {', '.join(features)}; raw counts belong into {HALL_COUNTS}, with the "
-            "channels' names"
-        )
-    yield ["time_s", "session", *names]
-    columns = ["timestamp", "episode_index", HALL_COUNTS]
-    for part in sorted((path / "data").rglob("*.parquet")):
-        try:
-            table = parquet.read_table(part, columns=columns).to_pydict()
-        except (OSError, ValueError, KeyError) as error:
-            raise RecordingError(f"{part.name} cannot be read ({error})") from None
-        for stamp, episode, counts in zip(*(table[name] for name in columns), strict=True):
-            cells = _cells(counts, [True] * len(names))
-            yield [f"{stamp:.9f}", str(episode + 1), *cells]
+    return counts_feature(list(channels))

@@ -10,12 +10,13 @@ from numpy.testing import assert_allclose, assert_array_equal
 from design.errors import InputError, RecordingError
 from estimator.adoption.text_table import read_text_table
 from estimator.recordings.formats.files import read_signals, read_table
+from estimator.recordings.formats.lerobot import HALL_COUNTS
 from estimator.recordings.formats.robot import (
-    HALL_COUNTS,
     MESSAGES,
     lerobot_features,
     robot_csv,
     write_bag,
+    write_lerobot,
 )
 from tests.support.cli import run
 from tests.support.recordings.generic_csv import write_generic_csv
@@ -133,6 +134,60 @@ def test_a_lerobot_data_set_is_read_by_the_names_of_its_feature(tmp_path):
     assert_array_equal(read[:, 1, 0, 0], counts[:, 0])
     assert_array_equal(read[:, 1, 2, 2], counts[:, 1])
     assert_array_equal(np.round(time_s, 6), np.tile(np.arange(20) / 10, 2))
+
+
+def test_a_written_lerobot_data_set_holds_what_the_recording_holds(table, tmp_path):
+    write_generic_csv(table, tmp_path / "a.csv")
+    write_lerobot(tmp_path / "a.csv", tmp_path / "set")
+    same(read_table(tmp_path / "set"), read_table(tmp_path / "a.csv"))
+
+
+def test_a_written_lerobot_data_set_keeps_every_count_and_stamp(tmp_path):
+    # stamps of a clock with 1 ns, the largest count of 24 bits, a gap, two sessions, an unknown label
+    lines = [
+        "1700000000.123456789,1,16777215,,0.25",
+        "1700000000.223456788,1,-7,3,",
+        "1700000001.000000001,2,2,2,1e-9",
+    ]
+    header = "time_s,session,F1-X1,F1-Y1,cell1_force_n"
+    (tmp_path / "a.csv").write_text("\n".join([header, *lines]))
+    done = run("recordings", "a.csv", "--out", "b.lerobot", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    read, *rows = robot_csv(tmp_path / "b.lerobot").decode().splitlines()
+    order = [header.split(",").index(name) for name in read.split(",")]
+    assert sorted(order) == list(range(5))
+    for row, line in zip(rows, lines, strict=True):
+        cells = line.split(",")
+        stamp, *values = row.split(",")
+        wanted_stamp, *wanted = [cells[n] for n in order]
+        assert stamp == wanted_stamp
+        numbers = [[float(cell or "nan") for cell in part] for part in (values, wanted)]
+        assert_array_equal(*numbers)
+
+
+def test_a_written_lerobot_data_set_has_the_layout_that_its_info_states(tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    rows = "".join(f"{10 + k / 50},{1 + (k >= 30)},{k},{-k}\n" for k in range(50))
+    (tmp_path / "a.csv").write_text("time_s,session,F1-X1,F2-Z3\n" + rows)
+    write_lerobot(tmp_path / "a.csv", tmp_path / "set")
+    meta = tmp_path / "set" / "meta"
+    info = json.loads((meta / "info.json").read_text())
+    assert (info["codebase_version"], info["fps"]) == ("v2.1", 50)
+    assert (info["total_episodes"], info["total_frames"]) == (2, 50)
+    assert info["features"][HALL_COUNTS]["names"] == ["F1-X1", "F2-Z3"]
+    lengths = [json.loads(line)["length"] for line in (meta / "episodes.jsonl").open()]
+    stats = [json.loads(line)["stats"] for line in (meta / "episodes_stats.jsonl").open()]
+    assert lengths == [30, 20]
+    assert stats[1][HALL_COUNTS]["min"] == [30, -49]
+    assert stats[1][HALL_COUNTS]["mean"] == [39.5, -39.5]
+    for episode, length in enumerate(lengths):
+        path = info["data_path"].format(episode_chunk=0, episode_index=episode)
+        frames = parquet.read_table(tmp_path / "set" / path)
+        assert set(frames.column_names) == set(info["features"])
+        assert frames["episode_index"].to_pylist() == [episode] * length
+        assert_allclose(frames["timestamp"].to_numpy(), np.arange(length) / 50, atol=1e-4)
+    with pytest.raises(InputError, match="exists already"):
+        write_lerobot(tmp_path / "a.csv", tmp_path / "set")
 
 
 def test_a_feature_of_no_channel_is_refused():
