@@ -49,7 +49,7 @@ class Session:
     work: Work = field(default_factory=Work)
 
     def __post_init__(self) -> None:
-        self.shells = Shells.of(self.explorer)
+        self.shells = Shells.beginning_with(self.explorer)
 
     def answer(self, question: str, query: dict[str, Any]) -> dict[str, Any]:
         """Return the answer to one of `QUESTIONS` about a design.
@@ -266,7 +266,7 @@ def _pressed(readings: Pressed, places: Sequence[int]) -> dict[str, Any]:
     return {
         "counts": _jsonable(readings.counts(places).ravel().round(1)),
         "noise_counts": _jsonable(readings.noise_counts.round(1)),
-        "position_mm2": [_jsonable(one) for one in ellipses],
+        "position_mm2": [_jsonable(ellipse) for ellipse in ellipses],
         "motions": [
             _jsonable(body.round(5)) for body in readings.motions[list(places)].sum(axis=0)
         ],

@@ -33,7 +33,7 @@ class Shells:
     _trouble: dict[str, str] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, explorer: Explorer) -> Shells:
+    def beginning_with(cls, explorer: Explorer) -> Shells:
         """Return the shells of a session that begins with one of them."""
         return cls({shell_key(explorer.spec): explorer})
 
