@@ -69,7 +69,7 @@ class Summary:
 
 @dataclass(frozen=True)
 class Pressed:
-    """What a face's chips and bodies do in presses at every place of the grid; NaN where there is none.
+    """Changes of a face's chips and bodies in presses at every place of the grid; NaN where there is none.
 
     Attributes
     ----------

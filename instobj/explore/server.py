@@ -42,7 +42,7 @@ Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 @dataclass
 class Session:
-    """What the page explores: shells, the specification with its file, and long work."""
+    """Shells that the page explores, the specification with its file, and long work."""
 
     explorer: Explorer
     source: Path
