@@ -105,7 +105,7 @@ class Shells:
 
 
 def shell_key(spec: ObjectSpec) -> str:
-    """Return what tells shells apart that the page can ask for."""
+    """Return a name of the shell: its body, thickness and silicone."""
     tables = {name: getattr(spec, name).model_dump(mode="json") for name in SHELL_TABLES}
     return content_key(tables)[:_NAME_LENGTH]
 
