@@ -76,6 +76,8 @@ def main() -> None:
         with Browser(*SIZE) as page:
             page.send("Page.navigate", url=url)
             page.wait('document.getElementById("instobj-explore")?.dataset.ready === "yes"')
+            while not page.ask("instobjExplore.exact()"):  # the shell's own mechanics
+                time.sleep(1)
             dragged(page, 1)  # warm
             ages = dragged(page, QUICK_TURNS if options.quick else TURNS)
     finally:

@@ -84,4 +84,4 @@ def requested_specification(request: Request, say: Callable[[str], None]) -> Pat
     if path.is_file():
         say(f"{path} is there from before: it is opened again")
         return path
-    return new_specification(name, Path(), request, lambda asked: (place_parts(asked), []))
+    return new_specification(name, Path(), request, lambda wanted: (place_parts(wanted), []))

@@ -69,7 +69,7 @@ class Summary:
 
 @dataclass(frozen=True)
 class Pressed:
-    """What a face's chips and bodies do in presses at every place of the grid; NaN where there is none.
+    """Changes of a face's chips and bodies in presses at every place of the grid; NaN where there is none.
 
     Attributes
     ----------
@@ -222,8 +222,8 @@ class _FacePresses:
         moved = np.zeros((parts[0][1].count, bodies, 6))
         for which, basis, rows in parts:
             # the last of four blocks of columns is the motion itself (`PressBasis.own_table`)
-            own = rows[0].double() @ basis.own_table.basis[:, -basis.count :].double()
-            moved[:, slice(None) if which is None else list(which)] = own.permute(2, 0, 1).numpy()
+            moves = rows[0].double() @ basis.own_table.basis[:, -basis.count :].double()
+            moved[:, slice(None) if which is None else list(which)] = moves.permute(2, 0, 1).numpy()
         return moved
 
 
@@ -306,7 +306,7 @@ def open_coarse_explorer(spec: ObjectSpec) -> Explorer:
     by_force = [few.changed(score=few.score.changed(force_n=force)) for force in forces_n]
     presses = {}
     for face in spec.body.sensed:
-        bases = tuple(layer_basis(one, face) for one in by_force)
+        bases = tuple(layer_basis(pressed, face) for pressed in by_force)
         presses[face] = [bases] * len(size_variants(spec))
     return Explorer(spec, forces_n, presses, coarse=True)
 
@@ -314,4 +314,4 @@ def open_coarse_explorer(spec: ObjectSpec) -> Explorer:
 def is_stored(spec: ObjectSpec) -> bool:
     """Return whether the mechanics of a specification's shell is stored."""
     variants = size_variants(spec)
-    return all(Run(one, checked=False).stored("candidates") is not None for one in variants)
+    return all(Run(spec, checked=False).stored("candidates") is not None for spec in variants)

@@ -37,19 +37,20 @@ ADDRESS = "127.0.0.1"
 PAGE = Path(__file__).parent / "page.html"
 _LARGEST_BYTES = 100_000
 """Largest question; a design has a few thousand."""
+Asked = Callable[[dict[str, Any]], Awaitable[dict[str, Any]]]
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 @dataclass
 class Session:
-    """What the page explores: shells, the specification with its file, and long work."""
+    """Shells that the page explores, the specification with its file, and long work."""
 
     explorer: Explorer
     source: Path
     work: Work = field(default_factory=Work)
 
     def __post_init__(self) -> None:
-        self.shells = Shells.of(self.explorer)
+        self.shells = Shells.beginning_with(self.explorer)
 
     def answer(self, question: str, query: dict[str, Any]) -> dict[str, Any]:
         """Return the answer to one of `QUESTIONS` about a design.
@@ -186,6 +187,41 @@ def application(session: Session, checking: Executor) -> web.Application:
         scene = await to_thread(session.scene, design)
         return web.Response(body=scene, content_type="application/octet-stream")
 
+    by_name = _awaited(session, checking)
+
+    async def answer(request: web.Request) -> web.Response:
+        try:
+            query, question = await request.json(), request.match_info["question"]
+            if question in by_name:
+                return web.json_response(await by_name[question](query))
+            await session.shells.open(session.design(query))
+            return web.json_response(session.answer(question, query))
+        except InstobjError as error:
+            return web.json_response({"error": str(error)}, status=400)
+        except json.JSONDecodeError:
+            return web.json_response({"error": "no JSON. Reload the page"}, status=400)
+
+    async def end(_: web.Application) -> None:
+        session.shells.close()
+        await session.work.stop()
+
+    app = web.Application(middlewares=[_guard], client_max_size=_LARGEST_BYTES)
+    app.on_cleanup.append(end)
+    app.add_routes(
+        [
+            web.get("/", index),
+            web.get("/program.js", read_program),
+            web.get("/scene", read_scene),
+            web.post("/scene", read_scene),
+            web.post(f"/{{question:{'|'.join([*by_name, *QUESTIONS])}}}", answer),
+        ]
+    )
+    return app
+
+
+def _awaited(session: Session, checking: Executor) -> dict[str, Asked]:
+    """Return the questions whose answers others work on meanwhile, by name."""
+
     async def limits(query: dict[str, Any]) -> dict[str, Any]:
         design = session.design(query)
         return {"broken": await get_running_loop().run_in_executor(checking, broken_limits, design)}
@@ -221,36 +257,7 @@ def application(session: Session, checking: Executor) -> web.Application:
         return {}
 
     awaited = (limits, state, improve, confirm, confirmed, stop)
-    by_name = {handler.__name__: handler for handler in awaited}
-
-    async def answer(request: web.Request) -> web.Response:
-        try:
-            query, question = await request.json(), request.match_info["question"]
-            if question in by_name:
-                return web.json_response(await by_name[question](query))
-            await session.shells.open(session.design(query))
-            return web.json_response(session.answer(question, query))
-        except InstobjError as error:
-            return web.json_response({"error": str(error)}, status=400)
-        except json.JSONDecodeError:
-            return web.json_response({"error": "no JSON. Reload the page"}, status=400)
-
-    async def end(_: web.Application) -> None:
-        session.shells.close()
-        await session.work.stop()
-
-    app = web.Application(middlewares=[_guard], client_max_size=_LARGEST_BYTES)
-    app.on_cleanup.append(end)
-    app.add_routes(
-        [
-            web.get("/", index),
-            web.get("/program.js", read_program),
-            web.get("/scene", read_scene),
-            web.post("/scene", read_scene),
-            web.post(f"/{{question:{'|'.join([*by_name, *QUESTIONS])}}}", answer),
-        ]
-    )
-    return app
+    return {handler.__name__: handler for handler in awaited}
 
 
 @web.middleware
@@ -266,7 +273,7 @@ def _pressed(readings: Pressed, places: Sequence[int]) -> dict[str, Any]:
     return {
         "counts": _jsonable(readings.counts(places).ravel().round(1)),
         "noise_counts": _jsonable(readings.noise_counts.round(1)),
-        "position_mm2": [_jsonable(one) for one in ellipses],
+        "position_mm2": [_jsonable(ellipse) for ellipse in ellipses],
         "motions": [
             _jsonable(body.round(5)) for body in readings.motions[list(places)].sum(axis=0)
         ],

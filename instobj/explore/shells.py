@@ -33,7 +33,7 @@ class Shells:
     _trouble: dict[str, str] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, explorer: Explorer) -> Shells:
+    def beginning_with(cls, explorer: Explorer) -> Shells:
         """Return the shells of a session that begins with one of them."""
         return cls({shell_key(explorer.spec): explorer})
 
@@ -105,7 +105,7 @@ class Shells:
 
 
 def shell_key(spec: ObjectSpec) -> str:
-    """Return what tells shells apart that the page can ask for."""
+    """Return a name of the shell: its body, thickness and silicone."""
     tables = {name: getattr(spec, name).model_dump(mode="json") for name in SHELL_TABLES}
     return content_key(tables)[:_NAME_LENGTH]
 

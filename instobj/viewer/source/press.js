@@ -123,7 +123,9 @@ export function makePress(scene, object, view) {
       arrows[s].point(sensorAt[s], field.normalize(), sigmas > 1 ? length : 0);
     });
   }
-  const circle = (face, place) => circleOf(...row(arrays.ellipse_mm2, face * places + place, 3));
+  function circle(face, place) {
+    return circleOf(...row(arrays.ellipse_mm2, face * places + place, 3));
+  }
   function set(face, place, step) {
     Object.assign(state, { face, place, step });
     const mix = blend(step);

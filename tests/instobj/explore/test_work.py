@@ -8,6 +8,7 @@ import pytest
 
 from design.errors import InputError
 from design.search.space import search_space, start_params, with_layout
+from design.spec.silicone import SiliconeSpec
 from design.spec_io import load_spec
 from instobj.explore.design import design_of, kept_file, with_design
 from instobj.explore.engine import open_coarse_explorer
@@ -88,6 +89,7 @@ def test_a_design_that_is_there_is_not_saved_again(cube):
     design["shell"]["thickness_mm"] = 9.5
     design["silicone"]["name"] = "Ecoflex 00-30"
     changed = with_design(spec, design)
+    assert changed.silicone == SiliconeSpec(name="Ecoflex 00-30")  # with all its figures
     path = kept_file(changed, cube)
     assert path.name == "mine_explored_1.toml"
     assert kept_file(changed, cube) == path
