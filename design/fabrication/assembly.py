@@ -11,6 +11,7 @@ import numpy as np
 from design.body.meshes import manifold_of
 from design.body.surface_chart import FaceFrame
 from design.fabrication.finding import Finding, place_of, status_above
+from design.fit.parts import ROOMY
 from design.layout.blocks import block_manifold
 from design.layout.boards import (
     Mounted,
@@ -112,7 +113,7 @@ def _seal(spec: ObjectSpec, faces: list[tuple[FaceFrame, tuple[Pocket, ...]]]) -
 def _silicone(check: str, value: float, limit: float, text: str, place) -> Finding:
     value = float(value)
     return Finding(
-        check, "shell", value, limit, "mm", status_above(value, limit, 1.25), text, place
+        check, "shell", value, limit, "mm", status_above(value, limit, ROOMY), text, place
     )
 
 

@@ -11,6 +11,7 @@ from jaxtyping import Float
 from design.body.meshes import sharpest_edge, thinnest_wall
 from design.build.parts import Part
 from design.fabrication.finding import Finding, place_of, status_above
+from design.fit.parts import ROOMY
 from design.fit.seam import better_azimuth
 from design.layout.blocks import core_keys, relief_slits
 from design.layout.boards import all_wire_channels, wire_holes
@@ -24,8 +25,6 @@ if TYPE_CHECKING:
     import trimesh
 
 Point = Float[np.ndarray, "3"]
-_TIGHT = 1.25
-"""Factor of the limit up to which a wall that keeps it is still called tight."""
 SHARPEST_DEG = 40.0
 """Angle of an edge below which there is a warning."""
 
@@ -39,7 +38,7 @@ def check_walls(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Fin
     limit = spec.silicone.thinnest_wall_mm if cast else spec.printer.wall_mm
     advice = "move pockets and slits apart" if cast else "thicken it, or move what thins it"
     if part.name.startswith("mould_half"):
-        azimuth = better_azimuth(spec) if wall.thickness_mm < _TIGHT * limit else None
+        azimuth = better_azimuth(spec) if wall.thickness_mm < ROOMY * limit else None
         value = "" if azimuth is None else f" = {azimuth:g}"
         turned = f"turn the seam (mould.parting_azimuth_deg{value})"
         advice += f", or {turned} away from holes of pins that it grazes"
@@ -50,9 +49,9 @@ def check_walls(part: Part, mesh: trimesh.Trimesh, spec: ObjectSpec) -> list[Fin
             wall.thickness_mm,
             limit,
             "mm",
-            status_above(wall.thickness_mm, limit, _TIGHT),
+            status_above(wall.thickness_mm, limit, ROOMY),
             f"thinnest {'silicone' if cast else 'printed'} wall, measured by rays. Below "
-            f"{_TIGHT:g} times the limit: {advice}",
+            f"{ROOMY:g} times the limit: {advice}",
             place_of(wall.place_mm),
         )
     ]

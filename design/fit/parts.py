@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
 
 Corners = Float[np.ndarray, "corner 2"]
+ROOMY = 1.25
+"""Times the thinnest wall that can be cast or printed, below which the checks of fabrication warn."""
 
 
 def check_parts(spec: ObjectSpec) -> Iterator[str]:

@@ -9,6 +9,7 @@ from jaxtyping import Float
 
 from design.body.surface_chart import FaceFrame
 from design.fit.boards import distance_beyond_core_mm
+from design.fit.parts import ROOMY
 from design.layout.boards import (
     Recess,
     passage_radius_mm,
@@ -30,8 +31,6 @@ from design.layout.template_marks import thinnest_mark_wall_mm
 from design.spec.object import ObjectSpec
 
 Points = Float[np.ndarray, "point 3"]
-_ROOMY = 1.25
-"""Times the least that can be made, below which the checks of fabrication warn."""
 _LAYER_MM = 0.25
 """Thickness of a floor below a sloping core, at least: what a printer lays in one layer."""
 _WALL_DEG, _STEP_MM, _EDGE_POINTS = 45.0, 0.05, 5
@@ -56,7 +55,7 @@ def low_rim(spec: ObjectSpec) -> bool:
     slopes away, the wall is low there.
     """
     floors = np.concatenate([recess.corners_mm[:4] for recess in sensor_recesses(spec)])
-    return bool(distance_beyond_core_mm(spec, floors).max() > -_ROOMY * spec.printer.wall_mm)
+    return bool(distance_beyond_core_mm(spec, floors).max() > -ROOMY * spec.printer.wall_mm)
 
 
 def tight_rim(spec: ObjectSpec) -> bool:
@@ -66,7 +65,7 @@ def tight_rim(spec: ObjectSpec) -> bool:
     less steep is no wall but a slope, on which the recess must only keep its floor a printed layer
     below the surface.
     """
-    least = _ROOMY * spec.printer.wall_mm
+    least = ROOMY * spec.printer.wall_mm
     points, outward = map(
         np.concatenate, zip(*map(_floor_edges, sensor_recesses(spec)), strict=True)
     )
@@ -181,7 +180,7 @@ def thin_round_bore(spec: ObjectSpec) -> bool:
 def tight_shell(spec: ObjectSpec) -> bool:
     """Return whether silicone over, under, between or next to the magnets' pockets is too thin to cast, or is
     not known, where a pocket reaches past its patch."""
-    least = _ROOMY * spec.silicone.thinnest_wall_mm
+    least = ROOMY * spec.silicone.thinnest_wall_mm
     placed = [
         (frame, pocket, axis_in_object_mm(frame, pocket))
         for frame, pockets in zip(face_frames(spec), shell_pockets(spec), strict=True)

@@ -15,6 +15,7 @@ import torch
 from jaxtyping import Float
 
 from design.errors import InputError
+from design.fit.parts import ROOMY
 from design.layout.places.contact_places import contact_places
 from design.search.faces import layout_groups
 from design.search.places import polarities
@@ -53,9 +54,6 @@ _BACK = (1.0, 0.97, 0.93, 0.87, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2)
 """Shares of the ways from a layout that keeps the limits to ends of walks, which often lie a hair beyond."""
 BROKEN = AFTER_ALL / 2
 """Value above which a layout breaks a limit."""
-_ROOMY = 1.25
-"""Times the thinnest silicone that can be cast, below which the checks of fabrication warn."""
-
 Points = Float[np.ndarray, "layout variable"]
 
 
@@ -105,7 +103,7 @@ class LevelWithoutMesh:
     @classmethod
     def create(cls, spec: ObjectSpec) -> LevelWithoutMesh | None:
         """Return it; None where a shell or a face has no room for candidates."""
-        wall = _ROOMY * spec.silicone.thinnest_wall_mm
+        wall = ROOMY * spec.silicone.thinnest_wall_mm
         space = search_space(spec.changed(silicone=spec.silicone.changed(thinnest_wall_mm=wall)))
         start = start_params(space)
         if start is None:
