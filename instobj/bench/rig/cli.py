@@ -66,7 +66,7 @@ def rig(
         typer.Option(
             metavar="KEY=VALUE",
             help="Part of the plan, can be repeated: "
-            + "; ".join(f"{key}, {entry.told}" for key, entry in PLAN_KEYS.items()),
+            + "; ".join(f"{key}, {entry.meaning}" for key, entry in PLAN_KEYS.items()),
         ),
     ] = None,
     adaptive: Annotated[

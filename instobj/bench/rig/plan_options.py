@@ -10,12 +10,12 @@ from design.errors import InputError
 
 
 class PlanKey(NamedTuple):
-    """What a key of `--plan` sets: a choice of `RigOptions` or a field of `PressSettings`, whole or not."""
+    """Choice of `RigOptions` or field of `PressSettings` that a key of `--plan` sets, whole or not."""
 
     least: float
     whole: bool
     of_settings: bool
-    told: str
+    meaning: str
 
 
 PLAN_KEYS = {
