@@ -26,6 +26,7 @@ class MarlinSimulator(GrblSimulator):
     def power_on(self):
         """As after plugging in: position unknown, and called zero."""
         self.position, self.state, self.number = np.zeros(3), "Idle", 0
+        self.off_after_s = 120  # motors without a move
         self._clear()
         self.say("start\necho:Marlin 2.1.2\n")
 
@@ -106,6 +107,8 @@ class MarlinSimulator(GrblSimulator):
             self.say(f"echo:{line[8:]}\n")
         elif line in texts:
             self.say(texts[line])
+        elif line == "M84S0":
+            self.off_after_s = 0
         elif not line.startswith("M110") and line not in ("G21", "G90", "M410", ""):
             self.say(f'echo:Unknown command: "{line}"\n')
 

@@ -52,10 +52,11 @@ DIALECTS = {
     ),
     "marlin": Dialect(
         MarlinSpeech, 115_200, b"M410\n", b"N0 M110 N0*125\nM118 E1 " + MARK + b"\n",
-        ("M115", "M211", "M119"), ("G21", "G90", "G28Z", "G28XY"), marlin_travel, 0, 20.0,
+        ("M115", "M211", "M119"), ("G21", "G90", "M84S0", "G28Z", "G28XY"), marlin_travel, 0, 20.0,
     ),
 }  # fmt: skip
-"""grblHAL speaks as Grbl, with more axes in its reports and another greeting."""
+"""grblHAL speaks as Grbl, with more axes in its reports and another greeting. `M84S0`: motors stay on; after
+two minutes Marlin would let a tip that is up sink."""
 _REFUSED = {
     "octoprint": "OctoPrint's HTTP interface does not hand on where the machine is, and a stop would wait "
     "for a network: no bound would hold within a frame. Connect the machine's own USB to this computer and "

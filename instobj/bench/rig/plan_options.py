@@ -10,7 +10,7 @@ from design.errors import InputError
 
 
 class PlanKey(NamedTuple):
-    """Key of `--plan`: a choice of `RigOptions` or a field of `PressSettings`, whole or not."""
+    """Choice of `RigOptions` or field of `PressSettings` that a key of `--plan` sets, whole or not."""
 
     least: float
     whole: bool

@@ -513,6 +513,13 @@ def test_a_stop_ends_the_stroke_and_what_waits_behind_it(tmp_path, dialect):
     assert 1.2 < max(bench.depths) < 1.6
 
 
+def test_motors_of_a_marlin_stay_on_after_a_stop(tmp_path):
+    bench = Bench(dialect="marlin")
+    FAULTS["end of scale in a press"][0](bench)
+    ended(bench, tmp_path)
+    assert bench.machine.off_after_s == 0
+
+
 @pytest.mark.parametrize(
     ("wrong", "words"),
     [
