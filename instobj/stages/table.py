@@ -302,7 +302,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=9,
+        version=10,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
