@@ -7,20 +7,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from estimator.inversion.tracking import Tracker
-from tests.support.mechanics.inverted import SPEC, contacts, inverted
-from tests.support.mechanics.synthetic_presses import face_motion
+from tests.support.mechanics.inverted import SPEC, contacts, inverted, motion_of, right
 from tests.support.turned_frames import earth_fields_t, expected_counts, zeroed_counts
 
 FRAMES = 60
-
-
-def motion_of(face, contact):
-    """Motions of the magnets under all contacts of each frame, by the object's own law."""
-    moved = np.zeros((len(face), 25, 6))
-    for row, slot in np.argwhere(face >= 0):
-        x, y, force = contact[row, slot]
-        moved[row] += face_motion(SPEC, face[row, slot] + 1, np.array([x, y]), np.array(force))
-    return moved
 
 
 @pytest.fixture(scope="module")
@@ -42,12 +32,6 @@ def still_reader():
     """That takes every change for contacts, as one of an object on a bench."""
     told = replace(inverted().disturbances, nuisances=())
     return replace(inverted(), disturbances=told)
-
-
-def right(found, face):
-    """Frames with as many contacts on every face."""
-    faces = np.sort(np.where(face >= 0, face + 1, 0), axis=1)
-    return np.all(np.sort(found.face, axis=1) == faces, axis=1)
 
 
 def troubled(found):

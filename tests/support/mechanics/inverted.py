@@ -8,7 +8,7 @@ from design.layout.places.contact_grid import contact_grid
 from estimator.information.shear import ShearSignals
 from estimator.inversion.inversion import Inversion, inversion
 from estimator.signals.presses import press_signals
-from tests.support.mechanics.synthetic_presses import coarse_spec, synthetic_presses
+from tests.support.mechanics.synthetic_presses import coarse_spec, face_motion, synthetic_presses
 from tests.support.recordings.frame_sets import frame_set
 
 SPEC = coarse_spec(contact_grid={"count": (9, 9), "pitch_mm": 3.0})
@@ -58,6 +58,21 @@ def contacts(rng, frames: int, number: int, force_n=(2.0, 8.0), slots: int = 6):
 def expected_counts(model, face, contact):
     """Undisturbed changes of counts."""
     return model.singles(face, contact)[:, :, 0].sum(axis=1) + model.interaction(face, contact)
+
+
+def motion_of(face, contact):
+    """Motions of the magnets under all contacts of each frame, by the object's own law."""
+    moved = np.zeros((len(face), 25, 6))
+    for row, slot in np.argwhere(face >= 0):
+        x, y, force = contact[row, slot]
+        moved[row] += face_motion(SPEC, face[row, slot] + 1, np.array([x, y]), np.array(force))
+    return moved
+
+
+def right(found, face):
+    """Frames with as many contacts on every face."""
+    faces = np.sort(np.where(face >= 0, face + 1, 0), axis=1)
+    return np.all(np.sort(found.face, axis=1) == faces, axis=1)
 
 
 def noisy_counts(estimator, face, contact, rng, turned=True):
