@@ -1,6 +1,6 @@
 """Readings of an object that is zeroed, turned in Earth's field and pressed, beside one that stands still.
 
-    python benchmarks/turned_object.py [--quick] [--out FOLDER]
+    python benchmarks/turned_object.py [--quick] [--frames N] [--out FOLDER]
 
 Frames of the paper's cube by a second forward model (`tests/support/turned_frames.py`): tips anywhere, at
 least 10.5 mm apart, contact solved jointly by finite elements, 1 to 12 N a tip, magpylib's magnets, Earth's
@@ -34,8 +34,6 @@ from tests.support.turned_frames import zeroed_counts
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 _FORCE_N, _APART_MM = (1.0, 12.0), 10.5
-FRAMES = 400
-"""Frames of each number of contacts."""
 _STEPS = 12
 """Depths of a press, of which one is read."""
 
@@ -43,7 +41,7 @@ Pressed = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 """Faces and places of the tips of each frame, their forces, and the magnets' motions."""
 
 
-def measure(quick: bool) -> Result:
+def measure(quick: bool, frames: int) -> Result:
     """Rows by use, turned or still, and number of contacts."""
     spec = load_spec(EXAMPLES / ("gallery/small_cube.toml" if quick else "paper_cube.toml"))
     run = Run(spec)
@@ -57,7 +55,7 @@ def measure(quick: bool) -> Result:
     }
     rows: list[Result] = []
     for number in range(4):
-        pressed = _pressed(spec, response, number, 12 if quick else FRAMES)
+        pressed = _pressed(spec, response, number, 12 if quick else frames)
         for turned in (False, True):
             rng = np.random.default_rng([number, turned])
             counts = zeroed_counts(spec, pressed[3], rng, turned)
@@ -154,8 +152,10 @@ def report(result: Result) -> str:
 
 def main() -> None:
     """Measure, write, print."""
-    options = option_parser(__doc__ or "").parse_args()
-    conclude("turned_object", options, measure(options.quick), report)
+    parser = option_parser(__doc__ or "")
+    parser.add_argument("--frames", type=int, default=400, help="of each number of contacts")
+    options = parser.parse_args()
+    conclude("turned_object", options, measure(options.quick, options.frames), report)
 
 
 if __name__ == "__main__":

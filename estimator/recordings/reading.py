@@ -34,6 +34,7 @@ from estimator.recordings.checks.limits import (
     limit_to_range,
     places_off_the_body,
     usual_limits,
+    without_wrapped,
 )
 from estimator.recordings.checks.place_labels import place_label_faults
 from estimator.recordings.checks.press_labels import hidden_contacts, judge_presses
@@ -213,10 +214,11 @@ def _believed(
     if not np.isfinite(counts).any():
         raise RecordingError(f"no reading is left: {'; '.join(map(str, faults[:3]))}")
     spoilt, left_out = spoilt_channels(counts, np.isfinite(raw) & np.isnan(counts))
-    table, unreachable = limit_to_range(replace(table, counts=counts), limits)
+    table, wrapped = without_wrapped(replace(table, counts=counts))
+    table, unreachable = limit_to_range(table, limits)
     dead, silent = dead_channels(raw)
     unread = unread_faces(raw, table.face)
-    return table, spoilt | dead, [*faults, *unreachable, *left_out, *silent, *unread]
+    return table, spoilt | dead, [*faults, *wrapped, *unreachable, *left_out, *silent, *unread]
 
 
 def _report(

@@ -103,7 +103,7 @@ _WRAPPED = (
     "{} readings left out: counts had wrapped round beyond the chip's range. Choose a wider "
     "sensors.range_mt, or more room between magnet and chip"
 )
-_WRAP_COUNTS, _END_COUNTS = 49_152, 32_768
+WRAP_COUNTS, END_COUNTS = 49_152, 32_768
 """Three quarters of 16 bits: from one end of a chip's scale to the other between two frames. A chip that
 saturates stays at an end; an MLX90393 goes on at the other one (esphome#7635)."""
 
@@ -165,9 +165,9 @@ class LineDecoder:
             if value != value:
                 continue
             # Chips of more bits have no end there.
-            sixteen = max(abs(value), abs(self._last[k])) <= _END_COUNTS
+            sixteen = max(abs(value), abs(self._last[k])) <= END_COUNTS
             step = value - self._last[k] if sixteen else 0.0
-            self._turns[k] += (step < -_WRAP_COUNTS) - (step > _WRAP_COUNTS)
+            self._turns[k] += (step < -WRAP_COUNTS) - (step > WRAP_COUNTS)
             self._last[k] = value
         if not any(self._turns):
             return frame

@@ -1,4 +1,4 @@
-"""Readings and places that cannot be: counts beyond the chip's range, places off the body."""
+"""Readings and places that cannot be: counts beyond the chip's range or wrapped, places off the body."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.errors import RecordingError
+from estimator.recordings.boards.lines import END_COUNTS, WRAP_COUNTS
 from estimator.recordings.checks.faults import Fault, rows_text
 from estimator.recordings.table import RawTable, channel_name
 
@@ -61,6 +62,28 @@ def limit_to_range(table: RawTable, limits: Limits) -> tuple[RawTable, list[Faul
         where = f"{name}, {rows_text(rows)}"
         faults.append(Fault("count beyond the chip's range", where, detail, "readings set to NaN"))
     return replace(table, counts=np.where(beyond, np.nan, table.counts)), faults
+
+
+def without_wrapped(table: RawTable) -> tuple[RawTable, list[Fault]]:
+    """The table without readings that left their range by one end and came in by the other (NaN), until
+    they went back; and what was found."""
+    counts, faults = table.counts.copy(), []
+    for index in np.ndindex(counts.shape[1:]):
+        column = counts[:, *index]
+        live = np.flatnonzero(np.isfinite(column))
+        seen = column[live]
+        step = np.diff(seen, prepend=seen[:1])
+        # Chips of more bits have no end there.
+        sixteen = np.abs(seen).max(initial=0) <= END_COUNTS
+        turns = np.cumsum(sixteen * ((step < -WRAP_COUNTS) * 1 - (step > WRAP_COUNTS)))
+        # Most readings are within the range, also where the first is not.
+        rows = live[turns != np.median(turns)] if len(turns) else live
+        if len(rows):
+            column[rows] = np.nan
+            where = f"{channel_name(*index)}, {rows_text(rows)}"
+            detail = f"{len(rows)} readings beyond the chip's range; choose a wider range"
+            faults.append(Fault("counts wrapped round", where, detail, "readings set to NaN"))
+    return replace(table, counts=counts), faults
 
 
 def places_off_the_body(

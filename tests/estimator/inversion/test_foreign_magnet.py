@@ -45,6 +45,26 @@ def test_a_tracker_believes_no_place_beside_a_magnet_at_80_mm():
     assert np.mean([one.explained[0] and one.number[0] > 0 for one in found]) <= 0.07
 
 
+def test_a_tracked_magnet_that_comes_nearer_is_no_contact_on_its_way():
+    """From 160 to 60 mm, four times; beyond 110 mm it does not show, at 60 mm nothing explains it."""
+    believed, explained = [], []
+    for seed in range(4):
+        rng = np.random.default_rng(seed)
+        field_t = [
+            foreign_magnets_t(SPEC, np.random.default_rng(seed), 1, mm, 0.4)[0]
+            for mm in np.linspace(160, 60, 40)
+        ]
+        still = np.zeros((40, 25, 6))
+        counts = zeroed_counts(SPEC, still, rng, turned=False, foreign_t=np.array(field_t))
+        tracker = Tracker(inverted())
+        found = [tracker.feed(frame) for frame in counts]
+        believed.append([one.explained[0] and one.number[0] > 0 for one in found])
+        explained.append([one.explained[0] for one in found])
+    assert np.mean(believed) < 0.015
+    assert np.mean(np.array(explained)[:, :10]) > 0.95
+    assert not np.any(np.array(explained)[:, -4:])
+
+
 def test_no_chip_is_blamed_for_a_magnet():
     """Without any one chip, contacts explain one frame in ten."""
     found, _ = inverted().read(beside_magnet(80, 0.4))

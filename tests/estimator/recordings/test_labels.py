@@ -235,6 +235,26 @@ def test_one_count_that_the_chip_cannot_give_costs_one_frame(read, arrays, row):
     )
 
 
+def test_readings_that_wrapped_round_are_left_out(read, arrays):
+    """A chip of 16 bits near one end, which a press drives out by it: counts come in by the other."""
+    near, planted = copies(arrays), copies(arrays)
+    channel = near[2][:, 2, 4]
+    channel[:5] = channel.max()  # it begins beyond the range
+    near[2][:, 2, 4] += np.round(32_767 - np.sort(channel)[-40])
+    planted[2][:, 2, 4] = (near[2][:, 2, 4] + 32_768) % 65_536 - 32_768
+    wrapped = planted[2][:, 2, 4] != near[2][:, 2, 4]
+    assert wrapped.sum() > 3
+    recording = read(planted)
+    (fault,) = found(recording, "counts wrapped round")
+    assert fault.where.startswith("F3-Y2, rows")
+    assert fault.detail.startswith(f"{wrapped.sum()} readings")
+    used = recording.frames.valid & ~wrapped
+    seen = recording.frames.signal_counts[:, 2, 4 // 3, 4 % 3]
+    assert np.nanmax(np.abs(seen)) < 10_000
+    assert np.isfinite(seen[used]).any()
+    assert not found(read(arrays), "counts wrapped round")
+
+
 def test_a_specification_narrows_the_range(read, arrays):
     planted = copies(arrays)
     planted[2][PRESS + HELD, 2, 4] = 9_000

@@ -60,6 +60,21 @@ def expected_counts(model, face, contact):
     return model.singles(face, contact)[:, :, 0].sum(axis=1) + model.interaction(face, contact)
 
 
+def motion_of(face, contact):
+    """Motions of the magnets under all contacts of each frame, by the object's own law."""
+    moved = np.zeros((len(face), 25, 6))
+    for row, slot in np.argwhere(face >= 0):
+        x, y, force = contact[row, slot]
+        moved[row] += face_motion(SPEC, face[row, slot] + 1, np.array([x, y]), np.array(force))
+    return moved
+
+
+def right(found, face):
+    """Frames with as many contacts on every face."""
+    faces = np.sort(np.where(face >= 0, face + 1, 0), axis=1)
+    return np.all(np.sort(found.face, axis=1) == faces, axis=1)
+
+
 def noisy_counts(estimator, face, contact, rng, turned=True):
     """As frames show them, each of an object that has turned and warmed up, or of one that stands still."""
     counts = expected_counts(estimator.model, face, contact)
@@ -79,18 +94,3 @@ def labelled_frames(face, xy, force):
     """Labelled frames without signals worth the name."""
     signal = np.zeros((len(face), 5, 3, 3))
     return frame_set(signal, face, xy, force, source="simulated")
-
-
-def motion_of(face, contact):
-    """Motions of the magnets under all contacts of each frame, by the object's own law."""
-    moved = np.zeros((len(face), 25, 6))
-    for row, slot in np.argwhere(face >= 0):
-        x, y, force = contact[row, slot]
-        moved[row] += face_motion(SPEC, face[row, slot] + 1, np.array([x, y]), np.array(force))
-    return moved
-
-
-def right(found, face):
-    """Frames with as many contacts on every face."""
-    faces = np.sort(np.where(face >= 0, face + 1, 0), axis=1)
-    return np.all(np.sort(found.face, axis=1) == faces, axis=1)
