@@ -32,14 +32,14 @@ class BesideMagnet:
     columns: tuple[Float[np.ndarray, "channel k"], ...]
 
     @cached_property
-    def by_shell(self) -> tuple[Observations, ...]:
+    def shell_observations(self) -> tuple[Observations, ...]:
         """Return the frames with the field of a magnet in each shell integrated out."""
         return tuple(self.plain.add_nuisances(columns) for columns in self.columns)
 
     @property
     def wide(self) -> Observations:
         """Return the frames with the field of a magnet in the nearest shell integrated out."""
-        return self.by_shell[0]
+        return self.shell_observations[0]
 
     def log_evidence(self, search: Search, sets: Problems) -> Float[np.ndarray, "set"]:
         """Return the log evidence of contacts beside a magnet, on the scale of those without one.
@@ -47,7 +47,7 @@ class BesideMagnet:
         Contacts are fitted anew in every shell; shells are equally likely.
         """
         of_shells = []
-        for observations in self.by_shell:
+        for observations in self.shell_observations:
             given = sets.frame, sets.face, sets.contact, None, 1, _STEPS
             moved = observations.moved_to(search.reference)
             fit = most_probable(search.model, search.priors, moved, *given).to_host()

@@ -46,8 +46,8 @@ _MOST_PLACES = 48
 """Contact locations of the largest face that are judged, at about this number. A coarser grid changes the
 median by up to a third (tests)."""
 ROUNDS = ((0.1, 0.05), (0.1, 0.04), (0.07, 0.03), (0.05, 0.03), (0.03, 0.02), (0.02, 0.02))
-"""Of every round of walks: how far round the best layout so far they begin, and their first step, both as
-shares of every variable's range."""
+"""Rounds of walks: how far round the best layout so far they begin, and their first step, both as shares
+of every variable's range."""
 _WALKS, _STEPS = 16, 10
 """Walks side by side, and their steps: a step of 16 walks takes a fifth longer than one of 1."""
 _BACK = (1.0, 0.97, 0.93, 0.87, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2)

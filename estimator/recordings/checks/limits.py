@@ -71,10 +71,10 @@ def without_wrapped(table: RawTable) -> tuple[RawTable, list[Fault]]:
     for index in np.ndindex(counts.shape[1:]):
         column = counts[:, *index]
         live = np.flatnonzero(np.isfinite(column))
-        seen = column[live]
-        step = np.diff(seen, prepend=seen[:1])
+        readings = column[live]
+        step = np.diff(readings, prepend=readings[:1])
         # Chips of more bits have no end there.
-        sixteen = np.abs(seen).max(initial=0) <= END_COUNTS
+        sixteen = np.abs(readings).max(initial=0) <= END_COUNTS
         turns = np.cumsum(sixteen * ((step < -WRAP_COUNTS) * 1 - (step > WRAP_COUNTS)))
         # Most readings are within the range, also where the first is not.
         rows = live[turns != np.median(turns)] if len(turns) else live
