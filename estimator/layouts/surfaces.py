@@ -55,7 +55,7 @@ class Surface:
 
     @cached_property
     def shape(self) -> Hashable:
-        """Key of what places in the frames' own coordinates depend on: the same of faces that are turned copies."""
+        """Key of places in the frames' own coordinates: the same of faces that are turned copies."""
         frames = self.frame, self.core
         return tuple((frame.relief, frame.half_extents_mm, frame.round) for frame in frames)
 
