@@ -50,7 +50,7 @@ _MORE = ((0, 9), (1, 9), (2, 9))
 _NAMED = 0.1
 """Sum of the shares by which both bounds fall, from which a better layout is named."""
 _MORE_WITHIN = 0.05
-"""Share of locations that must come within the limit to be named."""
+"""Share of locations that must come within the limit to be named, or half of those that miss it."""
 
 
 def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:
@@ -212,7 +212,7 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         spec.shell.pocket_depth_mm,
         spec.magnets.sizes[0].height_mm,
     )
-    best, help_text = score.within + _MORE_WITHIN, ""
+    best, help_text = score.within + min(_MORE_WITHIN, (1 - score.within) / 2), ""
     for sensors_more, count in _MORE:
         # without a number asked for, more magnets were tried already: they were no better, or cannot be made
         magnets = spec.magnets.count if request.magnets is None else max(count, spec.magnets.count)
