@@ -17,6 +17,9 @@ _LOG_ODDS = -0.5
 """Log odds, before a frame is seen, of a magnet or steel near by to one contact more. A tenth of the magnets
 that look like contacts are then read so (a sixth at −1); of presses of 1 to 3 N, 2 % are taken for
 magnets (0.5 % at −1)."""
+UNEXPLAINED_LOG_ODDS = -9.5
+"""Added where contacts do not explain a frame anyway, as no place of it is believed: on an object that differs
+from its model a magnet's field fits what is wrong, and forces come out worse."""
 _STEPS = 3
 """Steps of fits with a magnet near by, from contacts that were fitted without it."""
 

@@ -93,7 +93,8 @@ class Surface:
 
     def _placed(self, part: str, layouts: Layouts, places: Tensor, function: _Function) -> Tensor:
         """Values at places, worked out once for faces of the same shape that share these places."""
-        kept, key = layouts.at_places, (part, self.shape, id(places))
+        # `_version` rises where places are changed in place
+        kept, key = layouts.at_places, (part, self.shape, id(places), places._version)
         if key not in kept:
             kept[key] = places, pointwise(function, places)
         return kept[key][1]

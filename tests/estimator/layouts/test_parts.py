@@ -6,6 +6,7 @@ import numpy as np
 import torch
 from numpy.testing import assert_allclose
 
+from design.layout.body import core_frames
 from design.spec.object import ObjectSpec
 from estimator.layouts import batch_scores, cross_face
 from estimator.layouts.limits import curved
@@ -88,7 +89,7 @@ class Board:
     """A surface with one recess whose board sinks by 0.3 mm; the core's patch ends at 9 mm."""
 
     spec = ObjectSpec(name="cube")
-    core = SimpleNamespace(flat=True)
+    core = core_frames(spec)[0]
 
     def boards(self, sensor_mm):
         axes = torch.eye(3, dtype=torch.float64)[[1, 0, 2]].expand(1, 1, 3, 3)
@@ -106,6 +107,6 @@ def test_a_recess_lies_under_its_board_as_deep_as_it_sinks():
     )
     centre, axes, half = curved.recess_boxes.__wrapped__(Board(), layouts, boards)
     deep = (Board.spec.core.recess_depth_mm + 0.3) / 2
-    assert_allclose(centre, [[[1.0, 2.5, 10.0 - deep]]])
+    assert_allclose(centre - Board.core.centre_mm, [[[1.0, 2.5, 10.0 - deep]]])
     assert_allclose(half, [[[2.0, 1.5, deep]]])
     assert_allclose(axes[0, 0], np.eye(3)[[1, 0, 2]])

@@ -10,5 +10,5 @@ def test_a_verdict_needs_all_that_it_is_read_from_and_no_training():
     assert {*named} == VERDICT_STAGES
     needed = {*with_needs(*named)}
     assert "signals" in needed
-    assert not needed & {"frames", "networks", "metrics", "report"}
-    assert "metrics" in with_needs("report"), "which the report does need"
+    assert not needed & {"frames", "networks", "inversion", "contact_metrics", "report"}
+    assert "contact_metrics" in with_needs("report"), "which the report does need"
