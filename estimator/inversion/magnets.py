@@ -18,8 +18,8 @@ _LOG_ODDS = -0.5
 that look like contacts are then read so (a sixth at −1); of presses of 1 to 3 N, 2 % are taken for
 magnets (0.5 % at −1)."""
 UNEXPLAINED_LOG_ODDS = -9.5
-"""Added where contacts do not explain a frame anyway, as no place of it is believed: on an object that differs
-from its model a magnet's field fits what is wrong, and forces come out worse."""
+"""Added where contacts do not explain a frame anyway, as no place of it is believed: on an object that
+differs from its model a magnet's field fits what is wrong, and forces come out worse."""
 _STEPS = 3
 """Steps of fits with a magnet near by, from contacts that were fitted without it."""
 
@@ -45,9 +45,9 @@ class BesideMagnet:
         return self.shell_observations[0]
 
     def log_evidence(self, search: Search, sets: Problems) -> Float[np.ndarray, "set"]:
-        """Return the log evidence of contacts beside a magnet, on the scale of those without one.
+        """Return the log evidence of contacts near a magnet, on the scale of those without one.
 
-        Contacts are fitted anew in every shell; shells are equally likely.
+        Contacts are fitted again in every shell; shells are equally likely.
         """
         of_shells = []
         for observations in self.shell_observations:

@@ -30,7 +30,7 @@ class Layouts:
         north inward
     sensor_mm : x, y in the face's frame, mm; chips are turned about the normal by their azimuth
     by_face : layouts of all faces by number, this one's (`face`) too, where they are not all the same
-    at_places : what is worked out of these very places (`estimator.layouts.surfaces`), the places beside it;
+    at_places : what is computed from these very places (`estimator.layouts.surfaces`), next to the places;
         layouts made by `replace` share it
     """
 

@@ -92,7 +92,7 @@ class Surface:
         return values[..., :3], values[..., 3:12].unflatten(-1, (3, 3)), values[..., 12]
 
     def _placed(self, part: str, layouts: Layouts, places: Tensor, function: _Function) -> Tensor:
-        """Values at places, worked out once for faces of the same shape that share these places."""
+        """Values at places, computed once for faces of the same shape that share these places."""
         # `_version` rises where places are changed in place
         kept, key = layouts.at_places, (part, self.shape, id(places), places._version)
         if key not in kept:

@@ -153,7 +153,7 @@ class LevelWithoutMesh:
         return np.concatenate([best + share * (ends - best) for share in _BACK])
 
     def _penalized(self, points: torch.Tensor) -> torch.Tensor:
-        """Value with broken limits, without the step that sets all layouts behind those that keep them."""
+        """Value with broken limits, without the step between layouts that break limits and others."""
         return self._judged(points).penalized.log() @ torch.tensor(_WEIGHTS)
 
     def layout_at(self, point: Float[np.ndarray, "variable"]) -> ObjectSpec | None:

@@ -50,7 +50,7 @@ _MORE = ((0, 9), (1, 9), (2, 9))
 _NAMED = 0.1
 """Sum of the shares by which both bounds fall, from which a better layout is named."""
 _MORE_WITHIN = 0.05
-"""Share of locations that must come within the limit to be named, or half of those that miss it."""
+"""Share of locations that must come within the limit to be named, or half of what misses it."""
 
 
 def scored_first(request: Request, placed: Tables) -> Iterator[Tables]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import signal
+import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
@@ -37,6 +38,8 @@ class WorkerProcess:
     argument: Any
     _process: BaseProcess | None = field(default=None, init=False)
     _connection: Any = field(default=None, init=False)
+    _changing: Any = field(default_factory=threading.Lock, init=False)
+    """Held while the process starts or ends: another thread may close what this one just starts."""
 
     def ask(self, question: Any, seconds: float) -> Any:
         """The answer.
@@ -67,8 +70,9 @@ class WorkerProcess:
 
     def close(self) -> None:
         """End the process; the next question starts another."""
-        process, connection = self._process, self._connection
-        self._process = self._connection = None
+        with self._changing:
+            process, connection = self._process, self._connection
+            self._process = self._connection = None
         if connection is not None:
             connection.close()
         if process is not None:
@@ -76,16 +80,17 @@ class WorkerProcess:
             process.join(_CLOSING_S)
 
     def _connected(self) -> Any:
-        if self._connection is None:
-            own_end, worker_end = multiprocessing.Pipe()
-            spawn = multiprocessing.get_context("spawn")
-            self._process = spawn.Process(
-                target=_serve, args=(worker_end, self.prepare, self.argument), daemon=True
-            )
-            self._process.start()
-            worker_end.close()
-            self._connection = own_end
-        return self._connection
+        with self._changing:
+            if self._connection is None:
+                own_end, worker_end = multiprocessing.Pipe()
+                spawn = multiprocessing.get_context("spawn")
+                self._process = spawn.Process(
+                    target=_serve, args=(worker_end, self.prepare, self.argument), daemon=True
+                )
+                self._process.start()
+                worker_end.close()
+                self._connection = own_end
+            return self._connection
 
     def _exit_code(self) -> int | None:
         if self._process is None:

@@ -67,7 +67,6 @@ def test_a_layout_is_a_specification_with_the_chosen_parts():
     assert len(found.magnets.positions_mm) == params["magnet_count"]
     assert found.magnets.part == params["magnet_part"]
     assert found.sensors.count_per_face == params["sensor_count"]
-    assert found.silicone.name == params["silicone"]
     assert found.shell.thickness_mm == params["shell_thickness_mm"]
     for k, (x, y, _) in enumerate(found.sensors.places[0], start=1):
         assert x == pytest.approx(params[f"sensor{k}_x_mm"], abs=0.0051)

@@ -262,6 +262,8 @@ def test_a_saved_design_has_its_commands(page, served):
 def test_an_exported_page_is_pressed_and_not_dragged(browser, tmp_path):
     session = Session(made_explorer(), tmp_path / "cube.toml")
     (tmp_path / "page.html").write_text(session.exported())
+    browser.send("Page.navigate", url="about:blank")  # the page before asks its server no more
+    browser.wait("location.href === 'about:blank'")
     browser.events.clear()
     browser.open(tmp_path / "page.html", READY)
     start = design(browser)
