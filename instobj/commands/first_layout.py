@@ -13,6 +13,7 @@ from design.catalogue.hall_sensors import hall_part
 from design.errors import InputError
 from design.placement.objects import (
     COARSE,
+    SHELL_VARIANTS,
     STRONGER,
     Request,
     ShellVariant,
@@ -219,7 +220,8 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
         if magnets == spec.magnets.count and not sensors_more:
             continue
         larger = replace(request, sensors=request.sensors + sensors_more, magnets=magnets)
-        placed = next(fitting_tables(larger, (shell,), COARSE), None)
+        # more parts may need another shell: thinner, with smaller pockets
+        placed = next(fitting_tables(larger, (shell, *SHELL_VARIANTS), COARSE), None)
         if placed is None or spec_of(placed).body.sensed != spec.body.sensed:
             continue
         placed["sensors"]["range_mt"] = spec.sensors.range_mt
@@ -232,10 +234,13 @@ def parts_that_help(request: Request, spec: ObjectSpec, score: FirstScore) -> st
                 f"NO-GO is to be expected; {help_text} would bring every location within the limit"
             )
     if help_text:
-        return f"NO-GO is to be expected; {help_text} would bring {percent_text(best)} within the limit"
+        return (
+            f"NO-GO is to be expected; {help_text} would bring {percent_text(best)} or more within the "
+            "limit"
+        )
     return (
-        "NO-GO is to be expected, and no number of parts tried here helps much: take a smaller body, a "
-        "softer silicone, or raise limits.position_bound_mm"
+        f"NO-GO is to be expected, and brief searches with up to {request.sensors + 2} sensors on each face "
+        "found little better: take a smaller body, a softer silicone, or raise limits.position_bound_mm"
     )
 
 
