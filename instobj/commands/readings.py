@@ -237,9 +237,10 @@ def unexplained_text(path: Path, unexplained: int, frames: int) -> list[str]:
     if frames and unexplained > DISTRUST_FROM * frames:
         texts.append(
             f"{path.name}: nothing that the estimator knows explains {unexplained} of {frames} frames "
-            f"({100 * unexplained / frames:.0f} %); do not believe these. Likely causes: the estimator is of "
-            "another object or its specification is not as built (instobj validate), a magnet or iron near "
-            "by, no rest at the start (--zero), or contacts of a kind that it was not made for"
+            f"({100 * unexplained / frames:.0f} %); do not believe these. Likely causes: contacts of a kind "
+            "that it was not made for, or at places that networks were not trained on; the estimator is of "
+            "another object or its specification is not as built (instobj validate); a magnet or iron near "
+            "by; no rest at the start (--zero)"
         )
     return texts
 
