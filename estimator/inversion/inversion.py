@@ -20,7 +20,7 @@ from estimator.inversion.evidence import covariances
 from estimator.inversion.explained import UNEXPLAINED, ErrorShare, excess
 from estimator.inversion.jaws import JawFit, Jaws, JawTable
 from estimator.inversion.lying import log_evidence_without, lying_chips
-from estimator.inversion.magnets import UNEXPLAINED_LOG_ODDS, BesideMagnet
+from estimator.inversion.magnets import BesideMagnet
 from estimator.inversion.model.forward import NONE, ContactModel, contact_model
 from estimator.inversion.model.noise import Disturbances, disturbances
 from estimator.inversion.priors import Priors
@@ -226,8 +226,7 @@ class Inversion:
             return sets
         frames = BesideMagnet(observations.select(rows), self.magnet_columns)
         *again, wide = self.read_once(search, frames.wide, error)
-        odds = np.where(sets[0].explained[rows], 0.0, UNEXPLAINED_LOG_ODDS)
-        better = frames.log_evidence(search, wide.problems) + odds > believed.log_evidence[rows]
+        better = frames.log_evidence(search, wide.problems) > believed.log_evidence[rows]
         best, second = (
             old.replaced(rows[better], replace(new.select(better), p_value=np.zeros(better.sum())))
             for old, new in zip(sets, again, strict=True)

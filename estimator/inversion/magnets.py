@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from jaxtyping import Bool, Float
 
+from estimator.inversion.explained import UNEXPLAINED, p_values
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable
 from estimator.inversion.problems import Observations, Problems
@@ -17,9 +18,9 @@ _LOG_ODDS = -0.5
 """Log odds, before a frame is seen, of a magnet or steel near by to one contact more. A tenth of the magnets
 that look like contacts are then read so (a sixth at −1); of presses of 1 to 3 N, 2 % are taken for
 magnets (0.5 % at −1)."""
-UNEXPLAINED_LOG_ODDS = -9.5
-"""Added where contacts do not explain a frame anyway, as no place of it is believed: on an object that
-differs from its model a magnet's field fits what is wrong, and forces come out worse."""
+_TOGETHER = 2.5
+"""Log odds against a magnet for every contact more than one that it stands for: jaws and hands bring
+several contacts at once. Without it, grasps of weak signals are taken for magnets (tests)."""
 _STEPS = 3
 """Steps of fits with a magnet near by, from contacts that were fitted without it."""
 
@@ -49,7 +50,13 @@ class BesideMagnet:
 
         Contacts are fitted again in every shell; shells are equally likely.
         """
-        of_shells = []
+        return self._judged_sets(search, sets)[0]
+
+    def _judged_sets(
+        self, search: Search, sets: Problems
+    ) -> tuple[Float[np.ndarray, "set"], Float[np.ndarray, "set"]]:
+        """Return `log_evidence` and the largest p value of any shell."""
+        of_shells, p_value = [], np.zeros(len(sets))
         for observations in self.shell_observations:
             given = sets.frame, sets.face, sets.contact, None, 1, _STEPS
             moved = observations.moved_to(search.reference)
@@ -58,15 +65,23 @@ class BesideMagnet:
             # of signals that it allows for.
             spread = observations.white.log_spread() - self.plain.white.log_spread()
             of_shells.append(search.judged(fit).log_evidence - spread[sets.frame])
-        return np.logaddexp.reduce(of_shells) - np.log(len(of_shells)) + _LOG_ODDS
+            p_value = np.maximum(p_value, p_values(observations, fit))
+        return np.logaddexp.reduce(of_shells) - np.log(len(of_shells)) + _LOG_ODDS, p_value
 
     def explains_with_fewer(
         self, search: Search, believed: Hypotheses
     ) -> Bool[np.ndarray, "frame"]:
-        """Return where a magnet and some of the strongest contacts of the believed sets, or none, are
-        more probable than the whole set; one set a frame."""
+        """Return where a magnet and some of the strongest contacts of the believed sets, or none, explain
+        a frame and are more probable than the whole set; one set a frame.
+
+        Contacts of a model that is known to be wrong are vague: any magnet would be more probable,
+        also one that does not explain the frame.
+        """
         best = believed.problems
-        beside = self._log_evidence_by_kept(search, best)[:, :-1]
+        beside, p_value = self._by_kept(search, best)
+        beside = np.where(p_value < UNEXPLAINED, -np.inf, beside)[:, :-1]
+        dropped = best.number[:, None] - np.arange(beside.shape[1])
+        beside = beside - _TOGETHER * np.maximum(dropped - 1, 0)
         # A magnet beside the whole set is a further source, and no better place of any contact.
         beside[np.arange(beside.shape[1]) >= best.number[:, None]] = -np.inf
         return beside.max(axis=1, initial=-np.inf) > believed.log_evidence
@@ -76,13 +91,13 @@ class BesideMagnet:
     ) -> Bool[np.ndarray, "frame"]:
         """Return where a magnet and some of the believed contacts are more probable than a chip that
         lies; `without_chip` as `log_evidence_without` gives it."""
-        return self._log_evidence_by_kept(search, believed.problems).max(axis=1) > without_chip
+        return self._by_kept(search, believed.problems)[0].max(axis=1) > without_chip
 
-    def _log_evidence_by_kept(
+    def _by_kept(
         self, search: Search, sets: Problems
-    ) -> Float[np.ndarray, "frame kept"]:
-        """Return the evidence of a magnet and the strongest 0, 1, 2, … contacts of each frame's set; −∞
-        beyond its number."""
+    ) -> tuple[Float[np.ndarray, "frame kept"], Float[np.ndarray, "frame kept"]]:
+        """Return log evidence and p value of a magnet and the strongest 0, 1, 2, … contacts of each
+        frame's set; −∞ beyond its number."""
         order = np.argsort(-sets.contact[..., 2] * (sets.face != NONE), axis=1, kind="stable")
         face = np.take_along_axis(sets.face, order, 1)
         contact = np.take_along_axis(sets.contact, order[..., None], 1)
@@ -90,6 +105,6 @@ class BesideMagnet:
         row, kept = np.nonzero(np.arange(slots + 1) <= sets.number[:, None])
         few = np.where(np.arange(slots) < kept[:, None], face[row], NONE)
         tried = replace(sets.select(row), face=few, contact=contact[row])
-        evidence = np.full((len(sets), slots + 1), -np.inf)
-        evidence[row, kept] = self.log_evidence(search, tried)
-        return evidence
+        evidence, p_value = np.full((2, len(sets), slots + 1), -np.inf)
+        evidence[row, kept], p_value[row, kept] = self._judged_sets(search, tried)
+        return evidence, p_value

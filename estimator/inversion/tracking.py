@@ -38,6 +38,8 @@ _STRAINED = 0.02
 _TRUSTED_AFTER = 8
 """Frames in a row that must be explained with all chips and no magnet. A channel of ten times its
 noise agrees by chance in one of four."""
+_GONE_AFTER = 2
+"""Frames in a row in which contacts alone must be more probable than beside a magnet: then it is gone."""
 
 
 class Tracker:
@@ -146,8 +148,13 @@ class Tracker:
             return
         refitted = self._same(plain)
         explains = p_values(plain, refitted)[0] >= _STRAINED
+        if self.beside_magnet and explains:
+            search = self.inversion.search
+            beside = BesideMagnet(plain, self.inversion.magnet_columns)
+            alone = search.judged(refitted).log_evidence
+            explains = (alone > beside.log_evidence(search, refitted)).all()
         self._sound = self._sound + 1 if explains else 0
-        if self._sound >= _TRUSTED_AFTER:
+        if self._sound >= (_GONE_AFTER if self.beside_magnet else _TRUSTED_AFTER):
             self._chip_out, self.beside_magnet = NONE, False
             self._last, self._sound = refitted, 0
 

@@ -2,7 +2,6 @@
 
 import csv
 import json
-import re
 
 import numpy as np
 import pytest
@@ -203,9 +202,7 @@ def test_places_at_risk_are_of_peaks_that_are_explained(bench):
     document = json.loads(done.stdout)
     at_risk = document["tables"]["places most at risk"]
     assert {row["group"] for row in at_risk} == {"rough"}
-    # All six beside the magnet; of the others a peak is taken for a magnet's in 1 % of frames.
-    (left_out,) = re.findall(r"leave out (\d+) of 12 grasps", " ".join(document["texts"]))
-    assert 6 <= int(left_out) <= 7
+    assert any("leave out 6 of 12 grasps" in text for text in document["texts"])
 
 
 def test_gentle_and_rough_are_ranked_right_in_nearly_all_of_100_draws():

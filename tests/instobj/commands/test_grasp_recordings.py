@@ -34,7 +34,7 @@ def simulated(monkeypatch, tmp_path):
     """Presses that need no mesh, few frames, one step of the calibration, no networks."""
     monkeypatch.setenv("INSTOBJ_STORE", str(tmp_path / "store"))
     monkeypatch.setattr(unknowns, "ITERATIONS", 1)
-    monkeypatch.setattr(makers, "MOST_FRAMES", 20)
+    monkeypatch.setattr(makers, "MOST_FRAMES", 10)
     twin = TwinOfData(SPEC, presses()[:2], "made", 0)
     monkeypatch.setattr(command, "simulated_twin", lambda *_: twin)
     monkeypatch.setattr(command, "trained_networks", lambda *_: {})
