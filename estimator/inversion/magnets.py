@@ -78,7 +78,7 @@ class BesideMagnet:
         also one that does not explain the frame.
         """
         best = believed.problems
-        beside, p_value = self._by_kept(search, best)
+        beside, p_value = self._judged_by_number(search, best)
         beside = np.where(p_value < UNEXPLAINED, -np.inf, beside)[:, :-1]
         dropped = best.number[:, None] - np.arange(beside.shape[1])
         beside = beside - _TOGETHER * np.maximum(dropped - 1, 0)
@@ -91,9 +91,9 @@ class BesideMagnet:
     ) -> Bool[np.ndarray, "frame"]:
         """Return where a magnet and some of the believed contacts are more probable than a chip that
         lies; `without_chip` as `log_evidence_without` gives it."""
-        return self._by_kept(search, believed.problems)[0].max(axis=1) > without_chip
+        return self._judged_by_number(search, believed.problems)[0].max(axis=1) > without_chip
 
-    def _by_kept(
+    def _judged_by_number(
         self, search: Search, sets: Problems
     ) -> tuple[Float[np.ndarray, "frame kept"], Float[np.ndarray, "frame kept"]]:
         """Return log evidence and p value of a magnet and the strongest 0, 1, 2, … contacts of each

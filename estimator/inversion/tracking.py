@@ -39,7 +39,7 @@ _TRUSTED_AFTER = 8
 """Frames in a row that must be explained with all chips and no magnet. A channel of ten times its
 noise agrees by chance in one of four."""
 _GONE_AFTER = 2
-"""Frames in a row in which contacts alone must be more probable than beside a magnet: then it is gone."""
+"""Frames in a row in which contacts alone must be more probable than near a magnet: then it is gone."""
 
 
 class Tracker:

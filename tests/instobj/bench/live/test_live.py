@@ -288,7 +288,7 @@ def test_contacts_go_to_a_file_of_foxglove_in_place_of_the_page(tmp_path):
     assert len(stamps) > 10
     assert np.all(np.diff(stamps) > 0)
     # stamps follow the board's clock, which may run some hundredths of a second ahead
-    assert abs(time.time() - stamps[-1] / 1e9) < 60
+    assert -1 < time.time() - stamps[-1] / 1e9 < 60
 
 
 def test_foxglove_without_an_estimator_is_one_error(tmp_path):
