@@ -280,9 +280,6 @@ def _is_other_mcap(path: Path) -> bool:
     return head.startswith(_MCAP) and len(head) > 21 and head[21 : 21 + length] != b"ros2"
 
 
-_EXPORT = "(`instobj docs recordings`). Export the topic with the counts as CSV, and give that to `instobj adopt`"
-
-
 def _json_rows(path: Path) -> Iterator[list[Any]]:
     from mcap.exceptions import McapError
     from mcap.reader import make_reader
@@ -316,7 +313,8 @@ def _json_rows(path: Path) -> Iterator[list[Any]]:
         )
         raise RecordingError(
             f"it has the topics {topic_list or 'none'}; counts are read from a json topic with fields "
-            f"F1-X1 …, or from {LAYOUT} and {FRAMES} {_EXPORT}"
+            f"F1-X1 …, or from {LAYOUT} and {FRAMES} (`instobj docs recordings`). Export the topic with "
+            "the counts as CSV, and give that to `instobj adopt`"
         )
 
 
@@ -327,7 +325,8 @@ def _rows_of_messages(bag: Any, store: Any) -> Iterator[list[Any]]:
         topics = ", ".join(sorted(types)) or "none"
         raise RecordingError(
             f"it has the topics {topics}; a bag of an instrumented object has {LAYOUT} and {FRAMES} "
-            f"{_EXPORT}"
+            "(`instobj docs recordings`). Export the topic with the counts as a CSV of one column a channel "
+            "and give that in the bag's place"
         )
     width = None
     for connection, _, data in bag.messages():
