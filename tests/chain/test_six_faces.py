@@ -52,7 +52,7 @@ def recorded(tmp_path, name, **made):
 
 
 def test_from_a_boards_lines_to_contacts_on_the_face_that_is_pressed(tmp_path):
-    """Of six faces of nine chips, more of both than the paper's cube has."""
+    """Six faces of nine chips: more of both than the paper's cube has."""
     faces = (1, 6)
     layout = {"faces": faces, "sides": 6, "sensors": 9, "places": (0, 7, 18)}
     recorded(tmp_path, "first", presses=6, **layout)

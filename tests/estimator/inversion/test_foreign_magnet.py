@@ -80,7 +80,7 @@ def test_contacts_beside_a_magnet_are_read_and_no_others():
 
 
 def test_light_presses_are_no_magnets():
-    """As many are read and believed as by a reader that knows no magnet."""
+    """The number read and believed is that of a reader that knows no magnet."""
     face, contact = contacts(np.random.default_rng(21), 60, 1, (1.0, 2.5))
     counts = zeroed_counts(SPEC, motion_of(face, contact), np.random.default_rng(22))
     reader = inverted()
@@ -104,7 +104,7 @@ def nothing_seen(frames):
 
 
 def test_evidence_of_a_magnet_is_that_of_normal_densities():
-    """By scipy's: the mean over the shells, over the density without a magnet, but for a constant."""
+    """Densities by scipy: the mean over the shells, over that without a magnet, but for a constant."""
     seen, sets, counts, covariance = nothing_seen(4)
     shells = inverted().magnet_columns
     beside = BesideMagnet(seen, shells).log_evidence(inverted().search, sets.problems)
@@ -119,7 +119,7 @@ def test_evidence_of_a_magnet_is_that_of_normal_densities():
 
 
 def test_evidence_of_a_chip_that_lies_is_that_of_the_other_channels():
-    """By scipy's densities: those of the chip's own are even over the range of counts."""
+    """Densities by scipy: those of the chip's own are even over the range of counts."""
     seen, _, counts, covariance = nothing_seen(3)
     out = np.array([0, 6, 14])
     search = inverted().search

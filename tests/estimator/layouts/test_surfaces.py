@@ -116,7 +116,7 @@ def test_beside_its_patch_a_part_lies_at_the_border(spec):
 
 @pytest.mark.parametrize("sensed", [(1, 2, 3, 4, 5), (1, 2, 3)], ids=str)
 def test_faces_that_are_turned_copies_share_places_and_the_others_do_not(sensed):
-    """Of a cylinder, whose sides are alike and whose end is not."""
+    """A cylinder's sides are alike, and its end is not."""
     known = surfaces(body_spec("cylinder", body={"sensed_faces": list(sensed)}))
     assert len({surface.shape for surface in known.values()}) == 2
     assert known[2].shape == known[3].shape != known[1].shape

@@ -66,7 +66,7 @@ def test_gains_of_drawn_chips_count():
 
 @pytest.mark.parametrize(("shell", "distance_mm"), [(0, 50), (1, 70), (2, 110)])
 def test_columns_of_a_magnet_hold_what_magnets_near_the_object_add(shell, distance_mm):
-    """By the forward chain, with exact disks in place of dipoles: Ø10 × 5 mm, by shell of distances."""
+    """Exact disks in place of dipoles, by the forward chain: Ø10 × 5 mm, by shell of distances."""
     columns, rng = magnet_columns(CUBE)[shell], np.random.default_rng(5)
     left, whole, size = [], [], []
     for place, axis in rng.standard_normal((12, 2, 3)):

@@ -149,7 +149,7 @@ def missed(cube, table, fields, body, within=None):
 
 
 def test_between_candidates_motions_are_those_of_direct_evaluation(cube, table, fields, body):
-    """On a lattice of 4 mm, a coarse one: displacements to a tenth (rms), rotations to a quarter."""
+    """A coarse lattice of 4 mm: displacements to a tenth (rms), rotations to a quarter."""
     rms, worst = missed(cube, table, fields, body)
     assert np.all(rms < [0.1, 0.25])
     assert rms[0] < worst[0] < 0.3

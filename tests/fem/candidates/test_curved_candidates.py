@@ -150,7 +150,7 @@ def test_tall_magnets_stay_inside_the_silicone_at_every_place(spec, solved, fact
 
 
 def test_interpolation_is_as_good_as_on_flat_faces(spec, solved, factor, table):
-    """Of pockets anywhere under the pressed patch, on lattices of 2 mm and a coarse mesh."""
+    """Pockets anywhere under the pressed patch, on lattices of 2 mm and a coarse mesh."""
     _, system, response = solved
     row = table.faces.tolist().index(FACE)
     press = presses_at_forces(spec, response, row, (0.5, 1.0))

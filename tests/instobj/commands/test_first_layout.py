@@ -66,7 +66,7 @@ def test_a_start_that_walks_do_not_mend_is_worth_nothing(placed):
 
 
 def test_magnets_that_pull_each_other_out_break_the_gap_at_which_they_would_stay():
-    """On a cylinder's sides, where two magnets that a walk brought together are turned to each other."""
+    """A cylinder's sides, where two magnets that a walk brought together are turned to each other."""
     shell = ShellVariant(8.0, 6.0, 5.0, 3.0)
     placed = next(fitting_tables(Request("cylinder", (50.0, 50.0, 80.0), 2), (shell,), COARSE))
     assert all_stay(spec_of(placed))

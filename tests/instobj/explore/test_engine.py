@@ -121,7 +121,7 @@ def test_the_range_in_use_is_the_searchs_largest_counts_over_full_scale():
 
 
 def test_two_presses_at_once_add_up_and_blur_each_other():
-    """By another way: Schur's complement of the second press in the information of both."""
+    """Another way: Schur's complement of the second press in the information of both."""
     explorer, places = made_explorer(), [7, 12]
     pressed = explorer.press(explorer.spec, 3, 5.0)
     one, other = (pressed.changes[place, :, :3] for place in places)
@@ -145,7 +145,7 @@ def test_the_first_look_has_the_bounds_of_new_and_few_places():
 
 
 def test_magnets_move_in_a_press_as_disks_in_the_layer():
-    """In the face's frame: displacements and rotations of every magnet of the face under each press."""
+    """Displacements and rotations of every magnet of the face under each press, in the face's frame."""
     spec = made_explorer().spec
     explorer = open_coarse_explorer(spec)
     force = spec.score.force_n
