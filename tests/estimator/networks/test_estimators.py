@@ -26,11 +26,11 @@ def frames():
     return synthetic_frames(presses=6)
 
 
-def fitted(frames, training, seed=3, split=None, start=None, progress=None, **more):
+def fitted(frames, training, seed=3, split=None, progress=None, **more):
     split = split or split_presses(frames, seed)
     settings = FitSettings(FACE, training, seed, **more)
     parts = frames.select(split.train), frames.select(split.validation)
-    model = fit_estimator(*parts, settings, start, progress)
+    model = fit_estimator(*parts, settings, progress)
     return model, frames.select(split.test)
 
 
@@ -146,18 +146,6 @@ def test_history_takes_off_hysteresis(frames):
     history, _ = fitted(moved, QUICK.model_copy(update={"history_frames": 2}))
     errors = [evaluate_face(model, test, moved).force_error_percent for model in (history, plain)]
     assert errors[0] < 0.8 * errors[1]
-
-
-def test_start_is_gone_on_from(frames, compact):
-    model, test = compact
-    few = synthetic_frames(presses=3, seed=9)
-    short = QUICK.model_copy(update={"epochs": 3})
-    anew, _ = fitted(few, short)
-    tuned, _ = fitted(few, short, start=model)
-    errors = [evaluate_face(one, test, frames).force_error_percent for one in (tuned, anew)]
-    assert errors[0] < 0.7 * errors[1]
-    with pytest.raises(InputError, match="to start from reads"):
-        fitted(few, short.model_copy(update={"hidden_units": (8,)}), start=model)
 
 
 class _Interruption(Exception):

@@ -5,7 +5,6 @@ import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
 
-from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.face_data import channel_counts, face_data, live_channels
@@ -24,10 +23,10 @@ def frames():
     return synthetic_frames(faces=(FACE,), presses=4, loaded=12, places=range(0, 20, 4))
 
 
-def fitted(frames, training, start=None):
+def fitted(frames, training):
     split = split_presses(frames, 1)
     parts = frames.select(split.train), frames.select(split.validation)
-    return fit_estimator(*parts, FitSettings(FACE, training, 1), start), frames.select(split.test)
+    return fit_estimator(*parts, FitSettings(FACE, training, 1)), frames.select(split.test)
 
 
 def test_the_tensors_answer_as_scikit_learn(frames):
@@ -68,9 +67,3 @@ def test_trees_survive_the_file(frames, tmp_path):
     )
     for name in ("force_n", "xy_mm", "force_halfwidth_n", "novelty"):
         assert_array_equal(getattr(loaded, name), getattr(found, name))
-
-
-def test_trees_are_refused_where_they_cannot_be(frames):
-    model, _ = fitted(frames, WITH_TREES.model_copy(update={"trees": 0}))
-    with pytest.raises(InputError, match=r"training\.trees = 10 does not go with a start"):
-        fitted(frames, WITH_TREES, start=model)

@@ -8,7 +8,6 @@ import pytest
 import torch
 from numpy.testing import assert_allclose, assert_array_equal
 
-from design.errors import InputError
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_intervals, interval_errors
 from estimator.frames.face_data import channel_counts, face_data, live_channels
@@ -40,10 +39,10 @@ def between():
     return synthetic_frames(presses=2, places=INSIDE, seed=4, **QUIET)
 
 
-def fitted(frames, training, start=None):
+def fitted(frames, training):
     split = split_presses(frames, 1)
     parts = frames.select(split.train), frames.select(split.validation)
-    return fit_estimator(*parts, FitSettings(FACE, training, 1), start)
+    return fit_estimator(*parts, FitSettings(FACE, training, 1))
 
 
 @pytest.fixture(scope="module")
@@ -211,10 +210,3 @@ def test_a_process_survives_the_file(model, between, tmp_path):
     found, again = (predict(one, between) for one in (model, loaded))
     for name in ("force_n", "xy_mm", "force_halfwidth_n", "position_radius_mm", "novelty"):
         assert_array_equal(getattr(again, name), getattr(found, name))
-
-
-def test_a_process_is_refused_where_it_cannot_be(frames):
-    plain = TRAINING.model_copy(update={"trees": 0, "process": False, "epochs": 1})
-    start = fitted(frames, plain)
-    with pytest.raises(InputError, match=r"training\.process = True does not go with a start"):
-        fitted(frames, plain.model_copy(update={"process": True}), start)

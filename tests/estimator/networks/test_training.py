@@ -300,12 +300,6 @@ def test_errors_of_the_user(frames, split, model):
         face_data(replace(frames, valid=np.zeros(len(frames), dtype=bool)), FACE)
     with pytest.raises(InputError, match="grid_x_mm"):
         evaluate_face(replace(model, grid_x_mm=model.grid_x_mm + 1), frames)
-    other = FitSettings(FACE, QUICK.changed(hidden_units=(7,)))
-    parts = frames.select(split.train), frames.select(split.validation)
-    with pytest.raises(
-        InputError, match=r"pixels, hidden_units \(96, 96\) \(wanted \(7,\)\); wanted"
-    ):
-        fit_estimator(*parts, other, start=model)
     silent = frames.select(np.arange(2))
     silent.signal_counts[:] = np.nan
     with pytest.raises(InputError, match="every channel of face"):

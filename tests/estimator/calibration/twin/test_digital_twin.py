@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from estimator.calibration.twin.pretraining import calibrated_frames
 from numpy.testing import assert_allclose
 from scipy.linalg import block_diag
 
@@ -17,7 +18,6 @@ from estimator.calibration.twin.pressed_places import (
     invalidate_hard_presses,
     pressed_places,
 )
-from estimator.calibration.twin.pretraining import calibrated_frames
 from estimator.frames.collection import with_slots
 from estimator.frames.press_protocol import simulate_presses
 from estimator.signals.interpolation import counts_at_force, press_traces
