@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import torch
-from numpy.testing import assert_allclose, assert_array_equal
+from numpy.testing import assert_allclose
 
 from design.spec.object import TrainingSpec
 from estimator.evaluation.evaluation import evaluate_face
 from estimator.frames.face_data import channel_counts, face_data, live_channels
 from estimator.frames.splits import split_presses
-from estimator.networks.face_model import load_model, predict, save_model
+from estimator.networks.face_model import predict
 from estimator.networks.forest import LEAST_FRAMES_OF_LEAF, MOST_LEVELS, fit_forest
 from estimator.networks.training.face import FitSettings, fit_estimator
 from tests.support.recordings.synthetic_frames import synthetic_frames
@@ -57,13 +57,3 @@ def test_trees_beside_networks_help_and_heatmaps_add_up_to_the_force(frames):
     assert_allclose(found.heatmap_n.sum(axis=(1, 2, 3)), found.force_n, atol=1e-4)
     assert float(model.network.force_share) > 0
     assert_allclose(float(model.network.place_shares.sum()), 1.0)
-
-
-def test_trees_survive_the_file(frames, tmp_path):
-    model, test = fitted(frames, WITH_TREES)
-    save_model(model, tmp_path / "face.safetensors")
-    found, loaded = (
-        predict(one, test) for one in (model, load_model(tmp_path / "face.safetensors"))
-    )
-    for name in ("force_n", "xy_mm", "force_halfwidth_n", "novelty"):
-        assert_array_equal(getattr(loaded, name), getattr(found, name))

@@ -124,29 +124,6 @@ def test_the_radius_of_the_grid_holds_the_wanted_share_about_every_answer():
     assert radius(data, both, 0.9) == pytest.approx(np.quantile(away, 0.9))
 
 
-def test_a_process_is_scikit_learn_s_with_the_same_kernel(monkeypatch):
-    from sklearn.gaussian_process import GaussianProcessRegressor
-    from sklearn.gaussian_process.kernels import RBF, ConstantKernel, WhiteKernel
-
-    monkeypatch.setattr(process, "chosen_kernel", lambda seen, aim: (2.0, 1.5, 0.01))
-    rng = np.random.default_rng(1)
-    counts = np.column_stack([rng.normal(50, 20, (30, 3)), np.full(30, 7.0)])
-    target = rng.normal(size=(30, 2)) * [3.0, 3.0] + [5.0, -2.0]
-    found = process.ProcessRegression(30, 4, 2)
-    found.fit(counts, target)
-    asked = np.column_stack([rng.normal(50, 30, (9, 3)), np.full(9, 7.0)])
-    scaled = [
-        (part[:, :3] - counts[:, :3].mean(axis=0)) / counts[:, :3].std(axis=0)
-        for part in (counts, asked)
-    ]
-    spread = np.sqrt(target.var(axis=0).mean())
-    kernel = ConstantKernel(2.0) * RBF(1.5) + WhiteKernel(0.01)
-    oracle = GaussianProcessRegressor(kernel, optimizer=None, alpha=0)
-    aim = (target - target.mean(axis=0)) / spread
-    wanted = oracle.fit(scaled[0], aim).predict(scaled[1]) * spread + target.mean(axis=0)
-    assert_allclose(found(torch.as_tensor(asked)), wanted, rtol=1e-6)
-
-
 def test_a_process_answers_with_pushes_within_the_grid():
     made = process.Process(process.ProcessShape(2, 2), 1)
     made.low_mm.copy_(torch.tensor([-1.0, -2.0]))
