@@ -229,6 +229,7 @@ def test_tensors_in_other_files_are_refused(path, tmp_path, monkeypatch):
         load_deployed("face.onnx")
 
 
+@pytest.mark.slow
 def test_a_second_export_is_the_same_byte_by_byte(certain, certain_path, tmp_path):
     export_onnx(certain, tmp_path / "again.onnx")
     assert (tmp_path / "again.onnx").read_bytes() == certain_path.read_bytes()
