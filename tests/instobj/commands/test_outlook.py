@@ -57,6 +57,7 @@ def test_edges_of_the_mesh_follow_the_size_so_that_memory_is_enough(big):
     assert with_edges_that_fit(request, tables, most_gib=1e3) is tables
 
 
+@pytest.mark.slow
 def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     """What is named is asked for, and keeps what was said of it."""
     request = Request("pad", (60.0, 42.0, 11.0), sensors=1, magnets=2)
@@ -70,6 +71,7 @@ def test_more_parts_are_named_that_bring_more_locations_within_the_limit():
     assert first_score(spec_of(more)).within > score.within + 0.05
 
 
+@pytest.mark.slow
 def test_parts_that_bring_the_last_locations_within_the_limit_are_named():
     """Of a cylinder with 97 % within: nothing can bring 5 % more."""
     request, shell = Request("cylinder", (60.0, 60.0, 80.0)), ShellVariant(8.0, 6.0, 5.0, 3.0)
@@ -115,11 +117,12 @@ def test_check_says_before_any_mesh_that_a_body_cannot_be_scored(big, tmp_path, 
     assert memory_text(load_spec(paths[1], [])) == ""
 
 
-def test_check_says_the_bounds_of_new_and_why_where_it_cannot(big, tmp_path):
+def test_check_says_the_bounds_of_new_and_why_where_it_cannot(tmp_path):
     """Chips turned by hand are scored with a mesh alone."""
-    spec = spec_of(big[1])
-    path = tmp_path / "big.toml"
-    path.write_text(specification_text("big", tmp_path, big[1]), encoding="utf-8")
+    tables = placed(Request("pad", (60.0, 42.0, 11.0), sensors=1, magnets=2))
+    spec = spec_of(tables)
+    path = tmp_path / "pad.toml"
+    path.write_text(specification_text("pad", tmp_path, tables), encoding="utf-8")
     row = check_specifications([path], [])["specifications"][0]
     assert row["outlook"] == expected_text(spec, first_score(spec)) in placed_text(path)
     assert f"cover {100 * row['covered_share']:.0f} % of the sensed surface" in placed_text(path)
