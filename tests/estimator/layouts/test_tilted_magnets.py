@@ -31,7 +31,7 @@ def turned(slopes, turn_rad, share):
 
 @pytest.fixture(scope="module")
 def spec():
-    """With few places: compressing the table of a hundred takes most of the time."""
+    """A cube with few places: compressing the table of a hundred takes most of the time."""
     return made_up_spec().changed(contact_grid=ContactGridSpec(count=(4, 3), pitch_mm=6.0))
 
 
