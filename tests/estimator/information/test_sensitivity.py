@@ -55,7 +55,7 @@ def rank_correlation_and_size(place_traces, frames, realizations):
 
 
 def test_equivalent_ranks_places_as_the_exact_hull_at_30_frames(place_traces):
-    correlation, size = rank_correlation_and_size(place_traces, 30, 4)
+    correlation, size = rank_correlation_and_size(place_traces, 30, 10)
     assert correlation >= 0.95
     assert_allclose(size, 1, atol=0.25)
     shuffled = replace(place_traces, counts=place_traces.counts[::-1] * [1, 0, 1, 2, 1, 1, 3, 1, 1])

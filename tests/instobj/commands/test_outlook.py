@@ -117,12 +117,11 @@ def test_check_says_before_any_mesh_that_a_body_cannot_be_scored(big, tmp_path, 
     assert memory_text(load_spec(paths[1], [])) == ""
 
 
-def test_check_says_the_bounds_of_new_and_why_where_it_cannot(tmp_path):
+def test_check_says_the_bounds_of_new_and_why_where_it_cannot(big, tmp_path):
     """Chips turned by hand are scored with a mesh alone."""
-    tables = placed(Request("pad", (60.0, 42.0, 11.0), sensors=1, magnets=2))
-    spec = spec_of(tables)
-    path = tmp_path / "pad.toml"
-    path.write_text(specification_text("pad", tmp_path, tables), encoding="utf-8")
+    spec = spec_of(big[1])
+    path = tmp_path / "big.toml"
+    path.write_text(specification_text("big", tmp_path, big[1]), encoding="utf-8")
     row = check_specifications([path], [])["specifications"][0]
     assert row["outlook"] == expected_text(spec, first_score(spec)) in placed_text(path)
     assert f"cover {100 * row['covered_share']:.0f} % of the sensed surface" in placed_text(path)
