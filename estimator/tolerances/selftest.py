@@ -41,7 +41,7 @@ POOR_FIT = 1e-3
 """Below this probability of a worse fit by chance even the best hypothesis is not believed."""
 _LEADERS = 20
 _SHOWN = 5
-"""Hypotheses that are told, at most."""
+"""Most likely hypotheses of an answer, at most."""
 _NEARER_MM = 1.0
 """Distance by which tolerances may bring a magnet nearer to a sensor."""
 _STEP = 0.05
