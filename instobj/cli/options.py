@@ -113,7 +113,6 @@ TARGETS = {
     "robustness": "robustness",
     "slip": "slip",
     "frames": "frames",
-    "pretraining": "pretraining",
     "verdict": "alternatives press_curves robustness scores weak_areas",
     "report": "report",
 }

@@ -58,7 +58,7 @@ def predict_file(
     """Read every frame of a file; writes `<stem>.prediction_face_<n>.csv` next to it.
 
     With a folder `out` it is `out/runs/<name>/prediction_face_<n>.csv`, named as `run_name` says. Models
-    in a folder of their own (`own_folder`) name it too: `prediction_twin_face_<n>.csv`.
+    in a folder of their own (`own_folder_of`) name it too: `prediction_twin_face_<n>.csv`.
     Every row has the number of its frame in the file and its time stamp, as the file has it to 1 µs.
 
     Data sets of instobj are changes against rest already. Recordings of any other format are zeroed
@@ -200,7 +200,7 @@ def _rows(number: np.ndarray, time_s: np.ndarray, prediction: Prediction) -> lis
 
 def export_models(models: list[Path], out: Path | None = None) -> dict[str, Any]:
     """Write an ONNX file for each trained estimator, next to it or in `out`; a folder is its estimators,
-    with those of the folders of their own in it (`own_folder`), which are kept apart in `out` too.
+    with those of the folders of their own in it (`own_folder_of`), which are kept apart in `out` too.
 
     One that inverts the forward model is what the robot reads already: it is read once, and copied to
     `out`.
