@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float, Int
 
 from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.recordings.attitude import recorded_motion
 from estimator.recordings.checks.cells import check_rate, repaired_forces, wrong_forces
 from estimator.recordings.checks.faults import (
     Fault,
@@ -249,6 +250,9 @@ def _report(
         noise_counts=noise_by_name(case.noise_counts),
         presses_zeroed_after=zeroed_after,
         faults=faults,
+        motion=""
+        if case.table.motion is None
+        else recorded_motion(case.time_s, case.table.motion).text,
     )
 
 

@@ -3,7 +3,8 @@ r"""Lines of text, with a checksum, that boards with Hall sensors, load cells or
 Each line is `$` body `*` CRC `\n`, where CRC is CRC-16/CCITT-FALSE of the body in four hexadecimal
 digits. Bodies, comma-separated:
 
-- `H,1,F1-X1,F1-Y1,…`  format version and the channels of the frames that follow, in their order
+- `H,1,F1-X1,F1-Y1,…`  format version and the channels of the frames that follow, in their order; those of
+  an IMU are named `acceleration_x_m_s2` … `rate_z_rad_s`
 - `F,sequence,ms,v1,v2,…`  one reading of all channels (raw counts, empty where a sensor is silent);
   the sequence counts frames modulo 65536, ms is the board's clock modulo 2³²
 - `L,ms,cell,force_n,face,x1_mm,y1_mm,…`  load cell (1…9), its normal force in N, and where it
@@ -23,6 +24,7 @@ from binascii import crc_hqx
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from design.catalogue.bus_parts import MOTION
 from design.errors import InputError
 from estimator.recordings.formats.generic import CHANNEL, cell_text
 from estimator.recordings.table import LARGEST_COUNT, LARGEST_FORCE_N, LARGEST_PLACE_MM, MOST_FACES
@@ -142,7 +144,8 @@ class LineDecoder:
         message = None if body is None else _parsed(body)
         if isinstance(message, Header):
             self._channels = len(message.channels)
-            self._sensors = len({(name[1], name[4:]) for name in message.channels})
+            sensed = filter(CHANNEL.fullmatch, message.channels)
+            self._sensors = len({(name[1], name[4:]) for name in sensed})
         elif isinstance(message, Frame):
             if self._channels is None:
                 return None
@@ -233,10 +236,10 @@ def _body(line: bytes) -> str | None:
 
 def _parsed(body: str) -> Message | None:
     kind, *cells = body.split(",")
-    if "_" in body:  # Python takes 1_0 for a number
-        return None
     if kind == "H":
         return _header(cells)
+    if "_" in body:  # Python takes 1_0 for a number
+        return None
     try:
         return _PARSERS[kind](cells)
     except (KeyError, ValueError, IndexError):
@@ -250,11 +253,13 @@ def _header(cells: list[str]) -> Header:
             "`instobj docs recordings`"
         )
     channels = tuple(cells[1:])
-    wrong = [name for name in channels if not CHANNEL.fullmatch(name)]
-    if wrong or not channels or len(set(channels)) < len(channels):
+    # An IMU's six stand behind all others, so that readers can cut them off.
+    halls = channels[: -len(MOTION)] if channels[-len(MOTION) :] == MOTION else channels
+    wrong = [name for name in halls if not CHANNEL.fullmatch(name)]
+    if wrong or not halls or len(set(channels)) < len(channels):
         raise InputError(
             f"the board names channels {wrong[:5] or list(channels)[:5]}. Each must be named once, "
-            "F1-X1 and so on: face, axis, number of the sensor"
+            "F1-X1 and so on: face, axis, number of the sensor; an IMU's six columns come last"
         )
     return Header(channels)
 
