@@ -215,11 +215,17 @@ def _believed(
     if not np.isfinite(counts).any():
         raise RecordingError(f"no reading is left: {'; '.join(map(str, faults[:3]))}")
     spoilt, left_out = spoilt_channels(counts, np.isfinite(raw) & np.isnan(counts))
-    table, wrapped = without_wrapped(replace(table, counts=counts))
-    table, unreachable = limit_to_range(table, limits)
+    table, unreachable = limit_to_range(replace(table, counts=counts), limits)
+    table, wrapped = without_wrapped(table, _frame_s(table))
     dead, silent = dead_channels(raw)
     unread = unread_faces(raw, table.face)
-    return table, spoilt | dead, [*faults, *wrapped, *unreachable, *left_out, *silent, *unread]
+    return table, spoilt | dead, [*faults, *unreachable, *wrapped, *left_out, *silent, *unread]
+
+
+def _frame_s(table: RawTable) -> float:
+    """Time from row to row (s)."""
+    stretch = stretches(table.time_s, table.case[:, None].astype(float))
+    return 1 / frame_times_s(table.time_s, stretch, NOMINAL_RATE_HZ)[1]
 
 
 def _report(
