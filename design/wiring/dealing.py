@@ -36,9 +36,7 @@ FACTORY, STARTED, EXPANDED, MULTIPLEXED, MIXED = (
 WAYS = (FACTORY, STARTED, EXPANDED, MULTIPLEXED, MIXED)
 _EXPANDER_V = 3.3
 """Supply of sensors and expanders."""
-_DEALT_ADDRESSES = [
-    a for a in range(0x10, 0x70) if a not in {imu.address for imu in IMUS.values()}
-]
+_DEALT_ADDRESSES = [a for a in range(0x10, 0x70) if a not in {imu.address for imu in IMUS.values()}]
 """I²C addresses that are dealt out: none of an IMU, and none reserved by UM10204 or of a multiplexer."""
 
 

@@ -253,6 +253,4 @@ def _lag_fits(total: Float[np.ndarray, "row"], activity: Float[np.ndarray, "row"
     # a constant has no correlation
     if not total.std() or not activity.std():
         return [0.0]
-    return [
-        float(np.corrcoef(total[lag:], activity[: len(activity) - lag])[0, 1]) for lag in lags
-    ]
+    return [float(np.corrcoef(total[lag:], activity[: len(activity) - lag])[0, 1]) for lag in lags]

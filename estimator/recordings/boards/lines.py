@@ -204,7 +204,9 @@ class LineDecoder:
             self._last[k], self._last_ms[k] = value, frame.board_ms
         if not any(self._turns):
             return frame
-        return replace(frame, counts=tuple(map(self._undone, range(len(frame.counts)), frame.counts)))
+        return replace(
+            frame, counts=tuple(map(self._undone, range(len(frame.counts)), frame.counts))
+        )
 
     def _undone(self, channel: int, value: float) -> float:
         """Return a channel's count without its turns, NaN where those are in doubt."""

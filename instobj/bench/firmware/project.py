@@ -101,7 +101,7 @@ def _imu_text(plan: BusPlan) -> str:
     if plan.imu is None:
         return ""
     return (
-        f"\n- IMU: {plan.imu.name} at 0x{plan.imu.address:02X}, its x, y, z along the object's (glue it flat). "
+        f"\n- IMU: {plan.imu.name} at 0x{plan.imu.address:02X}, x, y, z along the object's. "
         "Each frame ends with its acceleration (m/s²) and angular rate (rad/s)."
     )
 

@@ -71,7 +71,8 @@ def test_an_analogue_load_cell_is_refused_where_no_pin_reads_it():
 
 
 @pytest.mark.parametrize(
-    ("board", "march"), [("pico", "armv6m"), ("esp32s3", "xtensawin"), ("esp32c3-espnow", "rv32imc")]
+    ("board", "march"),
+    [("pico", "armv6m"), ("esp32s3", "xtensawin"), ("esp32c3-espnow", "rv32imc")],
 )
 def test_the_program_compiles_for_the_processor(tmp_path, board, march):
     """MicroPython's own compiler, native code included; nothing is executed."""

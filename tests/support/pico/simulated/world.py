@@ -197,7 +197,10 @@ class Imu:
         memory = self.memory
         if self.st:
             on = memory[0x10] >> 4 and memory[0x11] >> 4
-            g, rate = (2, 16, 4, 8)[memory[0x10] >> 2 & 3], (250, 500, 1000, 2000)[memory[0x11] >> 2 & 3]
+            g, rate = (
+                (2, 16, 4, 8)[memory[0x10] >> 2 & 3],
+                (250, 500, 1000, 2000)[memory[0x11] >> 2 & 3],
+            )
             per_g, per_rate = 1 / (0.000061 * g / 2), 1 / (0.00875 * rate / 250)
         else:
             on = memory[0x4E] & 15 == 15
@@ -223,7 +226,9 @@ class Placed:
     def __init__(self, number, family, bus, factory, multiplexer, channel, supply, field, celsius):
         self.number, self.bus, self.supply = number, bus, supply
         self.multiplexer, self.channel = multiplexer, channel
-        self.chip = {"T": Tmag, "M": Mlx, "E": Tle, "L": Imu, "I": Imu}[family](factory, field, celsius)
+        self.chip = {"T": Tmag, "M": Mlx, "E": Tle, "L": Imu, "I": Imu}[family](
+            factory, field, celsius
+        )
         self.powered_us = 0 if supply is None else None
 
     def power(self, on):
