@@ -1,7 +1,7 @@
 """I²C parts: how Hall sensors are addressed, the multiplexer, and the boards that read them.
 
-Sources: bus_chips.toml, boards.toml, imus.toml. TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by three pins, eight
-channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
+Sources: bus_chips.toml, boards.toml, imus.toml. TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by three
+pins, eight channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
 HX711: Avia Semiconductor's data sheet (±0.5 AVDD over the gain is full scale of 24 bits; ready by a low
 data line, 25 clock pulses for gain 128, 60 µs of a high clock power it down; 10 or 80 readings per second).
 """

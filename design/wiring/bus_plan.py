@@ -228,7 +228,7 @@ def require_current(
     if needed_ma > given_ma:
         source = "outputs give" if from_outputs else "3.3 V pin gives"
         raise CannotError(
-            f"{len(chips)} chips{'' if imu is None else ' and the IMU'} draw {needed_ma:.0f} mA, the board's {source} {given_ma:.0f} mA"
+            f"{len(chips)} chips draw {needed_ma:.0f} mA, the board's {source} {given_ma:.0f} mA"
         )
 
 
