@@ -102,8 +102,9 @@ def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
     right &= shapes[0] in ((LEAST_FACES, 3), (MOST_FACES, 3)) and force_n.shape == (frames, cells)
     if not right or not frames:
         raise RecordingError(
-            "it must hold frames with 5 or 6 faces, 3 axes, 6 numbers of any IMU, places and shear "
-            f"(x, y) for each of its {cells} load cells; got {shapes} and {shear.shape[1:]} in {frames} frames. {FORMATS}"
+            "it must hold frames with 5 or 6 faces, 3 axes, places and shear (x, y) for each of its "
+            f"{cells} load cells, and 6 numbers of any IMU; got {shapes} and {shear.shape[1:]} in {frames} "
+            f"frames. {FORMATS}"
         )
     for name in {"time_s", "force_n", "shear_n", "grid_x_mm", "grid_y_mm"} & set(floats):
         rows = floats[name].reshape(len(floats[name]), -1)
