@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 from design.errors import InputError
 from design.files import atomic_path
 from design.spec_io import load_spec
+from estimator.adoption.columns import ORDER_OF_COLUMNS
+from estimator.adoption.findings import CERTAIN
 from estimator.adoption.identify import Identified, Known, identify
 from instobj.commands.adopt_fit import (
     boards_of_logs,
@@ -23,6 +25,9 @@ from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
+
+_MOST_QUESTIONS = 3
+"""Questions asked at once, in the order in which their answers are needed."""
 
 
 def adopt_logs(
@@ -43,7 +48,7 @@ def adopt_logs(
     answers = read_answers(statements)
     start = None if spec is None else load_spec(spec, overrides)
     if any(is_travel_recording(path) for path in logs):
-        return _adopt_folders(logs, start)
+        return _adopt_folders(logs, start, spec)
     progress = ProgressLine()
     with progress.stage("identification from the data"):
         identified = identify(logs, answers)
@@ -56,7 +61,12 @@ def adopt_logs(
         if identified.kind == "force" and identified.presses[0].face.shape[1] > 1:
             boards = boards_of_logs(identified, start)
             document["findings"] += [{"log": where} | asdict(finding) for where, finding in boards]
-            texts += [line for where, finding in boards for line in (where, f"  {finding}")]
+            heads = len(logs) > 1  # one log's head stands there already
+            texts += [
+                line
+                for where, finding in boards
+                for line in (*([where] if heads else []), f"  {finding}")
+            ]
         elif why := why_not_fitted(identified, answers):
             texts.append(why)
         else:
@@ -76,7 +86,7 @@ def adopt_logs(
 
                 with progress.stage("a better layout of the same parts"):
                     texts.append(gain_text(tomllib.loads(text)))
-            further = {"next": f"instobj score {fitted}"}
+                further = {"next": f"instobj score {fitted}"}
     write_json(document, target / "adoption.json")
     questions = open_questions(identified, answers, spec is not None)
     return {
@@ -90,7 +100,9 @@ def adopt_logs(
     }
 
 
-def _adopt_folders(folders: list[Path], spec: ObjectSpec | None) -> dict[str, Any]:
+def _adopt_folders(
+    folders: list[Path], spec: ObjectSpec | None, given: Path | None
+) -> dict[str, Any]:
     """Find the chips' order in folders of presses of known travel: `instobj validate` does the rest."""
     from estimator.adoption.sinking import order_by_sinking
     from estimator.recordings.formats.travel import read_travel
@@ -114,7 +126,7 @@ def _adopt_folders(folders: list[Path], spec: ObjectSpec | None) -> dict[str, An
         "adoption": {"findings": [{"log": name} | asdict(finding) for name, finding in findings]},
         "texts": [line for name, finding in findings for line in (name, f"  {finding}")],
         "questions": [],
-        "next": f"instobj validate SPEC {folders[0]}",
+        "next": f"instobj validate {given} {folders[0]}",
     }
 
 
@@ -162,6 +174,16 @@ def _answers_of_file(path: Path) -> dict[str, object]:
 def open_questions(identified: Identified, answers: Known, with_spec: bool) -> list[dict[str, str]]:
     """Return what no log can tell and a fit needs, three questions at most."""
     questions = []
+    if any(
+        finding.question == ORDER_OF_COLUMNS and finding.p is not None and finding.p > CERTAIN
+        for _, finding in identified.findings
+    ):
+        questions.append(
+            {
+                "question": "How do the columns hold the axes of a chip?",
+                "answer": "--known axes=chip (x1, y1, z1, x2, …) or axes=axis (x1, x2, …)",
+            }
+        )
     if identified.kind == "level" and answers.step_mm is None:
         questions.append(
             {
@@ -183,7 +205,7 @@ def open_questions(identified: Identified, answers: Known, with_spec: bool) -> l
                 "answer": "--spec my_object.toml (instobj new writes one)",
             }
         )
-    return questions
+    return questions[:_MOST_QUESTIONS]
 
 
 def _document(identified: Identified) -> dict[str, Any]:
