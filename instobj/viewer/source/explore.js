@@ -49,19 +49,44 @@ function heldAnswers(element) {
 
 // Body, places and accuracy of a design's shell; of the server's own where there is no design yet.
 async function fetchScene(design) {
-  const held = document.getElementById("scene");
-  if (held) return readArchive(bytesOf(held.textContent));
   const answer = await fetch("/scene", design && { method: "POST", body: JSON.stringify({ design }), headers: { "Content-Type": "application/json" } });
   return readArchive(new Uint8Array(await answer.arrayBuffer()));
 }
 
-async function startExplore() {
-  const find = (name) => document.querySelector(`[data-name="${name}"]`);
-  let scene = await fetchScene();
+// From a notebook's widget: map and design are traits of its model, other answers are messages.
+function modelAnswers(model) {
+  const waiting = new Map();
+  let asked = 0;
+  const settle = (number, answer) => {
+    const [done, fail] = waiting.get(number) ?? [];
+    waiting.delete(number);
+    if (done) answer.error ? fail(new Error(answer.error)) : done(answer);
+  };
+  const answered = (send) => new Promise((done, fail) => { waiting.set(++asked, [done, fail]); send(asked); });
+  model.on("change:map", () => settle(model.get("map").asked, model.get("map")));
+  model.on("msg:custom", ({ number, answer }, buffers) => settle(number, answer ?? buffers[0]));
+  const ask = (question, query) => answered((number) => {
+    if (question !== "judge") return model.send({ number, question, query });
+    for (const [name, value] of Object.entries({ ...copy(query), asked: number })) model.set(name, value);
+    model.save_changes();
+  });
+  const openScene = async (design) => readArchive(design ? await ask("scene", { design }) : model.get("scene"));
+  return { ask, openScene };
+}
+
+const ofPage = () => {
+  const [answers, scene] = ["answers", "scene"].map((name) => document.getElementById(name));
+  if (!answers) return { ask: post, openScene: fetchScene };
+  return { ask: heldAnswers(answers), openScene: () => readArchive(bytesOf(scene.textContent)), held: true };
+};
+
+// `model`: of a notebook's widget, whose element is the `root`.
+export async function startExplore(root, model) {
+  const { ask, openScene, held } = model ? modelAnswers(model) : ofPage();
+  const find = (name) => root.querySelector(`[data-name="${name}"]`);
+  let scene = await openScene();
   let { content, arrays } = scene;
-  const held = document.getElementById("answers");
-  const ask = held ? heldAnswers(held) : post;
-  document.body.classList.toggle("frozen", Boolean(held));
+  root.classList.toggle("frozen", Boolean(held));
   find("name").textContent = held ? `${content.name}, to look at and press` : `${content.name}, explored`;
   if (held) find("hint").textContent = "drag: turn · shift and click: press";
   content.forces_n.forEach((force) => find("force").append(new Option(`${force} N`, force)));
@@ -129,7 +154,7 @@ async function startExplore() {
   async function judged(design) {
     let answer = await ask("judge", question(design));
     while (answer.scene !== content.scene) {
-      build(await fetchScene(design));
+      build(await openScene(design));
       answer = await ask("judge", question(design));
     }
     return answer;
@@ -212,6 +237,8 @@ async function startExplore() {
   }
   const change = (act) => { remember(); act(state.design); update(performance.now()); };
 
+  const take = (design) => change(() => { state.design = copy(design); state.chosen = null; });
+
   const oneList = ({ magnets }) => !Array.isArray(magnets.positions_mm[0][0]);
   // Lists of places: one for all faces, one for each sensed face, or one for each face of a cube.
   function listsOf({ magnets, sensors }, kind) {
@@ -268,8 +295,9 @@ async function startExplore() {
   const on = (name, event, act) => find(name).addEventListener(event, act);
   const work = makeWork({
     find, ask, frozen: Boolean(held), now: () => ({ design: state.design, scene: content.scene, force: Number(find("force").value) }), renew: () => update(),
-    take: (design) => change(() => { state.design = copy(design); state.chosen = null; }),
+    take,
   });
+  model?.on("change:design", () => JSON.stringify(model.get("design")) !== JSON.stringify(state.design) && take(model.get("design")));
   async function refit() {
     state.ends = null;
     if (state.pinned) state.pinned.answer = await ask("judge", question(state.pinned.design));
@@ -282,7 +310,7 @@ async function startExplore() {
   on("opacity", "input", () => body.fade(Number(find("opacity").value) / 100));
   on("undo", "click", () => travel("past", "future"));
   on("redo", "click", () => travel("future", "past"));
-  document.addEventListener("keydown", ({ key, ctrlKey, metaKey, target }) => (ctrlKey || metaKey) && !target.matches("input") && ({ z: find("undo"), y: find("redo") })[key]?.click());
+  root.addEventListener("keydown", ({ key, ctrlKey, metaKey, target }) => (ctrlKey || metaKey) && !target.matches("input") && ({ z: find("undo"), y: find("redo") })[key]?.click());
   on("pin", "click", () => {
     state.pinned = copy({ design: state.design, answer: state.answer, used: state.used });
     find("difference").disabled = false;
@@ -322,7 +350,7 @@ async function startExplore() {
   }));
 
   joinPointer({
-    stage: document.querySelector(".stage"), canvas: find("canvas"), view, now: () => ({ body, parts, content, maps }), frozen: Boolean(held),
+    stage: root.querySelector(".stage"), canvas: find("canvas"), view, now: () => ({ body, parts, content, maps }), frozen: Boolean(held),
     choose(part) { state.chosen = part; paintBroken(); showPart(); },
     begin: remember,
     move({ kind, face, number }, xy, at) {
@@ -343,7 +371,7 @@ async function startExplore() {
     state: () => state, idle: () => !busy && !again && !checking, exact: () => content.scene.endsWith("full"), latencies: () => latencies, forget: () => (latencies.length = 0),
     where: (kind, index) => parts.where(kind, index, view), at: (kind, index) => parts.at(kind, index), dent: () => body.deepest(), map: () => Array.from(arrays.map_live.data),
   };
-  document.getElementById("instobj-explore").dataset.ready = "yes";
+  root.querySelector("#instobj-explore").dataset.ready = "yes";
 }
 
 // A sentence of the check behind the names that the page has for the parts.
@@ -563,8 +591,8 @@ function joinPointer({ stage, canvas, view, now, frozen, choose, begin, move, pr
   for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (drag = null));
 }
 
-if (document.getElementById("instobj-explore")) {
-  startExplore().catch((error) => {
+if (document.querySelector("body > #instobj-explore")) { // a notebook's widget is started by anywidget
+  startExplore(document.body).catch((error) => {
     document.querySelector('[data-name="trouble"]').textContent = `The page cannot start: ${error.message}.`;
     console.warn(error);
   });
