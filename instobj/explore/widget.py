@@ -9,7 +9,6 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-import anywidget
 import traitlets
 
 from design.errors import InstobjError
@@ -17,9 +16,7 @@ from design.spec_io import load_spec
 from instobj.explore.design import design_of
 from instobj.explore.engine import Explorer, open_shell
 from instobj.explore.server import PAGE, Answers, Session
-from instobj.viewer.bundling import program
-
-_RENDER = "\nexport default { render: instobjViewer.render };\n"
+from instobj.report.widget import ObjectView
 
 
 def _page_part(tag: str) -> str:
@@ -29,7 +26,7 @@ def _page_part(tag: str) -> str:
     return re.sub(r"<script.*?</script>", "", text[1])
 
 
-class DesignView(anywidget.AnyWidget):
+class DesignView(ObjectView):
     """A design that hands move in the view and code moves by `design`; `design_view` makes it.
 
     Attributes
@@ -40,11 +37,9 @@ class DesignView(anywidget.AnyWidget):
         `summary`; or an `error` that says what is wrong
     """
 
-    _esm = program() + _RENDER
     # Rules of the page hold within the view alone.
     _css = f".explore-widget {{ {_page_part('style')} }}"
     markup = traitlets.Unicode(_page_part("body")).tag(sync=True)
-    scene = traitlets.Bytes().tag(sync=True)
     design = traitlets.Dict().tag(sync=True)
     figure = traitlets.Unicode("position").tag(sync=True)
     force_n = traitlets.Float().tag(sync=True)

@@ -15,7 +15,6 @@ const TITLES = {
   least: ["Least force that is felt", "N"],
 };
 const STEP_MM = 0.1;
-const WITHIN = 0.95;
 const RED = 0xe01b24;
 const WORSE = [0.5, 2];
 const SIZES = ["size-x", "size-y", "size-z"];
@@ -585,7 +584,8 @@ function joinPointer({ stage, canvas, view, now, frozen, choose, begin, move, pr
     drag.moved = true;
     const face = now().content.faces[drag.face];
     const local = at.add(drag.off).sub(new Vector3(...face.centre_mm));
-    const xy = [face.x, face.y].map((axis, k) => rounded(Math.min(WITHIN * face.half_mm[k], Math.max(-WITHIN * face.half_mm[k], local.dot(new Vector3(...axis))))));
+    const room = now().content.room_mm[drag.kind][drag.face];
+    const xy = [face.x, face.y].map((axis, k) => rounded(Math.min(room[k], Math.max(-room[k], local.dot(new Vector3(...axis))))));
     move(drag, xy, event.timeStamp);
   });
   for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (drag = null));

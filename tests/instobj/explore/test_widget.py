@@ -50,7 +50,7 @@ def test_an_impossible_design_is_told_by_the_map(view):
     assert "error" not in view.map
 
 
-HOST = """<!doctype html><meta charset="utf-8"><div id="cell"></div><script type="module">
+HOST = """<!doctype html><meta charset="utf-8"><style>{css}</style><div id="cell"></div><script type="module">
 const traits = {traits};
 traits.scene = new DataView(Uint8Array.from(atob(traits.scene), (letter) => letter.charCodeAt(0)).buffer);
 const heard = {{}};
@@ -112,7 +112,8 @@ def test_the_front_end_sends_positions_and_shows_the_map(view, tmp_path):
     traits = {name: state[name] for name in names}
     traits["scene"] = base64.b64encode(state["scene"]).decode()
     path = tmp_path / "host.html"
-    path.write_text(HOST.format(traits=json.dumps(traits).replace("</", "<\\/")), encoding="utf-8")
+    packed = json.dumps(traits).replace("</", "<\\/")
+    path.write_text(HOST.format(css=state["_css"], traits=packed), encoding="utf-8")
     with Browser(1100, 900) as page:
         page.open(path, "window.sent?.length")
         notebook = Notebook(page, view)
