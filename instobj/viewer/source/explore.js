@@ -1,6 +1,8 @@
 // The page of `instobj explore`: parts are dragged by hand, and the map of what is told follows. The page
 // holds the design; its server judges it, or the page's own answers where it was exported.
-import { Mesh, MeshLambertMaterial, Plane, Quaternion, Raycaster, Vector2, Vector3 } from "three";
+import {
+  BoxGeometry, Color, CylinderGeometry, InstancedMesh, Mesh, MeshLambertMaterial, Plane, Quaternion, Raycaster, Vector2, Vector3,
+} from "three";
 import { bytesOf, numbers, readArchive } from "./archive.js";
 import { addNumber, boxOf, makeMagnet, makePool, quaternionOf } from "./layouts.js";
 import { drawLegend, makeMaps, placeOn, shownNumber } from "./maps.js";
@@ -20,6 +22,7 @@ const WORSE = [0.5, 2];
 const SIZES = ["size-x", "size-y", "size-z"];
 const MOVED_PX = 4;
 const CHECK_EVERY_MS = 300;
+const [GRASPED, MOST_PARTS] = [1, 1024]; // layer of the parts that rays meet; copies of them are drawn
 const ENDLESS = 1e9; // of what no force is enough for: darker than all
 
 const copy = (value) => JSON.parse(JSON.stringify(value));
@@ -354,6 +357,7 @@ export async function startExplore(root, model) {
     begin: remember,
     move({ kind, face, number }, xy, at) {
       placesOf(state.design, kind, face)[number] = xy;
+      view.stirred(); // no picture in full while the hand moves on
       update(at);
     },
     press(face, x, y, second) {
@@ -452,6 +456,28 @@ function push(position, rest, { origin, normal, profile }, thickness) {
   }
 }
 
+// All parts of a shape in one drawing: each costs a program that draws in software as much as its pixels.
+// Transparent, so that they are drawn in full colour after the skin over them.
+function makeCopies(view, geometry) {
+  const copies = new InstancedMesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.9 }), MOST_PARTS);
+  Object.assign(copies, { renderOrder: 3, frustumCulled: false });
+  view.scene.add(copies);
+  const colour = new Color();
+  return (objects) => {
+    copies.count = 0;
+    objects.forEach((object) => {
+      object.updateMatrixWorld();
+      object.traverse(({ material, matrixWorld }) => {
+        if (!material) return;
+        copies.setColorAt(copies.count, colour.copy(material.color).add(material.emissive));
+        copies.setMatrixAt(copies.count++, matrixWorld);
+      });
+    });
+    copies.instanceMatrix.needsUpdate = true;
+    if (copies.instanceColor) copies.instanceColor.needsUpdate = true;
+  };
+}
+
 // Magnets and chips where the last answer has them; each knows its face and its number on it.
 function makeParts(view, content) {
   const made = { magnet: [], sensor: [], board: [] };
@@ -462,12 +488,13 @@ function makeParts(view, content) {
   const boardsMove = !content.magnets_in_shell; // chips in the silicone are drawn as their boards
   let counts = {};
   function keep(kind, object) {
-    // Transparent, so that parts are drawn in full colour after the skin over them.
-    object.traverse((mesh) => mesh.material && Object.assign(mesh.material, { transparent: true, opacity: 0.9 }));
-    object.traverse((mesh) => mesh.material && (mesh.renderOrder = 3) && (mesh.userData.colour = mesh.material.color.getHex()));
+    object.traverse((mesh) => mesh.layers.set(GRASPED));
+    object.traverse((mesh) => mesh.material && (mesh.userData.colour = mesh.material.color.getHex()));
     made[kind].push(object);
     return object;
   }
+  const [disks, chips, boards] = [new CylinderGeometry(1, 1, 1, 32), new BoxGeometry(2, 2, 2), new BoxGeometry(2, 2, 2)].map((geometry) => makeCopies(view, geometry));
+  const copies = { magnet: disks, sensor: chips, board: boards };
   const moving = boardsMove ? "board" : "magnet";
   let [rest, shift] = [null, null];
   function place(layout) {
@@ -505,6 +532,7 @@ function makeParts(view, content) {
   view.before.push((camera) => {
     for (const kind of ["magnet", "sensor", "board"]) {
       made[kind].slice(0, counts[kind]).forEach((object, index) => (object.visible = facing(faceOf(kind, index), camera)));
+      copies[kind](made[kind].filter(({ visible }) => visible));
     }
     const marked = ["magnet", "sensor"].flatMap((kind) => shown(kind).filter((one, index) => one.visible && isBroken(kind, index)));
     signs.place(marked.map((one) => ({ at: one.position.toArray(), turn: one.quaternion, half: Array(3).fill(view.size / 6) })));
@@ -544,6 +572,7 @@ function makeParts(view, content) {
 
 function joinPointer({ stage, canvas, view, now, frozen, choose, begin, move, press }) {
   const caster = new Raycaster();
+  caster.layers.enable(GRASPED);
   const [plane, at] = [new Plane(), new Vector3()];
   let drag = null;
   function aim(event) {
