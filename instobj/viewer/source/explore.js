@@ -357,7 +357,6 @@ export async function startExplore(root, model) {
     begin: remember,
     move({ kind, face, number }, xy, at) {
       placesOf(state.design, kind, face)[number] = xy;
-      view.stirred(); // no picture in full while the hand moves on
       update(at);
     },
     press(face, x, y, second) {

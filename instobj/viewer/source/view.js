@@ -157,7 +157,7 @@ export function makeView(canvas, sizeMm) {
   canvas.addEventListener("keydown", (event) => turnByKey(event, camera, controls));
   resize();
   look();
-  return { renderer, scene, camera, controls, size, draw, redraw, moved, stirred: pace.moved, look, frame, before, ground, drawn: () => drawn };
+  return { renderer, scene, camera, controls, size, draw, redraw, moved, look, frame, before, ground, drawn: () => drawn };
 }
 
 function turnByKey(event, camera, controls) {
