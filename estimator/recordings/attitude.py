@@ -96,10 +96,10 @@ class RecordedMotion:
         if not np.isfinite(self.jolt_m_s2).any():
             return "IMU: silent throughout"
         hardest = int(np.nanargmax(self.jolt_m_s2))
-        known = self.down[np.isfinite(self.down[:, 0])]
+        finite = self.down[np.isfinite(self.down[:, 0])]
         lean = "; attitude not known"
-        if len(known):
-            turn_deg = np.degrees(np.arccos(np.clip(known @ known[0], -1.0, 1.0)).max())
+        if len(finite):
+            turn_deg = np.degrees(np.arccos(np.clip(finite @ finite[0], -1.0, 1.0)).max())
             lean = f"; leans by up to {turn_deg:.0f}° from its first attitude"
         return (
             f"IMU: hardest jolt {self.jolt_m_s2[hardest]:.1f} m/s² beyond gravity at "

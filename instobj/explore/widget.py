@@ -44,7 +44,7 @@ class DesignView(ObjectView):
     figure = traitlets.Unicode("position").tag(sync=True)
     force_n = traitlets.Float().tag(sync=True)
     map = traitlets.Dict(read_only=True).tag(sync=True)
-    asked = traitlets.Int(0).tag(sync=True)
+    request = traitlets.Int(0).tag(sync=True)
 
     def __init__(self, explorer: Explorer, source: Path) -> None:
         session, spec = Session(explorer, source), explorer.spec
@@ -55,13 +55,15 @@ class DesignView(ObjectView):
             scene=session.scene(spec), design=design_of(spec), force_n=forces[len(forces) // 2]
         )
         self.on_msg(lambda _, message, __: self._begin(self._answer(message)))
-        self.observe(lambda _: self._begin(self._judge()), ["design", "figure", "force_n", "asked"])
+        self.observe(
+            lambda _: self._begin(self._judge()), ["design", "figure", "force_n", "request"]
+        )
         self._begin(self._judge())
 
     async def _judge(self) -> None:
         query = {"design": self.design, "figure": self.figure, "force_n": self.force_n}
-        asked, answer = self.asked, await self._told("judge", query)
-        self.set_trait("map", answer | {"asked": asked})
+        request, answer = self.request, await self._told("judge", query)
+        self.set_trait("map", answer | {"request": request})
 
     async def _answer(self, message: dict[str, Any]) -> None:
         number, question, query = (message[key] for key in ("number", "question", "query"))

@@ -81,7 +81,7 @@ STAGES: dict[str, Stage] = {
     "sheet": Stage(
         "design: bill of materials and assembly sheet",
         ("build",),
-        ("name", *_MAKING, "silicone", "load_cell"),
+        ("name", *_MAKING, "silicone", "load_cell", "imu"),
         make_sheet,
         version=14,
     ),

@@ -137,9 +137,9 @@ def _median_steps(counts: Float[np.ndarray, "frame face sensor 3"]) -> Float[np.
     flat = flat[:, np.isfinite(flat).any(axis=0)]
     steps = np.abs(np.diff(flat, axis=0, prepend=flat[:1]))
     steps = np.where(steps <= WRAP_COUNTS, steps, np.nan)
-    known = np.isfinite(steps).any(axis=1)
+    has_step = np.isfinite(steps).any(axis=1)
     medians = np.full(len(flat), np.inf)
-    medians[known] = np.nanmedian(steps[known], axis=1)
+    medians[has_step] = np.nanmedian(steps[has_step], axis=1)
     return medians
 
 

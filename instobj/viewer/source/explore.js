@@ -65,11 +65,11 @@ function modelAnswers(model) {
     if (done) answer.error ? fail(new Error(answer.error)) : done(answer);
   };
   const answered = (send) => new Promise((done, fail) => { waiting.set(++asked, [done, fail]); send(asked); });
-  model.on("change:map", () => settle(model.get("map").asked, model.get("map")));
+  model.on("change:map", () => settle(model.get("map").request, model.get("map")));
   model.on("msg:custom", ({ number, answer }, buffers) => settle(number, answer ?? buffers[0]));
   const ask = (question, query) => answered((number) => {
     if (question !== "judge") return model.send({ number, question, query });
-    for (const [name, value] of Object.entries({ ...copy(query), asked: number })) model.set(name, value);
+    for (const [name, value] of Object.entries({ ...copy(query), request: number })) model.set(name, value);
     model.save_changes();
   });
   const openScene = async (design) => readArchive(design ? await ask("scene", { design }) : model.get("scene"));

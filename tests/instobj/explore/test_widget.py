@@ -83,7 +83,7 @@ class Notebook:
                 return
             for message in self.page.ask("sent.splice(0)"):
                 if message["question"] == "judge":
-                    names = ("design", "figure", "force_n", "asked")
+                    names = ("design", "figure", "force_n", "request")
                     with self.view.hold_trait_notifications():
                         for name in names:
                             setattr(self.view, name, self.page.ask(f"model.get('{name}')"))
@@ -108,7 +108,7 @@ class Notebook:
 @pytest.mark.skipif(chromium() is None, reason="no Chromium on this machine")
 def test_the_front_end_sends_positions_and_shows_the_map(view, tmp_path):
     state = view.get_state()
-    names = ("_esm", "markup", "design", "figure", "force_n", "map", "asked")
+    names = ("_esm", "markup", "design", "figure", "force_n", "map", "request")
     traits = {name: state[name] for name in names}
     traits["scene"] = base64.b64encode(state["scene"]).decode()
     path = tmp_path / "host.html"

@@ -1,4 +1,4 @@
-"""The IMU beside the sensors: acceleration (m/s²) and angular rate (rad/s); registers stand in plan.py."""
+"""The IMU of the object: acceleration (m/s²) and angular rate (rad/s); registers stand in plan.py."""
 
 import struct
 
