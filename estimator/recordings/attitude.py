@@ -24,7 +24,7 @@ _CALM_M_S2, _CALM_S = 0.5, 0.1
 """Specific force off gravity up to which the accelerometer is believed, and for how long it must have been
 so: a shaken object passes through gravity's size by chance."""
 _LONGEST_STEP_S = 1.0
-"""Between two frames; after a longer pause the direction begins anew."""
+"""Between two frames; after a longer pause the direction begins again."""
 
 
 @dataclass
