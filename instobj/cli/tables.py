@@ -14,15 +14,12 @@ from rich.console import Console
 from rich.table import Table
 
 from instobj.report.cells import shown, turned
-from instobj.report.summary import AREAS_TITLE
 from instobj.report.surroundings import surroundings_lines
+from instobj.report.verdict import SCORES_TITLE
 from instobj.store import readers
 
-HEADLINES = (
-    ("verdict", "not judged"),
-    (AREAS_TITLE, "read worse than the bound", "not judged", "discretisation error"),
-)
-"""Titles of a summary that a terminal shows in place of all its tables; the rest is in `--json`."""
+HEADLINES = ("verdict", SCORES_TITLE, "read worse than the bound", "not judged")
+"""Titles of a summary with a verdict that a terminal shows; the rest is in `--json`."""
 _MOST_COLUMNS = 12
 _LONGEST_WORD = 16
 _NUMBER = re.compile(r"^[^A-Za-z/_]*\d[^A-Za-z/_]*([eE][-+]?\d+)?[^A-Za-z/_]*$")
@@ -70,7 +67,7 @@ def print_result(result: dict[str, Any]) -> None:
         _print_rows(console, title, rows)
     _print_files(console, result.get("files", ()))
     if "next" in result:
-        console.print(f"next  {result['next']}", soft_wrap=True)
+        console.print(f"next: {result['next']}", soft_wrap=True)
 
 
 def _print_findings(console: Console, item: dict[str, Any]) -> None:
@@ -107,11 +104,10 @@ def _place(place_mm: list[float]) -> str:
 
 
 def _headlines(summary: dict[str, Any]) -> dict[str, Any]:
-    """Return what decides something: the verdict, else the bounds by area, else all there is."""
-    for titles in HEADLINES:
-        if titles[0] in summary:
-            return {title: summary[title] for title in titles if title in summary}
-    return summary
+    """Return what decides something where there is a verdict, else all there is."""
+    if "verdict" not in summary:
+        return summary
+    return {title: summary[title] for title in HEADLINES if title in summary}
 
 
 def _print_summary(console: Console, summary: dict[str, Any]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from contextlib import nullcontext
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from design.spec_io import check as require_fit
 from design.spec_io import load_spec, spec_hash
 from instobj.commands.buildable import require_makeable
 from instobj.commands.compare import compare_scores
+from instobj.commands.next_step import after_verdict, next_step
 from instobj.stages.run import Run, with_needs
 from instobj.stages.table import STAGES
 from instobj.stages.tasks import tasks_of
@@ -181,6 +183,32 @@ def run_chain(
     return result
 
 
+def run_to_target(
+    specs: list[Path],
+    target: tuple[str, ...],
+    out: Path,
+    overrides: list[str],
+    workers: int = 1,
+    scheduler: str | None = None,
+) -> dict[str, Any]:
+    """Bring each specification to the stages of a target as `run_chain` does, and say what comes next."""
+    document = run_chain(specs, target, out, overrides, workers, scheduler)
+    return document | {"next": after_verdict("run", specs, out, overrides, document)}
+
+
+def build_objects(specs: list[Path], out: Path, overrides: list[str]) -> dict[str, Any]:
+    """Write the parts and the assembly sheet of each specification, and say what comes next."""
+    from design.catalogue.bus_parts import MEGA2560
+    from design.wiring.bus_plan import plan_or_none
+
+    document = run_chain(specs, ("sheet",), out, overrides)
+    spec = load_spec(specs[0], overrides)
+    # parts of an object that was not scored may not be worth casting
+    ready = Run(spec).stored("scores") is not None and plan_or_none(spec, MEGA2560) is not None
+    done, paths = ("build", specs[:1]) if ready else ("build unscored", specs)
+    return document | {"next": next_step(done, *paths, out=out, overrides=overrides)}
+
+
 def simulate_recordings(
     specs: list[Path],
     out: Path,
@@ -241,6 +269,7 @@ def run_one_object(
     from instobj.report.summary import summarize
 
     run = Run(spec, progress or ProgressLine())
+    _say_first_verdict(run, stages)
     files: list[Path] = []
     for name in stages:
         earlier = set(run.results)
@@ -254,6 +283,20 @@ def run_one_object(
         "summary": summarize(run.results, spec),
         "files": file_rows(files),
     }
+
+
+def _say_first_verdict(run: Run, stages: tuple[str, ...]) -> None:
+    """Say go or no-go as soon as the scores give it, where virtual objects are still to be judged."""
+    from instobj.report.remedies import DESIGN_STAGES, verdict_summary
+
+    judges_objects = with_needs(*stages) >= {"robustness", *DESIGN_STAGES}
+    if not judges_objects or run.stored("robustness"):
+        return
+    for name in DESIGN_STAGES:
+        run.require(name)
+    lines = islice(verdict_summary(run.spec, run.results).items(), 2)
+    text = "; ".join(f"{name}: {line}" for name, line in lines)
+    run.progress.say(f"{text}. By the design; objects built within [tolerances] follow")
 
 
 def run_estimator(

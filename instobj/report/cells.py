@@ -37,6 +37,11 @@ def turned(rows: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     ]
 
 
+def percent_text(share: float) -> str:
+    """Whole per cent, but all only where it is all."""
+    return f"{min(round(100 * share), 99) if share < 1 else 100} %"
+
+
 def shown(value: Any) -> str:
     """Text of a cell: three digits of a number, ∞ where there is no bound, a dash where nothing is known."""
     if isinstance(value, bool):

@@ -323,7 +323,7 @@ def test_contacts_of_a_data_set_are_found_by_inverting_its_twin(folder, first):
     held = next(row for row in judged if row["force"] == "from 4 N")
     jitter_mm = np.sqrt(np.pi / 2) * 0.3  # mean distance of the presses from their labels
     assert held["number right %"] > 98
-    assert held["distance mm"] < 1.3 * np.hypot(held["possible mm"], jitter_mm)
+    assert held["distance mm"] < 1.3 * np.hypot(held["bound mm"], jitter_mm)
 
 
 def test_an_error_in_a_later_stage_keeps_earlier_results(folder, first):
