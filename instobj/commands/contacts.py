@@ -47,9 +47,7 @@ COLUMNS: tuple[str, ...] = (
 )
 
 
-def contacts_in_file(
-    model_path: Path, path: Path, out: Path, zeroing: Zeroing
-) -> dict[str, Any]:
+def contacts_in_file(model_path: Path, path: Path, out: Path, zeroing: Zeroing) -> dict[str, Any]:
     """Read every frame of a file; writes `out/runs/<name>/contacts.csv`, one row per contact.
 
     `run_name` gives the name. Where `out` is an MCAP file, frames go there too

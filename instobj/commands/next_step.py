@@ -31,8 +31,7 @@ NEXT = {
     "train": "train --export",
     "train SPEC": "run --to frames --set collection.kind=continuous --set collection.presses=20",
     "train contacts": "predict",
-    "export": "predict",
-    "frames": "train",
+    "adopt order": "validate",
 }
 """What was done, with its outcome → the command to go on with."""
 
@@ -51,7 +50,11 @@ def next_step(
 
 
 def after_verdict(
-    command: str, specs: Sequence[Path], out: Path, overrides: Sequence[str], document: dict[str, Any]
+    command: str,
+    specs: Sequence[Path],
+    out: Path,
+    overrides: Sequence[str],
+    document: dict[str, Any],
 ) -> str:
     """Return the next step after a chain: by its verdict, of all objects or of the first that is no go."""
     verdicts = [item["summary"].get("verdict", {}) for item in document["objects"]]

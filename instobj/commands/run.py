@@ -30,7 +30,7 @@ from instobj.store.publish import (
     run_name,
     stage_row,
 )
-from instobj.store.readers import FINDINGS, FRAMES
+from instobj.store.readers import FINDINGS, FRAMES, INVERSION
 from instobj.store.run_bar import expected_seconds
 
 
@@ -231,7 +231,16 @@ def simulate_recordings(
         stages = ("pulled_collection" if pulled else "collection",)
         _make_by_workers([spec], stages, workers, scheduler)
         objects.append(run_one_object(spec, stages, out))
-    return {"command": "frames", "objects": objects}
+    return {"command": "frames", "objects": objects, "next": _after_frames(objects[0], out)}
+
+
+def _after_frames(document: dict[str, Any], out: Path) -> str:
+    """Return the next step: the simulated recording read by the object's estimator, or one trained on it."""
+    frames = next(row["path"] for row in document["files"] if row["path"].endswith(".nc"))
+    contacts = run_folder(out, document["name"]) / INVERSION.name
+    if contacts.is_file():
+        return next_step("train contacts", contacts, Path(frames), out=out)
+    return next_step("recordings", Path(frames), out=out)
 
 
 def _make_by_workers(
@@ -335,7 +344,21 @@ def run_estimator(
             chosen = chosen if inverting else stages
             _require_no_recording(spec, chosen, out)
             objects.append(run_one_object(spec, chosen, out))
-    return {"command": "estimator", "objects": objects}
+    next_command = _after_training(sources[0], objects[0]["files"], out, overrides)
+    return {"command": "estimator", "objects": objects, "next": next_command}
+
+
+def _after_training(
+    source: Path, files: list[dict[str, Any]], out: Path, overrides: list[str]
+) -> str:
+    """Return the next step: what an inversion reads, or the export of networks."""
+    paths = [Path(row["path"]) for row in files]
+    contacts = next((path for path in paths if path.name == INVERSION.name), None)
+    if contacts is None:
+        return next_step("train", paths[0].parent)
+    if source.suffix == ".nc":
+        return next_step("train contacts", contacts, source, out=out)
+    return next_step("train SPEC", source, out=out, overrides=overrides)
 
 
 def _results_name(path: Path, overrides: list[str]) -> str:

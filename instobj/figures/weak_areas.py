@@ -85,7 +85,9 @@ def _draw_measure(
             continue
         ends = [factor * third.low, factor * third.high]
         middle = [min(third.bound_mm, bound_mm.max())] * 2
-        axes.plot(ends, middle, "o-", ms=4, color=_INK, lw=2.5, label="bound that 95 % of a third keep")
+        axes.plot(
+            ends, middle, "o-", ms=4, color=_INK, lw=2.5, label="bound that 95 % of a third keep"
+        )
     axes.set(xlabel=MEASURE_NAMES[name])
     axes.set_title(f"rank correlation {areas.rank_correlation[name]:+.2f}", fontsize=10)
     axes.yaxis.set_major_formatter(lambda number, _: f"{number:g}")

@@ -39,14 +39,14 @@ from instobj.store.readers import (
 )
 
 _CONTACTS_TITLE = (
-    "contacts found by inversion, means over frames. tips a face: on the face pressed most; distance: of found "
-    "contacts from true ones, and what 95 % stay below; bound: what an unbiased estimator could reach; missed, "
-    "ghosts: true contacts that were not found, and found ones that are none, per frame"
+    "contacts found by inversion, means over frames. tips a face: on the face pressed most; distance: of "
+    "found contacts from true ones; bound: what an unbiased estimator could reach; missed, ghosts: true "
+    "contacts not found, and found ones that are none, per frame"
 )
 _METRICS_TITLE = (
-    "force maps of held-out presses, by the paper's metrics. similarity (A_sim): 1 where the maps agree; shift "
-    "(E_loc): of the whole map, in pixels of the contact grid; force error (E_f): where it is pressed, % of the "
-    "range of force there; rest read (A_non): share of frames at rest that are read as rest"
+    "force maps of held-out presses, by the paper's metrics. similarity (A_sim): 1 where the maps agree; "
+    "shift (E_loc): of the whole map, in pixels of the contact grid; force error (E_f): where it is pressed, "
+    "% of the range of force there; rest read (A_non): share of frames at rest that are read as rest"
 )
 
 

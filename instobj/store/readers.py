@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 if TYPE_CHECKING:
-    from design.build.order_list import OrderLine
     from design.build.manifest import BuildManifest
+    from design.build.order_list import OrderLine
     from estimator.frames.dataset import FrameSet
     from estimator.information.scores import PlaceScores
     from estimator.inversion.inversion import Inversion

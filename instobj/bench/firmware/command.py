@@ -39,7 +39,10 @@ def write_firmware(
         "command": "firmware",
         "board": plan.board.name,
         "way": plan.way,
-        "texts": [*plan_texts(plan), f"orders.csv: {len(orders)} parts to buy for {price_text(orders)}"],
+        "texts": [
+            *plan_texts(plan),
+            f"orders.csv: {len(orders)} parts to buy for {price_text(orders)}",
+        ],
         "tables": {"sensors": chip_rows(plan), "ways": way_rows(choice)},
         "files": file_rows(written),
     }

@@ -443,7 +443,9 @@ def test_the_share_that_an_interval_held_is_measured_where_forces_are_known(fold
     normal[..., 2] *= 3.0  # labels that the estimator was not trained on
     save_frames(replace(true, force_n=normal), target)
     (own,), (other,) = (
-        next(iter(predict_file(folder / "robot" / "face_3.onnx", path, tmp_path)["tables"].values()))
+        next(
+            iter(predict_file(folder / "robot" / "face_3.onnx", path, tmp_path)["tables"].values())
+        )
         for path in (folder / "press.nc", target)
     )
     assert own["force interval should hold"] == other["force interval should hold"] == 0.9
