@@ -33,7 +33,7 @@ from estimator.frames.face_data import (
 )
 from estimator.networks.prediction import UNITS, Prediction
 
-_ADVICE = "Give a file that `instobj train --export` wrote, or the contacts.nc that `instobj train SPEC` wrote"
+_ADVICE = "Give a file that `instobj train --export` wrote, or contacts.nc of `instobj train SPEC`"
 
 
 @dataclass(frozen=True)
