@@ -1,0 +1,58 @@
+"""The line that a command ends with: a command of instobj that a shell takes as it stands."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+from typer.main import get_command
+
+from instobj.cli.app import app
+from instobj.commands.next_step import NEXT, after_verdict, next_step
+
+PATHS = (Path("a folder/my box.toml"), Path("recording.csv"))
+
+
+def parsed(words):
+    """Names of the commands in a line, and their options as typer reads them."""
+    command, names, context = get_command(app), [], None
+    name, rest = "instobj", words
+    while True:
+        context = command.make_context(name, [*rest], parent=context)
+        names.append(name)
+        if not hasattr(command, "resolve_command"):
+            return names, context.params
+        name, command, rest = command.resolve_command(context, [*context._protected_args, *context.args])
+
+
+@pytest.mark.parametrize("done", NEXT)
+def test_every_next_step_is_taken_as_it_stands_also_with_blanks_in_paths(done):
+    count = {"docs": 0, "predict": 2, "validate": 2}.get(NEXT[done].split()[0], 1)
+    program, *words = shlex.split(next_step(done, *PATHS[:count]))
+    assert program == "instobj"
+    names, options = parsed(words)
+    assert names[-1] in NEXT[done].split()
+    given = [value for value in options.values() if value in PATHS or value == [PATHS[0]]]
+    assert len(given) >= min(count, 1)
+
+
+def test_what_was_set_and_where_results_lie_is_handed_on():
+    line = next_step("check", PATHS[0], out=Path("my results"), overrides=["score.force_n=3"])
+    assert shlex.split(line)[2:] == [
+        *("a folder/my box.toml", "--out", "my results", "--set", "score.force_n=3"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "following"),
+    [(("GO", "GO"), "run"), (("GO", "NO-GO"), "optimize"), (("GO", None), "score")],
+)
+def test_the_verdict_chooses_what_comes_next(tmp_path, verdicts, following):
+    specs = [tmp_path / f"{name}.toml" for name in "ab"]
+    for path in specs:
+        path.write_text(f'name = "{path.stem}"\n')
+    summaries = [{} if word is None else {"verdict": {word: ""}} for word in verdicts]
+    document = {"objects": [{"summary": summary} for summary in summaries]}
+    command = "run" if following == "score" else "score"
+    words = shlex.split(after_verdict(command, specs, Path(), [], document))
+    assert words[1] == following
+    assert words[2:] == [str(path) for path in specs if following != "optimize" or path == specs[1]]
