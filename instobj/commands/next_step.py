@@ -23,6 +23,7 @@ NEXT = {
     "run": "score",
     "build": "bench firmware --board mega2560",
     "build unscored": "score",
+    "no search": "docs layout_search",
     "optimize": "run",
     "optimize again": "optimize --resume",
     "recordings": "train",
@@ -63,9 +64,12 @@ def after_verdict(
         return next_step("run", *specs, out=out, overrides=overrides)
     if not failing:
         return next_step(f"{command} {GO}", *specs, out=out, overrides=overrides)
+    from estimator.layouts.scorer import require_scorable  # loads torch
+
+    spec = load_spec(failing[0], overrides)
     try:
-        search_space(load_spec(failing[0], overrides))
-    except InputError:  # a search does not take it: the report says what to change
-        done = f"{'score' if command == 'score' else 'build'} {GO if command == 'score' else 'unscored'}"
-        return next_step(done, failing[0], out=out, overrides=overrides)
+        require_scorable(spec)
+        search_space(spec)
+    except InputError:  # a search does not take this object
+        return next_step("no search")
     return next_step(f"{command} {NO_GO}", failing[0], out=out, overrides=overrides)

@@ -305,7 +305,7 @@ def _say_first_verdict(run: Run, stages: tuple[str, ...]) -> None:
         run.require(name)
     lines = islice(verdict_summary(run.spec, run.results).items(), 2)
     text = "; ".join(f"{name}: {line}" for name, line in lines)
-    run.progress.say(f"{text}. By the design; objects built within [tolerances] follow")
+    run.progress.say(f"{text}. By the design; objects built within tolerances follow")
 
 
 def run_estimator(

@@ -121,9 +121,9 @@ def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[
         "edges": edge_text(WEAK_AREAS.read(results["weak_areas"].folder)),
     }
     if objects is None:
-        lines["not yet judged"] = "chips of objects built within [tolerances] (instobj run)"
+        lines["not yet judged"] = "objects as they are built, within tolerances (instobj run)"
     else:
-        lines["built within [tolerances]"] = objects_text(objects)
+        lines["built within tolerances"] = objects_text(objects)
     if "alternatives" in results:
         rows = ALTERNATIVES.read(results["alternatives"].folder)["alternatives"]
         lines["what to change"] = decision(remedies(spec, rows), verdict.go)

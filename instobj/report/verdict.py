@@ -96,7 +96,7 @@ def judge(
     return Verdict(checks, reason, judged * covered_share(spec))
 
 
-SCORES_TITLE = "scores over all judged contact locations"
+SCORES_TITLE = "scores over the contact locations"
 _ROWS = {
     "position_bound_mm": "position bound, mm",
     "position_bound_drifted_mm": "after 15 min of drift, mm",
@@ -108,24 +108,31 @@ _ROWS = {
 
 
 def score_rows(scores: PlaceScores) -> list[dict[str, Any]]:
-    """Return median, 95th percentile and worst of each score, and where that is, as tables show them."""
+    """Return median, 95th percentile and worst of each score, and where the worst is, as tables show it."""
     rows = []
     for name, title in _ROWS.items():
         values = getattr(scores, name)
-        worst = np.argmax(np.where(scores.judged, values, -np.inf))
+        # bounds hold at one force, which some locations do not reach; a touch is felt or not everywhere
+        judged = scores.places if name == "detectable_force_n" else scores.judged
+        worst = np.argmax(np.where(judged, values, -np.inf))
         face, place = np.unravel_index(worst, values.shape)
         x, y = scores.grid.xy_mm[place]
         rows.append(
             {
                 "score": title,
-                "median": float(np.median(values[scores.judged])),
-                "95 % below": bound_of_most(values[scores.judged]),
-                "worst": float(values[face, place]),
+                "median": _or_infinite(float(np.median(values[judged]))),
+                "95 % below": _or_infinite(bound_of_most(values[judged])),
+                "worst": _or_infinite(float(values[face, place])),
                 "on face": int(scores.faces[face]),
                 "at x, y mm": f"{x:g}, {y:g}",
             }
         )
     return rows
+
+
+def _or_infinite(value: float) -> float | str:
+    """Return a figure as JSON and tables show it: no number where a location is blind."""
+    return value if np.isfinite(value) else "∞"
 
 
 def located_text(spec: ObjectSpec, scores: PlaceScores) -> str:

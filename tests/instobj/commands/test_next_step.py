@@ -21,7 +21,9 @@ def parsed(words):
         names.append(name)
         if not hasattr(command, "resolve_command"):
             return names, context.params
-        name, command, rest = command.resolve_command(context, [*context._protected_args, *context.args])
+        name, command, rest = command.resolve_command(
+            context, [*context._protected_args, *context.args]
+        )
 
 
 @pytest.mark.parametrize("done", NEXT)
