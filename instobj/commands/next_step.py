@@ -8,9 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from design.errors import InputError
-from design.search.space import search_space
-from design.spec_io import load_spec
-from instobj.report.remedies import GO, NO_GO
+from instobj.report.cells import GO, NO_GO
 
 NEXT = {
     "new": "check",
@@ -64,7 +62,10 @@ def after_verdict(
         return next_step("run", *specs, out=out, overrides=overrides)
     if not failing:
         return next_step(f"{command} {GO}", *specs, out=out, overrides=overrides)
-    from estimator.layouts.scorer import require_scorable  # loads torch
+    # slow to load, the second by torch
+    from design.search.space import search_space
+    from design.spec_io import load_spec
+    from estimator.layouts.scorer import require_scorable
 
     spec = load_spec(failing[0], overrides)
     try:

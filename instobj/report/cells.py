@@ -11,6 +11,10 @@ _NOTHING = 1e-10
 """Magnitude below which a figure is a rounding error of what was added up."""
 
 
+GO, NO_GO = "GO", "NO-GO"
+"""Names of the first line of a verdict."""
+
+
 @dataclass(frozen=True)
 class Table:
     """Names of columns, with their units, and cells as they are shown."""

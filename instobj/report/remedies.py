@@ -12,6 +12,7 @@ from operator import mul
 from typing import Any
 
 from design.spec.object import ObjectSpec
+from instobj.report.cells import GO, NO_GO
 from instobj.report.verdict import (
     judge,
     located_text,
@@ -102,7 +103,6 @@ def remedies_section(spec: ObjectSpec, content: dict[str, Any], go: bool) -> dic
 
 DESIGN_STAGES = ("scores", "weak_areas", "press_curves")
 """Stages that a verdict by the design alone is read from."""
-GO, NO_GO = "GO", "NO-GO"
 
 
 def verdict_summary(spec: ObjectSpec, results: dict[str, StoredResult]) -> dict[str, str]:
