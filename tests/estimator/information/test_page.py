@@ -27,10 +27,6 @@ def of_scores():
     yield from chosen(scores, "detectable_force_drifted_n", "stiffness_n_per_mm")
     yield "covariances (mm²)", position_covariances_mm2(SPEC, signals(), scores)
     weak = weak_areas(SPEC, scores)
-    yield (
-        "bounds that 95 % keep, thirds by border, magnet and path (mm)",
-        [third.bound_mm for third in weak.thirds],
-    )
     yield "bound's correlation with border, magnet, path", list(weak.rank_correlation.values())
 
 
