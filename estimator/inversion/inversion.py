@@ -264,7 +264,7 @@ class Inversion:
 
         Where nothing explains a frame, regions are as wide as what is left unexplained asks for.
         """
-        p_value = error.refitted_p_values(observations, problems, error.share)
+        p_value = error.refitted_p_values(observations, problems, error.share)[:, 0]
         if covariance is None:
             covariance = covariances(problems, self.priors)
         factor = np.where(p_value < UNEXPLAINED, excess(observations, problems), 1.0)

@@ -63,17 +63,20 @@ class Observations:
     sigma : their standard deviations around contacts
     still : the same without the error of the forward model, which nothing pressed has not
     strict : the same as `sigma` with no more of that error than a model may have that explains a frame
-    columns : counts that nuisances common to all channels add, a standard deviation of each; or None
+    columns : counts that nuisances common to all channels add, a standard deviation of each, alike in
+        all frames or of each frame; or None
     """
 
     counts: Float[Array, "frame channel"]
     sigma: Float[Array, "frame channel"]
     still: Float[Array, "frame channel"]
     strict: Float[Array, "frame channel"]
-    columns: Float[Array, "channel k"] | None = None
+    columns: Float[Array, "*frame channel k"] | None = None
 
     def moved_to(self, reference: Array) -> Observations:
         """The same where the reference is."""
+        if type(reference) is type(self.counts) is np.ndarray:
+            return self
         parts = (self.counts, self.sigma, self.still, self.strict, self._shared)
         return Observations(*(like(reference, part) for part in parts))
 
@@ -82,7 +85,10 @@ class Observations:
         counts, sigma, still, strict = (
             part[frames] for part in (self.counts, self.sigma, self.still, self.strict)
         )
-        return Observations(counts, sigma, still, strict, self.columns)
+        columns = self.columns
+        if columns is not None and columns.ndim > 2:
+            columns = columns[frames]
+        return Observations(counts, sigma, still, strict, columns)
 
     def without(self, chip: Int[np.ndarray, "frame"]) -> Observations:
         """The same without what one chip shows in each frame; all of it where that is `NONE`."""
@@ -96,8 +102,8 @@ class Observations:
         """The same where further nuisances add to all channels."""
         return replace(self, columns=np.hstack([self._shared, columns]))
 
-    def with_error_share(self, share: float) -> Observations:
-        """The same around contacts of a model with that share of the strict error."""
+    def with_error_share(self, share: Float[np.ndarray, "frame 1"]) -> Observations:
+        """The same around contacts of a model with that share of the strict error in each frame."""
         still, strict = self.still**2, self.strict**2
         return replace(self, sigma=(still + share**2 * (strict - still)) ** 0.5)
 
@@ -111,7 +117,7 @@ class Observations:
         return whitening(self.still, self._shared)
 
     @property
-    def _shared(self) -> Float[Array, "channel k"]:
+    def _shared(self) -> Float[Array, "*frame channel k"]:
         none = zeros(self.counts, (self.counts.shape[1], 0))
         return none if self.columns is None else self.columns
 

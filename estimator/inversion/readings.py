@@ -58,13 +58,6 @@ class ContactSets(Columns):
     since_zero_sigma: Float[np.ndarray, "frame unknown"]
     tilt_deg: Float[np.ndarray, "frame contact 2"]
 
-    def replaced(self, rows: Int[np.ndarray, "some"], others: ContactSets) -> ContactSets:
-        """The same with the sets of some frames replaced."""
-        columns = [column.copy() for column in self._columns()]
-        for column, replacement in zip(columns, others._columns(), strict=True):
-            column[rows] = replacement
-        return ContactSets(*columns)
-
     def with_force_error(self, relative: float) -> ContactSets:
         """Return the sets with forces also wrong by a common relative error."""
         covariance = self.covariance.copy()
