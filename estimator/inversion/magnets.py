@@ -9,10 +9,10 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from estimator.inversion.explained import UNEXPLAINED, p_values
-from estimator.inversion.model.arrays import like
+from estimator.inversion.model.arrays import like, rows_of
 from estimator.inversion.model.forward import NONE
 from estimator.inversion.posterior import most_probable, refitted
-from estimator.inversion.problems import Observations, Problems
+from estimator.inversion.problems import BLIND, Observations, Problems
 from estimator.inversion.search import Hypotheses, Search
 
 _LOG_ODDS = -0.5
@@ -63,11 +63,13 @@ class BesideMagnet:
     ) -> tuple[Float[np.ndarray, "set"], Float[np.ndarray, "set"]]:
         """Return `log_evidence` and the largest p value of any shell."""
         frames, shells = len(self.plain.counts), len(self.columns)
-        many = sets.select(np.tile(np.arange(len(sets)), shells))
+        rows = np.tile(np.arange(len(sets)), shells)
+        many = sets.select(rows)
         frame = many.frame + frames * np.arange(shells).repeat(len(sets))
-        extra = np.tile(search.model.interaction(sets.face, sets.contact), (shells, 1))
+        face, contact = (like(search.reference, part) for part in (sets.face, sets.contact))
+        extra = rows_of(search.model.interaction(face, contact), rows)
         moved = self._shells.moved_to(search.reference)
-        given = frame, many.face, many.contact, like(moved.sigma, extra), 1, 1
+        given = frame, many.face, many.contact, extra, 1, 1
         fit = most_probable(search.model, search.priors, moved, *given)
         (hopeful,) = np.nonzero(fit.misfit < many.misfit + _HOPELESS)
         if len(hopeful):
@@ -92,12 +94,15 @@ class BesideMagnet:
         also one that does not explain the frame.
         """
         best = believed.problems
+        # Any magnet explains fewer readings than it has unknowns: they tell nothing of one.
+        readings = np.sum(self.plain.sigma[best.frame] < BLIND / 2, axis=1)
         # A magnet beside the whole set is a further source, and no better place of any contact.
         beside, p_value = self._judged_by_number(search, best, best.number - 1)
         beside = np.where(p_value < UNEXPLAINED, -np.inf, beside)
         dropped = best.number[:, None] - np.arange(beside.shape[1])
         beside = beside - _TOGETHER * np.maximum(dropped - 1, 0)
-        return beside.max(axis=1, initial=-np.inf) > believed.log_evidence
+        likelier = beside.max(axis=1, initial=-np.inf) > believed.log_evidence
+        return likelier & (readings > self.columns[0].shape[1])
 
     def is_likelier_than_chip(
         self, search: Search, believed: Hypotheses, without_chip: Float[np.ndarray, "frame"]

@@ -36,7 +36,7 @@ _ROUNDS = 3
 _STEPS = 8
 """Levenberg–Marquardt steps of a round, at most."""
 _SETTLED = 1e-3
-"""Gain that a step promises, in half χ², below which a problem has settled and the step is not made.
+"""Gain that a step promises, in half χ², below which a problem has settled: it is the last, and not tried.
 
 Such a step moves contacts by 0.045 standard deviations of their posterior (½ z² = 0.001).
 """
@@ -93,8 +93,7 @@ def lowered_misfits(
     hold = HeldBounds(model, priors, observations.sigma)
     quadratic = _posterior(model, priors, observations, frame, face, extra).expand(contact)
     damping = zeros(contact, (len(contact),)) + _FIRST_DAMPING
-    gain = _promising_step(face, hold, contact, quadratic, damping)[1]
-    return to_host(quadratic.misfit - gain)
+    return to_host(_promised_step(face, hold, contact, quadratic, damping)[1].misfit)
 
 
 def refitted(
@@ -235,11 +234,14 @@ def _descend(
         None,
     )  # of all problems; which of them still go on (None: all)
     for _ in range(steps):
-        trial, promised = _promising_step(posterior.face, hold, contact, quadratic, damping)
-        going = promised > _SETTLED
+        promised = _promised_step(posterior.face, hold, contact, quadratic, damping)
+        trial, gain = promised[0], quadratic.misfit - promised[1].misfit
+        going = gain > _SETTLED
         if not going.all():
-            # Settled problems are stored and dropped, so that later steps cost less.
-            all_problems = _put(all_problems, rows, (contact, quadratic))
+            # Settled problems take what is promised. They are stored and dropped, so that later
+            # steps cost less.
+            settled = _chosen_of(gain > 0, promised, (contact, quadratic))
+            all_problems = _put(all_problems, rows, settled)
             going = true_rows(going)
             rows = going if rows is None else rows[going]
             if not len(rows):
@@ -254,20 +256,24 @@ def _descend(
     return _put(all_problems, rows, (contact, quadratic))
 
 
-def _promising_step(
+def _promised_step(
     face: Array, hold: HeldBounds, contact: Array, quadratic: Quadratic, damping: Array
-) -> tuple[Array, Array]:
-    """Return contacts after one damped step, and the gain that the quadratic promises of it."""
+) -> _State:
+    """Return contacts after one damped step, and what the quadratic promises there."""
     xp = library(contact)
     longest = like(contact, np.tile(_LONGEST, contact.shape[1]))
     step = damped_step(quadratic.slope, quadratic.curvature, damping)
     # Linear signals hold near the contact alone: cut long steps. `hold` keeps contacts on faces.
     step = xp.minimum(xp.maximum(step, -longest), longest).reshape(contact.shape)
     trial = hold(face, contact + step)
-    moved = (trial - contact).reshape(step.shape[0], -1)
-    # −(gᵀd + ½ dᵀHd) of the step d that is left of it
-    slope_on_the_way = quadratic.slope + 0.5 * (quadratic.curvature @ moved[..., None])[..., 0]
-    return trial, -(slope_on_the_way * moved).sum(axis=1)
+    moved = (trial - contact).reshape(quadratic.slope.shape)
+    # Of the step d that is left of it: misfit + gᵀd + ½ dᵀHd, slope g + Hd
+    turned = (quadratic.curvature @ moved[..., None])[..., 0]
+    misfit = quadratic.misfit + ((quadratic.slope + 0.5 * turned) * moved).sum(axis=1)
+    promised = Quadratic(
+        misfit, quadratic.slope + turned, quadratic.curvature, quadratic.log_spread
+    )
+    return trial, promised
 
 
 _State = tuple[Array, Quadratic]

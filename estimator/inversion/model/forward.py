@@ -157,7 +157,20 @@ class ContactModel:
         contact: Float[Array, "problem contact 3"],
     ) -> Float[Array, "problem contact 4 channel"]:
         """Counts of each contact alone and their derivatives by x, y and force; 0 where empty."""
-        return self._fill_slots(face, contact, self.signals.values)
+        if not isinstance(contact, np.ndarray):
+            return self._fill_slots(face, contact, self.signals.values)
+        # What a fit ends at is asked for again by its uncertainty, and by the next frame's fit.
+        if not (self._latest and all(map(np.array_equal, self._latest, (face, contact)))):
+            counts = self._fill_slots(face, contact, self.signals.values)
+            counts.flags.writeable = False
+            # copies: callers may write into their arrays
+            self._latest[:] = face.copy(), contact.copy(), counts
+        return self._latest[2]
+
+    @cached_property
+    def _latest(self) -> list[np.ndarray]:
+        """Face, contact and counts of the latest call of `singles`."""
+        return []
 
     def pulls(
         self,
@@ -207,7 +220,7 @@ class ContactModel:
             return extra
         filled, face, contact = filled[several], face[several], contact[several]
         single = zeros(contact, (*face.shape, *self.rest.shape))
-        moved = float64(self.motions.values(face[filled], contact[filled])[:, 0])
+        moved = float64(self.motions.expected(face[filled], contact[filled]))
         single[filled] = moved.reshape(-1, *self.rest.shape)
         change = self.counts_of_motions(concatenated([single[filled], single.sum(axis=1)]))
         alone = zeros(contact, (*face.shape, self.channels))
