@@ -25,7 +25,8 @@ several contacts at once. Without it, grasps of weak signals are taken for magne
 _STEPS = 3
 """Steps of fits with a magnet near by, from contacts that were fitted without it."""
 _HOPELESS = 100.0
-"""Misfit over that without a magnet, from which fits end with their first step: strong contacts are no magnet."""
+"""Misfit over that without a magnet, from which a fit ends with its first step: no magnet shows what strong
+contacts show."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ class BesideMagnet:
     def _shells(self) -> Observations:
         """Return the frames with the field of a magnet integrated out, shell by shell."""
         frames = len(self.plain.counts)
-        columns = np.stack([self.plain.add_nuisances(shell).columns for shell in self.columns])
+        columns = np.stack([self.plain.add_nuisances(shell).shared for shell in self.columns])
         repeated = self.plain.select(np.tile(np.arange(frames), len(columns)))
         return replace(repeated, columns=columns.repeat(frames, axis=0))
 

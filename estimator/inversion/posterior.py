@@ -217,6 +217,7 @@ class HeldBounds:
         self.lowest, self.highest = (
             like(reference, end) for end in held_between(model.bounds, priors)
         )
+        self.longest = like(reference, _LONGEST)
 
     def __call__(self, face: Array, contact: Array) -> Array:
         xp = library(contact)
@@ -260,12 +261,10 @@ def _promised_step(
     face: Array, hold: HeldBounds, contact: Array, quadratic: Quadratic, damping: Array
 ) -> _State:
     """Return contacts after one damped step, and what the quadratic promises there."""
-    xp = library(contact)
-    longest = like(contact, np.tile(_LONGEST, contact.shape[1]))
-    step = damped_step(quadratic.slope, quadratic.curvature, damping)
+    step = damped_step(quadratic.slope, quadratic.curvature, damping).reshape(contact.shape)
     # Linear signals hold near the contact alone: cut long steps. `hold` keeps contacts on faces.
-    step = xp.minimum(xp.maximum(step, -longest), longest).reshape(contact.shape)
-    trial = hold(face, contact + step)
+    xp, longest = library(contact), hold.longest
+    trial = hold(face, contact + xp.minimum(xp.maximum(step, -longest), longest))
     moved = (trial - contact).reshape(quadratic.slope.shape)
     # Of the step d that is left of it: misfit + gᵀd + ½ dᵀHd, slope g + Hd
     turned = (quadratic.curvature @ moved[..., None])[..., 0]

@@ -77,7 +77,7 @@ class Observations:
         """The same where the reference is."""
         if type(reference) is type(self.counts) is np.ndarray:
             return self
-        parts = (self.counts, self.sigma, self.still, self.strict, self._shared)
+        parts = (self.counts, self.sigma, self.still, self.strict, self.shared)
         return Observations(*(like(reference, part) for part in parts))
 
     def select(self, frames: Int[np.ndarray, "some"]) -> Observations:
@@ -100,24 +100,25 @@ class Observations:
 
     def add_nuisances(self, columns: Float[np.ndarray, "channel more"]) -> Observations:
         """The same where further nuisances add to all channels."""
-        return replace(self, columns=np.hstack([self._shared, columns]))
+        return replace(self, columns=np.hstack([self.shared, columns]))
 
-    def with_error_share(self, share: Float[np.ndarray, "frame 1"]) -> Observations:
-        """The same around contacts of a model with that share of the strict error in each frame."""
+    def with_error_share(self, share: float | Float[np.ndarray, "frame 1"]) -> Observations:
+        """The same around contacts of a model with that share of the strict error, of all or each frame."""
         still, strict = self.still**2, self.strict**2
         return replace(self, sigma=(still + share**2 * (strict - still)) ** 0.5)
 
     @cached_property
     def white(self) -> Whitening:
         """Return the whitening of the disturbances around contacts."""
-        return whitening(self.sigma, self._shared)
+        return whitening(self.sigma, self.shared)
 
     @cached_property
     def _white_still(self) -> Whitening:
-        return whitening(self.still, self._shared)
+        return whitening(self.still, self.shared)
 
     @property
-    def _shared(self) -> Float[Array, "*frame channel k"]:
+    def shared(self) -> Float[Array, "*frame channel k"]:
+        """Return the nuisances' columns, none where there are none."""
         none = zeros(self.counts, (self.counts.shape[1], 0))
         return none if self.columns is None else self.columns
 

@@ -84,5 +84,6 @@ forces_n = [bench_n, read_n.repeat(HELD), squeeze_n.repeat(HELD)]
 right.plot(time_s, np.transpose(forces_n), label=["instobj predict", "read in the loop", "true"])
 left.set(xlabel="force that friction needs, N", ylabel="squeeze, N")
 right.set(xlabel="time of a closing, s", ylabel="force, N")
-left.legend(), right.legend()
+left.legend()
+right.legend()
 plt.show()
