@@ -302,7 +302,7 @@ STAGES: dict[str, Stage] = {
         ("response", "large_strain", "presses", "inversion"),
         ("collection", "protocol", "silicone.prony", "tolerances", "seed"),
         make_contact_metrics,
-        version=10,
+        version=11,
         of_others=tangential_mechanics,
     ),
     "surroundings": Stage(
