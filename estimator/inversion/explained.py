@@ -64,10 +64,10 @@ class ErrorShare:
         """Return p values of contacts, refitted, with shares of the model's error."""
         shape = len(problems), len(shares)
         repeated = problems.select(np.repeat(np.arange(len(problems)), len(shares)))
-        seen = observations.select(repeated.frame)
-        strict = seen.with_error_share(np.tile(shares, len(problems))[:, None])
+        frames = observations.select(repeated.frame)
+        strict = frames.with_error_share(np.tile(shares, len(problems))[:, None])
         alone = replace(repeated, frame=np.arange(len(repeated)))
-        if not np.array_equal(strict.sigma, seen.sigma):
+        if not np.array_equal(strict.sigma, frames.sigma):
             misfit = lowered_misfits(self.model, self.priors, strict, alone)
             alone = replace(alone, misfit=misfit)
         return p_values(strict, alone).reshape(shape)

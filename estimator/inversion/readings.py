@@ -206,10 +206,12 @@ def changes_since_zero(
     # With r = A t + noise and t ~ N(0, 1) the mean is AᵀΣ⁻¹r, the covariance 1 − AᵀΣ⁻¹A; Σ⁻¹ = WᵀW.
     unknowns = columns.shape[1]
     products = white_rows[:, :unknowns] @ white_rows.swapaxes(1, 2)
-    seen, mean, carried = np.split(products, [unknowns, unknowns + 1], axis=2)
+    overlap, mean, carried = np.split(products, [unknowns, unknowns + 1], axis=2)
     contacts = np.linalg.inv(bounded_curvature(problems, priors)[:, : 3 * used, : 3 * used])
     variance = np.diagonal(
-        np.eye(unknowns) - seen + carried @ contacts @ carried.transpose(0, 2, 1), axis1=1, axis2=2
+        np.eye(unknowns) - overlap + carried @ contacts @ carried.transpose(0, 2, 1),
+        axis1=1,
+        axis2=2,
     )
     return mean[..., 0], np.sqrt(np.maximum(variance, 0.0))
 
