@@ -78,7 +78,7 @@ def lowered_misfits(
 ) -> Float[np.ndarray, "problem"]:
     """Return the misfit of contacts that were fitted with other deviations, after one step.
 
-    The step is that of the quadratic at the contacts, and so is its gain: both fits are near.
+    Step and gain are those of the quadratic at the contacts: both fits are near.
     """
     used = used_slots(problems.face)
     frame, face, contact, extra = (

@@ -215,7 +215,7 @@ class ContactModel:
         """Return what contacts together give beyond the sum of each alone, counts."""
         filled: Bool[Array, "problem contact"] = face != NONE
         several = filled.sum(axis=1) > 1
-        if not several.all():
+        if not len(face) or not several.all():
             extra = zeros(contact, (len(face), self.channels))
             rows = true_rows(several)
             if len(rows):
