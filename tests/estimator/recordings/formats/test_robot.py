@@ -230,6 +230,25 @@ def test_one_mcap_file_holds_every_count_and_stamp_and_can_be_converted_again(tm
 
 
 @pytest.mark.parametrize(
+    ("write", "name"), [(write_bag, "bag"), (write_bag, "b.mcap"), (write_lerobot, "b.lerobot")]
+)
+def test_six_faces_with_gaps_and_saturated_counts_come_back(tmp_path, write, name):
+    channels = [f"F{f}-{axis}{n}" for f in range(1, 7) for n in range(1, 5) for axis in "XYZ"]
+    rng = np.random.default_rng(3)
+    cells = rng.integers(-32768, 32768, (40, len(channels))).astype(str)
+    cells[rng.random(cells.shape) < 0.1] = ""  # readings that did not come
+    cells[10:20, 5], cells[:, 7] = "32767", "-32768"  # at the ends of 16 bits
+    # a clock that pauses for 10 s, and steps of 1 ns
+    stamps = [f"{1_700_000_000 + k // 20 * 10}.{100_000_000 + k:09d}" for k in range(40)]
+    lines = [",".join([stamp, *row]) for stamp, row in zip(stamps, cells.tolist(), strict=True)]
+    (tmp_path / "a.csv").write_text("\n".join([",".join(["time_s", *channels]), *lines]))
+    write(tmp_path / "a.csv", tmp_path / name)
+    header, *rows = robot_csv(tmp_path / name).decode().splitlines()
+    order = [header.split(",").index(column) for column in ["time_s", *channels]]
+    assert [",".join(row.split(",")[n] for n in order) for row in rows] == lines
+
+
+@pytest.mark.parametrize(
     ("files", "content", "said"),
     [
         (["a.csv"], "a,b\n1,2\n", "no columns time_s"),
