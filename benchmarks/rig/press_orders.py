@@ -24,6 +24,8 @@ from design.spec.object import ObjectSpec
 from design.spec_io import load_spec, spec_hash
 from estimator.calibration.twin.digital_twin import CalibratedTwin, PlaceMechanics, calibrate
 from estimator.calibration.twin.pressed_places import PressedPlaces, pressed_places
+from estimator.calibration.twin.traced_presses import traced_presses
+from estimator.signals.interpolation import counts_at_force
 from fem.presses.results import MagnetMotions, PressForces, load_presses
 from instobj.bench.rig.adaptive import adaptive_order
 from instobj.bench.rig.plan import (
@@ -110,8 +112,13 @@ def judged_places(spec: ObjectSpec) -> Float[np.ndarray, "place 2"]:
 def left_share(
     hidden: HiddenObject, table: Table, twin: CalibratedTwin, xy: Float[np.ndarray, "place 2"]
 ) -> float:
-    """Rms error at 2 to 8 N at places, as a share of the rms signal."""
-    truth, levels = hidden.counts(xy), np.tile(LEVELS_N, (len(xy), 1))
+    """Rms error at 2 to 8 N at places, as a share of the rms signal; at less where a place's deepest
+    press, of the object or of the design, does not reach that."""
+    traces = hidden.traces(xy)
+    designed = traced_presses(hidden.spec, *table, FACE, xy).force_n[0][:, -1]
+    reach_n = np.minimum(traces.force_n[:, -1], designed)
+    levels = np.minimum(np.tile(LEVELS_N, (len(xy), 1)), reach_n[:, None])
+    truth = counts_at_force(traces, levels).counts
     ones = np.ones((len(xy), len(LEVELS_N), len(LEVELS_N)))
     channels = np.arange(truth.shape[2])
     at = PressedPlaces(FACE, channels, xy, levels, 0 * truth, np.ones_like(levels, int), ones)

@@ -138,7 +138,7 @@ def recorded(hidden: HiddenObject, plan: PressPlan, forces: PressForces, seed: i
     force_n[:, 0, 2] = label[used]
     place = np.unique(places, axis=0, return_inverse=True)[1].ravel()
     frames = simulated_frames(
-        spec, "hidden", readings, contact_face=np.full((len(readings), 1), hidden.face),
+        spec, "hidden", readings[None], contact_face=np.full((len(readings), 1), hidden.face),
         contact_xy_mm=places[number[used]][:, None], force_n=force_n,
         valid=np.ones(len(readings), bool), press_id=load[used], place_id=place[number[used]],
         session_id=np.zeros(len(readings), int),

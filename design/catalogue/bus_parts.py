@@ -1,7 +1,7 @@
 """I²C parts: how Hall sensors are addressed, the multiplexer, and the boards that read them.
 
-Sources: bus_chips.toml, boards.toml. TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by three pins, eight
-channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
+Sources: bus_chips.toml, boards.toml, imus.toml. TCA9548A: Texas Instruments SCPS207 (0x70 to 0x77 by three
+pins, eight channels, supply 1.65 to 5.5 V, inputs bear 5 V). Limits of the bus: NXP UM10204.
 HX711: Avia Semiconductor's data sheet (±0.5 AVDD over the gain is full scale of 24 bits; ready by a low
 data line, 25 clock pulses for gain 128, 60 µs of a high clock power it down; 10 or 80 readings per second).
 """
@@ -78,6 +78,34 @@ def frame_ms(conversion_ms: float, busy_ms: float) -> float:
     return max(conversion_ms, busy_ms)
 
 
+@dataclass(frozen=True)
+class Imu:
+    """An inertial part: its address, the register that names it, and what the firmware writes and reads.
+
+    `setup` are pairs of register and value. From the register `data` come twelve bytes: three of the
+    angular rate and three of the acceleration, 16 bits each.
+    """
+
+    name: str
+    address: int
+    who: tuple[int, int]
+    setup: tuple[tuple[int, int], ...]
+    data: int
+    rate_first: bool
+    low_byte_first: bool
+    counts_per_g: float
+    counts_per_deg_s: float
+    supply_ma: float
+
+
+IMUS = read_table("imus", Imu)
+MOTION = (
+    *(f"acceleration_{axis}_m_s2" for axis in "xyz"),
+    *(f"rate_{axis}_rad_s" for axis in "xyz"),
+)
+"""Columns of an IMU in lines and recordings: along the object's axes, specific force and angular rate."""
+IMU_READ_BYTES = 15
+"""Address, register, address again, and twelve bytes."""
 EXPANDER_NAME = "MCP23017"
 EXPANDER_ADDRESSES = tuple(range(0x20, 0x28))
 EXPANDER_OUTPUTS = tuple(f"GP{port}{bit}" for port in "AB" for bit in range(8))

@@ -50,6 +50,7 @@ class ObjectSpec(SpecPart):
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]
     seed: Annotated[int, Field(ge=0, le=LARGEST_SEED)] = 1
     arrangement: Literal["sensors-in-core", "sensors-in-shell"] = "sensors-in-core"
+    imu: Literal["none", "LSM6DS3", "LSM6DS3TR-C", "ICM-42688"] = "none"
     body: BodySpec = BodySpec()
     shell: ShellSpec = ShellSpec()
     silicone: SiliconeSpec = SiliconeSpec()

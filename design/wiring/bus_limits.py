@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from design.catalogue.bus_parts import SELECT_BYTES, Board, BusChip, frame_ms
+from design.catalogue.bus_parts import (
+    IMU_READ_BYTES,
+    MOTION,
+    SELECT_BYTES,
+    Board,
+    BusChip,
+    frame_ms,
+)
 from design.spec.sensors import BUS_KHZ
 
 _SINK_MA = 3.0
@@ -76,7 +83,19 @@ def frame_time(
     transfers = reads + selects
     bits = 9 * (chip.read_bytes * reads + SELECT_BYTES * selects) + 3 * transfers
     reading = bits / khz + 1e-3 * board.call_us * transfers
-    character = max(board.byte_us * 1e-3, 0.0 if board.usb else 1e4 / baud)
+    character = _character_ms(board, baud)
     line = character * (26 + 7 * axes * reads)
     status = character * (50 + 6 * reads)
     return FrameTime(chip.conversion_ms(averaging), reading, line, status)
+
+
+def with_imu(time: FrameTime, board: Board, khz: float, baud: int) -> FrameTime:
+    """Add the reading of an IMU to a frame, and its cells of nine characters at most (`-156.905,`)."""
+    reading = (9 * IMU_READ_BYTES + 3) / khz + 1e-3 * board.call_us
+    line = 9 * len(MOTION) * _character_ms(board, baud)
+    return replace(time, reading_ms=time.reading_ms + reading, line_ms=time.line_ms + line)
+
+
+def _character_ms(board: Board, baud: int) -> float:
+    """Time to send a character, of ten bits."""
+    return max(board.byte_us * 1e-3, 0.0 if board.usb else 1e4 / baud)

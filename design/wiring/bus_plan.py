@@ -11,10 +11,12 @@ from dataclasses import dataclass, replace
 
 from design.catalogue.bus_parts import (
     BOARDS,
+    IMUS,
     PIN_PF,
     WIRE_PF_PER_MM,
     Board,
     BusChip,
+    Imu,
     bus_chip,
 )
 from design.catalogue.orders import BUFFER, EXPANDER, MUX, ORDERS, RESISTOR, SHIFTER
@@ -27,6 +29,7 @@ from design.wiring.bus_limits import (
     frame_time,
     largest_capacitance_pf,
     pullup_kohm,
+    with_imu,
 )
 from design.wiring.dealing import WAYS, CannotError, ChipOnBus, bare_chips, dealt
 from design.wiring.lengths import LEAD_MM
@@ -57,6 +60,7 @@ class BusPlan:
     reset: str | None
     extras: tuple[tuple[str, int], ...]
     load: LoadCellPlan | None = None
+    imu: Imu | None = None
 
     @property
     def buses(self) -> tuple[int, ...]:
@@ -83,13 +87,14 @@ class BusPlan:
 
     @property
     def wires(self) -> int:
-        """Four for each sensor, five for each multiplexer or expander,
+        """Four for each sensor and the IMU, five for each multiplexer or expander,
         those to the board's pins, and the load cell's."""
         supplies = sum(chip.supply_pin is not None for chip in self.chips)
         to_board = 2 * len(self.buses) + supplies + 2
         loads = [] if self.load is None else self.load.wires(self.board)
         parts = len(self.multiplexers) + len(self.expanders)
-        return 4 * len(self.chips) + 5 * parts + to_board + len(loads)
+        motion = 0 if self.imu is None else 4
+        return 4 * len(self.chips) + 5 * parts + to_board + len(loads) + motion
 
     @property
     def cost_eur(self) -> float:
@@ -179,13 +184,25 @@ def _plan(spec: ObjectSpec, board: Board, lead_mm: float, way: str, buses: int) 
     load = load_cell_plan(spec.load_cell, board)
     free = replace(board, outputs=_pins_left(board.outputs, load))
     chips = dealt(way, bare_chips(spec, lead_mm), free, buses)
-    require_current(chips, chip, board, load)
+    imu = IMUS.get(spec.imu)
+    require_current(chips, chip, board, load, imu)
+    require_level(imu, board, chips)
     resets = chips[0].multiplexer is not None or chips[0].expander is not None
     reset = free.outputs[0] if resets else None
     khz, capacitance, pullup = _clock(spec, board, chips)
     time, baud = _rate(spec, board, chip, chips, khz, load)
-    extras = _extras(board, chips, load)
-    return BusPlan(board, way, chips, khz, baud, capacitance, pullup, time, reset, extras, load)
+    extras = _extras(board, chips, load) + (() if imu is None else ((imu.name, 1),))
+    return BusPlan(
+        board, way, chips, khz, baud, capacitance, pullup, time, reset, extras, load, imu
+    )
+
+
+def require_level(imu: Imu | None, board: Board, chips: Sequence[ChipOnBus]) -> None:
+    """Refuse an IMU of 3.6 V at most on a bus of 5 V, which multiplexers have at such a board."""
+    if imu is not None and board.logic_v > _CHIP_V and chips[0].multiplexer is not None:
+        raise CannotError(
+            f"{imu.name} bears 3.6 V, and the bus before multiplexers has {board.logic_v:g} V"
+        )
 
 
 def _pins_left(outputs: tuple[str, ...], load: LoadCellPlan | None) -> tuple[str, ...]:
@@ -195,12 +212,18 @@ def _pins_left(outputs: tuple[str, ...], load: LoadCellPlan | None) -> tuple[str
 
 
 def require_current(
-    chips: Sequence[ChipOnBus], family: BusChip, board: Board, load: LoadCellPlan | None
+    chips: Sequence[ChipOnBus],
+    family: BusChip,
+    board: Board,
+    load: LoadCellPlan | None,
+    imu: Imu | None,
 ) -> None:
     needed_ma = len(chips) * family.supply_ma
     from_outputs = chips[0].supply_pin is not None and board.logic_v == _CHIP_V
     if load is not None and board.logic_v == _CHIP_V and not from_outputs:
         needed_ma += load.rail_ma
+    if imu is not None and not from_outputs:
+        needed_ma += imu.supply_ma
     given_ma = board.outputs_ma if from_outputs else board.rail_ma
     if needed_ma > given_ma:
         source = "outputs give" if from_outputs else "3.3 V pin gives"
@@ -214,7 +237,7 @@ def _clock(
 ) -> tuple[float, float, float]:
     """Bus clock (kHz), capacitance (pF) and pull-up (kΩ): 400 kHz, else 100 kHz."""
     pulled_v = board.logic_v if chips[0].multiplexer is not None else _CHIP_V
-    capacitance = largest_line_pf(chips)
+    capacitance = largest_line_pf(chips) + (PIN_PF if spec.imu in IMUS else 0.0)
     for khz in (FAST_KHZ, STANDARD_KHZ):
         pullup = pullup_kohm(khz, pulled_v, capacitance)
         if pullup is not None and capacitance <= largest_capacitance_pf(khz, pulled_v):
@@ -261,6 +284,8 @@ def _rate(
         time = frame_time(
             board, family, spec.sensors.averaging, khz, baud, len(chips), selects, axes
         )
+        if spec.imu in IMUS:
+            time = with_imu(time, board, khz, baud)
         if load is not None:
             time = replace(time, loads_ms=1e3 * load.seconds_a_second(board, baud))
         if time.fastest_hz >= wanted:

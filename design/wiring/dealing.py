@@ -16,6 +16,7 @@ from design.catalogue.bus_parts import (
     EXPANDER_ADDRESSES,
     EXPANDER_NAME,
     EXPANDER_OUTPUTS,
+    IMUS,
     MUX_ADDRESSES,
     MUX_CHANNELS,
     Board,
@@ -35,8 +36,8 @@ FACTORY, STARTED, EXPANDED, MULTIPLEXED, MIXED = (
 WAYS = (FACTORY, STARTED, EXPANDED, MULTIPLEXED, MIXED)
 _EXPANDER_V = 3.3
 """Supply of sensors and expanders."""
-_FIRST_ADDRESS = 0x10
-"""First free I²C address that is dealt out; the last one is 0x6F."""
+_DEALT_ADDRESSES = [a for a in range(0x10, 0x70) if a not in {imu.address for imu in IMUS.values()}]
+"""I²C addresses that are dealt out: none of an IMU, and none reserved by UM10204 or of a multiplexer."""
 
 
 class CannotError(Exception):
@@ -133,7 +134,7 @@ def _require_movable(family: BusChip) -> None:
 def _free_addresses(family: BusChip) -> list[int]:
     """Addresses that neither a chip after power-up nor an expander has."""
     taken = {address for _, address in family.addresses} | set(EXPANDER_ADDRESSES)
-    return [a for a in range(_FIRST_ADDRESS, 0x70) if a not in taken]
+    return [a for a in _DEALT_ADDRESSES if a not in taken]
 
 
 def _deal_expanded(
@@ -170,7 +171,7 @@ def _deal_started(
             f"{len(chips)} chips need a supply pin each, the board has {len(outputs)}"
         )
     taken = {address for _, address in family.addresses}
-    free = [a for a in range(_FIRST_ADDRESS, 0x70) if a not in taken]
+    free = [a for a in _DEALT_ADDRESSES if a not in taken]
     pins = iter(outputs)
     return tuple(
         replace(chip, address=free[k], supply=next(pins))

@@ -42,6 +42,13 @@ def wires_of(plan: BusPlan) -> tuple[Wire, ...]:
         for pad in COLOURS
     ]
     ends += [(start, end, signal, _STRIP_MM) for start, end, signal in _board_ends(plan)]
+    if plan.imu is not None:
+        lines = {"VCC": "strip 3V3", "GND": "strip GND"}
+        bus = f"strip bus {plan.buses[0]}"
+        ends += [
+            (f"{plan.imu.name} {pad}", lines.get(pad, f"{bus} {pad}"), pad, _STRIP_MM)
+            for pad in COLOURS
+        ]
     loads = [] if plan.load is None else plan.load.wires(plan.board)
     ends += [(start, end, signal, _load_mm(start)) for start, end, signal in loads]
     return tuple(

@@ -15,9 +15,10 @@ import numpy as np
 from jaxtyping import Float
 
 from design.errors import RecordingError
-from estimator.adoption.findings import EXCHANGES, Finding, share_as_high
+from estimator.adoption.findings import CERTAIN, EXCHANGES, Finding, share_as_high
 from estimator.adoption.text_table import TextTable
 
+ORDER_OF_COLUMNS = "order of columns"
 ROLES = ("time", "face", "place", "level", "force", "-", "chips")
 MOST_FACES, MOST_PLACES = 6, 1000
 """Largest number of a face, and of a place, that a label holds."""
@@ -269,7 +270,7 @@ def group_axes(
     words = {"chip": "x, y, z of a chip stand together", "axis": "x of all chips, then y, then z"}
     if given or log.by_chip:
         name, finding = given or "chip", ("as stated" if given else "the header names them")
-        return log.channels[:, orders[name]], Finding("order of columns", words[name], finding)
+        return log.channels[:, orders[name]], Finding(ORDER_OF_COLUMNS, words[name], finding)
     alike = _alike(log.channels)
     fits = {name: _axis_agreement(alike, order) for name, order in orders.items()}
     rng = np.random.default_rng(33)
@@ -277,13 +278,13 @@ def group_axes(
         _axis_agreement(alike, rng.permutation(3 * chips).reshape(-1, 3)) for _ in range(EXCHANGES)
     ]
     name = max(fits, key=lambda key: fits[key])
-    alternative = min(fits.values())
+    alternative, p = min(fits.values()), share_as_high(null, fits[name])
     finding = Finding(
-        "order of columns",
-        words[name],
+        ORDER_OF_COLUMNS,
+        words[name] if p <= CERTAIN else f"{words[name]}, assumed: state it with --known axes",
         f"axes of a chip active together: correlation {fits[name]:.2f}, the other way {alternative:.2f}",
         f"{np.median(null):.2f}",
-        share_as_high(null, fits[name]),
+        p,
     )
     return log.channels[:, orders[name]], finding
 
@@ -291,6 +292,8 @@ def group_axes(
 def _alike(channels: Float[np.ndarray, "row channel"]) -> Float[np.ndarray, "channel channel"]:
     """Return correlations of how far channels are from their medians, over rows spread evenly."""
     some = channels[:: max(1, len(channels) // _ROWS)]
+    # channels that never answer have no level: they go with nothing
+    some = np.where(np.isfinite(some).any(axis=0), some, 0.0)
     off = np.log1p(np.abs(some - np.nanmedian(some, axis=0)))
     off = np.nan_to_num(off - np.nanmean(off, axis=0))
     length = np.maximum(np.linalg.norm(off, axis=0), 1e-9)

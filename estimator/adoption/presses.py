@@ -10,7 +10,7 @@ from jaxtyping import Bool, Float, Int
 from design.errors import RecordingError
 from estimator.adoption.chips import Counts
 from estimator.adoption.columns import ForeignLog
-from estimator.adoption.findings import Finding, share_as_high
+from estimator.adoption.findings import CERTAIN, Finding, share_as_high
 from estimator.recordings.presses import runs
 
 LEVELS = 60
@@ -223,21 +223,34 @@ def _without_lag(
     activity = np.abs(counts - _median(counts)).reshape(len(counts), -1)
     activity = np.nan_to_num(activity / np.maximum(_median(activity), 1e-9)).mean(axis=1)
     total = label.sum(axis=1)
-    lags = range(min(_LONGEST_LAG, len(counts) // 4) + 1)
-    fits = [float(np.corrcoef(total[lag:], activity[: len(activity) - lag])[0, 1]) for lag in lags]
+    fits = _lag_fits(total, activity)
     lag = int(np.argmax(fits))
     if lag == 0:
         return label, []
     rng = np.random.default_rng(22)
+    # One shift each: presses in a steady beat would meet themselves again if the null sought its lag.
     null = [
         float(np.corrcoef(np.roll(total, int(by)), activity)[0, 1])
         for by in rng.integers(len(total) // 10, 9 * len(total) // 10, _SHIFTS)
     ]
+    p = share_as_high(null, fits[lag])
     moved = np.concatenate([label[lag:], np.repeat(label[-1:], lag, axis=0)])
+    answer = f"{lag} rows behind the chips; corrected"
+    if p > CERTAIN:
+        moved, answer = label, "cannot be told: forces stay as written"
     return moved, [
         Finding(
-            "lag of forces", f"{lag} rows behind the chips; corrected",
-            f"correlation with the signals {fits[lag]:.2f}, as written {fits[0]:.2f}",
-            f"{np.median(null):.2f}", share_as_high(null, fits[lag]),
+            "lag of forces", answer,
+            f"correlation with the signals {fits[lag]:.2f} at {lag} rows, as written {fits[0]:.2f}",
+            f"{np.median(null):.2f}", p,
         )
     ]  # fmt: skip
+
+
+def _lag_fits(total: Float[np.ndarray, "row"], activity: Float[np.ndarray, "row"]) -> list[float]:
+    """Correlation of forces with the signals at every lag in rows, 0 of forces that never change."""
+    lags = range(min(_LONGEST_LAG, len(total) // 4) + 1)
+    # a constant has no correlation
+    if not total.std() or not activity.std():
+        return [0.0]
+    return [float(np.corrcoef(total[lag:], activity[: len(activity) - lag])[0, 1]) for lag in lags]

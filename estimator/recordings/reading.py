@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float, Int
 
 from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE, FrameSet
+from estimator.recordings.attitude import recorded_motion
 from estimator.recordings.checks.cells import check_rate, repaired_forces, wrong_forces
 from estimator.recordings.checks.faults import (
     Fault,
@@ -214,11 +215,17 @@ def _believed(
     if not np.isfinite(counts).any():
         raise RecordingError(f"no reading is left: {'; '.join(map(str, faults[:3]))}")
     spoilt, left_out = spoilt_channels(counts, np.isfinite(raw) & np.isnan(counts))
-    table, wrapped = without_wrapped(replace(table, counts=counts))
-    table, unreachable = limit_to_range(table, limits)
+    table, unreachable = limit_to_range(replace(table, counts=counts), limits)
+    table, wrapped = without_wrapped(table, _frame_s(table))
     dead, silent = dead_channels(raw)
     unread = unread_faces(raw, table.face)
-    return table, spoilt | dead, [*faults, *wrapped, *unreachable, *left_out, *silent, *unread]
+    return table, spoilt | dead, [*faults, *unreachable, *wrapped, *left_out, *silent, *unread]
+
+
+def _frame_s(table: RawTable) -> float:
+    """Time from row to row (s)."""
+    stretch = stretches(table.time_s, table.case[:, None].astype(float))
+    return 1 / frame_times_s(table.time_s, stretch, NOMINAL_RATE_HZ)[1]
 
 
 def _report(
@@ -249,6 +256,9 @@ def _report(
         noise_counts=noise_by_name(case.noise_counts),
         presses_zeroed_after=zeroed_after,
         faults=faults,
+        motion=""
+        if case.table.motion is None
+        else recorded_motion(case.time_s, case.table.motion).text,
     )
 
 

@@ -21,7 +21,8 @@ class RecordingReport:
 
     `largest_force_n` is of one load cell from its rest level; `places` lists the contact case of
     each place id, `noise_counts` the white noise at rest by channel name. `presses_zeroed_after` counts
-    the presses without enough rest before them, zeroed from the rest that follows.
+    the presses without enough rest before them, zeroed from the rest that follows. `motion` says what an
+    IMU felt; empty without one.
     """
 
     path: str
@@ -42,6 +43,7 @@ class RecordingReport:
     noise_counts: dict[str, float | None]
     presses_zeroed_after: int
     faults: tuple[Fault, ...]
+    motion: str = ""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain values for JSON."""
@@ -56,6 +58,7 @@ class RecordingReport:
             f"{self.unused_frames} not used; {self.frame_rate_hz:.1f} frames/s; {self.units}",
             f"  forces up to {self.largest_force_n:.3g} N; noise at rest {_noise_text(self.noise_counts)}",
             f"  force lag: {_lag_text(self.lag)}",
+            *(f"  {text}" for text in filter(None, [self.motion])),
             *(f"  {fault}" for fault in self.faults),
         ]
         return "\n".join(lines)

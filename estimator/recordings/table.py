@@ -44,6 +44,8 @@ class RawTable:
         None where the file has none
     travel_mm : (frame,) how far a machine has its tip below the height of first touch, NaN where that
         is not known; None where the file has none
+    motion : (frame, 6) acceleration (m/s², specific force) and angular rate (rad/s) of an IMU along the
+        object's x, y, z; NaN where it was silent, None where the file has none
     """
 
     kind: str
@@ -60,6 +62,7 @@ class RawTable:
     digest: str
     shear_n: Float[np.ndarray, "frame cell 2"] | None = None
     travel_mm: Float[np.ndarray, "frame"] | None = None
+    motion: Float[np.ndarray, "frame 6"] | None = None
 
     @property
     def labelled_by_travel(self) -> bool:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 from design.errors import InputError
 from design.files import atomic_path
 from design.spec_io import load_spec
+from estimator.adoption.columns import ORDER_OF_COLUMNS
+from estimator.adoption.findings import CERTAIN
 from estimator.adoption.identify import Identified, Known, identify
 from instobj.commands.adopt_fit import (
     boards_of_logs,
@@ -24,6 +26,9 @@ from instobj.store.stage import write_json
 
 if TYPE_CHECKING:
     from design.spec.object import ObjectSpec
+
+_MOST_QUESTIONS = 3
+"""Questions asked at once, in the order in which their answers are needed."""
 
 
 def adopt_logs(
@@ -57,7 +62,12 @@ def adopt_logs(
         if identified.kind == "force" and identified.presses[0].face.shape[1] > 1:
             boards = boards_of_logs(identified, start)
             document["findings"] += [{"log": where} | asdict(finding) for where, finding in boards]
-            texts += [line for where, finding in boards for line in (where, f"  {finding}")]
+            heads = len(logs) > 1  # one log's head stands there already
+            texts += [
+                line
+                for where, finding in boards
+                for line in (*([where] if heads else []), f"  {finding}")
+            ]
         elif why := why_not_fitted(identified, answers):
             texts.append(why)
         else:
@@ -70,7 +80,6 @@ def adopt_logs(
             with atomic_path(fitted) as temporary:
                 temporary.write_text(text, encoding="utf-8")
             files.append(fitted)
-            further = {"next": next_step("adopt", fitted)}
             if complaint := complaint_about(text, fitted):
                 further = {"next": next_step("new", fitted)}
                 texts.append(f"{fitted.name} does not pass `instobj check`: {complaint}")
@@ -79,6 +88,7 @@ def adopt_logs(
 
                 with progress.stage("a better layout of the same parts"):
                     texts.append(gain_text(tomllib.loads(text)))
+                further = {"next": next_step("adopt", fitted)}
     write_json(document, target / "adoption.json")
     questions = open_questions(identified, answers, spec is not None)
     return {
@@ -166,6 +176,16 @@ def _answers_of_file(path: Path) -> dict[str, object]:
 def open_questions(identified: Identified, answers: Known, with_spec: bool) -> list[dict[str, str]]:
     """Return what no log can tell and a fit needs, three questions at most."""
     questions = []
+    if any(
+        finding.question == ORDER_OF_COLUMNS and finding.p is not None and finding.p > CERTAIN
+        for _, finding in identified.findings
+    ):
+        questions.append(
+            {
+                "question": "How do the columns hold the axes of a chip?",
+                "answer": "--known axes=chip (x1, y1, z1, x2, …) or axes=axis (x1, x2, …)",
+            }
+        )
     if identified.kind == "level" and answers.step_mm is None:
         questions.append(
             {
@@ -187,7 +207,7 @@ def open_questions(identified: Identified, answers: Known, with_spec: bool) -> l
                 "answer": "--spec my_object.toml (instobj new writes one)",
             }
         )
-    return questions
+    return questions[:_MOST_QUESTIONS]
 
 
 def _document(identified: Identified) -> dict[str, Any]:

@@ -3,7 +3,8 @@ r"""Lines of text, with a checksum, that boards with Hall sensors, load cells or
 Each line is `$` body `*` CRC `\n`, where CRC is CRC-16/CCITT-FALSE of the body in four hexadecimal
 digits. Bodies, comma-separated:
 
-- `H,1,F1-X1,F1-Y1,…`  format version and the channels of the frames that follow, in their order
+- `H,1,F1-X1,F1-Y1,…`  format version and the channels of the frames that follow, in their order; those of
+  an IMU are named `acceleration_x_m_s2` … `rate_z_rad_s`
 - `F,sequence,ms,v1,v2,…`  one reading of all channels (raw counts, empty where a sensor is silent);
   the sequence counts frames modulo 65536, ms is the board's clock modulo 2³²
 - `L,ms,cell,force_n,face,x1_mm,y1_mm,…`  load cell (1…9), its normal force in N, and where it
@@ -22,7 +23,9 @@ from __future__ import annotations
 from binascii import crc_hqx
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from statistics import median
 
+from design.catalogue.bus_parts import MOTION
 from design.errors import InputError
 from estimator.recordings.formats.generic import CHANNEL, cell_text
 from estimator.recordings.table import LARGEST_COUNT, LARGEST_FORCE_N, LARGEST_PLACE_MM, MOST_FACES
@@ -85,27 +88,43 @@ _LARGEST_MV, _LARGEST_C = 60_000, 300.0
 @dataclass
 class LineStatistics:
     """Statistics of a line: frames, damaged lines, frames lost (gaps of the sequence), restarts, and
-    readings left out because the chip's counts had wrapped round beyond its range."""
+    readings of chips whose counts had wrapped round beyond their range: those left out, those undone."""
 
     frames: int = 0
     damaged_lines: int = 0
     lost_frames: int = 0
     restarts: int = 0
     wrapped_readings: int = 0
+    unwrapped_readings: int = 0
 
     @property
     def wrapped_text(self) -> str:
         """In words, empty where no counts wrapped."""
-        return _WRAPPED.format(self.wrapped_readings) if self.wrapped_readings else ""
+        if not self.wrapped_readings + self.unwrapped_readings:
+            return ""
+        return _WRAPPED.format(self.unwrapped_readings, self.wrapped_readings)
 
 
 _WRAPPED = (
-    "{} readings left out: counts had wrapped round beyond the chip's range. Choose a wider "
+    "counts wrapped round beyond the chip's range: {} readings undone, {} left out. Choose a wider "
     "sensors.range_mt, or more room between magnet and chip"
 )
 WRAP_COUNTS, END_COUNTS = 49_152, 32_768
 """Three quarters of 16 bits: from one end of a chip's scale to the other between two frames. A chip that
 saturates stays at an end; an MLX90393 goes on at the other one (esphome#7635)."""
+TURN_COUNTS = 2 * END_COUNTS
+"""Counts of a whole turn: added or taken off once a wrap is undone."""
+FASTEST_COUNTS_PER_S = 100_000.0
+"""Bound of a channel's change: a magnet's field of 120 mT/s at 820 counts/mT, beyond what presses make."""
+SMOOTH_COUNTS = 4096.0
+"""Median change of the other channels up to which a frame goes on from the one before."""
+
+
+def may_undo(step: float, elapsed_s: float, others_step: float) -> bool:
+    """Return whether a jump of `step` counts is surely one turn: without the turn the change stays within
+    the bound of rate × time, which is too short for half a turn more, and other channels move smoothly."""
+    bound = FASTEST_COUNTS_PER_S * elapsed_s
+    return TURN_COUNTS - abs(step) <= bound <= END_COUNTS and others_step <= SMOOTH_COUNTS
 
 
 @dataclass
@@ -118,7 +137,9 @@ class LineDecoder:
     _sensors: int | None = None
     _sequence: int | None = None
     _last: list[float] = field(default_factory=list)
+    _last_ms: list[int] = field(default_factory=list)
     _turns: list[int] = field(default_factory=list)
+    _doubted: list[bool] = field(default_factory=list)
 
     def feed(self, data: bytes) -> list[Message]:
         """Messages completed by `data`; frames before the first header are skipped.
@@ -142,7 +163,8 @@ class LineDecoder:
         message = None if body is None else _parsed(body)
         if isinstance(message, Header):
             self._channels = len(message.channels)
-            self._sensors = len({(name[1], name[4:]) for name in message.channels})
+            sensed = filter(CHANNEL.fullmatch, message.channels)
+            self._sensors = len({(name[1], name[4:]) for name in sensed})
         elif isinstance(message, Frame):
             if self._channels is None:
                 return None
@@ -157,26 +179,50 @@ class LineDecoder:
         return message
 
     def _unwrapped(self, frame: Frame) -> Frame:
-        """With NaN for channels that left their range by one end and came in by the other, until they go
-        back."""
+        """Undo turns of channels that left their range by one end and came in by the other; NaN for those
+        that may have turned otherwise, until they go back."""
         if len(self._last) != len(frame.counts):
             self._last, self._turns = list(frame.counts), [0] * len(frame.counts)
+            self._last_ms = [frame.board_ms] * len(frame.counts)
+            self._doubted = [False] * len(frame.counts)
+        others_step = self._median_step(frame)
         for k, value in enumerate(frame.counts):
             if value != value:
                 continue
             # Chips of more bits have no end there.
             sixteen = max(abs(value), abs(self._last[k])) <= END_COUNTS
             step = value - self._last[k] if sixteen else 0.0
-            self._turns[k] += (step < -WRAP_COUNTS) - (step > WRAP_COUNTS)
-            self._last[k] = value
+            elapsed_s = (frame.board_ms - self._last_ms[k]) / 1000
+            turn = (step < -WRAP_COUNTS) - (step > WRAP_COUNTS)
+            if turn and not may_undo(step, elapsed_s, others_step):
+                self._doubted[k] = True
+            # Unseen for longer than half a turn may take, a turned channel may have come back.
+            late = FASTEST_COUNTS_PER_S * elapsed_s > END_COUNTS
+            self._doubted[k] |= bool(self._turns[k]) and late
+            self._turns[k] += turn
+            self._doubted[k] &= bool(self._turns[k])
+            self._last[k], self._last_ms[k] = value, frame.board_ms
         if not any(self._turns):
             return frame
-        unwrapped = [
-            float("nan") if turn else value
-            for turn, value in zip(self._turns, frame.counts, strict=True)
-        ]
-        self.statistics.wrapped_readings += sum(1 for turn in self._turns if turn)
-        return replace(frame, counts=tuple(unwrapped))
+        return replace(
+            frame, counts=tuple(map(self._undone, range(len(frame.counts)), frame.counts))
+        )
+
+    def _undone(self, channel: int, value: float) -> float:
+        """Return a channel's count without its turns, NaN where those are in doubt."""
+        if not self._turns[channel] or value != value:
+            return value
+        if self._doubted[channel]:
+            self.statistics.wrapped_readings += 1
+            return float("nan")
+        self.statistics.unwrapped_readings += 1
+        return value + TURN_COUNTS * self._turns[channel]
+
+    def _median_step(self, frame: Frame) -> float:
+        """Median change of the channels that did not jump; none is infinite."""
+        steps = [abs(value - last) for value, last in zip(frame.counts, self._last, strict=True)]
+        calm = [step for step in steps if step <= WRAP_COUNTS]
+        return median(calm) if calm else float("inf")
 
     def _count(self, sequence: int) -> None:
         last_sequence, self._sequence = self._sequence, sequence
@@ -233,10 +279,10 @@ def _body(line: bytes) -> str | None:
 
 def _parsed(body: str) -> Message | None:
     kind, *cells = body.split(",")
-    if "_" in body:  # Python takes 1_0 for a number
-        return None
     if kind == "H":
         return _header(cells)
+    if "_" in body:  # Python takes 1_0 for a number
+        return None
     try:
         return _PARSERS[kind](cells)
     except (KeyError, ValueError, IndexError):
@@ -250,11 +296,13 @@ def _header(cells: list[str]) -> Header:
             "`instobj docs recordings`"
         )
     channels = tuple(cells[1:])
-    wrong = [name for name in channels if not CHANNEL.fullmatch(name)]
-    if wrong or not channels or len(set(channels)) < len(channels):
+    # An IMU's six stand behind all others, so that readers can cut them off.
+    halls = channels[: -len(MOTION)] if channels[-len(MOTION) :] == MOTION else channels
+    wrong = [name for name in halls if not CHANNEL.fullmatch(name)]
+    if wrong or not halls or len(set(channels)) < len(channels):
         raise InputError(
             f"the board names channels {wrong[:5] or list(channels)[:5]}. Each must be named once, "
-            "F1-X1 and so on: face, axis, number of the sensor"
+            "F1-X1 and so on: face, axis, number of the sensor; an IMU's six columns come last"
         )
     return Header(channels)
 

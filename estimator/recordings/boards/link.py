@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
+from design.catalogue.bus_parts import MOTION
 from design.errors import InputError
 from estimator.recordings.boards.lines import (
     Frame,
@@ -186,7 +187,9 @@ def replay_chunks(table: RawTable, speed: float) -> Generator[bytes]:
         for index in np.ndindex(*table.counts.shape[1:])
         if np.isfinite(table.counts[(slice(None), *index)]).any()
     ]
-    yield encode_header([channel_name(*index) for index in channels])
+    motion = np.zeros((len(table.counts), 0)) if table.motion is None else table.motion
+    names = [channel_name(*index) for index in channels]
+    yield encode_header([*names, *MOTION[: motion.shape[1]]])
     stretch = stretches(table.time_s, table.case[:, None].astype(float))
     times_s, _ = frame_times_s(table.time_s, stretch, 10.0)
     due_s = np.cumsum(np.minimum(np.diff(times_s, prepend=times_s[0]), LONGEST_PAUSE_S))
@@ -198,6 +201,7 @@ def replay_chunks(table: RawTable, speed: float) -> Generator[bytes]:
         board_ms = round(1000 * max(time_s, 0.0))
         loads = [encode_load(load) for load in _loads(table, row, board_ms)]
         counts = [float(table.counts[(row, *index)]) for index in channels]
+        counts += motion[row].tolist()
         yield b"".join([*loads, encode_frame(row, board_ms, counts)])
 
 

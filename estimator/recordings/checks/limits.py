@@ -8,12 +8,20 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from design.errors import RecordingError
-from estimator.recordings.boards.lines import END_COUNTS, WRAP_COUNTS
+from estimator.recordings.boards.lines import (
+    END_COUNTS,
+    TURN_COUNTS,
+    WRAP_COUNTS,
+    may_undo,
+)
 from estimator.recordings.checks.faults import Fault, rows_text
+from estimator.recordings.presses import runs
 from estimator.recordings.table import RawTable, channel_name
 
 _CONVERTER_COUNTS = 32768.0
 """Magnitude that no converter of 16 bits with a sign exceeds."""
+_WHOLE_SCALE = 0.9
+"""Share of 16 bits from which a chip's scale ends where its counts wrap round."""
 _FEW_READINGS = 0.05
 """Share of a channel's readings that may be out of range; more, and the recording is refused."""
 _FAR_FACTOR = 3.0
@@ -45,6 +53,8 @@ def limit_to_range(table: RawTable, limits: Limits) -> tuple[RawTable, list[Faul
     """
     with np.errstate(invalid="ignore"):
         beyond = np.abs(table.counts) > limits.largest_count
+    if limits.largest_count > _WHOLE_SCALE * _CONVERTER_COUNTS:
+        beyond &= ~_continued(table.counts, beyond)
     faults = []
     for index in np.argwhere(beyond.any(axis=0)).tolist():
         column = (slice(None), *index)
@@ -64,10 +74,30 @@ def limit_to_range(table: RawTable, limits: Limits) -> tuple[RawTable, list[Faul
     return replace(table, counts=np.where(beyond, np.nan, table.counts)), faults
 
 
-def without_wrapped(table: RawTable) -> tuple[RawTable, list[Fault]]:
-    """The table without readings that left their range by one end and came in by the other (NaN), until
-    they went back; and what was found."""
+def _continued(
+    counts: Float[np.ndarray, "frame face sensor 3"],
+    beyond: Bool[np.ndarray, "frame face sensor 3"],
+) -> Bool[np.ndarray, "frame face sensor 3"]:
+    """Return which readings beyond the scale were reached in small steps: wraps that a reader undid."""
+    continued = np.zeros_like(beyond)
+    for index in np.argwhere(beyond.any(axis=0)).tolist():
+        column = (slice(None), *index)
+        live = np.flatnonzero(np.isfinite(counts[column]))
+        step = np.abs(np.diff(counts[column][live], prepend=counts[column][live[:1]]))
+        for first, end in runs(beyond[column][live].astype(int)):
+            if beyond[column][live[first]] and (
+                step[first : end + 1].max() <= TURN_COUNTS - WRAP_COUNTS and end - first < len(live)
+            ):
+                continued[(live[first:end], *index)] = True
+    return continued
+
+
+def without_wrapped(table: RawTable, frame_s: float) -> tuple[RawTable, list[Fault]]:
+    """Undo turns of readings that left their range by one end and came in by the other, and leave those
+    out (NaN) that may have turned otherwise, until they go back; say what was found. `frame_s` is the time
+    from row to row."""
     counts, faults = table.counts.copy(), []
+    others_step = _median_steps(table.counts)
     for index in np.ndindex(counts.shape[1:]):
         column = counts[:, *index]
         live = np.flatnonzero(np.isfinite(column))
@@ -75,15 +105,42 @@ def without_wrapped(table: RawTable) -> tuple[RawTable, list[Fault]]:
         step = np.diff(readings, prepend=readings[:1])
         # Chips of more bits have no end there.
         sixteen = np.abs(readings).max(initial=0) <= END_COUNTS
-        turns = np.cumsum(sixteen * ((step < -WRAP_COUNTS) * 1 - (step > WRAP_COUNTS)))
+        turn = sixteen * ((step < -WRAP_COUNTS) * 1 - (step > WRAP_COUNTS))
+        if not turn.any():
+            continue
+        turns = np.cumsum(turn)
         # Most readings are within the range, also where the first is not.
-        rows = live[turns != np.median(turns)] if len(turns) else live
-        if len(rows):
-            column[rows] = np.nan
-            where = f"{channel_name(*index)}, {rows_text(rows)}"
-            detail = f"{len(rows)} readings beyond the chip's range; choose a wider range"
-            faults.append(Fault("counts wrapped round", where, detail, "readings set to NaN"))
+        turns = turns - int(np.median(turns))
+        elapsed_s = frame_s * np.diff(live, prepend=live[:1])
+        doubts = [
+            k
+            for k in np.flatnonzero(turn)
+            if not may_undo(float(step[k]), float(elapsed_s[k]), float(others_step[live[k]]))
+        ]
+        # An excursion lasts from leaving the range until coming back; one doubt spoils all of it.
+        excursion = np.cumsum(np.diff((turns != 0).astype(int), prepend=0) != 0)
+        doubted = np.isin(excursion, excursion[doubts]) | np.isin(excursion, excursion[doubts] - 1)
+        lost, undone = live[(turns != 0) & doubted], (turns != 0) & ~doubted
+        column[live[undone]] += TURN_COUNTS * turns[undone]
+        column[lost] = np.nan
+        for rows, what in ((live[undone], "undone"), (lost, "readings set to NaN")):
+            if len(rows):
+                where = f"{channel_name(*index)}, {rows_text(rows)}"
+                detail = f"{len(rows)} readings beyond the chip's range; choose a wider range"
+                faults.append(Fault("counts wrapped round", where, detail, what))
     return replace(table, counts=counts), faults
+
+
+def _median_steps(counts: Float[np.ndarray, "frame face sensor 3"]) -> Float[np.ndarray, "frame"]:
+    """Median change from row to row of the channels that do not jump; 0 in the first row."""
+    flat = counts.reshape(len(counts), -1)
+    flat = flat[:, np.isfinite(flat).any(axis=0)]
+    steps = np.abs(np.diff(flat, axis=0, prepend=flat[:1]))
+    steps = np.where(steps <= WRAP_COUNTS, steps, np.nan)
+    known = np.isfinite(steps).any(axis=1)
+    medians = np.full(len(flat), np.inf)
+    medians[known] = np.nanmedian(steps[known], axis=1)
+    return medians
 
 
 def places_off_the_body(

@@ -17,6 +17,7 @@ from jaxtyping import Float, Int
 from design.errors import RecordingError
 from estimator.frames.heatmap import NO_CONTACT_LABELS, label_grid_mm, label_to_pixel, pixel_to_mm
 from estimator.recordings.formats.generic import (
+    generic_motion,
     generic_signals,
     generic_table,
     is_generic_header,
@@ -90,6 +91,25 @@ def read_signals(
         table = _csv_table(rows, missing, digest)
         check_plausible(table)
     return table.time_s, table.counts
+
+
+def read_motion_columns(
+    path: Path | str,
+) -> tuple[Float[np.ndarray, "frame"], Float[np.ndarray, "frame 6"]] | None:
+    """Stamps (s) and the IMU's columns of any recording; None where it has none.
+
+    Raises
+    ------
+    RecordingError
+        As `read_signals`.
+    """
+    path = Path(path)
+    if has_load_cells(path):
+        table = read_table(path)
+        return None if table.motion is None else (table.time_s, table.motion)
+    with naming(path):
+        rows, missing, _ = _rows_of(path)
+        return generic_motion(rows, missing)
 
 
 def has_load_cells(path: Path) -> bool:

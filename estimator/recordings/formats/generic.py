@@ -7,6 +7,7 @@ optional `celln_shear_x_n` and `celln_shear_y_n` for every load cell (three-axis
 (whole number, 1 throughout if absent), `rest` (1: nothing touches) and `travel_mm` (how far a machine
 has its tip below the height at which it first touched). Without a load cell leave `cell1_force_n` out:
 `travel_mm` is then the label, or `level_1.5_mm`, a number of steps of 1.5 mm.
+An IMU has `acceleration_x_m_s2` … `rate_z_rad_s`, all six.
 `celln_force_g` in place of `celln_force_n` gives grams-force. A first line `# missing = -1` says that
 this number in a channel or a face is no reading.
 `estimator.recordings.formats.netcdf` holds the same with named dimensions and units.
@@ -22,6 +23,7 @@ from itertools import compress
 import numpy as np
 from jaxtyping import Float, Int
 
+from design.catalogue.bus_parts import MOTION
 from design.errors import RecordingError
 from estimator.frames.dataset import NO_FACE
 from estimator.frames.heatmap import label_grid_mm
@@ -59,7 +61,7 @@ def _meant(name: str) -> str:
     channel = re.fullmatch(r"f([1-6])([xyz])([1-9]\d?)", letters)
     if channel:
         return f"F{channel[1]}-{channel[2].upper()}{channel[3]}"
-    spelt = ["time_s", "session", "rest", TRAVEL, *_cell_columns(1, 9), *_shear_columns(1)]
+    spelt = ["time_s", "session", "rest", TRAVEL, *MOTION, *_cell_columns(1, 9), *_shear_columns(1)]
     cell = re.match(r"cell([1-9])", letters)
     alike = {re.sub(r"[^a-z0-9]", "", column): column for column in spelt}
     meant = alike.get("cell1" + letters[5:] if cell else letters, name)
@@ -132,6 +134,23 @@ def generic_signals(
     return column["time_s"], counts_of_column(column, len(column["time_s"]))
 
 
+def generic_motion(
+    rows: list[list[str]], missing: float | None = None
+) -> tuple[Float[np.ndarray, "frame"], Float[np.ndarray, "frame 6"]] | None:
+    """Stamps (s) and the IMU's columns of a generic CSV without labels; None where it has none.
+
+    Raises
+    ------
+    RecordingError
+        As `generic_table`.
+    """
+    header = [cell.strip() for cell in rows[0]]
+    check_header(header, labelled=False)
+    column = _columns(rows, header, missing)
+    motion = motion_of(column)
+    return None if motion is None else (column["time_s"], motion)
+
+
 def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTable:
     """Read the rows of a generic CSV, header first; `missing` stands for no reading.
 
@@ -181,7 +200,15 @@ def generic_table(rows: list[list[str]], missing: float | None = None) -> RawTab
         ),
         shear_n=shear_n,
         travel_mm=column.get(TRAVEL),
+        motion=motion_of(column),
     )
+
+
+def motion_of(
+    column: Mapping[str, Float[np.ndarray, "frame"]],
+) -> Float[np.ndarray, "frame 6"] | None:
+    """Acceleration (m/s²) and angular rate (rad/s) of an IMU; None where there is none."""
+    return np.stack([column[name] for name in MOTION], axis=1) if MOTION[0] in column else None
 
 
 def _columns(
@@ -238,12 +265,13 @@ def check_header(header: list[str], labelled: bool = True) -> tuple[int, int]:
     needed = [
         name for cell in range(1, max(cells, labelled) + 1) for name in _cell_columns(cell, 1)
     ]
-    known_columns = {"time_s", "session", "rest", TRAVEL, *needed, *shear}
+    motion = MOTION if set(MOTION) & set(header) else ()
+    known_columns = {"time_s", "session", "rest", TRAVEL, *needed, *shear, *motion}
     known_columns |= {name for cell in range(1, cells + 1) for name in _cell_columns(cell, tips)}
     if _is_unweighed(header) and cells == 1:
         needed.remove("cell1_force_n")
     unknown = [name for name in header if name not in known_columns and not CHANNEL.fullmatch(name)]
-    missing = [name for name in ("time_s", *needed, *shear) if name not in header]
+    missing = [name for name in ("time_s", *needed, *shear, *motion) if name not in header]
     if not any(CHANNEL.fullmatch(name) for name in header):
         missing.append("F1-X1 …")
     if unknown:

@@ -31,10 +31,11 @@ _RECORDING = FileKind(
         "session": ("frame", "1"),
         "declared_rest": ("frame", "1"),
         "travel_mm": ("frame", "mm"),
+        "motion": ("frame imu_axis", "m/s², then rad/s"),
         "grid_x_mm": ("grid_x", "mm"),
         "grid_y_mm": ("grid_y", "mm"),
     },
-    optional=("cell_force_n", "cell_shear_n", "travel_mm"),
+    optional=("cell_force_n", "cell_shear_n", "travel_mm", "motion"),
     packed=("counts",),
     schema=("schema", "instobj recording 1"),
     unit_name="unit",
@@ -97,11 +98,13 @@ def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
     force_n = floats.get("force_n", np.full((frames, cells), np.nan))
     shapes = floats["counts"].shape[1::2], floats["tip_xy_mm"].shape[1::2], floats["face"].shape[1]
     right = shapes[1:] == ((cells, 2), cells) and shear.shape[1:] == (cells, 2)
+    right &= floats.get("motion", np.zeros((frames, 6))).shape == (frames, 6)
     right &= shapes[0] in ((LEAST_FACES, 3), (MOST_FACES, 3)) and force_n.shape == (frames, cells)
     if not right or not frames:
         raise RecordingError(
-            "it must hold frames with 5 or 6 faces, 3 axes, and places and shear (x, y) for each of "
-            f"its {cells} load cells; got {shapes} and {shear.shape[1:]} in {frames} frames. {FORMATS}"
+            "it must hold frames with 5 or 6 faces, 3 axes, places and shear (x, y) for each of its "
+            f"{cells} load cells, and 6 numbers of any IMU; got {shapes} and {shear.shape[1:]} in {frames} "
+            f"frames. {FORMATS}"
         )
     for name in {"time_s", "force_n", "shear_n", "grid_x_mm", "grid_y_mm"} & set(floats):
         rows = floats[name].reshape(len(floats[name]), -1)
@@ -126,4 +129,5 @@ def _checked(in_file: dict[str, np.ndarray]) -> RawTable:
         digest=content_digest(floats["time_s"], label, counts, shear_n),
         shear_n=shear_n,
         travel_mm=floats.get("travel_mm"),
+        motion=floats.get("motion"),
     )

@@ -64,6 +64,8 @@ def plan_texts(plan: BusPlan) -> list[str]:
             f"load cell: {plan.load.title}; up to {plan.load.lines_hz:g} lines `L` a second take "
             f"{plan.time.loads_ms:.0f} ms of it"
         )
+    if plan.imu is not None:
+        texts.append(f"IMU: {plan.imu.name} at 0x{plan.imu.address:02X} of the first bus")
     if plan.khz < FAST_KHZ:
         texts.append(
             f"the bus runs at {plan.khz:g} kHz, not at {FAST_KHZ:g}: that much capacitance "

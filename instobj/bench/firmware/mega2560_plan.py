@@ -11,6 +11,7 @@ from instobj.bench.firmware.settings import (
     chip_settings,
     frame_us,
     load_settings,
+    motion_steps,
     waits_ms,
 )
 
@@ -56,6 +57,7 @@ def plan_header(spec: ObjectSpec, plan: BusPlan) -> str:
         **chip_settings(spec, plan),
         **_reset(plan),
         **_load_cell(spec, plan),
+        **_imu(plan),
     }
     defines = "\n".join(f"#define {name} {value}" for name, value in figures.items())
     rows = "\n".join(f"    {_row(chip)}" for chip in plan.chips)
@@ -90,6 +92,25 @@ def _load_cell(spec: ObjectSpec, plan: BusPlan) -> dict[str, str | int]:
         kinds |= {f"LOAD_{name}_{what}": f"{what}{port}" for what in ("PORT", "DDR", "PIN")}
         kinds[f"LOAD_{name}_MASK"] = f"0x{1 << bit:02X}"
     return {**kinds, **_long(load_settings(spec, plan))}
+
+
+def _imu(plan: BusPlan) -> dict[str, str | int]:
+    """Registers and scales of the IMU, 1/65536 mm/s² and 1/65536 of 0.1 mrad/s a count."""
+    if plan.imu is None:
+        return {}
+    m_s2, rad_s = motion_steps(plan.imu)
+    pairs = ", ".join(f"{{0x{register:02X}, 0x{value:02X}}}" for register, value in plan.imu.setup)
+    return {
+        "IMU_ADDRESS": f"0x{plan.imu.address:02X}",
+        "IMU_WHO": f"0x{plan.imu.who[0]:02X}",
+        "IMU_NAME": f"0x{plan.imu.who[1]:02X}",
+        "IMU_SETUP": f"{{{pairs}}}",
+        "IMU_DATA": f"0x{plan.imu.data:02X}",
+        "IMU_RATE_FIRST": int(plan.imu.rate_first),
+        "IMU_LOW_FIRST": int(plan.imu.low_byte_first),
+        "IMU_ACCELERATION": f"{round(1e3 * m_s2 * 2**16)}LL",
+        "IMU_RATE": f"{round(1e4 * rad_s * 2**16)}LL",
+    }
 
 
 def _long(figures: dict[str, int]) -> dict[str, str]:

@@ -12,6 +12,7 @@ from instobj.bench.firmware.settings import (
     chip_settings,
     frame_us,
     load_settings,
+    motion_steps,
     waits_ms,
 )
 
@@ -49,6 +50,7 @@ def plan_module(spec: ObjectSpec, plan: BusPlan) -> str:
         "CHANNELS": ",".join(channel_names(spec, plan)),
         **chip_settings(spec, plan),
         **_load_cell(spec, plan),
+        **_imu(plan),
     }
     lines = [f"{name} = {value!r}" for name, value in figures.items()]
     rows = [f"    {_place(chip)!r},  # {chip.label}" for chip in plan.chips]
@@ -72,6 +74,22 @@ def _load_cell(spec: ObjectSpec, plan: BusPlan) -> dict[str, object]:
     sum_of = _PARTS if plan.load.kind == "analog" else 1
     pins = tuple(map(gpio_of, plan.load.pins))
     return {"LOAD_CELL": plan.load.kind, "LOAD_PINS": pins, **load_settings(spec, plan, sum_of)}
+
+
+def _imu(plan: BusPlan) -> dict[str, object]:
+    """Registers and scales of the IMU: factors of its six numbers, and which of them are accelerations."""
+    if plan.imu is None:
+        return {"IMU": None}
+    m_s2, rad_s = motion_steps(plan.imu)
+    return {
+        "IMU": plan.imu.address,
+        "IMU_WHO": plan.imu.who,
+        "IMU_SETUP": plan.imu.setup,
+        "IMU_DATA": plan.imu.data,
+        "IMU_ORDER": ("<" if plan.imu.low_byte_first else ">") + 6 * "h",
+        "IMU_RATE_FIRST": plan.imu.rate_first,
+        "IMU_STEPS": (m_s2, rad_s),
+    }
 
 
 def _place(chip: ChipOnBus) -> tuple[int | tuple[int, int] | None, ...]:

@@ -76,6 +76,7 @@ def _readme(spec: ObjectSpec, plan: BusPlan) -> str:
         plan="plan.h" if mega else "plan.py",
         rows="\n".join(_row(chip) for chip in plan.chips),
         load=_load_text(spec, plan),
+        imu=_imu_text(plan),
     )
 
 
@@ -95,6 +96,16 @@ def _load_text(spec: ObjectSpec, plan: BusPlan) -> str:
     return f"\n- Load cell: {load.title}; {scale} {lines}"
 
 
+def _imu_text(plan: BusPlan) -> str:
+    """Return what the README says of the IMU."""
+    if plan.imu is None:
+        return ""
+    return (
+        f"\n- IMU: {plan.imu.name} at 0x{plan.imu.address:02X}, x, y, z along the object's. "
+        "Each frame ends with its acceleration (m/s²) and angular rate (rad/s)."
+    )
+
+
 def _row(chip: ChipOnBus) -> str:
     channel = "" if chip.channel is None else f"0x{chip.multiplexer:02X} channel {chip.channel}"
     cells = (chip.label, chip.part, channel, f"0x{chip.address:02X}", supply_text(chip))
@@ -102,7 +113,7 @@ def _row(chip: ChipOnBus) -> str:
 
 
 def _install_micropython(plan: BusPlan) -> str:
-    program = "main.py plan.py chip.py bus.py expander.py sensors.py load_cell.py link.py"
+    program = "main.py plan.py chip.py bus.py expander.py sensors.py imu.py load_cell.py link.py"
     bridge = _INSTALL_BRIDGE if plan.board.battery_pin else ""
     return _INSTALL_MICROPYTHON.format(files=program) + bridge
 
@@ -137,7 +148,7 @@ Written by `instobj bench firmware`; `{plan}` holds all that belongs to this obj
 - A bus that hangs for 2.5 ms is clocked free and multiplexers are reset; if the data line stays low,
   sensors on supply pins lose their power and are started anew.
 - The watchdog restarts the board after 2 s. Once a second a line `S` tells supply, errors, why the board
-  started, and the temperature of every sensor (`instobj docs recordings`).{load}
+  started, and the temperature of every sensor (`instobj docs recordings`).{load}{imu}
 """
 
 

@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
-from math import ceil
+from math import ceil, radians
 
-from design.catalogue.bus_parts import MLX90393, TLE493D, TMAG5273, BusChip, bus_chip
+from design.catalogue.bus_parts import (
+    MLX90393,
+    MOTION,
+    TLE493D,
+    TMAG5273,
+    BusChip,
+    Imu,
+    bus_chip,
+)
 from design.catalogue.hall_sensors import hall_part
 from design.errors import InputError
 from design.spec.object import ObjectSpec
@@ -28,8 +36,9 @@ def supply_text(chip: ChipOnBus) -> str:
 
 
 def channel_names(spec: ObjectSpec, plan: BusPlan) -> list[str]:
-    """F1-X1, F1-Y1, … in the order of the frames."""
-    return [f"F{c.face}-{axis}{c.number}" for c in plan.chips for axis in axes_in_order(spec)]
+    """F1-X1, F1-Y1, … in the order of the frames, then the IMU's columns where there is one."""
+    chips = [f"F{c.face}-{axis}{c.number}" for c in plan.chips for axis in axes_in_order(spec)]
+    return chips if plan.imu is None else [*chips, *MOTION]
 
 
 def axes_in_order(spec: ObjectSpec) -> list[str]:
@@ -72,6 +81,15 @@ def chip_settings(spec: ObjectSpec, plan: BusPlan) -> dict[str, int]:
     assert family_of(plan).driver == MLX90393.driver
     gain, resolution = _MLX_SETTINGS[selected.range_mt]
     return {"MLX_GAIN": gain, "MLX_RESOLUTION": resolution}
+
+
+STANDARD_GRAVITY_M_S2 = 9.80665
+"""Standard acceleration of free fall (CGPM 1901)."""
+
+
+def motion_steps(imu: Imu) -> tuple[float, float]:
+    """Return m/s² of a count of acceleration, and rad/s of a count of the angular rate."""
+    return STANDARD_GRAVITY_M_S2 / imu.counts_per_g, radians(1 / imu.counts_per_deg_s)
 
 
 LOAD_SCALE_BITS = 24

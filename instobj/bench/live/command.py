@@ -9,8 +9,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import aiohttp  # noqa: F401  its absence is said before a demo is computed
+import numpy as np
 
+from design.catalogue.bus_parts import MOTION
 from design.errors import InputError, InstobjError
+from estimator.recordings.attitude import Attitude
 from estimator.recordings.boards.growing import finish_recording
 from estimator.recordings.boards.lines import Frame, Header, Load, Message
 from estimator.recordings.boards.link import board_messages
@@ -43,6 +46,7 @@ class _Session:
     watch: Watch
     arrivals_s: deque[float] = field(default_factory=lambda: deque(maxlen=400))
     labels: list[list[float]] = field(default_factory=list)
+    attitude: Attitude | None = None
     message: str = ""
     news_at_s: float = 0.0
 
@@ -135,7 +139,11 @@ def _take(session: _Session, messages: list[Message], options: LiveOptions) -> N
             now_s = time.time()
             time_s = state.clock.time_s(message.board_ms, now_s)
             session.recorder.take(message, time_s)
-            session.watch.take_row(now_s, time_s, message.counts)
+            halls = len(message.counts)
+            if session.attitude is not None:
+                halls -= len(MOTION)
+                session.attitude.update(time_s, np.array(message.counts[halls:]))
+            session.watch.take_row(now_s, time_s, message.counts[:halls])
             session.arrivals_s.append(now_s)
             _tell_labels(session, time_s)
 
@@ -144,7 +152,8 @@ def _take_header(session: _Session, header: Header, options: LiveOptions) -> Non
     state, known_names = session.state, channel_names(session.source.spec)
     if state.channels and header.channels != state.channels:
         raise InputError("the board names other channels than before. Was it exchanged?")
-    foreign = [name for name in header.channels if name not in known_names]
+    halls = [name for name in header.channels if name not in MOTION]
+    foreign = [name for name in halls if name not in known_names]
     if foreign:
         raise InputError(
             f"{session.source.name} names channels that {session.source.spec.name} has not: "
@@ -152,7 +161,9 @@ def _take_header(session: _Session, header: Header, options: LiveOptions) -> Non
         )
     first = not state.channels
     state.channels = header.channels
-    session.watch.take_header(header.channels)
+    session.watch.take_header(halls)
+    if first and len(halls) < len(header.channels):
+        session.attitude = Attitude()
     if first and options.record:
         session.recorder.switch(True)
 
@@ -182,7 +193,7 @@ def _tell(session: _Session) -> None:
     session.news_at_s = time.monotonic() + _NEWS_S
     statistics = session.state.decoder.statistics
     session.watch.news = {
-        "source": session.source.name,
+        "source": " · ".join(filter(None, (session.source.name, _attitude_text(session)))),
         "rate_hz": round(_rate_hz(session.arrivals_s, time.time()), 2),
         "counted": {
             "frames": statistics.frames,
@@ -193,6 +204,10 @@ def _tell(session: _Session) -> None:
         "recording": session.recorder.news(),
         "told": "; ".join(filter(None, (session.message, session.recorder.message))),
     }
+
+
+def _attitude_text(session: _Session) -> str:
+    return "" if session.attitude is None else session.attitude.text
 
 
 def _rate_hz(arrivals_s: deque[float], now_s: float) -> float:

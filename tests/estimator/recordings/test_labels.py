@@ -235,7 +235,7 @@ def test_one_count_that_the_chip_cannot_give_costs_one_frame(read, arrays, row):
     )
 
 
-def test_readings_that_wrapped_round_are_left_out(read, arrays):
+def test_readings_that_wrapped_round_faster_than_the_bound_are_left_out(read, arrays):
     """A chip of 16 bits near one end, which a press drives out by it: counts come in by the other."""
     near, planted = copies(arrays), copies(arrays)
     channel = near[2][:, 2, 4]
@@ -253,6 +253,20 @@ def test_readings_that_wrapped_round_are_left_out(read, arrays):
     assert np.nanmax(np.abs(seen)) < 10_000
     assert np.isfinite(seen[used]).any()
     assert not found(read(arrays), "counts wrapped round")
+
+
+def test_readings_that_wrapped_round_slowly_are_undone_and_stay_so_when_read_again(read, arrays):
+    near, planted = copies(arrays), copies(arrays)
+    channel, row = near[2][:, 2, 4], np.arange(len(near[2]))
+    channel += np.round(32_767 - channel.max() + 6_000 * np.exp(-(((row - 200) / 6.0) ** 2)))
+    planted[2][:, 2, 4] = (channel + 32_768) % 65_536 - 32_768
+    wrapped = planted[2][:, 2, 4] != channel
+    assert wrapped.sum() > 3
+    (fault,) = found(read(planted), "counts wrapped round")
+    assert fault.action == "undone"
+    again, once = read(near), read(planted)
+    assert not found(again, "counts wrapped round") + found(again, "count beyond the chip's range")
+    np.testing.assert_array_equal(once.frames.signal_counts, again.frames.signal_counts)
 
 
 def test_a_specification_narrows_the_range(read, arrays):

@@ -7,6 +7,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
+import numpy as np
 import pytest
 from serial import Serial
 
@@ -44,6 +45,16 @@ def celsius(number):
     return 20.0 + number
 
 
+IMU_G, IMU_DEG_S = (0.5, -0.75, 0.25), 30.0
+"""Acceleration (g) of the simulated IMU, and the rate about x; about y it is -1, about z 2 times that."""
+
+
+def motion():
+    """Cells of the simulated IMU in a frame: m/s² and rad/s."""
+    scale = np.radians(IMU_DEG_S)
+    return [*(9.80665 * np.array(IMU_G)), scale, -scale, 2 * scale]
+
+
 def built(spec, folder, **choice):
     """Plan and ELF file of a specification's firmware."""
     plan, _ = choose_plan(spec, MEGA2560, **choice)
@@ -64,6 +75,9 @@ def world(plan, faults=(), fields=None, end_ms=2000, load=(), sps=80):
             f"chip {family(chip.part)} {chip.factory:x} {route[0]:x} {route[1]:x} {port} {bit} "
             f"{field[0]} {field[1]} {field[2]} {celsius(number)}"
         )
+    if plan.imu is not None:
+        values = " ".join(map(str, (*IMU_G, IMU_DEG_S)))
+        lines.append(f"chip {plan.imu.name[0]} {plan.imu.address:x} 0 0 - 0 {values}")
     lines += [
         f"mux {address:x} {' '.join(map(str, port_of(plan.reset)))}"
         for _, address in plan.multiplexers

@@ -5,6 +5,7 @@
  *   chip FAMILY FACTORY MUX MASK PORT BIT X Y Z T   T(MAG5273), M(LX90393) or E (TLE493D); its multiplexer's address and
  *                                         channel (0 0: none), port and bit of its supply (- 0: always on),
  *                                         field in mT and temperature in degrees C
+ *                                         L (LSM6DS3), I (ICM-42688): acceleration in g, rates T, -T and 2 T degrees/s
  *   mux ADDRESS PORT BIT                  a TCA9548A and the port and bit of its reset line
  *   fault KIND CHIP FROM UNTIL            dead: does not answer; hang: holds the data line until it is clocked
  *                                         on, once; stuck: until it loses power; brownout: loses its registers
@@ -120,6 +121,10 @@ static void reset_chip(chip_t *c)
     c->registers[0x0E] = 0x49, c->registers[0x0F] = 0x54, c->registers[0x18] = 0x10;
     if (c->family == 'E')
         reset_tle(c);
+    if (c->family == 'L')
+        c->registers[0x0F] = 0x69;
+    if (c->family == 'I')
+        c->registers[0x75] = 0x47;
     c->ready_ms = -1;
     c->up_ms = now_ms() + (c->family == 'T' ? 0.27 : 1.0);
     c->selected = false;
@@ -249,6 +254,24 @@ static void written_tle(chip_t *c, uint8_t reg, uint8_t value)
     }
 }
 
+/* Results of the IMUs: nothing but one number while their modes are off. */
+static void convert_imu(chip_t *c)
+{
+    uint8_t *r = c->registers;
+    bool st = c->family == 'L', on = st ? r[0x10] >> 4 && r[0x11] >> 4 : (r[0x4E] & 0x0F) == 0x0F;
+    static const double st_g[] = {2, 16, 4, 8}, st_rate[] = {245, 500, 1000, 2000};
+    double g = st ? st_g[r[0x10] >> 2 & 3] : 16 / (double)(1 << (r[0x50] >> 5));
+    double rate = st ? st_rate[r[0x11] >> 2 & 3] : 2000 / (double)(1 << (r[0x4F] >> 5));
+    double per_g = st ? 1 / (0.000061 * g / 2) : 32768 / g, per_rate = st ? 1 / (0.00875 * rate / 250) : 16.4 * 2000 / rate;
+    double rates[3] = {c->celsius, -c->celsius, 2 * c->celsius};
+    for (int k = 0; k < 3; k++) {
+        int16_t a = on ? saturated(c->field[k] * per_g) : st ? 0 : -32768, w = on ? saturated(rates[k] * per_rate) : st ? 0 : -32768;
+        uint8_t *first = r + (st ? 0x22 : 0x1F) + 2 * k;
+        put(first, st ? (int16_t)((uint16_t)w << 8 | (uint16_t)w >> 8) : a);
+        put(first + 6, st ? (int16_t)((uint16_t)a << 8 | (uint16_t)a >> 8) : w);
+    }
+}
+
 static void written(chip_t *c, uint8_t value)
 {
     if (c->family == 'M')
@@ -257,6 +280,8 @@ static void written(chip_t *c, uint8_t value)
         c->pointer = value;
     else if (c->family == 'E')
         written_tle(c, (uint8_t)((c->pointer & 0x1F) + c->count - 1), value);
+    else if (c->family == 'L' || c->family == 'I')
+        c->registers[(uint8_t)(c->pointer + c->count - 1)] = value;
     else
         written_tmag(c, (uint8_t)(c->pointer + c->count - 1), value);
     c->count++;
@@ -293,8 +318,10 @@ static void select_chip(chip_t *c, uint8_t address_and_direction)
         convert_tmag(c);
     else if (c->family == 'E')
         convert_tle(c);
-    else
+    else if (c->family == 'M')
         answer_mlx(c);
+    else
+        convert_imu(c);
 }
 
 /* ---- load cell */

@@ -17,7 +17,7 @@ from estimator.recordings.boards.lines import LineDecoder
 from estimator.recordings.boards.link import serial_chunks
 from instobj.bench.firmware.micropython_plan import gpio_of
 from instobj.bench.firmware.project import project_files, write_project
-from tests.support.avr.board import celsius, family, field_mt
+from tests.support.avr.board import IMU_DEG_S, IMU_G, celsius, family, field_mt
 
 _SIMULATED = Path(__file__).parent / "simulated"
 _RUN = (sys.executable, "-c", "import micropython_unix; micropython_unix.main()")
@@ -47,6 +47,9 @@ def built(spec, folder, faults=(), end_ms=2000, load=((0, 0.0),), sps=80, board=
         )
         for k, chip in enumerate(plan.chips)
     ]
+    if plan.imu is not None:
+        bus, address = plan.buses[0], plan.imu.address
+        chips.append((plan.imu.name[0], bus, address, None, None, None, IMU_G, IMU_DEG_S))
     scene = {
         "CHIPS": chips,
         "MULTIPLEXERS": list(plan.multiplexers),

@@ -8,6 +8,7 @@
 
 #include "bus.h"
 #include "chips.h"
+#include "imu.h"
 #include "line.h"
 #include "load_cell.h"
 #include "plan.h"
@@ -69,6 +70,7 @@ static void send_frame(uint16_t sequence)
     uint32_t read_ms = now_ms();
     for (uint8_t chip = 0; chip < CHIPS; chip++)
         answered[chip] = chips_read(chip, values[chip]);
+    imu_read();
     load_send();
     line_begin('F');
     line_unsigned(sequence);
@@ -83,6 +85,7 @@ static void send_frame(uint16_t sequence)
                 line_empty();
         }
     }
+    imu_send();
     line_end();
 }
 
@@ -122,6 +125,7 @@ int main(void)
     bus_start(chips_after_recovery);
     load_start();
     chips_start();
+    imu_watch();
     send_header();
     uint32_t due_ms = now_ms(), status_ms = due_ms;
     uint16_t rest_us = 0, sequence = 0;
@@ -143,6 +147,7 @@ int main(void)
             status_ms += STATUS_MS;
             send_status(cause);
             chips_watch();
+            imu_watch();
             if (++statuses % STATUS_A_HEADER == 0)
                 send_header();
         }

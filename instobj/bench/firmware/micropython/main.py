@@ -8,6 +8,7 @@ import micropython
 import plan
 from bus import Bus
 from chip import celsius
+from imu import Imu
 from link import Link
 from load_cell import load_cell, newtons
 from sensors import Sensors
@@ -53,16 +54,17 @@ def battery_mv():
     return str(2 * adc.read_uv() // 1000)
 
 
-def frame_cells(sensors, load, sequence, values):
+def frame_cells(sensors, imu, load, sequence, values):
     """Cells of a frame; all sensors are read before, into `values`."""
     cells = ["F", str(sequence), str(time.ticks_ms())]
     for number in range(len(values)):
         values[number] = sensors.read(number)
         load.poll()
+    motion = imu.cells()
     for value in values:
         for axis in plan.AXES:
             cells.append("" if value is None else str(value[axis]))
-    return cells
+    return cells + motion
 
 
 def status_cells(sensors, cause, values):
@@ -88,13 +90,14 @@ def run():
     link = Link()
     watchdog = machine.WDT(timeout=WATCHDOG_MS)
     sensors, load = Sensors(), load_cell()
+    imu = Imu(sensors.buses[0])
     values = [None] * len(plan.PLACES)
     send_header(link)
     due_us, status_ms, sequence, statuses = time.ticks_us(), time.ticks_ms(), 0, 0
     while True:
         watchdog.feed()
         wait_until(due_us, link, load)
-        cells = frame_cells(sensors, load, sequence, values)
+        cells = frame_cells(sensors, imu, load, sequence, values)
         send_loads(link, load)
         send(link, cells)
         sequence = (sequence + 1) % 65536
@@ -103,6 +106,7 @@ def run():
             status_ms = time.ticks_add(status_ms, STATUS_MS)
             send(link, status_cells(sensors, cause, values))
             sensors.watch()
+            imu.watch()
             statuses += 1
             if statuses % STATUS_A_HEADER == 0:
                 send_header(link)

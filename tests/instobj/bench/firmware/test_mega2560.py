@@ -14,6 +14,7 @@ from tests.support.avr.board import (
     celsius,
     field_mt,
     messages,
+    motion,
     needs_simulator,
     of,
     running,
@@ -169,3 +170,19 @@ def test_a_tle493d_that_lost_its_settings_is_started_anew(tmp_path):
     assert statistics.damaged_lines == 0
     degrees = np.delete(of(Status, found)[-1].sensors_c, 5) - np.delete(20.0 + np.arange(15), 5)
     assert abs(degrees).max() < 0.5
+
+
+@pytest.mark.parametrize("imu", ["LSM6DS3", "ICM-42688"])
+def test_an_imu_is_read_beside_the_chips_and_lands_in_the_recording(tmp_path, imu):
+    """It is silent for a while: its cells are empty, those of the chips go on, and it is set up anew."""
+    plan, elf = built(object_of().changed(imu=imu), tmp_path / "firmware", way=STARTED)
+    faults = [("dead", len(plan.chips), 300, 700)]
+    with running(elf, world(plan, faults, end_ms=1e9)) as (port, _):
+        collect(CollectOptions(tmp_path / "first", port, zero_frames=25, frames=25))
+    table = read_table(tmp_path / "first.nc")
+    silent = np.isnan(table.motion).all(axis=1)
+    assert 2 < silent.sum() < 20
+    assert not silent[0]
+    assert not silent[-1]
+    np.testing.assert_allclose(table.motion[~silent], [motion()] * (~silent).sum(), atol=6e-3)
+    assert np.isfinite(table.counts[:, :5, :3]).all()

@@ -6,7 +6,7 @@ import pytest
 from design.spec.object import ObjectSpec
 from design.wiring.dealing import EXPANDED, MIXED, MULTIPLEXED, STARTED
 from estimator.recordings.boards.lines import Frame, Status
-from tests.support.avr.board import celsius, field_mt
+from tests.support.avr.board import celsius, field_mt, motion
 from tests.support.pico.board import built, messages, needs_micropython
 
 pytestmark = needs_micropython
@@ -117,3 +117,18 @@ def test_a_program_that_waits_too_long_is_ended_by_its_watchdog(tmp_path):
     program.write_text(program.read_text().replace("    gc.collect()", "    time.sleep_ms(3000)"))
     _, frames = counts_of(messages(tmp_path)[0])
     assert len(frames) == 1
+
+
+@pytest.mark.parametrize("imu", ["LSM6DS3", "ICM-42688"])
+def test_an_imu_is_read_beside_the_chips(tmp_path, imu):
+    spec = object_of().changed(imu=imu)
+    plan = built(spec, tmp_path, [("dead", 15, 300, 700)], end_ms=2500, way=MULTIPLEXED)
+    found, _ = messages(tmp_path)
+    values = np.array([message.counts for message in found if isinstance(message, Frame)])
+    silent = np.isnan(values[:, 45:]).all(axis=1)
+    assert 2 < silent.sum() < 20
+    assert not silent[-1]
+    wanted = [motion()] * int((~silent).sum())
+    np.testing.assert_allclose(values[~silent, 45:], wanted, atol=6e-3)
+    wanted = expected(plan, 32768 / 40).reshape(1, -1).repeat(len(values), axis=0)
+    np.testing.assert_array_equal(values[:, :45], wanted)

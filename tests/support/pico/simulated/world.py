@@ -174,6 +174,48 @@ class Tle:
         return memory[self.pointer : self.pointer + count]
 
 
+class Imu:
+    """LSM6DS3 or ICM-42688: acceleration in g, rates T, -T and 2 T degrees/s; one number while it is off."""
+
+    start_us = 1000
+
+    def __init__(self, factory, field, celsius):
+        self.factory, self.field, self.celsius = factory, field, celsius
+        self.reset()
+
+    def reset(self):
+        self.address, self.pointer, self.memory = self.factory, 0, bytearray(128)
+        self.st = self.factory == 0x6A
+        self.memory[0x0F if self.st else 0x75] = 0x69 if self.st else 0x47
+
+    def write(self, data):
+        self.pointer = data[0]
+        for offset, value in enumerate(data[1:]):
+            self.memory[data[0] + offset] = value
+
+    def read(self, count):
+        memory = self.memory
+        if self.st:
+            on = memory[0x10] >> 4 and memory[0x11] >> 4
+            g, rate = (
+                (2, 16, 4, 8)[memory[0x10] >> 2 & 3],
+                (250, 500, 1000, 2000)[memory[0x11] >> 2 & 3],
+            )
+            per_g, per_rate = 1 / (0.000061 * g / 2), 1 / (0.00875 * rate / 250)
+        else:
+            on = memory[0x4E] & 15 == 15
+            per_g, per_rate = 2048 << (memory[0x50] >> 5), 16.4 * (1 << (memory[0x4F] >> 5))
+        values = [saturated(per_g * a) for a in self.field]
+        values += [saturated(per_rate * self.celsius * k) for k in (1, -1, 2)]
+        if not on:
+            values = [0 if self.st else -32768] * 6
+        for k, value in enumerate(values[3:] + values[:3] if self.st else values):
+            if self.st:
+                value = (value & 0xFF) << 8 | value >> 8 & 0xFF
+            put(memory, (0x22 if self.st else 0x1F) + 2 * k, value)
+        return memory[self.pointer : self.pointer + count]
+
+
 def ones(values):
     return sum(value >> k & 1 for value in values for k in range(8))
 
@@ -184,7 +226,9 @@ class Placed:
     def __init__(self, number, family, bus, factory, multiplexer, channel, supply, field, celsius):
         self.number, self.bus, self.supply = number, bus, supply
         self.multiplexer, self.channel = multiplexer, channel
-        self.chip = {"T": Tmag, "M": Mlx, "E": Tle}[family](factory, field, celsius)
+        self.chip = {"T": Tmag, "M": Mlx, "E": Tle, "L": Imu, "I": Imu}[family](
+            factory, field, celsius
+        )
         self.powered_us = 0 if supply is None else None
 
     def power(self, on):
