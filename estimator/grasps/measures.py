@@ -283,7 +283,10 @@ def _damage(
     forces = np.array([contacts.force_n[:, 2] for contacts in _draws(at_peak, rng)])
     for limit in conditions.limits:
         whole, each = damage_probability(limit, forces, conditions.tip_radius_mm)
-        readings[f"damage_{limit.name}"] = Reading(whole)
+        # the mean is the chance; where a few draws carry it, it lies beyond the ends and becomes one
+        mean, ordered = float(whole.mean()), np.sort(whole)
+        low, high = min(mean, float(ordered[1])), max(mean, float(ordered[-2]))
+        readings[f"damage_{limit.name}"] = Reading(mean, low, high)
         for place, chance in zip(places, each.tolist(), strict=True):
             place[f"damage_{limit.name}"] = chance
     return readings, places
