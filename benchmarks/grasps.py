@@ -14,15 +14,16 @@ interrupted run goes on from them. Writes `grasps.json`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from harness import Result, conclude, kept, machine, option_parser, parts_folder
+from harness import Result, conclude, machine, option_parser, parts_folder
 from scipy.spatial.transform import Rotation, Slerp
 from scipy.stats import kstest
 
+from design.files import atomic_path
 from design.layout.body import face_frame
 from design.layout.places.contact_grid import contact_grid
 from design.spec.object import MeshSpec, ObjectSpec
@@ -284,29 +285,72 @@ def _wrench(contacts: Any, face: int) -> np.ndarray:
     return np.concatenate([wrench[:3], wrench[3:] / reach])
 
 
-def drawn(number: int, hidden: Hidden, estimator: Inversion, pool: list[Jaws]) -> Result:
-    """Two grippers' grasps as measured and as they were, and how they are ranked."""
+@dataclass(frozen=True)
+class Felt:
+    """One grasp of a draw: what was done, what the estimator read, and the limit of the fruit in its place."""
+
+    gripper: str
+    done: Grasped
+    track: ContactTrack
+    limit_n: float
+
+
+def drawn(number: int, hidden: Hidden, estimator: Inversion, pool: list[Jaws]) -> list[Felt]:
+    """Return the grasps of both grippers, read frame by frame."""
     rng = np.random.default_rng([number, 19])
-    conditions = replace(conditions_of(hidden.spec), limits=(_FRUIT,))
-    rows, peaks = [], {}
-    chosen = rng.permutation(len(pool))[: 2 * GRASPS]
-    for gripper, level in GRIPPERS_N.items():
-        first = GRASPS * list(GRIPPERS_N).index(gripper)
-        own = []
-        for jaws in chosen[first : first + GRASPS].tolist():
+    chosen = rng.permutation(len(pool))[: 2 * GRASPS].reshape(2, GRASPS)
+    felt = []
+    for (gripper, level), own in zip(GRIPPERS_N.items(), chosen.tolist(), strict=True):
+        for jaws in own:
             peak = level * float(np.clip(rng.normal(1, SPREAD), 0.7, 1.3))
-            grasp = grasped(hidden, pool[jaws], peak, rng)
-            track = track_of(estimator, grasp)
-            found = measured_grasps(track, conditions)
-            row: Result = {"draw": number, "gripper": gripper, "grasps": len(found), "peak_n": peak}
+            done = grasped(hidden, pool[jaws], peak, rng)
             limit = float(_FRUIT.median * np.exp(_FRUIT.spread * rng.standard_normal()))
-            row |= {"damaged": bool(peak > limit), "slipped": bool(grasp.slip_mm > 0)}
-            if len(found) == 1:
-                row |= grasp_row(found[0], track, grasp, conditions)
-                own.append(found[0].readings["peak_n"].value)
-            rows.append(row)
-        peaks[gripper] = np.array(own)
-    (difference,) = compare(peaks)
+            felt.append(Felt(gripper, done, track_of(estimator, done), limit))
+    return felt
+
+
+def save_draw(path: Path, felt: list[Felt]) -> None:
+    """Write a draw's grasps, so that measures may change without reading frames anew."""
+    values = {}
+    for row, one in enumerate(felt):
+        values |= {f"{row}_gripper": np.array(one.gripper), f"{row}_limit_n": np.array(one.limit_n)}
+        for name, part in (("done", one.done), ("track", one.track)):
+            values |= {f"{row}_{name}_{key}": np.asarray(v) for key, v in vars(part).items()}
+    with atomic_path(path) as temporary, temporary.open("wb") as file:
+        np.savez_compressed(file, **values)
+
+
+def load_draw(path: Path) -> list[Felt]:
+    """Read what `save_draw` wrote."""
+    with np.load(path) as file:
+        values = {name: file[name] for name in file.files}
+
+    def part(row: int, name: str, kind: Any) -> Any:
+        held = [values[f"{row}_{name}_{field.name}"] for field in fields(kind)]
+        return kind(*(value.item() if value.ndim == 0 else value for value in held))
+
+    return [
+        Felt(
+            str(values[f"{row}_gripper"]), part(row, "done", Grasped), part(row, "track", ContactTrack),
+            float(values[f"{row}_limit_n"]),
+        )
+        for row in range(2 * GRASPS)
+    ]  # fmt: skip
+
+
+def draw_figures(felt: list[Felt], conditions: Any) -> Result:
+    """Two grippers' grasps as measured and as they were, and how they are ranked."""
+    rows, peaks = [], {gripper: [] for gripper in GRIPPERS_N}
+    for one in felt:
+        found = measured_grasps(one.track, conditions)
+        peak = float(one.done.force_n.max())
+        row: Result = {"gripper": one.gripper, "peak_n": peak, "slipped": one.done.slip_mm > 0}
+        row["damaged"] = peak > one.limit_n
+        if len(found) == 1:
+            row |= grasp_row(found[0], one.track, one.done, conditions)
+            peaks[one.gripper].append(found[0].readings["peak_n"].value)
+        rows.append(row)
+    (difference,) = compare({name: np.array(values) for name, values in peaks.items()})
     return {
         "rows": rows,
         "order_right": bool(difference.shift > 0),
@@ -373,9 +417,13 @@ def measure(options: Any, parts: Path) -> Iterator[Result]:
     with np.load(ready) as file:
         pool = [Jaws(file[f"xy_{n}"], file[f"motion_{n}"]) for n in range(_POOL)]
     estimator = load_inversion(model)
+    conditions = replace(conditions_of(spec), limits=(_FRUIT,))
     for number in range(2 if options.quick else options.draws):
-        yield kept(parts, f"draw_{number}", lambda n=number: drawn(n, hidden, estimator, pool))
-        print(f"draw {number}", flush=True)
+        path = parts / f"draw_{number}.npz"
+        if not path.is_file():
+            save_draw(path, drawn(number, hidden, estimator, pool))
+            print(f"draw {number}", flush=True)
+        yield draw_figures(load_draw(path), conditions)
 
 
 def _table(presses: Any, spec: ObjectSpec) -> Signals:

@@ -240,7 +240,9 @@ def _course(held: ContactTrack, closing: ContactTrack, faces: list[int]) -> dict
     slips = [contact_slip(time_s, _steady_centre_mm(held, face)) for face in faces]
     # noise moves every centre: what did not slip has gone no way
     ways = [slip.distance_mm * slip.slipped for slip in slips if np.isfinite(slip.distance_mm)]
-    onset = min((slip.onset_s for slip in slips if slip.slipped), default=UNKNOWN)
+    # of the farthest slip: the earliest of several noisy onsets would be too early
+    farthest = max((s for s in slips if s.slipped), key=lambda s: s.distance_mm, default=None)
+    onset = UNKNOWN if farthest is None else farthest.onset_s
     return {
         "loading_n_per_s": loading_rate_n_per_s(closing.time_s, closing.total_n),
         "hold_s": float(time_s[-1] - time_s[0]),
