@@ -4,11 +4,11 @@
 
 The object is the paper's cube off its design within the tolerances, its mechanics on a mesh of their own.
 Contact is solved jointly by finite elements. An estimator is calibrated on single presses of 25 places of
-each of the two faces that the jaws press. Then a draw is two parallel jaws, one a quarter harder, with ten grasps each: anywhere on two
-opposite faces, peaks that scatter by 10 %, turned in Earth's field of 50 µT between two random directions,
-with the chips' noise, whole counts, errors of the zero and drift. One grasp of three slips by 1 to 3 mm.
-Places and slips come from a pool; everything else is drawn anew. Finished draws are kept, and an
-interrupted run goes on from them. Writes `grasps.json`.
+each of the two faces that the jaws press. Then a draw is two parallel jaws, one a quarter harder, with ten
+grasps each: anywhere on two opposite faces, peaks that scatter by 10 %, turned in Earth's field of 50 µT
+between two random directions, with the chips' noise, whole counts, errors of the zero and drift. One grasp
+of three slips by 1 to 3 mm. Places and slips come from a pool; everything else is drawn anew. Finished
+draws are kept, and an interrupted run goes on from them. Writes `grasps.json`.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ _LABELLED = 25
 """Places of each face that the estimator is calibrated on, and depths of a press as shares of the deepest."""
 _DEPTHS = np.linspace(0.1, 1.0, 16)
 _LEFT_SHARE = 0.02
-"""Share of the signals that such twins leave at places between (`estimator.calibration.twin.digital_twin`)."""
+"""Share of the signals that such twins leave at places between (`calibration/twin/digital_twin.py`)."""
 _POOL, _SLIPPING = 45, 3
 """Grasps whose mechanics is solved, of which one in so many slips."""
 _LEVELS_N = (0.5, 2.0, 5.0, 8.0, 11.0)
@@ -162,7 +162,9 @@ def labelled_frames(hidden: Hidden, response: ResponseOperator, faces: Any) -> A
     depths = _DEPTHS[:, None] * max(spec.press.depths_mm)
     for face in FACES:
         for place in rng.permutation(len(grid.xy_mm))[:_LABELLED].tolist():
-            path = press_path(spec, response, [Tip(face, *grid.xy_mm[place].tolist())], depths, faces)
+            path = press_path(
+                spec, response, [Tip(face, *grid.xy_mm[place].tolist())], depths, faces
+            )
             motion = np.array([press.motion for press in path])
             force = hidden.assembly.modulus_ratio * np.array([press.force_n[0] for press in path])
             change = hidden.counts(motion, np.zeros((len(motion), 3)))
@@ -192,9 +194,7 @@ def calibrated(spec: ObjectSpec, presses: Any, frames: Any) -> Inversion:
         twins[face] = calibrate(spec, *presses, pressed_places(spec, reachable, face))
     estimator = inverted_twin(spec, *presses, twins, dict.fromkeys(FACES, _LEFT_SHARE))
     force_error = max(twin.modulus_error for twin in twins.values())
-    return replace(
-        estimator, disturbances=replace(estimator.disturbances, force_error=force_error)
-    )
+    return replace(estimator, disturbances=replace(estimator.disturbances, force_error=force_error))
 
 
 @dataclass(frozen=True)
@@ -222,7 +222,9 @@ def grasped(hidden: Hidden, jaws: Jaws, peak_n: float, rng: np.random.Generator)
     # the parabola through the nodes at 0, ½ and 1 (Lagrange)
     weights = np.ones((1, len(along)))
     if len(jaws.xy_mm) > 1:
-        weights = np.array([(1 - along) * (1 - 2 * along), 4 * along * (1 - along), along * (2 * along - 1)])
+        weights = np.array(
+            [(1 - along) * (1 - 2 * along), 4 * along * (1 - along), along * (2 * along - 1)]
+        )
     nodes, levels = jaws.motion.shape[:2]
     scaled = force / hidden.assembly.modulus_ratio
     table = np.concatenate([np.zeros((nodes, 1, *jaws.motion.shape[2:])), jaws.motion], axis=1)
@@ -250,7 +252,8 @@ def earth_t(rng: np.random.Generator, frames: int) -> np.ndarray:
 def track_of(estimator: Inversion, grasp: Grasped) -> ContactTrack:
     """Read every frame in its order."""
     tracker = Tracker(estimator)
-    return track_of_sets(grasp.time_s, ContactSets.joined([tracker.feed(row) for row in grasp.counts]))
+    sets = ContactSets.joined([tracker.feed(row) for row in grasp.counts])
+    return track_of_sets(grasp.time_s, sets, estimator.disturbances.force_error)
 
 
 def true_track(grasp: Grasped) -> ContactTrack:
@@ -261,10 +264,14 @@ def true_track(grasp: Grasped) -> ContactTrack:
     xy = np.where(touched[:, None, None], grasp.xy_mm, np.nan)
     force = np.full((frames, 2, 3), np.nan)
     force[touched, :, 2] = grasp.force_n[touched, None]
-    return ContactTrack(grasp.time_s, face, xy, force, np.zeros((frames, 2, 5, 5)), np.ones(frames, bool))
+    return ContactTrack(
+        grasp.time_s, face, xy, force, np.zeros((frames, 2, 5, 5)), np.ones(frames, bool)
+    )
 
 
-def jaw_angles_deg(read: ContactTrack, true: ContactTrack, frame: int, conditions: Any) -> list[float]:
+def jaw_angles_deg(
+    read: ContactTrack, true: ContactTrack, frame: int, conditions: Any
+) -> list[float]:
     """Angle between the wrench of each jaw as read and as it was, moments over the object's half width."""
     both = [placed_contacts(track, frame, conditions.faces) for track in (read, true)]
     angles = []
@@ -287,7 +294,7 @@ def _wrench(contacts: Any, face: int) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Felt:
-    """One grasp of a draw: what was done, what the estimator read, and the limit of the fruit in its place."""
+    """One grasp of a draw: what was done, what was read, and the limit of the fruit in its place."""
 
     gripper: str
     done: Grasped
@@ -359,22 +366,17 @@ def draw_figures(felt: list[Felt], conditions: Any) -> Result:
     }
 
 
-def grasp_row(
-    found: MeasuredGrasp, track: ContactTrack, grasp: Grasped, conditions: Any
-) -> Result:
+def grasp_row(found: MeasuredGrasp, track: ContactTrack, grasp: Grasped, conditions: Any) -> Result:
     """Return errors of a grasp's measures."""
     truth = true_track(grasp)
     held = slice(found.grasp.hold, found.grasp.release)
     true_n = float(truth.total_n[held].mean())
     mean = found.readings["mean_n"]
     frame = found.grasp.hold + 1
-    jaws = [found.faces.get(face) for face in FACES]
     pull, sigma = np.nan, np.nan
-    if all(jaws):
-        # along the axis through both faces, where each jaw's error is its own
-        normal_n = [track.face_force_n(face)[held].mean() for face in FACES]
-        sigmas_n = [track.face_sigma_n(face)[held].mean() for face in FACES]
-        pull, sigma = float(normal_n[0] - normal_n[1]), float(np.hypot(*sigmas_n))
+    if set(found.faces) == set(FACES):
+        # along the x axis, through both faces; friction acts across it
+        pull, sigma = float(found.wrench[0]), float(np.sqrt(found.covariance[0, 0]))
     start_s = float(track.time_s[found.grasp.hold])
     return {
         "unexplained": found.readings["unexplained"].value,
@@ -451,8 +453,9 @@ def figures_of(draws: list[Result]) -> Result:
     for low, high in ((0.0, 0.1), (0.1, 0.3), (0.3, 0.5), (0.5, 0.7), (0.7, 0.9), (0.9, 1.01)):
         here = (chance >= low) & (chance < high)
         if here.any():
-            bins.append({"from": low, "to": min(high, 1.0), "grasps": int(here.sum()),
-                         "said": float(chance[here].mean()), "damaged": float(damaged[here].mean())})  # fmt: skip
+            said, seen_share = float(chance[here].mean()), float(damaged[here].mean())
+            counted = {"from": low, "to": min(high, 1.0), "grasps": int(here.sum())}
+            bins.append(counted | {"said": said, "damaged": seen_share})
     result = {
         "draws": len(draws),
         "grasps": len(rows),
@@ -494,7 +497,8 @@ def report(result: Result) -> str:
     bins = figures.pop("reliability")
     lines = [f"{name} {value}" for name, value in figures.items()]
     lines += [
-        f"chance {one['from']} to {one['to']}: {one['grasps']} grasps, said {one['said']}, damaged {one['damaged']}"
+        f"chance {one['from']} to {one['to']}: {one['grasps']} grasps, said {one['said']}, "
+        f"damaged {one['damaged']}"
         for one in bins
     ]
     return "\n".join(lines)

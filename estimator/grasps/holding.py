@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from estimator.grasps.track import fresh_variance
+
 _RATE_FRAMES = 3
 """Frames over which a slope is taken: two would show noise."""
 _REFERENCE_FRAMES = 3
@@ -21,8 +23,8 @@ _SHORTEST = 1 / 16
 """Frames that a slip lasts at least: a jump, wherever between two frames."""
 _STRAIGHT_MM = 0.05
 """Least deviation of a frame from a straight slip: estimators read places along a slip no better."""
-_NORMAL_MAD = 1.4826
-"""Standard deviation over median absolute deviation of a normal error."""
+_AGREE, _WIDEST = 2.0, 25
+"""Deviations by which means over narrower and wider windows may differ, and half of the widest window."""
 
 
 def loading_rate_n_per_s(
@@ -58,6 +60,30 @@ def unsteadiness(force_n: Float[np.ndarray, "frame"]) -> float:
     return float(np.std(force_n) / np.mean(force_n))
 
 
+def peak_frames(force_n: Float[np.ndarray, "frame"]) -> slice:
+    """Frames over which a force is at its peak: the window with the largest mean.
+
+    The largest of many noisy readings is too large, so that each frame stands for the widest window about
+    it whose mean agrees with those of all narrower ones (intersecting intervals; Goldenshluger & Nemirovski,
+    Math. Methods Statist. 6, 1997). What rises above the noise keeps a window of its own.
+    """
+    count, sigma = len(force_n), float(np.sqrt(fresh_variance(force_n)))
+    total = np.concatenate([[0.0], np.cumsum(force_n)])
+    low, high = np.full(count, -np.inf), np.full(count, np.inf)
+    mean, half = force_n.copy(), np.zeros(count, int)
+    agrees = np.ones(count, bool)
+    for reach in range(min(_WIDEST, (count - 1) // 2) + 1):
+        middle, width = np.arange(reach, count - reach), 2 * reach + 1
+        wide = np.full(count, np.nan)
+        wide[middle] = (total[middle + reach + 1] - total[middle - reach]) / width
+        error = _AGREE * sigma / np.sqrt(width)
+        low, high = np.fmax(low, wide - error), np.fmin(high, wide + error)
+        agrees &= np.isfinite(wide) & (low <= high)
+        mean, half = np.where(agrees, wide, mean), np.where(agrees, reach, half)
+    peak = int(np.argmax(mean))
+    return slice(peak - int(half[peak]), peak + int(half[peak]) + 1)
+
+
 @dataclass(frozen=True)
 class Slip:
     """Motion of a contact along the surface while it is held.
@@ -88,10 +114,7 @@ def contact_slip(
     time_s, centre_mm = time_s[present], centre_mm[present]
     if len(centre_mm) < 2 * _REFERENCE_FRAMES:
         return Slip(float("nan"), float("nan"))
-    steps = np.diff(centre_mm, axis=0)
-    # differences of two frames scatter √2 times as much as one
-    scatter = _NORMAL_MAD * float(np.median(abs(steps - np.median(steps, axis=0)))) / np.sqrt(2)
-    variance = max(scatter, _STRAIGHT_MM) ** 2
+    variance = max(float(fresh_variance(centre_mm).mean()), _STRAIGHT_MM**2)
     onset_s, gain, way = _best_slip(time_s, centre_mm, variance)
     distance = float(np.linalg.norm(way))
     moved = (centre_mm - np.median(centre_mm[:_REFERENCE_FRAMES], axis=0)) @ way
@@ -135,7 +158,7 @@ def _gains(
     frame = np.arange(len(time_s))
     share = np.clip((frame - begins[:, None, None]) / lasts[:, None], 0.0, 1.0)
     # a slip that goes on has come so far in the middle of the last frames
-    reached = share[..., -_REFERENCE_FRAMES // 2, None].copy()
+    reached = share[..., -1 - _REFERENCE_FRAMES // 2, None].copy()
     share -= share.mean(axis=2, keepdims=True)
     spread = np.maximum(np.sum(share**2, axis=2), 1e-9)
     # least squares of the centre on the share: b begin, l duration, f frame, k direction

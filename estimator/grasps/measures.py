@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from scipy.stats import norm
 
 from design.body.surface_chart import FaceFrame
@@ -31,10 +31,11 @@ from estimator.grasps.holding import (
     contact_slip,
     creep_per_decade,
     loading_rate_n_per_s,
+    peak_frames,
     unsteadiness,
 )
 from estimator.grasps.phases import Grasp, find_grasps
-from estimator.grasps.track import ContactTrack, Placed, placed_contacts
+from estimator.grasps.track import ContactTrack, Placed, fresh_variance, placed_contacts
 from estimator.grasps.wrench_space import (
     closing_friction,
     contact_wrenches,
@@ -118,15 +119,19 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
     part, held = _part(track, grasp.start, grasp.end), _part(track, grasp.hold, grasp.release)
     closing = _part(track, max(grasp.approach, grasp.start - 1), min(grasp.hold + 2, grasp.end))
     rng = np.random.default_rng(grasp.number)
-    peak = int(np.argmax(part.total_n))
-    at_peak = placed_contacts(part, peak, conditions.faces)
-    typical = placed_contacts(held, _typical_frame(held, grasp.level_n), conditions.faces)
+    window = peak_frames(part.total_n)
+    peak = window.start + int(np.argmax(part.total_n[window]))
+    top = part.averaged(_frames_like(part, peak, window))
+    usual = _typical_frame(held, grasp.level_n)
+    mean = held.averaged(_frames_like(held, usual, slice(0, len(held))))
+    at_peak = placed_contacts(top, 0, conditions.faces)
+    typical = placed_contacts(mean, 0, conditions.faces)
     wrench, covariance = net_wrench(typical, conditions.friction)
     faces = _face_forces(part, held)
-    damage, places = _damage(part, peak, at_peak, conditions, rng)
+    damage, places = _damage(top, at_peak, conditions, rng)
     readings = {
-        "peak_n": _spread(float(part.total_n[peak]), float(part.total_sigma_n[peak])),
-        "mean_n": _spread(float(held.total_n.mean()), float(held.total_sigma_n.mean())),
+        "peak_n": _spread(float(part.total_n[window].mean()), float(top.total_sigma_n[0])),
+        "mean_n": _spread(float(held.total_n.mean()), float(mean.total_sigma_n[0])),
         "finger_n": max((top for _, top in faces.values()), key=lambda reading: reading.value),
         **_with_intervals(at_peak, rng, partial(_peak_figures, conditions)),
         **_with_intervals(typical, rng, partial(_hold_figures, conditions)),
@@ -155,6 +160,12 @@ def _typical_frame(held: ContactTrack, level_n: float) -> int:
     return int(np.argmin(np.where(count == usual, abs(held.total_n - level_n), np.inf)))
 
 
+def _frames_like(track: ContactTrack, frame: int, window: slice) -> Int[np.ndarray, "some"]:
+    """Return the frames of a window with contacts on the same faces as in one of them."""
+    alike = np.all(track.face == track.face[frame], axis=1)
+    return np.arange(len(track))[window][alike[window]]
+
+
 def _with_intervals(
     contacts: Placed,
     rng: np.random.Generator,
@@ -177,7 +188,7 @@ def _with_intervals(
 
 
 def _draws(contacts: Placed, rng: np.random.Generator) -> list[Placed]:
-    return [contacts.drawn(rng.standard_normal((len(contacts), 5))) for _ in range(DRAWS)]
+    return [contacts.drawn(rng) for _ in range(DRAWS)]
 
 
 def _peak_figures(conditions: Conditions, contacts: Placed) -> dict[str, float]:
@@ -224,14 +235,25 @@ def _spread(value: float, sigma: float) -> Reading:
 
 
 def _face_forces(part: ContactTrack, held: ContactTrack) -> dict[int, tuple[Reading, Reading]]:
-    """Mean in the hold and peak in the grasp; errors are taken to last as long as the grasp."""
+    """Mean in the hold and peak in the grasp, each with its interval."""
     forces = {}
     for face in np.unique(part.face[part.face != NO_FACE]).tolist():
-        force, sigma = part.face_force_n(face), part.face_sigma_n(face)
-        peak = int(np.argmax(force))
-        mean = float(held.face_force_n(face).mean()), float(held.face_sigma_n(face).mean())
-        forces[face] = _spread(*mean), _spread(float(force[peak]), float(sigma[peak]))
+        whole, steady = part.face_force_n(face), held.face_force_n(face)
+        window = peak_frames(whole)
+        forces[face] = (
+            _spread(float(steady.mean()), _sigma_of_mean(steady, held.face_sigma_n(face))),
+            _spread(
+                float(whole[window].mean()),
+                _sigma_of_mean(whole[window], part.face_sigma_n(face)[window]),
+            ),
+        )
     return forces
+
+
+def _sigma_of_mean(values: Float[np.ndarray, "frame"], sigma: Float[np.ndarray, "frame"]) -> float:
+    """Standard deviation of a mean: as `ContactTrack.averaged`, of a sum over contacts."""
+    variance, fresh, count = float(np.mean(sigma**2)), float(fresh_variance(values)), len(values)
+    return float(np.sqrt(min(max(variance - (1 - 1 / count) * fresh, fresh / count), variance)))
 
 
 def _course(held: ContactTrack, closing: ContactTrack, faces: list[int]) -> dict[str, float]:
@@ -265,21 +287,16 @@ def _steady_centre_mm(held: ContactTrack, face: int) -> Float[np.ndarray, "frame
 
 
 def _damage(
-    part: ContactTrack,
-    peak: int,
+    top: ContactTrack,
     at_peak: Placed,
     conditions: Conditions,
     rng: np.random.Generator,
 ) -> tuple[dict[str, Reading], list[dict[str, float | int]]]:
-    slots = np.flatnonzero(np.isin(part.face[peak], list(conditions.faces))).tolist()
+    slots = np.flatnonzero(np.isin(top.face[0], list(conditions.faces))).tolist()
+    columns = top.face[0, slots], *top.xy_mm[0, slots].T, top.normal_n[0, slots]
     places: list[dict[str, float | int]] = [
-        {"face": int(part.face[peak, slot]), "x_mm": x, "y_mm": y, "force_n": force}
-        for slot, (x, y), force in zip(
-            slots,
-            part.xy_mm[peak, slots].tolist(),
-            part.normal_n[peak, slots].tolist(),
-            strict=True,
-        )
+        dict(zip(("face", "x_mm", "y_mm", "force_n"), row, strict=True))
+        for row in zip(*(column.tolist() for column in columns), strict=True)
     ]
     readings: dict[str, Reading] = {}
     forces = np.array([contacts.force_n[:, 2] for contacts in _draws(at_peak, rng)])

@@ -192,9 +192,7 @@ def _document(
         "faces and their load cells": cell_rows(trusted),
         "places most at risk": risk_rows(trusted, limits),
     }
-    faults = [
-        text for read in tracks for text in read.faults
-    ]
+    faults = [text for read in tracks for text in read.faults]
     document = {
         "command": "assess",
         "protocol": options.protocol,

@@ -32,8 +32,8 @@ def verdict_text(group: Group, conditions: Conditions) -> str:
     if not group.trusted:
         share, method = group.values("unexplained").mean(), group.recordings[0].read.method
         return (
-            f"{group.name}: cannot be said, because the estimator does not explain {100 * share:.0f} % of the "
-            f"grasps' frames. Its figures are withheld. {_REMEDY[method]}."
+            f"{group.name}: cannot be said, because the estimator does not explain {100 * share:.0f} % of "
+            f"the grasps' frames. Its figures are withheld. {_REMEDY[method]}."
         )
     grasps = [grasp for _, grasp in group.grasps]
     verdict = verdict_of(grasps, conditions)

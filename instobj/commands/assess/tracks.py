@@ -339,7 +339,8 @@ def _inverted(path: Path, frames: FrameSet, inversion: Inversion) -> ContactTrac
             sets.append(tracker.feed(change))
             if number % _STEP == 0:
                 progress.step(f"frame {number} of {len(frames)}")
-    return track_of_sets(frames.time_s, ContactSets.joined(sets))
+    force_error = inversion.disturbances.force_error
+    return track_of_sets(frames.time_s, ContactSets.joined(sets), force_error)
 
 
 def _networks_track(frames: FrameSet, networks: dict[int, FaceModel]) -> ContactTrack:
