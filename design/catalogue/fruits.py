@@ -9,7 +9,7 @@ from design.catalogue.tables import read_table
 
 @dataclass(frozen=True)
 class Fruit:
-    """A fruit as a soft sphere: Young's modulus at small strain (MPa) with the interval that it may lie in."""
+    """A fruit as a soft sphere: Young's modulus (MPa, small strain), and the interval that it may lie in."""
 
     name: str
     youngs_modulus_mpa: float

@@ -1,5 +1,5 @@
-"""The modulus of a silicone from its name, a hardness or a tensile test, with the fits and a figure; layers of
-silicone that give way as a fruit does."""
+"""The modulus of a silicone from its name, a hardness or a tensile test, with the fits and a figure; layers
+of silicone that give way as a fruit does."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from design.catalogue.tensile_files import TensileTest
 
 _TIP_MM, _FORCE_N = 5.0, 5.0
-"""Tip and force at which compliances are matched: the paper's probe, and the force that places are judged at."""
+"""Tip and force at which compliances are matched: the paper's probe, and the force of scores."""
 _LAYER_MM, _USUAL_MM = (4.0, 20.0), 8.0
 """Thickness of shells that hold magnets and can be cast, and the paper's."""
 _COLOURS = ("#1b6ca8", "#c8553d", "#6a994e")
@@ -88,13 +88,11 @@ def _describe_fruit(fruit: Fruit) -> dict[str, Any]:
         else f"{best['silicone']}, {best['thickness mm']:.2g} mm thick, gives way as {fruit.name} does"
     )
     transfer = (
-        f"Matched is the depth of a round tip of {_TIP_MM:g} mm under {_FORCE_N:g} N, {depth_mm:.2g} mm: the "
-        "fruit by Hertz as a soft sphere, the silicone as a layer on a rigid core. Skin, layers of the fruit, "
-        "flat tips and slow yielding are left out. A dash: no thickness does."
+        f"Matched is the depth of a round tip of {_TIP_MM:g} mm under {_FORCE_N:g} N, {depth_mm:.2g} mm: "
+        "the fruit by Hertz as a soft sphere, the silicone as a layer on a rigid core. Skin, layers of the "
+        "fruit, flat tips and slow yielding are left out. A dash: no thickness does."
     )
-    modulus = ModulusEstimate(
-        fruit.youngs_modulus_mpa, fruit.low_mpa, fruit.high_mpa, fruit.source
-    )
+    modulus = ModulusEstimate(fruit.youngs_modulus_mpa, fruit.low_mpa, fruit.high_mpa, fruit.source)
     summary = {"modulus": _modulus_row(modulus), "layers of silicone": rows}
     return {"texts": [f"{answer}.", transfer]} | _document(fruit.name, summary, [])
 
