@@ -145,7 +145,7 @@ def _measured(track: ContactTrack, grasp: Grasp, conditions: Conditions) -> Meas
     opposed = _is_opposed(typical)
     return MeasuredGrasp(
         grasp, start_s, end_s, readings, faces, wrench, covariance, opposed, places,
-        bool(part.explained[peak]),
+        bool(part.explained[int(np.argmax(part.total_n))]),
     )  # fmt: skip
 
 

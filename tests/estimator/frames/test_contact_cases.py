@@ -64,7 +64,11 @@ def test_a_thumb_presses_between_two_fingers_and_a_pad_alone():
     hands, pads = cases_of(3, 5, 5), cases_of(1)
     assert len(hands) == 5
     for case in hands:
-        assert (case.face.tolist(), case.cell.tolist(), case.squeezed) == ([3, 5, 5], [0, 1, 1], True)
+        assert (case.face.tolist(), case.cell.tolist(), case.squeezed) == (
+            [3, 5, 5],
+            [0, 1, 1],
+            True,
+        )
         points = [
             frames[face].to_object(np.append(frames[face].to_plane(xy), 0.0))
             for face, xy in zip(case.face.tolist(), case.xy_mm, strict=True)
