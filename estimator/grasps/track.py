@@ -222,8 +222,9 @@ class Placed:
         """Inward normals: directions in which contacts push the object."""
         return self.axes[..., 2]
 
-    def drawn(self, rng: np.random.Generator) -> Placed:
-        """Another of the contacts that the covariance and the common factor allow.
+    def drawn(self, normals: Float[np.ndarray, "contact 5"], common: float) -> Placed:
+        """Another of the contacts that the covariance and the common factor allow, from standard normal
+        numbers; zeros give the contacts themselves.
 
         Points move in the tangent plane, so that normals stay: exact on flat faces.
         """
@@ -231,9 +232,9 @@ class Placed:
         value, vector = np.linalg.eigh(self.covariance)
         root = vector * np.sqrt(value.clip(0.0))[..., None, :]
         # contact c, of i and j of its five coordinates
-        error = np.einsum("cij,cj->ci", root, rng.standard_normal((len(self), 5)))
+        error = np.einsum("cij,cj->ci", root, normals)
         point = self.point_mm + np.einsum("cij,cj->ci", self.axes[..., :2], error[:, :2])
-        force = (self.force_n + error[:, 2:]) * (1 + self.scale_error * rng.standard_normal())
+        force = (self.force_n + error[:, 2:]) * (1 + self.scale_error * common)
         force[:, 2] = force[:, 2].clip(0.0)
         return replace(self, point_mm=point, force_n=force)
 
