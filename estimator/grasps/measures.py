@@ -46,7 +46,7 @@ from estimator.grasps.wrench_space import (
 _HALF = float(norm.ppf(0.95))
 """Half of a normal interval of 90 % in standard deviations."""
 DRAWS = 39
-"""Draws of what the covariance allows, the contacts themselves and 19 pairs of opposite errors: the second and
+"""Draws of what the covariance allows: the contacts themselves and 19 opposite pairs. The second and
 the last but one hold 18/20 = 90 % of further ones."""
 UNKNOWN = float("nan")
 
