@@ -177,13 +177,18 @@ def risk_rows(groups: list[Group], limits: list[str]) -> list[dict[str, Any]]:
 
 
 def full_rows(groups: list[Group]) -> list[dict[str, Any]]:
-    """Every measure of every grasp with its interval, a column each."""
+    """Every measure of every grasp with its interval, a column each; of groups that are not trusted when
+    each grasp was, and how little is explained."""
     rows = []
-    for row, grasp in named_grasps(groups):
-        row |= {"start_s": grasp.start_s, "end_s": grasp.end_s}
-        for name, reading in grasp.readings.items():
-            row |= {name: reading.value, f"{name}_low": reading.low, f"{name}_high": reading.high}
-        rows.append(row)
+    for group in groups:
+        for row, grasp in named_grasps([group]):
+            row |= {"start_s": grasp.start_s, "end_s": grasp.end_s}
+            for name, reading in grasp.readings.items():
+                if group.trusted or name == "unexplained":
+                    row |= {name: reading.value} | {
+                        f"{name}_{end}": getattr(reading, end) for end in ("low", "high")
+                    }
+            rows.append(row)
     return rows
 
 
@@ -197,6 +202,8 @@ def write_csv(path: Path, rows: list[dict[str, Any]]) -> Path:
 
 def whole_document(document: dict[str, Any], groups: list[Group]) -> dict[str, Any]:
     """The document with all figures of all grasps; what is not known is null."""
+    trusted = [group for group in groups if group.trusted]
+    withheld = full_rows([group for group in groups if not group.trusted])
     grasps = [
         row
         | {
@@ -209,9 +216,9 @@ def whole_document(document: dict[str, Any], groups: list[Group]) -> dict[str, A
             },
             "places": grasp.places,
         }
-        for row, (_, grasp) in zip(full_rows(groups), named_grasps(groups), strict=True)
+        for row, (_, grasp) in zip(full_rows(trusted), named_grasps(trusted), strict=True)
     ]
-    return json_value(document | {"grasps": grasps})
+    return json_value(document | {"grasps": [*grasps, *withheld]})
 
 
 def json_value(value: Any) -> Any:

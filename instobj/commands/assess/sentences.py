@@ -6,12 +6,58 @@ import numpy as np
 
 from estimator.grasps.measures import Conditions
 from estimator.grasps.ranking import LEVEL, Difference, median_interval
-from instobj.commands.assess.groups import Group, cell_rows, measure_of
+from estimator.grasps.verdict import Judged, force_half_width, verdict_of
+from instobj.commands.assess.groups import Group, cell_rows, measure_of, with_ends
 from instobj.commands.readings import DISTRUST_FROM
 from instobj.report.cells import shown
 
 _FEW = 6
 """Grasps below which an interval of their median is too narrow."""
+_REMEDY = {
+    "inversion": "Calibrate it on labelled presses of this object (`instobj train DATA --twin SPEC`), and "
+    "take magnets and steel away",
+    "networks": "Train it on presses with such contacts, or read with contacts.nc of the object's "
+    "specification (`instobj train SPEC`)",
+}
+"""Advice where an estimator, by its method, does not explain the frames."""
+
+
+def verdict_text(group: Group, conditions: Conditions) -> str:
+    """Return one plain sentence: good, not good, or cannot be said, and why."""
+    if not group.grasps:
+        return (
+            f"{group.name}: cannot be said, because no grasp was found. Begin recordings at rest, and check "
+            "that the estimator is of this object."
+        )
+    if not group.trusted:
+        share, method = group.values("unexplained").mean(), group.recordings[0].read.method
+        return (
+            f"{group.name}: cannot be said, because the estimator does not explain {100 * share:.0f} % of "
+            f"the grasps' frames. Its figures are withheld. {_REMEDY[method]}."
+        )
+    grasps = [grasp for _, grasp in group.grasps]
+    verdict = verdict_of(grasps, conditions)
+    chosen = verdict.named({"good": True, "not good": False}.get(verdict.answer))
+    reasons = "; ".join(_reason(judged) for judged in chosen)
+    if not verdict.balanced:
+        reasons = (
+            "the contacts that were read do not balance (chance "
+            f"{with_ends(verdict.balance)}): one was not felt, or forces are wrong"
+        )
+    count = "one grasp" if len(grasps) == 1 else f"{len(grasps)} grasps, in the median"
+    joint = ": " if verdict.answer == "good" else ", because "
+    known = force_half_width(grasps)
+    width = f" Forces are known to ± {100 * known:.0f} %." if np.isfinite(known) else ""
+    return f"{group.name}: {verdict.answer} ({count}){joint}{reasons}.{width}"
+
+
+def _reason(judged: Judged) -> str:
+    measure = measure_of(judged.name)
+    unit = "" if measure.unit == "1" else f" {measure.unit}"
+    relation = {True: "at most", False: "more than", None: "perhaps more than"}[judged.good]
+    if np.isnan(judged.median.value):
+        return f"{measure.title} is not known"
+    return f"{measure.title} {with_ends(judged.median)}{unit}, {relation} {shown(judged.most)}"
 
 
 def sentences(groups: list[Group], differences: dict[str, list[Difference]]) -> list[str]:
@@ -67,18 +113,17 @@ def warnings_of(options: AssessOptions, groups: list[Group], conditions: Conditi
     tracks = [recording.read for group in groups for recording in group.recordings]
     texts = list(dict.fromkeys(text for read in tracks for text in read.texts))
     for group in groups:
-        if not group.grasps:
-            texts.append(f"{group.name}: no grasp found; it is not ranked.")
-        elif len(group.grasps) < _FEW:
+        if not group.trusted:  # its verdict says why
+            continue
+        if len(group.grasps) < _FEW:
             texts.append(
                 f"{group.name}: few grasps ({len(group.grasps)}); the interval of the median is too narrow."
             )
         shares = group.values("unexplained")
-        if len(shares) and shares.mean() > DISTRUST_FROM:
+        if shares.mean() > DISTRUST_FROM:
             texts.append(
                 f"{group.name}: the estimator cannot explain {100 * shares.mean():.0f} % of the grasps' "
-                "frames; forces and places may be wrong by more than their intervals"
-                + (", and it is not ranked." if not group.trusted else ".")
+                "frames; forces and places may be wrong by more than their intervals."
             )
     if not any(read.track.has_tangential for read in tracks):
         texts.append(
@@ -93,7 +138,8 @@ def warnings_of(options: AssessOptions, groups: list[Group], conditions: Conditi
         texts.append(
             "The weight is not given (--weight): balance is judged as if the object weighed nothing."
         )
-    return [*texts, *filter(None, (unplaced_text(groups, conditions), balance_text(groups)))]
+    trusted = [group for group in groups if group.trusted]
+    return [*texts, *filter(None, (unplaced_text(groups, conditions), balance_text(trusted)))]
 
 
 def unplaced_text(groups: list[Group], conditions: Conditions) -> str:
@@ -108,7 +154,7 @@ def unplaced_text(groups: list[Group], conditions: Conditions) -> str:
 
 
 def balance_text(groups: list[Group]) -> str:
-    values = np.concatenate([group.values("equilibrium_p") for group in groups])
+    values = np.concatenate([np.zeros(0), *(group.values("equilibrium_p") for group in groups)])
     chances = values[np.isfinite(values)]
     if not len(chances):
         return ""

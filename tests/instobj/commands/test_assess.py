@@ -56,6 +56,35 @@ def test_the_gentle_gripper_is_ranked_first_in_a_sentence(ranked):
     assert document["exchanged"] <= 0.08
 
 
+def test_the_first_lines_answer_for_each_gripper(ranked):
+    """Tomatoes break at some 6 N: three newtons are good, six are not."""
+    document, folder = ranked
+    rough, gentle = document["texts"][:2]
+    assert rough.startswith("rough: not good (6 grasps, in the median), because chance of damage")
+    assert gentle.startswith("gentle: good (6 grasps, in the median): friction needed")
+    assert "Forces are known to ±" in gentle
+    page = (folder / "assess.html").read_text()
+    assert page.index("gentle: good") < page.index("<h2>")
+
+
+def test_a_recording_that_the_estimator_was_trained_on_is_named(bench, tmp_path):
+    (tmp_path / "model").mkdir()
+    for source, target in (("model/contacts.nc", "contacts.nc"), ("gentle/day1.nc", "frames.nc")):
+        (tmp_path / "model" / target).write_bytes((bench / source).read_bytes())
+    arguments = ("gentle/day1.nc", "rough/day1.nc", "--model", tmp_path / "model", "--json")
+    document = json.loads(run("assess", *arguments, cwd=bench).stdout)
+    said = [text for text in document["texts"] if "was trained on this recording" in text]
+    assert len(said) == 1
+    assert said[0].startswith("day1.nc")
+
+
+def test_a_specification_of_another_body_is_refused(bench):
+    (bench / "longer.toml").write_text('name = "longer"\nbody.size_mm = [60, 42, 42]\n')
+    done = run("assess", "gentle", "--model", "model", "--spec", "longer.toml", cwd=bench)
+    assert done.returncode == 2
+    assert "has another body than the one that the inversion reads" in done.stderr
+
+
 def test_forces_are_those_that_pressed(ranked):
     _, folder = ranked
     with (folder / "grasps.csv").open() as file:
@@ -202,6 +231,15 @@ def test_places_at_risk_are_of_peaks_that_are_explained(bench):
     document = json.loads(done.stdout)
     at_risk = document["tables"]["places most at risk"]
     assert {row["group"] for row in at_risk} == {"rough"}
+    # its figures are withheld, and its answer says why
+    (answer,) = (text for text in document["texts"] if text.startswith("magnet: "))
+    assert answer.startswith("magnet: cannot be said, because the estimator does not explain")
+    assert "Calibrate" in answer
+    assert {row["group"] for row in document["tables"]["grasps"]} == {"rough"}
+    with (bench / "runs" / "rough+magnet" / "assess" / "grasps.csv").open() as file:
+        withheld = [row for row in csv.DictReader(file) if row["group"] == "magnet"]
+    assert {row["peak_n"] for row in withheld} == {""}
+    assert all(float(row["unexplained"]) > 0.5 for row in withheld)
     assert any("leave out 6 of 12 grasps" in text for text in document["texts"])
 
 
