@@ -46,19 +46,20 @@ class Mounted:
         return f"sensor {self.number} of face {self.face}"
 
 
-def mounted_sensors(spec: ObjectSpec) -> list[Mounted]:
+@cached_geometry
+def mounted_sensors(spec: ObjectSpec) -> tuple[Mounted, ...]:
     """Boards in the core's recesses, face by face; empty where the sensors sit in the shell.
 
     Each board lies in the middle of its recess, as `mounted_stack` says; on a curved core deeper, by
     `board_sinks_mm`.
     """
     if spec.arrangement == "sensors-in-shell":
-        return []
-    return [
+        return ()
+    return tuple(
         _mounted(spec, frame.tangent(np.array(place[:2])), number, place, sink)
         for frame, places in board_places(spec)
         for number, (place, sink) in enumerate(places, start=1)
-    ]
+    )
 
 
 def board_blocks(spec: ObjectSpec) -> list[Block]:

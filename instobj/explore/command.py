@@ -17,7 +17,7 @@ from design.placement.asked import place_parts
 from design.placement.objects import Request
 from design.spec_io import load_spec
 from instobj.commands.new import new_specification
-from instobj.explore.engine import is_stored, open_coarse_explorer, open_explorer
+from instobj.explore.engine import open_explorer, open_shell
 from instobj.explore.server import ADDRESS, Session, application
 from instobj.store.progress import ProgressLine
 from instobj.store.publish import file_rows
@@ -55,8 +55,7 @@ def explore(
         with atomic_path(export) as temporary:
             temporary.write_text(session.exported(), encoding="utf-8")
         return {"command": "explore", "files": file_rows([export])}
-    opened = open_explorer(design) if is_stored(design) else open_coarse_explorer(design)
-    session = Session(opened, spec)
+    session = Session(open_shell(design), spec)
     try:
         listening = socket.create_server((ADDRESS, port))
     except OSError as error:

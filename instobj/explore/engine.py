@@ -315,3 +315,14 @@ def is_stored(spec: ObjectSpec) -> bool:
     """Return whether the mechanics of a specification's shell is stored."""
     variants = size_variants(spec)
     return all(Run(spec, checked=False).stored("candidates") is not None for spec in variants)
+
+
+def open_shell(spec: ObjectSpec) -> Explorer:
+    """Set up the best mechanics of a shell that takes seconds: what is stored, or else coarse.
+
+    Raises
+    ------
+    InputError
+        As `open_explorer` and `open_coarse_explorer`.
+    """
+    return open_explorer(spec) if is_stored(spec) else open_coarse_explorer(spec)

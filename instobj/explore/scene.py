@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,8 @@ from design.catalogue.hall_sensors import hall_part
 from design.catalogue.silicones import SILICONES
 from design.layout.body import body_of, face_frames
 from design.layout.places.contact_grid import PlaceGrid
+from design.search.space import reaches_that_fit_mm
+from design.spec.object import ObjectSpec
 from instobj.explore.design import design_of
 from instobj.explore.engine import Explorer
 from instobj.viewer.archive import Stepped, pack
@@ -69,6 +72,7 @@ def explorer_scene(explorer: Explorer, name: str) -> bytes:
         "thickness_mm": spec.shell.thickness_mm,
         "size_mm": list(spec.body.size_mm),
         "faces": [face_content(face) for face in faces],
+        "room_mm": _room_mm(spec, faces),
         "face_vertices": [1] * len(faces),
         "grid": {"x_mm": grid.x_mm.tolist(), "y_mm": grid.y_mm.tolist()},
         "magnets_in_shell": spec.arrangement == "sensors-in-core",
@@ -81,6 +85,22 @@ def explorer_scene(explorer: Explorer, name: str) -> bytes:
         "sizable": not body.from_file,
     }
     return pack(content, arrays)
+
+
+def _room_mm(spec: ObjectSpec, faces: Sequence[FaceFrame]) -> dict[str, list[list[float]]]:
+    """Return how far hands may drag magnets and chips from the middle of every face, along x and y: as far
+    from its border as a search takes them on the longest one."""
+    halves = np.array([face.half_extents_mm for face in faces])
+    reaches, core = reaches_that_fit_mm(spec), spec.core
+    # A recess turns with its place: askew its corner reaches farther than the search's straight one.
+    length = core.recess_outer_radius_mm - spec.sensors.radius_mm
+    askew = {"magnet": 0.0, "sensor": np.hypot(length, core.recess_width_mm / 2) - length}
+    return {
+        part: np.maximum(
+            halves - halves.max() + reaches[f"{part}_reach_mm"] - askew[part], 0.0
+        ).tolist()
+        for part in askew
+    }
 
 
 def _bendable(mesh: trimesh.Trimesh, edge_mm: float) -> Shaded:

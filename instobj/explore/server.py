@@ -169,8 +169,7 @@ QUESTIONS: dict[str, Callable[[Session, ObjectSpec, dict[str, Any]], dict[str, A
 
 
 def application(session: Session, checking: Executor) -> web.Application:
-    """Return the server's routes, behind its guard; limits are checked by `checking`, which hands that drag
-    a part do not wait for."""
+    """Return the server's routes, behind its guard."""
 
     async def index(request: web.Request) -> web.Response:
         text, headers = PAGE.read_text(encoding="utf-8"), page_headers(request.host)
@@ -180,30 +179,23 @@ def application(session: Session, checking: Executor) -> web.Application:
         return web.Response(text=program(), content_type="text/javascript")
 
     async def read_scene(request: web.Request) -> web.Response:
-        design = session.explorer.spec
-        if request.can_read_body:
-            design = session.design(await request.json())
-        await session.shells.open(design)
-        scene = await to_thread(session.scene, design)
+        query = await request.json() if request.can_read_body else {"design": {}}
+        scene = await answers.scene(query)
         return web.Response(body=scene, content_type="application/octet-stream")
 
-    by_name = _awaited(session, checking)
+    answers = Answers(session, checking)
 
     async def answer(request: web.Request) -> web.Response:
         try:
             query, question = await request.json(), request.match_info["question"]
-            if question in by_name:
-                return web.json_response(await by_name[question](query))
-            await session.shells.open(session.design(query))
-            return web.json_response(session.answer(question, query))
+            return web.json_response(await answers.to(question, query))
         except InstobjError as error:
             return web.json_response({"error": str(error)}, status=400)
         except json.JSONDecodeError:
             return web.json_response({"error": "no JSON. Reload the page"}, status=400)
 
     async def end(_: web.Application) -> None:
-        session.shells.close()
-        await session.work.stop()
+        await answers.end()
 
     app = web.Application(middlewares=[_guard], client_max_size=_LARGEST_BYTES)
     app.on_cleanup.append(end)
@@ -213,10 +205,44 @@ def application(session: Session, checking: Executor) -> web.Application:
             web.get("/program.js", read_program),
             web.get("/scene", read_scene),
             web.post("/scene", read_scene),
-            web.post(f"/{{question:{'|'.join([*by_name, *QUESTIONS])}}}", answer),
+            web.post(f"/{{question:{'|'.join(answers.names)}}}", answer),
         ]
     )
     return app
+
+
+class Answers:
+    """Answers to all questions of a page or a notebook; `checking` checks limits, so that hands that drag a
+    part do not wait for it."""
+
+    def __init__(self, session: Session, checking: Executor) -> None:
+        self._session = session
+        self._awaited = _awaited(session, checking)
+        self.names = [*self._awaited, *QUESTIONS]
+
+    async def to(self, question: str, query: dict[str, Any]) -> dict[str, Any]:
+        """Return the answer to a question.
+
+        Raises
+        ------
+        InputError
+            As `Session.answer`.
+        """
+        if question in self._awaited:
+            return await self._awaited[question](query)
+        await self._session.shells.open(self._session.design(query))
+        return self._session.answer(question, query)
+
+    async def scene(self, query: dict[str, Any]) -> bytes:
+        """Return the body, places and accuracy of a design's shell; of the first one for an empty design."""
+        design = self._session.design(query)
+        await self._session.shells.open(design)
+        return await to_thread(self._session.scene, design)
+
+    async def end(self) -> None:
+        """End what is at work."""
+        self._session.shells.close()
+        await self._session.work.stop()
 
 
 def _awaited(session: Session, checking: Executor) -> dict[str, Asked]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from design.spec.object import ObjectSpec
 from design.spec_io import parse_spec
 from instobj.explore.design import SHELL_TABLES
-from instobj.explore.engine import Explorer, is_stored, open_coarse_explorer, open_explorer
+from instobj.explore.engine import Explorer, open_explorer, open_shell
 from instobj.search.apart import WorkerProcess
 from instobj.stages.resources import search_seconds
 from instobj.store.keys import content_key
@@ -63,9 +63,7 @@ class Shells:
         key = shell_key(design)
         async with self._opening:
             if key not in self.by_key:
-                stored = await to_thread(is_stored, design)
-                make = open_explorer if stored else open_coarse_explorer
-                self.by_key[key] = await to_thread(make, design)
+                self.by_key[key] = await to_thread(open_shell, design)
         if self.by_key[key].coarse and self._refined != key and key not in self._trouble:
             self.close()
             self._refined, self._worker = key, WorkerProcess(_mechanics, None)

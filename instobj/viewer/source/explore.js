@@ -1,6 +1,8 @@
 // The page of `instobj explore`: parts are dragged by hand, and the map of what is told follows. The page
 // holds the design; its server judges it, or the page's own answers where it was exported.
-import { Mesh, MeshLambertMaterial, Plane, Quaternion, Raycaster, Vector2, Vector3 } from "three";
+import {
+  BoxGeometry, Color, CylinderGeometry, InstancedMesh, Mesh, MeshLambertMaterial, Plane, Quaternion, Raycaster, Vector2, Vector3,
+} from "three";
 import { bytesOf, numbers, readArchive } from "./archive.js";
 import { addNumber, boxOf, makeMagnet, makePool, quaternionOf } from "./layouts.js";
 import { drawLegend, makeMaps, placeOn, shownNumber } from "./maps.js";
@@ -15,12 +17,12 @@ const TITLES = {
   least: ["Least force that is felt", "N"],
 };
 const STEP_MM = 0.1;
-const WITHIN = 0.95;
 const RED = 0xe01b24;
 const WORSE = [0.5, 2];
 const SIZES = ["size-x", "size-y", "size-z"];
 const MOVED_PX = 4;
 const CHECK_EVERY_MS = 300;
+const [GRASPED, MOST_PARTS] = [1, 1024]; // layer of the parts that rays meet; copies of them are drawn
 const ENDLESS = 1e9; // of what no force is enough for: darker than all
 
 const copy = (value) => JSON.parse(JSON.stringify(value));
@@ -49,19 +51,44 @@ function heldAnswers(element) {
 
 // Body, places and accuracy of a design's shell; of the server's own where there is no design yet.
 async function fetchScene(design) {
-  const held = document.getElementById("scene");
-  if (held) return readArchive(bytesOf(held.textContent));
   const answer = await fetch("/scene", design && { method: "POST", body: JSON.stringify({ design }), headers: { "Content-Type": "application/json" } });
   return readArchive(new Uint8Array(await answer.arrayBuffer()));
 }
 
-async function startExplore() {
-  const find = (name) => document.querySelector(`[data-name="${name}"]`);
-  let scene = await fetchScene();
+// From a notebook's widget: map and design are traits of its model, other answers are messages.
+function modelAnswers(model) {
+  const waiting = new Map();
+  let asked = 0;
+  const settle = (number, answer) => {
+    const [done, fail] = waiting.get(number) ?? [];
+    waiting.delete(number);
+    if (done) answer.error ? fail(new Error(answer.error)) : done(answer);
+  };
+  const answered = (send) => new Promise((done, fail) => { waiting.set(++asked, [done, fail]); send(asked); });
+  model.on("change:map", () => settle(model.get("map").asked, model.get("map")));
+  model.on("msg:custom", ({ number, answer }, buffers) => settle(number, answer ?? buffers[0]));
+  const ask = (question, query) => answered((number) => {
+    if (question !== "judge") return model.send({ number, question, query });
+    for (const [name, value] of Object.entries({ ...copy(query), asked: number })) model.set(name, value);
+    model.save_changes();
+  });
+  const openScene = async (design) => readArchive(design ? await ask("scene", { design }) : model.get("scene"));
+  return { ask, openScene };
+}
+
+const ofPage = () => {
+  const [answers, scene] = ["answers", "scene"].map((name) => document.getElementById(name));
+  if (!answers) return { ask: post, openScene: fetchScene };
+  return { ask: heldAnswers(answers), openScene: () => readArchive(bytesOf(scene.textContent)), held: true };
+};
+
+// `model`: of a notebook's widget, whose element is the `root`.
+export async function startExplore(root, model) {
+  const { ask, openScene, held } = model ? modelAnswers(model) : ofPage();
+  const find = (name) => root.querySelector(`[data-name="${name}"]`);
+  let scene = await openScene();
   let { content, arrays } = scene;
-  const held = document.getElementById("answers");
-  const ask = held ? heldAnswers(held) : post;
-  document.body.classList.toggle("frozen", Boolean(held));
+  root.classList.toggle("frozen", Boolean(held));
   find("name").textContent = held ? `${content.name}, to look at and press` : `${content.name}, explored`;
   if (held) find("hint").textContent = "drag: turn · shift and click: press";
   content.forces_n.forEach((force) => find("force").append(new Option(`${force} N`, force)));
@@ -129,7 +156,7 @@ async function startExplore() {
   async function judged(design) {
     let answer = await ask("judge", question(design));
     while (answer.scene !== content.scene) {
-      build(await fetchScene(design));
+      build(await openScene(design));
       answer = await ask("judge", question(design));
     }
     return answer;
@@ -212,6 +239,8 @@ async function startExplore() {
   }
   const change = (act) => { remember(); act(state.design); update(performance.now()); };
 
+  const take = (design) => change(() => { state.design = copy(design); state.chosen = null; });
+
   const oneList = ({ magnets }) => !Array.isArray(magnets.positions_mm[0][0]);
   // Lists of places: one for all faces, one for each sensed face, or one for each face of a cube.
   function listsOf({ magnets, sensors }, kind) {
@@ -268,8 +297,9 @@ async function startExplore() {
   const on = (name, event, act) => find(name).addEventListener(event, act);
   const work = makeWork({
     find, ask, frozen: Boolean(held), now: () => ({ design: state.design, scene: content.scene, force: Number(find("force").value) }), renew: () => update(),
-    take: (design) => change(() => { state.design = copy(design); state.chosen = null; }),
+    take,
   });
+  model?.on("change:design", () => JSON.stringify(model.get("design")) !== JSON.stringify(state.design) && take(model.get("design")));
   async function refit() {
     state.ends = null;
     if (state.pinned) state.pinned.answer = await ask("judge", question(state.pinned.design));
@@ -282,7 +312,7 @@ async function startExplore() {
   on("opacity", "input", () => body.fade(Number(find("opacity").value) / 100));
   on("undo", "click", () => travel("past", "future"));
   on("redo", "click", () => travel("future", "past"));
-  document.addEventListener("keydown", ({ key, ctrlKey, metaKey, target }) => (ctrlKey || metaKey) && !target.matches("input") && ({ z: find("undo"), y: find("redo") })[key]?.click());
+  root.addEventListener("keydown", ({ key, ctrlKey, metaKey, target }) => (ctrlKey || metaKey) && !target.matches("input") && ({ z: find("undo"), y: find("redo") })[key]?.click());
   on("pin", "click", () => {
     state.pinned = copy({ design: state.design, answer: state.answer, used: state.used });
     find("difference").disabled = false;
@@ -322,7 +352,7 @@ async function startExplore() {
   }));
 
   joinPointer({
-    stage: document.querySelector(".stage"), canvas: find("canvas"), view, now: () => ({ body, parts, content, maps }), frozen: Boolean(held),
+    stage: root.querySelector(".stage"), canvas: find("canvas"), view, now: () => ({ body, parts, content, maps }), frozen: Boolean(held),
     choose(part) { state.chosen = part; paintBroken(); showPart(); },
     begin: remember,
     move({ kind, face, number }, xy, at) {
@@ -343,7 +373,7 @@ async function startExplore() {
     state: () => state, idle: () => !busy && !again && !checking, exact: () => content.scene.endsWith("full"), latencies: () => latencies, forget: () => (latencies.length = 0),
     where: (kind, index) => parts.where(kind, index, view), at: (kind, index) => parts.at(kind, index), dent: () => body.deepest(), map: () => Array.from(arrays.map_live.data),
   };
-  document.getElementById("instobj-explore").dataset.ready = "yes";
+  root.querySelector("#instobj-explore").dataset.ready = "yes";
 }
 
 // A sentence of the check behind the names that the page has for the parts.
@@ -425,6 +455,28 @@ function push(position, rest, { origin, normal, profile }, thickness) {
   }
 }
 
+// All parts of a shape in one drawing: each costs a program that draws in software as much as its pixels.
+// Transparent, so that they are drawn in full colour after the skin over them.
+function makeCopies(view, geometry) {
+  const copies = new InstancedMesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.9 }), MOST_PARTS);
+  Object.assign(copies, { renderOrder: 3, frustumCulled: false });
+  view.scene.add(copies);
+  const colour = new Color();
+  return (objects) => {
+    copies.count = 0;
+    objects.forEach((object) => {
+      object.updateMatrixWorld();
+      object.traverse(({ material, matrixWorld }) => {
+        if (!material) return;
+        copies.setColorAt(copies.count, colour.copy(material.color).add(material.emissive));
+        copies.setMatrixAt(copies.count++, matrixWorld);
+      });
+    });
+    copies.instanceMatrix.needsUpdate = true;
+    if (copies.instanceColor) copies.instanceColor.needsUpdate = true;
+  };
+}
+
 // Magnets and chips where the last answer has them; each knows its face and its number on it.
 function makeParts(view, content) {
   const made = { magnet: [], sensor: [], board: [] };
@@ -435,12 +487,13 @@ function makeParts(view, content) {
   const boardsMove = !content.magnets_in_shell; // chips in the silicone are drawn as their boards
   let counts = {};
   function keep(kind, object) {
-    // Transparent, so that parts are drawn in full colour after the skin over them.
-    object.traverse((mesh) => mesh.material && Object.assign(mesh.material, { transparent: true, opacity: 0.9 }));
-    object.traverse((mesh) => mesh.material && (mesh.renderOrder = 3) && (mesh.userData.colour = mesh.material.color.getHex()));
+    object.traverse((mesh) => mesh.layers.set(GRASPED));
+    object.traverse((mesh) => mesh.material && (mesh.userData.colour = mesh.material.color.getHex()));
     made[kind].push(object);
     return object;
   }
+  const [disks, chips, boards] = [new CylinderGeometry(1, 1, 1, 32), new BoxGeometry(2, 2, 2), new BoxGeometry(2, 2, 2)].map((geometry) => makeCopies(view, geometry));
+  const copies = { magnet: disks, sensor: chips, board: boards };
   const moving = boardsMove ? "board" : "magnet";
   let [rest, shift] = [null, null];
   function place(layout) {
@@ -478,6 +531,7 @@ function makeParts(view, content) {
   view.before.push((camera) => {
     for (const kind of ["magnet", "sensor", "board"]) {
       made[kind].slice(0, counts[kind]).forEach((object, index) => (object.visible = facing(faceOf(kind, index), camera)));
+      copies[kind](made[kind].filter(({ visible }) => visible));
     }
     const marked = ["magnet", "sensor"].flatMap((kind) => shown(kind).filter((one, index) => one.visible && isBroken(kind, index)));
     signs.place(marked.map((one) => ({ at: one.position.toArray(), turn: one.quaternion, half: Array(3).fill(view.size / 6) })));
@@ -517,6 +571,7 @@ function makeParts(view, content) {
 
 function joinPointer({ stage, canvas, view, now, frozen, choose, begin, move, press }) {
   const caster = new Raycaster();
+  caster.layers.enable(GRASPED);
   const [plane, at] = [new Plane(), new Vector3()];
   let drag = null;
   function aim(event) {
@@ -557,14 +612,15 @@ function joinPointer({ stage, canvas, view, now, frozen, choose, begin, move, pr
     drag.moved = true;
     const face = now().content.faces[drag.face];
     const local = at.add(drag.off).sub(new Vector3(...face.centre_mm));
-    const xy = [face.x, face.y].map((axis, k) => rounded(Math.min(WITHIN * face.half_mm[k], Math.max(-WITHIN * face.half_mm[k], local.dot(new Vector3(...axis))))));
+    const room = now().content.room_mm[drag.kind][drag.face];
+    const xy = [face.x, face.y].map((axis, k) => rounded(Math.min(room[k], Math.max(-room[k], local.dot(new Vector3(...axis))))));
     move(drag, xy, event.timeStamp);
   });
   for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (drag = null));
 }
 
-if (document.getElementById("instobj-explore")) {
-  startExplore().catch((error) => {
+if (document.querySelector("body > #instobj-explore")) { // a notebook's widget is started by anywidget
+  startExplore(document.body).catch((error) => {
     document.querySelector('[data-name="trouble"]').textContent = `The page cannot start: ${error.message}.`;
     console.warn(error);
   });

@@ -3,7 +3,7 @@ import { bytesOf, readArchive } from "./archive.js";
 import { mountLayouts } from "./layouts.js";
 import { linkViews } from "./linked.js";
 import { mountObject } from "./viewer.js";
-import "./explore.js";
+import { startExplore } from "./explore.js";
 import "./live.js";
 
 const SHOWN = "instobj objects shown";
@@ -34,6 +34,10 @@ async function startPage() {
 // anywidget: the markup and the scene are traits of the model.
 export async function render({ model, el }) {
   el.innerHTML = model.get("markup");
+  if (el.querySelector("#instobj-explore")) {
+    el.classList.add("explore-widget");
+    return startExplore(el, model);
+  }
   const scene = model.get("scene");
   const packed = new Uint8Array(scene.buffer, scene.byteOffset, scene.byteLength);
   const found = await mount(el.querySelector(".viewer"), packed);
